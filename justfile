@@ -15,6 +15,7 @@ ci:
 # Format the sources
 fmt:
     cargo fmt --all
+    rustfmt --edition 2024 crates/railcrack/src/fatigue/laws/*.rs
 
 # Lints, on everything that is compiled
 lint:

@@ -28,6 +28,7 @@ class Browser:
         self.socket = connect(pages[0]["webSocketDebuggerUrl"], max_size=None, compression=None)
         self.number = 0
         self.complaints = []
+        self.loads = 0
         self.requests = []
         for domain in ["Runtime", "Log", "Page", "Network"]:
             self.send(f"{domain}.enable")
@@ -69,6 +70,8 @@ class Browser:
             self.complaints.append(" ".join(str(argument.get("value", argument.get("description"))) for argument in about["args"]))
         elif method == "Log.entryAdded" and about["entry"]["level"] in ("error", "warning"):
             self.complaints.append(about["entry"]["text"])
+        elif method == "Page.loadEventFired":
+            self.loads += 1
         elif method == "Network.requestWillBeSent":
             self.requests.append(about["request"]["url"][:200])
 
@@ -89,16 +92,18 @@ class Browser:
     def open_plain(self, path):
         """Loads a page whose scripts do not run."""
         self.send("DOM.enable")
+        before = self.loads
         self.send("Page.navigate", url=Path(path).resolve().as_uri())
         for _ in range(100):
             time.sleep(0.1)
             try:
-                document = self.send("DOM.getDocument", depth=0)["root"]["nodeId"]
-                if self.send("DOM.querySelector", nodeId=document, selector="footer")["nodeId"]:
-                    return
+                # The load event comes with the answer to a command.
+                self.send("Page.getNavigationHistory")
             except RuntimeError:
-                # The document of the page before was still there.
+                # Between two documents there is no page.
                 continue
+            if self.loads > before:
+                return
         raise RuntimeError(f"{path} was not read within 10 s")
 
     def size(self, width, height):

@@ -9,6 +9,7 @@ pictures of every section (light, dark, printed) in PICTURES. Ends with 1 where 
 import base64
 import csv
 import json
+import re
 import struct
 import sys
 import time
@@ -91,11 +92,11 @@ NEAREST_COLOURS = """
   return [apart(nearest), names[nearest[0]], names[nearest[1]]];
 })()
 """
-# Curves of one chart that look alike: of the same colour, dashes and width under different names. Quantiles are told by their order.
+# Curves of one chart that look alike: of the same colour, dashes and width under different names; quantiles have an order.
 ALIKE = """
 [...railcrack.charts].flatMap(([id, chart]) => {
   const looks = new Map();
-  for (const { name, note, stroke, look, wide, dots } of chart.curves.filter((curve) => !/ %( of the runs)?$/.test(curve.name))) {
+  for (const { name, note, stroke, look, wide, dots } of chart.curves.filter((curve) => curve.name && !/ %( of the runs)?$/.test(curve.name))) {
     const key = `${stroke} ${look} ${wide} ${dots}`;
     if (!looks.has(key)) looks.set(key, new Set());
     looks.get(key).add(`${name} ${note}`);
@@ -229,7 +230,7 @@ def check_page(browser, checks, name, path):
         found = browser.run(expression)
         checks.that(not found, f"{name}: on paper, {what}", found[:8])
     text = browser.run("document.body.innerText")
-    for screen in ["Point at a map", "Keys:", "Drawn with d3", "A click on"]:
+    for screen in ["Point at a map", "Keys:", "Drawn with d3", "Click a heading"]:
         checks.that(screen not in text, f"{name}: on paper there is no {screen!r}")
     browser.run("dispatchEvent(new Event('afterprint'))")
     browser.media()
@@ -336,9 +337,107 @@ def check_explorer(browser, checks, name, folder):
         position += 1
         check_k(shown[-2])
     hover(browser, checks, name)
-    pressed = browser.run("document.getElementById('play').click(); document.getElementById('wheel').value")
-    browser.until(f"document.getElementById('wheel').value !== '{pressed}'")
+    check_player(browser, checks, name)
+    checks.that(not browser.complaints, f"{name}: no complaints after all this", browser.complaints)
+
+
+def check_player(browser, checks, name):
+    """The button plays the passage, stops it, and comes to rest at the last position."""
+    button = "document.getElementById('play').textContent"
+    wheel = "document.getElementById('wheel').value"
+    pressed = browser.run(f"document.getElementById('play').click(); {wheel}")
+    browser.until(f"{wheel} !== '{pressed}'")
+    checks.that(browser.run(button) == "Stop", f"{name}: the button stops the passage")
     browser.run("document.getElementById('play').click()")
+    stopped = browser.run(wheel)
+    browser.settle()
+    checks.that(browser.run(wheel) == stopped and browser.run(button).startswith("Play"), f"{name}: the wheel stands still", stopped, browser.run(wheel))
+    # A hand on the slider takes over from the player.
+    browser.run("document.getElementById('play').click(); document.getElementById('wheel').focus()")
+    browser.key("Home")
+    checks.that(browser.run(wheel) == "0" and browser.run(button).startswith("Play"), f"{name}: the slider stops the player", browser.run(wheel))
+    browser.key("End")
+    browser.key("ArrowLeft", 2)
+    browser.run("document.getElementById('play').click()")
+    browser.until(f"{button}.startsWith('Play')")
+    last = browser.run("document.getElementById('wheel').max")
+    checks.that(browser.run(wheel) == last, f"{name}: the passage ends at the last position", browser.run(wheel), last)
+    # At the end, the button plays it from the beginning.
+    browser.run("document.getElementById('play').click()")
+    again = int(browser.run(wheel))
+    checks.that(again < int(last), f"{name}: from the end it is played again", again, last)
+    browser.run("document.getElementById('play').click()")
+
+
+def check_space(browser, checks, name, folder):
+    """The sliders of cracks in space move what they should, to what the tables say."""
+    browser.open(folder / "report.html")
+    sif = {(int(row["step"]), row["crack"], row["tip"], float(row["xc_over_a"])): row for row in stabilised(table(folder / "sif.csv"))}
+    growth = table(folder / "growth.csv")
+    data = browser.run("JSON.parse(document.getElementById('space-data').textContent)")
+    positions, steps, cracks = data["positions"], [step["step"] for step in data["steps"]], len(data["cracks"])
+    # As the page writes them: a true minus sign, thousands apart.
+    number = lambda text: float(re.match("[-+.e\\d]+", text.replace("\u2212", "-").replace("\u00a0", ""))[0].rstrip("."))
+    value = lambda id: int(browser.run(f"document.getElementById('{id}').value"))
+    drawing = lambda figure: browser.run(f"document.querySelector('#{figure} .drawing svg').innerHTML")
+
+    def check_values(what):
+        step, point, at = steps[value("step")], value("front"), positions[value("wheel")]
+        crack = str(value("crack") + 1)
+        front = [row for row in growth if int(row["step"]) == step and row["crack"] == crack]
+        state = front[point]
+        what = f"{name}: {what}, step {step}, crack {crack}, point {point + 1}, x_c/a = {at}"
+        row = min((row for key, row in sif.items() if key[:3] == (step, crack, state["tip"])), key=lambda row: abs(float(row["xc_over_a"]) - at))
+        text = browser.run("document.getElementById('readout').textContent")
+        for mode, column in [("KI", "ki_mpa_sqrt_m"), ("KII", "kii_mpa_sqrt_m"), ("KIII", "kiii_mpa_sqrt_m")]:
+            checks.near(number(text.split(f"{mode} = ")[1]), float(row[column]), f"{what}, {mode}", absolute=0.0051)
+        checks.near(number(text.split("\u0394Keq = ")[1]), float(state["delta_keq_mpa_sqrt_m"]), f"{what}, range", relative=1e-3)
+        checks.near(number(text.split("alf axes ")[1]), float(state["length_mm"]), f"{what}, half axis", relative=1e-3)
+        checks.near(number(text.split("At \u03c6 = ")[1]), float(state["phi_deg"]), f"{what}, angle", relative=1e-3)
+        checks.near(browser.run("document.querySelector('#above svg').dataset.centre"), float(row["xc_mm"]), f"{what}, the wheel")
+        wheel = browser.run("document.getElementById('wheel-value').textContent")
+        checks.near(number(wheel.split("xc/a = ")[1]), float(row["xc_over_a"]), f"{what}, the wheel in words", absolute=6e-4)
+        checks.that(browser.run("document.getElementById('step-value').textContent") == f"{step} of {data['last_step']}", f"{what}, the step in words")
+
+    check_values("at first")
+    before = {figure: drawing(figure) for figure in ["above", "side", "along", "history"]}
+    browser.run("document.getElementById('wheel').focus()")
+    browser.key("Home")
+    check_values("Home")
+    browser.key("ArrowRight", 3)
+    checks.that(value("wheel") == 3, f"{name}: \u2192 moves the wheel", value("wheel"))
+    check_values("\u2192")
+    for figure, drawn in before.items():
+        checks.that(drawing(figure) != drawn, f"{name}: {figure} follows the wheel")
+    before = {figure: drawing(figure) for figure in ["above", "side", "plane", "along", "history"]}
+    browser.run("document.getElementById('front').focus()")
+    browser.key("Home")
+    browser.key("ArrowRight")
+    check_values("a point of the front")
+    for figure, drawn in before.items():
+        checks.that(drawing(figure) != drawn, f"{name}: {figure} follows the point of the front")
+    if len(steps) > 1:
+        before = drawing("plane")
+        browser.run("document.getElementById('step').focus()")
+        browser.key("End")
+        check_values("the last step")
+        checks.that(drawing("plane") != before, f"{name}: the fronts follow the step")
+        # The page's own keys.
+        browser.run("document.activeElement.blur(); document.getElementById('plane').scrollIntoView({block: 'center'})")
+        browser.key("ArrowDown")
+        checks.that(value("step") == len(steps) - 2, f"{name}: \u2193 goes a step back", value("step"))
+        place = value("wheel")
+        browser.key("ArrowRight")
+        checks.that(value("wheel") == place + 1, f"{name}: \u2192 on the page moves the wheel", place, value("wheel"))
+        check_values("keys of the page")
+    checks.that(browser.run("document.getElementById('which').hidden") == (cracks == 1), f"{name}: of several cracks one can be chosen")
+    if cracks > 1:
+        browser.run("(() => { const e = document.getElementById('crack'); e.selectedIndex = e.options.length - 1; e.dispatchEvent(new Event('change')); })()")
+        text = browser.run("document.getElementById('readout').textContent")
+        checks.that(text.startswith(f"Crack {cracks}:"), f"{name}: the last crack is chosen", text)
+        check_values("another crack")
+    check_player(browser, checks, name)
+    check_values("after the player")
     checks.that(not browser.complaints, f"{name}: no complaints after all this", browser.complaints)
 
 
@@ -507,7 +606,7 @@ def check_row(browser, checks, name, folder):
     browser.run("dispatchEvent(new Event('beforeprint'))")
     browser.settle()
     seen = browser.run("[document.querySelector('#row-figure .drawing svg').getBoundingClientRect().width, document.getElementById('row-crack').getBoundingClientRect().width, document.getElementById('row-caption').textContent]")
-    checks.that(300 < seen[0] <= PAPER and seen[1] == 0 and f"crack {first} is marked" in seen[2], f"{name}: the map on paper", seen)
+    checks.that(300 < seen[0] <= PAPER and seen[1] == 0 and f"crack {first} is highlighted" in seen[2], f"{name}: the map on paper", seen)
     browser.run("dispatchEvent(new Event('afterprint'))")
     browser.media()
     checks.that(not browser.complaints, f"{name}: no complaints after all this", browser.complaints)
@@ -719,7 +818,9 @@ def main():
             # The folder of a run and that of its first stage have the same last name elsewhere.
             name = folder.name if names.count(folder.name) == 1 else f"{folder.parent.name}-{folder.name}"
             check_page(browser, checks, name, folder / "report.html")
-            if (folder / "sif.csv").exists():
+            if browser.run("Boolean(document.getElementById('space-data'))"):
+                check_space(browser, checks, name, folder)
+            elif (folder / "sif.csv").exists():
                 check_explorer(browser, checks, name, folder)
                 check_row(browser, checks, name, folder)
                 check_fields(browser, checks, name, folder)

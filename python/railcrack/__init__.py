@@ -11,7 +11,7 @@ the rail, y upwards, the rail is y ≤ 0. Words and signs are those of the book 
 """
 
 from . import errors
-from ._case import Case, Check, History
+from ._case import Case, Check, History, Run
 from ._grid import FieldGrid
 from ._parts import (
     Body,
@@ -30,7 +30,6 @@ from ._parts import (
 )
 from ._progress import Step
 from ._railcrack import version as _version
-from ._run import Run
 from ._study import Study
 from ._table import Table
 from .errors import (

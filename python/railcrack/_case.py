@@ -1,22 +1,27 @@
-"""Cases."""
+"""Cases, and the runs that they make."""
 
 from __future__ import annotations
 
+import io
 import os
+import tempfile
+import zipfile
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _railcrack, errors
+from . import _errors, _railcrack
+from ._errors import PUBLIC, BadInput, FolderError, RailcrackError
+from ._html import facts
+from ._plot import RunPlots
 from ._progress import Progress, teller
+from ._results import RunResults
 from ._source import Source, Sourced
-
-if TYPE_CHECKING:
-    from ._run import Run
 
 History = NDArray[np.float64]
 """K through the stabilised passage: shape (samples, 2), K_I and K_II in MPa√m, in the order of
@@ -50,8 +55,6 @@ class Check:
         return self.text
 
     def _repr_html_(self) -> str:
-        from html import escape
-
         return f"<pre>{escape(self.text)}</pre>"
 
 
@@ -138,13 +141,11 @@ class Case(Sourced):
         Raises `NotConverged` and, on Ctrl-C, within one load step, `Interrupted`: both have
         `partial_run` with what was computed before. Other threads of Python run meanwhile.
         """
-        from ._run import Run
-
         told = teller(progress, self.steps + 1)
         try:
             before = resume._core if resume is not None else None
             if before is not None and not resume._is_in_memory:  # type: ignore[union-attr]
-                raise errors.BadInput("a run in a folder is resumed by `railcrack run --resume`")
+                raise BadInput("a run in a folder is resumed by `railcrack run --resume`")
             core, ended, why = self._core.run(threads, told, before, law, direction)
         finally:
             told.close()
@@ -153,10 +154,10 @@ class Case(Sourced):
             return run
         partial = run if len(run.growth.step) else None
         if ended == "interrupted":
-            raise errors.Interrupted(partial_run=partial)
+            raise Interrupted(partial_run=partial)
         if ended == "NotConverged":
-            raise errors.NotConverged(why, partial_run=partial)
-        raise getattr(errors, ended)(why)
+            raise NotConverged(why, partial_run=partial)
+        raise getattr(_errors, ended)(why)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Case) and self._source.files == other._source.files and self.to_toml() == other.to_toml()
@@ -168,10 +169,85 @@ class Case(Sourced):
         return f"<railcrack.Case {self.title!r}: {len(self._core.cracks)} cracks, {self.steps} steps, {self.engine}>"
 
     def _repr_html_(self) -> str:
-        from html import escape
-
-        from ._html import facts
-
         rows = [("engine", self.engine), ("cracks", len(self._core.cracks)), ("increments", self.steps)]
         text = f"<details><summary>all values</summary><pre>{escape(self.to_toml())}</pre></details>"
         return facts(self.title, rows, text)
+
+class Run(RunResults):
+    """A run: what `Case.run` computed, or the run folder of the command (`Run.open`).
+
+    The tables are those of the run folder, with the same columns (docs/file-formats.md). A run can
+    be pickled: it then takes its run folder with it, without plots and report.
+    """
+
+    def __init__(self, core: _railcrack.Run, *, in_memory: bool, case: Case | None = None, folder: Path | None = None) -> None:
+        super().__init__(core, in_memory=in_memory, folder=folder)
+        self._case = case
+
+    @classmethod
+    def open(cls, folder: str | os.PathLike[str]) -> Run:
+        """The run in `folder`."""
+        return cls(_railcrack.Run.open(Path(folder)), in_memory=False, folder=Path(folder))
+
+    @property
+    def case(self) -> Case:
+        """The case."""
+        if self._case is None:
+            if self._folder is None:
+                raise FolderError("the run has no case")
+            self._case = Case.read(self._folder / "case.toml")
+        return self._case
+
+    @property
+    def plot(self) -> RunPlots:
+        """Plots by matplotlib: `run.plot.sif()`, `.paths()`, `.length()`, `.faces()`."""
+        return RunPlots(self)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        with tempfile.TemporaryDirectory(prefix="railcrack-") as scratch:
+            folder = self.save(Path(scratch) / "run", report=False) if self._is_in_memory else self._folder
+            packed = io.BytesIO()
+            with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive:
+                for file in sorted(Path(folder or "").rglob("*")):
+                    if file.is_file() and file.name != "report.html" and "plots" not in file.parts:
+                        archive.write(file, file.relative_to(folder or ""))
+        return _unpacked, (packed.getvalue(),)
+
+    def __repr__(self) -> str:
+        where = "in memory" if self._is_in_memory else str(self._folder)
+        return f"<railcrack.Run {self.title!r}: {self.steps} steps, {self.stop or 'can go on'}, {where}>"
+
+
+def _unpacked(packed: bytes) -> Run:
+    """A run from its packed folder, which lasts as long as the run."""
+    folder = tempfile.TemporaryDirectory(prefix="railcrack-")
+    with zipfile.ZipFile(io.BytesIO(packed)) as archive:
+        archive.extractall(folder.name)
+    run = Run.open(folder.name)
+    run._keeps = folder
+    return run
+
+
+class NotConverged(RailcrackError):
+    """No solution was found. `partial_run` has the growth steps before; None where there are none."""
+
+    __module__ = PUBLIC
+
+    partial_run: Run | None
+
+    def __init__(self, message: str, partial_run: Run | None = None) -> None:
+        super().__init__(message)
+        self.partial_run = partial_run
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C. `partial_run` has the growth steps that were finished; go on with
+    `case.run(resume=error.partial_run)`."""
+
+    __module__ = PUBLIC
+
+    partial_run: Run | None
+
+    def __init__(self, message: str = "interrupted", partial_run: Run | None = None) -> None:
+        super().__init__(message)
+        self.partial_run = partial_run

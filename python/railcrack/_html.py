@@ -2,27 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from html import escape
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from ._table import Table
+from typing import Any
 
 ROWS = 10
 
 
-def table(content: Table) -> str:
-    """The first and the last rows of a table, with units."""
-    rows = content.rows
+def table(name: str, rows: int, columns: Mapping[str, Any], meanings: Mapping[str, str]) -> str:
+    """The first and the last of the `rows` of a table, the columns with their meanings."""
     shown = range(rows) if rows <= ROWS else [*range(ROWS // 2), *range(rows - ROWS // 2, rows)]
-    head = "".join(f"<th title='{escape(content.meanings[c], quote=True)}'>{escape(c)}</th>" for c in content)
+    head = "".join(f"<th title='{escape(meanings[c], quote=True)}'>{escape(c)}</th>" for c in columns)
     body = ""
     for place, row in enumerate(shown):
         if rows > ROWS and place == ROWS // 2:
-            body += f"<tr><td colspan='{len(content)}'>…</td></tr>"
-        body += "<tr>" + "".join(f"<td>{_number(content[c][row])}</td>" for c in content) + "</tr>"
+            body += f"<tr><td colspan='{len(columns)}'>…</td></tr>"
+        body += "<tr>" + "".join(f"<td>{_number(columns[c][row])}</td>" for c in columns) + "</tr>"
     return (
-        f"<div><b>{escape(content.name)}</b>: {rows} rows<table><thead><tr>{head}</tr></thead>"
+        f"<div><b>{escape(name)}</b>: {rows} rows<table><thead><tr>{head}</tr></thead>"
         f"<tbody>{body}</tbody></table></div>"
     )
 

@@ -15,9 +15,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _railcrack
 from ._case import Case, History
+from ._errors import BadInput
+from ._html import facts
 from ._progress import Progress, teller
 from ._table import Table
-from .errors import BadInput
 
 Array = NDArray[np.float64]
 
@@ -366,8 +367,6 @@ class Shakedown:
         return str(self.summary["state"])
 
     def _repr_html_(self) -> str:
-        from ._html import facts
-
         return facts("Stabilised plastic state", [("state", self.state)], self.profile._repr_html_())
 
 

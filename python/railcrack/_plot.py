@@ -3,15 +3,16 @@ returns the axes."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
+from ._results import RunResults
+from ._table import Table
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-    from ._run import Run
-    from ._study import Study
 
 
 def _axes(ax: Any) -> Any:
@@ -23,12 +24,12 @@ def _axes(ax: Any) -> Any:
     return axes
 
 
-def _tips(run: Run) -> list[tuple[int, int]]:
+def _tips(run: RunResults) -> list[tuple[int, int]]:
     growth = run.growth
     return sorted({(int(c), int(t)) for c, t in zip(growth["crack"], growth["tip"], strict=True)})
 
 
-def _name(run: Run, crack: int, tip: int) -> str:
+def _name(run: RunResults, crack: int, tip: int) -> str:
     tips = _tips(run)
     if len(tips) == 1:
         return ""
@@ -47,11 +48,11 @@ def _section(axes: Axes, across: str) -> Axes:
     return axes
 
 
-def _is_in_space(run: Run) -> bool:
+def _is_in_space(run: RunResults) -> bool:
     return "phi_deg" in run.growth
 
 
-def _deepest(run: Run, crack: int) -> int:
+def _deepest(run: RunResults, crack: int) -> int:
     """The point of the front in space that is deepest in step 0."""
     rows = run.growth.where(step=0, crack=crack)
     return int(rows["tip"][np.argmin(rows["tip_y_mm"])])
@@ -60,7 +61,7 @@ def _deepest(run: Run, crack: int) -> int:
 class RunPlots:
     """Plots of a run: `run.plot.sif()`, `.paths()`, `.length()`, `.faces()`."""
 
-    def __init__(self, run: Run) -> None:
+    def __init__(self, run: RunResults) -> None:
         self._run = run
 
     def __call__(self) -> Any:
@@ -184,10 +185,25 @@ class RunPlots:
         return axes
 
 
+class StudyResults(Protocol):
+    """Results of a study that its plots show."""
+
+    @property
+    def results(self) -> Table:
+        """A row per run."""
+
+    @property
+    def numbers(self) -> Iterable[int]:
+        """Numbers of the runs."""
+
+    def run(self, number: int) -> RunResults:
+        """The results of a run."""
+
+
 class StudyPlots:
     """Plots of a study: `study.plot.scatter(key, column)`, `.paths()`."""
 
-    def __init__(self, study: Study) -> None:
+    def __init__(self, study: StudyResults) -> None:
         self._study = study
 
     def scatter(self, key: str, column: str, *, ax: Axes | None = None) -> Axes:

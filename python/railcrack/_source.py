@@ -9,7 +9,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any, TypeVar
 
 from . import _toml
-from .errors import CaseError
+from ._errors import CaseError
 
 
 @dataclass(frozen=True)

@@ -12,17 +12,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _railcrack, errors
-from ._case import Case
+from . import _railcrack
+from ._case import Case, Interrupted, Run
+from ._errors import PUBLIC, BadInput, RailcrackError
+from ._html import facts
+from ._plot import StudyPlots
 from ._progress import Progress, teller
-from ._run import Run
 from ._source import Source, Sourced
 from ._table import Table
 
 if TYPE_CHECKING:
     import pandas
-
-    from ._plot import StudyPlots
 
 Files = dict[str, bytes]
 Failed = tuple[int, str, str]
@@ -82,7 +82,7 @@ class Study(Sourced):
         """The case of a run."""
         core = self._core.case(number)
         if core is None:
-            raise errors.BadInput(f"run {number}: must be from 1 to {len(self)}")
+            raise BadInput(f"run {number}: must be from 1 to {len(self)}")
         files = tuple((name, text.encode()) for name, text in core.companions())
         return Case._of(Source(core.to_toml(), f"run {number}", files), core)
 
@@ -147,7 +147,7 @@ class Study(Sourced):
         study = Study._of(self._source)
         study._out, study._keeps = folder, keeps
         if interrupted:
-            raise errors.Interrupted(f"interrupted; the study in {folder} goes on with resume=True")
+            raise Interrupted(f"interrupted; the study in {folder} goes on with resume=True")
         if failed or lost:
             raise _incomplete(failed, lost, study)
         return study
@@ -159,7 +159,7 @@ class Study(Sourced):
     def folder(self) -> Path:
         """The folder with its results."""
         if self._out is None:
-            raise errors.BadInput("the study is not computed: study.map() computes it")
+            raise BadInput("the study is not computed: study.map() computes it")
         return self._out
 
     @cached_property
@@ -183,7 +183,7 @@ class Study(Sourced):
     def run(self, number: int) -> Run:
         """The results of a run."""
         if not 1 <= number <= len(self):
-            raise errors.BadInput(f"run {number}: must be from 1 to {len(self)}")
+            raise BadInput(f"run {number}: must be from 1 to {len(self)}")
         run = Run.open(_railcrack.Study.run_folder(self.folder, number))
         run._keeps = self._keeps
         return run
@@ -191,8 +191,6 @@ class Study(Sourced):
     @property
     def plot(self) -> StudyPlots:
         """Plots by matplotlib."""
-        from ._plot import StudyPlots
-
         return StudyPlots(self)
 
     def __repr__(self) -> str:
@@ -200,11 +198,25 @@ class Study(Sourced):
         return f"<railcrack.Study {self.title!r}: {len(self)} runs, {where}>"
 
     def _repr_html_(self) -> str:
-        from ._html import facts
-
         rows: list[tuple[str, Any]] = [("runs", len(self))]
         rows.extend((key, ", ".join(values)) for key, values in self.keys.items())
         return facts(self.title, rows, self.results._repr_html_() if self._out is not None else "")
+
+
+class StudyIncomplete(RailcrackError):
+    """Runs of a study that could not be computed: `failed` (number, values, reason) and `missing`
+    (numbers of runs whose worker was lost; `map` with `resume=True` and the same `out` computes
+    them). `study` has the results of all others."""
+
+    __module__ = PUBLIC
+
+    def __init__(
+        self, message: str, failed: list[tuple[int, str, str]] | None = None, missing: list[int] | None = None
+    ) -> None:
+        super().__init__(message)
+        self.failed = failed or []
+        self.study: Study | None = None
+        self.missing = missing or []
 
 
 # Runs that came from workers and are packed together, where the study keeps no run folders.
@@ -235,7 +247,7 @@ class _Task:
             folder = Path(scratch) / "study"
             failed, interrupted = study._core.compute(folder, [number], self.report, self.threads, None, travel=True)
             if interrupted:
-                raise errors.Interrupted()
+                raise Interrupted()
             run = folder / "runs" / study._folder_of(number)
             files = {str(f.relative_to(run).as_posix()): f.read_bytes() for f in run.rglob("*") if f.is_file()}
         return files, failed
@@ -268,7 +280,7 @@ def _results(executor: Any, task: _Task, numbers: list[int]) -> Iterable[tuple[i
             number, future = _next(over)
             try:
                 yield number, future.result()
-            except (KeyboardInterrupt, errors.RailcrackError):
+            except (KeyboardInterrupt, RailcrackError):
                 raise
             except BaseException as error:  # noqa: BLE001 - of the worker or of the executor
                 yield number, error
@@ -298,11 +310,11 @@ def _put(study: Path, folder: str, files: Files) -> None:
         partial.replace(path)
 
 
-def _incomplete(failed: list[Failed], lost: list[int], study: Study) -> errors.StudyIncomplete:
+def _incomplete(failed: list[Failed], lost: list[int], study: Study) -> StudyIncomplete:
     parts = [f"run {number} ({label}): {reason}" for number, label, reason in failed]
     if lost:
         parts.append(f"{len(lost)} runs were lost with their workers: map(..., resume=True) with the same `out` computes them")
-    error = errors.StudyIncomplete("\n".join(parts), failed, sorted(lost))
+    error = StudyIncomplete("\n".join(parts), failed, sorted(lost))
     error.study = study
     return error
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _arrow
+from . import _arrow, _html
 
 if TYPE_CHECKING:
     import pandas
@@ -155,6 +155,4 @@ class Table(Mapping[str, NDArray[Any]]):
         return f"<railcrack.Table {self.name}: {self.rows} rows of {', '.join(self)}>"
 
     def _repr_html_(self) -> str:
-        from ._html import table
-
-        return table(self)
+        return _html.table(self.name, self.rows, self, self.meanings)

@@ -14,17 +14,21 @@ mod study;
 mod tables;
 
 pub use case::{
-    CarriedStress, CarriedStressError, Case, CaseGrowth, MixedWheel, Overrides, PreparedRun, Projection,
-    RailKey, Release, RolledRailError, RunSize, SharedRail, SharedRailError, SpaceCase,
+    CarriedStress, CarriedStressError, Case, Coefficient, MixedWheel, NoCoefficient, NoNumber, Overrides,
+    PreparedRun, Projection, RailKey, Release, RolledRailError, RunSize, SharedRail, SharedRailError,
+    SpaceCase,
 };
-pub use files::{CaseFile, Companion, ContactFile, FieldFile, ProfileFile, RatesFile, ToughnessFile};
+pub use files::{
+    CaseFile, Column, Columned, Columns, Companion, ContactFile, FieldFile, ProfileFile, RatesFile,
+    ToughnessFile,
+};
 pub use schema::{
     Availability, CaseError, CaseErrors, Choice, Form, Key, Kind, NumberRange, OnlyWith, Pair, Presence,
     Preset, RangeEnd, Section, SectionPresence, Value, Word,
 };
 pub use study::{Axis, Distribution, Input, Keeping, SampleTable, Study, StudyRun, Variation, study_schema};
 pub use tables::{
-    Combine, ContactOrigin, ContactSolver, Engine, FieldOutput, Fracture, GivenWheel, Inspection, Kept,
-    MaintenancePlan, MeshSettings, Output, PlasticSource, Rail, SECTIONS, STUDY, Scatter, ShakedownSettings,
-    init_text, json_schema, markdown,
+    Combine, ContactOrigin, ContactSolver, Engine, EngineDomain, FieldOutput, Fracture, GivenWheel,
+    Inspection, Kept, MaintenancePlan, MeshSettings, Output, PlasticSource, Rail, SECTIONS, STUDY, Scatter,
+    ShakedownSettings, init_text, json_schema, markdown,
 };

@@ -4,7 +4,7 @@ use railcrack::shakedown::ShakedownError;
 use railcrack_case::{CarriedStressError, CaseErrors};
 use railcrack_paper::{PaperError, UnknownFigure};
 use railcrack_run::OutputError;
-use railcrack_run::budget::OverBudget;
+use railcrack_run::machine::OverBudget;
 use railcrack_run::simulation::RunError;
 use std::path::PathBuf;
 use std::process::ExitCode;

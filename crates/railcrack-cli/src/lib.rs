@@ -2,6 +2,7 @@
 
 mod arguments;
 mod commands;
+mod dispatch;
 mod display;
 mod exit;
 mod input;
@@ -43,7 +44,7 @@ pub fn check_text(case: &Case, folder: &Path) -> String {
 
 /// Does what was asked for; says on stderr what went wrong.
 fn run(arguments: Arguments) -> Exit {
-    match commands::dispatch(arguments.command) {
+    match dispatch::dispatch(arguments.command) {
         Ok(exit) => exit,
         Err(failure) => {
             print::failure(&failure);

@@ -1,6 +1,6 @@
 //! Results of one run for figures and statements.
 
-use super::error::PaperError;
+use crate::error::PaperError;
 use railcrack::contact::FaceStatus;
 use railcrack::crack::Crack;
 use railcrack::growth::{GrowthError, Observer, StepRecord, TipStop, Warning};
@@ -112,11 +112,12 @@ impl CaseRun {
         if record.step == 0 {
             self.cracks = initial(case, record);
         }
-        for ((crack, tip), grown) in record.cracks.iter().zip(&record.tips).zip(&mut self.cracks) {
+        for ((crack, tip), grown) in record.cracks().iter().zip(&record.tips).zip(&mut self.cracks) {
             grown.points = points(crack);
             // A slow crack shows where it is going before it has gone a whole increment.
-            let deferred = tip.deferred;
-            if deferred.length > 0.0 {
+            if let Some(deferred) = tip.plane().map(|plane| plane.deferred)
+                && deferred.length > 0.0
+            {
                 let to = crack.tip(tip.tip.end) + deferred.direction * deferred.length;
                 grown.points.push([to.x, -to.y]);
             }
@@ -150,7 +151,7 @@ fn initial(case: &Case, record: &StepRecord) -> Vec<CrackGrowth> {
         initial_points: crack.points().len(),
         stop: None,
     };
-    record.cracks.iter().zip(&stabilised.sifs).enumerate().map(of).collect()
+    record.cracks().iter().zip(&stabilised.sifs).enumerate().map(of).collect()
 }
 
 fn status(states: &[railcrack::contact::FaceState], point: usize) -> FaceStatus {

@@ -1,6 +1,6 @@
 //! A statement of the paper and the rule that decides it.
 
-use super::SetupResults;
+use crate::results::SetupResults;
 
 /// A statement about results, in our words.
 pub struct Claim {

@@ -1,13 +1,13 @@
 //! The runs: computed in parallel, or taken over.
 
-use super::error::PaperError;
-use super::plan::Job;
-use super::stored::{store, stored};
-use super::telling::{Earlier, Telling};
-use super::{CaseRun, Effort};
+use crate::case_run::{CaseRun, Effort};
+use crate::error::PaperError;
+use crate::plan::Job;
+use crate::stored::{store, stored};
+use crate::telling::{Earlier, Telling};
 use railcrack::growth::Observer;
 use railcrack_case::Case;
-use railcrack_run::queue::{NextRun, RunQueue, WaitingRun};
+use railcrack_run::simulation::{NextRun, RunQueue, WaitingRun};
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 use std::time::Instant;

@@ -1,7 +1,7 @@
 //! The curves of the figures: a case file of `cases/paper` and what differs from it.
 
-use super::edit::Edit;
-use super::files::{FIG_13, FIG_22, FIG_24, FIG_27, FIG_29, PaperFile, TABLE_1};
+use crate::edit::Edit;
+use crate::files::{FIG_13, FIG_22, FIG_24, FIG_27, FIG_29, PaperFile, TABLE_1};
 
 /// One curve of the paper's figures; several figures may show it.
 pub struct PaperCurve {

@@ -1,7 +1,7 @@
 //! `statements.json`: what `railcrack paper` decided, beside its figures and tables.
 
 use railcrack_run::OutputError;
-use railcrack_run::folder::{Durability, read_if_there, replace_file};
+use railcrack_run::disk::{Durability, read_if_there, replace_file};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 

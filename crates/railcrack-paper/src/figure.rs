@@ -1,6 +1,6 @@
 //! The figures of the paper and their curves.
 
-use super::curve::CURVES;
+use crate::curve::CURVES;
 use thiserror::Error;
 
 /// A figure of the paper.

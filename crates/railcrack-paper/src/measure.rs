@@ -1,6 +1,6 @@
 //! Quantities of the runs that statements are decided by.
 
-use super::{CaseRun, CrackGrowth, SifCurve};
+use crate::case_run::{CaseRun, CrackGrowth, SifCurve};
 
 impl CrackGrowth {
     /// ΔK_I of the initial crack, MPa√m.

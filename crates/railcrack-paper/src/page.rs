@@ -1,12 +1,14 @@
 //! `paper.md`: runs, every statement with its verdict and numbers, reasons for differences.
 
-use super::claim::rounded;
-use super::closest::closest;
-use super::document::{FailureRecord, PaperRecord};
-use super::profile::StressProfile;
-use super::rolled::ROLLED_CLAIMS;
-use super::verdict::MAIN;
-use super::{FIGURES, Results, SETUPS, Verdict};
+use crate::claim::rounded;
+use crate::closest::closest;
+use crate::document::{FailureRecord, PaperRecord};
+use crate::figure::FIGURES;
+use crate::profile::StressProfile;
+use crate::results::Results;
+use crate::rolled::ROLLED_CLAIMS;
+use crate::setup::SETUPS;
+use crate::verdict::{MAIN, Verdict};
 use railcrack::shakedown::RailState;
 use railcrack::words::Choice;
 use railcrack_run::VERSION;

@@ -1,7 +1,7 @@
 //! The shape of a path in the words of the paper: co-planar, branched up or down, parallel to the
 //! surface.
 
-use super::CrackGrowth;
+use crate::case_run::CrackGrowth;
 
 /// Which way a branch turns from the line of the initial crack.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -115,7 +115,7 @@ impl PathShape {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::SifCurve;
+    use crate::case_run::SifCurve;
 
     fn path(points: &[[f64; 2]]) -> PathShape {
         PathShape::of(&CrackGrowth {

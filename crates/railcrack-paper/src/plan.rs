@@ -1,8 +1,8 @@
 //! Which runs the chosen figures need: a case that several set-ups share is run once.
 
-use super::figure::Figure;
-use super::setup::{Body, Stage};
-use super::{CURVES, PaperCurve, SETUPS, Setup};
+use crate::curve::{CURVES, PaperCurve};
+use crate::figure::Figure;
+use crate::setup::{Body, SETUPS, Setup, Stage};
 use std::collections::BTreeMap;
 
 /// One run.
@@ -90,7 +90,7 @@ mod tests {
         for steel in &crate::steel::STEELS {
             std::fs::write(folder.join(steel.profile_file()), "depth_mm,sxx_mpa\n0,-50\n5,0\n").unwrap();
         }
-        let all: Vec<u8> = super::super::FIGURES.iter().map(|figure| figure.number).collect();
+        let all: Vec<u8> = crate::figure::FIGURES.iter().map(|figure| figure.number).collect();
         let jobs = plan(&all);
         for job in &jobs {
             Case::parse(&job.text, &job.name, &folder)

@@ -1,7 +1,7 @@
 //! Fig. 21: the stress by depth described in the paper, read in two ways, and the residual stress
 //! of rolled rails.
 
-use super::steel::Steel;
+use crate::steel::Steel;
 use railcrack::field::{DepthProfile, StressField};
 use railcrack::math::Vec2;
 use railcrack::shakedown::{RailState, StabilisedRail};

@@ -1,11 +1,14 @@
 //! The decisions, for `statements.json` and the report.
 
-use super::verdict::Verdict;
-use super::{CURVES, FIGURES, Results, SETUPS};
+use crate::curve::CURVES;
 use crate::document::{
     CurveRecord, DecisionRecord, FailureRecord, FigureRecord, NumberRecord, PaperRecord, SetupRecord,
     StatementRecord,
 };
+use crate::figure::FIGURES;
+use crate::results::Results;
+use crate::setup::SETUPS;
+use crate::verdict::Verdict;
 use railcrack_run::VERSION;
 
 pub(super) fn record(

@@ -1,20 +1,23 @@
 //! From chosen figures to runs, pictures, tables and the page.
 
-use super::computation::{Computation, runs_table};
-use super::error::PaperError;
-use super::figure::{Figure, Kind};
-use super::files::{FIG_21, FIG_22, PAGE, RUNS, TABLE_1};
-use super::plan::{Job, plan};
-use super::profile::{StressProfile, profiles};
-use super::record::record;
-use super::steel::{STEELS, Steel};
-use super::telling::{Earlier, Telling};
-use super::{CLAIMS, FIGURES, Results, Verdict, page};
+use crate::claims::CLAIMS;
+use crate::computation::{Computation, runs_table};
+use crate::error::PaperError;
+use crate::figure::{FIGURES, Figure, Kind};
 use crate::figures::{
     FigureTable, OVERLAY_COLUMNS, Overlay, Quantity, distances, engines, forget_overlays, kept, path_table,
     profile_table, sheet, sif_table,
 };
+use crate::files::{FIG_21, FIG_22, PAGE, RUNS, TABLE_1};
+use crate::page;
+use crate::plan::{Job, plan};
+use crate::profile::{StressProfile, profiles};
+use crate::record::record;
 use crate::report_page::paper_page;
+use crate::results::Results;
+use crate::steel::{STEELS, Steel};
+use crate::telling::{Earlier, Telling};
+use crate::verdict::Verdict;
 use railcrack::shakedown::StabilisedRail;
 use railcrack_case::Case;
 use railcrack_report::put;
@@ -85,7 +88,7 @@ pub fn reproduce(
         }
     }
     failures.sort();
-    let wanted = |claim: &&super::Claim| claim.figures.iter().all(|figure| figures.contains(figure));
+    let wanted = |claim: &&crate::claim::Claim| claim.figures.iter().all(|figure| figures.contains(figure));
     let claims = CLAIMS.iter().flat_map(|section| section.iter()).filter(wanted);
     let verdicts: Vec<Verdict> = claims.filter_map(|claim| Verdict::of(claim, &results)).collect();
     let profiles = if figures.contains(&21) { Some(stress_profiles(folder, &rolled)?) } else { None };

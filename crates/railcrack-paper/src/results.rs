@@ -1,6 +1,8 @@
 //! The runs of all set-ups, by set-up and curve.
 
-use super::{CURVES, CaseRun, PaperCurve, SETUPS, Setup};
+use crate::case_run::CaseRun;
+use crate::curve::{CURVES, PaperCurve};
+use crate::setup::{SETUPS, Setup};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 

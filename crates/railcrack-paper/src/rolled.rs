@@ -1,6 +1,6 @@
 //! Statements about the plastic state itself, decided by rolled rails.
 
-use super::profile::StressProfile;
+use crate::profile::StressProfile;
 use railcrack::shakedown::RailState;
 
 /// A statement that a rolled rail decides.

@@ -1,9 +1,9 @@
 //! Choices that the paper leaves open, made explicit: boundary, travel, load steps, criterion,
 //! readings.
 
-use super::curve::PaperCurve;
-use super::edit::Edit;
-use super::steel::{STEELS, Steel};
+use crate::curve::PaperCurve;
+use crate::edit::Edit;
+use crate::steel::{STEELS, Steel};
 
 /// Direction of travel with respect to the cracks of 15°, which lean towards +x as they go
 /// down.

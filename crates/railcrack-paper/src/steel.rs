@@ -1,6 +1,6 @@
 //! Steels that the paper might have used: it states linear kinematic hardening without numbers.
 
-use super::error::PaperError;
+use crate::error::PaperError;
 use railcrack::load::HertzianContact;
 use railcrack::material::KinematicHardening;
 use railcrack::shakedown::{RolledRail, Stabilisation, StabilisedRail, Travel, stabilise};

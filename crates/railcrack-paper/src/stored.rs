@@ -1,7 +1,7 @@
 //! Finished runs in the folder, which an interrupted command takes over.
 
-use super::case_run::CaseRun;
-use super::files::RUNS;
+use crate::case_run::CaseRun;
+use crate::files::RUNS;
 use railcrack_case::Case;
 use railcrack_run::{OutputError, VERSION};
 use serde::{Deserialize, Serialize};

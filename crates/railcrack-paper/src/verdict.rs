@@ -1,6 +1,8 @@
 //! The verdict on a statement over all set-ups.
 
-use super::{Claim, Decision, Results, SETUPS, SetupResults};
+use crate::claim::{Claim, Decision};
+use crate::results::{Results, SetupResults};
+use crate::setup::SETUPS;
 
 /// The set-ups that decide first: both bodies, both ways of travel.
 pub(super) const MAIN: usize = 4;

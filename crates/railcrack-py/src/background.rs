@@ -105,10 +105,10 @@ impl Observer for Watch {
     }
 }
 
-/// Observes a run of a study for its interruption only.
-struct Part<'a>(&'a Watch);
+/// A run of a study, observed for its interruption only.
+struct WatchedRun<'a>(&'a Watch);
 
-impl RunObserver for Part<'_> {
+impl RunObserver for WatchedRun<'_> {
     fn interrupted(&self) -> bool {
         self.0.is_interrupted()
     }
@@ -116,7 +116,7 @@ impl RunObserver for Part<'_> {
 
 impl StudyObserver for Watch {
     fn of_run(&self, _: usize) -> Box<dyn RunObserver + '_> {
-        Box::new(Part(self))
+        Box::new(WatchedRun(self))
     }
 
     fn over(&self, _: &PlannedRun, text: &str) {

@@ -1,7 +1,7 @@
 //! Cracked bodies: two matrices at the face points.
 
 use crate::background::{Watch, compute};
-use crate::case::Case;
+use crate::case::CaseCore;
 use crate::errors::{bad_input, not_converged};
 use crate::grid::matrix;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
@@ -13,13 +13,12 @@ use railcrack::field::RailEnds;
 use railcrack::interruption::Interruption;
 use railcrack::material::IsotropicElastic;
 use railcrack::math::{Matrix, Vec2};
-use railcrack::xfem::{RailEnd, Window, XfemEngine, XfemSettings, default_element_sizes};
-use railcrack_case::Engine;
+use railcrack::xfem::{RailEnd, RefinedRegion, XfemEngine, XfemSettings, default_element_sizes};
 use std::sync::Arc;
 
 /// A cracked body, whose matrices are arrays of numpy.
-#[pyclass(module = "railcrack._railcrack", frozen)]
-pub struct Body {
+#[pyclass(module = "railcrack._railcrack", name = "Body", frozen)]
+pub struct BodyCore {
     pub(crate) steel: IsotropicElastic,
     pub(crate) faces: FaceMesh,
     tips: Vec<CrackTip>,
@@ -32,7 +31,7 @@ pub struct Body {
     remarks: Vec<String>,
 }
 
-impl Body {
+impl BodyCore {
     fn new(py: Python<'_>, body: CrackedBody, steel: IsotropicElastic) -> PyResult<Self> {
         let array = |matrix_: Matrix| -> PyResult<Py<PyArray2<f64>>> {
             let columns = matrix_.columns();
@@ -76,7 +75,7 @@ impl Body {
 }
 
 #[pymethods]
-impl Body {
+impl BodyCore {
     #[getter]
     fn compliance(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.compliance.clone_ref(py)
@@ -162,19 +161,19 @@ pub fn xfem_body(
     poisson: f64,
     element_size: Option<f64>,
     threads: Option<usize>,
-) -> PyResult<Body> {
+) -> PyResult<BodyCore> {
     let network = network(py, cracks)?;
     let sizes = match element_size {
         Some(size) if size > 0.0 && size.is_finite() => vec![size; network.cracks().len()],
         Some(size) => return Err(bad_input(py, format!("element_size_mm = {size}: must be positive"))),
         None => default_element_sizes(&network),
     };
-    let window = Window::with_sizes(&network, &sizes, 1.0);
+    let refined = RefinedRegion::with_sizes(&network, &sizes, 1.0);
     let centre = 0.5 * (network.leftmost_mouth() + network.rightmost_mouth());
     let steel = steel(py, young, poisson)?;
     let end = RailEnd::HalfPlane { centre };
-    let engine = XfemEngine::with_window(window, steel, end, XfemSettings::default());
-    made(py, engine, &network, steel, threads)
+    let engine = XfemEngine::with_region(refined, steel, end, XfemSettings::default());
+    made(py, Box::new(engine), &network, steel, threads)
 }
 
 /// The body of `cracks` in a half-plane by dislocations.
@@ -187,7 +186,7 @@ pub fn dislocation_body(
     poisson: f64,
     elements: Option<usize>,
     threads: Option<usize>,
-) -> PyResult<Body> {
+) -> PyResult<BodyCore> {
     let network = network(py, cracks)?;
     let resolution = match elements {
         Some(elements) if elements >= 4 => FaceResolution { elements },
@@ -195,24 +194,18 @@ pub fn dislocation_body(
         None => FaceResolution::for_cracks(network.cracks().len()),
     };
     let steel = steel(py, young, poisson)?;
-    made(py, DislocationEngine { steel, resolution }, &network, steel, threads)
+    made(py, Box::new(DislocationEngine { steel, resolution }), &network, steel, threads)
 }
 
 /// The body of the cracks of `case` at their start, by its engine.
 #[pyfunction]
-pub fn case_body(py: Python<'_>, case: &Case, threads: Option<usize>) -> PyResult<Body> {
+pub fn case_body(py: Python<'_>, case: &CaseCore, threads: Option<usize>) -> PyResult<BodyCore> {
     let case = &case.case;
-    match case.engine {
-        Engine::Xfem => made(py, case.xfem_engine(), &case.cracks, case.steel, threads),
-        Engine::Dislocation => {
-            let engine = DislocationEngine { steel: case.steel, resolution: case.face_resolution() };
-            made(py, engine, &case.cracks, case.steel, threads)
-        }
-        Engine::Space => {
-            let says = "a body is made of cracks in the plane; engine = \"space\" computes runs";
-            Err(bad_input(py, says))
-        }
-    }
+    let Some(engine) = case.body_engine() else {
+        let says = "a body is made of cracks in the plane; engine = \"space\" computes runs";
+        return Err(bad_input(py, says));
+    };
+    made(py, engine, &case.cracks, case.steel, threads)
 }
 
 fn network(py: Python<'_>, cracks: Cracks) -> PyResult<CrackNetwork> {
@@ -232,11 +225,11 @@ fn steel(py: Python<'_>, young: f64, poisson: f64) -> PyResult<IsotropicElastic>
 /// The body of `network`, made without holding the interpreter; Ctrl-C gives it up.
 fn made(
     py: Python<'_>,
-    mut engine: impl BodyEngine + Send + 'static,
+    mut engine: Box<dyn BodyEngine + Send>,
     network: &CrackNetwork,
     steel: IsotropicElastic,
     threads: Option<usize>,
-) -> PyResult<Body> {
+) -> PyResult<BodyCore> {
     let (watch, told) = Watch::new();
     let (network, observer) = (network.clone(), Arc::clone(&watch));
     let over = compute(py, threads, (watch, told), None, move || {
@@ -244,7 +237,7 @@ fn made(
         engine.body_unless(Interruption::when(&asked), &network)
     })?;
     match (over.result, over.signal) {
-        (Ok(body), _) => Body::new(py, body, steel),
+        (Ok(body), _) => BodyCore::new(py, body, steel),
         (Err(_), Some(signal)) => Err(signal),
         (Err(error), None) => Err(not_converged(py, error)),
     }

@@ -3,29 +3,28 @@
 use crate::background::{Watch, compute};
 use crate::errors::{bad_input, case_error, class_of};
 use crate::judge::OwnJudge;
-use crate::run::Run;
+use crate::run::RunCore;
 use crate::scratch::Scratch;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use railcrack::growth::TipJudge;
 use railcrack::words::Choice;
-use railcrack_case::Engine;
 use railcrack_run::simulation::{Ending, Simulation, plastic_stress_left_out};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// A checked case.
-#[pyclass(module = "railcrack._railcrack", frozen)]
-pub struct Case {
+#[pyclass(module = "railcrack._railcrack", name = "Case", frozen)]
+pub struct CaseCore {
     pub(crate) case: Arc<railcrack_case::Case>,
 }
 
 /// A run, how it came to its end (an empty text where it did by itself, `interrupted`, or the name
 /// of an exception), and the reason.
-type Computed = (Run, String, String);
+type Computed = (RunCore, String, String);
 
 #[pymethods]
-impl Case {
+impl CaseCore {
     /// The case written in `text`, which errors call `name`; relative file names are relative to
     /// `folder`, or to a folder that has `files`.
     #[staticmethod]
@@ -104,7 +103,7 @@ impl Case {
         py: Python<'_>,
         threads: Option<usize>,
         tell: Option<&Bound<'_, PyAny>>,
-        before: Option<&Run>,
+        before: Option<&RunCore>,
         law: Option<Py<PyAny>>,
         direction: Option<Py<PyAny>>,
     ) -> PyResult<Computed> {
@@ -113,11 +112,11 @@ impl Case {
         if own && !self.case.mix.is_empty() {
             return Err(bad_input(py, "law, direction: a mix of wheels has several histories, not one"));
         }
-        if direction.is_some() && self.case.engine == Engine::Space {
+        if direction.is_some() && self.case.engine.is_in_space() {
             return Err(bad_input(py, "direction: a crack in space grows in its plane"));
         }
         let judge: Arc<dyn TipJudge> = Arc::new(OwnJudge { law, direction, watch: Arc::clone(&watch) });
-        let before = before.and_then(Run::in_memory);
+        let before = before.and_then(RunCore::in_memory);
         let (case, observer) = (Arc::clone(&self.case), Arc::clone(&watch));
         let over = compute(py, threads, (watch, told), tell, move || {
             let scratch = Scratch::new();
@@ -127,7 +126,7 @@ impl Case {
             (run, ending, scratch)
         })?;
         let (run, ending, scratch) = over.result;
-        let run = Run::computed(Arc::clone(&self.case), run, scratch);
+        let run = RunCore::computed(Arc::clone(&self.case), run, scratch);
         Ok(match ending {
             Ok(Ending::Ended) => (run, String::new(), String::new()),
             Ok(Ending::Interrupted) => (run, "interrupted".into(), String::new()),

@@ -7,7 +7,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use railcrack::fatigue::KINK_ANGLES;
 use railcrack::fracture::{Sif, SifHistory};
-use railcrack::growth::{TipJudge, TipRecord};
+use railcrack::growth::{TipGeometry, TipJudge, TipRecord};
 use railcrack::math::MPA_SQRT_MM;
 use std::sync::Arc;
 
@@ -49,7 +49,9 @@ impl OwnJudge {
                 return Err(PyValueError::new_err(says));
             }
             tip.kink = degrees.map(f64::to_radians);
-            (tip.secondary, tip.secondary_ratio) = (None, None);
+            if let TipGeometry::Plane(plane) = &mut tip.geometry {
+                (plane.secondary, plane.secondary_ratio) = (None, None);
+            }
         }
         if let Some(law) = &self.law {
             let rate: f64 = law.call1(py, (&samples,))?.extract(py)?;

@@ -24,9 +24,9 @@ mod wheel;
 #[pyo3::pymodule]
 mod _railcrack {
     #[pymodule_export]
-    use crate::body::{Body, case_body, dislocation_body, xfem_body};
+    use crate::body::{BodyCore, case_body, dislocation_body, xfem_body};
     #[pymodule_export]
-    use crate::case::Case;
+    use crate::case::CaseCore;
     #[pymodule_export]
     use crate::command::{command, version};
     #[pymodule_export]
@@ -34,9 +34,9 @@ mod _railcrack {
     #[pymodule_export]
     use crate::passage::passage;
     #[pymodule_export]
-    use crate::run::Run;
+    use crate::run::RunCore;
     #[pymodule_export]
     use crate::shakedown::shakedown;
     #[pymodule_export]
-    use crate::study::Study;
+    use crate::study::StudyCore;
 }

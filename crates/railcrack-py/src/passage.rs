@@ -1,7 +1,7 @@
 //! The stabilised passage of a wheel over fixed cracks.
 
 use crate::background::{Watch, compute};
-use crate::body::Body;
+use crate::body::BodyCore;
 use crate::errors::{bad_input, not_converged};
 use crate::grid::matrix;
 use crate::judge::history_array;
@@ -11,9 +11,10 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use railcrack::contact::{ContactSolver, FaceProblem, FaceStatus, Latin, Newton};
 use railcrack::field::{HertzWheel, StressField, Wheel};
-use railcrack::growth::{PassageError, PassageSettings, RailLoad, StabilisedPassage, stabilised_passage};
+use railcrack::growth::{PassageError, PassageSettings, StabilisedPassage};
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::math::Vec2;
+use railcrack::plane::{RailLoad, stabilised_passage};
 use std::sync::Arc;
 
 /// The wheel: p0 (MPa), half-width (mm) and friction of Hertzian contact, or a function of points
@@ -36,7 +37,7 @@ type Settings = (f64, f64, usize, usize, f64, f64);
 #[expect(clippy::too_many_arguments, reason = "named in the package")]
 pub fn passage<'py>(
     py: Python<'py>,
-    body: &Body,
+    body: &BodyCore,
     load: Load,
     friction: Vec<f64>,
     residual: Option<Py<PyAny>>,

@@ -16,8 +16,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 /// A run: computed here, or stored in a folder.
-#[pyclass(module = "railcrack._railcrack", frozen)]
-pub struct Run {
+#[pyclass(module = "railcrack._railcrack", name = "Run", frozen)]
+pub struct RunCore {
     source: Source,
 }
 
@@ -33,7 +33,7 @@ enum Source {
 
 type TableColumns = Vec<(&'static Column, ColumnValues)>;
 
-impl Run {
+impl RunCore {
     pub(crate) fn computed(case: Arc<railcrack_case::Case>, run: RunInMemory, scratch: Scratch) -> Self {
         Self { source: Source::Memory { case, run: Arc::new(run), _scratch: scratch } }
     }
@@ -87,7 +87,7 @@ fn by_step<T: Table>(blocks: StepBlocks<T>) -> Result<TableColumns, OutputError>
 }
 
 #[pymethods]
-impl Run {
+impl RunCore {
     /// The run in the folder `path`.
     #[staticmethod]
     fn open(py: Python<'_>, path: PathBuf) -> PyResult<Self> {

@@ -1,7 +1,7 @@
 //! The stabilised plastic state of a rolled rail.
 
 use crate::background::{Watch, compute};
-use crate::case::Case;
+use crate::case::CaseCore;
 use crate::columns;
 use crate::errors::{exception, output_error, run_error};
 use crate::scratch::Scratch;
@@ -24,7 +24,7 @@ type State<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, String);
 #[pyo3(signature = (case, out, replace, threads, tell))]
 pub fn shakedown<'py>(
     py: Python<'py>,
-    case: &Case,
+    case: &CaseCore,
     out: Option<PathBuf>,
     replace: bool,
     threads: Option<usize>,

@@ -1,7 +1,7 @@
 //! Studies: many cases, computed here or by several processes.
 
 use crate::background::{Watch, check_threads, compute};
-use crate::case::Case;
+use crate::case::CaseCore;
 use crate::columns;
 use crate::errors::{case_error, output_error, run_error};
 use crate::scratch::Scratch;
@@ -11,14 +11,15 @@ use railcrack_case::Overrides;
 use railcrack_report::Pages;
 use railcrack_run::csv::columns_of;
 use railcrack_run::simulation::{StudyComputation, case_files, study_plan};
-use railcrack_run::study::{Entry, RunEnd, StudyPlan, StudySummaryRow};
+use railcrack_run::study::{Entry, StudyPlan, StudySummaryRow};
+use railcrack_run::summary::RunEnd;
 use railcrack_run::{OutputError, Presentation, StudyFolder, TablesOnly};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// A checked study.
-#[pyclass(module = "railcrack._railcrack", frozen)]
-pub struct Study {
+#[pyclass(module = "railcrack._railcrack", name = "Study", frozen)]
+pub struct StudyCore {
     study: Arc<railcrack_case::Study>,
 }
 
@@ -29,7 +30,7 @@ type Results<'py> = (Vec<String>, Vec<(String, Vec<String>)>, Bound<'py, PyDict>
 type Failed = (usize, String, String);
 
 #[pymethods]
-impl Study {
+impl StudyCore {
     /// The study written in `text`, as [`Case::parse`].
     #[staticmethod]
     fn parse(
@@ -65,9 +66,9 @@ impl Study {
     }
 
     /// The case of run `number`.
-    fn case(&self, number: usize) -> Option<Case> {
+    fn case(&self, number: usize) -> Option<CaseCore> {
         let run = self.study.runs.iter().find(|run| run.number == number)?;
-        Some(Case { case: Arc::new(run.case.clone()) })
+        Some(CaseCore { case: Arc::new(run.case.clone()) })
     }
 
     /// Enters the folder `out` to compute the runs `own`: the numbers of those that are left to do,

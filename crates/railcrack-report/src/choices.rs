@@ -1,7 +1,7 @@
 //! Switches of a page: curves and rows that a reader shows or hides.
 
-use super::chart::{CurveColour, CurveLook};
-use super::html::json_for_script;
+use crate::chart::{CurveColour, CurveLook};
+use crate::html::json_for_script;
 use serde_json::json;
 use std::fmt::Write;
 
@@ -9,7 +9,7 @@ use std::fmt::Write;
 /// every group is on.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Choices {
-    /// The groups, in the order of [`Curve::choices`](super::chart::Curve::choices).
+    /// The groups, in the order of [`Curve::choices`](crate::chart::Curve::choices).
     pub groups: Vec<ChoiceGroup>,
 }
 

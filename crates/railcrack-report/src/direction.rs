@@ -1,6 +1,6 @@
 //! Direction of a crack tip, in words.
 
-use super::numbers::fixed;
+use crate::numbers::fixed;
 use railcrack::growth::{RunStop, TipStop};
 use railcrack_run::CrackSummary;
 use railcrack_run::csv::TipRow;

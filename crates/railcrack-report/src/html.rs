@@ -1,7 +1,7 @@
 //! Text and data in HTML.
 
-use super::markup::{Piece, pieces};
-use super::svg::{GREY, INK, LIGHT};
+use crate::markup::{Piece, pieces};
+use crate::svg::{GREY, INK, LIGHT};
 use railcrack_vtu::base64;
 pub(crate) use railcrack_vtu::escaped;
 use serde_json::Value;

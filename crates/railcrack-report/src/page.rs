@@ -1,9 +1,9 @@
 //! A page: the first screen, then sections of text, tables and charts, all in one file.
 
-use super::chart::Chart;
-use super::choices::Choices;
-use super::html::{escaped, inlined, json_for_script, still, typeset, typeset_in_parts};
-use super::table::Table;
+use crate::chart::Chart;
+use crate::choices::Choices;
+use crate::html::{escaped, inlined, json_for_script, still, typeset, typeset_in_parts};
+use crate::table::Table;
 use railcrack_run::VERSION;
 use serde_json::Value;
 use std::fmt::Write;
@@ -12,6 +12,7 @@ const STYLE: &str = include_str!("assets/page.css");
 const D3: &str = include_str!("assets/vendor/d3.min.js");
 const PLOT: &str = include_str!("assets/vendor/plot.min.js");
 const KIT: &str = include_str!("assets/kit.js");
+const CHARTS: &str = include_str!("assets/charts.js");
 const CHOICES: &str = include_str!("assets/choices.js");
 
 /// A key figure.
@@ -166,7 +167,7 @@ impl Page {
             page.push_str("</section>\n");
         }
         page.push_str("</main>\n<footer>Drawn with d3 and Observable Plot, which this file contains (ISC licence).</footer>\n");
-        for script in [D3, PLOT, KIT].into_iter().chain(scripts) {
+        for script in [D3, PLOT, KIT, CHARTS].into_iter().chain(scripts) {
             let _ = writeln!(page, "<script>\n{script}</script>");
         }
         page.push_str("</body>\n</html>\n");

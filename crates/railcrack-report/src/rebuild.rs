@@ -11,10 +11,10 @@ use railcrack::growth::StepRecord;
 use railcrack_case::Output;
 use railcrack_run::compare::stored_comparison;
 use railcrack_run::csv::SifScale;
+use railcrack_run::disk::{Durability, replace_file};
 use railcrack_run::files::{
     COMPARE_FILE, PLAN_FILE, PLOTS_FOLDER, REPORT_FILE, SHAKEDOWN_FILE, SUMMARY_FILE,
 };
-use railcrack_run::folder::{Durability, replace_file};
 use railcrack_run::study::{StudyFolder, StudyResults};
 use railcrack_run::{FolderLock, OutputError, Presentation, RunPresentation, ShakedownFolder, TablesOnly};
 use std::path::Path;

@@ -1,7 +1,7 @@
 //! Tables of a page.
 
-use super::html::{escaped, typeset, typeset_in_parts};
-use super::markup::plain;
+use crate::html::{escaped, typeset, typeset_in_parts};
+use crate::markup::plain;
 use std::fmt::Write;
 
 /// The ground of a cell.

@@ -30,9 +30,9 @@ pub fn encode(bytes: &[u8], text: &mut Vec<u8>) {
     }
 }
 
-/// The bytes that `text` encodes, white space left out, or the first `most` of them; the position
-/// of the first letter that does not belong there. Padding may occur between groups: VTK encodes
-/// header and data one by one.
+/// The bytes that `text` encodes, without white space, at most `most` of them; the error is the
+/// position of the first invalid letter. Padding may occur between groups: VTK encodes header and
+/// data one by one.
 pub fn decode(text: &[u8], most: usize) -> Result<Vec<u8>, usize> {
     let mut bytes = Vec::with_capacity((text.len() / 4 * 3).min(most));
     let (mut bits, mut letters, mut padding) = (0u32, 0, 0);

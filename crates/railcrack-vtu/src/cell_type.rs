@@ -1,4 +1,4 @@
-//! Cell shapes by their number in VTK files.
+//! Numbers of cell shapes in VTK files.
 
 use railcrack::mesh::CellShape;
 
@@ -27,8 +27,8 @@ pub fn vtk_type(shape: CellShape) -> u8 {
     }
 }
 
-/// The shape of a cell of this number in files with `nodes` nodes; none where there is no such
-/// shape here.
+/// The shape of a cell of this number in files with `nodes` nodes; none if the shape is not
+/// supported.
 pub(crate) fn shape_of(vtk_type: u8, nodes: usize) -> Option<CellShape> {
     let shape = match vtk_type {
         VTK_VERTEX => CellShape::Vertex,

@@ -4,10 +4,10 @@ use railcrack::mesh::GridError;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// A grid that cannot be written or read.
+/// Errors of reading or writing a grid.
 #[derive(Debug, Error)]
 pub enum VtuError {
-    /// The system refuses.
+    /// An error of the operating system.
     #[error("cannot {action} {}: {reason}", path.display())]
     Io {
         /// The attempted action.
@@ -17,7 +17,7 @@ pub enum VtuError {
         /// The system's reason.
         reason: std::io::Error,
     },
-    /// The grid is inconsistent.
+    /// An inconsistent grid.
     #[error("{}: {reason}", path.display())]
     Grid {
         /// The file.
@@ -25,7 +25,7 @@ pub enum VtuError {
         /// The inconsistency.
         reason: GridError,
     },
-    /// The contents of the file violate the format.
+    /// Contents that violate the format.
     #[error("{}: {part}: {reason}", path.display())]
     Malformed {
         /// The file.
@@ -35,7 +35,7 @@ pub enum VtuError {
         /// The fault.
         reason: String,
     },
-    /// The file is of a kind that is not read.
+    /// A file of an unsupported kind.
     #[error("{}: {part} is {found}: {accepted}", path.display())]
     Unsupported {
         /// The file.
@@ -44,7 +44,7 @@ pub enum VtuError {
         part: String,
         /// The value found.
         found: String,
-        /// The values that are read, or how to write the file instead.
+        /// The supported values, or the remedy.
         accepted: &'static str,
     },
 }

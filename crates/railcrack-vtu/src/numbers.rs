@@ -1,4 +1,4 @@
-//! Binary numbers of a file.
+//! Binary numbers in VTK files.
 
 /// Order of the bytes of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,7 +39,7 @@ impl NumberType {
         })
     }
 
-    /// Bytes of one number.
+    /// Size of one number in bytes.
     pub(super) fn size(self) -> usize {
         match self {
             Self::Int8 | Self::UInt8 => 1,
@@ -50,7 +50,7 @@ impl NumberType {
     }
 
     /// The numbers in `bytes`; bytes beyond the last whole number are ignored. Integers beyond 2⁵³
-    /// lose digits: no index or count of a grid is as large.
+    /// lose digits; indices and counts of a grid are smaller.
     pub(super) fn decode(self, bytes: &[u8], order: ByteOrder) -> Vec<f64> {
         macro_rules! numbers {
             ($number:ty) => {{

@@ -1,12 +1,12 @@
 //! Encodings of the numbers of an array in a file.
 
-use super::base64;
-use super::error::Fault;
-use super::numbers::{ByteOrder, NumberType};
+use crate::base64;
+use crate::error::Fault;
+use crate::numbers::{ByteOrder, NumberType};
 use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
 use std::borrow::Cow;
 
-/// The declarations in the head of a file that hold for all its binary arrays.
+/// The declarations in the header of a file that apply to all its binary arrays.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Encoding {
     pub order: ByteOrder,
@@ -19,7 +19,7 @@ pub(super) struct Encoding {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Compression {
     None,
-    /// Blocks in the format of zlib (RFC 1950).
+    /// Blocks in zlib format (RFC 1950).
     Zlib,
 }
 
@@ -28,9 +28,9 @@ pub(super) enum Compression {
 pub(super) enum Payload<'a> {
     /// Decimal numbers.
     Ascii(&'a str),
-    /// Binary, from here on.
+    /// Raw binary data from here on.
     Raw(&'a [u8]),
-    /// Binary in base64, from here on.
+    /// Binary data in base64 from here on.
     Base64(&'a [u8]),
 }
 
@@ -124,11 +124,11 @@ impl Payload<'_> {
 }
 
 fn too_large(part: &str) -> Fault {
-    Fault::malformed(part, "a count in its header is larger than any file")
+    Fault::malformed(part, "a count in its header exceeds the size of any file")
 }
 
-/// `value` as an index or a count; none where it is not an integer that a number of this precision
-/// can represent.
+/// `value` as an index or a count; none unless it is an integer that a number of this precision can
+/// represent.
 pub(super) fn index(value: f64) -> Option<usize> {
     const LARGEST: f64 = (1u64 << f64::MANTISSA_DIGITS) as f64;
     (value.fract() == 0.0 && (0.0..LARGEST).contains(&value)).then_some(value as usize)

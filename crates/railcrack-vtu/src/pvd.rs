@@ -1,7 +1,7 @@
 //! Collections of grids in time (`.pvd`).
 
-use super::VtuError;
-use super::write::{escaped, put};
+use crate::error::VtuError;
+use crate::write::{escaped, put};
 use railcrack::mesh::GridError;
 use std::path::Path;
 
@@ -16,13 +16,13 @@ pub struct Snapshot {
 
 /// Writes the collection of `snapshots` to the file `path` as [`pvd_text`].
 ///
-/// Errors: a time that is not finite; the system refuses.
+/// Errors: a time that is not finite; an error of the operating system.
 pub fn write_pvd(path: &Path, snapshots: &[Snapshot]) -> Result<(), VtuError> {
     let text = pvd_text(snapshots).map_err(|reason| VtuError::Grid { path: path.to_path_buf(), reason })?;
     put(path, text.as_bytes())
 }
 
-/// The file of the collection of `snapshots`, in their order.
+/// The contents of the file of the collection of `snapshots`, in their order.
 ///
 /// Errors: a time that is not finite.
 pub fn pvd_text(snapshots: &[Snapshot]) -> Result<String, GridError> {

@@ -1,10 +1,9 @@
 //! Reader of `.vtu` files.
 
-use super::VtuError;
-use super::cell_type::shape_of;
-use super::error::Fault;
-use super::numbers::{ByteOrder, NumberType};
-use super::payload::{Compression, Encoding, Payload, index};
+use crate::cell_type::shape_of;
+use crate::error::{Fault, VtuError};
+use crate::numbers::{ByteOrder, NumberType};
+use crate::payload::{Compression, Encoding, Payload, index};
 use railcrack::math::Vec2;
 use railcrack::mesh::{Array, CellBlock, GridError, UnstructuredGrid};
 use roxmltree::{Document, Node};
@@ -15,10 +14,10 @@ use std::path::Path;
 /// zlib or not; cells are those of [`CellShape`](railcrack::mesh::CellShape); arrays of strings are
 /// ignored. Values of data are returned as they are, finite or not: see [`Array::finite`].
 ///
-/// Errors: the system refuses; not such a file, or one of several pieces, with cells that have no
-/// [`CellShape`](railcrack::mesh::CellShape) or with another compression; an array that ends early,
-/// is too long or holds no numbers; a point off the plane z = 0; a cell with a point that does not
-/// exist.
+/// Errors: an error of the operating system; a file of another kind, with several pieces, with
+/// cells that have no [`CellShape`](railcrack::mesh::CellShape) or with an unsupported compression;
+/// an array that ends early, is too long or does not hold numbers; a point off the plane z = 0; a
+/// cell that refers to a missing point.
 pub fn read_vtu(path: &Path) -> Result<UnstructuredGrid, VtuError> {
     let bytes = std::fs::read(path).map_err(|reason| VtuError::Io {
         action: "read",
@@ -28,14 +27,14 @@ pub fn read_vtu(path: &Path) -> Result<UnstructuredGrid, VtuError> {
     read_vtu_bytes(&bytes, path)
 }
 
-/// [`read_vtu`] of the contents of a file; messages call it `path`.
+/// [`read_vtu`] of the contents of a file, which messages call `path`.
 ///
-/// Errors: those of [`read_vtu`] but the system's.
+/// Errors: those of [`read_vtu`] except errors of the operating system.
 pub fn read_vtu_bytes(bytes: &[u8], path: &Path) -> Result<UnstructuredGrid, VtuError> {
     grid_of(bytes).map_err(|fault| fault.of(path))
 }
 
-/// The contents of `<AppendedData>`, from its first byte on.
+/// The contents of `<AppendedData>`, starting with its first byte.
 #[derive(Debug, Clone, Copy)]
 struct Appended<'a> {
     bytes: &'a [u8],
@@ -223,7 +222,7 @@ impl File<'_> {
         arrays.map(named).collect()
     }
 
-    /// The array of the element `array`, called `name`, with this number of entries.
+    /// The array of the element `array`, called `name`, with the given number of entries.
     fn array(&self, array: Node, name: &str, entries: usize) -> Result<Array, Fault> {
         let part = format!("array `{name}`");
         let kind = array.attribute("type").unwrap_or("");

@@ -1,29 +1,29 @@
 //! Writer of `.vtu` files.
 
-use super::VtuError;
-use super::base64;
-use super::cell_type::vtk_type;
+use crate::base64;
+use crate::cell_type::vtk_type;
+use crate::error::VtuError;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use railcrack::mesh::{Array, GridError, SYMMETRIC_TENSOR, UnstructuredGrid};
 use std::fs;
 use std::path::Path;
 
-/// Bytes of a block of compressed numbers: that of VTK.
+/// Size in bytes of a block of compressed numbers, as in VTK.
 const BLOCK: usize = 1 << 15;
-/// Level of zlib: beyond it, coordinates and stresses shrink no further, in several times the time.
+/// Compression level of zlib. At higher levels coordinates and stresses shrink no further but take
+/// several times as long.
 const LEVEL: u8 = 3;
 
-/// Writes `grid` to the file `path` as [`vtu_text`]. The file is written beside its target and
-/// moved into place.
+/// Writes `grid` to the file `path` as [`vtu_text`]. The file is written under a temporary name in
+/// the same folder and then renamed.
 ///
-/// Errors: an inconsistent grid; a number that is not finite; the system
-/// refuses.
+/// Errors: an inconsistent grid; a number that is not finite; an error of the operating system.
 pub fn write_vtu(path: &Path, grid: &UnstructuredGrid) -> Result<(), VtuError> {
     let text = vtu_text(grid).map_err(|reason| VtuError::Grid { path: path.to_path_buf(), reason })?;
     put(path, &text)
 }
 
-/// Moves a file into place.
+/// Renames the finished file.
 pub(super) fn put(path: &Path, text: &[u8]) -> Result<(), VtuError> {
     let mut name = path.as_os_str().to_owned();
     name.push(".partial");
@@ -32,9 +32,9 @@ pub(super) fn put(path: &Path, text: &[u8]) -> Result<(), VtuError> {
     fs::rename(&name, path).map_err(refused)
 }
 
-/// The file of `grid`: numbers in base64, little endian, with headers of 64 bits, compressed in
-/// blocks by zlib as VTK does by default. Points of the plane get z = 0. The text is ASCII except
-/// for the names of arrays.
+/// The contents of the file of `grid`: numbers in base64, little endian, with headers of 64 bits,
+/// compressed in blocks by zlib as VTK does by default. Points of the plane get z = 0. The text is
+/// ASCII except for the names of arrays.
 ///
 /// Errors: an inconsistent grid; a number that is not finite.
 pub fn vtu_text(grid: &UnstructuredGrid) -> Result<Vec<u8>, GridError> {
@@ -115,7 +115,7 @@ fn real_array(text: &mut Vec<u8>, array: &Array) {
 fn binary_array(text: &mut Vec<u8>, attributes: &str, bytes: &[u8]) {
     line(text, &format!("<DataArray {attributes} format=\"binary\">"));
     let blocks: Vec<Vec<u8>> = bytes.chunks(BLOCK).map(|block| compress_to_vec_zlib(block, LEVEL)).collect();
-    // Number of blocks, bytes of a full one, bytes of the last one where it is not full, compressed
+    // Number of blocks, bytes of a full one, bytes of the last one if it is not full, compressed
     // bytes of each.
     let sizes = [blocks.len(), BLOCK, bytes.len() % BLOCK];
     let sizes = sizes.into_iter().chain(blocks.iter().map(Vec::len));
@@ -135,7 +135,7 @@ pub fn escaped(text: &str) -> String {
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
             '\'' => out.push_str("&#39;"),
-            // Neither has a place for them.
+            // Neither format can represent them.
             control if control.is_control() && control != '\n' => out.push(' '),
             other => out.push(other),
         }

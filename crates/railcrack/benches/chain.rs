@@ -6,11 +6,10 @@ use railcrack::body::CrackedBody;
 use railcrack::contact::{ContactSolver, FaceProblem, FluidModel, Latin, Newton};
 use railcrack::dislocation;
 use railcrack::field::HertzWheel;
-use railcrack::growth::{
-    CrackFluid, PressureProfile, RailLoad, StabilisedPassage, StepRecord, Unobserved, stabilised_passage,
-};
+use railcrack::growth::{StabilisedPassage, StepRecord, StepSource, Unobserved};
 use railcrack::load::HertzianContact;
-use railcrack_case::{Case, CaseGrowth, Overrides};
+use railcrack::plane::{CrackFluid, PressureProfile, RailLoad, stabilised_passage};
+use railcrack_case::{Case, Overrides};
 use std::path::{Path, PathBuf};
 
 const REFERENCE: &str = "reference.toml";
@@ -68,7 +67,7 @@ fn growth_step(bencher: Bencher, solver: &str) {
     let overrides = Overrides { contact: Some(solver.into()), ..Overrides::default() };
     let case = Case::read_with(&path(REFERENCE), &overrides).unwrap();
     bencher.with_inputs(|| case.prepare(None).unwrap().growth(None)).bench_local_values(
-        |mut run: CaseGrowth| -> Option<StepRecord> { run.next_step(&Unobserved).unwrap() },
+        |mut run: Box<dyn StepSource>| -> Option<StepRecord> { run.next_step(&Unobserved).unwrap() },
     );
 }
 

@@ -9,12 +9,13 @@ use railcrack::bulk::{Boundary, BulkRail};
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork, End};
 use railcrack::field::HertzWheel;
-use railcrack::growth::{PassageSettings, RailLoad, Unobserved, stabilised_passage};
+use railcrack::growth::{PassageSettings, Unobserved};
 use railcrack::linear::SparseCholesky;
 use railcrack::load::HertzianContact;
 use railcrack::material::IsotropicElastic;
 use railcrack::math::RailBox;
-use railcrack::xfem::{MeshSettings, RailEnd, Window, XfemEngine, XfemSettings, cracked_body};
+use railcrack::plane::{RailLoad, stabilised_passage};
+use railcrack::xfem::{MeshSettings, RailEnd, RefinedRegion, XfemEngine, XfemSettings, cracked_body};
 use std::error::Error;
 use std::sync::Arc;
 use std::time::Instant;
@@ -42,10 +43,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut crack = Crack::surface_breaking(0.0, 6.0, 15f64.to_radians())?;
     let settings = MeshSettings { element_size: size, expected_growth: 1.04f64.powi(STEPS as i32) };
     let first: CrackNetwork = crack.clone().into();
-    let window = Window::new(&first, settings);
+    let refined = RefinedRegion::new(&first, settings);
     let outline = RailBox { width: 6000.0, depth: 3000.0, centre: 0.0 };
 
-    let (mesh_ms, mesh) = timed(|| window.mesh(outline));
+    let (mesh_ms, mesh) = timed(|| refined.mesh(outline));
     let mesh = mesh?;
     let (rail_ms, rail) = timed(|| BulkRail::new(mesh.clone(), &steel, Boundary::HalfPlane));
     let rail = Arc::new(rail?);

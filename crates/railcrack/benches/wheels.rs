@@ -5,8 +5,8 @@
 
 use divan::Bencher;
 use railcrack::dislocation::cracked_body;
-use railcrack::growth::MixedWheel;
 use railcrack::load::ContactRow;
+use railcrack::plane::MixedWheel;
 use railcrack::prelude::*;
 
 fn main() {
@@ -81,7 +81,7 @@ fn growth_steps<E: BodyEngine + 'static>(
     };
     let crack: CrackNetwork = Crack::surface_breaking(0.0, 4.0, 30f64.to_radians()).unwrap().into();
     bencher.bench_local(|| {
-        let mut problem = GrowthProblem::new(engine(&crack), of(contacts[0]), vec![0.3]);
+        let mut problem = PlaneRail::new(engine(&crack), of(contacts[0]), vec![0.3]);
         problem.share = share;
         problem.growth.steps = STEPS;
         let beside = |&contact: &(f64, f64, f64)| MixedWheel {

@@ -8,9 +8,10 @@ use railcrack::contact::{ContactSolver, FaceProblem, Latin, Newton};
 use railcrack::crack::{Crack, CrackNetwork, End};
 use railcrack::dislocation::{FaceResolution, cracked_body};
 use railcrack::field::HertzWheel;
-use railcrack::growth::{PassageSettings, RailLoad, StabilisedPassage, Unobserved, stabilised_passage};
+use railcrack::growth::{PassageSettings, StabilisedPassage, Unobserved};
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::material::IsotropicElastic;
+use railcrack::plane::{RailLoad, stabilised_passage};
 use std::error::Error;
 
 struct Case {

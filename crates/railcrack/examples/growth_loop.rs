@@ -9,11 +9,11 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let contact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.025 };
     let wheel = HertzWheel::new(&contact, &steel)?;
     let cracks = CrackNetwork::from(Crack::surface_breaking(0.0, 6.0, 15f64.to_radians())?);
-    let problem = GrowthProblem {
+    let rail = PlaneRail {
         growth: GrowthSettings { steps: 4, ..GrowthSettings::default() },
-        ..GrowthProblem::new(DislocationEngine::new(steel), wheel, vec![0.5])
+        ..PlaneRail::new(DislocationEngine::new(steel), wheel, vec![0.5])
     };
-    let mut growth = Growth::new(problem, GrowthState::initial(&cracks));
+    let mut growth = Growth::new(rail, GrowthState::initial(&cracks));
     while let Some(step) = growth.next_step(&Unobserved)? {
         let tip = &step.tips[0];
         let kink = tip.kink.unwrap_or_default().to_degrees();
@@ -24,7 +24,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         assert!(kink.abs() < 1.5, "step {}: kink of {kink}°", step.step);
     }
     // Four increments of 4 % of the length.
-    let length = growth.state().cracks[0].length();
+    let length = growth.state().geometry.cracks()[0].length();
     assert!((length / (6.0 * 1.04f64.powi(4)) - 1.0).abs() < 1e-12, "{length} mm");
     Ok(())
 }

@@ -1,33 +1,33 @@
-//! Interruption of a computation by whoever waits for it.
+//! Interruption of computations on request.
 
 use thiserror::Error;
 
-/// A question that long computations ask between their parts, some hundred times a second at most:
-/// whether to give up. Once answered with yes, it is never answered with no again.
+/// A check that long computations make between their parts, at most some hundred times a second,
+/// whether to stop. Once true, the answer remains true.
 #[derive(Clone, Copy)]
 pub struct Interruption<'a>(Option<&'a (dyn Fn() -> bool + Sync)>);
 
-/// A computation that was given up on request.
+/// A computation that was stopped on request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 #[error("interrupted")]
 pub struct Interrupted;
 
 impl<'a> Interruption<'a> {
-    /// Computes to the end.
+    /// Never stops the computation.
     pub const NEVER: Self = Self(None);
 
-    /// Gives up as soon as `asked` says so.
+    /// Stops as soon as `asked` returns true.
     pub fn when(asked: &'a (dyn Fn() -> bool + Sync)) -> Self {
         Self(Some(asked))
     }
 
-    /// Whether to give up.
-    pub fn asked(self) -> bool {
+    /// Whether to stop.
+    pub(crate) fn asked(self) -> bool {
         self.0.is_some_and(|asked| asked())
     }
 
-    /// Errors: to be given up.
-    pub fn check(self) -> Result<(), Interrupted> {
+    /// Errors: a request to stop.
+    pub(crate) fn check(self) -> Result<(), Interrupted> {
         if self.asked() { Err(Interrupted) } else { Ok(()) }
     }
 }

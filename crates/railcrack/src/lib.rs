@@ -37,9 +37,9 @@
 //!
 //! Stable are the names in [`prelude`], the traits [`body::BodyEngine`],
 //! [`contact::ContactSolver`], [`field::Wheel`] and [`field::StressField`], and the meaning and
-//! unit of every number. The parts of the engines, of linear algebra and of the meshes are public
-//! for the benefit of tests and may change in any version. Enums that are expected to grow are
-//! non-exhaustive.
+//! unit of every number. Other public items of the engines, of linear algebra and of the meshes
+//! serve the other crates of the workspace and the verification tests, and may change in any
+//! version. Enums that are expected to grow are non-exhaustive.
 //!
 //! Units everywhere inside: mm, N, MPa, radians; stress intensity factors in MPa √mm. Plane strain.
 
@@ -59,6 +59,7 @@ pub mod material;
 pub mod math;
 pub mod mesh;
 mod nuclei;
+pub mod plane;
 pub mod prelude;
 pub mod residual;
 pub mod shakedown;

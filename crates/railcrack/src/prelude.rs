@@ -1,4 +1,4 @@
-//! The names of a whole program, from the wheel to the path of the cracks.
+//! Names needed by a whole program, from the wheel to the path of the cracks.
 
 pub use crate::body::{BodyEngine, CrackedBody};
 pub use crate::contact::{ContactSolver, FaceProblem, Latin, Newton, StepControl};
@@ -13,8 +13,7 @@ pub use crate::field::{
 };
 pub use crate::fracture::{Sif, SifHistory};
 pub use crate::growth::{
-    Growth, GrowthProblem, GrowthSettings, GrowthState, Observer, PassageSettings, RailLoad, RunStop,
-    TipStop, Unobserved, stabilised_passage,
+    Growth, GrowthSettings, GrowthState, Observer, PassageSettings, RunStop, TipStop, Unobserved,
 };
 pub use crate::load::{
     Axle, CarterContact, HertzEllipse, HertzianContact, NamedSection, Passage, RailSection, TableContact,
@@ -22,4 +21,5 @@ pub use crate::load::{
 };
 pub use crate::material::IsotropicElastic;
 pub use crate::math::{RailBox, Stress, Vec2};
+pub use crate::plane::{PlaneRail, RailLoad, stabilised_passage};
 pub use crate::xfem::{MeshSettings, RailEnd, XfemEngine, XfemSettings};

@@ -1,15 +1,15 @@
-//! Whether the model still describes a case: checks that make a warning, not an error.
+//! Checks of a case against the limits of the model; they give warnings, not errors.
 
 use crate::load::{Contact, Track};
 use crate::math::MPA_SQRT_MM;
 use crate::shakedown::ContactBounds;
 use thiserror::Error;
 
-/// A case, or a result, outside of what the model describes.
+/// A case, or a result, outside the limits of the model.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ValidityWarning {
-    /// Pressure beyond first yield, and no residual stress is given.
+    /// Pressure beyond first yield without a given residual stress.
     #[error(
         "the peak pressure of {peak_pressure:.0} MPa is beyond first yield at {limit:.0} MPa (Q/P {adhesion:.3}, \
          yield stress {yield_stress:.0} MPa{}), and no residual stress is given: the rail shakes down to a state with one", if_default(*yield_stress)
@@ -40,15 +40,15 @@ pub enum ValidityWarning {
         /// σ_y, MPa.
         yield_stress: f64,
     },
-    /// More shear than any friction of wheel and rail gives.
-    #[error("the shear is up to {ratio:.2} of the pressure, friction gives {friction:.2} at most")]
+    /// Shear beyond the friction of wheel and rail.
+    #[error("the shear is up to {ratio:.2} of the pressure, friction limits it to {friction:.2}")]
     ShearBeyondFriction {
         /// The largest |q|/p.
         ratio: f64,
-        /// μ that is allowed.
+        /// The largest plausible μ.
         friction: f64,
     },
-    /// k1 beyond a toughness that the case does not give.
+    /// k1 beyond the typical toughness, in a case without a toughness.
     #[error(
         "k1 reaches {k1:.1} MPa\u{221a}m, beyond the toughness of {toughness:.0} MPa\u{221a}m of the rail steel {steel}: such a \
          rail breaks; [fracture] gives the toughness of this one"
@@ -58,10 +58,10 @@ pub enum ValidityWarning {
         k1: f64,
         /// K_Ic, MPa√m.
         toughness: f64,
-        /// The steel that has it.
+        /// The steel with this toughness.
         steel: &'static str,
     },
-    /// Ranges of K that no test of the law had.
+    /// Ranges of K outside the tests of the law.
     #[error(
         "Delta K_eq of {delta_k:.1} MPa\u{221a}m is {where_} the {least} to {most} MPa\u{221a}m {from}: the rate is an extrapolation",
         where_ = if delta_k < least { "below" } else { "above" }, from = measured.words()
@@ -69,14 +69,14 @@ pub enum ValidityWarning {
     OutsideLaw {
         /// ΔK_eq, MPa√m.
         delta_k: f64,
-        /// The least with data, MPa√m.
+        /// Lower end of the measured range, MPa√m.
         least: f64,
-        /// The most with data, MPa√m.
+        /// Upper end of the measured range, MPa√m.
         most: f64,
-        /// How the range is known.
+        /// Source of the measured range.
         measured: Measured,
     },
-    /// A deep crack under bending.
+    /// A deep crack in a rail with bending.
     #[error(
         "a crack is {depth:.1} mm deep, and beyond {limit:.0} mm the rail that bends is more compliant than a half-plane: K under bending \
          is too small"
@@ -84,10 +84,10 @@ pub enum ValidityWarning {
     DeepCrackInBending {
         /// Depth of the deepest tip, mm.
         depth: f64,
-        /// Depth to which the half-plane serves, mm.
+        /// Depth to which the half-plane is a sufficient model, mm.
         limit: f64,
     },
-    /// Faces that fluid opens so far that the wheel would feel it.
+    /// Faces that fluid opens so far that the wheel contact would change.
     #[error(
         "fluid opens the faces of a crack by up to {opening:.3} mm, beyond {limit} mm: the wheel would feel the flap above and press \
          it down, which this model leaves out; K is a bound from above"
@@ -95,7 +95,7 @@ pub enum ValidityWarning {
     LiftedFlap {
         /// The largest opening, mm.
         opening: f64,
-        /// The opening that a wheel does not feel, mm.
+        /// The largest opening without an influence on the contact, mm.
         limit: f64,
     },
     /// A length that looks like metres.
@@ -111,29 +111,14 @@ pub enum ValidityWarning {
     NoAxleHere,
 }
 
-impl ValidityWarning {
-    /// A short name that does not change.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::BeyondFirstYield { .. } => "beyond-first-yield",
-            Self::BeyondShakedown { .. } => "beyond-shakedown",
-            Self::ShearBeyondFriction { .. } => "shear-beyond-friction",
-            Self::BeyondToughness { .. } => "beyond-toughness",
-            Self::OutsideLaw { .. } => "outside-law",
-            Self::DeepCrackInBending { .. } => "deep-crack-in-bending",
-            Self::LiftedFlap { .. } => "lifted-flap",
-            Self::LengthInMetres { .. } => "length-in-metres",
-            Self::NoAxleHere => "no-axle-here",
-        }
-    }
-}
+impl ValidityWarning {}
 
-/// How the ranges of K are known in which a growth law was measured.
+/// Source of the range of K in which a growth law was measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measured {
     /// From the table of the law.
     InTable,
-    /// Not at all: an assumption about rail steel.
+    /// Not given; an assumption about rail steel.
     Assumed,
 }
 
@@ -151,7 +136,7 @@ impl Measured {
 /// The yield stress (MPa) of `[shakedown]` where a case gives none.
 const DEFAULT_YIELD_STRESS: f64 = 500.0;
 
-/// Words about a yield stress (MPa).
+/// Text on the source of a yield stress (MPa).
 fn if_default(yield_stress: f64) -> &'static str {
     if yield_stress == DEFAULT_YIELD_STRESS {
         ", the default of [shakedown] and not that of this rail unless it is given as such"
@@ -171,22 +156,24 @@ pub enum ResidualStress {
 
 /// Depth (mm) to which a half-plane has the compliance of a rail that bends: the depth of the rail
 /// head's sides.
-pub const BENDING_DEPTH: f64 = 20.0;
-/// Half-widths (mm) below which metres are likely: a wheel of 1 kN on a rail has more.
-pub const SHORTEST_HALF_WIDTH: f64 = 0.1;
-/// Crack lengths (mm) below which metres are likely: a grain of rail steel is as large.
-pub const SHORTEST_CRACK: f64 = 0.05;
-/// Opening (mm) of a crack under a wheel that the wheel does not feel: more is beyond its
-/// indentation.
-pub const UNFELT_OPENING: f64 = 0.05;
-/// |q|/p that dry steel on steel does not exceed.
-pub const DRY_FRICTION: f64 = 0.6;
-/// ΔK_eq (MPa√m) between the threshold of rail steel and the end of stable growth: tests of da/dN
-/// usually lie within. An assumption, for laws that do not say where they were measured.
-pub const MEASURED_GROWTH: (f64, f64) = (4.0, 50.0);
+pub(crate) const BENDING_DEPTH: f64 = 20.0;
+/// Half-width (mm) below which the input was probably in metres; a wheel of 1 kN has a larger one.
+pub(crate) const SHORTEST_HALF_WIDTH: f64 = 0.1;
+/// Crack length (mm) below which the input was probably in metres; the grains of rail steel have
+/// this size.
+pub(crate) const SHORTEST_CRACK: f64 = 0.05;
+/// Opening (mm) of a crack under a wheel up to which the contact is not affected; larger openings
+/// exceed the indentation of the wheel.
+pub(crate) const UNFELT_OPENING: f64 = 0.05;
+/// Largest |q|/p of dry steel on steel.
+pub(crate) const DRY_FRICTION: f64 = 0.6;
+/// ΔK_eq (MPa√m) between the threshold of rail steel and the end of stable growth: the usual range
+/// of da/dN tests. It is assumed for laws that do not state their measured range.
+pub(crate) const MEASURED_GROWTH: (f64, f64) = (4.0, 50.0);
 
-/// The largest pressure of `contact` against first yield and the limit of elastic shakedown, which
-/// `bounds` of it give; σ_y = `yield_stress` (MPa). With a residual stress only the latter counts.
+/// Compares the largest pressure of `contact` with first yield and with the limit of elastic
+/// shakedown, given by its `bounds`; σ_y = `yield_stress` (MPa). With a residual stress only the
+/// latter counts.
 pub fn pressure(
     contact: &Contact,
     bounds: &ContactBounds,
@@ -207,25 +194,20 @@ pub fn pressure(
     (residual == ResidualStress::Absent).then_some(beyond)
 }
 
-/// The shear of `contact` against [`DRY_FRICTION`].
+/// Compares the shear of `contact` with the friction of dry steel, 0.6.
 pub fn shear(contact: &Contact) -> Option<ValidityWarning> {
-    let ratio = match contact {
-        Contact::Hertz(contact) => contact.friction.abs(),
-        Contact::Carter(contact) if contact.traction == 0.0 => 0.0,
-        Contact::Carter(contact) => contact.friction,
-        Contact::Table(table) => table.largest_friction(),
-    };
+    let ratio = contact.largest_friction();
     (ratio > DRY_FRICTION).then_some(ValidityWarning::ShearBeyondFriction { ratio, friction: DRY_FRICTION })
 }
 
-/// The largest `k1` against the `toughness` of `steel`, both MPa √mm.
+/// Compares the largest `k1` with the `toughness` of `steel`, both MPa √mm.
 pub fn toughness(k1: f64, toughness: f64, steel: &'static str) -> Option<ValidityWarning> {
     let [k1, toughness] = [k1, toughness].map(|k| k / MPA_SQRT_MM);
     (k1 > toughness).then_some(ValidityWarning::BeyondToughness { k1, toughness, steel })
 }
 
-/// ΔK_eq (MPa√m) = `delta_k` of a tip that grows against the range of the `table` that is its law,
-/// or [`MEASURED_GROWTH`].
+/// Compares ΔK_eq (MPa√m) = `delta_k` of a growing tip with the range of the `table` of its law, or
+/// with 4 to 50 MPa √m.
 pub fn growth(delta_k: f64, table: Option<(f64, f64)>) -> Option<ValidityWarning> {
     let (least, most) = table.unwrap_or(MEASURED_GROWTH);
     let measured = if table.is_some() { Measured::InTable } else { Measured::Assumed };
@@ -233,30 +215,31 @@ pub fn growth(delta_k: f64, table: Option<(f64, f64)>) -> Option<ValidityWarning
     outside.then_some(ValidityWarning::OutsideLaw { delta_k, least, most, measured })
 }
 
-/// The `depth` (mm) of the deepest tip of a rail that bends.
+/// Compares the `depth` (mm) of the deepest tip in a rail that bends with 20 mm.
 pub fn depth_in_bending(depth: f64) -> Option<ValidityWarning> {
     (depth > BENDING_DEPTH).then_some(ValidityWarning::DeepCrackInBending { depth, limit: BENDING_DEPTH })
 }
 
-/// The largest `opening` (mm) of faces with fluid against [`UNFELT_OPENING`].
+/// Compares the largest `opening` (mm) of faces with fluid with 0.05 mm, which has no influence on
+/// the contact.
 pub fn flap(opening: f64) -> Option<ValidityWarning> {
     let limit = UNFELT_OPENING;
     (opening > limit).then_some(ValidityWarning::LiftedFlap { opening, limit })
 }
 
-/// The half-width of the contact (mm) against metres.
+/// Checks the half-width of the contact (mm) for an input in metres.
 pub fn half_width(value: f64) -> Option<ValidityWarning> {
     let quantity = "the half-width of the contact";
     (value < SHORTEST_HALF_WIDTH).then_some(ValidityWarning::LengthInMetres { quantity, value })
 }
 
-/// The length of a crack (mm) against metres.
+/// Checks the length of a crack (mm) for an input in metres.
 pub fn crack_length(value: f64) -> Option<ValidityWarning> {
     (value < SHORTEST_CRACK)
         .then_some(ValidityWarning::LengthInMetres { quantity: "the length of a crack", value })
 }
 
-/// The axles of `track` against the wheel at 0.
+/// Checks that an axle of `track` is at the wheel, at 0.
 pub fn axles(track: &Track) -> Option<ValidityWarning> {
     track.axles.iter().all(|axle| axle.at != 0.0).then_some(ValidityWarning::NoAxleHere)
 }
@@ -277,12 +260,14 @@ mod tests {
 
     #[test]
     fn pressures_are_compared_with_both_limits() {
-        let of = |peak, residual| warned(peak, 0.1, residual).map(|warning| warning.name());
+        let of = |peak, residual| warned(peak, 0.1, residual);
         // p0/k = 3.063 and 3.987 at friction 0.1: 884 and 1151 MPa.
         assert_eq!(of(880.0, ResidualStress::Absent), None);
-        assert_eq!(of(890.0, ResidualStress::Absent), Some("beyond-first-yield"));
+        let beyond = of(890.0, ResidualStress::Absent);
+        assert!(matches!(beyond, Some(ValidityWarning::BeyondFirstYield { .. })), "{beyond:?}");
         assert_eq!(of(890.0, ResidualStress::Given), None);
-        assert_eq!(of(1160.0, ResidualStress::Given), Some("beyond-shakedown"));
+        let beyond = of(1160.0, ResidualStress::Given);
+        assert!(matches!(beyond, Some(ValidityWarning::BeyondShakedown { .. })), "{beyond:?}");
         let text = warned(1600.0, 0.4, ResidualStress::Absent).unwrap().to_string();
         assert!(text.starts_with("the peak pressure of 1600 MPa is beyond the limit of elastic"), "{text}");
         assert!(text.contains("500 MPa, the default of [shakedown]"), "{text}");
@@ -293,7 +278,7 @@ mod tests {
         assert_eq!(toughness(29.0 * MPA_SQRT_MM, 29.0 * MPA_SQRT_MM, "R260"), None);
         assert!(toughness(920.0, 917.0, "R260").is_some());
         assert_eq!((depth_in_bending(20.0), half_width(0.1), crack_length(0.05)), (None, None, None));
-        assert_eq!(depth_in_bending(25.0).unwrap().name(), "deep-crack-in-bending");
+        assert!(matches!(depth_in_bending(25.0), Some(ValidityWarning::DeepCrackInBending { .. })));
         let metres = half_width(0.006).unwrap().to_string();
         assert_eq!(metres, "the half-width of the contact is 0.006 mm: if 0.006 m is meant, write 6 mm");
         assert_eq!((growth(4.0, None), growth(50.0, None)), (None, None));

@@ -1,6 +1,6 @@
-//! Words of enums: the variants as case files, tables and JSON files name them.
+//! Words of enums: the names of variants in case files, tables and JSON files.
 
-/// An enum whose variants have words in files.
+/// An enum whose variants have names in files.
 pub trait Choice: Copy + PartialEq + Sized + 'static {
     /// Every variant with its word, the default first.
     const WORDS: &'static [(Self, Word)];
@@ -13,7 +13,7 @@ pub trait Choice: Copy + PartialEq + Sized + 'static {
         Self::WORDS.iter().find(|(value, _)| *value == self).map_or("", |(_, word)| word.name)
     }
 
-    /// The variant with this word; none where no variant has it.
+    /// The variant with this word, if there is one.
     fn of_word(name: &str) -> Option<Self> {
         Self::WORDS.iter().find(|(_, word)| word.name == name).map(|(value, _)| *value)
     }
@@ -37,7 +37,7 @@ pub struct Word {
     pub doc: &'static str,
     /// Whether this version accepts it.
     pub availability: Availability,
-    /// The boolean that says the same, where one does.
+    /// The equivalent boolean, if there is one.
     pub switch: Option<bool>,
 }
 
@@ -46,11 +46,11 @@ pub struct Word {
 pub enum Availability {
     /// Accepted.
     Now,
-    /// The word is reserved and refused.
+    /// The word is reserved and rejected.
     Later {
         /// The reason, a sentence.
         reason: &'static str,
-        /// A remedy, in this version.
+        /// A remedy in this version.
         instead: &'static str,
     },
 }
@@ -61,7 +61,7 @@ impl Word {
         Self { name, doc, availability: Availability::Now, switch: None }
     }
 
-    /// The same word, which `true` or `false` says, too.
+    /// This word with an equivalent boolean.
     #[must_use]
     pub const fn or(self, switch: bool) -> Self {
         Self { switch: Some(switch), ..self }

@@ -8,20 +8,21 @@ use super::space::{read_space, refuse_strike};
 use crate::files::read_profile;
 use crate::schema::{Report, SectionValues, Sections, Value, Written, short};
 use crate::tables::{
-    AXLE_LOAD, CENTRE, CONTACT, CRACK, ContactExtent, ContactSolver, ENGINE, Engine, FLUID, FOUNDATION,
-    FRACTURE, FROM, FieldOutput, Fracture, GROWTH, GivenWheel, INSPECTION, LAW_KEYS, MAINTENANCE, MESH,
+    AXLE_LOAD, CENTRE, CONTACT, CRACK, ContactExtent, ContactSolver, ENGINE, Engine, EngineDomain, FLUID,
+    FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture, GROWTH, GivenWheel, INSPECTION, MAINTENANCE, MESH,
     MeshSettings, NETWORK, OUTPUT, Output, PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL,
     RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scattering,
-    ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL, WheelSections, read_fluid,
-    read_growth, read_inspection, read_maintenance, read_passage, read_passages, read_scatter, read_steel,
-    read_travel,
+    ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL, WheelSections, is_of_the_law,
+    read_fluid, read_growth, read_inspection, read_maintenance, read_passage, read_passages, read_scatter,
+    read_steel, read_travel,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::CrackNetwork;
-use railcrack::growth::{GrowthSettings, NetworkContact};
+use railcrack::growth::GrowthSettings;
 use railcrack::load::{Passage, Temperature};
 use railcrack::material::IsotropicElastic;
 use railcrack::math::MPA_SQRT_MM;
+use railcrack::plane::NetworkContact;
 use std::path::Path;
 
 /// The case that `sections` describe; none where something is wrong or missing, which `report` then
@@ -86,7 +87,7 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
     let shakedown = sections.one(&SHAKEDOWN).and_then(|s| ShakedownSettings::read(s, folder, report));
     let growth = sections.one(&GROWTH).and_then(|s| read_growth(s, folder, report));
     if growth.as_ref().is_some_and(|growth| growth.steel.is_some()) {
-        sections.leave_out(&GROWTH, LAW_KEYS);
+        sections.leave_out(&GROWTH, is_of_the_law);
     }
     let temperature = wheel.as_ref().and_then(|wheel| wheel.load.temperature);
     let fracture = read_fracture(&sections, temperature, folder, report);
@@ -190,7 +191,8 @@ fn place_wheel(
 
 /// Whether the engine is that in space.
 fn is_in_space(sections: &Sections) -> bool {
-    sections.one(&SOLVER).and_then(|solver| solver.get(ENGINE)) == Some(Engine::Space)
+    let engine = sections.one(&SOLVER).and_then(|solver| solver.get(ENGINE));
+    engine.is_some_and(Engine::is_in_space)
 }
 
 /// The one wheel of the case.
@@ -253,7 +255,7 @@ fn check_network(sections: &Sections, (has_fluid, is_block): (bool, bool), repor
     }
     let help = "network = \"whole\" follows all cracks together, in either engine";
     let mut refuse = |says: &str| report.add(solver.fault(NETWORK, says).help(help));
-    if solver.get(ENGINE) == Some(Engine::Space) {
+    if solver.get(ENGINE).is_some_and(Engine::is_in_space) {
         refuse("is \"groups\", which is for many cracks, and solver.engine is \"space\"");
     }
     if is_block {
@@ -275,7 +277,7 @@ fn check_block(
     report: &mut Report,
 ) {
     if let Some(solver) = sections.one(&SOLVER)
-        && solver.get(ENGINE) == Some(Engine::Dislocation)
+        && solver.get(ENGINE).is_some_and(|engine| engine.domain() == EngineDomain::HalfPlane)
     {
         let says = "knows the half-plane only, and rail.boundary is \"block\"";
         let help = "engine = \"xfem\" computes a block; boundary = \"half-plane\" suits both engines";

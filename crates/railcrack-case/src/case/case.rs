@@ -10,8 +10,9 @@ use crate::tables::{
 };
 use railcrack::crack::CrackNetwork;
 use railcrack::fatigue::RailSteel;
-use railcrack::growth::{CrackFluid, GrowthSettings, NetworkContact, PassageSettings};
+use railcrack::growth::{GrowthSettings, PassageSettings};
 use railcrack::material::IsotropicElastic;
+use railcrack::plane::{CrackFluid, NetworkContact};
 use railcrack::shakedown::{ContactBounds, RolledRail, Stabilisation};
 use thiserror::Error;
 

@@ -2,7 +2,7 @@
 
 use super::limits::RESOLVED;
 use super::row_scatter::RowScatter;
-use crate::schema::{Fault, Report, Row, SectionValues, short};
+use crate::schema::{Fault, KeyRow, Report, SectionValues, short};
 use crate::tables::{ANGLE, ANGLES, COUNT, CRACK_FRICTION, LENGTH, MOUTH, POINTS, Rail, SPACING};
 use railcrack::crack::{Crack, CrackError, CrackNetwork, segment_distance};
 use railcrack::math::Vec2;
@@ -249,7 +249,7 @@ pub(super) fn check_fit(
 }
 
 /// Why a crack does not fit, and the key to blame.
-fn misfit(crack: &Crack, rail: &Rail) -> Option<(String, Row<f64>)> {
+fn misfit(crack: &Crack, rail: &Rail) -> Option<(String, KeyRow<f64>)> {
     let length = crack.length();
     if length > rail.extent.width {
         let [length, width] = [length, rail.extent.width].map(short);

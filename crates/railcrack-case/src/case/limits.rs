@@ -1,17 +1,10 @@
 //! Largest sizes of a run, computed before anything is made.
 
 use super::case::Case;
-use super::space_case::MOST_SPACE_POINTS;
+use super::engines;
 use crate::schema::{Report, SectionValues, Sections};
-use crate::tables::{
-    ELEMENT_SIZE, Engine, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH, PASSAGE, POSITIONS, SPACE_CELLS,
-};
-use railcrack::crack::Crack;
-use railcrack::dislocation;
+use crate::tables::{ELEMENT_SIZE, EngineDomain, INTERFACE_SPACING, MESH, PASSAGE, POSITIONS};
 use railcrack::xfem::MOST_MESH_UNKNOWNS;
-
-/// Most points of the crack faces: four dense matrices with two unknowns at each have 51 GB.
-pub(super) const MOST_FACE_POINTS: f64 = 2e4;
 
 /// Most rows of `faces.csv`, one for each position, growth step and face point: a terabyte of text.
 const MOST_ROWS: f64 = 1e10;
@@ -28,7 +21,7 @@ const CLOSE_POINTS: f64 = 0.3;
 
 /// Reports face points that are closer than the elements can follow.
 fn check_face_points(case: &Case, mesh: &SectionValues, report: &mut Report) -> bool {
-    let spacing = case.mesh.interface_spacing.filter(|_| case.engine == Engine::Xfem);
+    let spacing = case.mesh.interface_spacing.filter(|_| case.engine.domain() == EngineDomain::Rail);
     let largest = case.element_sizes().into_iter().fold(0.0, f64::max);
     let close = spacing.filter(|spacing| *spacing < CLOSE_POINTS * largest);
     if close.is_some() {
@@ -47,7 +40,7 @@ fn check_face_points(case: &Case, mesh: &SectionValues, report: &mut Report) -> 
 pub(super) fn check_size(case: &Case, sections: &Sections, report: &mut Report) -> bool {
     let (Some(mesh), Some(passage)) = (sections.one(&MESH), sections.one(&PASSAGE)) else { return false };
     // The rail of the finite elements also carries the residual stress of the other engine.
-    let makes_mesh = case.engine == Engine::Xfem || case.plastic_stress.is_some();
+    let makes_mesh = case.engine.domain() == EngineDomain::Rail || case.plastic_stress.is_some();
     let unknowns = if makes_mesh { case.wanted_mesh_unknowns() } else { 0.0 };
     if unknowns.is_nan() || unknowns > MOST_MESH_UNKNOWNS {
         let says = format!("{unknowns:.2e} displacement unknowns; there can be {MOST_MESH_UNKNOWNS:e}");
@@ -55,28 +48,11 @@ pub(super) fn check_size(case: &Case, sections: &Sections, report: &mut Report) 
         report.add(mesh.fault(ELEMENT_SIZE, says).help(help));
         return false;
     }
-    let points = wanted_face_points(case);
-    if case.engine == Engine::Space && points > MOST_SPACE_POINTS as f64 {
-        let says =
-            format!("with space_rings, {points} face points; there can be {MOST_SPACE_POINTS} in space");
-        report.add(mesh.fault(SPACE_CELLS, says).help("fewer space_cells, space_rings or cracks"));
-        return false;
-    }
-    if points.is_nan() || points > MOST_FACE_POINTS {
-        let says = format!("{points:.2e} face points; there can be {MOST_FACE_POINTS:e}");
-        let (fault, help) = match case.engine {
-            Engine::Dislocation => (
-                mesh.fault(INTERFACE_ELEMENTS, says),
-                "a smaller [mesh] interface_elements or cracks further apart ([[crack]] spacing_mm) have fewer",
-            ),
-            Engine::Xfem if case.mesh.interface_spacing.is_some() => {
-                (mesh.fault(INTERFACE_SPACING, says), "a larger [mesh] interface_spacing_mm makes fewer")
-            }
-            Engine::Xfem | Engine::Space => {
-                (mesh.fault(ELEMENT_SIZE, says), "a larger [mesh] element_size_mm makes fewer")
-            }
-        };
-        report.add(fault.help(help));
+    let engine = engines::of(case.engine);
+    let (points, finest) = (engine.wanted_face_points(case), engine.finest_grid(case));
+    if points.is_nan() || points > finest.most_points {
+        let says = (finest.says)(points, finest.most_points);
+        report.add(mesh.fault_of_name(finest.key, says).help(finest.help));
         return false;
     }
     if !check_face_points(case, mesh, report) {
@@ -91,18 +67,4 @@ pub(super) fn check_size(case: &Case, sections: &Sections, report: &mut Report) 
         return false;
     }
     true
-}
-
-/// Face points of the first growth step; an estimate from above in the finite-element engine, whose
-/// points follow the elements that a crack crosses.
-fn wanted_face_points(case: &Case) -> f64 {
-    match case.engine {
-        Engine::Space => case.space.as_ref().map_or(0.0, |space| space.face_points(case.mesh.space) as f64),
-        Engine::Dislocation => dislocation::face_points(&case.cracks, case.face_resolution()) as f64,
-        Engine::Xfem => {
-            let spacing = case.mesh.interface_spacing.unwrap_or(f64::INFINITY);
-            let points = |(crack, size): (&Crack, f64)| crack.length() / size.min(spacing);
-            case.cracks.cracks().iter().zip(case.element_sizes()).map(points).sum()
-        }
-    }
 }

@@ -5,6 +5,8 @@ mod carried;
 #[expect(clippy::module_inception, reason = "the type gives its file the name")]
 mod case;
 mod cracks;
+mod engines;
+mod fitted;
 mod limits;
 mod mix;
 mod overrides;
@@ -19,9 +21,10 @@ mod space_case;
 
 pub use carried::{CarriedStress, CarriedStressError, Projection, Release};
 pub use case::{Case, RolledRailError};
+pub use fitted::{Coefficient, NoCoefficient, NoNumber};
 pub use mix::MixedWheel;
 pub use overrides::Overrides;
-pub use prepared::{CaseGrowth, PreparedRun};
+pub use prepared::PreparedRun;
 pub use shared::{RailKey, SharedRail, SharedRailError};
 pub use size::RunSize;
 pub use space_case::SpaceCase;

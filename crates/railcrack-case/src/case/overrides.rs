@@ -1,7 +1,7 @@
 //! Values of the command line that take the place of the file's.
 
-use super::setting::setting;
-use crate::schema::{Override, Raw, Report, Row, Section};
+use super::setting::{leaving_out, setting};
+use crate::schema::{KeyRow, Override, Raw, Report, Section};
 use crate::tables::{ENGINE, GROWTH, SOLVER, SOLVER_CONTACT, STEPS};
 
 /// Values that take the place of those in the case file, checked as those are.
@@ -17,6 +17,8 @@ pub struct Overrides {
     /// `crack[2].angle_deg=30.0`. Of several of one key the last one counts. Text may stand without
     /// quotes.
     pub settings: Vec<String>,
+    /// Keys that are left out of the file, each `section.key`.
+    pub left_out: Vec<String>,
 }
 
 impl Overrides {
@@ -36,12 +38,13 @@ impl Overrides {
                 .clone()
                 .map(|name| of(&SOLVER, SOLVER_CONTACT, format!("--contact {name}"), Raw::Text(name))),
         ];
+        let left_out: Vec<Override> = self.left_out.iter().filter_map(|key| leaving_out(key)).collect();
         let settings: Vec<Override> =
             self.settings.iter().filter_map(|given| setting(given, report)).collect();
-        settings.into_iter().chain(given.into_iter().flatten()).collect()
+        left_out.into_iter().chain(settings).chain(given.into_iter().flatten()).collect()
     }
 }
 
-fn of<T>(section: &Section, row: Row<T>, shown: String, value: Raw) -> Override {
-    Override { section: section.name, key: row.key.name, number: None, shown, value }
+fn of<T>(section: &Section, row: KeyRow<T>, shown: String, value: Raw) -> Override {
+    Override { section: section.name, key: row.key.name, number: None, shown, value: Some(value) }
 }

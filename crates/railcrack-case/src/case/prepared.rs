@@ -2,28 +2,28 @@
 
 use super::carried::{CarriedStress, CarriedStressError};
 use super::case::Case;
+use super::engines;
 use super::mix::MixedWheel;
 use super::shared::SharedRail;
-use crate::tables::{ContactSolver, Engine, GivenWheel};
+use crate::tables::{ContactSolver, GivenWheel};
 use railcrack::body::BodyEngine;
 use railcrack::bulk::Boundary;
 use railcrack::contact::{self, Latin, Newton};
-use railcrack::dislocation::{DislocationEngine, FaceResolution};
+use railcrack::dislocation::FaceResolution;
 use railcrack::field::{StressField, Sum};
-use railcrack::growth::{
-    self, FieldSettings, Growth, GrowthError, GrowthProblem, GrowthState, Observer, StepRecord, TipJudge,
-};
+use railcrack::growth::{CrackedRail, FieldSettings, Growth, GrowthState, StepSource, TipJudge};
 use railcrack::math::MPA_SQRT_MM;
+use railcrack::plane::{self, PlaneRail};
 use railcrack::residual::PlasticField;
-use railcrack::space::{SpaceGrowth, SpaceProblem};
+use railcrack::space::{SpaceRail, SpaceWheel};
 use railcrack::xfem::{
-    EnrichmentRadius, Layers, RailEnd, Window, XfemEngine, XfemSettings, default_element_sizes,
+    EnrichmentRadius, RailEnd, RefinedRegion, ResolvedLayers, XfemEngine, XfemSettings, default_element_sizes,
 };
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
-/// Growth of the length that the window makes room for, at most: a crack that grows on has it
-/// enlarged.
+/// Growth of the length that the refined region makes room for, at most: a crack that grows on has
+/// it enlarged.
 const LARGEST_WINDOW: f64 = 3.0;
 
 /// Elements over the depth of the plastic stress, at least.
@@ -59,7 +59,7 @@ impl Case {
         let sizes = self.element_sizes();
         let expected_growth =
             (1.0 + self.growth.increment).powf(self.growth.steps as f64).min(LARGEST_WINDOW);
-        let window = Window::with_sizes(&self.cracks, &sizes, expected_growth);
+        let refined = RefinedRegion::with_sizes(&self.cracks, &sizes, expected_growth);
         let defaults = XfemSettings::default();
         let settings = XfemSettings {
             enrichment: self.mesh.tip_enrichment_radius.map_or(defaults.enrichment, EnrichmentRadius::Fixed),
@@ -70,7 +70,7 @@ impl Case {
             Boundary::HalfPlane => RailEnd::HalfPlane { centre: self.rail.extent.centre },
             Boundary::Block { bottom, sides } => RailEnd::Block { extent: self.rail.extent, bottom, sides },
         };
-        XfemEngine::with_window(window, self.steel, end, settings)
+        XfemEngine::with_region(refined, self.steel, end, settings)
     }
 
     /// The fields to be computed; none where none are asked for.
@@ -86,9 +86,18 @@ impl Case {
     pub(crate) fn finite_elements(&self, plastic: Option<&PlasticField>) -> XfemEngine {
         let engine = self.xfem_engine();
         match plastic.and_then(|field| field.plastic_depth()) {
-            Some(depth) => engine.resolving(Layers { depth, height: depth / LAYERS_PER_PLASTIC_DEPTH }),
+            Some(depth) => {
+                engine.resolving(ResolvedLayers { depth, height: depth / LAYERS_PER_PLASTIC_DEPTH })
+            }
             None => engine,
         }
+    }
+
+    /// The engine that makes bodies of the cracks of this case, without a plastic stress; none
+    /// where they are in space.
+    #[must_use]
+    pub fn body_engine(&self) -> Option<Box<dyn BodyEngine + Send>> {
+        engines::of(self.engine).body_engine(self, self.xfem_engine())
     }
 
     /// Everything that is made once for the run of this case. `rolled` is the plastic stress of the
@@ -112,13 +121,8 @@ impl Case {
             shared.give_to(&mut finite_elements);
         }
         let residual = self.carried_stress(plastic.as_ref(), &mut finite_elements)?;
-        let engine: Option<Box<dyn BodyEngine>> = match self.engine {
-            Engine::Xfem => Some(Box::new(finite_elements)),
-            Engine::Dislocation => {
-                Some(Box::new(DislocationEngine { steel: self.steel, resolution: self.face_resolution() }))
-            }
-            Engine::Space => None,
-        };
+        let engine = engines::of(self.engine).body_engine(self, finite_elements);
+        let engine = engine.map(|engine| engine as Box<dyn BodyEngine>);
         Ok(PreparedRun { case: self, engine, residual })
     }
 }
@@ -138,9 +142,9 @@ fn with_temperature(
 }
 
 /// A wheel of a mix beside the first one.
-fn beside(case: &Case, other: &MixedWheel, residual: Option<&Arc<dyn StressField>>) -> growth::MixedWheel {
+fn beside(case: &Case, other: &MixedWheel, residual: Option<&Arc<dyn StressField>>) -> plane::MixedWheel {
     let rail = other.wheel.load.temperature.map_or(ROOM_TEMPERATURE, |temperature| temperature.rail);
-    growth::MixedWheel {
+    plane::MixedWheel {
         wheel: other.wheel.field(&case.steel).expect("the case is checked"),
         share: other.share,
         residual: with_temperature(case, &other.wheel, residual),
@@ -151,45 +155,6 @@ fn beside(case: &Case, other: &MixedWheel, residual: Option<&Arc<dyn StressField
 
 /// Temperature (°C) of a rail of which none is given.
 const ROOM_TEMPERATURE: f64 = 20.0;
-
-/// The growth loop of a run, in the plane or in space.
-pub enum CaseGrowth {
-    /// Of cracks in the plane.
-    Plane(Box<Growth>),
-    /// Of cracks in space.
-    Space(Box<SpaceGrowth>),
-}
-
-impl CaseGrowth {
-    /// Has `judge` give direction and rate of every tip; in space the rate of every front point.
-    #[must_use]
-    pub fn judged_by(self, judge: Arc<dyn TipJudge>) -> Self {
-        match self {
-            Self::Plane(growth) => Self::Plane(Box::new(growth.judged_by(judge))),
-            Self::Space(growth) => Self::Space(Box::new(growth.judged_by(judge))),
-        }
-    }
-
-    /// The state after the last computed step.
-    #[must_use]
-    pub fn state(&self) -> &GrowthState {
-        match self {
-            Self::Plane(growth) => growth.state(),
-            Self::Space(growth) => growth.state(),
-        }
-    }
-
-    /// Computes the next step; none when the run has ended. On an error the state is that before
-    /// the step.
-    ///
-    /// Errors: those of the growth loops.
-    pub fn next_step(&mut self, observer: &dyn Observer) -> Result<Option<StepRecord>, GrowthError> {
-        match self {
-            Self::Plane(growth) => growth.next_step(observer),
-            Self::Space(growth) => growth.next_step(observer),
-        }
-    }
-}
 
 /// A run before its first step.
 pub struct PreparedRun<'a> {
@@ -207,70 +172,109 @@ impl PreparedRun<'_> {
     }
 
     /// The growth loop from `state` on, or from the beginning where there is none.
-    pub fn growth(self, state: Option<GrowthState>) -> CaseGrowth {
+    #[must_use]
+    pub fn growth(self, state: Option<GrowthState>) -> Box<dyn StepSource> {
+        self.growth_judged(state, None)
+    }
+
+    /// [`PreparedRun::growth`] with a `judge` that gives direction and rate of every tip; in space
+    /// the rate of every front point.
+    #[must_use]
+    pub fn growth_judged(
+        self,
+        state: Option<GrowthState>,
+        judge: Option<Arc<dyn TipJudge>>,
+    ) -> Box<dyn StepSource> {
         let Self { case, engine, residual } = self;
-        let Some(engine) = engine else {
-            let shared: Option<Arc<dyn StressField>> = residual.field.map(Arc::from);
-            let stays = with_temperature(case, &case.wheel, shared.as_ref());
-            return CaseGrowth::Space(Box::new(
-                case.space_growth(stays, state).expect("the case is checked"),
-            ));
-        };
+        let shared: Option<Arc<dyn StressField>> = residual.field.map(Arc::from);
+        match engine {
+            Some(engine) => case.plane_growth(engine, shared.as_ref(), state, judge),
+            None => case.space_growth(shared.as_ref(), state, judge).expect("the case is checked"),
+        }
+    }
+}
+
+/// The growth of `rail` from `state` on, judged by `judge` where there is one.
+fn boxed<R: CrackedRail + 'static>(
+    rail: R,
+    state: GrowthState,
+    judge: Option<Arc<dyn TipJudge>>,
+) -> Box<dyn StepSource> {
+    let growth = Growth::new(rail, state);
+    Box::new(match judge {
+        Some(judge) => growth.judged_by(judge),
+        None => growth,
+    })
+}
+
+impl Case {
+    /// The growth of cracks in the plane from `state` on, or from the beginning.
+    fn plane_growth(
+        &self,
+        engine: Box<dyn BodyEngine>,
+        residual: Option<&Arc<dyn StressField>>,
+        state: Option<GrowthState>,
+        judge: Option<Arc<dyn TipJudge>>,
+    ) -> Box<dyn StepSource> {
+        let case = self;
         let newton: Box<dyn contact::ContactSolver> = Box::new(Newton::default());
         let latin: Box<dyn contact::ContactSolver> = Box::new(Latin::default());
         let (solver, fallback) = match case.contact_solver {
             ContactSolver::Newton => (newton, latin),
             ContactSolver::Latin => (latin, newton),
         };
-        let shared: Option<Arc<dyn StressField>> = residual.field.map(Arc::from);
         let others = case.mix.iter().skip(1);
-        let problem = GrowthProblem {
-            engine,
+        let wheel = case.wheel.field(&case.steel).expect("the case is checked");
+        let rail = PlaneRail {
             solver,
             fallback,
             network: case.network,
-            crack_friction: case.crack_friction.clone(),
-            wheel: case.wheel.field(&case.steel).expect("the case is checked"),
             share: case.mix.first().map_or(1.0, |first| first.share),
             fluid: case.fluid.clone(),
-            others: others.map(|other| beside(case, other, shared.as_ref())).collect(),
-            residual: with_temperature(case, &case.wheel, shared.as_ref()),
+            others: others.map(|other| beside(case, other, residual)).collect(),
+            residual: with_temperature(case, &case.wheel, residual),
             passages: case.passages,
             fields: case.field_settings(),
             growth: case.growth.clone(),
             rail: case.rail.extent,
+            ..PlaneRail::with(engine, wheel, case.crack_friction.clone())
         };
         let state = state.unwrap_or_else(|| GrowthState::initial(&case.cracks));
-        CaseGrowth::Plane(Box::new(Growth::new(problem, state)))
+        boxed(rail, state, judge)
     }
-}
 
-impl Case {
     /// The growth of the cracks in space from `state` on, or from the beginning; none of a case for
     /// another engine.
     fn space_growth(
         &self,
-        residual: Option<Box<dyn StressField>>,
+        residual: Option<&Arc<dyn StressField>>,
         state: Option<GrowthState>,
-    ) -> Option<SpaceGrowth> {
-        let space = self.space.as_ref().filter(|_| self.engine == Engine::Space)?;
+        judge: Option<Arc<dyn TipJudge>>,
+    ) -> Option<Box<dyn StepSource>> {
+        let space = self.space.as_ref().filter(|_| self.engine.is_in_space())?;
         let state = match state {
             Some(state) => state,
             None => GrowthState::initial_in_space(space.shapes.clone()).ok()?,
         };
-        let problem = SpaceProblem {
-            steel: self.steel,
+        let wheel = SpaceWheel {
             wheel: space.wheel,
+            share: 1.0,
             bending: self.wheel.bending(&self.steel),
-            residual,
+            residual: with_temperature(self, &self.wheel, residual),
+            passages: self.passages,
+            toughness: self.growth.toughness,
+        };
+        let rail = SpaceRail {
+            steel: self.steel,
+            wheels: vec![wheel],
             friction: self.crack_friction.clone(),
             resolution: self.mesh.space,
-            passages: self.passages,
             growth: self.growth.clone(),
             mode_3_weight: space.mode_3_weight,
             fields: self.field_settings(),
             rail: self.rail.extent,
+            kernel: None,
         };
-        Some(SpaceGrowth::new(problem, state))
+        Some(boxed(rail, state, judge))
     }
 }

@@ -1,7 +1,7 @@
 //! Scatter of the copies of a row of cracks.
 
 use crate::normal;
-use crate::schema::{Report, Row, SectionValues};
+use crate::schema::{KeyRow, Report, SectionValues};
 use crate::tables::{
     ANGLE, ANGLE_SD, ANGLES, COUNT, LENGTH, LENGTH_SD, POINTS, ROW_SEED, SPACING, SPACING_SD,
 };
@@ -73,7 +73,7 @@ impl RowScatter {
             }
         }
         let mut sound = true;
-        let mut scatter = |row: Row<f64>, of: Row<f64>, fits: &dyn Fn(f64) -> bool, within: &str| {
+        let mut scatter = |row: KeyRow<f64>, of: KeyRow<f64>, fits: &dyn Fn(f64) -> bool, within: &str| {
             let deviation = section.get(row).unwrap_or_default();
             let most = CUT * deviation;
             if let Some(mean) = section.get(of)

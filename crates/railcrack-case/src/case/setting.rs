@@ -22,9 +22,17 @@ pub(super) fn setting(given: &str, report: &mut Report) -> Option<Override> {
         Err((says, help)) => return refuse(says, help),
     };
     match raw(written.trim(), key) {
-        Some(value) => Some(Override { section: section.name, key: key.name, number, shown, value }),
+        Some(value) => {
+            Some(Override { section: section.name, key: key.name, number, shown, value: Some(value) })
+        }
         None => refuse("the value is no TOML".into(), "numbers without, text with quotes".into()),
     }
+}
+
+/// The absence of the key `path`, `section.key`; none where there is no such key.
+pub(super) fn leaving_out(path: &str) -> Option<Override> {
+    let (section, number, key) = place_of(path).ok()?;
+    Some(Override { section: section.name, key: key.name, number, shown: path.to_owned(), value: None })
 }
 
 /// Section, number of its table where it is given, and key of `path`, `section.key`.

@@ -2,7 +2,7 @@
 
 use super::carried::CarriedStressError;
 use super::case::Case;
-use crate::tables::{Engine, PlasticSource};
+use crate::tables::{EngineDomain, PlasticSource};
 use railcrack::body::{BodyEngine, BodyError};
 use railcrack::xfem::{XfemEngine, XfemError};
 use thiserror::Error;
@@ -35,9 +35,11 @@ impl SharedRail {
     /// Errors: the rail cannot be made.
     pub fn of(case: &Case) -> Result<Option<Self>, SharedRailError> {
         let Some(mut engine) = case.shareable_elements()? else { return Ok(None) };
-        match case.engine {
-            Engine::Xfem => drop(engine.body(&case.cracks)?),
-            Engine::Dislocation | Engine::Space => drop(engine.background(&case.cracks)?.clone()),
+        match case.engine.domain() {
+            EngineDomain::Rail => drop(engine.body(&case.cracks)?),
+            EngineDomain::HalfPlane | EngineDomain::HalfSpace => {
+                drop(engine.background(&case.cracks)?.clone())
+            }
         }
         Ok(Some(Self { engine }))
     }
@@ -64,7 +66,8 @@ impl Case {
 
     fn shareable_elements(&self) -> Result<Option<XfemEngine>, CarriedStressError> {
         match (&self.plastic_stress, self.engine) {
-            (Some(PlasticSource::Rolled), _) | (None, Engine::Dislocation | Engine::Space) => Ok(None),
+            (Some(PlasticSource::Rolled), _) => Ok(None),
+            (None, engine) if engine.domain() != EngineDomain::Rail => Ok(None),
             _ => Ok(Some(self.finite_elements(self.plastic_field(None)?.as_ref()))),
         }
     }

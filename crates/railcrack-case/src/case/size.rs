@@ -1,12 +1,10 @@
 //! Size of a run: unknowns and memory.
 
 use super::case::Case;
-use super::space_case::SpaceCase;
-use crate::tables::{Engine, PlasticSource};
-use railcrack::dislocation;
-use railcrack::growth::NetworkContact;
+use super::engines::{self, FaceSize};
+use crate::tables::PlasticSource;
+use railcrack::plane::NetworkContact;
 use railcrack::residual::PlasticField;
-use railcrack::space::SpaceResolution;
 
 /// Size of the face problem of a case at its first step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,33 +43,10 @@ impl Case {
     /// The size of the run.
     #[must_use]
     pub fn size(&self) -> RunSize {
-        let in_space = |points: fn(&SpaceCase, SpaceResolution) -> usize| {
-            self.space.as_ref().map_or(0, |space| points(space, self.mesh.space))
-        };
-        let tips = match self.engine {
-            Engine::Space => in_space(SpaceCase::front_points),
-            _ => self.cracks.tips().len(),
-        };
-        let (face_points, displacements, factor) = match self.engine {
-            Engine::Space => (in_space(SpaceCase::face_points), 0, 0),
-            Engine::Dislocation => (dislocation::face_points(&self.cracks, self.face_resolution()), 0, 0),
-            // Errors of a plastic stress are reported by its reader; that of rolling is not there
-            // yet.
-            Engine::Xfem => {
-                let engine = self.finite_elements(self.given_plastic().as_ref());
-                let size = match self.network {
-                    NetworkContact::Whole => engine.size(&self.cracks),
-                    NetworkContact::Groups => engine.size_by_groups(&self.cracks),
-                };
-                match size {
-                    Ok(size) => {
-                        (size.face_points, size.mesh_unknowns + size.enriched_unknowns, size.factor_entries)
-                    }
-                    Err(_) => (0, 0, 0),
-                }
-            }
-        };
-        let unknowns = if self.engine == Engine::Space { 3 * face_points } else { 2 * face_points };
+        let engine = engines::of(self.engine);
+        let tips = engine.tips(self);
+        let FaceSize { face_points, displacements, factor } = engine.face_size(self);
+        let unknowns = engine.unknowns_per_point() * face_points;
         let number = size_of::<f64>();
         let columns = match self.network {
             NetworkContact::Whole => MATRICES * unknowns,

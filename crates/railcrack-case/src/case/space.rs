@@ -4,9 +4,9 @@ use super::cracks::PlacedCracks;
 use super::space_case::SpaceCase;
 use crate::schema::{Fault, Report, Section, SectionValues, Sections};
 use crate::tables::{
-    CONTACT, CRACK, CRACK_LATERAL, ContactKind, ContactOrigin, ContactSolver, FLUID, FRICTION, GROWTH,
-    GivenWheel, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH, LAW, LawName, MAINTENANCE, MODE_3_WEIGHT,
-    PLASTIC_STRESS, Rail, SOLVER, SOLVER_CONTACT, SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL,
+    CONTACT, CRACK, CRACK_LATERAL, ContactOrigin, ContactSolver, FLUID, FRICTION, GROWTH, GivenWheel, KIND,
+    LATERAL_FRICTION, LATERAL_HALF_WIDTH, LAW, MAINTENANCE, MODE_3_WEIGHT, PLASTIC_STRESS, Rail, SOLVER,
+    SOLVER_CONTACT, SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::Crack;
@@ -51,7 +51,7 @@ pub(super) fn read_space(
         report.add(rail.fault_of_name("boundary", says).help("boundary = \"half-plane\""));
     }
     let growth = sections.one(&GROWTH)?;
-    if growth.get(LAW) == Some(LawName::Bold) {
+    if growth.get(LAW).is_some_and(|law| law.own_range.is_some()) {
         let says = "has no mode III, which cracks in space have";
         report.add(growth.fault(LAW, says).help("another law, such as law = \"paris\""));
     }
@@ -132,7 +132,7 @@ fn read_shape(
     let shape = FrontShape {
         dip: dip.rem_euclid(2.0 * PI),
         strike,
-        depth: if buried.is_some() { 0.5 * length } else { length },
+        length: if buried.is_some() { 0.5 * length } else { length },
         half_length,
         middle: [top.x - to_surface * dip.cos() + away * (1.0 - ahead), lateral - away * aside],
         buried,
@@ -142,7 +142,7 @@ fn read_shape(
         report.add(section.fault_of_name(name, format!("the engine space has no such crack: {error}")));
         return None;
     }
-    let aspect = half_length / shape.depth;
+    let aspect = half_length / shape.length;
     if !(1.0 / LARGEST_ASPECT..=LARGEST_ASPECT).contains(&aspect) {
         let says = format!(
             "the half axes of the crack are in the ratio {aspect:.3}; the cells of the engine space take 1/{LARGEST_ASPECT} to \
@@ -161,7 +161,7 @@ const LARGEST_ASPECT: f64 = 25.0;
 
 fn read_wheel(sections: &Sections, wheel: Option<&GivenWheel>, report: &mut Report) -> Option<EllipticWheel> {
     let section = sections.one(&CONTACT)?;
-    if section.get(KIND).is_some_and(|kind| kind != ContactKind::Hertz) {
+    if wheel.is_some_and(|wheel| wheel.contact().sliding().is_none()) {
         let says = "the engine space has the ellipse of Hertz in full sliding";
         report.add(section.fault(KIND, says).help("kind = \"hertz\""));
         return None;

@@ -1,50 +1,96 @@
 //! Tables of numbers in CSV files, read by header.
 
-use crate::schema::{Fault, Source, nearest};
+use crate::schema::{CaseErrors, Fault, Report, Source, nearest, read_file};
 use std::ops::Range;
+use std::path::Path;
 
-/// Columns of a table.
-pub(super) struct Columns {
-    /// Those that must be there, in the order in which they are returned.
-    pub needed: &'static [&'static str],
+/// A column of a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Column {
+    /// Must be there.
+    Needed(&'static str),
+    /// Of all alternatives exactly one must be there.
+    Alternative(&'static str),
+    /// May be there; its values are 0 where it is not.
+    Optional(&'static str),
+    /// May be there, with whatever text, and is not read: its values are 0.
+    PassedOver(&'static str),
+}
+
+/// Declaration of a table: its columns in the order in which their values are returned.
+#[derive(Debug, Clone, Copy)]
+pub struct Columns {
+    /// The columns.
+    pub columns: &'static [Column],
+    /// No number is larger: beyond, a unit is wrong.
+    pub largest: f64,
     /// Description of the file, with its header and rows: help.
     pub help: &'static str,
 }
 
 /// A table as read.
-pub(super) struct Columned {
-    /// `rows[row][column]`, columns in the order of [`Columns::needed`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Columned {
+    /// `rows[row][column]`, columns in the order of [`Columns::columns`].
     pub rows: Vec<Vec<f64>>,
+    /// Whether each column is there.
+    pub is_given: Vec<bool>,
     /// Where the header and each row stand.
-    pub header: Range<usize>,
-    pub spans: Vec<Range<usize>>,
+    header: Range<usize>,
+    spans: Vec<Range<usize>>,
 }
 
-/// No number of a table is larger: beyond, a unit is wrong.
-const LARGEST: f64 = 1e6;
+/// The largest number of most tables.
+pub(super) const LARGEST: f64 = 1e6;
+
+impl Column {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Needed(name) | Self::Alternative(name) | Self::Optional(name) | Self::PassedOver(name) => {
+                name
+            }
+        }
+    }
+}
 
 impl Columns {
-    /// The table in `source`; lines that begin with # and empty lines are passed over.
-    pub fn read(&self, source: &Source) -> Result<Columned, Box<Fault>> {
+    /// The table in the file `path`; lines that begin with # and empty lines are passed over.
+    ///
+    /// Errors: the file cannot be read; a column is unknown, missing or given twice; a row has
+    /// another number of fields; a field is no number.
+    pub fn read_file(&self, path: &Path) -> Result<Columned, CaseErrors> {
+        let source = read_file(path)?;
+        self.read(&source).map_err(|fault| {
+            let mut report = Report::new(source.clone());
+            report.add(*fault);
+            report.into_errors()
+        })
+    }
+
+    /// The table in `source`.
+    pub(crate) fn read(&self, source: &Source) -> Result<Columned, Box<Fault>> {
         let mut lines = lines(source);
         let Some((header, header_span)) = lines.next() else {
             return Err(self.fault("the file is empty".into(), &(0..0)));
         };
         let order = self.order(header, &header_span)?;
-        let mut read = Columned { rows: Vec::new(), header: header_span, spans: Vec::new() };
+        let is_given = (0..self.columns.len()).map(|column| order.contains(&column)).collect();
+        let mut read = Columned { rows: Vec::new(), is_given, header: header_span, spans: Vec::new() };
         for (text, span) in lines {
             let fields: Vec<&str> = text.split(',').map(str::trim).collect();
             if fields.len() != order.len() {
                 let message = format!("{} values in a row of {} columns", fields.len(), order.len());
                 return Err(self.fault(message, &span));
             }
-            let mut row = Vec::with_capacity(order.len());
-            for (name, &field) in self.needed.iter().zip(&order) {
-                let given = fields[field];
-                match given.parse::<f64>() {
-                    Ok(value) if value.abs() <= LARGEST => row.push(value),
-                    _ => {
-                        let message = format!("`{name} = {given}`: must be a number in [-1e6, 1e6]");
+            let mut row = vec![0.0; self.columns.len()];
+            for (&column, given) in order.iter().zip(fields) {
+                match (self.columns[column], given.parse::<f64>()) {
+                    (Column::PassedOver(_), _) => (),
+                    (_, Ok(value)) if value.abs() <= self.largest => row[column] = value,
+                    (other, _) => {
+                        let (name, most) = (other.name(), self.largest);
+                        let message =
+                            format!("`{name} = {given}`: must be a number in [-{most:e}, {most:e}]");
                         return Err(self.fault(message, &span));
                     }
                 }
@@ -55,41 +101,53 @@ impl Columns {
         Ok(read)
     }
 
-    /// Of each needed column, which one of the file it is.
+    /// Of each column of the file, which of the declared ones it is.
     fn order(&self, header: &str, span: &Range<usize>) -> Result<Vec<usize>, Box<Fault>> {
         let names: Vec<&str> = header.split(',').map(str::trim).collect();
+        let mut order = Vec::with_capacity(names.len());
         for (i, name) in names.iter().enumerate() {
             if names[..i].contains(name) {
                 return Err(self.fault(format!("column `{name}` is given twice"), span));
             }
-            if !self.needed.contains(name) {
-                let near = nearest(name, self.needed.iter().copied()).unwrap_or_default();
+            let Some(column) = self.columns.iter().position(|column| column.name() == *name) else {
+                let known = self.columns.iter().filter(|column| !matches!(column, Column::PassedOver(_)));
+                let near = nearest(name, known.map(|column| column.name())).unwrap_or_default();
                 let message = format!("unknown column `{name}`; nearest known column: `{near}`");
                 return Err(self.fault(message, span));
-            }
+            };
+            order.push(column);
         }
-        let place = |needed: &&str| {
-            let found = names.iter().position(|name| name == needed);
-            found.ok_or_else(|| self.fault(format!("column `{needed}` is missing"), span))
-        };
-        self.needed.iter().map(place).collect()
+        let is_there = |column: &&Column| names.contains(&column.name());
+        let needed = |column: &&Column| matches!(column, Column::Needed(_));
+        if let Some(missing) = self.columns.iter().filter(needed).find(|column| !is_there(column)) {
+            return Err(self.fault(format!("column `{}` is missing", missing.name()), span));
+        }
+        let alternatives: Vec<&Column> =
+            self.columns.iter().filter(|column| matches!(column, Column::Alternative(_))).collect();
+        let given = alternatives.iter().filter(|column| is_there(column)).count();
+        if given != 1 && !alternatives.is_empty() {
+            let named: Vec<String> =
+                alternatives.iter().map(|column| format!("`{}`", column.name())).collect();
+            let says = if given == 0 { "is missing" } else { "is wanted, and no other one of them" };
+            return Err(self.fault(format!("column {} {says}", named.join(" or ")), span));
+        }
+        Ok(order)
     }
 
     /// A fault at `span`.
-    pub fn fault(&self, message: String, span: &Range<usize>) -> Box<Fault> {
+    pub(super) fn fault(&self, message: String, span: &Range<usize>) -> Box<Fault> {
         Box::new(Fault { span: Some(span.clone()), ..Fault::new(message).help(self.help) })
     }
-}
 
-impl Columned {
-    /// Where row `number`, from 1, stands; the header where it is none of them.
-    pub fn span_of(&self, number: usize) -> &Range<usize> {
-        number.checked_sub(1).and_then(|i| self.spans.get(i)).unwrap_or(&self.header)
+    /// A fault of row `number` of `read`, from 1, or of its header where there is no such row.
+    pub(super) fn fault_of_row(&self, read: &Columned, number: usize, message: String) -> Box<Fault> {
+        let row = number.checked_sub(1).and_then(|i| read.spans.get(i));
+        self.fault(message, row.unwrap_or(&read.header))
     }
 }
 
-/// Lines that are neither empty nor comments, with their places.
-fn lines(source: &Source) -> impl Iterator<Item = (&str, Range<usize>)> {
+/// Lines of a table that are neither empty nor comments, with their places.
+pub(crate) fn lines(source: &Source) -> impl Iterator<Item = (&str, Range<usize>)> {
     let mut offset = 0;
     source.text.split_inclusive('\n').filter_map(move |raw| {
         let start = offset;

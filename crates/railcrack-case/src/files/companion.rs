@@ -1,10 +1,11 @@
 //! Files that a case names, and how they are kept beside a stored case.
 
-use crate::schema::{Kind, Row};
+use crate::schema::{Fault, KeyRow, Kind, Report, SectionValues, Source, read_text};
 use railcrack::fatigue::{RateTable, Toughness};
 use railcrack::field::DepthProfile;
 use railcrack::load::TableContact;
 use railcrack::residual::PlasticField;
+use std::path::Path;
 
 /// A file that belongs beside the text of [`Case::to_toml`](crate::Case::to_toml), under the name
 /// by which that text calls it.
@@ -48,7 +49,7 @@ impl<T> PartialEq for CaseFile<T> {
 
 impl<T> CaseFile<T> {
     /// The file that `row` names `given`.
-    pub(super) fn new(row: Row<String>, given: String, text: String, content: T) -> Self {
+    pub(super) fn new(row: KeyRow<String>, given: String, text: String, content: T) -> Self {
         let kept_as = match row.key.kind {
             Kind::Path { kept_as } => kept_as,
             _ => row.key.name,
@@ -82,3 +83,28 @@ impl<T> CaseFile<T> {
 
 /// Help where a file cannot be found.
 pub(super) const RELATIVE: &str = "file names are relative to the folder of the case file";
+
+/// The text file that a key names, relative to `folder`, with what `parse` makes of it; none where
+/// the key names none or the file is refused, which `report` then says.
+pub(super) fn read_named<T>(
+    section: &SectionValues,
+    row: KeyRow<String>,
+    folder: &Path,
+    report: &mut Report,
+    parse: impl FnOnce(&Source) -> Result<T, Box<Fault>>,
+) -> Option<CaseFile<T>> {
+    let given = section.get(row)?;
+    let path = folder.join(&given);
+    let key = || Some(section.dotted(row.key.name));
+    match read_text(&path, &path.display().to_string()) {
+        Ok(source) => match parse(&source) {
+            Ok(content) => return Some(CaseFile::new(row, given, source.text.to_string(), content)),
+            Err(fault) => report.add_to(&source, Fault { key: key(), ..*fault }),
+        },
+        Err(unreadable) => match *unreadable {
+            (source, fault) if fault.span.is_some() => report.add_to(&source, Fault { key: key(), ..fault }),
+            (_, fault) => report.add(section.fault(row, fault.message).help(RELATIVE)),
+        },
+    }
+    None
+}

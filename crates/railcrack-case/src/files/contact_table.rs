@@ -1,14 +1,15 @@
 //! Measured or computed contact of wheel and rail: CSV files, and the output of CONTACT.
 
-use super::columns::Columns;
-use super::companion::{ContactFile, RELATIVE};
+use super::columns::{Column, Columns, LARGEST};
+use super::companion::{ContactFile, read_named};
 use super::contact_mat::{is_contact_output, strip};
-use crate::schema::{Fault, Report, Row, SectionValues, Source, read_text};
+use crate::schema::{Fault, KeyRow, Report, SectionValues, Source};
 use railcrack::load::{ContactRow, ContactTableError, TableContact, Travel};
 use std::path::Path;
 
 const COLUMNS: Columns = Columns {
-    needed: &["u_mm", "p_mpa", "q_mpa"],
+    columns: &[Column::Needed("u_mm"), Column::Needed("p_mpa"), Column::Needed("q_mpa")],
+    largest: LARGEST,
     help: "a contact begins with the header u_mm,p_mpa,q_mpa and has a row per place from -x to +x, u from the wheel's \
            centre, pressure and shear zero in the first and the last",
 };
@@ -29,28 +30,12 @@ pub(crate) struct ContactReading {
 /// cannot be read, which `report` then says.
 pub(crate) fn read_contact_table(
     section: &SectionValues,
-    row: Row<String>,
+    row: KeyRow<String>,
     reading: ContactReading,
     folder: &Path,
     report: &mut Report,
 ) -> Option<ContactFile> {
-    let given = section.get(row)?;
-    let path = folder.join(&given);
-    let key = || Some(section.dotted(row.key.name));
-    match read_text(&path, &path.display().to_string()) {
-        Ok(source) => match parse(&source, reading) {
-            Ok(table) => {
-                let text = source.text.to_string();
-                return Some(ContactFile::new(row, given, text, table));
-            }
-            Err(fault) => report.add_to(&source, Fault { key: key(), ..*fault }),
-        },
-        Err(unreadable) => match *unreadable {
-            (source, fault) if fault.span.is_some() => report.add_to(&source, Fault { key: key(), ..fault }),
-            (_, fault) => report.add(section.fault(row, fault.message).help(RELATIVE)),
-        },
-    }
-    None
+    read_named(section, row, folder, report, |source| parse(source, reading))
 }
 
 fn parse(source: &Source, reading: ContactReading) -> Result<TableContact, Box<Fault>> {
@@ -75,7 +60,7 @@ fn parse(source: &Source, reading: ContactReading) -> Result<TableContact, Box<F
             ContactTableError::Row { row, reason } => (row, reason.to_string()),
             other => (0, other.to_string()),
         };
-        COLUMNS.fault(message, read.span_of(row))
+        COLUMNS.fault_of_row(&read, row, message)
     })
 }
 

@@ -1,7 +1,7 @@
 //! Plastic stress on a mesh, in VTU files.
 
 use super::companion::{FieldFile, RELATIVE};
-use crate::schema::{Report, Row, SectionValues, read_bytes};
+use crate::schema::{KeyRow, Report, SectionValues, read_bytes};
 use railcrack::mesh::{Array, UnstructuredGrid};
 use railcrack::residual::{PLASTIC_STRESS_ARRAY, PlasticField};
 use railcrack_vtu::{VtuError, read_vtu_bytes, vtu_text};
@@ -11,7 +11,7 @@ use std::path::Path;
 /// cannot be read, which `report` then says.
 pub(crate) fn read_field(
     section: &SectionValues,
-    row: Row<String>,
+    row: KeyRow<String>,
     folder: &Path,
     report: &mut Report,
 ) -> Option<FieldFile> {

@@ -1,13 +1,14 @@
 //! Growth rates by equivalent range in CSV files.
 
-use super::columns::Columns;
-use super::companion::{RELATIVE, RatesFile};
-use crate::schema::{Fault, Report, Row, SectionValues, Source, read_text};
+use super::columns::{Column, Columns, LARGEST};
+use super::companion::{RatesFile, read_named};
+use crate::schema::{Fault, KeyRow, Report, SectionValues, Source};
 use railcrack::fatigue::{RateTable, RateTableError};
 use std::path::Path;
 
 const COLUMNS: Columns = Columns {
-    needed: &["delta_keq_mpa_sqrt_m", "rate_mm_per_cycle"],
+    columns: &[Column::Needed("delta_keq_mpa_sqrt_m"), Column::Needed("rate_mm_per_cycle")],
+    largest: LARGEST,
     help: "rates begin with the header delta_keq_mpa_sqrt_m,rate_mm_per_cycle and have a row per range, the smallest \
            first: log-log linear between rows, no growth below the first",
 };
@@ -16,27 +17,11 @@ const COLUMNS: Columns = Columns {
 /// cannot be read, which `report` then says.
 pub(crate) fn read_rates(
     section: &SectionValues,
-    row: Row<String>,
+    row: KeyRow<String>,
     folder: &Path,
     report: &mut Report,
 ) -> Option<RatesFile> {
-    let given = section.get(row)?;
-    let path = folder.join(&given);
-    let key = || Some(section.dotted(row.key.name));
-    match read_text(&path, &path.display().to_string()) {
-        Ok(source) => match parse(&source) {
-            Ok(table) => {
-                let text = source.text.to_string();
-                return Some(RatesFile::new(row, given, text, table));
-            }
-            Err(fault) => report.add_to(&source, Fault { key: key(), ..*fault }),
-        },
-        Err(unreadable) => match *unreadable {
-            (source, fault) if fault.span.is_some() => report.add_to(&source, Fault { key: key(), ..fault }),
-            (_, fault) => report.add(section.fault(row, fault.message).help(RELATIVE)),
-        },
-    }
-    None
+    read_named(section, row, folder, report, parse)
 }
 
 fn parse(source: &Source) -> Result<RateTable, Box<Fault>> {
@@ -47,7 +32,7 @@ fn parse(source: &Source) -> Result<RateTable, Box<Fault>> {
             RateTableError::Row { row, reason } => (row, reason.to_string()),
             other @ RateTableError::TooShort { .. } => (0, other.to_string()),
         };
-        COLUMNS.fault(message, read.span_of(row))
+        COLUMNS.fault_of_row(&read, row, message)
     })
 }
 

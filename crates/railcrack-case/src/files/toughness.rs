@@ -1,13 +1,14 @@
 //! Fracture toughness over temperature in CSV files.
 
-use super::columns::Columns;
-use super::companion::{RELATIVE, ToughnessFile};
-use crate::schema::{Fault, Report, Row, SectionValues, Source, read_text};
+use super::columns::{Column, Columns, LARGEST};
+use super::companion::{ToughnessFile, read_named};
+use crate::schema::{Fault, KeyRow, Report, SectionValues, Source};
 use railcrack::fatigue::{Toughness, ToughnessError};
 use std::path::Path;
 
 const COLUMNS: Columns = Columns {
-    needed: &["temperature_c", "toughness_mpa_sqrt_m"],
+    columns: &[Column::Needed("temperature_c"), Column::Needed("toughness_mpa_sqrt_m")],
+    largest: LARGEST,
     help: "a toughness begins with the header temperature_c,toughness_mpa_sqrt_m and has a row per temperature, the \
            coldest first: linear between rows, constant beyond",
 };
@@ -16,27 +17,11 @@ const COLUMNS: Columns = Columns {
 /// cannot be read, which `report` then says.
 pub(crate) fn read_toughness(
     section: &SectionValues,
-    row: Row<String>,
+    row: KeyRow<String>,
     folder: &Path,
     report: &mut Report,
 ) -> Option<ToughnessFile> {
-    let given = section.get(row)?;
-    let path = folder.join(&given);
-    let key = || Some(section.dotted(row.key.name));
-    match read_text(&path, &path.display().to_string()) {
-        Ok(source) => match parse(&source) {
-            Ok(toughness) => {
-                let text = source.text.to_string();
-                return Some(ToughnessFile::new(row, given, text, toughness));
-            }
-            Err(fault) => report.add_to(&source, Fault { key: key(), ..*fault }),
-        },
-        Err(unreadable) => match *unreadable {
-            (source, fault) if fault.span.is_some() => report.add_to(&source, Fault { key: key(), ..fault }),
-            (_, fault) => report.add(section.fault(row, fault.message).help(RELATIVE)),
-        },
-    }
-    None
+    read_named(section, row, folder, report, parse)
 }
 
 fn parse(source: &Source) -> Result<Toughness, Box<Fault>> {
@@ -47,7 +32,7 @@ fn parse(source: &Source) -> Result<Toughness, Box<Fault>> {
             ToughnessError::Row { row, reason } => (row, reason.to_string()),
             other => (0, other.to_string()),
         };
-        COLUMNS.fault(message, read.span_of(row))
+        COLUMNS.fault_of_row(&read, row, message)
     })
 }
 

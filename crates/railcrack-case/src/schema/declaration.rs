@@ -355,6 +355,17 @@ impl Section {
         matches!(self.presence, SectionPresence::Repeated | SectionPresence::Several)
     }
 
+    /// The name of its `number`-th table, from 1, in messages: `section`, `section[2]`,
+    /// `outer[2].inner`.
+    #[must_use]
+    pub fn path(&self, number: usize) -> String {
+        match self.name.split_once('.') {
+            Some((outer, own)) => format!("{outer}[{number}].{own}"),
+            None if self.repeats() => format!("{}[{number}]", self.name),
+            None => self.name.to_owned(),
+        }
+    }
+
     /// The last part of its name: `inner` of `outer.inner`.
     #[must_use]
     pub fn own_name(&self) -> &'static str {

@@ -38,8 +38,8 @@ pub(crate) use json_schema::{file_schema, section_schema};
 pub(crate) use markdown::page;
 pub(crate) use reading::{Chosen, Defaults, Override, Reading};
 pub(crate) use row::{
-    Row, choice, closed, file, given, groups, integer, number, numbers, points, positive, section, switch,
-    text, within,
+    KeyRow, choice, closed, count, file, given, groups, integer, joined, number, numbers, points, positive,
+    section, switch, text, within,
 };
 pub(crate) use section::read_section;
 pub(crate) use sections::{SectionValues, Sections};

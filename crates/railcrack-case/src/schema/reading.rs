@@ -56,7 +56,8 @@ pub(crate) struct Override {
     pub number: Option<usize>,
     /// The option with which it was given, with its value as written.
     pub shown: String,
-    pub value: Raw,
+    /// None for a key that is left out of the file.
+    pub value: Option<Raw>,
 }
 
 /// The elements taken of lists that stand in place of values; none where no list does.

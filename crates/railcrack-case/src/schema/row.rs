@@ -6,20 +6,20 @@ use std::marker::PhantomData;
 
 /// A key whose values are read as `T`.
 #[derive(Debug)]
-pub(crate) struct Row<T> {
+pub(crate) struct KeyRow<T> {
     pub key: Key,
     values: PhantomData<fn() -> T>,
 }
 
-impl<T> Clone for Row<T> {
+impl<T> Clone for KeyRow<T> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<T> Copy for Row<T> {}
+impl<T> Copy for KeyRow<T> {}
 
-impl<T> Row<T> {
+impl<T> KeyRow<T> {
     const fn new(name: &'static str, kind: Kind, preset: Preset, doc: &'static str) -> Self {
         let presence = Presence::Default(preset);
         let key =
@@ -49,15 +49,29 @@ impl<T> Row<T> {
     }
 
     /// Only with the word `choice` of another key; `otherwise` says why.
-    pub const fn only_with<U>(self, other: Row<U>, choice: &'static str, otherwise: &'static str) -> Self {
+    pub const fn only_with<U>(self, other: KeyRow<U>, choice: &'static str, otherwise: &'static str) -> Self {
         self.only_with_any(other, choice, &[], otherwise)
+    }
+
+    /// Only with one of `words` of another key, of which there is at least one; `otherwise` says
+    /// why.
+    pub const fn only_with_words<U>(
+        self,
+        other: KeyRow<U>,
+        words: &'static [&'static str],
+        otherwise: &'static str,
+    ) -> Self {
+        match words {
+            [choice, also @ ..] => self.only_with_any(other, choice, also, otherwise),
+            [] => panic!("a key that goes with no word"),
+        }
     }
 
     /// Only with the word `choice` of another key, or one of the words `also`; `otherwise` says
     /// why.
     pub const fn only_with_any<U>(
         self,
-        other: Row<U>,
+        other: KeyRow<U>,
         choice: &'static str,
         also: &'static [&'static str],
         otherwise: &'static str,
@@ -70,7 +84,7 @@ impl<T> Row<T> {
     /// why not there.
     pub const fn required_but_with<U>(
         self,
-        other: Row<U>,
+        other: KeyRow<U>,
         choice: &'static str,
         because: &'static str,
     ) -> Self {
@@ -80,7 +94,7 @@ impl<T> Row<T> {
     }
 
     /// Given together with an integer above its default, [`Pair`].
-    pub const fn paired(self, other: Row<usize>, help: &'static str) -> Self {
+    pub const fn paired(self, other: KeyRow<usize>, help: &'static str) -> Self {
         self.with(Key { pair: Some(Pair { key: other.key.name, help }), ..self.key })
     }
 }
@@ -107,8 +121,8 @@ pub(crate) const fn number(
     range: NumberRange,
     default: f64,
     doc: &'static str,
-) -> Row<f64> {
-    Row::new(name, Kind::Number { unit, range }, Preset::Number(default), doc)
+) -> KeyRow<f64> {
+    KeyRow::new(name, Kind::Number { unit, range }, Preset::Number(default), doc)
 }
 
 /// An integer of `range`, ends included, with a default or an example.
@@ -117,13 +131,13 @@ pub(crate) const fn integer(
     (min, max): (u64, u64),
     default: u64,
     doc: &'static str,
-) -> Row<usize> {
-    Row::new(name, Kind::Integer { min, max }, Preset::Integer(default), doc)
+) -> KeyRow<usize> {
+    KeyRow::new(name, Kind::Integer { min, max }, Preset::Integer(default), doc)
 }
 
 /// One of the words of `T`, by default the first.
-pub(crate) const fn choice<T: Choice>(name: &'static str, doc: &'static str) -> Row<T> {
-    Row::new(name, Kind::Choice(words::<T>), Preset::Text(T::WORDS[0].1.name), doc)
+pub(crate) const fn choice<T: Choice>(name: &'static str, doc: &'static str) -> KeyRow<T> {
+    KeyRow::new(name, Kind::Choice(words::<T>), Preset::Text(T::WORDS[0].1.name), doc)
 }
 
 /// All words of a choice, those of later versions last.
@@ -132,13 +146,13 @@ fn words<T: Choice>() -> Vec<Word> {
 }
 
 /// Yes or no.
-pub(crate) const fn switch(name: &'static str, default: Preset, doc: &'static str) -> Row<bool> {
-    Row::new(name, Kind::Switch, default, doc)
+pub(crate) const fn switch(name: &'static str, default: Preset, doc: &'static str) -> KeyRow<bool> {
+    KeyRow::new(name, Kind::Switch, default, doc)
 }
 
 /// One line of text.
-pub(crate) const fn text(name: &'static str, default: &'static str, doc: &'static str) -> Row<String> {
-    Row::new(name, Kind::Text, Preset::Text(default), doc)
+pub(crate) const fn text(name: &'static str, default: &'static str, doc: &'static str) -> KeyRow<String> {
+    KeyRow::new(name, Kind::Text, Preset::Text(default), doc)
 }
 
 /// The name of another file, and its name where a complete copy is kept.
@@ -147,8 +161,8 @@ pub(crate) const fn file(
     kept_as: &'static str,
     example: &'static str,
     doc: &'static str,
-) -> Row<String> {
-    Row::new(name, Kind::Path { kept_as }, Preset::Text(example), doc)
+) -> KeyRow<String> {
+    KeyRow::new(name, Kind::Path { kept_as }, Preset::Text(example), doc)
 }
 
 /// A list of numbers.
@@ -158,8 +172,8 @@ pub(crate) const fn numbers(
     range: NumberRange,
     default: &'static [f64],
     doc: &'static str,
-) -> Row<Vec<f64>> {
-    Row::new(name, Kind::Numbers { unit, range }, Preset::Numbers(default), doc)
+) -> KeyRow<Vec<f64>> {
+    KeyRow::new(name, Kind::Numbers { unit, range }, Preset::Numbers(default), doc)
 }
 
 /// A list of points.
@@ -169,8 +183,8 @@ pub(crate) const fn points(
     range: NumberRange,
     example: &'static [[f64; 2]],
     doc: &'static str,
-) -> Row<Vec<[f64; 2]>> {
-    Row::new(name, Kind::Points { unit, range }, Preset::Points(example), doc)
+) -> KeyRow<Vec<[f64; 2]>> {
+    KeyRow::new(name, Kind::Points { unit, range }, Preset::Points(example), doc)
 }
 
 /// Groups of keys; `written` is `example` as it stands in a file.
@@ -179,28 +193,56 @@ pub(crate) const fn groups(
     example: &'static [&'static [&'static str]],
     written: &'static str,
     doc: &'static str,
-) -> Row<Vec<Vec<String>>> {
-    Row::new(name, Kind::Groups { example: written }, Preset::Groups(example), doc)
+) -> KeyRow<Vec<Vec<String>>> {
+    KeyRow::new(name, Kind::Groups { example: written }, Preset::Groups(example), doc)
+}
+
+/// How many keys `parts` have.
+pub(crate) const fn count(parts: &[&[Key]]) -> usize {
+    let (mut keys, mut part) = (0, 0);
+    while part < parts.len() {
+        keys += parts[part].len();
+        part += 1;
+    }
+    keys
+}
+
+/// The keys of all `parts`, which are `N`.
+pub(crate) const fn joined<const N: usize>(parts: &[&[Key]]) -> [Key; N] {
+    let mut keys = [parts[0][0]; N];
+    let (mut next, mut part) = (0, 0);
+    while part < parts.len() {
+        let mut i = 0;
+        while i < parts[part].len() {
+            keys[next] = parts[part][i];
+            (next, i) = (next + 1, i + 1);
+        }
+        part += 1;
+    }
+    keys
 }
 
 /// Declares a section: a constant for each row, and the [`Section`](super::Section) of all of them.
 ///
 /// `NAME "name", Presence, "Sentence." [, forms [[ROW, …], …]] [, parts [SECTION, …]] [, instead
-/// "name"]; ROW: Type = row; …`
+/// "name"]; ROW: Type = row; [..KEYS;] …`, where KEYS are keys that are declared elsewhere.
 macro_rules! section {
     (
         $SECTION:ident $name:literal, $presence:ident, $doc:literal $(, forms [$([$($OF:ident),+]),+])?
             $(, parts [$($PART:expr),+])? $(, instead $instead:literal)?;
-        $($ROW:ident: $Type:ty = $row:expr;)+
+        $($ROW:ident: $Type:ty = $row:expr; $(..$MORE:expr;)?)+
     ) => {
-        $(pub(crate) const $ROW: $crate::schema::Row<$Type> = $row;)+
+        $(pub(crate) const $ROW: $crate::schema::KeyRow<$Type> = $row;)+
 
         #[doc = $doc]
         pub const $SECTION: $crate::schema::Section = $crate::schema::Section {
             name: $name,
             doc: $doc,
             presence: $crate::schema::SectionPresence::$presence,
-            keys: &[$($ROW.key),+],
+            keys: {
+                const PARTS: &[&[$crate::schema::Key]] = &[$(&[$ROW.key], $($MORE,)?)+];
+                &$crate::schema::joined::<{ $crate::schema::count(PARTS) }>(PARTS)
+            },
             forms: &[$($($crate::schema::Form { keys: &[$($OF.key.name),+] }),+)?],
             parts: &[$($($PART),+)?],
             instead: $crate::schema::given!($($instead)?),

@@ -20,11 +20,7 @@ pub(crate) fn read_section(
     report: &mut Report,
 ) -> SectionValues {
     let file = reading.file;
-    let path = match section.name.split_once('.') {
-        Some((outer, own)) => format!("{outer}[{number}].{own}"),
-        None if section.repeats() => format!("{}[{number}]", section.name),
-        None => section.name.to_string(),
-    };
+    let path = section.path(number);
     let span = table.as_ref().map_or(0..0, |(_, span)| span.clone());
     let mut read = SectionValues { section, path, span, entries: Vec::new(), refused: Vec::new() };
     let mut given: Vec<(&'static Key, Range<usize>)> = Vec::new();
@@ -59,9 +55,12 @@ pub(crate) fn read_section(
     given.sort_by_key(|(_, span)| span.start);
     for key in section.keys {
         let Some(given_instead) = reading.override_of(section.name, number, key.name) else { continue };
+        let Some(instead) = &given_instead.value else { continue };
         given.push((key, 0..0));
-        match key.kind.accept(&given_instead.value, file.list) {
-            Ok(value) => read.entries.push(Entry { key, value, span: None, parts: Vec::new() }),
+        match key.kind.accept(instead, file.list) {
+            Ok(value) => {
+                read.entries.push(Entry { key, value, span: None, parts: Vec::new(), is_given: true })
+            }
             Err(refusal) => report.add(Fault {
                 key: Some(read.dotted(key.name)),
                 help: refusal.help,
@@ -114,7 +113,8 @@ fn read_value(
                 Raw::List(items) => items.into_iter().map(|(_, span)| span).collect(),
                 _ => Vec::new(),
             };
-            read.entries.push(Entry { key, value: value_read, span: Some(value.span()), parts });
+            let span = Some(value.span());
+            read.entries.push(Entry { key, value: value_read, span, parts, is_given: true });
         }
         Err(refusal) => {
             read.refused.push(key.name);
@@ -199,7 +199,8 @@ fn fill(
         match key.presence {
             Presence::Default(preset) if wanted => {
                 let preset = reading.default_of(section.name, key.name).unwrap_or(preset);
-                read.entries.push(Entry { key, value: preset.into(), span: None, parts: Vec::new() });
+                let value = preset.into();
+                read.entries.push(Entry { key, value, span: None, parts: Vec::new(), is_given: false });
             }
             Presence::Required(_) if wanted && !excused => {
                 let message = format!("`{dotted}` is missing: it must be {}", key.kind.accepted());

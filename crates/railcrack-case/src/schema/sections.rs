@@ -2,7 +2,7 @@
 
 use super::declaration::{Key, Kind, OnlyWith, Section};
 use super::error::Fault;
-use super::row::Row;
+use super::row::KeyRow;
 use super::value::{FromValue, Value};
 use std::fmt::Display;
 use std::ops::Range;
@@ -33,19 +33,20 @@ impl Sections {
         self.0.iter().find(|read| read.section.name == part.name && read.path == path)
     }
 
-    /// Leaves out the values that keys `names` of a section have by default.
-    pub fn leave_out(&mut self, section: &Section, names: &[&str]) {
+    /// Leaves out the values that keys `of` a section have by default.
+    pub fn leave_out(&mut self, section: &Section, of: impl Fn(&Key) -> bool) {
         for read in self.0.iter_mut().filter(|read| read.section.name == section.name) {
-            read.entries.retain(|entry| entry.span.is_some() || !names.contains(&entry.key.name));
+            read.entries.retain(|entry| entry.is_given || !of(entry.key));
         }
     }
 
     /// Gives `value` to a key that has none.
-    pub fn settle<T>(&mut self, section: &Section, row: Row<T>, value: Value) {
+    pub fn settle<T>(&mut self, section: &Section, row: KeyRow<T>, value: Value) {
         let Some(key) = section.key(row.key.name) else { return };
         for read in self.0.iter_mut().filter(|read| read.section.name == section.name) {
             if read.entry(row).is_none() {
-                read.entries.push(Entry { key, value: value.clone(), span: None, parts: Vec::new() });
+                let value = value.clone();
+                read.entries.push(Entry { key, value, span: None, parts: Vec::new(), is_given: false });
             }
         }
     }
@@ -73,6 +74,8 @@ pub(crate) struct Entry {
     pub span: Option<Range<usize>>,
     /// Where the elements of a list stand.
     pub parts: Vec<Range<usize>>,
+    /// Whether the file or an override gives it: no default.
+    pub is_given: bool,
 }
 
 impl Entry {
@@ -83,12 +86,12 @@ impl Entry {
 
 impl SectionValues {
     /// The value of a key; none where it is not given and has no default.
-    pub fn get<T: FromValue>(&self, row: Row<T>) -> Option<T> {
+    pub fn get<T: FromValue>(&self, row: KeyRow<T>) -> Option<T> {
         T::from_value(&self.entry(row)?.value)
     }
 
     /// The value of a key with its places.
-    pub fn entry<T>(&self, row: Row<T>) -> Option<&Entry> {
+    pub fn entry<T>(&self, row: KeyRow<T>) -> Option<&Entry> {
         self.named(row.key.name)
     }
 
@@ -96,18 +99,18 @@ impl SectionValues {
         self.entries.iter().find(|e| e.key.name == key)
     }
 
-    /// Whether the file gives this key a value.
-    pub fn is_given<T>(&self, row: Row<T>) -> bool {
+    /// Whether the file or an override gives this key a value.
+    pub fn is_given<T>(&self, row: KeyRow<T>) -> bool {
         self.is_given_name(row.key.name)
     }
 
-    /// Whether the file gives the key `name` a value.
+    /// Whether the file or an override gives the key `name` a value.
     pub fn is_given_name(&self, name: &str) -> bool {
-        self.named(name).is_some_and(|entry| entry.span.is_some())
+        self.named(name).is_some_and(|entry| entry.is_given)
     }
 
     /// Whether a key was given a value that was not accepted: nothing more can be said about it.
-    pub fn is_refused<T>(&self, row: Row<T>) -> bool {
+    pub fn is_refused<T>(&self, row: KeyRow<T>) -> bool {
         self.has_refused(&row.key)
     }
 
@@ -116,7 +119,7 @@ impl SectionValues {
     }
 
     /// Where a key stands, or the section where it does not.
-    pub fn span_of<T>(&self, row: Row<T>) -> Range<usize> {
+    pub fn span_of<T>(&self, row: KeyRow<T>) -> Range<usize> {
         self.entry(row).and_then(|e| e.span.clone()).unwrap_or(self.span.clone())
     }
 
@@ -126,7 +129,7 @@ impl SectionValues {
     }
 
     /// A fault of the value of a key.
-    pub fn fault<T>(&self, row: Row<T>, says: impl Display) -> Fault {
+    pub fn fault<T>(&self, row: KeyRow<T>, says: impl Display) -> Fault {
         self.fault_of_name(row.key.name, says)
     }
 

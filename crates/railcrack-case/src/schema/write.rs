@@ -1,25 +1,44 @@
 //! Declared files as text: the first file of a user, and a file as it was read.
 
 use super::declaration::{FileSchema, Key, Kind, Presence, Preset, Section, SectionPresence, available};
-use super::row::Row;
-use super::sections::Sections;
+use super::row::KeyRow;
+use super::sections::{SectionValues, Sections};
 use super::value::{Value, toml_value};
 
 /// The sections of a file with their values, every default filled in.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Written(Vec<(String, Vec<(&'static str, Value)>)>);
+pub(crate) struct Written(Vec<WrittenSection>);
+
+#[derive(Debug, Clone, PartialEq)]
+struct WrittenSection {
+    header: String,
+    /// Its name with the number of its table.
+    path: String,
+    values: Vec<(&'static str, Value)>,
+}
 
 impl Written {
     /// The values of `sections`, in the order of the declaration, and files under the names by
     /// which a complete copy keeps them.
     pub fn of(sections: &Sections) -> Self {
-        Self(sections.iter().map(|section| (section.section.header(), section.values())).collect())
+        let written = |section: &SectionValues| WrittenSection {
+            header: section.section.header(),
+            path: section.path.clone(),
+            values: section.values(),
+        };
+        Self(sections.iter().map(written).collect())
+    }
+
+    /// The value of `key` in the section with this `path`.
+    pub fn value(&self, path: &str, key: &str) -> Option<&Value> {
+        let section = self.0.iter().find(|section| section.path == path)?;
+        section.values.iter().find(|(name, _)| *name == key).map(|(_, value)| value)
     }
 
     /// Puts `value` in place of that of a key.
-    pub fn replace<T>(&mut self, section: &Section, row: Row<T>, value: &Value) {
-        for (_, values) in self.0.iter_mut().filter(|(header, _)| *header == section.header()) {
-            for (_, old) in values.iter_mut().filter(|(key, _)| *key == row.key.name) {
+    pub fn replace<T>(&mut self, section: &Section, row: KeyRow<T>, value: &Value) {
+        for written in self.0.iter_mut().filter(|written| written.header == section.header()) {
+            for (_, old) in written.values.iter_mut().filter(|(key, _)| *key == row.key.name) {
                 *old = value.clone();
             }
         }
@@ -28,7 +47,7 @@ impl Written {
     /// The text of the file.
     pub fn to_toml(&self) -> String {
         let mut text = String::new();
-        for (header, values) in &self.0 {
+        for WrittenSection { header, values, .. } in &self.0 {
             if !header.is_empty() {
                 text.push_str(&format!("\n{header}\n"));
             }

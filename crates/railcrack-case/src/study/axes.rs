@@ -1,7 +1,7 @@
 //! How the lists of a study are combined.
 
 use super::variation::Variation;
-use crate::schema::{Fault, Report, Row, SectionValues, nearest};
+use crate::schema::{Fault, KeyRow, Report, SectionValues, nearest};
 use crate::tables::{COLOUR_BY, COMBINE, Combine, TOGETHER};
 use std::fmt::Display;
 use std::ops::Range;
@@ -118,7 +118,7 @@ impl<'a> Settings<'a> {
     /// it.
     fn find<T>(
         &self,
-        of: Row<T>,
+        of: KeyRow<T>,
         key: &str,
         span: Range<usize>,
         variations: &[Variation],
@@ -159,7 +159,7 @@ impl<'a> Settings<'a> {
         equal
     }
 
-    fn fault<T>(&self, row: Row<T>, span: Range<usize>, says: impl Display) -> Fault {
+    fn fault<T>(&self, row: KeyRow<T>, span: Range<usize>, says: impl Display) -> Fault {
         let key = self.section.dotted(row.key.name);
         Fault::of(key.clone(), span, format!("`{key}`: {says}"))
     }

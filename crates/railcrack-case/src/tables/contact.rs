@@ -2,10 +2,12 @@
 
 use crate::files::{ContactFile, ContactReading, read_contact_table};
 use crate::schema::{
-    Choice, Kind, NumberRange, RangeEnd, Report, Row, SectionValues, Word, choice, closed, file, number,
-    positive, read_by_word, section, within,
+    KeyRow, Kind, NumberRange, RangeEnd, Report, SectionValues, choice, closed, file, number, positive,
+    read_by_word, section, within,
 };
-use railcrack::load::{CarterContact, Contact, HertzEllipse, HertzianContact, Travel, WheelOnRail};
+use railcrack::load::{
+    CarterContact, Contact, ContactKind, HertzEllipse, HertzianContact, Travel, WheelOnRail,
+};
 use railcrack::material::IsotropicElastic;
 use std::path::Path;
 
@@ -77,34 +79,6 @@ section! {
 }
 
 read_by_word!(ContactKind);
-
-/// Descriptions of the contact.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum ContactKind {
-    Hertz,
-    Carter,
-    Table,
-}
-
-impl Choice for ContactKind {
-    const WORDS: &'static [(Self, Word)] = &[
-        (
-            Self::Hertz,
-            Word::now(
-                "hertz",
-                "pressure p0 sqrt(1 - (x - xc)^2 / a^2) and a shear proportional to it: full sliding",
-            ),
-        ),
-        (
-            Self::Carter,
-            Word::now(
-                "carter",
-                "the same pressure and a shear that sticks behind the leading edge: partial slip",
-            ),
-        ),
-        (Self::Table, Word::now(TABLE, "pressure and shear of a table, measured or computed")),
-    ];
-}
 
 /// Origin of the numbers of a contact.
 #[derive(Debug, Clone, PartialEq)]
@@ -335,7 +309,7 @@ fn read_ellipse(
 }
 
 /// Why a value that follows from others is not one that could have been given.
-fn out_of_range(row: Row<f64>, value: f64) -> Option<String> {
+fn out_of_range(row: KeyRow<f64>, value: f64) -> Option<String> {
     match row.key.kind {
         Kind::Number { range, .. } if !range.contains(value) => {
             Some(format!("gives {} = {value:.4}, which must be in {range}", row.key.name))

@@ -6,7 +6,7 @@ use crate::schema::{
 };
 use railcrack::contact::FluidModel;
 use railcrack::crack::CrackNetwork;
-use railcrack::growth::{CrackFluid, PressureProfile};
+use railcrack::plane::{CrackFluid, PressureProfile};
 
 const MOUTH: &str = "mouth";
 const TRAPPED: &str = "trapped";

@@ -1,17 +1,10 @@
 //! The growth law of `[growth]`: its name, its constants, and the steels that have one.
 
-use super::growth::{
-    BOLD_C, EQUIVALENT, FORMAN_C, FORMAN_KC, FORMAN_M, GROWTH_STEEL, LAW, LAW_KEYS, MODE_2_WEIGHT,
-    NASGRO_ALPHA, NASGRO_C, NASGRO_KC, NASGRO_N, NASGRO_P, NASGRO_Q, NASGRO_S, NASGRO_THRESHOLD, PARIS_C,
-    PARIS_M, TABLE_PROFILE, THRESHOLD, WALKER_C, WALKER_GAMMA, WALKER_M,
-};
-use super::law_names::{EquivalentName, LawName};
+use super::growth::{EQUIVALENT, GROWTH_STEEL, LAW, MODE_2_WEIGHT, TABLE_PROFILE, is_of_the_law};
+use super::law_keys::row;
 use crate::files::{RatesFile, read_rates};
-use crate::schema::{Report, Row, SectionValues};
-use railcrack::fatigue::{
-    Bold, EquivalentRange, Forman, GrowthLaw, Nasgro, Paris, ParisThreshold, RailSteel, RateLaw, Walker,
-};
-use railcrack::words::Choice;
+use crate::schema::{Choice, Report, SectionValues};
+use railcrack::fatigue::{GrowthLaw, LawDeclaration, LawInput, RailSteel};
 use std::path::Path;
 
 /// A growth law, and its origin where that has a name.
@@ -32,94 +25,66 @@ pub(super) fn read_law(section: &SectionValues, folder: &Path, report: &mut Repo
         let steel = RailSteel::of(name.word())?;
         return Some(GivenLaw { law: steel.growth_law(), steel: Some(steel), rates: None });
     }
-    let name = section.get(LAW)?;
-    if name == LawName::Bold && section.is_given(MODE_2_WEIGHT) {
-        let says = "the law of Bold, Brown and Allen has an equivalent range of its own, without a weight";
+    let declaration = section.get(LAW)?;
+    if let Some(own) = declaration.own_range
+        && section.is_given(MODE_2_WEIGHT)
+    {
+        let says = format!("{}, without a weight", own.reason);
         let help = "leave `mode_2_weight` out, or choose another law";
         report.add(section.fault(MODE_2_WEIGHT, says).help(help));
     }
-    let get = |row: Row<f64>| section.get(row);
-    let threshold = || get(THRESHOLD);
     let mut rates = None;
-    let rate = match name {
-        LawName::Paris => {
-            RateLaw::Paris(Paris { c: get(PARIS_C)?, m: get(PARIS_M)?, threshold: threshold()? })
+    let rate = match declaration.input {
+        LawInput::Constants(of) => {
+            let values: Option<Vec<f64>> = of.all.iter().map(|constant| section.get(row(constant))).collect();
+            (of.law)(&values?)?
         }
-        LawName::ParisThreshold => {
-            let (c, m) = (get(PARIS_C)?, get(PARIS_M)?);
-            RateLaw::ParisThreshold(ParisThreshold { c, m, threshold: threshold()? })
-        }
-        LawName::Bold => RateLaw::Bold(Bold { c: get(BOLD_C)? }),
-        LawName::Walker => {
-            let (c, m, gamma) = (get(WALKER_C)?, get(WALKER_M)?, get(WALKER_GAMMA)?);
-            RateLaw::Walker(Walker { c, m, gamma, threshold: threshold()? })
-        }
-        LawName::Forman => {
-            let (c, m, kc) = (get(FORMAN_C)?, get(FORMAN_M)?, get(FORMAN_KC)?);
-            RateLaw::Forman(Forman { c, m, kc, threshold: threshold()? })
-        }
-        LawName::Nasgro => RateLaw::Nasgro(Nasgro {
-            c: get(NASGRO_C)?,
-            n: get(NASGRO_N)?,
-            p: get(NASGRO_P)?,
-            q: get(NASGRO_Q)?,
-            threshold: get(NASGRO_THRESHOLD)?,
-            kc: get(NASGRO_KC)?,
-            alpha: get(NASGRO_ALPHA)?,
-            s: get(NASGRO_S)?,
-        }),
-        LawName::Table => {
+        LawInput::Table => {
             let file = read_rates(section, TABLE_PROFILE, folder, report)?;
             let table = file.content().clone();
             rates = Some(file);
-            RateLaw::Table(table)
+            table.into()
         }
     };
-    let equivalent = match (name, section.get(EQUIVALENT)) {
-        (LawName::Bold, _) => EquivalentRange::Bold,
-        (_, Some(EquivalentName::HourlierPineau)) => {
-            EquivalentRange::HourlierPineau { mode_2_weight: section.get(MODE_2_WEIGHT)? }
-        }
-        (_, Some(EquivalentName::Tanaka)) => EquivalentRange::Tanaka,
-        (_, Some(EquivalentName::Richard)) => EquivalentRange::Richard,
-        (_, None) => return None,
+    let equivalent = match declaration.own_range {
+        Some(own) => own.range,
+        None => section.get(EQUIVALENT)?.range(section.get(MODE_2_WEIGHT))?,
     };
     let law = GrowthLaw { rate, equivalent };
-    check_pace(section, name, &law, report)?;
+    check_pace(section, declaration, &law, report)?;
     Some(GivenLaw { law, steel: None, rates })
 }
 
 /// Refuses a law that breaks a rail in a passage.
-fn check_pace(section: &SectionValues, name: LawName, law: &GrowthLaw, report: &mut Report) -> Option<()> {
+fn check_pace(
+    section: &SectionValues,
+    declaration: &LawDeclaration,
+    law: &GrowthLaw,
+    report: &mut Report,
+) -> Option<()> {
     let (range, fastest) = FASTEST;
     let rate = law.rate.rate(range, 0.0);
     if rate <= fastest {
         return Some(());
     }
-    let (row, beside) = match name {
-        LawName::Paris | LawName::ParisThreshold => (PARIS_C, Some(PARIS_M)),
-        LawName::Walker => (WALKER_C, Some(WALKER_M)),
-        LawName::Forman => (FORMAN_C, Some(FORMAN_M)),
-        LawName::Nasgro => (NASGRO_C, Some(NASGRO_N)),
-        LawName::Bold | LawName::Table => (BOLD_C, None),
+    let (key, exponent) = match declaration.input {
+        LawInput::Constants(of) => (of.coefficient.key, of.exponent),
+        LawInput::Table => (TABLE_PROFILE.key.name, None),
     };
-    let exponent = beside.and_then(|row| Some(format!("{} = {}", row.key.name, section.get(row)?)));
-    let with = exponent.map_or(String::new(), |exponent| format!("with {exponent} "));
+    let exponent = exponent.and_then(|m| Some(format!("with {} = {} ", m.key, section.get(row(&m))?)));
+    let with = exponent.unwrap_or_default();
     let says = format!(
         "{with}a crack grows by {rate:.3e} mm per cycle at dKeq = {range} MPa sqrt(m); it must not exceed {fastest}"
     );
     let help = "rail steels grow by about 1e-5 mm per cycle there";
-    let fault =
-        if name == LawName::Table { section.fault(TABLE_PROFILE, says) } else { section.fault(row, says) };
-    report.add(fault.help(help));
+    report.add(section.fault_of_name(key, says).help(help));
     None
 }
 
 /// A steel has law and constants of its own.
 fn refuse_beside_steel(section: &SectionValues, report: &mut Report) {
-    for key in section.section.keys {
-        let constant = key.only_with.is_some_and(|with| with.key == LAW.key.name);
-        if (constant || LAW_KEYS.contains(&key.name)) && section.is_given_name(key.name) {
+    for key in section.section.keys.iter().filter(|key| is_of_the_law(key)) {
+        if section.is_given_name(key.name) {
             let says =
                 "says the same thing as `steel`, whose law has constants of its own: give one or the other";
             report.add(section.fault_of_name(key.name, says));

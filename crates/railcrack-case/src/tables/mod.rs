@@ -10,7 +10,7 @@ mod growing;
 mod growth;
 mod inspection;
 mod law;
-mod law_names;
+mod law_keys;
 mod maintenance;
 mod mesh;
 mod output;
@@ -34,14 +34,12 @@ pub use mesh::MeshSettings;
 pub use output::{FieldOutput, Kept, Output};
 pub use rail::Rail;
 pub use shakedown::ShakedownSettings;
-pub use solver::{ContactSolver, Engine};
+pub use solver::{ContactSolver, Engine, EngineDomain};
 pub use stress::PlasticSource;
 pub use study::{Combine, STUDY, Sampling};
 pub use wheel_load::GivenWheel;
 
-pub(crate) use contact::{
-    CONTACT, ContactExtent, ContactKind, FRICTION, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH,
-};
+pub(crate) use contact::{CONTACT, ContactExtent, FRICTION, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH};
 pub(crate) use crack::{
     ANGLE, ANGLE_SD, ANGLES, COUNT, CRACK, CRACK_FRICTION, CRACK_LATERAL, LENGTH, LENGTH_SD, MOUTH, POINTS,
     ROW_SEED, SPACING, SPACING_SD, STRIKE, SURFACE_HALF_LENGTH,
@@ -50,9 +48,8 @@ pub(crate) use file::CASE_FILE;
 pub(crate) use fluid::{FLUID, read_fluid};
 pub(crate) use fracture::FRACTURE;
 pub(crate) use growing::read_growth;
-pub(crate) use growth::{GROWTH, LAW, LAW_KEYS, MODE_3_WEIGHT, STEPS};
+pub(crate) use growth::{GROWTH, LAW, MODE_3_WEIGHT, STEPS, is_of_the_law};
 pub(crate) use inspection::{INSPECTION, SCATTER, Scattering, read_inspection, read_scatter};
-pub(crate) use law_names::LawName;
 pub(crate) use maintenance::{MAINTENANCE, read_maintenance};
 pub(crate) use mesh::{ELEMENT_SIZE, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH, SPACE_CELLS};
 pub(crate) use output::{OF_STUDY, OUTPUT, RUN_FOLDERS};

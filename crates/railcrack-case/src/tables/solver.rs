@@ -1,7 +1,7 @@
 //! `[solver]`: the engine of the cracked rail and the solver of the contact conditions.
 
 use crate::schema::{Choice, Word, choice, read_by_word, section};
-use railcrack::growth::NetworkContact;
+use railcrack::plane::NetworkContact;
 
 section! {
     SOLVER "solver", Defaulted, "Solvers.";
@@ -23,11 +23,75 @@ pub enum Engine {
     Space,
 }
 
+/// Domain of the cracks of an engine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EngineDomain {
+    /// A plane rail of whatever boundary, on a mesh.
+    Rail,
+    /// The half-plane.
+    HalfPlane,
+    /// The half-space.
+    HalfSpace,
+}
+
+/// Names and domain of an engine, for texts and checks; its computation is a file of
+/// `case/engines`.
+struct EngineDeclaration {
+    word: Word,
+    method: &'static str,
+    domain: EngineDomain,
+}
+
+impl Engine {
+    const fn declaration(self) -> EngineDeclaration {
+        match self {
+            Self::Xfem => EngineDeclaration {
+                word: Word::now("xfem", "extended finite elements"),
+                method: "extended finite elements",
+                domain: EngineDomain::Rail,
+            },
+            Self::Dislocation => EngineDeclaration {
+                word: Word::now("dislocation", "distributed dislocations in a half-plane"),
+                method: "distributed dislocations",
+                domain: EngineDomain::HalfPlane,
+            },
+            Self::Space => EngineDeclaration {
+                word: Word::now("space", "planar cracks with elliptical fronts in the half-space"),
+                method: "boundary elements in space",
+                domain: EngineDomain::HalfSpace,
+            },
+        }
+    }
+
+    /// The method of computation, in words.
+    #[must_use]
+    pub fn method(self) -> &'static str {
+        self.declaration().method
+    }
+
+    /// The domain of the cracks.
+    #[must_use]
+    pub fn domain(self) -> EngineDomain {
+        self.declaration().domain
+    }
+
+    /// Whether its cracks are in space.
+    #[must_use]
+    pub fn is_in_space(self) -> bool {
+        self.domain() == EngineDomain::HalfSpace
+    }
+
+    /// The engines of cracks in the plane.
+    pub fn in_the_plane() -> impl Iterator<Item = Self> {
+        Self::WORDS.iter().map(|(engine, _)| *engine).filter(|engine| !engine.is_in_space())
+    }
+}
+
 impl Choice for Engine {
     const WORDS: &'static [(Self, Word)] = &[
-        (Self::Xfem, Word::now("xfem", "extended finite elements")),
-        (Self::Dislocation, Word::now("dislocation", "distributed dislocations in a half-plane")),
-        (Self::Space, Word::now("space", "planar cracks with elliptical fronts in the half-space")),
+        (Self::Xfem, Self::Xfem.declaration().word),
+        (Self::Dislocation, Self::Dislocation.declaration().word),
+        (Self::Space, Self::Space.declaration().word),
     ];
 }
 

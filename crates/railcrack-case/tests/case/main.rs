@@ -1,6 +1,7 @@
 //! The case file: reading, errors, studies, and what derives from the table of keys.
 
 mod bad_input;
+mod fitted;
 mod limits;
 mod modules;
 mod mutations;

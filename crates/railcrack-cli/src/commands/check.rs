@@ -8,12 +8,12 @@ use clap::Args;
 use railcrack::contact::{FluidModel, StepControl};
 use railcrack::crack::Crack;
 use railcrack::fatigue::{ACCEPTANCE_RANGES, DirectionCriterion, RAIL_STEELS, RateLaw};
-use railcrack::growth::CrackFluid;
 use railcrack::load::{Contact, HertzEllipse};
+use railcrack::plane::CrackFluid;
 use railcrack::shakedown::DepthBounds;
 use railcrack::words::Choice;
 use railcrack_case::{Case, ContactOrigin, Input, MixedWheel, Overrides, PlasticSource};
-use railcrack_run::budget::{Budget, Needs, mb};
+use railcrack_run::machine::{Budget, Needs, mb};
 use railcrack_run::simulation::plastic_stress_left_out;
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
@@ -80,7 +80,7 @@ fn case_json(case: &Case, folder: &Path) -> Value {
 }
 
 /// Name and value of a line of the summary.
-type Row = (&'static str, String);
+type CheckLine = (&'static str, String);
 
 /// The lines of a case.
 pub fn summary(case: &Case, folder: &Path) -> String {
@@ -98,7 +98,7 @@ pub fn summary(case: &Case, folder: &Path) -> String {
 }
 
 /// The parts of the summary.
-fn parts(case: &Case, folder: &Path) -> Vec<(&'static str, Vec<Row>)> {
+fn parts(case: &Case, folder: &Path) -> Vec<(&'static str, Vec<CheckLine>)> {
     vec![
         ("rail", rail(case)),
         ("contact", contact(case)),
@@ -119,7 +119,7 @@ fn parts(case: &Case, folder: &Path) -> Vec<(&'static str, Vec<Row>)> {
     ]
 }
 
-fn rail(case: &Case) -> Vec<Row> {
+fn rail(case: &Case) -> Vec<CheckLine> {
     let rail = &case.rail;
     let (left, right) = rail.extent.ends();
     vec![
@@ -132,7 +132,7 @@ fn rail(case: &Case) -> Vec<Row> {
     ]
 }
 
-fn contact(case: &Case) -> Vec<Row> {
+fn contact(case: &Case) -> Vec<CheckLine> {
     let contact = case.wheel.contact();
     let mut rows = origin(case);
     rows.extend([
@@ -171,7 +171,7 @@ fn contact(case: &Case) -> Vec<Row> {
 }
 
 /// Where the numbers of the contact come from.
-fn origin(case: &Case) -> Vec<Row> {
+fn origin(case: &Case) -> Vec<CheckLine> {
     match &case.wheel.origin {
         ContactOrigin::Given | ContactOrigin::LineLoad { .. } => Vec::new(),
         ContactOrigin::Ellipse { wheel, ellipse, lateral } => vec![
@@ -186,13 +186,13 @@ fn origin(case: &Case) -> Vec<Row> {
     }
 }
 
-fn hertz_ellipse(ellipse: &HertzEllipse) -> Row {
+fn hertz_ellipse(ellipse: &HertzEllipse) -> CheckLine {
     let [along, across, peak] = [ellipse.along, ellipse.across, ellipse.peak_pressure].map(number);
     ("Hertz ellipse", format!("a = {along} mm along, b = {across} mm across, p0 = {peak} MPa"))
 }
 
 /// The strip of an ellipse in the plane, the place of the ellipse in space.
-fn offset(case: &Case, lateral: f64) -> Row {
+fn offset(case: &Case, lateral: f64) -> CheckLine {
     match case.space {
         Some(_) => ("lateral", format!("middle at z = {} mm", number(lateral))),
         None => ("strip", format!("{} mm beside its middle", number(lateral))),
@@ -200,11 +200,11 @@ fn offset(case: &Case, lateral: f64) -> Row {
 }
 
 /// The cracks of a case in space.
-fn in_space(case: &Case) -> Vec<Row> {
+fn in_space(case: &Case) -> Vec<CheckLine> {
     let Some(space) = &case.space else { return Vec::new() };
     let mut rows = Vec::new();
     for shape in &space.shapes {
-        let [down, along] = [shape.depth, shape.half_length].map(number);
+        let [down, along] = [shape.length, shape.half_length].map(number);
         rows.push(("half axes", format!("{down} mm down the dip, {along} mm along the surface")));
         rows.push(("dip", format!("{} degrees", number(shape.dip.to_degrees()))));
         rows.push(("strike", format!("{} degrees", number(shape.strike.to_degrees()))));
@@ -223,7 +223,7 @@ fn in_space(case: &Case) -> Vec<Row> {
 }
 
 /// The wheels of a mix; the sections around this one are about the first of them.
-fn mix(case: &Case) -> Vec<Row> {
+fn mix(case: &Case) -> Vec<CheckLine> {
     let line = |wheel: &MixedWheel| {
         let contact = wheel.wheel.contact();
         let load = wheel.axle_load.map_or_else(String::new, |load| format!(", {load} t"));
@@ -236,7 +236,7 @@ fn mix(case: &Case) -> Vec<Row> {
             number(contact.adhesion())
         )
     };
-    let mut rows: Vec<Row> = case.mix.iter().map(|wheel| ("wheel", line(wheel))).collect();
+    let mut rows: Vec<CheckLine> = case.mix.iter().map(|wheel| ("wheel", line(wheel))).collect();
     if !rows.is_empty() {
         rows.push((
             "",
@@ -246,7 +246,7 @@ fn mix(case: &Case) -> Vec<Row> {
     rows
 }
 
-fn track(case: &Case) -> Vec<Row> {
+fn track(case: &Case) -> Vec<CheckLine> {
     let (Some(track), Some(bending)) = (&case.wheel.load.track, case.wheel.bending(&case.steel)) else {
         return Vec::new();
     };
@@ -290,7 +290,7 @@ fn track(case: &Case) -> Vec<Row> {
     ]
 }
 
-fn temperature(case: &Case) -> Vec<Row> {
+fn temperature(case: &Case) -> Vec<CheckLine> {
     let Some(temperature) = case.wheel.load.temperature else { return Vec::new() };
     vec![
         ("rail, neutral", format!("{} and {} degrees C", temperature.rail, temperature.neutral)),
@@ -298,7 +298,7 @@ fn temperature(case: &Case) -> Vec<Row> {
     ]
 }
 
-fn passage(case: &Case) -> Vec<Row> {
+fn passage(case: &Case) -> Vec<CheckLine> {
     let (passage, settings) = (&case.passages.passage, &case.passages);
     let first_mouth = case.cracks.cracks().first().map_or(0.0, |c| c.points()[0].x);
     let over_a = |x: f64| number((x - first_mouth) / case.half_width());
@@ -324,7 +324,7 @@ fn passage(case: &Case) -> Vec<Row> {
     ]
 }
 
-fn cracks(case: &Case) -> Vec<Row> {
+fn cracks(case: &Case) -> Vec<CheckLine> {
     let columns = "   #   x mm        y mm        length mm   angle deg   friction   tips mm";
     let mut rows = vec![("number", case.cracks.cracks().len().to_string()), ("", columns.into())];
     for (i, (crack, friction)) in case.cracks.cracks().iter().zip(&case.crack_friction).enumerate() {
@@ -352,7 +352,7 @@ fn crack_line(count: usize, crack: &Crack, friction: f64) -> String {
     )
 }
 
-fn residual_stress(case: &Case) -> Vec<Row> {
+fn residual_stress(case: &Case) -> Vec<CheckLine> {
     let Some(file) = &case.residual_stress else { return Vec::new() };
     let rows = file.content().rows();
     let extreme = |pick: fn(f64, f64) -> f64| rows.iter().map(|r| r.1).reduce(pick).unwrap_or(0.0);
@@ -364,7 +364,7 @@ fn residual_stress(case: &Case) -> Vec<Row> {
     ]
 }
 
-fn plastic_stress(case: &Case) -> Vec<Row> {
+fn plastic_stress(case: &Case) -> Vec<CheckLine> {
     match &case.plastic_stress {
         Some(PlasticSource::Field(file)) => {
             let (left, right, depth) = file.content().extent();
@@ -382,7 +382,7 @@ fn plastic_stress(case: &Case) -> Vec<Row> {
     }
 }
 
-fn solution(case: &Case) -> Vec<Row> {
+fn solution(case: &Case) -> Vec<CheckLine> {
     let size = case.size();
     let mut rows =
         vec![("engine", case.engine.word().into()), ("contact", case.contact_solver.word().into())];
@@ -398,7 +398,7 @@ fn solution(case: &Case) -> Vec<Row> {
     rows
 }
 
-fn growth(case: &Case) -> Vec<Row> {
+fn growth(case: &Case) -> Vec<CheckLine> {
     let growth = &case.growth;
     let law = &growth.law;
     let direction = match growth.criterion {
@@ -464,7 +464,7 @@ fn acceptance(law: &RateLaw) -> String {
 }
 
 /// Summary of the stabilised plastic state that `railcrack shakedown` would compute.
-fn maintenance(case: &Case) -> Vec<Row> {
+fn maintenance(case: &Case) -> Vec<CheckLine> {
     let Some(plan) = &case.maintenance else { return Vec::new() };
     let mut rows = vec![("wear", format!("{} mm/MGT", number(plan.wear)))];
     if let Some((depth, interval)) = plan.grinding {
@@ -482,7 +482,7 @@ fn maintenance(case: &Case) -> Vec<Row> {
     rows
 }
 
-fn plastic_state(case: &Case) -> Vec<Row> {
+fn plastic_state(case: &Case) -> Vec<CheckLine> {
     let shakedown = &case.shakedown;
     let hardening = &shakedown.hardening;
     let mut rows = vec![
@@ -497,7 +497,7 @@ fn plastic_state(case: &Case) -> Vec<Row> {
 }
 
 /// Needs of the run beside what the machine has.
-fn machine(needs: &Needs, folder: &Path) -> Vec<Row> {
+fn machine(needs: &Needs, folder: &Path) -> Vec<CheckLine> {
     let budget = Budget::of(folder);
     let of = |has: Option<u64>| has.map_or_else(String::new, |has| format!(" of {} MB", mb(has)));
     let mut rows = vec![
@@ -514,7 +514,7 @@ fn machine(needs: &Needs, folder: &Path) -> Vec<Row> {
 const BOUND_DEPTHS: [f64; 8] = [0.0, 0.125, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0];
 
 /// How the pressure compares with the yield stress.
-fn bounds(case: &Case) -> Vec<Row> {
+fn bounds(case: &Case) -> Vec<CheckLine> {
     let shear_yield = case.shakedown.hardening.shear_yield_stress();
     let ratio = case.wheel.contact().peak_pressure() / shear_yield;
     let all = case.contact_bounds(|bounds| {

@@ -2,7 +2,7 @@
 
 use railcrack::words::Choice;
 use railcrack_case::{Axis, RailKey, Study, StudyRun, Variation};
-use railcrack_run::budget::{Budget, Needs, mb};
+use railcrack_run::machine::{Budget, Needs, mb};
 use serde_json::{Value, json};
 use std::collections::HashMap;
 use std::path::Path;

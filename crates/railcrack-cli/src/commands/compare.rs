@@ -102,9 +102,6 @@ fn compare_folders(arguments: &CompareArguments, runs: [&PathBuf; 2], out: &Path
     Ok(exit)
 }
 
-/// Engines that are compared: those of the plane.
-const IN_THE_PLANE: [Engine; 2] = [Engine::Xfem, Engine::Dislocation];
-
 /// Runs the case with both engines of the plane, each into a folder of its name in `out`, and
 /// compares them.
 fn compare_engines(arguments: &CompareArguments, out: &Path) -> Result<Exit, Failure> {
@@ -112,7 +109,7 @@ fn compare_engines(arguments: &CompareArguments, out: &Path) -> Result<Exit, Fai
     Case::read(&arguments.first)?;
     let interruption = run::listen()?;
     let mut folders = Vec::new();
-    for engine in IN_THE_PLANE {
+    for engine in Engine::in_the_plane() {
         let finished = run::compute(&run_with(arguments, engine.word(), out), &interruption)?;
         if finished.ending == Ending::Interrupted {
             print::stdout(&run::result_text(&finished))?;

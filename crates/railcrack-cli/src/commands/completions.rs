@@ -1,9 +1,8 @@
 //! `railcrack completions` and `railcrack man`.
 
-use crate::arguments::Arguments;
 use crate::exit::{Exit, Failure};
 use crate::print;
-use clap::{Args, CommandFactory};
+use clap::{Args, Command};
 use clap_complete::Shell;
 use std::path::PathBuf;
 
@@ -25,17 +24,16 @@ pub struct ManArguments {
     out: Option<PathBuf>,
 }
 
-/// Prints the completions.
-pub fn completions(arguments: &CompletionsArguments) -> Result<Exit, Failure> {
+/// Prints the completions of `command`.
+pub fn completions(arguments: &CompletionsArguments, mut command: Command) -> Result<Exit, Failure> {
     let mut script = Vec::new();
-    clap_complete::generate(arguments.shell, &mut Arguments::command(), "railcrack", &mut script);
+    clap_complete::generate(arguments.shell, &mut command, "railcrack", &mut script);
     print::stdout(&String::from_utf8_lossy(&script))?;
     Ok(Exit::Done)
 }
 
-/// Prints or writes the manual pages.
-pub fn man(arguments: &ManArguments) -> Result<Exit, Failure> {
-    let command = Arguments::command();
+/// Prints or writes the manual pages of `command`.
+pub fn man(arguments: &ManArguments, command: Command) -> Result<Exit, Failure> {
     match &arguments.out {
         None => {
             let mut page = Vec::new();

@@ -11,7 +11,7 @@ use railcrack::words::Choice;
 use railcrack_case::Overrides;
 use railcrack_report::Pages;
 use railcrack_run::Summary;
-use railcrack_run::budget::{Budget, Needs};
+use railcrack_run::machine::{Budget, Needs};
 use railcrack_run::simulation::{Ending, Finished, RunEntry, RunError, Simulation};
 use serde_json::{Value, json};
 use std::num::NonZeroUsize;
@@ -112,6 +112,7 @@ pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<
         engine: arguments.engine.clone(),
         contact: arguments.contact.clone(),
         settings: arguments.set.set.clone(),
+        ..Overrides::default()
     };
     let case = input::case(&arguments.case, &overrides)?;
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));

@@ -1,6 +1,7 @@
 //! The command as a user meets it, and the book.
 
 mod book;
+mod calibrate;
 mod case;
 mod common;
 mod compare;

@@ -1,8 +1,9 @@
 //! Section 5.2: friction of the crack faces.
 
-use crate::claim::{falls, rises};
+use crate::case_run::CrackGrowth;
+use crate::claim::{Claim, Decision, falls, rises};
 use crate::path_shape::{PathShape, Side};
-use crate::{Claim, CrackGrowth, Decision, SetupResults};
+use crate::results::SetupResults;
 
 /// From slippery to rough; the paper's text does not give the values of its Figs 17 and 18.
 const CURVES: [&str; 4] = ["faces-0.1", "faces-0.2", "reference", "faces-0.8"];

@@ -1,8 +1,9 @@
 //! Section 5.3: inclination of the initial crack.
 
-use crate::claim::{falls, rises};
+use crate::case_run::CrackGrowth;
+use crate::claim::{Claim, Decision, falls, rises};
 use crate::path_shape::{PathShape, Side};
-use crate::{Claim, CrackGrowth, Decision, SetupResults};
+use crate::results::SetupResults;
 
 const CURVES: [&str; 5] = ["reference", "angle-30", "angle-45", "angle-60", "angle-75"];
 const ANGLES: [&str; 5] = ["15\u{b0}", "30\u{b0}", "45\u{b0}", "60\u{b0}", "75\u{b0}"];

@@ -1,8 +1,10 @@
 //! Sections 5.5.2 and 5.5.3: nine parallel cracks.
 
+use crate::case_run::CrackGrowth;
+use crate::claim::{Claim, Decision};
 use crate::path_shape::{PathShape, Side};
+use crate::results::SetupResults;
 use crate::setup::Travel;
-use crate::{Claim, CrackGrowth, Decision, SetupResults};
 
 const NAMES: [&str; 9] = ["1", "2", "3", "4", "5", "6", "7", "8", "9"];
 

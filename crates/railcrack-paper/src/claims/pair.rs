@@ -1,7 +1,9 @@
 //! Section 5.5.1: two cracks that lean away from each other.
 
+use crate::case_run::{CrackGrowth, SifCurve};
+use crate::claim::{Claim, Decision};
 use crate::path_shape::PathShape;
-use crate::{Claim, CrackGrowth, Decision, SetupResults, SifCurve};
+use crate::results::SetupResults;
 
 /// Cracks 1 and 2 of the pair, then each alone.
 fn cracks<'a>(r: SetupResults<'a>) -> Option<([&'a CrackGrowth; 2], [&'a CrackGrowth; 2])> {

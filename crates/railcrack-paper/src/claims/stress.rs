@@ -1,7 +1,7 @@
 //! Section 5.4: the stress of Fig. 21.
 
+use crate::claim::{Claim, Decision};
 use crate::path_shape::{PathShape, Side};
-use crate::{Claim, Decision};
 
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {

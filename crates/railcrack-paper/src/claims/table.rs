@@ -1,7 +1,7 @@
 //! All statements in the order of the paper.
 
 use super::{faces, inclination, network, pair, stress, validation, wheel};
-use crate::Claim;
+use crate::claim::Claim;
 
 /// All statements in the order of the paper, section by section.
 pub static CLAIMS: &[&[Claim]] = &[

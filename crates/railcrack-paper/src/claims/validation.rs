@@ -1,6 +1,6 @@
 //! Section 4: the method against another one.
 
-use crate::{Claim, Decision};
+use crate::claim::{Claim, Decision};
 
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {

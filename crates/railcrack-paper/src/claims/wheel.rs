@@ -1,8 +1,9 @@
 //! Section 5.1: friction between wheel and rail.
 
-use crate::claim::rises;
+use crate::case_run::SifCurve;
+use crate::claim::{Claim, Decision, rises};
 use crate::path_shape::{PathShape, Side};
-use crate::{Claim, Decision, SetupResults, SifCurve};
+use crate::results::SetupResults;
 
 const BRAKING: [&str; 3] = ["reference", "wheel+0.1", "wheel+0.4"];
 const DRIVING: [&str; 3] = ["wheel-0.025", "wheel-0.1", "wheel-0.4"];

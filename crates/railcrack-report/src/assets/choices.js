@@ -2,58 +2,63 @@
 "use strict";
 
 (() => {
-  const { charts, legend, plain, inParts, bringOut, DASHES } = railcrack;
-  const place = document.getElementById("choices");
-  const groups = JSON.parse(document.getElementById("choices-data").textContent);
-  // A group without values is always shown.
-  const on = groups.map((group) => (group.values.length ? new Set(group.values.flatMap((value, i) => (value.shown ? [i] : []))) : null));
+  const { DASHES, bringOut, button, charts, element, inParts, legend, pageData, plain } = railcrack;
+  const place = element("choices");
+  /** @type {ChoiceGroup[]} */
+  const groups = pageData("choices-data");
+  /** Places of the values that are on, by group; a group without values is always shown. */
+  const on = groups.map(({ values }) =>
+    values.length ? new Set(values.flatMap((value, i) => (value.shown ? [i] : []))) : null,
+  );
 
   function show() {
     for (const chart of charts.values()) chart.choose(on);
-    for (const row of document.querySelectorAll("tr[data-choices]"))
-      row.hidden = row.dataset.choices !== "" && !row.dataset.choices.split(",").every((value, group) => on[group]?.has(+value) ?? true);
+    const rows = /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("tr[data-choices]"));
+    for (const row of rows) {
+      const values = row.dataset.choices ? row.dataset.choices.split(",") : [];
+      row.hidden = !values.every((value, group) => on[group]?.has(+value) ?? true);
+    }
   }
 
-  groups.forEach((group, place_of_group) => {
-    if (!group.values.length) return;
+  for (const [g, group] of groups.entries()) {
+    if (!group.values.length) continue;
+    /** @param {number[]} values */
+    const turnOn = (values) => {
+      on[g] = new Set(values);
+      show();
+    };
     const set = document.createElement("fieldset");
     const name = document.createElement("legend");
     inParts(name, plain(group.name));
     set.append(name);
-    const boxes = group.values.map((value, i) => {
+    const boxes = group.values.map((value) => {
       const label = document.createElement("label");
       const box = document.createElement("input");
       box.type = "checkbox";
       box.checked = value.shown;
-      box.addEventListener("change", () => {
-        if (box.checked) on[place_of_group].add(i);
-        else on[place_of_group].delete(i);
-        show();
-      });
-      const mark = value.colour || value.look
-        ? legend([{ name: "", colour: value.colour ? `var(--${value.colour})` : "var(--quiet)", dashes: DASHES[value.look] }]).querySelector("svg")
-        : "";
-      label.append(box, mark, plain(value.name));
+      box.addEventListener("change", () => turnOn(checked()));
+      const colour = value.colour ? `var(--${value.colour})` : "var(--quiet)";
+      const dashes = value.look && DASHES[value.look];
+      const mark =
+        value.colour || value.look ? legend([{ name: "", colour, dashes }]).querySelector("svg") : null;
+      label.append(box, mark ?? "", plain(value.name));
       set.append(label);
       return box;
     });
+    const checked = () => boxes.flatMap((box, i) => (box.checked ? [i] : []));
     if (group.values.length > 2) {
-      const all = document.createElement("button");
-      all.type = "button";
-      all.textContent = "all";
-      all.addEventListener("click", () => {
-        // Once more: back to the first.
+      const all = button("all", () => {
+        // A second click goes back to the first value alone.
         const every = boxes.every((box) => box.checked);
-        boxes.forEach((box, i) => { box.checked = !every || i === 0; });
-        on[place_of_group] = new Set(boxes.flatMap((box, i) => (box.checked ? [i] : [])));
-        show();
+        for (const [i, box] of boxes.entries()) box.checked = !every || i === 0;
+        turnOn(checked());
       });
       set.append(all);
     }
     place.append(set);
-  });
+  }
 
-  for (const row of document.querySelectorAll("tr[data-name]")) {
+  for (const row of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("tr[data-name]"))) {
     row.addEventListener("pointerenter", () => bringOut(row.dataset.name));
     row.addEventListener("pointerleave", () => bringOut());
   }

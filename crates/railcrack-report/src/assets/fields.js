@@ -1,129 +1,165 @@
 // The deformed neighbourhood of the cracks: the cells of a field file, moved and coloured.
 "use strict";
 
-(async () => {
-  const { words, quantised, levels, legend, typeset, scale, onWidth, tools } = railcrack;
-  const find = (id) => document.getElementById(id);
-  const { steps } = JSON.parse(find("field-data").textContent);
-  const run = JSON.parse(find("run-data").textContent);
-  const choices = steps.flatMap((step, i) => step.snapshots.map((snapshot, j) => ({ i, j, step: step.step, at: snapshot.position - 1 })));
-  const decoded = new Map();
-  let state = null;
-  let width = 0;
+railcrack.viewer("neighbourhood", "The fields", "ParaView shows the files in fields/", async () => {
+  const {
+    element,
+    ends,
+    imageMark,
+    levels,
+    linear,
+    pageData,
+    picture,
+    quantised,
+    shades,
+    signed,
+    sized,
+    slider,
+    toScale,
+    words,
+  } = railcrack;
+  const { steps } = /** @type {FieldData} */ (pageData("field-data"));
+  const run = /** @type {RunData} */ (pageData("run-data"));
+  const select = element("field-choice", HTMLSelectElement);
+  const field = picture("field");
+  const choices = steps.flatMap((step, i) =>
+    step.snapshots.map((snapshot, j) => ({
+      i,
+      j,
+      step: step.step,
+      xcOverA: run.xc_over_a[snapshot.position - 1],
+    })),
+  );
 
-  /** Points, corners, displacement from its mean, and stress of a choice. */
+  /**
+   * A field: points, corners of the cells, displacement from its mean, and stress.
+   * @typedef {object} Field
+   * @property {Float64Array} x
+   * @property {Float64Array} y
+   * @property {Float64Array} dx
+   * @property {Float64Array} dy
+   * @property {Float64Array} stress
+   * @property {Uint16Array} corners
+   */
+
+  /** @type {Map<(typeof choices)[number], Promise<Field>>} */
+  const decoded = new Map();
+
+  /** @param {(typeof choices)[number]} choice @returns {Promise<Field>} */
   async function decode({ i, j }) {
-    const key = `${i},${j}`;
-    if (!decoded.has(key)) {
-      const step = steps[i];
-      const { ux, uy, stress } = step.snapshots[j];
-      const count = Infinity;
-      const [x, y, dx, dy, s] = await Promise.all([step.x, step.y, ux, uy, stress].map((values) => quantised(values, count)));
-      const corners = await levels(step.corners, count);
-      // A line load moves all of a half-plane: only differences mean something.
-      const [mx, my] = [d3.mean(dx), d3.mean(dy)];
-      decoded.set(key, { x, y, dx: dx.map((u) => u - mx), dy: dy.map((u) => u - my), s, corners });
-    }
-    return decoded.get(key);
+    const step = steps[i];
+    const snapshot = step.snapshots[j];
+    const all = [step.x, step.y, snapshot.ux, snapshot.uy, snapshot.stress];
+    const [x, y, ux, uy, stress] = await Promise.all(all.map((values) => quantised(values)));
+    // A line load moves all of a half-plane: only differences mean something.
+    /** @param {Float64Array} values */
+    const fromMean = (values) => {
+      const mean = d3.mean(values) ?? 0;
+      return values.map((value) => value - mean);
+    };
+    return { x, y, dx: fromMean(ux), dy: fromMean(uy), stress, corners: await levels(step.corners) };
+  }
+
+  /** @param {(typeof choices)[number]} choice */
+  function fieldOf(choice) {
+    const known = decoded.get(choice) ?? decode(choice);
+    decoded.set(choice, known);
+    return known;
   }
 
   const MAGNIFICATIONS = [0, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000];
+  const MARGIN = { left: 56, right: 14, top: 10, bottom: 42 };
+  const last = choices[choices.length - 1];
+  const state = { choice: last, field: await fieldOf(last), magnification: 0 };
+  state.magnification = usual(state.field);
 
-  async function changed() {
-    const choice = choices[find("field-choice").selectedIndex];
-    state = { choice, field: await decode(choice) };
-    draw();
-  }
-
-  /** The magnification that moves points by about a fiftieth of the picture. */
+  /**
+   * The magnification that moves points by about a fiftieth of the picture.
+   * @param {Field} field
+   */
   function usual({ x, dx, dy }) {
-    const [left, right] = d3.extent(x);
+    const [left, right] = ends(x);
     const most = d3.max(dx, (u, i) => Math.hypot(u, dy[i])) || 1;
-    const wanted = 0.04 * (right - left) / most;
-    return Math.max(0, d3.bisectRight(MAGNIFICATIONS, wanted) - 1);
+    return Math.max(0, d3.bisectRight(MAGNIFICATIONS, (0.04 * (right - left)) / most) - 1);
   }
 
-  function draw() {
-    if (!state || !width) return;
-    const { field: { x, y, dx, dy, s, corners }, choice } = state;
-    const magnified = MAGNIFICATIONS[+find("field-scale").value];
-    const [left, right] = d3.extent(x);
-    const [bottom, top] = d3.extent(y);
-    const margin = { left: 56, right: 14, top: 10, bottom: 42 };
-    const air = 0.04 * (right - left);
-    let xs = [left - air, right + air];
-    const ys = [-bottom + air, -top - air];
-    let perMm = (width - margin.left - margin.right) / (xs[1] - xs[0]);
-    if (perMm * (ys[0] - ys[1]) > 480) {
-      perMm = 480 / (ys[0] - ys[1]);
-      const half = 0.5 * (width - margin.left - margin.right) / perMm;
-      xs = [0.5 * (left + right) - half, 0.5 * (left + right) + half];
-    }
-    // The tip is singular: colours end where all but a fiftieth of the points lie.
-    const most = d3.quantile(s, 0.98) || 1;
+  /**
+   * The picture of the cells, `perMm` pixels to a mm, within the domains x and y (depth). Colours
+   * end at `most`.
+   * @param {{ x: Pair, y: Pair, perUnit: number }} fit
+   * @param {number} magnified
+   * @param {number} most
+   */
+  function cells(fit, magnified, most) {
+    const { x, y, dx, dy, stress, corners } = state.field;
+    // Twice the pixels of the page, for screens that have them.
+    const perMm = 2 * fit.perUnit;
     const canvas = document.createElement("canvas");
-    const fine = 2;
-    [canvas.width, canvas.height] = [fine * perMm * (xs[1] - xs[0]), fine * perMm * (ys[0] - ys[1])];
+    [canvas.width, canvas.height] = [perMm * (fit.x[1] - fit.x[0]), perMm * (fit.y[1] - fit.y[0])];
     const context = canvas.getContext("2d");
-    const px = x.map((v, i) => fine * perMm * (v + magnified * dx[i] - xs[0]));
-    const py = y.map((v, i) => fine * perMm * (-(v + magnified * dy[i]) - ys[1]));
-    const table = d3.range(64).map((i) => d3.interpolateViridis(1 - i / 63));
+    if (!context) throw new Error("no canvas to draw on");
+    const px = x.map((v, i) => perMm * (v + magnified * dx[i] - fit.x[0]));
+    const py = y.map((v, i) => perMm * (-(v + magnified * dy[i]) - fit.y[0]));
+    const colours = shades(64);
     context.lineWidth = 0.6;
     for (let c = 0; c < corners.length; c += 4) {
-      const cell = corners.subarray(c, c + 4);
-      const mean = (s[cell[0]] + s[cell[1]] + s[cell[2]] + s[cell[3]]) / 4;
-      context.fillStyle = context.strokeStyle = table[Math.min(63, Math.floor(64 * mean / most))];
+      const [first, ...others] = corners.subarray(c, c + 4);
+      const mean = d3.sum([first, ...others], (corner) => stress[corner]) / 4;
+      context.fillStyle = context.strokeStyle = colours[Math.min(63, Math.floor((64 * mean) / most))];
       context.beginPath();
-      context.moveTo(px[cell[0]], py[cell[0]]);
-      for (const corner of cell.subarray(1)) context.lineTo(px[corner], py[corner]);
+      context.moveTo(px[first], py[first]);
+      for (const corner of others) context.lineTo(px[corner], py[corner]);
       context.closePath();
       context.fill();
       // The border closes the hairlines between cells.
       context.stroke();
     }
-    const url = canvas.toDataURL("image/png");
-    const image = (index, scales, values, { marginLeft, marginTop, width, height, marginRight, marginBottom }) =>
-      d3.create("svg:image").attr("href", url).attr("x", marginLeft).attr("y", marginTop).attr("width", width - marginLeft - marginRight)
-        .attr("height", height - marginTop - marginBottom).attr("preserveAspectRatio", "none").node();
-    const svg = Plot.plot({
-      width, height: Math.round(perMm * (ys[0] - ys[1])) + margin.top + margin.bottom,
-      marginLeft: margin.left, marginRight: margin.right, marginTop: margin.top, marginBottom: margin.bottom,
-      x: { ...scale({ title: "x (mm)", scale: "linear" }), domain: xs, grid: false },
-      y: { ...scale({ title: "Depth (mm)", scale: "linear" }), domain: ys, grid: false },
-      ariaLabel: "Deformed neighbourhood of the cracks", style: { fontSize: "12px", overflow: "visible" },
-      marks: [image, Plot.frame({ stroke: "var(--line)" })],
-    });
-    find("field").querySelector(".drawing").replaceChildren(typeset(svg));
-    find("field").querySelector(".legends").replaceChildren(legend([
-      { name: `von Mises stress, 0 to ${words(most)} MPa`, colours: d3.range(9).map((i) => d3.interpolateViridis(1 - i / 8)) },
-    ]));
-    find("field-scale-value").textContent = magnified ? `magnified ${words(magnified)} times` : "none";
-    find("field-scale").setAttribute("aria-valuetext", find("field-scale-value").textContent);
-    find("field-caption").textContent =
-      `Step ${choice.step}, x_c/a = ${run.xc_over_a[choice.at].toFixed(3).replace("-", "\u2212")}: displacement relative to its mean over the picture, ` +
-      "and total stress; at the tips it is beyond the scale. From the files in fields/.";
+    return canvas.toDataURL("image/png");
   }
 
-  for (const { step, at } of choices) {
-    find("field-choice").append(new Option(`step ${step}, x_c/a = ${run.xc_over_a[at].toFixed(2).replace("-", "\u2212")}`));
+  function draw() {
+    if (!field.width) return;
+    const { x, y, stress } = state.field;
+    const magnified = MAGNIFICATIONS[state.magnification];
+    const [[left, right], [bottom, top]] = [ends(x), ends(y)];
+    const air = 0.04 * (right - left);
+    const inside = field.width - MARGIN.left - MARGIN.right;
+    const fit = toScale([left - air, right + air], [-top - air, -bottom + air], inside, { most: 480 });
+    // The tip is singular: colours end where all but a fiftieth of the points lie.
+    const most = d3.quantile(stress, 0.98) || 1;
+    const svg = Plot.plot({
+      ...sized(field.width, Math.round(fit.height) + MARGIN.top + MARGIN.bottom, MARGIN),
+      x: { ...linear("x (mm)", fit.x), grid: false },
+      y: { ...linear("Depth (mm)", [fit.y[1], fit.y[0]]), grid: false },
+      ariaLabel: "Deformed neighbourhood of the cracks",
+      marks: [imageMark(cells(fit, magnified, most)), Plot.frame({ stroke: "var(--line)" })],
+    });
+    field.show(svg);
+    field.explain([{ name: `von Mises stress, 0 to ${words(most)} MPa`, colours: shades(9) }]);
+    magnification.show(state.magnification, magnified ? `magnified ${words(magnified)} times` : "none");
+    field.caption(
+      `Step ${state.choice.step}, x_c/a = ${signed(state.choice.xcOverA, 3)}: displacement relative to its mean over ` +
+        "the picture, and von Mises stress of the total stress, which exceeds the scale at the tips. " +
+        "Source: the files in fields/.",
+    );
   }
-  find("neighbourhood").hidden = false;
-  find("field-choice").selectedIndex = choices.length - 1;
-  find("field-scale").max = MAGNIFICATIONS.length - 1;
-  find("field-choice").addEventListener("change", changed);
-  find("field-scale").addEventListener("input", draw);
-  find("field-scale").value = usual(await decode(choices[choices.length - 1]));
-  await changed();
-  onWidth(find("field").querySelector(".drawing"), (now) => {
-    width = now;
+
+  select.append(
+    ...choices.map(({ step, xcOverA }) => new Option(`step ${step}, x_c/a = ${signed(xcOverA, 2)}`)),
+  );
+  element("neighbourhood").hidden = false;
+  select.selectedIndex = choices.length - 1;
+  select.addEventListener("change", async () => {
+    const choice = choices[select.selectedIndex];
+    const chosen = await fieldOf(choice);
+    // Another one has been chosen meanwhile.
+    if (choice !== choices[select.selectedIndex]) return;
+    Object.assign(state, { choice, field: chosen });
     draw();
   });
-  tools(find("field"));
-  find("neighbourhood").dataset.ready = "true";
-})().catch((reason) => {
-  const note = document.createElement("p");
-  note.className = "failure";
-  note.textContent = `The fields cannot be shown: ${reason.message}.`;
-  document.getElementById("neighbourhood").before(note);
-  console.error(reason);
+  const magnification = slider("field-scale", MAGNIFICATIONS.length - 1, (place) => {
+    state.magnification = place;
+    draw();
+  });
+  field.follow(draw);
 });

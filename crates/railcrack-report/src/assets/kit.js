@@ -1,62 +1,176 @@
-// What every page does: theme, charts from the data beside them, packed numbers, pictures to keep.
+// What the scripts of a page share: theme, numbers in words, packed numbers, axes and legends,
+// figures as files, sliders, the controls of a passage.
 "use strict";
 
 const railcrack = (() => {
-  const fine = d3.format(".4~g");
+  // ---- Numbers and words ------------------------------------------------------------------------
 
-  /** A number as people read it: 1 197 467, 0.0464, 2.47e-6. */
+  /** A true minus sign. @param {string} text */
+  const minus = (text) => text.replaceAll("-", "\u2212");
+
+  const fourDigits = d3.format(".4~g");
+
+  /** A number as people read it: 1 197 467, 0.0464, 2.47e−6. @param {number} value */
   function words(value) {
     const size = Math.abs(value);
     if (size >= 1e4 && size < 1e15) return d3.format(",.0f")(value).replaceAll(",", "\u00a0");
-    if (value === 0 || (size >= 1e-3 && size < 1e4)) return fine(value).replace("-", "\u2212");
-    return d3.format(".3~e")(value).replaceAll("-", "\u2212");
+    if (value === 0 || (size >= 1e-3 && size < 1e4)) return minus(fourDigits(value));
+    return minus(d3.format(".3~e")(value));
   }
 
-  /** Puts `text` into `element`; a long name may be broken into lines after its dots and underscores. */
-  function inParts(element, text) {
-    const parts = text.split(/(?<=[A-Za-z\])][._])(?=[A-Za-z])/);
-    element.append(...parts.flatMap((part, i) => (i ? [document.createElement("wbr"), part] : [part])));
-    return element;
-  }
+  /**
+   * Fixed decimals, without a sign before zero.
+   * @param {number} value
+   * @param {number} digits
+   */
+  const signed = (value, digits) => minus(value.toFixed(digits).replace(/^-(?=[0.]*$)/, ""));
 
-  /** Marks of indices and powers left out: for places that take plain text only. */
+  /**
+   * The tonnage of `cycles`, to go on a sentence; empty without an axle load (t).
+   * @param {number} cycles
+   * @param {number | null} axleLoad
+   */
+  const tonnage = (cycles, axleLoad) => (axleLoad ? `, ${words((cycles * axleLoad) / 1e6)} MGT` : "");
+
+  /** Ticks of large numbers in thousands and millions. @param {number} value */
+  const ticks = (value) => minus((Math.abs(value) >= 1e4 ? d3.format("~s") : fourDigits)(value));
+
+  /** A tick of a logarithmic axis: 14, 4.5e−5. @param {number} value */
+  const short = (value) => minus((value >= 1e-2 && value < 1e4 ? fourDigits : d3.format(".2~e"))(value));
+
+  /**
+   * `text` without its marks of indices and powers: for places that take plain text only.
+   * @param {string} text
+   */
   const plain = (text) => text.replace(/[_^]\{([^}]*)\}/g, "$1");
 
-  /** Sets `K_{I}` in the texts of an SVG with a lowered index. */
+  /** Smallest and largest of `values`; of none, undefined. @param {Iterable<number>} values */
+  const ends = (values) => /** @type {Pair} */ (d3.extent(values));
+
+  // ---- Elements ---------------------------------------------------------------------------------
+
+  /**
+   * The element called `id`, which the page must have.
+   * @template {HTMLElement} [T=HTMLElement]
+   * @param {string} id
+   * @param {new () => T} [kind]
+   */
+  function element(id, kind) {
+    const found = document.getElementById(id);
+    if (!(found instanceof (kind ?? HTMLElement))) throw new Error(`the page has no ${id}`);
+    return /** @type {T} */ (found);
+  }
+
+  /**
+   * The first element within `place` that `selector` describes, which must be there.
+   * @param {Element} place
+   * @param {string} selector
+   */
+  function within(place, selector) {
+    const found = place.querySelector(selector);
+    if (!(found instanceof HTMLElement)) throw new Error(`the page has no ${selector}`);
+    return found;
+  }
+
+  /**
+   * The data called `id`.
+   * @param {string} id
+   */
+  const pageData = (id) => JSON.parse(element(id).textContent);
+
+  /**
+   * A button with `text`.
+   * @param {string} text
+   * @param {() => void} [action]
+   */
+  function button(text, action) {
+    const made = document.createElement("button");
+    made.type = "button";
+    made.textContent = text;
+    if (action) made.addEventListener("click", action);
+    return made;
+  }
+
+  /**
+   * Puts `text` into `place`; a long name may be broken into lines after its dots and underscores.
+   * @template {Element} E
+   * @param {E} place
+   * @param {string} text
+   */
+  function inParts(place, text) {
+    const parts = text.split(/(?<=[A-Za-z\])][._])(?=[A-Za-z])/);
+    place.append(...parts.flatMap((part, i) => (i ? [document.createElement("wbr"), part] : [part])));
+    return place;
+  }
+
+  /**
+   * Sets the text of `place`, `K_{I}` with a lowered index.
+   * @param {Element} place
+   * @param {string} text
+   */
+  function say(place, text) {
+    const parts = text.split(/_\{([^}]*)\}/);
+    place.replaceChildren(
+      ...parts.map((part, i) => {
+        if (i % 2 === 0) return part;
+        const index = document.createElement("sub");
+        index.textContent = part;
+        return index;
+      }),
+    );
+  }
+
+  /** Lowers the indices and raises the powers in a text of an SVG. @param {SVGTextElement} text */
+  function shiftIndices(text) {
+    const parts = text.textContent.split(/([_^]\{[^}]*\})/);
+    text.textContent = "";
+    let shift = 0;
+    for (const part of parts) {
+      const [, mark, content] = /^([_^])\{(.*)\}$/.exec(part) ?? [null, null, part];
+      const wanted = mark === "_" ? 0.3 : mark === "^" ? -0.4 : 0;
+      const span = document.createElementNS("http://www.w3.org/2000/svg", "tspan");
+      span.textContent = content;
+      // The shift counts in the size of the surrounding letters, so it is taken back by the next
+      // part.
+      span.setAttribute("dy", `${((wanted - shift) * 12).toFixed(2)}`);
+      if (mark) span.setAttribute("font-size", "75%");
+      shift = wanted;
+      text.append(span);
+    }
+  }
+
+  /**
+   * Sets `K_{I}` in the texts of an SVG with a lowered index.
+   * @template {Element} E
+   * @param {E} svg
+   */
   function typeset(svg) {
     for (const text of svg.querySelectorAll("text")) {
-      if (text.children.length || !/[_^]\{/.test(text.textContent)) continue;
-      const parts = text.textContent.split(/([_^]\{[^}]*\})/);
-      text.textContent = "";
-      let shift = 0;
-      for (const part of parts) {
-        const mark = /^([_^])\{(.*)\}$/.exec(part);
-        const span = document.createElementNS("http://www.w3.org/2000/svg", "tspan");
-        const wanted = mark ? (mark[1] === "_" ? 0.3 : -0.4) : 0;
-        span.textContent = mark ? mark[2] : part;
-        // The shift counts in the size of the surrounding letters, so it is taken back by the next part.
-        span.setAttribute("dy", `${((wanted - shift) * 12).toFixed(2)}`);
-        if (mark) span.setAttribute("font-size", "75%");
-        shift = wanted;
-        text.append(span);
-      }
+      if (!text.children.length && /[_^]\{/.test(text.textContent)) shiftIndices(text);
     }
     return svg;
   }
 
-  /** Bytes of base64 text that holds deflated data. */
+  // ---- Packed numbers ---------------------------------------------------------------------------
+
+  /** Bytes of base64 text that holds deflated data. @param {Packed} text */
   async function unpack(text) {
     const deflated = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
     const stream = new Blob([deflated]).stream().pipeThrough(new DecompressionStream("deflate"));
     return new Uint8Array(await new Response(stream).arrayBuffer());
   }
 
-  /** Numbers in single precision. */
+  /** Numbers in single precision. @param {Packed} text */
   const singles = async (text) => new Float32Array((await unpack(text)).buffer);
 
-  /** Whole numbers in rows of `row`: differences from one to the next, first low bytes, then high ones. */
-  async function levels(data, row) {
-    const bytes = await unpack(data);
+  /**
+   * Whole numbers in rows of `row`: differences from one to the next, first low bytes, then high
+   * ones.
+   * @param {Packed} text
+   * @param {number} [row]
+   */
+  async function levels(text, row = Number.POSITIVE_INFINITY) {
+    const bytes = await unpack(text);
     const count = bytes.length / 2;
     const values = new Uint16Array(count);
     let level = 0;
@@ -69,15 +183,38 @@ const railcrack = (() => {
     return values;
   }
 
-  /** Quantised numbers: low + step × level. */
-  const quantised = async ({ low, step, data }, row) => Float64Array.from(await levels(data, row), (level) => low + step * level);
+  /**
+   * Quantised numbers: low + step × level.
+   * @param {PackedLevels} packed
+   * @param {number} [row]
+   */
+  const quantised = async ({ low, step, data }, row) =>
+    Float64Array.from(await levels(data, row), (level) => low + step * level);
 
-  /** Dashes by the look of a curve. */
+  // ---- Colours, legends, axes -------------------------------------------------------------------
+
+  /** Dashes by the look of a curve. @type {Partial<Record<Look, string>>} */
   const DASHES = { dashed: "6 4", fine: "2 3", "dash-dot": "9 3 2 3" };
+
+  const AXES = /** @type {const} */ (["x", "y"]);
+
+  /** The box of values under the pointer. */
+  const TIP = { fill: "var(--ground)", fontSize: 12 };
+
+  /**
+   * `count` colours of a quantity from nothing (light) to its largest value (dark).
+   * @param {number} count
+   */
+  const shades = (count) => d3.range(count).map((i) => d3.interpolateViridis(1 - i / (count - 1)));
 
   // Ordered colours: viridis without its lightest part on white, without its darkest on black.
   {
-    const list = (from, to) => d3.range(21).map((i) => `--s${i}: ${d3.color(d3.interpolateViridis(from + (to - from) * i / 20)).formatHex()};`).join(" ");
+    /** @param {number} from @param {number} to */
+    const list = (from, to) =>
+      d3
+        .range(21)
+        .map((i) => `--s${i}: ${d3.rgb(d3.interpolateViridis(from + ((to - from) * i) / 20)).formatHex()};`)
+        .join(" ");
     const [light, dark] = [list(0, 0.86), list(0.36, 1)];
     const style = document.createElement("style");
     style.textContent = `:root, [data-theme="light"] { ${light} }
@@ -87,70 +224,128 @@ const railcrack = (() => {
     document.head.append(style);
   }
 
-  /** A list of names with the strokes that they stand for. */
+  /**
+   * An entry of a legend: a line, dots, a box, or a row of colours.
+   * @typedef {object} LegendEntry
+   * @property {string} name
+   * @property {string} [colour]
+   * @property {string[]} [colours]
+   * @property {string | null} [dashes]
+   * @property {boolean} [box]
+   * @property {boolean | "only"} [dots]
+   */
+
+  /** A list of names with the strokes that they stand for. @param {LegendEntry[]} entries */
   function legend(entries) {
     const list = document.createElement("ul");
     list.className = "legend";
-    for (const { name, colour, colours, dashed, dashes, box, dots } of entries) {
+    for (const { name, colour = "none", colours, dashes = null, box, dots } of entries) {
       const item = document.createElement("li");
-      const mark = d3.create("svg").attr("width", colours ? 108 : 26).attr("height", 12).attr("aria-hidden", "true");
-      if (colours) mark.selectAll("rect").data(colours).join("rect").attr("x", (_, i) => 12 * i).attr("width", 12.5).attr("height", 12).attr("fill", String);
-      else if (box) mark.append("rect").attr("x", 7).attr("width", 12).attr("height", 12).attr("fill", colour).attr("stroke", "var(--quiet)");
-      else {
-        if (dots !== "only")
-          mark.append("line").attr("x2", 26).attr("y1", 6).attr("y2", 6).attr("stroke", colour).attr("stroke-width", 2)
-            .attr("stroke-dasharray", dashes ?? (dashed ? "6 4" : null));
+      const mark = d3
+        .create("svg")
+        .attr("width", colours ? 108 : 26)
+        .attr("height", 12)
+        .attr("aria-hidden", "true");
+      if (colours) {
+        mark
+          .selectAll("rect")
+          .data(colours)
+          .join("rect")
+          .attr("x", (_, i) => 12 * i)
+          .attr("width", 12.5)
+          .attr("height", 12)
+          .attr("fill", String);
+      } else if (box) {
+        const place = mark.append("rect").attr("x", 7).attr("width", 12).attr("height", 12);
+        place.attr("fill", colour).attr("stroke", "var(--quiet)");
+      } else {
+        if (dots !== "only") {
+          const line = mark.append("line").attr("x2", 26).attr("y1", 6).attr("y2", 6);
+          line.attr("stroke", colour).attr("stroke-width", 2).attr("stroke-dasharray", dashes);
+        }
         if (dots) mark.append("circle").attr("cx", 13).attr("cy", 6).attr("r", 3).attr("fill", colour);
       }
-      item.append(mark.node(), plain(name));
+      item.append(/** @type {Element} */ (mark.node()), plain(name));
       list.append(item);
     }
     return list;
   }
 
-  /** An axis title in the middle, round ticks. */
+  /**
+   * An axis: its title in the middle, round ticks.
+   * @param {AxisData} axis
+   * @returns {import("@observablehq/plot").ScaleOptions}
+   */
   function scale(axis) {
-    const options = { label: axis.title, labelAnchor: "center", labelArrow: "none", grid: true };
-    if (axis.scale === "log") Object.assign(options, { type: "log", grid: false });
-    else options.tickFormat = ticks;
-    if (axis.zero) options.zero = true;
-    if (axis.range) options.domain = axis.scale === "depth" ? [axis.range[1], axis.range[0]] : axis.range;
-    else if (axis.scale === "depth") options.reverse = true;
-    return options;
+    const isLog = axis.scale === "log";
+    const ends = axis.range ?? null;
+    return {
+      label: axis.title,
+      labelAnchor: "center",
+      labelArrow: "none",
+      ...(isLog ? { type: "log", grid: false } : { tickFormat: ticks, grid: true }),
+      ...(axis.zero ? { zero: true } : {}),
+      ...(ends ? { domain: axis.scale === "depth" ? [ends[1], ends[0]] : ends } : {}),
+      ...(!ends && axis.scale === "depth" ? { reverse: true } : {}),
+    };
   }
 
-  /** Ticks of large numbers in thousands and millions. */
-  const ticks = (value) =>
-    (Math.abs(value) >= 1e4 ? d3.format("~s")(value) : fine(value)).replace("-", "\u2212");
+  /**
+   * A linear axis over `domain`; without one, over the values.
+   * @param {string} title
+   * @param {number[]} [domain]
+   * @returns {import("@observablehq/plot").ScaleOptions}
+   */
+  const linear = (title, domain) => ({ ...scale({ title, scale: "linear" }), ...(domain ? { domain } : {}) });
 
-  /** A tick of a logarithmic axis: 14, 4.5e−5. */
-  const short = (value) => (value >= 1e-2 && value < 1e4 ? fine(value) : d3.format(".2~e")(value)).replace("-", "\u2212");
-
-  /** Ticks of a logarithmic axis: powers of ten, over less than four decades also 2 and 5 times these; over less than a factor of 10, round numbers. */
+  /**
+   * Ticks of a logarithmic axis: powers of ten, over less than four decades also 2 and 5 times
+   * these; over less than a factor of 10, round numbers.
+   * @param {number} low
+   * @param {number} high
+   */
   function logarithmic(low, high) {
     if (!(high >= 10 * low)) return d3.ticks(low, high, 4);
     const digits = high < 1e4 * low ? [1, 2, 5] : [1];
     const exponents = d3.range(Math.floor(Math.log10(low)), Math.ceil(Math.log10(high)) + 1);
-    return exponents.flatMap((exponent) => digits.map((digit) => digit * 10 ** exponent)).filter((tick) => tick >= low && tick <= high);
+    const all = exponents.flatMap((exponent) => digits.map((digit) => digit * 10 ** exponent));
+    return all.filter((tick) => tick >= low && tick <= high);
   }
 
-  /** Grid and axis of a logarithmic scale over data from `low` to `high`; the usual ones leave out labels by a rule of their own. */
+  /** @param {number} value */
+  const isPowerOfTen = (value) => Number.isInteger(+Math.log10(value).toFixed(9));
+
+  /**
+   * Grid and axis of a logarithmic scale over data from `low` to `high`; the usual ones leave out
+   * labels by a rule of their own.
+   * @param {"x" | "y"} name
+   * @param {string} title
+   * @param {Pair} range
+   * @param {number} width
+   */
   function logarithmicAxis(name, title, [low, high], width) {
     let values = logarithmic(low, high);
     // Labels along a narrow axis: powers of ten, or every other value.
     while (name === "x" && values.length > 2 && 64 * values.length > width) {
-      const powers = values.filter((value) => Number.isInteger(+Math.log10(value).toFixed(9)));
-      values = powers.length > 1 && powers.length < values.length ? powers : values.filter((_, i) => i % 2 === 0);
+      const powers = values.filter(isPowerOfTen);
+      const isFewer = powers.length > 1 && powers.length < values.length;
+      values = isFewer ? powers : values.filter((_, i) => i % 2 === 0);
     }
-    const options = { text: short, label: title, labelAnchor: "center", labelArrow: "none" };
+    const label = /** @type {const} */ ({ label: title, labelAnchor: "center", labelArrow: "none" });
     return name === "x"
-      ? [Plot.gridX(values), Plot.axisX(values, options)]
-      : [Plot.gridY(values), Plot.axisY(values, options)];
+      ? [Plot.gridX(values), Plot.axisX(values, { text: short, ...label })]
+      : [Plot.gridY(values), Plot.axisY(values, { text: short, ...label })];
   }
 
-  /** What an axis covers: `values`, widened where they are one and the same, so that it has more than one tick. */
+  /**
+   * What an axis covers: `values`, widened where they are one and the same, so that it has more
+   * than one tick.
+   * @param {number[]} values
+   * @param {boolean} [isLog]
+   * @returns {Pair}
+   */
   function extent(values, isLog) {
-    const [low, high] = d3.extent(values);
+    const [low, high] = ends(values);
     // Round-off is not a range.
     if (!(high - low <= 1e-9 * Math.max(Math.abs(low), Math.abs(high)))) return [low, high];
     if (isLog) return [0.5 * low, 2 * high];
@@ -158,23 +353,122 @@ const railcrack = (() => {
     return [low - half, high + half];
   }
 
+  /**
+   * What `values` span, with some air at both ends.
+   * @param {Iterable<number>} values
+   * @returns {Pair}
+   */
+  function aired(values) {
+    const [low, high] = ends(values);
+    const air = 0.06 * (high - low || 1);
+    return [low - air, high + air];
+  }
+
+  /**
+   * Domains with one scale both ways on `inside` pixels of width, the height that they take and the
+   * pixels of a unit. The height is at most `most`, for which x is widened, and at least `least`,
+   * for which y is.
+   * @param {Pair} x
+   * @param {Pair} y
+   * @param {number} inside
+   * @param {{ most: number, least?: number }} height
+   * @returns {{ x: Pair, y: Pair, height: number, perUnit: number }}
+   */
+  function toScale(x, y, inside, { most, least = 0 }) {
+    /** @param {Pair} domain @param {number} span @returns {Pair} */
+    const widened = ([low, high], span) => [0.5 * (low + high - span), 0.5 * (low + high + span)];
+    const perUnit = inside / (x[1] - x[0]);
+    const height = perUnit * (y[1] - y[0]);
+    if (height > most) {
+      const smaller = most / (y[1] - y[0]);
+      return { x: widened(x, inside / smaller), y, height: most, perUnit: smaller };
+    }
+    if (height < least) return { x, y: widened(y, least / perUnit), height: least, perUnit };
+    return { x, y, height, perUnit };
+  }
+
+  /**
+   * Size and margins of a chart, and its letters.
+   * @param {number} width
+   * @param {number} height
+   * @param {{ top: number, right: number, bottom: number, left: number }} margin
+   */
+  const sized = (width, height, { top, right, bottom, left }) => ({
+    width,
+    height: Math.round(height),
+    marginTop: top,
+    marginRight: right,
+    marginBottom: bottom,
+    marginLeft: left,
+    style: { fontSize: "12px", overflow: "visible" },
+  });
+
+  /**
+   * A scale of a drawn chart.
+   * @param {Plotted} svg
+   * @param {"x" | "y"} name
+   */
+  function scaleOf(svg, name) {
+    const found = svg.scale(name);
+    if (!found?.range) throw new Error(`a chart without a scale ${name}`);
+    const [from, to] = found.range;
+    const invert = found.invert ?? (() => Number.NaN);
+    return { at: found.apply, value: invert, from: Number(from), to: Number(to) };
+  }
+
+  /**
+   * The image at `url`, over the whole frame of a chart.
+   * @param {string} url
+   * @param {string} [rendering]
+   * @returns {import("@observablehq/plot").RenderFunction}
+   */
+  const imageMark = (url, rendering) => (_index, _scales, _values, box) => {
+    const image = d3.create("svg:image").attr("href", url).attr("preserveAspectRatio", "none");
+    image.attr("x", box.marginLeft).attr("y", box.marginTop);
+    if (rendering) image.style("image-rendering", rendering);
+    image.attr("width", box.width - box.marginLeft - box.marginRight);
+    image.attr("height", box.height - box.marginTop - box.marginBottom);
+    return /** @type {SVGElement} */ (image.node());
+  };
+
+  /**
+   * The Hertzian pressure of a wheel at `xc`, drawn `height` high above the surface.
+   * @param {number} xc
+   * @param {number} halfWidth
+   * @param {number} height
+   */
+  const hertzianPressure = (xc, halfWidth, height) =>
+    // Closer together at the edges, where the pressure rises steeply.
+    d3.range(61).map((i) => {
+      const angle = (Math.PI * i) / 60;
+      return { x: xc - halfWidth * Math.cos(angle), y: -height * Math.sin(angle) };
+    });
+
+  // ---- Drawing ----------------------------------------------------------------------------------
+
+  /** @type {(() => void)[]} */
   const drawn = [];
 
-  /** Draws again whenever the width of `element` changes. */
-  function onWidth(element, draw) {
+  /**
+   * Draws again whenever the width of `place` changes.
+   * @param {Element} place
+   * @param {(width: number) => void} draw
+   */
+  function onWidth(place, draw) {
     let before = 0;
     const look = () => {
-      const width = Math.floor(element.clientWidth);
+      const width = Math.floor(place.clientWidth);
       if (width > 0 && Math.abs(width - before) > 1) {
         before = width;
         draw(width);
       }
     };
     drawn.push(look);
-    new ResizeObserver(look).observe(element);
+    new ResizeObserver(look).observe(place);
   }
 
-  // On paper, figures are drawn for its width: scaled down from the screen, their letters would be too small.
+  // On paper, figures are drawn for its width: scaled down from the screen, their letters would be
+  // too small.
   addEventListener("beforeprint", () => {
     document.documentElement.dataset.paper = "true";
     for (const look of drawn) look();
@@ -184,13 +478,269 @@ const railcrack = (() => {
     for (const look of drawn) look();
   });
 
+  /** The figure called `id`, drawn by a script. @param {string} id */
+  function picture(id) {
+    const figure = element(id);
+    const drawing = within(figure, ".drawing");
+    const self = {
+      drawing,
+      /** Pixels; 0 until it is on the page. */
+      width: 0,
+      /** @param {Element} svg */
+      show: (svg) => drawing.replaceChildren(typeset(svg)),
+      /** @param {LegendEntry[]} entries */
+      explain: (entries) => within(figure, ".legends").replaceChildren(legend(entries)),
+      /** @param {string} text */
+      caption(text) {
+        within(figure, "figcaption").textContent = text;
+      },
+      /** Leaves `text` alone in the place of the drawing. */
+      clear(text = "") {
+        drawing.replaceChildren(text);
+        for (const part of figure.querySelectorAll(".legends, figcaption")) part.replaceChildren();
+      },
+      /** Draws whenever the width changes. @param {(width: number) => void} draw */
+      follow(draw) {
+        onWidth(drawing, (width) => {
+          self.width = width;
+          draw(width);
+        });
+        tools(figure);
+      },
+    };
+    return self;
+  }
+
+  /**
+   * Builds a part of the page within the element `id`, which is ready when `build` is through.
+   * Where it fails, a note says so; `name` and `advice` are its words.
+   * @param {string} id
+   * @param {string} name
+   * @param {string} advice
+   * @param {() => Promise<void>} build
+   */
+  function viewer(id, name, advice, build) {
+    const place = element(id);
+    build().then(
+      () => {
+        place.dataset.ready = "true";
+      },
+      (reason) => {
+        const note = document.createElement("p");
+        note.className = "failure";
+        note.textContent = `${name} cannot be shown: ${reason.message}. It needs a browser of 2023 or later; ${advice}.`;
+        place.before(note);
+        console.error(reason);
+      },
+    );
+  }
+
+  // ---- Controls ---------------------------------------------------------------------------------
+
+  /**
+   * The slider called `id`, of whole numbers from 0 to `last`; `moved` is given what the reader
+   * sets.
+   * @param {string} id
+   * @param {number} last
+   * @param {(value: number) => void} moved
+   */
+  function slider(id, last, moved) {
+    const input = element(id, HTMLInputElement);
+    const output = element(`${id}-value`);
+    const self = {
+      /** @param {number} last */
+      endAt(last) {
+        input.max = String(last);
+        input.disabled = last < 1;
+      },
+      /** @param {number} value @param {string} text */
+      show(value, text) {
+        input.value = String(value);
+        input.setAttribute("aria-valuetext", plain(text));
+        say(output, text);
+      },
+    };
+    self.endAt(last);
+    input.addEventListener("input", () => moved(+input.value));
+    return self;
+  }
+
+  /**
+   * Growth step and wheel position, by their places among those of the page.
+   * @typedef {{ step: number, position: number }} PassageState
+   */
+
+  /** Time that a passage is played in, milliseconds. */
+  const PLAYED_IN = 8000;
+
+  /**
+   * The controls of a passage: sliders for growth step and wheel position, a button that plays the
+   * passage, and the arrow keys. They read `state`, and ask `moveTo` for what the reader wants.
+   * @param {object} passage
+   * @param {number} passage.steps
+   * @param {number} passage.positions
+   * @param {PassageState} passage.state
+   * @param {(change: Partial<PassageState>) => void} passage.moveTo
+   */
+  function passageControls({ steps, positions, state, moveTo }) {
+    const place = element("explorer");
+    const play = element("play", HTMLButtonElement);
+    /** The frame that is asked for while the passage is played. @type {number | null} */
+    let playing = null;
+
+    function stop() {
+      if (playing !== null) cancelAnimationFrame(playing);
+      playing = null;
+      play.textContent = "Play the passage";
+    }
+
+    /** @param {number} value @param {number} count */
+    const bounded = (value, count) => Math.max(0, Math.min(value, count - 1));
+    /** @param {number} step */
+    const toStep = (step) => {
+      stop();
+      moveTo({ step: bounded(step, steps) });
+    };
+    /** @param {number} position */
+    const toPosition = (position) => {
+      stop();
+      moveTo({ position: bounded(position, positions) });
+    };
+
+    play.addEventListener("click", () => {
+      if (playing !== null) return stop();
+      if (state.position === positions - 1) moveTo({ position: 0 });
+      play.textContent = "Stop";
+      const [begun, from] = [performance.now(), state.position];
+      /** @param {number} now */
+      const next = (now) => {
+        const played = Math.floor(((now - begun) / PLAYED_IN) * positions);
+        moveTo({ position: bounded(from + played, positions) });
+        if (state.position >= positions - 1) stop();
+        else playing = requestAnimationFrame(next);
+      };
+      playing = requestAnimationFrame(next);
+    });
+
+    /**
+     * Whether an arrow key is for the explorer: no control wants it, and the explorer is in view.
+     * @param {KeyboardEvent} event
+     */
+    const isOwnKey = ({ target, key, ctrlKey, altKey, metaKey }) => {
+      if (ctrlKey || altKey || metaKey || !(target instanceof Element)) return false;
+      // The browser moves a slider itself; up and down change the step from the slider of the
+      // wheel, too.
+      const isControl = target.closest("input, select, textarea, summary, pre, a, button");
+      if (isControl && !(target.id === "wheel" && /^Arrow(Up|Down)$/.test(key))) return false;
+      const { top, bottom } = place.getBoundingClientRect();
+      return bottom >= 0 && top <= innerHeight;
+    };
+    /** @type {Record<string, () => void>} */
+    const keys = {
+      ArrowLeft: () => toPosition(state.position - 1),
+      ArrowRight: () => toPosition(state.position + 1),
+      ArrowUp: () => toStep(state.step + 1),
+      ArrowDown: () => toStep(state.step - 1),
+    };
+    document.addEventListener("keydown", (event) => {
+      if (!(event.key in keys && isOwnKey(event))) return;
+      keys[event.key]();
+      event.preventDefault();
+    });
+
+    place.hidden = false;
+    const [step, wheel] = [slider("step", steps - 1, toStep), slider("wheel", positions - 1, toPosition)];
+    return {
+      stop,
+      /**
+       * Shows the state; `xc` is the contact centre, mm.
+       * @param {string} stepText
+       * @param {number} xcOverA
+       * @param {number} xc
+       */
+      show(stepText, xcOverA, xc) {
+        step.show(state.step, stepText);
+        wheel.show(state.position, `x_{c}/a = ${signed(xcOverA, 3)} (x_{c} = ${signed(xc, 2)} mm)`);
+      },
+    };
+  }
+
+  /**
+   * Puts buttons into the `headings` of a table; `ordered` is told the column by which the reader
+   * wants the rows, and whether the largest comes first.
+   * @param {Iterable<HTMLElement>} headings
+   * @param {(column: number, down: boolean) => void} ordered
+   */
+  function sortButtons(headings, ordered) {
+    const all = [...headings];
+    let [chosen, down] = [-1, false];
+    for (const [column, heading] of all.entries()) {
+      const click = button("", () => {
+        [down, chosen] = [chosen === column && !down, column];
+        for (const other of all) other.removeAttribute("aria-sort");
+        heading.setAttribute("aria-sort", down ? "descending" : "ascending");
+        ordered(column, down);
+      });
+      click.append(...heading.childNodes);
+      heading.append(click);
+    }
+  }
+
+  /**
+   * The order of two values of a column: words after numbers, and what is missing (empty, not a
+   * number) last, whichever comes first.
+   * @param {number | string} one
+   * @param {number | string} other
+   * @param {boolean} down
+   */
+  function compared(one, other, down) {
+    const [none, neither] = [one, other].map((value) => value === "" || Number.isNaN(value));
+    if (none || neither) return Number(none) - Number(neither);
+    const sign = down ? -1 : 1;
+    if (typeof one === "string" && typeof other === "string") return sign * one.localeCompare(other);
+    if (typeof one === "number" && typeof other === "number") return sign * (one - other);
+    return typeof one === "string" ? 1 : -1;
+  }
+
+  /** Headings of a table that sort its rows. @param {HTMLTableElement} table */
+  function sorts(table) {
+    const [body, head] = [table.tBodies[0], table.tHead?.rows[0]];
+    /** @param {HTMLTableRowElement} row @param {number} column */
+    const value = (row, column) => {
+      const text = row.cells[column]?.textContent.trim() ?? "";
+      // Numbers as the page writes them: a true minus sign, thousands apart.
+      if (!/^[\u2212-]?\d/.test(text)) return text;
+      return Number.parseFloat(text.replaceAll("\u2212", "-").replace(/[\u00a0 ](?=\d)/g, ""));
+    };
+    sortButtons(head?.cells ?? [], (column, down) => {
+      body.append(...[...body.rows].sort((a, b) => compared(value(a, column), value(b, column), down)));
+    });
+  }
+
+  // ---- Charts and the chosen crack -------------------------------------------------------------------
+
+  /**
+   * A chart of the page, as other scripts see it.
+   * @typedef {object} PageChart
+   * @property {{ name: string, note: string, points: { x: number, y: number }[] }[]} curves
+   * @property {(on: (Set<number> | null)[]) => void} choose Shows the curves whose value of every group is on.
+   * @property {(number: number) => void} pick Brings a crack of a bundle above the others.
+   * @property {(name?: string) => void} emphasise Lets all curves step back but those called `name`.
+   * @property {(points: { x: number, y: number }[]) => void} mark Draws rings around points.
+   */
+
+  /** The charts by the names of their figures. @type {Map<string, PageChart>} */
   const charts = new Map();
 
-  /** The crack of a row of many that the page is about: whatever shows one follows it. */
+  /** The chosen crack of a row: whatever shows one crack follows it. */
   const crack = {
     now: 1,
-    followers: [],
-    follow(follower) { this.followers.push(follower); },
+    followers: /** @type {((number: number) => void)[]} */ ([]),
+    /** @param {(number: number) => void} follower */
+    follow(follower) {
+      this.followers.push(follower);
+    },
+    /** @param {number} number */
     choose(number) {
       this.now = number;
       for (const chart of charts.values()) chart.pick(number);
@@ -198,208 +748,51 @@ const railcrack = (() => {
     },
   };
 
-  /** Brings out the curves called `name` on all charts that have several; none: all alike. */
+  /**
+   * Brings out the curves called `name` on all charts that have several; none: all alike.
+   * @param {string} [name]
+   */
   function bringOut(name) {
     if (!document.getElementById("choices")) return;
     for (const chart of charts.values()) chart.emphasise(name);
-    for (const row of document.querySelectorAll("tr[data-name]")) row.classList.toggle("out", Boolean(name) && row.dataset.name === name);
+    for (const row of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("tr[data-name]")))
+      row.classList.toggle("out", Boolean(name) && row.dataset.name === name);
   }
 
-  /** Domains with the same scale both ways around `points` on `inside` pixels of width, and the height that they need. */
-  function toScale(points, inside) {
-    const around = (values) => {
-      const [low, high] = d3.extent(values);
-      const air = 0.06 * ((high - low) || 1);
-      return [low - air, high + air];
-    };
-    let [x, y] = [around(points.map((point) => point.x)), around(points.map((point) => point.y))];
-    const widened = ([low, high], span) => [0.5 * (low + high - span), 0.5 * (low + high + span)];
-    let perUnit = inside / (x[1] - x[0]);
-    let height = perUnit * (y[1] - y[0]);
-    if (height > 480) {
-      perUnit = 480 / (y[1] - y[0]);
-      [x, height] = [widened(x, inside / perUnit), 480];
-    } else if (height < 140) {
-      [y, height] = [widened(y, 140 / perUnit), 140];
-    }
-    return { x, y, height };
-  }
+  // ---- Figures as files -------------------------------------------------------------------------
 
-  /** Builds the chart of a figure from the data in it. */
-  function chart(figure) {
-    const data = JSON.parse(figure.querySelector("script").textContent);
-    const place = figure.querySelector(".drawing");
-    const log = { x: data.x.scale === "log", y: data.y.scale === "log" };
-    const curves = data.curves.map((curve) => ({
-      ...curve,
-      stroke: `var(--${curve.colour})`,
-      points: curve.x
-        .map((x, i) => ({ x, y: curve.y[i], name: curve.name, note: curve.note, dot: curve.dots === true || (curve.dots && curve.dots.includes(i)) }))
-        .filter(({ x, y }) => x !== null && y !== null && !(log.x && x <= 0) && !(log.y && y <= 0)),
-    })).filter((curve) => curve.points.length);
-    const self = { svg: null, marks: [], mark, choose, emphasise, pick, curves };
-    const names = document.createElement("div");
-    if (data.legend) place.before(names);
-    let shown = curves;
-    // The bundle of many cracks, and of it those that are picked.
-    const isBundle = curves.some((curve) => curve.fine);
-    let picked = [];
-
-    function drawLegend() {
-      if (!data.legend) return;
-      // Cracks of one run share a name; what the dashes say, the switches say where curves have any.
-      const key = ({ name, stroke, look, note }) => `${name} ${stroke} ${note ? "" : look}`;
-      const named = [...new Map(shown.filter((curve) => curve.name).map((curve) => [key(curve), curve])).values()];
-      const own = picked.some((curve) => curve.fine) ? [{ name: picked[0].note, colour: "var(--ink)" }] : [];
-      names.replaceChildren(...(named.length ? [legend([...named.map(({ name, stroke, look, dots, note }) => ({
-        name, colour: stroke, dashes: note ? null : DASHES[look], dots: look === "dots" ? "only" : dots === true,
-      })), ...own])] : []));
-    }
-
-    const title = ({ x, y, name, note }) =>
-      [name && plain(name), note && plain(note), `${plain(data.x.title)}: ${words(x)}`, `${plain(data.y.title)}: ${words(y)}`].filter(Boolean).join("\n");
-
-    /** What the curves that are shown span; of none, what all do. */
-    const points = () => (shown.length ? shown : curves).flatMap((curve) => curve.points);
-
-    /** What the axis `name` covers of `all`; its zero counts. */
-    const covered = (name, all) => extent([...all.map((point) => point[name]), ...(data[name].zero ? [0] : [])], log[name]);
-
-    // Room for the ticks and the title beside them, from the usual width of digits.
-    function room(all) {
-      const [low, high] = data.y.range ?? covered("y", all);
-      const letters = log.y ? 6 : d3.max(d3.ticks(low ?? 0, high ?? 1, 6), (value) => ticks(value).length) ?? 4;
-      return 36 + 7.4 * Math.max(3, letters);
-    }
-
-    function draw(width) {
-      const all = points();
-      const axes = { x: scale(data.x), y: scale(data.y) };
-      const margin = { left: room(all), right: 20, top: 22, bottom: 44 };
-      let height = Math.round(Math.min(320, Math.max(230, 0.55 * width)));
-      for (const name of ["x", "y"]) {
-        // Values that are one and the same; otherwise the marks say what is covered.
-        const [low, high] = covered(name, all);
-        if (axes[name].domain || data.equal || !all.length || all.some((point) => point[name] === low || point[name] === high)) continue;
-        axes[name].domain = axes[name].reverse ? [high, low] : [low, high];
-        axes[name].reverse = false;
-      }
-      if (data.equal) {
-        const fit = toScale(all, width - margin.left - margin.right);
-        axes.x.domain = fit.x;
-        axes.y.domain = data.y.scale === "depth" ? [fit.y[1], fit.y[0]] : fit.y;
-        axes.y.reverse = false;
-        height = Math.round(fit.height) + margin.top + margin.bottom;
-      }
-      const above = picked.map((curve) => ({ ...curve, stroke: curve.fine ? "var(--ink)" : curve.stroke, wide: true, fine: false }));
-      const marks = [...shown, ...above].flatMap(({ points, stroke, look, wide, fine }) => [
-        look === "dots" ? null : Plot.line(points, { x: "x", y: "y", stroke, strokeWidth: wide ? 3.2 : fine ? 1 : 1.8, strokeOpacity: fine ? 0.45 : 1, strokeDasharray: DASHES[look] ?? null, clip: true }),
-        points.some((point) => point.dot) ? Plot.dot(points.filter((point) => point.dot), { x: "x", y: "y", fill: stroke, r: 2.6, clip: true }) : null,
-      ]);
-      const corners = ({ x, y }) => [...x, x[0]].map((x, i) => ({ x, y: y[i % y.length] }));
-      const areas = (data.areas ?? []).map((area) => Plot.line(corners(area), { x: "x", y: "y", fill: "var(--c4)", fillOpacity: 0.3, stroke: "var(--c4)", strokeDasharray: "4 3", className: "area" }));
-      const notes = (data.notes ?? []).map(({ at, words }) => Plot.text([at], { x: "0", y: "1", text: () => plain(words), dy: -8 }));
-      const inset = (axis) => (axis.range || data.equal ? 0 : 7);
-      const under = shown.flatMap((curve) => curve.points);
-      const svg = Plot.plot({
-        width,
-        height,
-        marginLeft: margin.left,
-        marginRight: margin.right,
-        marginBottom: margin.bottom,
-        marginTop: margin.top,
-        ...axes,
-        // Points at the ends are not cut off by the frame.
-        insetLeft: inset(data.x),
-        insetRight: inset(data.x),
-        insetTop: inset(data.y),
-        insetBottom: inset(data.y),
-        ariaLabel: plain(data.caption),
-        style: { fontSize: "12px", overflow: "visible" },
-        marks: [
-          Plot.frame({ stroke: "var(--line)" }),
-          // The running surface.
-          data.equal && data.y.scale === "depth" ? Plot.ruleY([0], { stroke: "var(--ink)", strokeWidth: 2 }) : null,
-          ...["x", "y"].flatMap((name) => (log[name] && all.length ? logarithmicAxis(name, data[name].title, covered(name, all), width - margin.left) : [])),
-          ...areas,
-          ...marks,
-          ...notes,
-          Plot.tip(under, Plot.pointer({ x: "x", y: "y", title, fill: "var(--ground)", fontSize: 12, lineWidth: 32 })),
-        ],
-      });
-      self.svg = typeset(svg);
-      // The pointer on a curve brings it out everywhere on the page.
-      svg.addEventListener("input", () => bringOut(svg.value?.name));
-      place.replaceChildren(svg);
-      drawMarks();
-    }
-
-    /** Shows the curves whose value of every group is on. */
-    function choose(on) {
-      shown = curves.filter((curve) => curve.choices.every((value, group) => on[group]?.has(value) ?? true));
-      drawLegend();
-      if (self.svg) draw(Math.floor(place.clientWidth));
-    }
-
-    /** Brings a crack of a bundle above the others. */
-    function pick(number) {
-      if (!isBundle) return;
-      picked = curves.filter((curve) => new RegExp(`^crack ${number}(,|$)`).test(curve.note));
-      drawLegend();
-      if (self.svg) draw(Math.floor(place.clientWidth));
-    }
-
-    /** Lets all curves step back but those called `name`. */
-    function emphasise(name) {
-      if (!self.svg) return;
-      const has = shown.some((curve) => curve.name === name);
-      const lines = shown.filter((curve) => curve.look !== "dots");
-      self.svg.querySelectorAll("g[aria-label=line]:not(.area)").forEach((group, i) => {
-        group.style.opacity = has && lines[i]?.name !== name ? 0.25 : 1;
-      });
-    }
-
-    function drawMarks() {
-      if (!self.svg) return;
-      const [x, y] = ["x", "y"].map((name) => self.svg.scale(name));
-      d3.select(self.svg).selectAll("g.marks").data([0]).join("g").attr("class", "marks").attr("pointer-events", "none")
-        .selectAll("circle").data(self.marks.filter((mark) => (!log.x || mark.x > 0) && (!log.y || mark.y > 0))).join("circle")
-        .attr("cx", (mark) => x.apply(mark.x)).attr("cy", (mark) => y.apply(mark.y))
-        .attr("data-x", (mark) => mark.x).attr("data-y", (mark) => mark.y)
-        .attr("r", 6).attr("fill", "none").attr("stroke", "var(--ink)").attr("stroke-width", 2);
-    }
-
-    /** Rings around points that something else on the page points to. */
-    function mark(points) {
-      self.marks = points;
-      drawMarks();
-    }
-
-    drawLegend();
-    onWidth(place, draw);
-    tools(figure);
-    charts.set(figure.id, self);
-    return self;
-  }
-
-  /** The SVG of a figure as a file of its own: colours resolved, on white. */
+  /**
+   * The SVG of a figure as a file of its own: colours resolved, on white.
+   * @param {HTMLElement} figure
+   */
   function file(figure) {
     const svg = figure.querySelector(".drawing svg");
+    if (!(svg instanceof SVGSVGElement)) throw new Error(`${figure.id} is not drawn`);
     const light = document.createElement("div");
     light.dataset.theme = "light";
     document.body.append(light);
     const style = getComputedStyle(light);
-    const copy = svg.cloneNode(true);
+    const copy = /** @type {SVGSVGElement} */ (svg.cloneNode(true));
     copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
     copy.style.background = "#ffffff";
     copy.style.fontFamily = "Helvetica, Arial, sans-serif";
-    const text = new XMLSerializer().serializeToString(copy)
+    const text = new XMLSerializer()
+      .serializeToString(copy)
       .replace(/var\((--[\w-]+)\)/g, (all, name) => style.getPropertyValue(name).trim() || all)
       .replaceAll("currentColor", style.getPropertyValue("--ink").trim());
     light.remove();
-    return { text, width: svg.clientWidth || +svg.getAttribute("width"), height: svg.clientHeight || +svg.getAttribute("height") };
+    const [width, height] = [svg.clientWidth, svg.clientHeight];
+    return {
+      text,
+      width: width || Number(svg.getAttribute("width")),
+      height: height || Number(svg.getAttribute("height")),
+    };
   }
 
+  /** @param {string} text */
+  const svgUrl = (text) => `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
+
+  /** @param {string} name @param {string} url */
   function download(name, url) {
     const link = document.createElement("a");
     link.href = url;
@@ -407,54 +800,63 @@ const railcrack = (() => {
     link.click();
   }
 
-  /** The figure as PNG at three times the size of the screen. */
+  /** The figure as PNG at three times the size of the screen. @param {HTMLElement} figure */
   async function png(figure) {
     const { text, width, height } = file(figure);
     const image = new Image();
-    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
+    image.src = svgUrl(text);
     await image.decode();
     const canvas = document.createElement("canvas");
     [canvas.width, canvas.height] = [3 * width, 3 * height];
-    canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+    canvas.getContext("2d")?.drawImage(image, 0, 0, canvas.width, canvas.height);
     return canvas.toDataURL("image/png");
   }
 
-  /** Buttons that keep a figure as a file. */
+  /** Buttons that keep a figure as a file. @param {HTMLElement} figure */
   function tools(figure) {
     const name = figure.dataset.name || figure.id;
     const bar = document.createElement("div");
     bar.className = "tools";
-    const button = (label, action) => {
-      const element = document.createElement("button");
-      element.type = "button";
-      element.textContent = label;
-      element.title = `Save this figure as ${label}`;
-      element.setAttribute("aria-label", `Save figure ${name} as ${label}`);
-      element.addEventListener("click", action);
-      bar.append(element);
+    /** @param {string} format @param {() => void} action */
+    const keep = (format, action) => {
+      const made = button(format, action);
+      made.title = `Save this figure as ${format}`;
+      made.setAttribute("aria-label", `Save figure ${name} as ${format}`);
+      bar.append(made);
     };
-    button("SVG", () => download(`${name}.svg`, `data:image/svg+xml;charset=utf-8,${encodeURIComponent(file(figure).text)}`));
-    button("PNG", async () => download(`${name}.png`, await png(figure)));
+    keep("SVG", () => download(`${name}.svg`, svgUrl(file(figure).text)));
+    keep("PNG", async () => download(`${name}.png`, await png(figure)));
     figure.append(bar);
   }
 
+  // ---- The page itself --------------------------------------------------------------------------
+
   /** The button that changes between the system's theme, light and dark. */
   function theme() {
-    const button = document.getElementById("theme");
+    const change = element("theme", HTMLButtonElement);
     const root = document.documentElement;
-    const names = { auto: "Theme: as the system", light: "Theme: light", dark: "Theme: dark" };
+    /** @type {Record<string, string>} */
+    const names = { auto: "Theme: system", light: "Theme: light", dark: "Theme: dark" };
+    /** @param {string} name */
     const show = (name) => {
       if (name === "auto") delete root.dataset.theme;
       else root.dataset.theme = name;
-      button.textContent = names[name];
+      change.textContent = names[name];
     };
     // A page from a file may have no memory: then it begins anew each time.
-    const memory = (action) => { try { return action(localStorage); } catch { return null; } };
-    let now = memory((store) => store.getItem("railcrack-theme"));
-    if (!(now in names)) now = "auto";
+    /** @param {(store: Storage) => string | null | void} action */
+    const memory = (action) => {
+      try {
+        return action(localStorage);
+      } catch {
+        return null;
+      }
+    };
+    const stored = memory((store) => store.getItem("railcrack-theme"));
+    let now = stored && stored in names ? stored : "auto";
     show(now);
-    button.hidden = false;
-    button.addEventListener("click", () => {
+    change.hidden = false;
+    change.addEventListener("click", () => {
       const order = Object.keys(names);
       now = order[(order.indexOf(now) + 1) % order.length];
       memory((store) => store.setItem("railcrack-theme", now));
@@ -462,37 +864,57 @@ const railcrack = (() => {
     });
   }
 
-  /** Headings of a table that sort its rows. */
-  function sorts(table) {
-    const value = (row, column) => row.cells[column]?.textContent.trim() ?? "";
-    // Numbers as the page writes them: a true minus sign, thousands apart.
-    const number = (text) => (/^[\u2212-]?\d/.test(text) ? parseFloat(text.replaceAll("\u2212", "-").replace(/[\u00a0 ](?=\d)/g, "")) : NaN);
-    let [order, down] = [null, false];
-    [...table.tHead.rows[0].cells].forEach((cell, column) => {
-      const button = document.createElement("button");
-      button.type = "button";
-      button.append(...cell.childNodes);
-      button.addEventListener("click", () => {
-        [down, order] = [order === column ? !down : false, column];
-        for (const other of table.tHead.rows[0].cells) other.removeAttribute("aria-sort");
-        cell.setAttribute("aria-sort", down ? "descending" : "ascending");
-        const sorted = [...table.tBodies[0].rows].sort((a, b) => {
-          const [one, other] = [value(a, column), value(b, column)];
-          const [x, y] = [number(one), number(other)];
-          // What has no value comes last either way; other words after numbers.
-          if (!one || !other) return Number(!one) - Number(!other);
-          if (Number.isNaN(x) || Number.isNaN(y)) return (Number.isNaN(x) - Number.isNaN(y)) || (down ? other.localeCompare(one) : one.localeCompare(other));
-          return down ? y - x : x - y;
-        });
-        table.tBodies[0].append(...sorted);
-      });
-      cell.append(button);
-    });
-  }
-
   theme();
-  for (const table of document.querySelectorAll("table.sorts")) sorts(table);
-  for (const figure of document.querySelectorAll("figure.chart")) chart(figure);
+  for (const table of /** @type {NodeListOf<HTMLTableElement>} */ (document.querySelectorAll("table.sorts")))
+    sorts(table);
 
-  return { words, plain, inParts, typeset, singles, levels, quantised, unpack, legend, scale, ticks, onWidth, tools, charts, png, bringOut, extent, short, logarithmic, crack, DASHES };
+  return {
+    DASHES,
+    TIP,
+    AXES,
+    aired,
+    bringOut,
+    button,
+    charts,
+    compared,
+    crack,
+    element,
+    ends,
+    extent,
+    hertzianPressure,
+    imageMark,
+    inParts,
+    isPowerOfTen,
+    legend,
+    levels,
+    linear,
+    logarithmic,
+    logarithmicAxis,
+    onWidth,
+    pageData,
+    passageControls,
+    picture,
+    plain,
+    png,
+    quantised,
+    say,
+    scale,
+    scaleOf,
+    shades,
+    short,
+    signed,
+    singles,
+    sized,
+    slider,
+    sortButtons,
+    ticks,
+    toScale,
+    tonnage,
+    tools,
+    typeset,
+    unpack,
+    viewer,
+    within,
+    words,
+  };
 })();

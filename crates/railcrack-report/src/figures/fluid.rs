@@ -7,7 +7,7 @@ use super::sif::chart;
 use crate::chart::{Chart, ChartSheet, Curve, CurveColour};
 use crate::row::NamedCrack;
 use railcrack_run::Summary;
-use railcrack_run::histories::History;
+use railcrack_run::run_folder::History;
 
 /// The plot for the run with this `summary` on the model `model`; none of dry cracks. Of many
 /// cracks those of the last step, the `named` ones told from the others.

@@ -26,5 +26,5 @@ pub(crate) use shakedown::shakedown_plots;
 pub(crate) use sif::far_chart;
 pub(crate) use space::space_plots;
 pub(crate) use study::{
-    STUDY_PLOTS, StudyRun, Styles, band_charts, stratified, study_charts, study_plots, values,
+    MANY, STUDY_PLOTS, StudyRun, Styles, band_charts, stratified, study_charts, study_plots, values,
 };

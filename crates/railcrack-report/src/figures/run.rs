@@ -10,7 +10,7 @@ use crate::shown::{CrackFaces, ShownRun, StepFaces};
 use railcrack::words::Choice;
 use railcrack_run::Summary;
 use railcrack_run::csv::{TipRow, deferred_growth};
-use railcrack_run::histories::History;
+use railcrack_run::run_folder::History;
 
 /// Steps in which the histories of a single tip are drawn, at most; of several tips the first and
 /// the last step.

@@ -8,7 +8,7 @@ use crate::chart::{
 };
 use crate::row::NamedCrack;
 use railcrack_run::Summary;
-use railcrack_run::histories::History;
+use railcrack_run::run_folder::History;
 
 /// A mode of fracture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

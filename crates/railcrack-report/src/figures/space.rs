@@ -11,7 +11,7 @@ use crate::chart::{
 use crate::shown::ShownRun;
 use railcrack_run::Summary;
 use railcrack_run::csv::TipRow;
-use railcrack_run::histories::History;
+use railcrack_run::run_folder::History;
 
 /// Points of the front whose histories are drawn, degrees: the last two where the two sides differ.
 /// Of several cracks it is the deepest point of each.

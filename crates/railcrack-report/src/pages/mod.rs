@@ -12,4 +12,4 @@ pub(crate) use compare::comparison_page;
 pub(crate) use run::{RunFolder, run_page};
 pub(crate) use shakedown::shakedown_page;
 pub(crate) use space::space_page;
-pub(crate) use study::{MANY, study_page};
+pub(crate) use study::study_page;

@@ -5,6 +5,7 @@ use crate::figures::Plot;
 use crate::numbers::{fixed, significant};
 use crate::page::{Block, Fact, Page, Section};
 use crate::table::Table;
+use railcrack::load::ContactKind;
 use railcrack::shakedown::Method;
 use railcrack::words::Choice;
 use railcrack_run::files::CASE_FILE;
@@ -160,18 +161,15 @@ fn facts(summary: &ShakedownSummary) -> Vec<Fact> {
 }
 
 fn assumptions(summary: &ShakedownSummary) -> Vec<String> {
+    let kind = ContactKind::of_word(&summary.contact).unwrap_or(ContactKind::Hertz);
     vec![
         format!(
             "Wheel: {}, p_{{0}} = {} MPa, half-width a = {} mm, {} {}; the same in every passage, on a rail that is \
              virgin at first.",
-            match summary.contact.as_str() {
-                "carter" => "Carter's rolling contact in partial slip",
-                "table" => "pressure and shear of a table",
-                _ => "Hertzian line contact in full sliding",
-            },
+            kind.described(),
             fixed(summary.peak_pressure_mpa, 0),
             fixed(summary.half_width_mm, 2),
-            if summary.contact == "hertz" { "wheel–rail friction" } else { "Q/P" },
+            if kind == ContactKind::Hertz { "wheel–rail friction" } else { "Q/P" },
             summary.friction.to_string().replace('-', "\u{2212}")
         ),
         "Steel: linear kinematic hardening without bound, which leads to shakedown, elastic or plastic, and \

@@ -146,33 +146,15 @@ mod tests {
 
     fn tip(step: usize, crack: usize, tip: usize, stop: Option<RunStop>) -> TipRow {
         TipRow {
-            step,
             crack,
             tip,
             place: [0.0, -1.0 - tip as f64],
             length: 6.0 + step as f64,
-            ki_max: 0.0,
-            delta_ki: 0.0,
-            delta_kii: 0.0,
             delta_keq: 10.0 * tip as f64,
-            kink_deg: None,
-            rival_deg: None,
-            rival_ratio: None,
-            increment: 0.0,
             rate: 1e-6 * tip as f64,
             load_cycles: 100.0 * step as f64,
             stop,
-            depth: None,
-            mgt: None,
-            shares: Default::default(),
-            removed: None,
-            phi_deg: None,
-            lateral: None,
-            half_length: None,
-            delta_kiii: None,
-            wanted_kink_deg: None,
-            wanted_ratio: None,
-            followed: None,
+            ..TipRow::idle(step)
         }
     }
 

@@ -280,8 +280,8 @@ impl ShownFaces {
 }
 
 impl OfSteps for ShownFaces {
-    type Part = FacesOfStep;
-    type Row = FaceRow;
+    type OfStep = FacesOfStep;
+    type TableRow = FaceRow;
 
     fn keeps(&self, step: usize) -> bool {
         self.steps.is_kept(step)

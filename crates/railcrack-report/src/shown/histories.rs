@@ -5,7 +5,7 @@ use super::thinned::Thinned;
 use crate::chart::CATEGORIES;
 use railcrack_run::OutputError;
 use railcrack_run::csv::{SifRow, StepBlock};
-use railcrack_run::histories::History;
+use railcrack_run::run_folder::History;
 
 /// The most values of K that are shown (tips × positions × steps). A page then stays below 3 MB.
 const VALUES: usize = 300_000;
@@ -19,8 +19,8 @@ pub(crate) struct ShownHistories {
 }
 
 impl OfSteps for ShownHistories {
-    type Part = Vec<History>;
-    type Row = SifRow;
+    type OfStep = Vec<History>;
+    type TableRow = SifRow;
 
     fn keeps(&self, step: usize) -> bool {
         self.steps.is_kept(step)

@@ -11,18 +11,18 @@ const AT_ONCE: usize = 4;
 /// Parts of a table, gathered step by step.
 pub(super) trait OfSteps: Sync {
     /// The part of one step.
-    type Part: Send;
+    type OfStep: Send;
     /// The rows of the table.
-    type Row: Table;
+    type TableRow: Table;
 
     /// Whether a step is shown once there are newer ones, as far as is known by now.
     fn keeps(&self, step: usize) -> bool;
 
     /// Errors: the table is damaged.
-    fn read(&self, block: &StepBlock<Self::Row>) -> Result<Self::Part, OutputError>;
+    fn read(&self, block: &StepBlock<Self::TableRow>) -> Result<Self::OfStep, OutputError>;
 
     /// Takes up the step after the last one. Steps that are not kept may be left out.
-    fn push(&mut self, step: usize, part: Self::Part);
+    fn push(&mut self, step: usize, part: Self::OfStep);
 }
 
 /// The shown part of a table for the first `steps` steps of the run in `folder`.
@@ -30,9 +30,9 @@ pub(super) trait OfSteps: Sync {
 /// Errors: the table is damaged; the system refuses.
 pub(super) fn read_table<S: OfSteps + Default>(folder: &Path, steps: usize) -> Result<S, OutputError> {
     let mut shown = S::default();
-    let mut waiting: Vec<StepBlock<S::Row>> = Vec::new();
-    let take = |shown: &mut S, waiting: &mut Vec<StepBlock<S::Row>>| -> Result<(), OutputError> {
-        let read = |block: &StepBlock<S::Row>| Ok((block.step, shown.read(block)?));
+    let mut waiting: Vec<StepBlock<S::TableRow>> = Vec::new();
+    let take = |shown: &mut S, waiting: &mut Vec<StepBlock<S::TableRow>>| -> Result<(), OutputError> {
+        let read = |block: &StepBlock<S::TableRow>| Ok((block.step, shown.read(block)?));
         let parts: Result<Vec<_>, OutputError> = waiting.par_iter().map(read).collect();
         waiting.clear();
         parts?.into_iter().for_each(|(step, part)| shown.push(step, part));

@@ -7,7 +7,7 @@ use super::of_steps::{OfSteps, read_table};
 use railcrack::growth::StepRecord;
 use railcrack_run::OutputError;
 use railcrack_run::csv::{SifRow, SifScale};
-use railcrack_run::histories::History;
+use railcrack_run::run_folder::History;
 use std::ops::Range;
 use std::path::Path;
 

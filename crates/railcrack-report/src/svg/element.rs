@@ -1,6 +1,6 @@
 //! SVG elements.
 
-use crate::html::escaped;
+use railcrack_vtu::escaped;
 use std::fmt::Write;
 
 /// A picture under construction; y points down, one unit is a pixel.

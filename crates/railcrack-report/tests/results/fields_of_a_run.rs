@@ -33,20 +33,8 @@ fn meshio_reads_the_fields_of_a_run() {
         engine: case.engine,
         contact: case.contact_solver,
         boundary: case.rail.boundary,
-        half_width: case.half_width(),
-        passage: [-1e9, 1e9],
-        bends: false,
-        law_table: None,
-        fluid: false,
-        toughness: None,
-        axle_load: None,
-        mix: Vec::new(),
-        maintenance: None,
-        inspection: None,
-        scatter: None,
-        critical_length: None,
         output: case.output,
-        warnings: Vec::new(),
+        ..RunInfo::idle(case.half_width())
     };
     let files = CaseFiles { toml: case.to_toml(), companions: Vec::new() };
     let mut recorder = Recorder::start(&folder, files, info, Existing::Refuse, &Pages).unwrap();

@@ -1,12 +1,10 @@
 //! Runs of synthetic steps: interruption, resumption, refusals.
 
 use super::support::{SMALL, Scratch, case, info, step};
-use railcrack::growth::{GrowthError, GrowthState, Observer, StepRecord};
+use railcrack::growth::{GrowthError, GrowthState, Observer, StepRecord, StepSource};
 use railcrack_report::Pages;
 use railcrack_run::OutputError;
-use railcrack_run::simulation::{
-    Ending, Finished, Job, RunEntry, RunError, RunObserver, StepSource, run_steps,
-};
+use railcrack_run::simulation::{Ending, Finished, Job, RunEntry, RunError, RunObserver, run_steps};
 use std::fs;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -5,16 +5,15 @@
 
 use railcrack::body::FacePoint;
 use railcrack::body::{BodyTimes, Face, FieldGrid, FieldLine};
-use railcrack::bulk::Boundary;
 use railcrack::contact::{FaceState, FaceStatus};
 use railcrack::crack::{Crack, CrackTip, End};
 use railcrack::fracture::Sif;
 use railcrack::growth::{
-    DeferredGrowth, FaceRecord, FieldRecord, FieldSnapshot, GrowthState, PassageRecord, PhaseTimes, Piece,
-    PieceKind, RunStop, SolverCounts, StepRecord, TipRecord, Warning, WarningKind,
+    DeferredGrowth, FaceRecord, FieldRecord, FieldSnapshot, Geometry, GrowthState, PassageRecord, PhaseTimes,
+    Piece, PieceKind, PlaneGeometry, PlaneTip, RunStop, SolverCounts, StepRecord, TipGeometry, TipRecord,
+    Warning, WarningKind,
 };
 use railcrack::math::{Stress, Vec2};
-use railcrack_case::{ContactSolver, Engine, Output};
 use railcrack_run::{CaseFiles, OutputError, Recorder, RunInfo};
 use std::path::{Path, PathBuf};
 
@@ -57,23 +56,8 @@ pub const SMALL: Size = Size { increments: 4, positions: 41, face_points: 12, cr
 pub fn info() -> RunInfo {
     RunInfo {
         title: "Synthetic <run> & its \"title\"".to_owned(),
-        engine: Engine::Dislocation,
-        contact: ContactSolver::Newton,
-        boundary: Boundary::HalfPlane,
-        half_width: HALF_WIDTH,
-        passage: [-1e9, 1e9],
-        bends: false,
-        law_table: None,
-        fluid: false,
-        toughness: None,
         axle_load: Some(17.0),
-        mix: Vec::new(),
-        maintenance: None,
-        inspection: None,
-        scatter: None,
-        critical_length: None,
-        output: Output::ALL,
-        warnings: Vec::new(),
+        ..RunInfo::idle(HALF_WIDTH)
     }
 }
 
@@ -143,7 +127,6 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         passages: vec![passage(0), passage(1)],
         faces: faces(size, &now, &xc),
         fields: step.is_multiple_of(2).then(|| fields(step)),
-        front: None,
         load_cycles: cycles(step),
         removed: 0.0,
         dofs: 30_000 + step,
@@ -162,25 +145,29 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
             growth_s: 0.03125,
         },
         warnings: near_ties(step),
-        junctions: Vec::new(),
         pieces: spalls(step),
         stop: is_last.then_some(RunStop::StepsDone),
-        cracks: now,
+        geometry: geometry(size, now),
     };
     let state = GrowthState {
         step: step + 1,
-        cracks: cracks(size, if is_last { step } else { step + 1 }),
-        junctions: Vec::new(),
-        break_outs: Vec::new(),
+        geometry: geometry(size, cracks(size, if is_last { step } else { step + 1 })),
         interval: None,
         worn: Default::default(),
-        front: None,
         load_cycles: cycles(if is_last { step } else { step + 1 }),
-        stopped: vec![vec![None]; size.cracks],
-        deferred: vec![vec![DeferredGrowth::default()]; size.cracks],
         ended: record.stop,
     };
     (record, state)
+}
+
+fn geometry(size: Size, cracks: Vec<Crack>) -> Geometry {
+    Geometry::Plane(PlaneGeometry {
+        cracks,
+        junctions: Vec::new(),
+        break_outs: Vec::new(),
+        stopped: vec![vec![None]; size.cracks],
+        deferred: vec![vec![DeferredGrowth::default()]; size.cracks],
+    })
 }
 
 /// One triangle and one line at two positions.
@@ -223,23 +210,23 @@ fn tip_record(i: usize, crack: &Crack, step: usize, is_last: bool) -> TipRecord 
         x: place.x,
         y: place.y,
         length: crack.length(),
-        deferred: DeferredGrowth::default(),
         ki_max: 280.0 + step as f64,
         delta_ki: 280.0 + step as f64,
         delta_kii: 190.0 / 3.0,
         delta_keq: 300.0,
         largest_k1: None,
         kink: (step != 3).then_some(-2f64.to_radians()),
-        secondary: (step == 1).then_some(65f64.to_radians()),
-        secondary_ratio: (step == 1).then_some(0.99),
         increment: if is_last { 0.0 } else { 0.04 * crack.length() / (1.0 + i as f64) },
         rate: 4e-6 / (1.0 + i as f64),
         stop: None,
         shares: Default::default(),
-        turned_by: None,
         mouth_sine: Some(0.5),
         opened_by: 0,
-        front: None,
+        geometry: TipGeometry::Plane(PlaneTip {
+            secondary: (step == 1).then_some(65f64.to_radians()),
+            secondary_ratio: (step == 1).then_some(0.99),
+            ..PlaneTip::default()
+        }),
     }
 }
 

@@ -1,7 +1,9 @@
 //! Calibration of the coefficient of the growth law, in closed form.
 
-use crate::OutputError;
 use crate::csv::TipRow;
+use crate::error::OutputError;
+use railcrack_case::{CaseErrors, Column, Columns};
+use std::path::Path;
 use thiserror::Error;
 
 /// The measured quantity.
@@ -53,14 +55,6 @@ pub enum CalibrationError {
     /// A run folder that cannot be read.
     #[error(transparent)]
     Output(#[from] OutputError),
-    /// A file of measurements that is none.
-    #[error("{file}: {reason}")]
-    File {
-        /// The file.
-        file: String,
-        /// Line and reason.
-        reason: String,
-    },
     /// A parameter that makes no difference.
     #[error("{key} makes no difference to the tonnage at which the measured sizes are reached")]
     NoInfluence {
@@ -79,28 +73,20 @@ pub enum CalibrationError {
     },
 }
 
-/// The measurements in the text of a CSV file with the header `mgt,depth_mm` or `mgt,length_mm`.
+/// A file of measurements.
+const COLUMNS: Columns = Columns {
+    columns: &[Column::Needed("mgt"), Column::Alternative("depth_mm"), Column::Alternative("length_mm")],
+    largest: 1e6,
+    help: "measurements begin with the header mgt,depth_mm or mgt,length_mm and have a row for each",
+};
+
+/// The measurements in the CSV file `path` with the header `mgt,depth_mm` or `mgt,length_mm`.
 ///
-/// Errors: another header; a row that is not two finite numbers.
-pub fn read_measured(file: &str, text: &str) -> Result<(Measure, Vec<Measured>), CalibrationError> {
-    let fault = |reason: String| CalibrationError::File { file: file.to_owned(), reason };
-    let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
-    let mut lines = lines.filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#'));
-    let header = lines.next().map(|(_, line)| line.split(',').map(str::trim).collect::<Vec<_>>());
-    let measure = match header.as_deref() {
-        Some(["mgt", "depth_mm"]) => Measure::Depth,
-        Some(["mgt", "length_mm"]) => Measure::Length,
-        _ => return Err(fault("must begin with the header mgt,depth_mm or mgt,length_mm".to_owned())),
-    };
-    let mut measured = Vec::new();
-    for (i, line) in lines {
-        let numbers: Option<Vec<f64>> =
-            line.split(',').map(|field| field.trim().parse().ok().filter(|x: &f64| x.is_finite())).collect();
-        match numbers.as_deref() {
-            Some(&[mgt, size]) => measured.push(Measured { mgt, size }),
-            _ => return Err(fault(format!("line {}: `{line}` is not two numbers, mgt and mm", i + 1))),
-        }
-    }
+/// Errors: it cannot be read; another header; a row that is not two finite numbers.
+pub fn read_measured(path: &Path) -> Result<(Measure, Vec<Measured>), CaseErrors> {
+    let read = COLUMNS.read_file(path)?;
+    let (measure, column) = if read.is_given[1] { (Measure::Depth, 1) } else { (Measure::Length, 2) };
+    let measured = read.rows.iter().map(|row| Measured { mgt: row[0], size: row[column] }).collect();
     Ok((measure, measured))
 }
 
@@ -220,17 +206,52 @@ mod tests {
 
     #[test]
     fn files_of_measurements() {
-        let (measure, data) = read_measured("m.csv", "# a rail\nmgt,length_mm\n10, 5.5\n").unwrap();
+        let folder = std::env::temp_dir().join(format!("railcrack-measured-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let read = |text: &str| {
+            let path = folder.join("m.csv");
+            std::fs::write(&path, text).unwrap();
+            read_measured(&path)
+        };
+        let (measure, data) = read("# a rail\nmgt,length_mm\n10, 5.5\n").unwrap();
         assert_eq!((measure, data), (Measure::Length, vec![Measured { mgt: 10.0, size: 5.5 }]));
-        let message = |text| read_measured("m.csv", text).unwrap_err().to_string();
-        assert!(message("depth,mgt\n").contains("mgt,depth_mm or mgt,length_mm"));
-        assert!(message("mgt,depth_mm\n1,2\n3,x\n").contains("m.csv: line 3: `3,x`"));
-        let far = [Measured { mgt: 1.0, size: 50.0 }];
+        assert_eq!(
+            read("depth_mm,mgt\n2,1\n").unwrap(),
+            (Measure::Depth, vec![Measured { mgt: 1.0, size: 2.0 }])
+        );
+        for (text, line, says) in [
+            ("depth,mgt\n", 1, "unknown column `depth`; nearest known column: `depth_mm`"),
+            ("mgt\n1\n", 1, "column `depth_mm` or `length_mm` is missing"),
+            (
+                "mgt,depth_mm,length_mm\n1,2,3\n",
+                1,
+                "column `depth_mm` or `length_mm` is wanted, and no other",
+            ),
+            ("mgt,depth_mm\n1,2\n3,x\n", 3, "`depth_mm = x`: must be a number in [-1e6, 1e6]"),
+            ("mgt,depth_mm\n1,2,3\n", 2, "3 values in a row of 2 columns"),
+        ] {
+            let errors = read(text).unwrap_err();
+            let error = &errors.errors()[0];
+            assert!(error.message().starts_with(says) && error.file().ends_with("m.csv"), "{says}: {error}");
+            assert!(
+                error.help().is_some_and(|help| help.contains("mgt,depth_mm or mgt,length_mm")),
+                "{text}"
+            );
+            assert_eq!(error.position().map(|place| place.0), Some(line), "{text}");
+        }
         assert!(
-            calibrate(&rows(), 20.0, Measure::Depth, &far)
+            read_measured(&folder.join("none.csv"))
                 .unwrap_err()
                 .to_string()
-                .contains("2.000 to 6.000")
+                .contains("there is no such file")
         );
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn measurements_beyond_the_run_are_refused() {
+        let far = [Measured { mgt: 1.0, size: 50.0 }];
+        let refused = calibrate(&rows(), 20.0, Measure::Depth, &far).unwrap_err().to_string();
+        assert!(refused.contains("2.000 to 6.000"), "{refused}");
     }
 }

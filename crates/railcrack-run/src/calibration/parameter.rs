@@ -1,7 +1,6 @@
 //! Calibration of a parameter on which the path depends, by runs with several values of it.
 
-use super::coefficient::student;
-use super::{CalibrationError, Compared};
+use super::coefficient::{CalibrationError, Compared, student};
 
 /// A run with one value of the parameter.
 #[derive(Debug, Clone, PartialEq)]
@@ -107,8 +106,8 @@ fn least(lines: &[Line]) -> (f64, f64) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Measured;
     use super::*;
+    use crate::calibration::Measured;
 
     /// N at three sizes is in proportion to e^(−3 p), and measured with deviations of ln N.
     fn trial(value: f64, truth: f64, deviations: [f64; 3]) -> Trial {

@@ -1,6 +1,6 @@
 //! Two histories at the same wheel positions.
 
-use crate::histories::History;
+use crate::run_folder::History;
 
 /// K of two runs at common wheel positions, in ascending order.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -1,7 +1,7 @@
 //! Differences of two cases, key by key.
 
-use crate::OutputError;
-use crate::files::CASE_FILE;
+use crate::disk::files::CASE_FILE;
+use crate::error::OutputError;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -6,7 +6,8 @@ use super::notes::notes;
 use super::parting::{Parting, parting};
 use super::stored::{RunLabel, StoredRun, TipKey};
 use super::tip::{SifDifference, TipComparison, TipSifs, percent};
-use crate::{CrackSummary, OutputError};
+use crate::error::OutputError;
+use crate::summary::CrackSummary;
 use std::path::Path;
 
 /// Two runs set against each other.

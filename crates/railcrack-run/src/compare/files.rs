@@ -3,11 +3,11 @@
 use super::comparison::Comparison;
 use super::json::json_text;
 use super::tables::{CompareRow, PositionRow};
-use crate::checksum::checksums;
 use crate::csv::{Table, whole};
-use crate::files::{COMPARE_FILE, REPORT_FILE};
-use crate::folder::{Durability, replace_file};
-use crate::{Existing, OutputError};
+use crate::disk::files::{COMPARE_FILE, REPORT_FILE};
+use crate::disk::{Durability, checksums, replace_file};
+use crate::error::OutputError;
+use crate::run_folder::Existing;
 use railcrack::words::Choice;
 use std::path::Path;
 

@@ -2,8 +2,7 @@
 
 use super::comparison::Comparison;
 use super::tip::{SifDifference, TipComparison, TipSifs};
-use crate::VERSION;
-use crate::checksum::sign;
+use crate::disk::{VERSION, sign};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 

@@ -1,10 +1,10 @@
 //! A run that is compared, from its folder.
 
 use crate::csv::{SifRow, Table, TipRow};
-use crate::files::{CASE_FILE, SUMMARY_FILE};
-use crate::folder::stored_case;
-use crate::histories::History;
-use crate::{OutputError, RunFolder, Summary};
+use crate::disk::files::{CASE_FILE, SUMMARY_FILE};
+use crate::error::OutputError;
+use crate::run_folder::{History, RunFolder, stored_case};
+use crate::summary::Summary;
 use railcrack::bulk::Boundary;
 use railcrack::growth::RunStop;
 use railcrack_case::{Case, ContactSolver, Engine, Kept};
@@ -21,20 +21,20 @@ pub struct RunLabel {
     /// The run folder.
     pub folder: PathBuf,
     /// Engine.
-    #[serde(with = "crate::words")]
+    #[serde(with = "crate::disk::words")]
     pub engine: Engine,
     /// Contact solver.
-    #[serde(with = "crate::words")]
+    #[serde(with = "crate::disk::words")]
     pub contact: ContactSolver,
     /// Boundary of the rail.
-    #[serde(with = "crate::words")]
+    #[serde(with = "crate::disk::words")]
     pub boundary: Boundary,
     /// Half-width a of the wheel contact, mm.
     pub half_width_mm: f64,
     /// Finished steps, the initial geometry counted.
     pub steps_recorded: usize,
     /// Why the run ended; null where it has not.
-    #[serde(with = "crate::words::optional")]
+    #[serde(with = "crate::disk::words::optional")]
     pub stop: Option<RunStop>,
     /// Load cycles at the start of the last finished step.
     pub load_cycles: f64,

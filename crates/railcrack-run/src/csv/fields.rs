@@ -1,7 +1,7 @@
 //! Fields of the rows of a table that is read.
 
 use super::column::Column;
-use crate::OutputError;
+use crate::error::OutputError;
 use std::path::{Path, PathBuf};
 
 /// The fields of a row, in the order of the columns that were declared.

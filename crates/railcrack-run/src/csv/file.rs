@@ -1,8 +1,7 @@
 //! A table that grows by whole rows and can be cut back to a known length.
 
-use crate::OutputError;
-use crate::checksum::Seal;
-use crate::disk;
+use crate::disk::{Seal, changes};
+use crate::error::OutputError;
 use std::fs::{File, OpenOptions};
 use std::io::{Seek, SeekFrom};
 use std::path::{Path, PathBuf};
@@ -42,14 +41,14 @@ impl CsvFile {
         let refused = || OutputError::io("write", path);
         let mut options = OpenOptions::new();
         let mut file = options.write(true).create(true).truncate(false).open(path).map_err(refused())?;
-        disk::set_length(&file, path, seal.length).map_err(refused())?;
+        changes::set_length(&file, path, seal.length).map_err(refused())?;
         file.seek(SeekFrom::Start(seal.length)).map_err(refused())?;
         Ok(Self { path: path.to_path_buf(), file, seal })
     }
 
     /// Appends whole rows. On an error the table is cut back to what it held before.
     pub(crate) fn append(&mut self, rows: &[u8]) -> Result<(), OutputError> {
-        let write = |piece: &[u8]| disk::write(&mut self.file, &self.path, piece);
+        let write = |piece: &[u8]| changes::write(&mut self.file, &self.path, piece);
         if let Err(reason) = write_whole_rows(write, rows) {
             self.take_back(self.seal);
             return Err(OutputError::Io { action: "write", path: self.path.clone(), reason });
@@ -61,14 +60,14 @@ impl CsvFile {
     /// Takes rows back that should not have been appended: the table held what `seal` says before.
     /// Best effort, since there is another error to report.
     pub(crate) fn take_back(&mut self, seal: Seal) {
-        let _ = disk::set_length(&self.file, &self.path, seal.length);
+        let _ = changes::set_length(&self.file, &self.path, seal.length);
         let _ = self.file.seek(SeekFrom::Start(seal.length));
         self.seal = seal;
     }
 
     /// Waits until the disk has the rows: a checkpoint must not outlive what it counts on.
     pub(crate) fn sync(&self) -> Result<(), OutputError> {
-        disk::sync(&self.file, &self.path).map_err(OutputError::io("write", &self.path))
+        changes::sync(&self.file, &self.path).map_err(OutputError::io("write", &self.path))
     }
 
     /// Content of the table.

@@ -116,23 +116,23 @@ impl TipRow {
             delta_kii: tip.delta_kii / MPA_SQRT_MM,
             delta_keq: tip.delta_keq / MPA_SQRT_MM,
             kink_deg: tip.kink.map(f64::to_degrees),
-            rival_deg: tip.secondary.map(f64::to_degrees),
-            rival_ratio: tip.secondary_ratio,
+            rival_deg: tip.plane().and_then(|plane| plane.secondary).map(f64::to_degrees),
+            rival_ratio: tip.plane().and_then(|plane| plane.secondary_ratio),
             increment: tip.increment,
             rate: tip.rate,
             load_cycles,
             stop: tip.stop.map(RunStop::NoTipGrows),
-            depth: Some(-(tip.y + tip.deferred.direction.y * tip.deferred.length)),
+            depth: Some(tip.depth()),
             mgt: None,
             shares: tip.shares,
             removed: None,
-            phi_deg: tip.front.map(|front| front.phi.to_degrees()),
-            lateral: tip.front.map(|front| front.lateral),
-            half_length: tip.front.map(|front| front.half_length),
-            delta_kiii: tip.front.map(|front| front.delta_kiii / MPA_SQRT_MM),
-            wanted_kink_deg: tip.front.and_then(|front| front.wanted_kink).map(f64::to_degrees),
-            wanted_ratio: tip.front.and_then(|front| front.wanted_ratio),
-            followed: tip.front.and_then(|front| front.followed),
+            phi_deg: tip.front().map(|front| front.phi.to_degrees()),
+            lateral: tip.front().map(|front| front.lateral),
+            half_length: tip.front().map(|front| front.half_length),
+            delta_kiii: tip.front().map(|front| front.delta_kiii / MPA_SQRT_MM),
+            wanted_kink_deg: tip.front().and_then(|front| front.wanted_kink).map(f64::to_degrees),
+            wanted_ratio: tip.front().and_then(|front| front.wanted_ratio),
+            followed: tip.front().and_then(|front| front.followed),
         }
     }
 
@@ -153,10 +153,11 @@ pub fn deferred_growth(growth: &[TipRow], row: &TipRow) -> f64 {
     before.take_while(|other| other.place == row.place).map(|other| other.increment).sum()
 }
 
-#[cfg(test)]
 impl TipRow {
-    /// A tip of crack 1 that does nothing at the start of `step`, for tests.
-    pub(crate) fn idle(step: usize) -> Self {
+    /// A tip of crack 1 at the origin that does nothing at the start of `step`: what a row says
+    /// beyond its own fields.
+    #[must_use]
+    pub fn idle(step: usize) -> Self {
         Self {
             step,
             crack: 1,

@@ -26,5 +26,5 @@ pub use read::{StepBlock, StepBlocks, read_table};
 pub use residual::ResidualRow;
 pub use rows::Rows;
 pub use sif::{SifRow, SifScale};
-pub use table::{Cell, Table, column_names, table};
-pub(crate) use table::{header, header_of, markdown, whole};
+pub use table::{Cell, Table, column_names};
+pub(crate) use table::{header, header_of, markdown, table, whole};

@@ -2,7 +2,7 @@
 
 use super::fields::Layout;
 use super::table::Table;
-use crate::OutputError;
+use crate::error::OutputError;
 use std::fmt;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Cursor};

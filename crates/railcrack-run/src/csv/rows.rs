@@ -1,7 +1,7 @@
 //! Rows of a table as text: shortest decimal that reads back to the same bits.
 
 use super::line::line_field;
-use crate::OutputError;
+use crate::error::OutputError;
 
 /// Rows under construction. Fields are pushed left to right; [`Rows::end`] closes a row.
 #[derive(Debug, Default)]

@@ -108,7 +108,7 @@ impl SifRow {
                     wheel: Some(wheel),
                     fluid_pressure: fluid.and_then(|fluid| Some(fluid.get(i)?.pressure)),
                     fluid_volume: fluid.and_then(|fluid| Some(fluid.get(i)?.volume)),
-                    phi_deg: tip.front.map(|front| front.phi.to_degrees()),
+                    phi_deg: tip.front().map(|front| front.phi.to_degrees()),
                     kiii: kiii.and_then(|kiii| Some(kiii.get(i)? / MPA_SQRT_MM)),
                 })
             })

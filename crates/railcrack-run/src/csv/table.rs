@@ -4,7 +4,8 @@ use super::column::Column;
 use super::columns::Columns;
 use super::fields::Fields;
 use super::rows::Rows;
-use crate::{OutputError, VERSION};
+use crate::disk::VERSION;
+use crate::error::OutputError;
 use railcrack::contact::FaceStatus;
 use railcrack::growth::{MOST_WHEELS, RunStop, WheelShares};
 use railcrack::math::Stress;
@@ -266,7 +267,6 @@ impl<T: Cell, const N: usize> Cell for [T; N] {
 /// from it ([`Table`]). The doc comment of a field is what the columns mean in
 /// `docs/file-formats.md`. A field of one section of the case is an `Option` and ends in `, with
 /// "section"`.
-#[macro_export]
 macro_rules! table {
     (
         $(#[$attribute:meta])*
@@ -285,7 +285,7 @@ macro_rules! table {
         impl $crate::csv::Table for $row {
             const FILE: &'static str = $file;
             const COMMENTS: &'static [&'static str] = &[$($comment),*];
-            const COLUMNS: &'static [$crate::csv::Column] = $crate::table!(@flat
+            const COLUMNS: &'static [$crate::csv::Column] = $crate::csv::table!(@flat
                 [] $([[$($meaning),+] [$($section)?] $($column)+])+);
 
             fn put(&self, rows: &mut $crate::csv::Rows) {
@@ -299,26 +299,26 @@ macro_rules! table {
                 $($crate::csv::Cell::keep(Some(&self.$field), columns);)+
             }
 
-            fn take(fields: &mut $crate::csv::Fields) -> Result<Self, $crate::OutputError> {
+            fn take(fields: &mut $crate::csv::Fields) -> Result<Self, $crate::error::OutputError> {
                 Ok(Self { $($field: $crate::csv::Cell::take(fields)?,)+ })
             }
         }
     };
     (@flat [$($done:tt)*]) => { &[$($done)*] };
     (@flat [$($done:tt)*] [$meaning:tt $section:tt] $($rest:tt)*) => {
-        $crate::table!(@flat [$($done)*] $($rest)*)
+        $crate::csv::table!(@flat [$($done)*] $($rest)*)
     };
     (@flat [$($done:tt)*] [$meaning:tt $section:tt $column:literal $($more:literal)*] $($rest:tt)*) => {
-        $crate::table!(@flat [
+        $crate::csv::table!(@flat [
             $($done)*
-            $crate::csv::Column { name: $column, meaning: &$meaning, section: $crate::table!(@section $section) },
+            $crate::csv::Column { name: $column, meaning: &$meaning, section: $crate::csv::table!(@section $section) },
         ] [$meaning $section $($more)*] $($rest)*)
     };
     (@section []) => { None };
     (@section [$section:literal]) => { Some($section) };
 }
 
-pub use crate::table;
+pub(crate) use table;
 
 #[cfg(test)]
 mod tests {

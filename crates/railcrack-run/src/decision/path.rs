@@ -1,6 +1,6 @@
 //! Depth of one tip over traffic.
 
-use crate::run_log::StepDigest;
+use crate::log::StepDigest;
 use railcrack::growth::{RunStop, TipStop, WheelShares};
 
 /// A tip at the start of a growth step.
@@ -50,7 +50,7 @@ impl GrowthPath {
             Some(PathPoint {
                 axles: step.load_cycles,
                 length: tip.length,
-                depth: -(tip.y + tip.deferred.direction.y * tip.deferred.length),
+                depth: tip.depth(),
                 rate: tip.rate,
                 delta_keq: tip.delta_keq / railcrack::math::MPA_SQRT_MM,
                 largest_k1: tip.largest_k1.map_or(0.0, |largest| largest.k1_mpa_sqrt_m()),

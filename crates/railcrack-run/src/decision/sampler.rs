@@ -2,8 +2,8 @@
 
 use super::inspection::{CriticalBy, Place, detectable};
 use super::path::GrowthPath;
-use super::walk::{SampledRates, SampledShares, Walk};
-use crate::run_info::MixInfo;
+use super::walk::{SampledRates, SampledShares, SampledWalk};
+use crate::log::MixInfo;
 use railcrack::growth::MOST_WHEELS;
 use railcrack_case::{Inspection, MaintenancePlan, Scatter};
 use rand_pcg::Pcg64Mcg;
@@ -127,7 +127,7 @@ pub(crate) struct Sampler<'a> {
     mix: &'a [MixInfo],
     inspection: Inspection,
     removal: Option<&'a MaintenancePlan>,
-    walk: Walk<'a>,
+    walk: SampledWalk<'a>,
     /// Where the crack is critical, or its path ends.
     end: Place,
 }
@@ -137,7 +137,7 @@ impl<'a> Sampler<'a> {
     pub fn of(of: Sampling<'a>) -> Self {
         let inspection = of.inspection.copied().unwrap_or_default();
         let removal = of.maintenance.filter(|plan| plan.removal() > 0.0 || of.scatter.wear_std > 0.0);
-        let walk = Walk::of(of.path, removal.is_some());
+        let walk = SampledWalk::of(of.path, removal.is_some());
         let critical = CriticalBy::first(walk.up(), &inspection, of.critical_length).map(|(_, place)| place);
         let end = critical.unwrap_or((walk.up().points.len() - 1, 0.0));
         // Shares that do not scatter leave the rates as they are, to the last bit.

@@ -1,8 +1,8 @@
 //! Samples against closed forms.
 
-use super::super::path::PathPoint;
 use super::*;
-use crate::run_info::MixInfo;
+use crate::decision::PathPoint;
+use crate::log::MixInfo;
 use railcrack::growth::StressMoves;
 use railcrack_case::{Inspection, MaintenancePlan};
 
@@ -46,16 +46,14 @@ fn scatter() -> Scatter {
     }
 }
 
+/// Samples of an inspected path under one wheel.
+fn idle<'a>(path: &'a GrowthPath, scatter: &'a Scatter) -> Sampling<'a> {
+    let inspection = Some(&INSPECTION);
+    Sampling { path, scatter, inspection, critical_length: None, tonnes: 20.0, maintenance: None, mix: &[] }
+}
+
 fn sample(path: &GrowthPath, scatter: &Scatter) -> ScatterSummary {
-    sampled(Sampling {
-        path,
-        scatter,
-        inspection: Some(&INSPECTION),
-        critical_length: None,
-        tonnes: 20.0,
-        maintenance: None,
-        mix: &[],
-    })
+    sampled(idle(path, scatter))
 }
 
 const INSPECTION: Inspection = Inspection {
@@ -118,15 +116,7 @@ fn wear_makes_the_way_longer_and_may_take_the_crack_away() {
     let path = path();
     let at = |wear: f64, scatter: Scatter| {
         let plan = MaintenancePlan { wear, grinding: None, stress: StressMoves::WithMetal };
-        sampled(Sampling {
-            path: &path,
-            scatter: &scatter,
-            inspection: Some(&INSPECTION),
-            critical_length: None,
-            tonnes: 20.0,
-            maintenance: Some(&plan),
-            mix: &[],
-        })
+        sampled(Sampling { maintenance: Some(&plan), ..idle(&path, &scatter) })
     };
     let still = Scatter { c_log_std: 0.0, samples: 100, ..scatter() };
     let growth = 1e6 / 20.0 * path.points[0].rate;
@@ -173,17 +163,7 @@ fn shares_of_a_mix_scatter() {
     let mix = [wheel(0.5, 20.0), wheel(0.5, 20.0)];
     let of = |std: f64| {
         let scatter = Scatter { c_log_std: 0.0, share_log_std: std, samples: 20_000, ..scatter() };
-        let inspection = Some(&INSPECTION);
-        let (critical_length, maintenance) = (None, None);
-        sampled(Sampling {
-            path: &path,
-            scatter: &scatter,
-            inspection,
-            critical_length,
-            tonnes: 20.0,
-            maintenance,
-            mix: &mix,
-        })
+        sampled(Sampling { mix: &mix, ..idle(&path, &scatter) })
     };
     let way = InspectionSummary::of(&path, &INSPECTION, None, 20.0).mgt_detectable_to_critical.unwrap();
     let Quantiles { p05, p50, p95 } = of(0.2).mgt_detectable_to_critical;

@@ -7,8 +7,7 @@ use super::row::DecisionRow;
 use super::sampler::Sampling;
 use super::scatter::{ScatterSummary, sampled};
 use super::wheels::WheelSummary;
-use crate::run_info::RunInfo;
-use crate::run_log::RunLog;
+use crate::log::{RunInfo, RunLog};
 use serde::{Deserialize, Serialize};
 
 /// From growth to a decision: key `decision` of `summary.json`, and the first block of the page.

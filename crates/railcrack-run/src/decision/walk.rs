@@ -1,7 +1,7 @@
 //! The way of a sampled crack along the computed path.
 
 use super::path::{GrowthPath, PathPoint};
-use crate::run_info::MixInfo;
+use crate::log::MixInfo;
 use railcrack::growth::MOST_WHEELS;
 
 /// ΔK_eq (MPa√m) about which the exponent of the law scatters: there the rate keeps its scatter.
@@ -64,13 +64,13 @@ impl SampledShares {
 
 /// The path as a sampled crack may walk it: from the crack of the case to the longer ones, or where
 /// the surface is removed faster than it grows, to the shorter ones.
-pub(super) struct Walk<'a> {
+pub(super) struct SampledWalk<'a> {
     path: &'a GrowthPath,
     /// With removal: the longer and the shorter cracks, each from that of the case on.
     sorted: Option<(GrowthPath, GrowthPath)>,
 }
 
-impl<'a> Walk<'a> {
+impl<'a> SampledWalk<'a> {
     /// Along `path`; where the surface `is_removed` lengths come and go, and rates belong to them.
     pub fn of(path: &'a GrowthPath, is_removed: bool) -> Self {
         if !is_removed {

@@ -1,8 +1,7 @@
 //! Share of each wheel of a mix in the growth.
 
 use super::path::GrowthPath;
-use crate::run_info::MixInfo;
-use crate::run_log::StepDigest;
+use crate::log::{MixInfo, StepDigest};
 use serde::{Deserialize, Serialize};
 
 /// A wheel of a mix over the whole run.
@@ -37,7 +36,10 @@ impl WheelSummary {
                 name: wheel.name.clone(),
                 share_of_axles: wheel.share,
                 share_of_growth: if grown > 0.0 { weighted / grown } else { first },
-                turns_in_steps: tips.iter().filter(|tip| tip.turned_by == Some(i)).count(),
+                turns_in_steps: tips
+                    .iter()
+                    .filter(|tip| tip.plane().and_then(|plane| plane.turned_by) == Some(i))
+                    .count(),
             }
         };
         mix.iter().enumerate().map(of).collect()

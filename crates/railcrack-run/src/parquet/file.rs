@@ -2,7 +2,7 @@
 
 use super::page::{ColumnKind, Values, ZSTD};
 use super::thrift::Struct;
-use crate::VERSION;
+use crate::disk::VERSION;
 
 const MAGIC: &[u8] = b"PAR1";
 /// Rows of a group.

@@ -1,14 +1,15 @@
 //! A population of cracks made from the runs of a study.
 
 use super::interpolation::Interpolation;
-use super::plan::{PopulationPlan, distributions};
-use super::result::{InterpolationError, Population};
 use super::shape::{NUMBERS, numbers_of, path_of, path_of_tip};
 use crate::decision::{
     Draws, Gathered, GrowthPath, InspectionSummary, KEYS, Sampler, Sampling, ScatterSummary, Sensitivity,
     spread, tonnages,
 };
-use crate::study::{RunState, StudyAxis, StudyPlan, StudyResults, StudyRow};
+use crate::study::{
+    InterpolationError, Population, PopulationPlan, RunState, StudyAxis, StudyPlan, StudyResults, StudyRow,
+    distributions,
+};
 use railcrack::growth::RunStop;
 use railcrack::math::Matrix;
 use railcrack_case::{Distribution, Inspection, Scatter};

@@ -3,9 +3,4 @@
 
 mod interpolation;
 mod made;
-mod plan;
-mod result;
 mod shape;
-
-pub use plan::PopulationPlan;
-pub use result::{InterpolationError, Population};

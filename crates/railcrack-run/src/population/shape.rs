@@ -1,7 +1,7 @@
 //! A path of growth as numbers that vary smoothly from run to run.
 
 use crate::decision::{GrowthPath, PathPoint};
-use crate::representative::RepresentativeTip;
+use crate::run_folder::RepresentativeTip;
 
 /// Lengths at which a path is described, its ends among them, at equal distances.
 const NODES: usize = 17;

@@ -1,11 +1,12 @@
 //! `shakedown.json`.
 
 use super::results::ShakedownResults;
-use crate::VERSION;
+use crate::disk::VERSION;
 use railcrack::fatigue::DepthValue;
-use railcrack::load::Contact;
+use railcrack::load::ContactKind;
 use railcrack::math::Stress;
 use railcrack::shakedown::{DepthBounds, LayerState, MapPoint, Method, RailState};
+use railcrack::words::Choice;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -17,10 +18,10 @@ pub struct ShakedownSummary {
     /// Heading of the case.
     pub title: String,
     /// The stabilised state.
-    #[serde(with = "crate::words")]
+    #[serde(with = "crate::disk::words")]
     pub state: RailState,
     /// The way to it.
-    #[serde(with = "crate::words")]
+    #[serde(with = "crate::disk::words")]
     pub method: Method,
     /// Passages until the residual stress repeated; 1 for the direct method.
     pub passes: usize,
@@ -215,7 +216,7 @@ pub struct AdmissibilitySummary {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MethodComparison {
     /// The state by passages.
-    #[serde(with = "crate::words")]
+    #[serde(with = "crate::disk::words")]
     pub state: RailState,
     /// Passages that it took.
     pub passes: usize,
@@ -244,7 +245,7 @@ impl ShakedownSummary {
             peak_pressure_mpa: rail.contact.peak_pressure(),
             half_width_mm: a,
             friction: rail.contact.adhesion(),
-            contact: contact_word(&rail.contact).to_owned(),
+            contact: rail.contact.kind().word().to_owned(),
             p0_over_k: ratio,
             first_yield: Bound { p0_over_k: first.ratio, depth_mm: first.depth_over_a * a },
             shakedown_limit: Bound { p0_over_k: limit.ratio, depth_mm: limit.depth_over_a * a },
@@ -287,16 +288,7 @@ impl ShakedownSummary {
 
 /// The contact of folders that do not say it.
 fn hertz() -> String {
-    "hertz".to_owned()
-}
-
-/// `contact.kind` of `contact`.
-fn contact_word(contact: &Contact) -> &'static str {
-    match contact {
-        Contact::Hertz(_) => "hertz",
-        Contact::Carter(_) => "carter",
-        Contact::Table(_) => "table",
-    }
+    ContactKind::Hertz.word().to_owned()
 }
 
 fn map_row(point: &MapPoint) -> MapRow {

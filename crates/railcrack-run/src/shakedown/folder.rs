@@ -2,10 +2,11 @@
 
 use super::document::ShakedownSummary;
 use super::tables::{LayerRow, PassRow};
-use crate::OutputError;
 use crate::csv::read_table;
-use crate::files::{CYCLE_FILE, SHAKEDOWN_FILE};
-use crate::folder::{read_case, read_json, stored_case};
+use crate::disk::files::{CYCLE_FILE, SHAKEDOWN_FILE};
+use crate::disk::read_json;
+use crate::error::OutputError;
+use crate::run_folder::{read_case, stored_case};
 use railcrack::math::Stress;
 use railcrack::mesh::{Array, UnstructuredGrid};
 use railcrack::shakedown::PlasticStrain;

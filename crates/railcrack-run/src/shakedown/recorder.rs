@@ -4,12 +4,11 @@ use super::document::ShakedownSummary;
 use super::fields;
 use super::results::ShakedownResults;
 use super::tables::{LayerRow, PassRow};
-use crate::OutputError;
-use crate::case_files::CaseFiles;
-use crate::checksum::checksums;
 use crate::csv::{CsvFile, Rows, Table, header, whole};
-use crate::files::{CASE_FILE, CYCLE_FILE, PLASTIC_FILE, SHAKEDOWN_FILE};
-use crate::folder::{self, Durability, Existing};
+use crate::disk::files::{CASE_FILE, CYCLE_FILE, PLASTIC_FILE, SHAKEDOWN_FILE};
+use crate::disk::{Durability, checksums, replace_file, write_json};
+use crate::error::OutputError;
+use crate::run_folder::{CaseFiles, Existing, begin};
 use railcrack::shakedown::PassRecord;
 use railcrack_vtu::write_vtu;
 use std::path::{Path, PathBuf};
@@ -26,7 +25,7 @@ impl ShakedownRecorder {
     ///
     /// Errors: the folder holds a run that is not to be replaced; the system refuses.
     pub fn start(folder: &Path, case: &CaseFiles, existing: Existing) -> Result<Self, OutputError> {
-        folder::begin(folder, case, existing)?;
+        begin(folder, case, existing)?;
         let passes = passes_of(folder)?;
         Ok(Self { folder: folder.to_path_buf(), passes })
     }
@@ -59,7 +58,7 @@ impl ShakedownRecorder {
         let files = [CASE_FILE, PassRow::FILE, LayerRow::FILE, PLASTIC_FILE, CYCLE_FILE];
         let checksums = checksums(&self.folder, &files)?;
         let summary = ShakedownSummary { checksums, ..ShakedownSummary::of(results) };
-        folder::write_json(&self.folder, SHAKEDOWN_FILE, &summary, Durability::Cached)?;
+        write_json(&self.folder, SHAKEDOWN_FILE, &summary, Durability::Cached)?;
         Ok(summary)
     }
 }
@@ -69,5 +68,5 @@ fn passes_of(folder: &Path) -> Result<CsvFile, OutputError> {
 }
 
 fn replace(path: &Path, content: &[u8]) -> Result<(), OutputError> {
-    folder::replace_file(path, content, Durability::Cached)
+    replace_file(path, content, Durability::Cached)
 }

@@ -2,38 +2,11 @@
 
 use super::error::RunError;
 use super::observer::RunObserver;
-use crate::{OutputError, Recorder, Summary};
-use railcrack::growth::{Growth, GrowthError, GrowthState, Observer, StepRecord};
-use railcrack_case::CaseGrowth;
+use super::recorder::Recorder;
+use crate::error::OutputError;
+use crate::summary::Summary;
+use railcrack::growth::{GrowthError, GrowthState, Observer, StepRecord, StepSource};
 use std::sync::mpsc::{SyncSender, sync_channel};
-
-/// Source of growth steps: [`Growth`], and synthetic runs in tests.
-pub trait StepSource {
-    /// The next step; none when the run has ended. On an error the state is that before the step.
-    fn next_step(&mut self, observer: &dyn Observer) -> Result<Option<StepRecord>, GrowthError>;
-    /// The state after the last computed step.
-    fn state(&self) -> &GrowthState;
-}
-
-impl StepSource for CaseGrowth {
-    fn next_step(&mut self, observer: &dyn Observer) -> Result<Option<StepRecord>, GrowthError> {
-        CaseGrowth::next_step(self, observer)
-    }
-
-    fn state(&self) -> &GrowthState {
-        CaseGrowth::state(self)
-    }
-}
-
-impl StepSource for Growth {
-    fn next_step(&mut self, observer: &dyn Observer) -> Result<Option<StepRecord>, GrowthError> {
-        Growth::next_step(self, observer)
-    }
-
-    fn state(&self) -> &GrowthState {
-        Growth::state(self)
-    }
-}
 
 /// How a run came to its end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

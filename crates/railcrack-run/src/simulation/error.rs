@@ -1,6 +1,6 @@
 //! Errors of a run.
 
-use crate::OutputError;
+use crate::error::OutputError;
 use railcrack::growth::GrowthError;
 use railcrack::shakedown::ShakedownError;
 use railcrack_case::{CarriedStressError, RolledRailError};

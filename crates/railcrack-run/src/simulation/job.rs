@@ -1,7 +1,10 @@
 //! A run before its first step: its case, and what it starts from.
 
 use super::observer::RunObserver;
-use crate::{CaseFiles, MixInfo, Presentation, RunInfo, validity};
+use crate::log::{MixInfo, RunInfo};
+use crate::presentation::Presentation;
+use crate::run_folder::CaseFiles;
+use crate::summary::validity;
 use railcrack::growth::GrowthState;
 use railcrack_case::{Case, MixedWheel, SharedRail};
 use std::path::Path;

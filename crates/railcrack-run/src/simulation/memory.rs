@@ -3,14 +3,18 @@
 use super::drive::{Ending, OfSteps, compute};
 use super::error::RunError;
 use super::job::{Job, Stage};
+use super::recorder::Recorder;
 use super::residual_stress::Residual;
 use super::run::Simulation;
 use crate::csv::{FaceRow, ResidualRow, SifRow, SifScale, TipRow};
-use crate::files::ROLLED_FOLDER;
-use crate::memory::peak_memory_mb;
-use crate::run_info::RunInfo;
-use crate::run_log::RunLog;
-use crate::{Existing, FolderLock, OutputError, Presentation, Recorder, Summary};
+use crate::disk::FolderLock;
+use crate::disk::files::ROLLED_FOLDER;
+use crate::error::OutputError;
+use crate::log::{RunInfo, RunLog};
+use crate::machine::peak_memory_mb;
+use crate::presentation::Presentation;
+use crate::run_folder::Existing;
+use crate::summary::Summary;
 use railcrack::growth::{GrowthState, StepRecord};
 use railcrack_case::Output;
 use std::path::{Path, PathBuf};
@@ -107,7 +111,7 @@ impl RunInMemory {
 
     /// The rows of `sif.csv`.
     pub fn sif_rows(&self) -> impl Iterator<Item = SifRow> {
-        let first = self.steps.first().and_then(|(record, _)| record.cracks.first());
+        let first = self.steps.first().and_then(|(record, _)| record.cracks().first());
         let origin = first.map_or(0.0, |crack| crack.points()[0].x);
         let scale = SifScale { origin, half_width: self.job.info.half_width };
         let half_widths: Vec<f64> = self.job.info.mix.iter().map(|wheel| wheel.half_width).collect();

@@ -2,19 +2,25 @@
 
 mod drive;
 mod error;
+#[cfg(test)]
+mod fault_tests;
 mod job;
 mod memory;
 mod observer;
+mod queue;
+mod recorder;
 mod residual_stress;
 mod rolling;
 mod run;
 mod sweep;
 
-pub use drive::{Ending, StepSource};
+pub use drive::Ending;
 pub use error::RunError;
 pub use job::{Job, Stage, case_files};
 pub use memory::RunInMemory;
 pub use observer::{RunObserver, Silent, StudyObserver};
+pub use queue::{NextRun, RunQueue, WaitingRun};
+pub use recorder::Recorder;
 pub use residual_stress::{Residual, plastic_stress_left_out};
 pub use rolling::{pass_text, roll};
 pub use run::{Finished, RunEntry, Simulation, run_steps};

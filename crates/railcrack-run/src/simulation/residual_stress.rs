@@ -3,13 +3,14 @@
 use super::error::RunError;
 use super::job::Stage;
 use super::observer::RunObserver;
+use super::recorder::Recorder;
 use super::rolling::{pass_text, roll};
-use crate::files::{PLASTIC_FILE, ROLLED_FOLDER, SHAKEDOWN_FILE};
+use crate::csv::ResidualRow;
+use crate::disk::files::{PLASTIC_FILE, ROLLED_FOLDER, SHAKEDOWN_FILE};
+use crate::error::OutputError;
+use crate::log::{PlasticOrigin, ProjectionSummary, ReleaseSummary, ResidualSummary, RolledSummary};
+use crate::run_folder::Existing;
 use crate::shakedown::ShakedownSummary;
-use crate::{
-    Existing, OutputError, PlasticOrigin, ProjectionSummary, Recorder, ReleaseSummary, ResidualRow,
-    ResidualSummary, RolledSummary,
-};
 use railcrack::interruption::Interruption;
 use railcrack::math::Vec2;
 use railcrack::residual::PlasticField;

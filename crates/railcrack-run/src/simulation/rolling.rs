@@ -2,8 +2,11 @@
 
 use super::error::RunError;
 use super::job::case_files;
+use crate::disk::FolderLock;
+use crate::error::OutputError;
+use crate::presentation::Presentation;
+use crate::run_folder::Existing;
 use crate::shakedown::{ShakedownRecorder, ShakedownResults, ShakedownSummary};
-use crate::{Existing, FolderLock, OutputError, Presentation};
 use railcrack::fatigue::Initiation;
 use railcrack::interruption::Interruption;
 use railcrack::shakedown::{

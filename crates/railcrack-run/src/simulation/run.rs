@@ -1,13 +1,18 @@
 //! One run: from a case to its folder.
 
-use super::drive::{Ending, StepSource, drive};
+use super::drive::{Ending, drive};
 use super::error::RunError;
 use super::job::{Job, Stage};
 use super::observer::{RunObserver, Silent};
+use super::recorder::Recorder;
 use super::residual_stress::{Residual, prepare};
-use crate::{Existing, FolderLock, OutputError, Presentation, Recorder, Summary, TablesOnly};
-use railcrack::growth::{GrowthState, TipJudge};
-use railcrack_case::{Case, CaseGrowth, SharedRail};
+use crate::disk::FolderLock;
+use crate::error::OutputError;
+use crate::presentation::{Presentation, TablesOnly};
+use crate::run_folder::Existing;
+use crate::summary::Summary;
+use railcrack::growth::{GrowthState, StepSource, TipJudge};
+use railcrack_case::{Case, SharedRail};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -101,14 +106,9 @@ impl Simulation<'_> {
     /// The growth loop from `stage` on, and the residual stress that the rail carries.
     ///
     /// Errors: the plastic state cannot be computed, or the residual stress not be made.
-    pub(super) fn growth(&self, stage: Stage) -> Result<(CaseGrowth, Option<Residual>), RunError> {
+    pub(super) fn growth(&self, stage: Stage) -> Result<(Box<dyn StepSource>, Option<Residual>), RunError> {
         let (prepared, residual) = prepare(self.case, &stage)?;
-        let growth = prepared.growth(stage.state);
-        let growth = match self.judge {
-            Some(judge) => growth.judged_by(Arc::clone(judge)),
-            None => growth,
-        };
-        Ok((growth, residual))
+        Ok((prepared.growth_judged(stage.state, self.judge.cloned()), residual))
     }
 }
 

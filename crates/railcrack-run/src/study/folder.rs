@@ -1,21 +1,20 @@
 //! The folder of a study: entered by one process or by several at once.
 
 use super::csv_text::stabilised;
-use super::outcome::{Outcome, RunEnd};
-use super::packed::{PackWriter, PackedRuns, RunFiles, packed_files};
+use super::packed::{PackWriter, PackedRuns, packed_files};
 use super::plan::{PlannedRun, StudyPlan};
-use crate::case_files::CaseFiles;
 use crate::csv::{SifRow, Table};
-use crate::files::{
+use crate::disk::files::{
     CASE_FILE, CHECKPOINT_FILE, OUTCOME_FILE, PLAN_FILE, REPORT_FILE, RUN_FILES, RUN_LOG_FILE, SUMMARY_FILE,
 };
-use crate::folder::{
-    clear_run, json_text, read_if_there, read_json, read_json_if_there, remove, run_file_in,
-    run_file_in_study,
+use crate::disk::{
+    FolderLock, LOCK_FILE, check_stored_name, json_text, read_if_there, read_json, read_json_if_there, remove,
 };
-use crate::same_case::check_case;
-use crate::stored_name::check_stored_name;
-use crate::{FolderLock, LOCK_FILE, OutputError, RunFolder, Summary};
+use crate::error::OutputError;
+use crate::run_folder::{
+    CaseFiles, RunFiles, RunFolder, check_case, clear_run, run_file_in, run_file_in_study,
+};
+use crate::summary::{Outcome, RunEnd, Summary};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -309,7 +308,7 @@ impl StudyFolder {
     }
 
     /// Removes the folder of the runs where all are packed and none is in it.
-    pub(super) fn close_runs(&self) {
+    pub(crate) fn close_runs(&self) {
         let _ = std::fs::remove_dir(self.path.join(RUNS_FOLDER));
     }
 

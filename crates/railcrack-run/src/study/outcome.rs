@@ -1,58 +1,14 @@
 //! How a run of a study ended, in its run folder.
 
-use crate::checksum::Seal;
-use crate::files::{
+use crate::disk::files::{
     CASE_FILE, CHECKPOINT_FILE, INPUTS_FOLDER, OUTCOME_FILE, RUN_FILES, RUN_LOG_FILE, SUMMARY_FILE,
 };
-use crate::folder::{Durability, read_json, read_json_if_there, remove, write_json};
-use crate::{OutputError, Summary, VERSION};
-use serde::{Deserialize, Serialize};
+use crate::disk::{Durability, Seal, read_json, read_json_if_there, remove, write_json};
+use crate::error::OutputError;
+use crate::summary::{Outcome, RunEnd, Summary};
 use std::path::Path;
 
-/// How a run of a study ended. Written last of all files of the run.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Outcome {
-    /// Version of the program.
-    pub version: String,
-    /// How it ended.
-    pub end: RunEnd,
-    /// Why it failed, where it did.
-    pub reason: Option<String>,
-}
-
-/// How a run ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum RunEnd {
-    /// All steps, or a physical stop.
-    Done,
-    /// A step could not be computed, and never will be by this version.
-    NotConverged,
-    /// The system refused to read or write.
-    CannotReadOrWrite,
-}
-
 impl Outcome {
-    /// A run that came to its end.
-    pub fn done() -> Self {
-        Self { version: VERSION.into(), end: RunEnd::Done, reason: None }
-    }
-
-    /// A run that failed for `reason`.
-    pub fn failed(end: RunEnd, reason: &str) -> Self {
-        Self { version: VERSION.into(), end, reason: Some(reason.into()) }
-    }
-
-    /// Whether to compute the run again would lead to the same: it is done, or this version cannot
-    /// do it.
-    pub fn is_settled(&self) -> bool {
-        match self.end {
-            RunEnd::Done => true,
-            RunEnd::NotConverged => self.version == VERSION,
-            RunEnd::CannotReadOrWrite => false,
-        }
-    }
-
     /// The outcome of the run in `folder`; none while it is not over.
     pub(super) fn read(folder: &Path) -> Result<Option<Self>, OutputError> {
         if let Some(failed) = read_json_if_there(folder, OUTCOME_FILE)? {

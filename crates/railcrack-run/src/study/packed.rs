@@ -1,17 +1,15 @@
 //! Runs of a study in a few files: what a run folder would hold, a record for each run.
 
-use crate::OutputError;
-use crate::checksum::Checksum;
+use crate::disk::Checksum;
+use crate::error::OutputError;
+use crate::run_folder::RunFiles;
 use miniz_oxide::deflate::compress_to_vec;
 use miniz_oxide::inflate::decompress_to_vec_with_limit;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{BufReader, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-
-/// Files of a run by their names.
-pub(crate) type RunFiles = BTreeMap<String, String>;
 
 const PREFIX: &str = "packed-";
 const ENDING: &str = ".bin";

@@ -1,6 +1,6 @@
 //! Plan of a study: the runs that it computes.
 
-use crate::population::PopulationPlan;
+use super::population_plan::PopulationPlan;
 use serde::{Deserialize, Serialize};
 
 /// Keys that vary in a study, how, and the runs that this makes. `study.json` holds it.

@@ -1,15 +1,14 @@
 //! The results of a study, gathered from its run folders.
 
 use super::folder::StudyFolder;
-use super::outcome::RunEnd;
 use super::packed::PackedRuns;
 use super::plan::PlannedRun;
+use super::population::Population;
 use super::state::{RunState, StudyRow};
-use crate::files::SUMMARY_FILE;
-use crate::population::Population;
-use crate::representative::RepresentativeTip;
-use crate::verify::check_numbers;
-use crate::{OutputError, RunFolder};
+use crate::disk::files::SUMMARY_FILE;
+use crate::error::OutputError;
+use crate::run_folder::{RepresentativeTip, RunFolder, check_numbers};
+use crate::summary::RunEnd;
 use std::io::ErrorKind;
 
 /// The results of a study: a row per run, in the order of the runs.
@@ -85,7 +84,7 @@ fn is_gone(error: &OutputError) -> bool {
 }
 
 impl StudyResults {
-    pub(super) fn are_complete(&self) -> bool {
+    pub(crate) fn are_complete(&self) -> bool {
         self.rows.iter().all(|row| row.state.is_over())
     }
 

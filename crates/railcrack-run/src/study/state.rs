@@ -1,8 +1,7 @@
 //! Where the runs of a study stand.
 
-use super::outcome::{Outcome, RunEnd};
-use crate::Summary;
-use crate::representative::RepresentativeTip;
+use crate::run_folder::RepresentativeTip;
+use crate::summary::{Outcome, RunEnd, Summary};
 
 /// Where a run stands.
 #[derive(Debug, Clone, PartialEq, Eq)]

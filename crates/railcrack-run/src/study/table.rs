@@ -3,8 +3,8 @@
 use super::plan::StudyPlan;
 use super::results::StudyResults;
 use super::state::{RunState, StudyRow};
-use crate::OutputError;
 use crate::csv::{Rows, Table, column_names, header_of, table, whole};
+use crate::error::OutputError;
 use railcrack::growth::RunStop;
 
 table! {
@@ -157,7 +157,7 @@ impl StudyResults {
         Ok([header.as_bytes(), rows.text(StudySummaryRow::FILE)?].concat())
     }
 
-    pub(super) fn times(&self) -> Result<Vec<u8>, OutputError> {
+    pub(crate) fn times(&self) -> Result<Vec<u8>, OutputError> {
         whole(self.rows.iter().map(TimesRow::from))
     }
 }

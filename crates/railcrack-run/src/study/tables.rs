@@ -5,8 +5,8 @@ use super::folder::StudyFolder;
 
 use super::results::StudyResults;
 use super::table::StudySummaryRow;
-use crate::OutputError;
 use crate::csv::{Column, SifRow, Table, TipRow, column_names};
+use crate::error::OutputError;
 use crate::parquet::{ColumnKind, ParquetFile};
 use railcrack_case::{Kind, SECTIONS};
 
@@ -20,7 +20,7 @@ pub const SIF_TABLE: &str = "sif.parquet";
 impl StudyFolder {
     /// Writes the tables of all runs. Those of K have the stabilised passages of the steps whose K
     /// is kept.
-    pub(super) fn write_tables(&self, results: &StudyResults) -> Result<(), OutputError> {
+    pub(crate) fn write_tables(&self, results: &StudyResults) -> Result<(), OutputError> {
         let (columns, text) = self.runs_table(results)?;
         let mut runs = ParquetFile::new(columns);
         append(&mut runs, &[], &text);

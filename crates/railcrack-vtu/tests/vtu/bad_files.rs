@@ -1,5 +1,4 @@
-//! Files that are wrong: an error that names the file, the part and what is wrong with it, and no
-//! panic.
+//! Invalid files: errors that name the file, the part and the fault, without a panic.
 
 use super::{grid_of_every_shape, scratch};
 use railcrack_vtu::{read_vtu, write_vtu};
@@ -37,7 +36,7 @@ fn errors_name_the_part_and_what_is_wrong() {
         ("0 0 0 1 0 0 0 -1 0", "0 0 0 1 0 0 0 -1", "array `points`: holds 8 numbers, not 9"),
         ("0 0 0 1 0 0 0 -1 0", "0 0 0 1 0 0.5 0 -1 0", "point 1 (from 0) is at z = 0.5"),
         ("0 0 0 1 0 0 0 -1 0", "0 0 0 1 nan 0 0 -1 0", "`points` is NaN at entry 1"),
-        (">0 1 2<", ">0 1 3<", "names point 3"),
+        (">0 1 2<", ">0 1 3<", "refers to point 3"),
         (">0 1 2<", ">0 1 -2<", "-2.0 is not an index of a grid"),
         (">5<", ">12<", "cell 0 (from 0) is of type 12 with 3 nodes: points (type 1)"),
         (">5<", ">9<", "of type 9 with 3 nodes"),
@@ -85,7 +84,7 @@ fn a_file_cut_anywhere_is_an_error() {
     for file in files {
         let bytes = std::fs::read(&file).unwrap();
         let end = bytes.windows(9).rposition(|window| window == b"</VTKFile").unwrap();
-        // What follows appended data is markup that nobody reads.
+        // The markup after the appended data is not read.
         let markup = bytes.windows(15).rposition(|window| window == b"</AppendedData>").unwrap_or(end);
         for at in (0..markup.saturating_sub(8)).step_by(37) {
             message(&folder.join("bad.vtu"), &bytes[..at]);

@@ -1,7 +1,7 @@
-//! Damaged files: an answer, whatever their bytes are.
+//! Damaged files: a result or an error for any bytes.
 //!
-//! The damage follows a seed, so that a failure can be made again; `RAILCRACK_MUTATIONS` sets how
-//! many files are tried.
+//! The damage follows a seed, so that a failure can be reproduced; `RAILCRACK_MUTATIONS` sets the
+//! number of files.
 
 use super::grid_of_every_shape;
 use super::random::Random;
@@ -9,13 +9,13 @@ use railcrack_vtu::{read_vtu_bytes, vtu_text};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// Files, unless the environment says otherwise: about a second.
+/// Default number of files, which takes about a second.
 const FILES: u64 = 2000;
 
-/// Time for one file, on a machine that is busy.
+/// Time limit for one file on a busy machine.
 const BUDGET: Duration = Duration::from_secs(5);
 
-/// Pieces that are put in anywhere: counts, kinds and markup that other files have.
+/// Fragments that are inserted anywhere: counts, types and markup of other files.
 const PIECES: &[&[u8]] = &[
     b"18446744073709551615",
     b"-1",

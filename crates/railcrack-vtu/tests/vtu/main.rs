@@ -13,8 +13,8 @@ use railcrack::math::{Stress, Vec2};
 use railcrack::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
 use std::path::{Path, PathBuf};
 
-/// Every shape once, twice where a block of several cells could go wrong, with data that tells
-/// entries and components apart.
+/// Every shape once, twice where a block of several cells could go wrong, with data that
+/// distinguish entries and components.
 fn grid_of_every_shape() -> UnstructuredGrid {
     let points: Vec<Vec2> =
         (0..9).map(|i| Vec2::new(f64::from(i % 3) / 3.0, -f64::from(i / 3) - 0.1)).collect();

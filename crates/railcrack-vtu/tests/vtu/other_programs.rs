@@ -1,4 +1,4 @@
-//! Files of VTK and meshio read by us, and ours read by meshio.
+//! Files of VTK and meshio read by railcrack, and files of railcrack read by meshio.
 
 use super::meshio::read_back;
 use super::{grid_of_every_shape, scratch};
@@ -71,10 +71,10 @@ fn meshio_reads_what_we_write() {
     for array in &grid.point_data {
         assert_eq!(read["point_data"][&array.name], as_meshio(array, 0..9), "{}", array.name);
     }
-    // Of cell data, meshio makes an array for each block.
+    // meshio splits cell data into one array per block.
     let mut begin = 0;
     for (i, block) in grid.cells.iter().enumerate() {
-        let cells = begin..begin + block.len();
+        let cells = begin..begin + block.cell_count();
         for array in &grid.cell_data {
             assert_eq!(read["cell_data"][&array.name][i], as_meshio(array, cells.clone()), "{}", array.name);
         }

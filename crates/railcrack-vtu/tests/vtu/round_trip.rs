@@ -1,4 +1,4 @@
-//! Round trips: files are read back to the bit, and an inconsistent grid is not written.
+//! Round trips with identical bits, and rejection of inconsistent grids on writing.
 
 use super::{grid_of_every_shape, scratch};
 use railcrack::math::{Stress, Vec2};
@@ -9,10 +9,10 @@ use railcrack_vtu::{Snapshot, VtuError, read_vtu, write_pvd, write_vtu};
 fn every_shape_and_every_bit_comes_back() {
     let path = scratch("round-trip").join("grid.vtu");
     let grid = grid_of_every_shape();
-    assert_eq!((grid.cell_count(), grid.cells[2].len()), (12, 2));
+    assert_eq!((grid.cell_count(), grid.cells[2].cell_count()), (12, 2));
     write_vtu(&path, &grid).unwrap();
     assert_eq!(read_vtu(&path).unwrap(), grid);
-    // The bits and not only the values.
+    // Compares bits, not only values.
     let zeros = UnstructuredGrid {
         points: vec![Vec2::new(-0.0, 5e-324)],
         point_data: vec![Array::scalars("x", vec![-0.0])],

@@ -1,12 +1,12 @@
-//! A of many cracks, crack by crack.
+//! A of many cracks in blocks between units of cracks.
 
 use super::{FaceMesh, FacePoint, FaceSample};
 use crate::crack::CrackTip;
 use crate::math::{Matrix, axpy};
 
 /// A of many cracks. Cracks that have joined each other are one unit, every other crack is a unit
-/// of its own; units follow each other along the rail. A is stored between units that are near to
-/// each other, and expanded between others.
+/// of its own; units are ordered along the rail. Blocks of A between units that are near to each
+/// other are stored, all others are expansions.
 ///
 /// Component 2 i of a unit is the slip of its point i, 2 i + 1 the opening.
 #[derive(Debug, Clone)]
@@ -19,7 +19,7 @@ pub struct BlockStiffness {
     pub near: Vec<Vec<(usize, Matrix)>>,
     /// A between all other units.
     pub far: FarStiffness,
-    /// How K of each tip follows from the jumps.
+    /// K of each tip in terms of the jumps.
     pub tips: Vec<TipGain>,
 }
 
@@ -31,13 +31,13 @@ pub struct TipGain {
 }
 
 impl TipGain {
-    /// K_I = `gain` × opening, K_II = `gain` × slip at `point`, that next to the tip.
-    pub fn at(point: usize, gain: f64) -> Self {
+    /// K_I = `gain` × opening and K_II = `gain` × slip at the face point `point` next to the tip.
+    pub(crate) fn at(point: usize, gain: f64) -> Self {
         Self { points: vec![(point, [[0.0, gain], [gain, 0.0]])] }
     }
 
     /// S of tips with these `gains` for faces of C = `compliance`, mm^(−1/2).
-    pub fn sif_influence(gains: &[Self], compliance: &Matrix) -> Matrix {
+    pub(crate) fn sif_influence(gains: &[Self], compliance: &Matrix) -> Matrix {
         let mut influence = Matrix::zeros(2 * gains.len(), compliance.columns());
         for (tip, Self { points }) in gains.iter().enumerate() {
             for (point, gains) in points {
@@ -69,9 +69,9 @@ pub struct FarStiffness {
     pub error: f64,
 }
 
-/// Some of the units of a row, as a body of their own.
+/// Some units of a row as a separate body.
 #[derive(Debug, Clone)]
-pub struct RowPart {
+pub(crate) struct RowPart {
     /// The faces: points, and cracks counted from 0 among those of the part.
     pub faces: FaceMesh,
     /// The tips, their cracks counted likewise.
@@ -80,7 +80,7 @@ pub struct RowPart {
     pub gains: Vec<TipGain>,
     /// A, N/mm per mm.
     pub stiffness: Matrix,
-    /// The number in the row of each point, crack and tip.
+    /// Index in the whole row of each face point of the part.
     pub points: Vec<usize>,
     /// See `points`.
     pub cracks: Vec<usize>,
@@ -90,18 +90,18 @@ pub struct RowPart {
 
 impl BlockStiffness {
     /// Number of components of unit `k`.
-    pub fn components(&self, k: usize) -> usize {
+    pub(crate) fn components(&self, k: usize) -> usize {
         2 * self.units[k].len()
     }
 
-    /// A between unit `k` and unit `l`, where they are near to each other.
-    pub fn near_block(&self, k: usize, l: usize) -> Option<&Matrix> {
+    /// The block of A between units `k` and `l`, if they are near to each other.
+    pub(crate) fn near_block(&self, k: usize, l: usize) -> Option<&Matrix> {
         self.near[k].iter().find(|(other, _)| *other == l).map(|(_, block)| block)
     }
 
-    /// The units `members`, all near to each other, of the row with these `faces` and `tips`; what
-    /// is not near is left out.
-    pub fn part(&self, faces: &FaceMesh, tips: &[CrackTip], members: &[usize]) -> RowPart {
+    /// The units `members` of the row with these `faces` and `tips`, all near to each other;
+    /// expanded blocks are left out.
+    pub(crate) fn part(&self, faces: &FaceMesh, tips: &[CrackTip], members: &[usize]) -> RowPart {
         let points: Vec<usize> = members.iter().flat_map(|&k| self.units[k].iter().copied()).collect();
         let mut place = vec![None; faces.points.len()];
         points.iter().enumerate().for_each(|(own, &all)| place[all] = Some(own));

@@ -1,12 +1,12 @@
-//! Jumps along the cracks that are linear in the parameter g of their walk.
+//! Elements along the cracks, on which the jump is linear in the parameter g of the crack curve.
 
 use super::{FaceMesh, FacePoint, FaceSample};
-use crate::crack::{End, Walk};
+use crate::crack::{CrackCurve, End};
 use crate::math::{Vec2, gauss_legendre};
 
-/// A straight part of an element: between two nodes or kinks.
+/// A straight part of an element, between two nodes or kinks.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FacePiece {
+pub(crate) struct FacePiece {
     /// Index of its crack in the network, from 0.
     pub crack: usize,
     /// Index of the straight segment of the crack, from 0.
@@ -17,13 +17,13 @@ pub struct FacePiece {
     pub ends: (Vec2, Vec2),
 }
 
-/// A part of the faces between two neighbouring nodes; `ends` are its face points, none at a tip.
-/// Jumps are linear in g on it.
+/// An element of the faces between two neighbouring nodes, on which jumps are linear in g. `ends`
+/// are its face points; there is none at a tip.
 #[derive(Debug, Clone)]
-pub struct FaceElement {
+pub(crate) struct FaceElement {
     /// Index of its crack in the network, from 0.
     pub crack: usize,
-    /// Range of the parameter g of its crack's [`Walk`].
+    /// Range of the parameter g of its crack's [`CrackCurve`].
     pub range: (f64, f64),
     /// Face points at its two ends.
     pub ends: [Option<usize>; 2],
@@ -31,49 +31,52 @@ pub struct FaceElement {
     pub pieces: Vec<FacePiece>,
 }
 
-/// The elements of all cracks and their face points: every node but the tips. `nodes` are the
-/// values of g, ends included, for each walk; a value that is there twice is a vertex at which the
+/// The elements of all cracks and their face points, which are all nodes except the tips. `nodes`
+/// are the values of g, ends included, for each curve; a repeated value is a vertex at which the
 /// jump may change abruptly, with a face point on each side.
-pub fn discretise(walks: &[Walk], nodes: &[Vec<f64>]) -> (Vec<FaceElement>, FaceMesh) {
+pub(crate) fn discretise(curves: &[CrackCurve], nodes: &[Vec<f64>]) -> (Vec<FaceElement>, FaceMesh) {
     let mut elements = Vec::new();
     let mut faces = FaceMesh::default();
-    for (crack, (walk, nodes)) in walks.iter().zip(nodes).enumerate() {
-        let vertices = walk.vertices();
+    for (crack, (curve, nodes)) in curves.iter().zip(nodes).enumerate() {
+        let vertices = curve.vertices();
         let last = nodes.len() - 1;
         let has_point =
-            |i: usize| !(i == 0 && walk.has_tip(End::First) || i == last && walk.has_tip(End::Last));
+            |i: usize| !(i == 0 && curve.has_tip(End::First) || i == last && curve.has_tip(End::Last));
         let mut previous = None;
         for (i, &g) in nodes.iter().enumerate() {
             let breaks = i > 0 && nodes[i - 1] == g;
             let point = has_point(i).then(|| {
-                let segment = walk.segment_at(g, &vertices) + usize::from(breaks);
-                let tangent = walk.tangent(segment);
-                // The mouth is where the crack says, free of round-off.
-                let (s, position) =
-                    if i == 0 { (0.0, walk.first_point()) } else { (walk.s(g), walk.position(segment, g)) };
+                let segment = curve.segment_at(g, &vertices) + usize::from(breaks);
+                let tangent = curve.tangent(segment);
+                // The mouth is taken from the crack, to keep it free of round-off.
+                let (s, position) = if i == 0 {
+                    (0.0, curve.first_point())
+                } else {
+                    (curve.s(g), curve.position(segment, g))
+                };
                 faces.points.push(FacePoint { crack, segment, s, position, tangent, weight: 0.0 });
                 faces.points.len() - 1
             });
             if i > 0 && !breaks {
                 let range = (nodes[i - 1], g);
-                let pieces = pieces(walk, crack, range, &vertices);
+                let pieces = pieces(curve, crack, range, &vertices);
                 elements.push(FaceElement { crack, range, ends: [previous, point], pieces });
             }
             previous = point;
         }
     }
-    sample_faces(walks, &elements, &mut faces);
+    sample_faces(curves, &elements, &mut faces);
     (elements, faces)
 }
 
-fn pieces(walk: &Walk, crack: usize, range: (f64, f64), vertices: &[f64]) -> Vec<FacePiece> {
+fn pieces(curve: &CrackCurve, crack: usize, range: (f64, f64), vertices: &[f64]) -> Vec<FacePiece> {
     let mut cuts = vec![range.0];
     cuts.extend(vertices.iter().copied().filter(|&v| v > range.0 && v < range.1));
     cuts.push(range.1);
     cuts.windows(2)
         .map(|cut| {
-            let segment = walk.segment_at(0.5 * (cut[0] + cut[1]), vertices);
-            let ends = (walk.position(segment, cut[0]), walk.position(segment, cut[1]));
+            let segment = curve.segment_at(0.5 * (cut[0] + cut[1]), vertices);
+            let ends = (curve.position(segment, cut[0]), curve.position(segment, cut[1]));
             FacePiece { crack, segment, range: (cut[0], cut[1]), ends }
         })
         .collect()
@@ -83,15 +86,15 @@ fn pieces(walk: &Walk, crack: usize, range: (f64, f64), vertices: &[f64]) -> Vec
 /// polynomials.
 const FACE_POINTS: usize = 3;
 
-fn sample_faces(walks: &[Walk], elements: &[FaceElement], faces: &mut FaceMesh) {
+fn sample_faces(curves: &[CrackCurve], elements: &[FaceElement], faces: &mut FaceMesh) {
     let rule = gauss_legendre(FACE_POINTS);
     for element in elements {
-        let walk = &walks[element.crack];
+        let curve = &curves[element.crack];
         for piece in &element.pieces {
             let width = piece.range.1 - piece.range.0;
             for &(t, w) in &rule {
                 let g = piece.range.0 + t * width;
-                let length = w * width * walk.ds(g);
+                let length = w * width * curve.ds(g);
                 let towards_end = (g - element.range.0) / (element.range.1 - element.range.0);
                 let shares = [(element.ends[0], 1.0 - towards_end), (element.ends[1], towards_end)];
                 let shares =
@@ -99,8 +102,8 @@ fn sample_faces(walks: &[Walk], elements: &[FaceElement], faces: &mut FaceMesh) 
                 for (point, length) in shares {
                     faces.points[point].weight += length;
                 }
-                let normal = walk.tangent(piece.segment).left();
-                faces.samples.push(FaceSample { point: walk.position(piece.segment, g), normal, shares });
+                let normal = curve.tangent(piece.segment).left();
+                faces.samples.push(FaceSample { point: curve.position(piece.segment, g), normal, shares });
             }
         }
     }

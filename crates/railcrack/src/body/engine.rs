@@ -14,8 +14,7 @@ pub trait BodyEngine {
     }
 
     /// The body with `network` of cracks, given up within a second of an `interruption`. An engine
-    /// may keep what it computed for the next call, but only so that the results are the same bits
-    /// without.
+    /// may reuse results of earlier calls, provided that the body has the same bits without them.
     ///
     /// Errors: cracks that the engine cannot represent; an interruption
     /// ([`BodyError::is_interruption`]).
@@ -25,8 +24,8 @@ pub trait BodyEngine {
         network: &CrackNetwork,
     ) -> Result<CrackedBody, BodyError>;
 
-    /// The body with A by groups of neighbouring cracks, for networks whose matrices are too large;
-    /// none where the engine does not make such bodies.
+    /// The body with A in blocks, for networks whose full matrices are too large; none where the
+    /// engine does not support such bodies.
     ///
     /// Errors: as [`BodyEngine::body_unless`].
     fn body_by_groups(
@@ -37,8 +36,7 @@ pub trait BodyEngine {
         Ok(None)
     }
 
-    /// Forgets what it keeps for the next call alone: where the last body is made, its memory
-    /// serves what is done with it.
+    /// Frees the memory that the engine keeps for its next call, once the last body has been made.
     fn forget(&mut self) {}
     /// The smallest distance (mm) between a tip and the surface or another crack that is still
     /// resolved.

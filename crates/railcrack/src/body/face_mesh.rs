@@ -11,37 +11,37 @@ pub struct FacePoint {
     pub segment: usize,
     /// Arc length from the crack's first point, mm.
     pub s: f64,
-    /// Where, mm.
+    /// Position, mm.
     pub position: Vec2,
-    /// x1, along the walk; x2 is x1 turned by +90°.
+    /// x1, along the curve; x2 is x1 turned by +90°.
     pub tangent: Vec2,
-    /// Length of face that the point stands for: nodal force / weight = traction, mm.
+    /// Length of face that belongs to the point, mm: nodal force / weight = traction.
     pub weight: f64,
 }
 
 /// A quadrature point of the faces, for the nodal forces of a stress field.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FaceSample {
-    /// Where, mm.
+    /// Position, mm.
     pub point: Vec2,
-    /// x2 of the face there: the traction taken over is σ·x2.
+    /// x2 of the face at this point; the traction is σ·x2.
     pub normal: Vec2,
-    /// Face points that share the traction, with the length (mm) each takes of it; a point without
-    /// share has 0.
+    /// Face points that share the traction, each with its share (mm of face length); 0 for a point
+    /// without a share.
     pub shares: [(usize, f64); 2],
 }
 
 /// The face points and the quadrature between them.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FaceMesh {
-    /// The face points, crack by crack along the walk.
+    /// The face points, crack by crack along the curve.
     pub points: Vec<FacePoint>,
     /// The quadrature points.
     pub samples: Vec<FaceSample>,
 }
 
 impl FaceMesh {
-    /// Nodal forces on the + faces, N/mm, of removing a transmitted stress σ: ∫ φ_j σ·x2 ds in the
+    /// Nodal forces on the + faces, N/mm, that remove a transmitted stress σ: ∫ φ_j σ·x2 ds in the
     /// frame of point j, `[2 j]` along x1, `[2 j + 1]` along x2. `stress` gives σ (MPa) at a point
     /// (mm).
     #[must_use]
@@ -52,7 +52,7 @@ impl FaceMesh {
     /// [`FaceMesh::nodal_forces`] of a stress that is known by the index of the sample, from 0.
     #[must_use]
     pub fn nodal_forces_of_samples(&self, stress: impl Fn(usize, Vec2) -> Stress) -> Vec<f64> {
-        // In x and y first: a point has one frame for all of its shares.
+        // Summed in x and y first, because a point has one frame for all of its shares.
         let mut forces = vec![0.0; 2 * self.points.len()];
         for (k, sample) in self.samples.iter().enumerate() {
             let traction = stress(k, sample.point).traction(sample.normal);

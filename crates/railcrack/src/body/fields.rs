@@ -3,16 +3,16 @@
 use crate::field::Wheel;
 use crate::math::{Stress, Vec2};
 
-/// Cells around the cracks. No cell crosses a crack: cells on both sides of one have points of
-/// their own, at the same places.
+/// Cells around the cracks. No cell crosses a crack: cells on the two sides of a crack have
+/// separate points at the same positions.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FieldGrid {
     /// Points, mm.
     pub points: Vec<Vec2>,
-    /// Where the stress of each point is taken, mm: at the point, but where it is infinite there a
-    /// little inside of the cell.
+    /// Where the stress of each point is evaluated, mm: at the point itself, or slightly inside the
+    /// cell where the stress at the point is infinite.
     pub inside: Vec<Vec2>,
-    /// Quadratic rectangles: corners counter-clockwise, then the middles of the sides, the first
+    /// Quadratic rectangles: corners counter-clockwise, then the midpoints of the sides, the first
     /// between the first two corners.
     pub quads: Vec<[usize; 8]>,
     /// Triangles, counter-clockwise.
@@ -24,25 +24,24 @@ pub struct FieldGrid {
 /// A straight piece of a crack face.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FieldLine {
-    /// Which face.
+    /// The face that it belongs to.
     pub face: Face,
-    /// Points at its ends, along the walk.
+    /// Points at its ends, along the curve.
     pub ends: [usize; 2],
-    /// At each end, face points of the body with the shares of their tractions that make the
-    /// traction there.
+    /// For each end, face points of the body and their weights in the traction at that end.
     pub tractions: [[(usize, f64); 2]; 2],
 }
 
 /// A face of a crack; x2 points from − to +.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Face {
-    /// The one on the x2 side.
+    /// The face on the x2 side.
     Plus,
-    /// The other one.
+    /// The face on the opposite side.
     Minus,
 }
 
-/// The load on a body whose field is wanted.
+/// The load for which the field of a body is computed.
 #[derive(Clone, Copy)]
 pub struct FieldLoad<'a> {
     /// Nodal forces on the + faces, N/mm, 2p.
@@ -63,7 +62,7 @@ pub struct PointField {
 /// The fields of a body under several loads.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BodyFields {
-    /// Where they are known.
+    /// The points and cells on which they are given.
     pub grid: FieldGrid,
     /// One field per load.
     pub loads: Vec<PointField>,

@@ -9,7 +9,8 @@ mod face_mesh;
 mod fields;
 mod thin_flap;
 
-pub use blocks::{BlockStiffness, FarStiffness, RowPart, TipGain};
+pub(crate) use blocks::RowPart;
+pub use blocks::{BlockStiffness, FarStiffness, TipGain};
 pub use cracked::{BodyTimes, CrackedBody, FieldSolver};
 pub(crate) use elements::{FaceElement, FacePiece, discretise};
 pub use engine::BodyEngine;

@@ -1,4 +1,4 @@
-//! Cracks below flaps that the elements do not resolve.
+//! Cracks below flaps that are too thin for the elements.
 
 use crate::crack::{Crack, CrackNetwork};
 
@@ -6,9 +6,9 @@ use crate::crack::{Crack, CrackNetwork};
 /// be resolved: that of 1.5°.
 const THIN: f64 = 0.026;
 
-/// Remarks on the cracks of `network` below such flaps, of an engine whose K is known to
-/// `per_cent` of the peak at 1° and which resolves them after `remedy`.
-pub fn thin_flaps(network: &CrackNetwork, per_cent: u32, remedy: &str) -> Vec<String> {
+/// Remarks on the cracks of `network` below such flaps. `per_cent` is the error of K of the engine
+/// at 1°, in % of the peak; `remedy` names the change that resolves the flap.
+pub(crate) fn thin_flaps(network: &CrackNetwork, per_cent: u32, remedy: &str) -> Vec<String> {
     let cracks = network.cracks().iter().enumerate();
     let thin = cracks.filter(|(_, c)| c.is_surface_breaking() && c.depth() < THIN * c.length());
     let remark = |(i, crack): (usize, &Crack)| {

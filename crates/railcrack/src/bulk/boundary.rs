@@ -8,8 +8,8 @@ use crate::words::{Choice, Word};
 pub enum BottomSupport {
     /// No displacement.
     Clamped,
-    /// No vertical displacement. If nothing else restrains the block along x, the node nearest to
-    /// the middle of the bottom is held.
+    /// No vertical displacement. If no other support restrains the block along x, the node nearest
+    /// to the middle of the bottom is fixed.
     Rollers,
 }
 
@@ -42,7 +42,7 @@ impl Choice for SideSupport {
 /// The boundary of the meshed rail; its top is always free.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Boundary {
-    /// A half-plane: the mesh ends far away, where it is held on all sides but the top.
+    /// A half-plane. The mesh ends far away, where all its sides except the top are held.
     HalfPlane,
     /// A block.
     Block {
@@ -57,7 +57,7 @@ const fn block(bottom: BottomSupport, sides: SideSupport) -> Boundary {
     Boundary::Block { bottom, sides }
 }
 
-/// With the supports of a block.
+/// The boundary of a block with these supports.
 impl Choice for Boundary {
     const WORDS: &'static [(Self, Word)] = {
         use {BottomSupport as Bottom, SideSupport as Sides};
@@ -114,7 +114,7 @@ impl Boundary {
         }
     }
 
-    /// The freedom of every node along x and y: a corner is held by both of its sides.
+    /// The freedom of every node along x and y: a corner is held by each of its two sides.
     pub(super) fn nodes(self, mesh: &QuadMesh) -> Vec<[Freedom; 2]> {
         let last = 2 * mesh.columns();
         let mut nodes = vec![[Free, Free]; mesh.node_count()];

@@ -15,7 +15,7 @@ pub trait ElasticField {
     /// Displacement (mm) at a point (mm), up to a rigid motion.
     fn displacement(&self, point: Vec2) -> Vec2;
 
-    /// Distance (mm) from a point to the nearest singularity of the field: it sets how finely
+    /// Distance (mm) from a point to the nearest singularity of the field: it determines how finely
     /// tractions near the point are integrated.
     fn smooth_within(&self, point: Vec2) -> f64;
 }
@@ -24,15 +24,16 @@ pub trait ElasticField {
 /// the tractions: the error falls like 5.8^(−2n), so 1e-12.
 const GAUSS_POINTS: usize = 8;
 
-/// Most halvings of a side of an element: pieces of 1e-9 of it carry nothing.
+/// Largest number of halvings of a side of an element; pieces of 1e-9 of a side carry no
+/// significant force.
 const HALVINGS: u32 = 30;
 
 impl BulkRail {
     /// The displacements (mm, node by node) that cancel each of `fields` at the boundary of the
-    /// mesh: opposite displacements where it is held, opposite tractions where it is free, nothing
-    /// on the top.
+    /// mesh: opposite displacements where it is held, opposite tractions where it is free, and no
+    /// change on the top.
     ///
-    /// Errors: none but those of the linear algebra.
+    /// Errors: those of the linear algebra.
     pub fn cancel(&self, fields: &[&dyn ElasticField]) -> Result<Vec<Vec<Vec2>>, BulkError> {
         let order = self.order();
         let mut columns = Vec::with_capacity(order * fields.len());

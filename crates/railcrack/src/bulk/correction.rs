@@ -1,4 +1,4 @@
-//! Effect of the ends of a block on the stress under the wheel.
+//! Corrections of the half-plane stress under a wheel for the ends of a block.
 
 use super::boundary::Boundary;
 use super::cancel::ElasticField;
@@ -15,18 +15,19 @@ use std::sync::Arc;
 ///
 /// The ends are far from the wheel, so the field is smooth and coarse elements suffice. It depends
 /// on the wheel position x_c through its data on the ends, which are analytic in x_c: it is solved
-/// at Chebyshev points and interpolated between them, to [`BlockCorrection::TOLERANCE`]. Nothing is
-/// solved per wheel position.
+/// at Chebyshev points and interpolated between them, to [`BlockCorrection::TOLERANCE`]. No further
+/// wheel position needs a solution.
 #[derive(Debug, Clone)]
 pub struct BlockCorrection {
     rail: Arc<BulkRail>,
     range: RangeInclusive<f64>,
-    positions: Vec<f64>,
-    /// Position by position, node by node.
+    /// Wheel positions for which the correction was solved, mm.
+    pub(super) positions: Vec<f64>,
+    /// mm, position by position, node by node.
     displacements: Vec<Vec<Vec2>>,
 }
 
-/// The field of the half-plane with the wheel at one place.
+/// The field of the half-plane with the wheel at one position.
 struct Under<'a> {
     wheel: &'a dyn Wheel,
     xc: f64,
@@ -48,10 +49,10 @@ impl ElasticField for Under<'_> {
 
 impl BlockCorrection {
     /// Error of the interpolation between wheel positions, relative to the largest value of the
-    /// correction: far below that of the mesh.
+    /// correction; far below the error of the mesh.
     pub const TOLERANCE: f64 = 1e-8;
 
-    /// Largest number of positions solved.
+    /// Largest number of wheel positions with a solution.
     const MOST_POSITIONS: usize = 200;
 
     /// The correction of `rail` for a `wheel` anywhere in `range` (mm).
@@ -82,15 +83,10 @@ impl BlockCorrection {
         Ok(Self { rail: Arc::clone(rail), range, positions, displacements })
     }
 
-    /// Wheel positions for which the correction was solved, mm.
-    pub fn positions(&self) -> &[f64] {
-        &self.positions
-    }
-
     /// The displacements (mm, node by node) of the correction for the wheel at `xc` (mm).
     ///
-    /// Errors: a position outside of the range.
-    pub fn displacements(&self, xc: f64) -> Result<Vec<Vec2>, BulkError> {
+    /// Errors: a position outside the range.
+    pub(crate) fn displacements(&self, xc: f64) -> Result<Vec<Vec2>, BulkError> {
         let weights = weights(&self.positions, &self.range, xc)?;
         let mut sum = vec![Vec2::default(); self.rail.mesh().node_count()];
         for (weight, displacements) in weights.into_iter().zip(&self.displacements) {
@@ -101,7 +97,7 @@ impl BlockCorrection {
 
     /// The correction prepared for many wheel positions at fixed `points` (mm).
     ///
-    /// Errors: a point outside of the mesh.
+    /// Errors: a point outside the mesh.
     pub fn at(&self, points: &[Vec2]) -> Result<CorrectionAtPoints, BulkError> {
         let stress = StressAtPoints::new(&self.rail, points)?;
         let by_position: Vec<Vec<Stress>> = self.displacements.iter().map(|u| stress.stress(u)).collect();
@@ -140,7 +136,7 @@ impl From<BulkError> for EndsError {
     }
 }
 
-/// How many positions interpolate the correction.
+/// The number of positions that interpolate the correction to the tolerance.
 fn positions_needed(
     rail: &BulkRail,
     wheel: &dyn Wheel,
@@ -151,9 +147,10 @@ fn positions_needed(
     let edges = wheel.edges();
     let from = range.start() + edges.first().unwrap_or(&0.0);
     let to = range.end() + edges.last().unwrap_or(&0.0);
-    // As seen from a place on the ends of the block, the potential has its branch points where an
-    // edge of the contact would meet that place or its mirror image above the surface: a top corner
-    // is the first of the sides, and the bottom lies at its depth beside the range.
+    // At a point on the ends of the block, the potential as a function of x_c has branch points
+    // where an edge of the contact would coincide with that point or its mirror image above the
+    // surface. The nearest branch points of the sides belong to the top corners; those of the
+    // bottom lie at its depth from the real axis.
     let half = 0.5 * (range.end() - range.start());
     let depth = -rail.mesh().y_lines()[0];
     let needed = |gap: f64| {
@@ -187,35 +184,27 @@ fn weights(positions: &[f64], range: &RangeInclusive<f64>, xc: f64) -> Result<Ve
     Ok(chebyshev::weights(positions, xc))
 }
 
-/// The stress of the correction at fixed points, for any wheel position of its range.
+/// Stress of the correction at fixed points for any wheel position of its range.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CorrectionAtPoints {
     range: RangeInclusive<f64>,
     positions: Vec<f64>,
-    /// Point by point, position by position.
+    /// MPa, point by point, position by position.
     stresses: Vec<Stress>,
 }
 
 impl CorrectionAtPoints {
-    /// The wheel at `xc` (mm).
+    /// The correction for the wheel at `xc` (mm).
     ///
-    /// Errors: a position outside of the range.
+    /// Errors: a position outside the range.
     pub fn wheel_at(&self, xc: f64) -> Result<WheelAt<'_>, BulkError> {
         Ok(WheelAt { points: self, weights: weights(&self.positions, &self.range, xc)? })
     }
 
-    /// The wheel at the position of the range that is nearest to `xc` (mm).
-    pub fn wheel_nearest(&self, xc: f64) -> WheelAt<'_> {
+    /// The correction for the wheel at the position of the range nearest to `xc` (mm).
+    pub(crate) fn wheel_nearest(&self, xc: f64) -> WheelAt<'_> {
         let inside = xc.clamp(*self.range.start(), *self.range.end());
         WheelAt { points: self, weights: chebyshev::weights(&self.positions, inside) }
-    }
-
-    /// The stress (MPa) of the correction at point `k` (from 0) for the wheel at `xc` (mm):
-    /// [`WheelAt::stress`] for one point.
-    ///
-    /// Errors: a position outside of the range.
-    pub fn stress(&self, k: usize, xc: f64) -> Result<Stress, BulkError> {
-        Ok(self.wheel_at(xc)?.stress(k))
     }
 }
 

@@ -19,9 +19,9 @@ fn rolling() -> HertzWheel {
     HertzWheel::new(&CONTACT, &steel()).unwrap()
 }
 
-struct Under(f64);
+struct HertzUnder(f64);
 
-impl ElasticField for Under {
+impl ElasticField for HertzUnder {
     fn stress(&self, point: Vec2) -> Stress {
         HertzField::new(&CONTACT, steel().poisson()).stress(point, self.0)
     }
@@ -54,7 +54,7 @@ fn the_clamped_bottom_carries_the_wheel() {
     for xc in [-60.0, 0.0, 140.0] {
         let rail = BulkRail::new(block(12), &steel(), CLAMPED).unwrap();
         let mesh = rail.mesh();
-        let field = Under(xc);
+        let field = HertzUnder(xc);
         let displacements = rail.cancel(&[&field]).unwrap().remove(0);
         let rule = gauss_legendre(8);
         let stiffness = RectangleStiffness::new(&steel());
@@ -67,7 +67,7 @@ fn the_clamped_bottom_carries_the_wheel() {
                 element.nodes.iter().flat_map(|&n| [displacements[n].x, displacements[n].y]).collect();
             let inside = stiffness.matrix(element.size()).times(&u);
             for node in Edge::Bottom.nodes() {
-                // A node between two elements takes part of its force from each.
+                // A node between two elements receives part of its force from each.
                 reaction = reaction + Vec2::new(inside[2 * node], inside[2 * node + 1]);
             }
             for part in rail.tractions(e, Edge::Bottom, &field, &rule) {
@@ -97,7 +97,8 @@ fn cuts_through_the_block_are_in_equilibrium_and_free_sides_without_traction_in_
             (0..30).flat_map(|i| [-150.0, 150.0].map(|x| Vec2::new(x, -4.0 * f64::from(i)))).collect();
         let total = |points: &[Vec2]| -> Vec<Stress> {
             let there = correction.at(points).unwrap();
-            let stress = |(k, &p): (usize, &Vec2)| Under(xc).stress(p) + there.stress(k, xc).unwrap();
+            let stress =
+                |(k, &p): (usize, &Vec2)| HertzUnder(xc).stress(p) + there.wheel_at(xc).unwrap().stress(k);
             points.iter().enumerate().map(stress).collect()
         };
         let through = total(&cut).iter().zip(&rule).fold(Vec2::default(), |sum, (stress, (_, weight))| {
@@ -109,8 +110,7 @@ fn cuts_through_the_block_are_in_equilibrium_and_free_sides_without_traction_in_
     };
     let errors = [8, 16, 32, 64].map(errors);
     println!("cut and sides: {errors:?}");
-    // Third order inside, second beside the ends, where the stress is extrapolated from Gauss
-    // points.
+    // Third order inside, second near the ends, where the stress is extrapolated from Gauss points.
     for (k, (order, last)) in [(2.5, 1e-6), (2.0, 2e-4)].into_iter().enumerate() {
         let measured = (errors[0][k] / errors[3][k]).log2() / 3.0;
         assert!(measured > order && errors[3][k] < last, "{k}: {errors:?}, order {measured}");
@@ -136,15 +136,15 @@ fn interpolated_positions_are_as_accurate_as_solved_ones() {
             let (mut error, mut size) = (0.0_f64, 0.0_f64);
             for i in 0..=12 {
                 let xc = range.start() + (range.end() - range.start()) * f64::from(i) / 12.0;
-                let solved = rail.cancel(&[&Under(xc)]).unwrap().remove(0);
+                let solved = rail.cancel(&[&HertzUnder(xc)]).unwrap().remove(0);
                 let between = correction.displacements(xc).unwrap();
                 for (k, want) in stresses.stress(&solved).into_iter().enumerate() {
                     size = size.max(largest(want));
-                    error = error.max(largest(there.stress(k, xc).unwrap() - want));
+                    error = error.max(largest(there.wheel_at(xc).unwrap().stress(k) - want));
                     error = error.max(largest(stresses.stress(&between)[k] - want));
                 }
             }
-            let count = correction.positions().len();
+            let count = correction.positions.len();
             println!("{boundary:?}, {range:?}: {count} positions, error {:.1e}", error / size);
             assert!(
                 error < TOLERANCE * size,
@@ -154,25 +154,25 @@ fn interpolated_positions_are_as_accurate_as_solved_ones() {
     }
 }
 
-/// Spacing of lines: `fine` within `window` of `middle`, growing outwards by `ratio` up to
+/// Spacing of lines: `fine` within `half_width` of `middle`, growing outwards by `ratio` up to
 /// `coarsest` (all mm).
 #[derive(Clone, Copy)]
-struct Grading {
+struct LineSpacing {
     middle: f64,
-    window: f64,
+    half_width: f64,
     fine: f64,
     ratio: f64,
     coarsest: f64,
 }
 
-impl Grading {
+impl LineSpacing {
     fn lines(self, from: f64, to: f64) -> Vec<f64> {
         let outwards = |end: f64| {
             let (mut at, mut step, mut lines) = (0.0, self.fine, Vec::new());
             while at + 1.5 * step < end {
                 at += step;
                 lines.push(at);
-                if at >= self.window {
+                if at >= self.half_width {
                     step = self.coarsest.min(self.ratio * step);
                 }
             }
@@ -195,13 +195,14 @@ impl Grading {
 
 #[test]
 fn agrees_with_a_full_solution_of_the_block() {
-    // The wheel on the block itself: elements of a/9 under it, nothing of the half-plane's closed
-    // form. Relative to p0: the error of elements of a/9 at the edges of the contact, and of the
-    // coarse ones of the correction at the clamped corners.
+    // The wheel on the block itself: elements of a/9 under it, without the closed form of the
+    // half-plane. Relative to p0: the error of elements of a/9 at the edges of the contact, and of
+    // the coarse ones of the correction at the clamped corners.
     const TOLERANCE: f64 = 2e-4;
     let xc = 27.0;
     let a = CONTACT.half_width;
-    let grading = Grading { middle: xc, window: 12.0, fine: a / 9.0, ratio: 1.3, coarsest: f64::INFINITY };
+    let grading =
+        LineSpacing { middle: xc, half_width: 12.0, fine: a / 9.0, ratio: 1.3, coarsest: f64::INFINITY };
     let mesh = grading.block();
     let coarse = block(24);
     let points: Vec<Vec2> =
@@ -241,13 +242,14 @@ fn agrees_with_a_full_solution_of_the_block() {
         let mut moved = 0.0_f64;
         let mut worst = 0.0_f64;
         for (k, (&point, want)) in points.iter().zip(want).enumerate() {
-            let correction = there.stress(k, xc).unwrap();
+            let correction = there.wheel_at(xc).unwrap().stress(k);
             moved = moved.max(largest(correction));
-            worst = worst.max(largest(Under(xc).stress(point) + correction - want) / CONTACT.peak_pressure);
+            worst =
+                worst.max(largest(HertzUnder(xc).stress(point) + correction - want) / CONTACT.peak_pressure);
         }
         println!("{boundary:?}: corrections up to {moved:.1} MPa, difference / p0 {worst:.1e}");
         assert!(worst < TOLERANCE, "{boundary:?}: {worst:e}");
-        // The check is meaningful only if the ends have an effect.
+        // The comparison is meaningful only if the ends have an effect.
         assert!(moved > 50.0 * TOLERANCE * CONTACT.peak_pressure, "{boundary:?}: {moved}");
     }
 }
@@ -261,13 +263,13 @@ fn coarse_elements_suffice_away_from_the_cracks() {
     let points: Vec<Vec2> = (0..=8).map(|i| Vec2::new(0.7, -0.7) * f64::from(i)).collect();
     for boundary in blocks() {
         let stresses = [15.0, 7.5, 3.75].map(|coarsest| {
-            let grading = Grading { middle: 0.0, window: 6.0, fine: 0.5, ratio: 1.25, coarsest };
+            let grading = LineSpacing { middle: 0.0, half_width: 6.0, fine: 0.5, ratio: 1.25, coarsest };
             let rail = BulkRail::new(grading.block(), &steel(), boundary).unwrap();
             let there = BlockCorrection::new(&Arc::new(rail.clone()), &rolling(), -40.5..=40.5)
                 .unwrap()
                 .at(&points)
                 .unwrap();
-            let stress = |(i, k): (i32, usize)| there.stress(k, 4.0 * f64::from(i)).unwrap();
+            let stress = |(i, k): (i32, usize)| there.wheel_at(4.0 * f64::from(i)).unwrap().stress(k);
             let places = (-10..=10).flat_map(|i| (0..points.len()).map(move |k| (i, k)));
             places.map(stress).collect::<Vec<Stress>>()
         });
@@ -351,7 +353,7 @@ fn partial_slip_and_tables_are_interpolated_as_well() {
                     size = size.max(one.length());
                 }
             }
-            // The tolerance, and what the summation of a table leaves.
+            // The tolerance, and the error of the summation of a table.
             assert!(error < 2.0 * BlockCorrection::TOLERANCE * size, "{boundary:?}: {:e}", error / size);
         }
     }
@@ -364,5 +366,7 @@ fn bending_on_the_track_is_refused() {
     let wheel = BendingWheel::new(&track, &steel()).unwrap();
     let rail = Arc::new(BulkRail::new(block(8), &steel(), CLAMPED).unwrap());
     let refused = BlockCorrection::new(&rail, &wheel, -1.0..=1.0).unwrap_err();
-    assert!(refused.to_string().starts_with("bending of the rail on the track is no field of a half-plane"));
+    assert!(
+        refused.to_string().starts_with("bending of the rail on the track is not a field of the half-plane")
+    );
 }

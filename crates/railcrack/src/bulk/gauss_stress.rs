@@ -8,7 +8,7 @@ use crate::mesh::shape_functions;
 
 /// Stress recovery at fixed points of a mesh from nodal displacements, prepared for many fields.
 ///
-/// The stress is computed at the 2 × 2 Gauss points of the elements, where that of 8-node
+/// The stress is computed at the 2 × 2 Gauss points of the elements, where the stress of 8-node
 /// rectangles is superconvergent (Barlow, Int. J. Numer. Meth. Engng 10, 1976). On a grid these
 /// points lie on lines, along which cubic polynomials interpolate from the nearest four by four,
 /// and extrapolate to the surface.
@@ -23,7 +23,7 @@ pub struct StressAtPoints {
 impl StressAtPoints {
     /// Prepares `points` (mm) of the mesh of `rail`.
     ///
-    /// Errors: a point outside of the mesh.
+    /// Errors: a point outside the mesh.
     pub fn new(rail: &BulkRail, points: &[Vec2]) -> Result<Self, BulkError> {
         let mesh = rail.mesh();
         let (along_x, along_y) = (gauss_lines(mesh.x_lines()), gauss_lines(mesh.y_lines()));

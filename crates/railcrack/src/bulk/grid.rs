@@ -1,4 +1,4 @@
-//! Interpolation along the lines of Gauss points of a grid.
+//! Interpolation along lines of Gauss points of a grid.
 
 /// The two Gauss points of each cell between neighbouring `lines`, increasing.
 pub(crate) fn gauss_lines(lines: &[f64]) -> Vec<f64> {

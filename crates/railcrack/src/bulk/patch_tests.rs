@@ -1,5 +1,5 @@
-//! Patch tests: polynomial fields, and the half-plane under a wheel beside the block, are
-//! cancelled.
+//! Patch tests: cancellation of polynomial fields, and of the half-plane field of a wheel outside
+//! the block.
 
 use super::{BottomSupport, Boundary, BulkRail, ElasticField, SideSupport, StressAtPoints};
 use crate::field::{HertzDisplacement, HertzField};
@@ -97,10 +97,10 @@ fn quadratic_fields_are_cancelled_exactly() {
     }
 }
 
-/// The half-plane under a wheel beside the block.
-struct Beside(f64);
+/// The half-plane under a wheel outside the block.
+struct HertzOutside(f64);
 
-impl ElasticField for Beside {
+impl ElasticField for HertzOutside {
     fn stress(&self, point: Vec2) -> Stress {
         HertzField::new(&CONTACT, steel().poisson()).stress(point, self.0)
     }
@@ -116,7 +116,7 @@ impl ElasticField for Beside {
 
 #[test]
 fn a_wheel_beside_the_block_is_cancelled_with_the_order_of_the_elements() {
-    let field = Beside(230.0);
+    let field = HertzOutside(230.0);
     let points = some_points();
     let size = points.iter().fold(0.0, |size: f64, &p| size.max(largest(field.stress(p))));
     for boundary in boundaries() {
@@ -135,7 +135,7 @@ fn a_wheel_beside_the_block_is_cancelled_with_the_order_of_the_elements() {
             [near_ends, near_cracks]
         };
         let errors = [8, 16, 32, 64].map(errors);
-        // Quadratic elements: third order at Gauss points inside, less beside the ends, where the
+        // Quadratic elements: third order at Gauss points inside, less near the ends, where the
         // stress is extrapolated by cubics.
         for (k, (place, order, last)) in [("ends", 1.9, 3e-3), ("cracks", 2.6, 2e-5)].into_iter().enumerate()
         {

@@ -1,4 +1,4 @@
-//! The uncracked rail: mesh, supports, stiffness, factor.
+//! Uncracked rail: mesh, supports, stiffness and factor.
 
 use super::boundary::{Boundary, Freedom};
 use super::stiffness::RectangleStiffness;
@@ -21,15 +21,15 @@ pub enum BulkError {
         top: f64,
     },
     /// A half-plane has no ends to correct for.
-    #[error("the stress in a half-plane under a wheel needs no correction: the boundary must be a block")]
+    #[error("the stress in a half-plane under a wheel needs no correction; a correction requires a block")]
     NoBlock,
     /// Bending of the rail on its track, which the supports of a block replace.
     #[error(
-        "bending of the rail on the track is no field of a half-plane, and a block bends on its own supports: bending \
+        "bending of the rail on the track is not a field of the half-plane, and a block bends on its own supports: bending \
          must be left out, or the boundary be a half-plane"
     )]
     Bending,
-    /// Wheel positions that do not increase.
+    /// Wheel positions that are not increasing.
     #[error("wheel positions from {from} to {to} mm: must be finite and increasing")]
     Positions {
         /// First, mm.
@@ -54,7 +54,7 @@ pub enum BulkError {
         /// Smallest gap between contact and side, mm.
         gap: f64,
     },
-    /// A wheel position outside of the range of the correction.
+    /// A wheel position outside the range of the correction.
     #[error("wheel at {position} mm: the correction was made for {from} to {to} mm")]
     Position {
         /// The requested position, mm.
@@ -72,13 +72,13 @@ pub enum BulkError {
         /// Ordinate, mm.
         y: f64,
     },
-    /// The stiffness cannot be factored.
-    #[error("stiffness of the uncracked rail")]
+    /// A stiffness matrix that cannot be factored.
+    #[error("the stiffness matrix of the uncracked rail cannot be factored")]
     Stiffness(#[from] LinearError),
 }
 
 /// The uncracked rail: a mesh of 8-node rectangles, supports, and the factor of the stiffness of
-/// the free unknowns, made when it is first wanted or before.
+/// the free unknowns, computed at the latest when it is first needed.
 #[derive(Debug, Clone)]
 pub struct BulkRail {
     mesh: QuadMesh,
@@ -127,8 +127,8 @@ impl BulkRail {
         Self::new_unless(Interruption::NEVER, mesh, steel, boundary)
     }
 
-    /// [`BulkRail::new`], given up on an `interruption`.
-    pub fn new_unless(
+    /// [`BulkRail::new`] that stops on an `interruption`.
+    pub(crate) fn new_unless(
         interruption: Interruption<'_>,
         mesh: QuadMesh,
         steel: &IsotropicElastic,
@@ -139,10 +139,10 @@ impl BulkRail {
         Ok(rail)
     }
 
-    /// [`BulkRail::new`] without the factor.
+    /// [`BulkRail::new`] without factoring the stiffness.
     ///
     /// Errors: a top that is not at y = 0.
-    pub fn unfactored(
+    pub(crate) fn unfactored(
         mesh: QuadMesh,
         steel: &IsotropicElastic,
         boundary: Boundary,
@@ -163,7 +163,7 @@ impl BulkRail {
         Ok(Self { mesh, steel: *steel, boundary, unknowns, order: count, factor: OnceLock::new() })
     }
 
-    /// The factor, made now where it is not there yet.
+    /// Computes the factor if it does not exist yet.
     fn factored(&self, interruption: Interruption<'_>) -> Result<&SparseFactor, LinearError> {
         if let Some(factor) = self.factor.get() {
             return Ok(factor);
@@ -187,7 +187,7 @@ impl BulkRail {
     }
 
     /// The boundary of the mesh.
-    pub fn boundary(&self) -> Boundary {
+    pub(crate) fn boundary(&self) -> Boundary {
         self.boundary
     }
 
@@ -225,7 +225,7 @@ impl BulkRail {
 
     /// Merges the displacements (mm) of the free unknowns with those of the `held` ones, node by
     /// node.
-    pub fn at_nodes(&self, free: &[f64], held: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
+    pub(crate) fn at_nodes(&self, free: &[f64], held: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
         let node = |(node, [x, y]): (usize, &[Option<usize>; 2])| match (x, y) {
             (Some(x), Some(y)) => Vec2::new(free[*x], free[*y]),
             _ => {

@@ -1,4 +1,4 @@
-//! Stiffness matrix of the eight-node rectangle.
+//! Stiffness matrices of eight-node rectangles.
 
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, Vec2, gauss_legendre};
@@ -10,7 +10,7 @@ use crate::mesh::{NODES, shape_functions};
 /// the reference square: K_xx = (λ + 2μ) (h_y/h_x) A + μ (h_x/h_y) B, K_yy with A and B
 /// interchanged, K_xy = λ C + μ Cᵀ.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RectangleStiffness {
+pub(crate) struct RectangleStiffness {
     lambda: f64,
     mu: f64,
     along_x: [[f64; NODES]; NODES],
@@ -19,8 +19,8 @@ pub struct RectangleStiffness {
 }
 
 impl RectangleStiffness {
-    /// For elements of `steel`.
-    pub fn new(steel: &IsotropicElastic) -> Self {
+    /// The integrals for elements of `steel`.
+    pub(crate) fn new(steel: &IsotropicElastic) -> Self {
         let (lambda, mu) = lame(steel);
         let zero = [[0.0; NODES]; NODES];
         let mut stiffness = Self { lambda, mu, along_x: zero, along_y: zero, mixed: zero };
@@ -42,7 +42,7 @@ impl RectangleStiffness {
 
     /// The stiffness (N/mm per mm of thickness, 16 × 16) of a rectangle of width and height `size`
     /// (mm); unknown 2i is u_x, 2i + 1 u_y of node i.
-    pub fn matrix(&self, size: Vec2) -> Matrix {
+    pub(crate) fn matrix(&self, size: Vec2) -> Matrix {
         let (wide, high) = (size.x / size.y, size.y / size.x);
         let (lambda, mu) = (self.lambda, self.mu);
         Matrix::from_fn(2 * NODES, 2 * NODES, |row, column| {

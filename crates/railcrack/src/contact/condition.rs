@@ -1,15 +1,15 @@
-//! Conditions on a component of the jump: held, or free of contact force.
+//! Conditions on components of the jump: held, or free of contact force.
 
-/// The condition of a component.
+/// The condition on a component.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Condition {
-    /// The jump, mm.
+    /// Held at this jump, mm.
     Held(f64),
-    /// No contact force q_i + c_i q_{i+1}; c_i.
+    /// Free with q_i + c_i q_{i+1} = 0; the value is c_i.
     Free(f64),
 }
 
-/// Conditions under which the jumps are not determined.
+/// Error of conditions that do not determine the jumps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Degenerate;
 

@@ -1,21 +1,22 @@
-//! Components whose conditions differ from those of a basis, and their equations.
+//! Equations of the components whose conditions differ from those of a basis.
 
 use crate::linear::{BorderedFactor, LinearError, SmallFactor};
 
-/// Where the present conditions differ from those of the basis.
+/// The components whose present conditions differ from those of the basis.
 #[derive(Default)]
 pub(super) struct Differences {
-    /// In the order in which they came.
+    /// The components in the order of their changes.
     pub(super) components: Vec<usize>,
-    /// The factor of the equations of the first of them.
+    /// The factor of the equations of the leading components.
     pub(super) factor: BorderedFactor,
-    /// That of all, with exchange of rows, where the other one finds no pivot.
+    /// The factor of all equations with row interchanges, used where the bordered factor lacks a
+    /// pivot.
     pub(super) whole: Option<SmallFactor>,
 }
 
 impl Differences {
-    /// Takes note that the condition of `component` has changed, and whether it `differs` from that
-    /// of the basis.
+    /// Records a change of the condition of `component`, and whether it now `differs` from that of
+    /// the basis.
     pub(super) fn change(&mut self, component: usize, differs: bool) {
         self.whole = None;
         if let Some(place) = self.components.iter().position(|&other| other == component) {
@@ -27,7 +28,7 @@ impl Differences {
         }
     }
 
-    /// Solves their equations in place.
+    /// Solves the equations in place.
     pub(super) fn solve(&self, right: &mut [f64]) -> Result<(), LinearError> {
         match &self.whole {
             Some(whole) => whole.solve(right),

@@ -1,10 +1,10 @@
-//! Fixtures of the contact tests.
+//! Fixtures of contact tests.
 
 use crate::body::{CrackedBody, FaceMesh, FacePoint};
 use crate::math::{Matrix, Vec2};
 
-/// One face point with the compliance (mm per N/mm) `own` of its shear and its pressure and
-/// `between` of one for the other.
+/// One face point with the compliance (mm per N/mm) `own` in shear and in pressure, and `between`
+/// for the coupling of the two.
 pub(super) fn one_point(own: f64, between: f64) -> CrackedBody {
     let along = Vec2 { x: 1.0, y: 0.0 };
     let point = FacePoint { crack: 0, segment: 0, s: 0.0, position: along, tangent: along, weight: 1.0 };

@@ -1,35 +1,24 @@
-//! Fluid in the cracks: its model, and the pockets of the faces that it fills.
+//! Fluid in cracks: models, and the pockets of the faces that it fills.
 
-use crate::math::OutOfRange;
-
-/// How the pressure of the fluid follows from the wheel.
+/// Model of the pressure of the fluid under the wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FluidModel {
     /// The pressure of the contact over the mouth acts in the crack (Bower 1988).
     Mouth {
-        /// The largest pressure, MPa; infinite for none.
+        /// Upper limit of the pressure, MPa; infinite for no limit.
         cap: f64,
     },
     /// The fluid in a crack whose mouth the contact covers keeps its volume (Bower 1988).
     Trapped {
-        /// B, MPa: V = V0 e^(−p/B); infinite for a fluid that cannot be compressed.
+        /// B, MPa: V = V0 e^(−p/B); infinite for an incompressible fluid.
         bulk_modulus: f64,
-        /// Whether fluid at more than the pressure over the mouth leaves through it as soon as no
-        /// closed face lies on its way.
+        /// Whether fluid above the pressure over the mouth leaves through the mouth as soon as no
+        /// closed face blocks its path.
         leak: bool,
     },
 }
 
-impl FluidModel {
-    /// Refuses a cap and a modulus that are not positive.
-    pub fn check(&self) -> Result<(), OutOfRange> {
-        let (quantity, value) = match self {
-            Self::Mouth { cap } => ("largest fluid pressure (MPa)", *cap),
-            Self::Trapped { bulk_modulus, .. } => ("bulk modulus of the fluid (MPa)", *bulk_modulus),
-        };
-        OutOfRange::unless(value > 0.0, quantity, value, "positive")
-    }
-}
+impl FluidModel {}
 
 /// The mouth of a pocket.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,30 +29,30 @@ pub struct PocketMouth {
     pub point: usize,
 }
 
-/// Connected cracks with fluid, in which there is one pressure.
+/// Connected cracks that contain fluid at one pressure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pocket {
     /// Its cracks, by index from 0.
     pub cracks: Vec<usize>,
-    /// Nodal forces (N/mm per MPa, 2p) of a unit pressure on its faces. By the same numbers they
-    /// give its volume per width, V = unit · ⟦w⟧ (mm²).
+    /// Nodal forces (N/mm per MPa, 2p) of a unit pressure on its faces. They also give its volume
+    /// per width, V = unit · ⟦w⟧ (mm²).
     pub unit: Vec<f64>,
-    /// The same of the unit pressure over the mouth with the profile of the pressure along the
+    /// Nodal forces of a unit pressure over the mouth, with the profile of the pressure along the
     /// crack.
     pub profile: Vec<f64>,
-    /// Where it reaches the running surface; none for a buried crack. Cracks with two mouths would
-    /// cut a piece out of the rail.
+    /// Its mouth at the running surface; none for buried cracks. Cracks with two mouths would
+    /// detach a piece of the rail.
     pub mouth: Option<PocketMouth>,
     /// Its face points.
     pub points: Vec<usize>,
-    /// Face points beside each other.
+    /// Pairs of adjacent face points.
     pub neighbours: Vec<(usize, usize)>,
 }
 
 /// The fluid on the faces of a body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FaceFluid {
-    /// How its pressure comes about.
+    /// Model of its pressure.
     pub model: FluidModel,
     /// Its pockets.
     pub pockets: Vec<Pocket>,
@@ -72,7 +61,7 @@ pub struct FaceFluid {
 /// The fluid in a crack.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FluidState {
-    /// p, MPa; with a profile, that at the mouth.
+    /// p, MPa; with a profile, the pressure at the mouth.
     pub pressure: f64,
     /// V, mm² (mm³ per mm of width).
     pub volume: f64,
@@ -85,12 +74,12 @@ impl Pocket {
     }
 }
 
-/// How the pressure of a pocket is determined.
+/// Condition that determines the pressure of a pocket.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PocketStatus {
-    /// By what is outside: nothing while the mouth is free, or a pressure that is let off.
+    /// The pressure outside: zero while the mouth is free, or a pressure that is being released.
     Vented,
-    /// By the volume of the fluid: V = V0 e^(−p/B).
+    /// The volume of the fluid: V = V0 e^(−p/B).
     Sealed,
     /// The fluid does not fill the pocket: p = 0, V ≥ V0.
     Cavity,
@@ -98,10 +87,10 @@ pub enum PocketStatus {
     Leaking,
 }
 
-/// The fluid of a pocket.
+/// State of the fluid in a pocket.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PocketState {
-    /// How its pressure is determined.
+    /// Condition that determines its pressure.
     pub status: PocketStatus,
     /// p, MPa.
     pub pressure: f64,
@@ -111,5 +100,5 @@ pub struct PocketState {
 
 impl PocketState {
     /// A pocket whose mouth is free.
-    pub const FREE: Self = Self { status: PocketStatus::Vented, pressure: 0.0, content: 0.0 };
+    pub(crate) const FREE: Self = Self { status: PocketStatus::Vented, pressure: 0.0, content: 0.0 };
 }

@@ -1,4 +1,4 @@
-//! The LATIN method condensed to the faces.
+//! LATIN method condensed to the faces.
 
 use super::pressure::{PocketRows, demanded, total};
 use super::problem::ROUND_OFF;
@@ -16,10 +16,10 @@ use crate::math::{Anderson, Matrix, dot};
 /// Local stage, point by point on the contact conditions, search direction f̂ − f = k (ŵ − w);
 /// global stage, equilibrium A w = f + f_load, search direction f − f̂ = −k⁻ (w − ŵ) with 1/k⁻ =
 /// 1/k + ξ, where ξ is the stabilisation of eq. (17): condensed, it amounts to a softer global
-/// direction. Both are set a priori, k_j = `direction` / C_jj with the own compliance of each
+/// direction. Both are set a priori, k_j = `direction` / C_jj with the compliance C_jj of each
 /// point, and never change, so that the global stage is one product with a fixed inverse. The
 /// fixed-point iteration is relaxed and extrapolated (Anderson 1965). See `docs/latin.md` for the
-/// sweep behind the defaults.
+/// parameter study behind the defaults.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Latin {
     /// k_j C_jj.
@@ -28,12 +28,12 @@ pub struct Latin {
     pub stabilisation: f64,
     /// Share of the new iterate, in (0, 1].
     pub relaxation: f64,
-    /// Iterates kept for extrapolation; 0 for none.
+    /// Number of iterates kept for extrapolation; 0 for no extrapolation.
     pub history: usize,
-    /// The LATIN indicator: distance of the local from the global solution, in forces, jumps and K,
-    /// relative to the largest of each.
+    /// Tolerance of the LATIN indicator, the distance between the local and the global solution, in
+    /// forces, jumps and K, relative to the largest of each.
     pub tolerance: f64,
-    /// Iterations before the step is given up.
+    /// Largest number of iterations in a step.
     pub max_iterations: usize,
 }
 
@@ -69,7 +69,7 @@ struct LatinSteps<'a> {
     combined: Vec<f64>,
     solution: FaceSolution,
     kept: Vec<f64>,
-    /// Largest jump, force and K seen.
+    /// Largest jump, force and K so far.
     scale: [f64; 3],
     /// Jumps of the global stage for a unit pressure of each pocket of fluid.
     units: Vec<FaceRate>,
@@ -81,7 +81,7 @@ impl<'a> LatinSteps<'a> {
         let points = problem.points();
         let direction: Vec<f64> = (0..2 * points)
             .map(|i| {
-                // One k for both components of a point: the mean of its compliances.
+                // Both components of a point have the same k, from the mean of its compliances.
                 let j = 2 * (i / 2);
                 2.0 * settings.direction / (compliance[(j, j)] + compliance[(j + 1, j + 1)])
             })
@@ -112,8 +112,8 @@ impl<'a> LatinSteps<'a> {
         }
     }
 
-    /// The law at `point` met along −f̂ + k ŵ = `target` (shear, normal): fills ŵ, f̂ and the
-    /// status.
+    /// Solves the contact law at `point` with −f̂ + k ŵ = `target` (shear, normal) for ŵ, f̂ and
+    /// the status.
     fn local_stage(&mut self, point: usize, target: (f64, f64), reference: f64) {
         let (t, n) = (2 * point, 2 * point + 1);
         let k = self.direction[t];
@@ -205,11 +205,12 @@ impl<'a> StepSolver<'a> for LatinSteps<'a> {
 }
 
 impl LatinSteps<'_> {
-    /// Gives every pocket the status that its conditions ask for; whether one has changed.
+    /// Gives every pocket the status required by its conditions; returns whether any status has
+    /// changed.
     fn follow_pockets(&mut self, step: LoadStep) -> bool {
         let mut changed = false;
         let [jump, force, _] = self.scale;
-        // What is round-off here is the tolerance of the iteration.
+        // The tolerance of the iteration serves as round-off here.
         let loose = self.settings.tolerance / ROUND_OFF;
         let scale = FaceScale { jump: loose * jump, force: loose * force };
         for k in 0..step.outside.len() {
@@ -221,9 +222,8 @@ impl LatinSteps<'_> {
         changed
     }
 
-    /// The largest difference of the local from the global solution: forces and jumps, and what the
-    /// difference of the forces means for K, each relative to its largest value so far.
-    /// Infinite where one is no number.
+    /// The largest difference between the local and the global solution in forces, jumps and the K
+    /// of the forces, each relative to its largest value so far; infinite if one is NaN.
     fn indicator(&mut self, jump: &[f64], force: &[f64], load: &[f64], influence: &Matrix) -> f64 {
         if jump.iter().chain(force).any(|value| !value.is_finite()) {
             return f64::INFINITY;

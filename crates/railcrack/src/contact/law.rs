@@ -1,4 +1,4 @@
-//! Contact conditions on the crack faces: status and state of a face point.
+//! Contact status and contact state of face points.
 
 use crate::words::{Choice, Word};
 use serde::{Deserialize, Serialize};

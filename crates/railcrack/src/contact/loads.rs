@@ -1,42 +1,42 @@
-//! Loads on the faces, and what the basis of a tableau makes of them.
+//! Loads on the faces, and the responses of a basis to them.
 
 use crate::math::{add_rows_to_each, axpy};
 
-/// Nodal forces, and what the basis makes of them where all that it holds is held at zero.
+/// Nodal forces, and the response of the basis to them with all held components at zero.
 #[derive(Default)]
-struct Load {
+struct AnsweredLoad {
     /// N/mm.
     forces: Vec<f64>,
-    /// None before it is asked for.
+    /// None until it is computed.
     answer: Option<Answer>,
 }
 
-/// The basis under some action.
+/// Response of the basis to an action.
 #[derive(Debug, Default)]
 pub(super) struct Answer {
     pub(super) input: Vec<f64>,
     pub(super) output: Vec<f64>,
-    /// Of the inputs where the present conditions differ.
+    /// Changes of the inputs of components whose present conditions differ from the basis.
     pub(super) changes: Vec<f64>,
 }
 
-/// The loads to be answered.
+/// The loads on a tableau, with their responses.
 #[derive(Default)]
 pub(super) struct Loads {
-    list: Vec<Load>,
+    list: Vec<AnsweredLoad>,
     onward: Option<Onward>,
-    /// Memory.
+    /// Answers whose memory is reused.
     spare: Vec<Answer>,
     answering: Answering,
 }
 
-/// The first load as a sum: that of before, whose output is known, and two others.
+/// The first load as the sum of its predecessor, whose output is known, and two other loads.
 struct Onward {
     output: Vec<f64>,
     others: [usize; 2],
 }
 
-/// Memory of [`Loads::answer`].
+/// Work arrays of [`Loads::answer`].
 #[derive(Default)]
 struct Answering {
     loads: Vec<usize>,
@@ -45,13 +45,13 @@ struct Answering {
 }
 
 impl Loads {
-    /// Makes `loads` (N/mm) those to answer.
+    /// Replaces the loads by `loads` (N/mm).
     pub(super) fn set(&mut self, loads: impl IntoIterator<Item = impl AsRef<[f64]>>) {
         self.begin_basis();
         let mut count = 0;
         for forces in loads {
             if count == self.list.len() {
-                self.list.push(Load::default());
+                self.list.push(AnsweredLoad::default());
             }
             forces.as_ref().clone_into(&mut self.list[count].forces);
             count += 1;
@@ -59,8 +59,9 @@ impl Loads {
         self.list.truncate(count);
     }
 
-    /// The same for `end` (N/mm) and `others`, where `end` is `start` with the last two of them:
-    /// its answer is a sum where `start` was the first load so far.
+    /// Replaces the loads by `end` (N/mm) and `others`, where `end` is the sum of `start` and the
+    /// last two of `others`. The response to `end` is a sum of known ones if `start` was the first
+    /// load so far.
     pub(super) fn set_on<'l>(
         &mut self,
         start: &[f64],
@@ -75,22 +76,22 @@ impl Loads {
         self.onward = known.map(|output| Onward { output, others: [count - 2, count - 1] });
     }
 
-    /// One more load (N/mm).
+    /// Appends a load (N/mm).
     pub(super) fn add(&mut self, forces: Vec<f64>) {
-        self.list.push(Load { forces, answer: None });
+        self.list.push(AnsweredLoad { forces, answer: None });
     }
 
-    /// How many.
+    /// Number of loads.
     pub(super) fn len(&self) -> usize {
         self.list.len()
     }
 
-    /// Those of load `k`, N/mm.
+    /// Nodal forces of load `k`, N/mm.
     pub(super) fn forces(&self, k: usize) -> &[f64] {
         &self.list[k].forces
     }
 
-    /// Forgets all answers.
+    /// Discards all responses.
     pub(super) fn begin_basis(&mut self) {
         self.onward = None;
         for load in &mut self.list {
@@ -98,27 +99,27 @@ impl Loads {
         }
     }
 
-    /// Whether the basis has answered all of them.
+    /// Whether the responses to all loads are known.
     pub(super) fn are_answered(&self) -> bool {
         self.list.iter().all(|load| load.answer.is_some())
     }
 
-    /// Whether the answer to the first load will be a sum.
+    /// Whether the response to the first load will be a sum.
     #[cfg(test)]
     pub(super) fn is_sum(&self) -> bool {
         self.onward.is_some()
     }
 
-    /// Makes `answers` those of the basis.
+    /// Stores `answers` as the responses of the basis.
     pub(super) fn take_over(&mut self, answers: Vec<Answer>) {
         for (load, answer) in self.list.iter_mut().zip(answers) {
             load.answer = Some(answer);
         }
     }
 
-    /// Lets a basis of `n` components answer all loads that it has not answered yet, in one pass
-    /// over it: it leaves `free` components free, whose inputs under some forces are `driven`, and
-    /// has a row of responses to each.
+    /// Computes the missing responses of a basis of `n` components in one pass over it. Its `free`
+    /// components have the inputs `driven` under given forces, and `responses` gives a row for
+    /// each.
     pub(super) fn answer<'m>(
         &mut self,
         n: usize,
@@ -167,7 +168,7 @@ impl Loads {
         }
     }
 
-    /// The answer of the basis of `n` components to load `k`, or to none: zeros.
+    /// The response of the basis of `n` components to load `k`; zeros for no load.
     pub(super) fn of_basis(&mut self, k: Option<usize>, n: usize) -> Answer {
         let Some(of_load) = k.and_then(|k| self.list[k].answer.as_ref()) else { return self.blank(n) };
         let mut answer = self.spare.pop().unwrap_or_default();
@@ -176,7 +177,7 @@ impl Loads {
         answer
     }
 
-    /// An answer of zeros.
+    /// A response of zeros.
     fn blank(&mut self, n: usize) -> Answer {
         let mut answer = self.spare.pop().unwrap_or_default();
         let Answer { input, output, .. } = &mut answer;
@@ -187,7 +188,7 @@ impl Loads {
         answer
     }
 
-    /// Takes an answer that is not needed any more.
+    /// Takes back an answer whose memory can be reused.
     pub(super) fn take_back(&mut self, answer: Answer) {
         self.spare.push(answer);
     }

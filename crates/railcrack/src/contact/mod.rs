@@ -1,4 +1,4 @@
-//! Unilateral contact with Coulomb friction on the crack faces.
+//! Unilateral contact with Coulomb friction on crack faces.
 
 mod condition;
 mod differences;
@@ -7,11 +7,11 @@ mod fixtures;
 mod fluid;
 mod latin;
 mod law;
-mod letting_off;
 mod loads;
 mod newton;
 mod parabola;
-mod pocket_way;
+mod pocket_release;
+mod pocket_trace;
 mod pressure;
 mod probe;
 mod problem;
@@ -25,7 +25,9 @@ pub use fluid::{FaceFluid, FluidModel, FluidState, Pocket, PocketMouth, PocketSt
 pub use latin::Latin;
 pub use law::{FaceState, FaceStatus};
 pub use newton::Newton;
-pub use problem::{CrackFrictionError, FaceProblem, FaceScale, FaceSolution, PointStatus};
+pub(crate) use problem::FaceScale;
+pub use problem::{CrackFrictionError, FaceProblem, FaceSolution, PointStatus};
 pub use response::FaceResponse;
 pub use solver::{ContactSolver, LoadStep, NotConverged, StepSolver};
-pub use stepping::{FaceHistory, LoadPath, StepControl, Stepper, SteppingCounts, SteppingError};
+pub(crate) use stepping::FaceHistory;
+pub use stepping::{LoadPath, StepControl, Stepper, SteppingCounts, SteppingError};

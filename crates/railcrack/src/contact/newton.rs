@@ -1,4 +1,4 @@
-//! Semismooth Newton (primal–dual active set) on the contact conditions.
+//! Semismooth Newton method (primal–dual active set) for the contact conditions.
 
 use super::pressure::demanded as demanded_pocket;
 use super::problem::ROUND_OFF;
@@ -7,12 +7,13 @@ use super::{
     StepSolver,
 };
 
-/// Semismooth Newton: every point that violates the conditions of its status changes it, until none
-/// does; the contact conditions then hold exactly. Starts from the last step's statuses, so that
-/// most steps take one or two solutions of small updated systems.
+/// Semismooth Newton: every point that violates the conditions of its status changes its status,
+/// until no point does; the contact conditions then hold exactly. The iteration starts from the
+/// statuses of the previous step, so that most steps take one or two solutions of small updated
+/// systems.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Newton {
-    /// Iterations before the step is given up.
+    /// Largest number of iterations in a step.
     pub max_iterations: usize,
 }
 
@@ -28,11 +29,11 @@ impl ContactSolver for Newton {
     }
 }
 
-/// Iterations in which all points change at once; after that the worst one is settled by itself,
-/// which breaks cycles.
+/// Number of iterations in which all points change at once; after these the worst point is changed
+/// alone, which breaks cycles.
 const SIMULTANEOUS: usize = 12;
-/// Iterations in which pockets of fluid change their status; after that the contact is solved with
-/// those that they have, and the next load step goes on from there.
+/// Number of iterations in which pockets of fluid change their status; after these the contact is
+/// solved with fixed pocket statuses, and the next load step continues from there.
 const FOLLOWING_POCKETS: usize = 24;
 
 struct NewtonSteps<'a> {
@@ -42,8 +43,8 @@ struct NewtonSteps<'a> {
     scale: FaceScale,
 }
 
-/// The status that the contact conditions ask of `point`, and how far it is from it relative to
-/// round-off.
+/// The status that the contact conditions require of `point`, and the violation of its present
+/// status relative to round-off.
 fn demanded(
     problem: &FaceProblem,
     faces: &FaceResponse,
@@ -77,7 +78,7 @@ fn demanded(
 impl<'a> StepSolver<'a> for NewtonSteps<'a> {
     fn solve(&mut self, step: LoadStep, faces: &mut FaceResponse<'a>) -> Result<usize, NotConverged> {
         let points = self.problem.points();
-        // Where no held slip changes, the foreseen jumps are those of the first iteration.
+        // If no held slip changes, the predicted jumps are those of the first iteration.
         let mut in_equilibrium = true;
         for (point, &reference) in step.reference_slip.iter().enumerate() {
             let held = faces.solution().status[point] == PointStatus::Stick;
@@ -124,7 +125,8 @@ impl<'a> StepSolver<'a> for NewtonSteps<'a> {
 }
 
 impl<'a> NewtonSteps<'a> {
-    /// Gives every pocket the status that its conditions ask for; whether one has changed.
+    /// Gives every pocket the status required by its conditions; returns whether any status has
+    /// changed.
     fn follow_pockets(&self, step: LoadStep, faces: &mut FaceResponse<'a>, scale: FaceScale) -> bool {
         let mut changed = false;
         for k in 0..step.outside.len() {
@@ -137,12 +139,12 @@ impl<'a> NewtonSteps<'a> {
         changed
     }
 
-    /// Gives `point` the status with which it fulfils the contact conditions while the others keep
-    /// theirs, `wanted` if none does; returns whether `faces` are in equilibrium then.
+    /// Gives `point` the status that fulfils its contact conditions while all other points keep
+    /// theirs, or `wanted` if there is none; returns whether `faces` are then in equilibrium.
     ///
-    /// The status that the contact conditions demand next need not fulfil them: where friction
-    /// closes a point by more than its pressure opens it, the point may penetrate when it is open
-    /// and be pulled when it slips, and has to stick.
+    /// The status that the conditions require next may violate them: where friction closes a point
+    /// by more than its pressure opens it, the point may penetrate when it is open and be pulled
+    /// when it slips, and has to stick.
     fn settle(
         &self,
         step: LoadStep,
@@ -177,8 +179,8 @@ mod tests {
         // more pressure closes it.
         let body = one_point(1.0, 0.9);
         let problem = FaceProblem::new(&body, &[2.0]).unwrap();
-        // The free jumps (3, −1): the point is ahead of where it touches, and beyond the other
-        // face.
+        // The free jumps (3, −1): the point has slipped beyond the place where it touches, and
+        // penetrates.
         let forces = body.stiffness.times(&[3.0, -1.0]);
         let mut faces = FaceResponse::virgin(&problem);
         faces.set_status(0, PointStatus::Open, 0.0);

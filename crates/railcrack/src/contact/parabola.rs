@@ -1,4 +1,4 @@
-//! Parabolas along a load step.
+//! Parabolas of quantities along a load step.
 
 /// c0 + c1 δ + c2 δ².
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -9,13 +9,13 @@ pub(super) struct Parabola {
 }
 
 impl Parabola {
-    /// Of a value that is `now` at share `share` and has the coefficients `first` and `second` in
-    /// shares of the step; δ counts from now.
+    /// The parabola of a quantity with the value `now` at share `share` of the step and the
+    /// coefficients `first` and `second` of τ and τ²; δ is measured from `share`.
     pub(super) fn of(now: f64, first: f64, second: f64, share: f64) -> Self {
         Self { c0: now, c1: first + 2.0 * share * second, c2: second }
     }
 
-    /// Of a value with this rate and second derivative now.
+    /// The parabola of a quantity with this present rate and second derivative.
     pub(super) fn along(now: f64, rate: f64, bend: f64) -> Self {
         Self { c0: now, c1: rate, c2: 0.5 * bend }
     }
@@ -24,12 +24,12 @@ impl Parabola {
         Self { c0: value, c1: 0.0, c2: 0.0 }
     }
 
-    /// The value now.
+    /// The value at δ = 0.
     pub(super) fn value(self) -> f64 {
         self.c0
     }
 
-    /// The rate now.
+    /// The rate at δ = 0.
     pub(super) fn rate(self) -> f64 {
         self.c1
     }
@@ -47,13 +47,13 @@ impl Parabola {
         Self { c0: self.c0 + other.c0, c1: self.c1 + other.c1, c2: self.c2 + other.c2 }
     }
 
-    /// The first δ < `span` at which the value falls by more than `small` below zero; one that is
-    /// below zero now counts as zero.
+    /// The first δ < `span` at which the value falls by more than `small` below zero; a value below
+    /// zero at δ = 0 counts as zero.
     pub(super) fn first_fall(self, small: f64, span: f64) -> Option<f64> {
         let Self { c0, c1, c2 } = self;
         let c0 = c0.max(0.0) + small;
         if c0 + span * (c1 + span * c2) >= 0.0 {
-            // Below zero in between?
+            // The parabola may fall below zero in between.
             let dips = c1 < 0.0 && c2 > 0.0 && -c1 < 2.0 * c2 * span && c1 * c1 > 4.0 * c2 * c0;
             if !dips {
                 return None;

@@ -1,4 +1,4 @@
-//! The pressure of trapped fluid as an unknown of the contact problem.
+//! Pressures of trapped fluid as unknowns of the contact problem.
 
 use super::condition::Degenerate;
 use super::problem::ROUND_OFF;
@@ -8,22 +8,21 @@ use crate::linear::SmallFactor;
 use crate::math::Matrix;
 use std::borrow::Cow;
 
-/// Volume below this share of the one that the pocket has when its faces are free, over which no
-/// pressure acts.
+/// Share of its volume with free faces below which no pressure acts in a pocket.
 const CLOSED: f64 = 1e-9;
-/// e^x beyond this exponent is not needed on the way to a solution.
+/// Largest exponent of e^x during the iteration.
 const MOST_EXPONENT: f64 = 50.0;
-/// Newton iterations for a compressible fluid; two or three serve.
+/// Largest number of Newton iterations for a compressible fluid; two or three suffice.
 const ITERATIONS: usize = 40;
-/// Largest fall of a pressure in one of them, over B: left of the solution they converge from any
-/// distance, but e^(-p/B) must not overflow on the way there.
+/// Largest decrease of a pressure in one iteration, over B. Below the solution the iterations
+/// converge from any distance, but e^(-p/B) must not overflow on the way.
 const LARGEST_FALL: f64 = 2.0;
-/// Change of the pressure relative to itself at which they end.
+/// Relative change of the pressure at which the iterations end.
 const SETTLED: f64 = 1e-13;
-/// Volume of a pocket over the largest jump (mm), in mm, that is none: it holds no fluid.
+/// Volume of a pocket over the largest jump (mm), in mm, below which it holds no fluid.
 const NO_VOLUME: f64 = 1e-9;
-/// Share of itself by which the content of a leaking pocket may have grown: fluid does not come
-/// back, and what it loses in a step has no such limit.
+/// Relative increase of the content of a leaking pocket that is tolerated. Fluid does not return;
+/// the loss in a step has no such limit.
 const GROWN: f64 = 1e-9;
 
 /// e^(−p/B).
@@ -33,9 +32,9 @@ pub(super) fn compressed(pressure: f64, bulk: f64) -> f64 {
 
 /// The conditions of all pockets: one row for each pressure.
 ///
-/// With fixed statuses jumps and contact forces are linear in the pressures; `units` are their
-/// responses to a unit pressure of each pocket. The matrix w·U is what the body's compliance leaves
-/// of the free faces, so that a sealed pocket has a positive diagonal as soon as a point can move.
+/// With fixed statuses jumps and contact forces are linear in the pressures; `units` are the
+/// responses to a unit pressure of each pocket. The matrix of volumes per unit pressure is positive
+/// on the diagonal of a sealed pocket as soon as one of its points can move.
 pub(super) struct PocketRows<'e> {
     pub pockets: &'e [Pocket],
     /// Volumes of a unit pressure on free faces, mm²/MPa.
@@ -76,8 +75,8 @@ impl PocketRows<'_> {
         Ok(right)
     }
 
-    /// By how much the conditions are missed at `states` with the jumps `jump` (mm, 2p) that these
-    /// pressures already are part of.
+    /// The residuals of the conditions at `states`, with the jumps `jump` (mm, 2p) that include the
+    /// effect of these pressures.
     pub(super) fn defects(&self, states: &[PocketState], outside: &[f64], jump: &[f64]) -> Vec<f64> {
         let of = |(k, state): (usize, &PocketState)| match state.status {
             PocketStatus::Vented | PocketStatus::Leaking => outside[k] - state.pressure,
@@ -99,8 +98,8 @@ impl PocketRows<'_> {
         }
     }
 
-    /// The pressures of `states` at which all conditions hold. `jump` and `contact` are those
-    /// without pressure, and with it afterwards.
+    /// The pressures of `states` at which all conditions hold. `jump` and `contact` are given
+    /// without the pressures and include them afterwards.
     pub(super) fn press(
         &self,
         states: &mut [PocketState],
@@ -114,7 +113,7 @@ impl PocketRows<'_> {
             let pocket = &self.pockets[k];
             let yields = pocket.volume(&self.units[k].jump) > CLOSED * self.free[k];
             if state.status == PocketStatus::Sealed && !yields {
-                // Closed faces: the pressure rises until the first of them opens.
+                // The faces are closed: the pressure rises until the first point opens.
                 let opens = |&j: &usize| {
                     let (force, by) = (contact[2 * j + 1], -self.units[k].contact[2 * j + 1]);
                     (by > 0.0 && force > 0.0).then(|| force / by)
@@ -150,8 +149,8 @@ impl PocketRows<'_> {
     }
 }
 
-/// Round-off of the pressure (MPa) and the volume (mm²) of `pocket`, of forces and jumps of
-/// `scale`.
+/// Round-off of the pressure (MPa) and of the volume (mm²) of `pocket` at forces and jumps of the
+/// size `scale`.
 pub(super) fn round_off(pocket: &Pocket, scale: FaceScale) -> (f64, f64) {
     let widest = pocket.unit.iter().fold(f64::MIN_POSITIVE, |m, v| m.max(v.abs()));
     let length: f64 = pocket.unit.iter().map(|v| v.abs()).sum();
@@ -164,17 +163,17 @@ pub(super) fn content(problem: &FaceProblem, solution: &FaceSolution, k: usize) 
     volume.max(0.0) / compressed(solution.fluid[k].pressure, problem.bulk_modulus())
 }
 
-/// Whether pocket `k` holds no fluid, of jumps of `scale`. Faces that are closed everywhere hold
-/// none: the volume that they have by slip along a kink is an error of the interpolation there.
+/// Whether pocket `k` holds no fluid, for jumps of the size `scale`. Faces that are closed
+/// everywhere hold no fluid: a volume due to slip along a kink is an error of the interpolation
+/// there.
 pub(super) fn is_empty(problem: &FaceProblem, solution: &FaceSolution, scale: FaceScale, k: usize) -> bool {
     let pocket = &problem.pockets()[k];
     let is_closed = |&j: &usize| solution.status[j].is_closed();
     pocket.volume(&solution.jump) <= NO_VOLUME * scale.jump || pocket.points.iter().all(is_closed)
 }
 
-/// Whether fluid finds a way of open faces from all open points of pocket `k` to its mouth: no
-/// closed face lies between.
-pub(super) fn way_out(problem: &FaceProblem, solution: &FaceSolution, k: usize) -> bool {
+/// Whether open faces connect all open points of pocket `k` with its mouth.
+pub(super) fn has_open_path(problem: &FaceProblem, solution: &FaceSolution, k: usize) -> bool {
     let pocket = &problem.pockets()[k];
     let Some(mouth) = pocket.mouth else { return false };
     let is_open = |j: usize| !solution.status[j].is_closed();
@@ -197,8 +196,8 @@ pub(super) fn way_out(problem: &FaceProblem, solution: &FaceSolution, k: usize) 
     pocket.points.iter().all(|&j| !is_open(j) || reached[j])
 }
 
-/// The status that the conditions of pocket `k` ask for, where it is another one. What has found a
-/// way out at too high a pressure is let off between load steps.
+/// The status that the conditions of pocket `k` require, if it differs from the present one. Fluid
+/// with an open path and too high a pressure is released between load steps.
 pub(super) fn demanded(
     problem: &FaceProblem,
     solution: &FaceSolution,
@@ -215,14 +214,14 @@ pub(super) fn demanded(
         Cavity => (filled > 0.0 && pocket.volume(&solution.jump) < filled - small_volume).then_some(Sealed),
         Leaking => {
             let grown = || content(problem, solution, k) > filled * (1.0 + GROWN) + small_volume;
-            let closed = || !way_out(problem, solution, k) && !is_empty(problem, solution, scale, k);
+            let closed = || !has_open_path(problem, solution, k) && !is_empty(problem, solution, scale, k);
             (closed() || grown()).then_some(Sealed)
         }
     }
 }
 
 /// The largest violation of the conditions of the pockets in `solution`: negative pressure relative
-/// to `scale.force`, a volume that is not that of the fluid relative to `scale.jump`.
+/// to `scale.force`, a difference between the volumes of pocket and fluid relative to `scale.jump`.
 pub(super) fn violation(problem: &FaceProblem, solution: &FaceSolution, scale: FaceScale) -> f64 {
     let of = |(k, pocket): (usize, &Pocket)| {
         let PocketState { status, pressure, content } = solution.fluid[k];
@@ -239,7 +238,7 @@ pub(super) fn violation(problem: &FaceProblem, solution: &FaceSolution, scale: F
     problem.pockets().iter().enumerate().map(of).fold(0.0, f64::max)
 }
 
-/// Nodal forces `load` (N/mm, 2p) with those of the pressures in `solution`.
+/// The sum of the nodal forces `load` (N/mm, 2p) and those of the pressures in `solution`.
 pub(super) fn total<'l>(
     problem: &FaceProblem,
     solution: &FaceSolution,

@@ -1,9 +1,9 @@
-//! A check of the equations of the faces by one weighted sum.
+//! Check of the equations of the faces by one weighted sum.
 
 use crate::math::Matrix;
 
-/// A weighted sum of all equations, cheap to form: every equation has a weight of its own, so that
-/// errors do not cancel.
+/// A weighted sum of all equations, which is cheap to form. Every equation has a different weight,
+/// so that errors do not cancel.
 pub(super) struct Probe {
     pub(super) weights: Vec<f64>,
     /// A times the weights, N/mm.
@@ -14,7 +14,7 @@ pub(super) struct Probe {
 
 impl Probe {
     pub(super) fn new(stiffness: &Matrix) -> Self {
-        // Between 1/2 and 3/2, without order, of either sign.
+        // Irregular weights of either sign, between 1/2 and 3/2 in magnitude.
         let golden = |i: usize| (i as f64 * 0.618_033_988_749_895).fract();
         let weight = |i: usize| (0.5 + golden(i)).copysign(golden(i + 7 * i * i) - 0.5);
         let weights: Vec<f64> = (0..stiffness.rows()).map(weight).collect();

@@ -1,4 +1,4 @@
-//! The faces of one cracked body, and one load step on them.
+//! Contact problem on the faces of a cracked body, and its solutions.
 
 use super::{FaceFluid, FaceState, FaceStatus, PocketState};
 use crate::body::{CrackedBody, FacePoint};
@@ -6,7 +6,7 @@ use crate::fracture::Sif;
 use crate::math::{Matrix, dot};
 use thiserror::Error;
 
-/// Status of a face point; the sign of a slipping one is that of s12.
+/// Contact status of a face point; the sign of slip is that of s12.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PointStatus {
     /// No contact.
@@ -21,13 +21,13 @@ pub enum PointStatus {
 
 impl PointStatus {
     /// Whether the faces touch.
-    pub fn is_closed(self) -> bool {
+    pub(crate) fn is_closed(self) -> bool {
         self != Self::Open
     }
 
     /// The status of an open point that touches, having moved by `along` while it closed by
-    /// `closing` > 0: the contact conditions met along that way with equal stiffness in shear and
-    /// pressure.
+    /// `closing` > 0. It fulfils the contact conditions along this motion for equal stiffnesses in
+    /// shear and pressure.
     pub(super) fn of_touching(along: f64, closing: f64, friction: f64) -> Self {
         if friction > 0.0 && along.abs() <= friction * closing {
             Self::Stick
@@ -39,7 +39,7 @@ impl PointStatus {
     }
 
     /// The direction of slip: +1, −1, or 0 without slip.
-    pub fn direction(self) -> f64 {
+    pub(crate) fn direction(self) -> f64 {
         match self {
             Self::SlipForward => 1.0,
             Self::SlipBackward => -1.0,
@@ -48,19 +48,19 @@ impl PointStatus {
     }
 }
 
-/// Crack-face friction that does not fit the cracks.
+/// Invalid crack-face friction.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CrackFrictionError {
-    /// Not one coefficient for each crack.
+    /// A number of coefficients that differs from the number of cracks.
     #[error("{given} coefficients of crack-face friction: must be one for each of {cracks} cracks")]
     Count {
-        /// How many were given.
+        /// The number given.
         given: usize,
-        /// How many cracks the body has.
+        /// The number of cracks in the body.
         cracks: usize,
     },
-    /// A coefficient that cannot be.
+    /// An inadmissible coefficient.
     #[error("crack-face friction of crack {crack} = {value}: must be finite and not negative")]
     Value {
         /// Number of the crack, from 1.
@@ -75,15 +75,16 @@ pub struct FaceProblem<'a> {
     body: &'a CrackedBody,
     friction: Vec<f64>,
     fluid: Option<FaceFluid>,
-    /// Volume (mm²/MPa) of a unit pressure in each pocket whose pressure is an unknown, with free
-    /// faces.
+    /// Volume (mm²/MPa) that a unit pressure on free faces produces in each pocket whose pressure
+    /// is an unknown.
     pub(super) free_volumes: Vec<f64>,
 }
 
 impl<'a> FaceProblem<'a> {
     /// `crack_friction[crack]` is the crack-face friction μ_c ≥ 0 of each crack of the body.
     ///
-    /// Errors: not one coefficient for each crack; a negative or infinite coefficient.
+    /// Errors: a number of coefficients that differs from the number of cracks; a negative or
+    /// infinite coefficient.
     pub fn new(body: &'a CrackedBody, crack_friction: &[f64]) -> Result<Self, CrackFrictionError> {
         let points = &body.faces.points;
         let cracks = points.iter().map(|point| point.crack + 1).max().unwrap_or(0);
@@ -98,7 +99,7 @@ impl<'a> FaceProblem<'a> {
         Ok(Self { body, friction, fluid: None, free_volumes: Vec::new() })
     }
 
-    /// The same with `fluid` in the cracks.
+    /// This problem with `fluid` in the cracks.
     #[must_use]
     pub fn with_fluid(self, fluid: Option<FaceFluid>) -> Self {
         let mut wet = Self { fluid, ..self };
@@ -109,7 +110,7 @@ impl<'a> FaceProblem<'a> {
     }
 
     /// The fluid in the cracks, if any.
-    pub fn fluid(&self) -> Option<&FaceFluid> {
+    pub(crate) fn fluid(&self) -> Option<&FaceFluid> {
         self.fluid.as_ref()
     }
 
@@ -129,7 +130,7 @@ impl<'a> FaceProblem<'a> {
     }
 
     /// Whether any face point has friction: only then does the history matter.
-    pub fn has_friction(&self) -> bool {
+    pub(crate) fn has_friction(&self) -> bool {
         self.friction.iter().any(|&mu| mu > 0.0)
     }
 
@@ -157,7 +158,7 @@ impl Clone for FaceSolution {
         Self { jump: jump.clone(), contact: contact.clone(), status: status.clone(), fluid: fluid.clone() }
     }
 
-    /// In the memory of what was there: each load step copies some.
+    /// Reuses the memory of `self`, because each load step copies some solutions.
     fn clone_from(&mut self, source: &Self) {
         self.jump.clone_from(&source.jump);
         self.contact.clone_from(&source.contact);
@@ -168,7 +169,7 @@ impl Clone for FaceSolution {
 
 impl FaceSolution {
     /// Unloaded virgin faces that just touch, dry.
-    pub fn virgin(points: usize) -> Self {
+    pub(crate) fn virgin(points: usize) -> Self {
         Self {
             jump: vec![0.0; 2 * points],
             contact: vec![0.0; 2 * points],
@@ -177,13 +178,13 @@ impl FaceSolution {
         }
     }
 
-    /// Those of `problem`, the mouths of all pockets free.
+    /// Virgin faces of `problem`, with the mouths of all pockets free.
     pub(super) fn virgin_of(problem: &FaceProblem) -> Self {
         Self { fluid: vec![PocketState::FREE; problem.pockets().len()], ..Self::virgin(problem.points()) }
     }
 
     /// The stress intensity factors of each tip under the nodal forces `load` (N/mm, 2p) of the
-    /// step, those of the fluid included.
+    /// step, including those of the fluid.
     #[must_use]
     pub fn sifs(&self, body: &CrackedBody, load: &[f64]) -> Vec<Sif> {
         let total: Vec<f64> = self.contact.iter().zip(load).map(|(c, l)| c + l).collect();
@@ -192,7 +193,7 @@ impl FaceSolution {
         (0..influence.rows() / 2).map(|tip| Sif { ki: row(2 * tip), kii: row(2 * tip + 1) }).collect()
     }
 
-    /// The state of each face point, in stresses.
+    /// The state of each face point in terms of stresses.
     #[must_use]
     pub fn face_states(&self, problem: &FaceProblem) -> Vec<FaceState> {
         let state = |(j, point): (usize, &FacePoint)| {
@@ -215,7 +216,7 @@ impl FaceSolution {
     /// The largest violation of the contact conditions: negative opening relative to `scale.jump`;
     /// tension, shear beyond friction, or force across an opening relative to `scale.force`.
     #[must_use]
-    pub fn violation(&self, problem: &FaceProblem, scale: FaceScale) -> f64 {
+    pub(crate) fn violation(&self, problem: &FaceProblem, scale: FaceScale) -> f64 {
         (0..problem.points()).fold(0.0f64, |worst, j| {
             let (tangential, normal) =
                 (self.contact[2 * j] / scale.force, self.contact[2 * j + 1] / scale.force);
@@ -226,12 +227,12 @@ impl FaceSolution {
     }
 }
 
-/// Forces and jumps below this fraction of the largest are round-off.
+/// Fraction of the largest force or jump below which forces and jumps are round-off.
 pub(super) const ROUND_OFF: f64 = 1e-11;
 
 /// Scale of jumps and forces on the faces: the largest values so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FaceScale {
+pub(crate) struct FaceScale {
     /// Jump, mm.
     pub jump: f64,
     /// Nodal force, N/mm.
@@ -239,11 +240,11 @@ pub struct FaceScale {
 }
 
 impl FaceScale {
-    /// Nothing seen yet.
-    pub const NONE: Self = Self { jump: f64::MIN_POSITIVE, force: f64::MIN_POSITIVE };
+    /// The scale before any solution.
+    pub(crate) const NONE: Self = Self { jump: f64::MIN_POSITIVE, force: f64::MIN_POSITIVE };
 
-    /// This scale or the largest values of `solution` and `load`, whichever is larger.
-    pub fn including(self, solution: &FaceSolution, load: &[f64]) -> Self {
+    /// The maxima of this scale and the largest values of `solution` and `load`.
+    pub(crate) fn including(self, solution: &FaceSolution, load: &[f64]) -> Self {
         let largest = |values: &[f64], so_far: f64| values.iter().fold(so_far, |m, v| m.max(v.abs()));
         let force = largest(load, largest(&solution.contact, self.force));
         Self { jump: largest(&solution.jump, self.jump), force }

@@ -1,13 +1,13 @@
-//! The linear response of the faces while no point changes its status.
+//! Linear response of the faces for fixed statuses.
 
 use super::condition::{Condition, Degenerate};
 use super::pressure::PocketRows;
 use super::tableau::{FaceRate, Tableau};
 use super::{FaceProblem, FaceSolution, PocketState, PointStatus};
 
-/// The faces with their statuses: for given loads the jumps of the free components and the forces
-/// of the held ones follow linearly. Newton's method works on it; the step control uses it to
-/// foresee events.
+/// The faces with fixed statuses, for which the jumps of the free components and the forces of the
+/// held ones are linear in the loads. Newton's method solves load steps with it, and the step
+/// control predicts events.
 pub struct FaceResponse<'a> {
     problem: &'a FaceProblem<'a>,
     tableau: Tableau<'a>,
@@ -33,13 +33,13 @@ impl<'a> FaceResponse<'a> {
         }
     }
 
-    /// Makes the present statuses and values those to return to.
+    /// Saves the present statuses and values for [`Self::restore`].
     pub(super) fn keep(&mut self) {
         self.tableau.keep();
         self.kept.clone_from(&self.solution);
     }
 
-    /// Returns to what was kept.
+    /// Restores the saved statuses and values.
     pub(super) fn restore(&mut self) {
         self.tableau.restore();
         self.solution.clone_from(&self.kept);
@@ -50,8 +50,8 @@ impl<'a> FaceResponse<'a> {
         &self.solution
     }
 
-    /// Gives `point` another status, from the next equilibrium on; one that sticks is held at slip
-    /// `reference` (mm).
+    /// Gives `point` another status from the next equilibrium on; a sticking point is held at the
+    /// slip `reference` (mm).
     pub(super) fn set_status(&mut self, point: usize, status: PointStatus, reference: f64) {
         self.solution.status[point] = status;
         let coupling = status.direction() * self.problem.friction(point);
@@ -66,26 +66,26 @@ impl<'a> FaceResponse<'a> {
         self.tableau.set(2 * point + 1, normal);
     }
 
-    /// Makes `acting` (N/mm, 2p) the load.
+    /// Sets the load to `acting` (N/mm, 2p).
     pub(super) fn load(&mut self, acting: &[f64]) {
         let units = self.problem.pockets().iter().map(|pocket| &pocket.unit[..]);
         self.tableau.loads().set(std::iter::once(acting).chain(units));
     }
 
-    /// Makes `end` (N/mm, 2p) the load, which is `start` with both of `rates`, and these loads 1
-    /// and 2.
+    /// Sets the load to `end` (N/mm, 2p), which is the sum of `start` and both `rates`; the rates
+    /// become loads 1 and 2.
     pub(super) fn load_on(&mut self, start: &[f64], end: &[f64], rates: [&[f64]; 2]) {
         let units = self.problem.pockets().iter().map(|pocket| &pocket.unit[..]);
-        // Unit pressures follow the load that acts.
+        // Unit pressures are appended after the acting load.
         self.tableau.loads().set_on(start, end, units.chain(rates));
     }
 
-    /// Makes `pressures` (MPa) those over the mouths of the pockets.
+    /// Sets the pressures (MPa) over the mouths of the pockets.
     pub(super) fn set_outside(&mut self, pressures: &[f64]) {
         self.outside.clone_from_slice(pressures);
     }
 
-    /// Gives pocket `k` another state, from the next equilibrium on.
+    /// Gives pocket `k` another state from the next equilibrium on.
     pub(super) fn set_pocket(&mut self, k: usize, state: PocketState) {
         self.solution.fluid[k] = state;
     }
@@ -113,7 +113,7 @@ impl<'a> FaceResponse<'a> {
         rows.press(fluid, &self.outside, jump, contact)
     }
 
-    /// One more load (N/mm, 2p) to answer as a rate.
+    /// Appends a load (N/mm, 2p) whose response is a rate.
     pub(super) fn load_also(&mut self, load: Vec<f64>) {
         self.tableau.loads().add(load);
     }
@@ -144,7 +144,7 @@ impl<'a> FaceResponse<'a> {
         self.tableau.jumps_under(load + self.units.len(), [2 * point, 2 * point + 1])
     }
 
-    /// Takes over statuses and values of `solution`, which is in equilibrium.
+    /// Adopts the statuses and values of `solution`, which is in equilibrium.
     pub(super) fn adopt(&mut self, solution: &FaceSolution) {
         for (point, &status) in solution.status.iter().enumerate() {
             self.set_status(point, status, solution.jump[2 * point]);

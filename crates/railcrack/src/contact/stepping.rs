@@ -1,8 +1,8 @@
-//! Adaptive load steps: friction depends on the order of events.
+//! Adaptive load steps along a load path, since friction depends on the order of events.
 
-use super::pocket_way::OutsidePressure;
+use super::pocket_trace::OutsidePressure;
 use super::pressure::{content, total, violation};
-use super::trace::{Accuracy, LetsOff, StepLoad, Stop, Trace, follow};
+use super::trace::{Accuracy, AtRelease, StepLoad, Stop, Trace, follow};
 use super::{
     ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, PocketState,
     PocketStatus, PointStatus, StepSolver,
@@ -24,11 +24,11 @@ pub trait LoadPath: Sync {
     }
 }
 
-/// How the load steps of a path are chosen.
+/// Control of the load steps along a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum StepControl {
     /// Points touch, stick, slip and open one after the other within a step, along a parabola of
-    /// the load; a step is as long as the tolerance lets that be accurate.
+    /// the load; the tolerance limits the length of a step.
     #[default]
     Adaptive,
     /// One step from station to station, as in a code without control: a point that closes and
@@ -50,41 +50,41 @@ impl Choice for StepControl {
     ];
 }
 
-/// A path that could not be followed.
+/// Failures to follow a load path.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SteppingError {
     /// The contact did not converge at the smallest step.
     #[error("at path coordinate {at}: {failure}")]
     NotConverged {
-        /// Where.
+        /// Path coordinate.
         at: f64,
-        /// How.
+        /// The failure.
         failure: NotConverged,
     },
-    /// No end of the steps between two stations.
+    /// Too many steps between two stations.
     #[error(
-        "at path coordinate {at}: {attempts} load steps were tried between {from} and {to}, and as many are allowed"
+        "at path coordinate {at}: the limit of {attempts} load steps between {from} and {to} was reached"
     )]
     TooManySteps {
-        /// Where.
+        /// Path coordinate.
         at: f64,
-        /// How many steps were tried.
+        /// Number of steps tried.
         attempts: usize,
-        /// Where the way began.
+        /// Path coordinate of the previous station.
         from: f64,
-        /// Where it should have ended.
+        /// Path coordinate of the next station.
         to: f64,
     },
-    /// The observer asked to stop.
+    /// An interruption on request.
     #[error("interrupted at path coordinate {at}")]
     Interrupted {
-        /// Where.
+        /// Path coordinate.
         at: f64,
     },
 }
 
-/// Effort of following a path.
+/// Computational effort along a path.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SteppingCounts {
     /// Accepted steps that end between stations.
@@ -93,7 +93,7 @@ pub struct SteppingCounts {
     pub solves: usize,
     /// Contact iterations of all solutions.
     pub iterations: usize,
-    /// The most iterations of one solution.
+    /// Largest number of iterations of one solution.
     pub iterations_max: usize,
     /// Largest violation of the contact conditions.
     pub violation_max: f64,
@@ -102,18 +102,18 @@ pub struct SteppingCounts {
 /// Follows load paths from station to station, event by event.
 ///
 /// Between changes of status the response to the load has no memory, and a load step has no error.
-/// An error arises only in the slip at which a point is held when it closes, or stops slipping,
+/// The only error is that of the slip at which a point is held after it closes, or stops slipping,
 /// within the step. All changes of status are therefore followed in their order along a parabola of
 /// the load; where the difference between parabola and load would change the slip of such a point
-/// by more than `tolerance` of the largest jump seen there, the step is cut. The end of a step is
-/// solved under the exact load.
+/// by more than `tolerance` of the largest jump seen there, the step is shortened. The end of a
+/// step is solved under the exact load.
 pub struct Stepper<'a> {
     pub(super) problem: &'a FaceProblem<'a>,
     solver: Box<dyn StepSolver<'a> + 'a>,
     pub(super) faces: FaceResponse<'a>,
     pub(super) tolerance: f64,
     control: StepControl,
-    /// Slip or opening of each point that counts as large, mm.
+    /// Reference size of slip and opening of each point, mm.
     scale: Vec<f64>,
     /// The largest jump and force so far.
     pub(super) largest: FaceScale,
@@ -128,22 +128,22 @@ pub struct Stepper<'a> {
     counts: SteppingCounts,
     interrupted: &'a (dyn Fn() -> bool + Sync),
     visited: Option<Visited>,
-    /// Memory of a step.
+    /// Work arrays of a step.
     memory: StepMemory,
 }
 
-/// Load and faces on their way through a step.
+/// Load and faces during a step.
 #[derive(Default)]
 struct StepMemory {
     load: StepLoad,
     trace: Trace,
 }
 
-/// The jumps of some points on the way: at every accepted solution, and wherever a status changes.
+/// Jumps of selected points at every accepted solution and at every change of status.
 #[derive(Debug, Clone)]
 struct Visited {
     points: Range<usize>,
-    /// Of each path the coordinates with the jumps, mm.
+    /// For each path, coordinates and jumps (mm).
     paths: Vec<Vec<(f64, Vec<f64>)>>,
 }
 
@@ -156,12 +156,12 @@ impl Visited {
     }
 }
 
-/// State that faces carry from one part of their path to another.
+/// State of the faces that is carried from one part of their path to the next.
 #[derive(Debug, Clone, PartialEq)]
-pub struct FaceHistory {
+pub(crate) struct FaceHistory {
     /// The accepted solution.
     pub solution: FaceSolution,
-    /// Slip or opening of each point that counts as large, mm.
+    /// Reference size of slip and opening of each point, mm.
     pub scale: Vec<f64>,
     /// The largest jump and force so far.
     pub largest: FaceScale,
@@ -171,7 +171,7 @@ pub struct FaceHistory {
 
 impl FaceHistory {
     /// Virgin faces of `points` points without load; `expected` as in [`Stepper::new`].
-    pub fn virgin(points: usize, expected: &[f64]) -> Self {
+    pub(crate) fn virgin(points: usize, expected: &[f64]) -> Self {
         Self {
             solution: FaceSolution::virgin(points),
             scale: expected.iter().map(|slip| EXPECTED_SHARE * slip.abs()).collect(),
@@ -181,48 +181,49 @@ impl FaceHistory {
     }
 }
 
-/// Steps that are tried between two stations at most. Passages need some hundreds for all of their
-/// stations together; thousands between two of them are a solver that goes in circles.
+/// Largest number of steps between two stations. Passages need some hundreds for all of their
+/// stations together; thousands between two stations indicate a cycling solver.
 const MOST_ATTEMPTS: usize = 3000;
-/// Steps between two stations at most in which the contact does not converge, each of hundreds of
-/// iterations. Halving a step down to the smallest takes 24 of them.
+/// Largest number of steps between two stations without convergence of the contact, each of
+/// hundreds of iterations. Halving a step down to the smallest takes 24 of them.
 const MOST_FAILURES: usize = 48;
-/// Error of the slip at which a point is held, over the tolerance times the largest jump seen
-/// there. Measured in `docs/step-control.md`.
+/// Error of the slip at which a point is held, over the tolerance times the largest jump there so
+/// far. Measured in `docs/step-control.md`.
 const HELD_SLIP: f64 = 0.2;
-/// Slip that counts as large before any has been seen, as a share of the slip without contact.
+/// Initial reference size of the slip, as a share of the slip without contact.
 const EXPECTED_SHARE: f64 = 2e-2;
-/// Difference of two jumps, over the error that a step may make, that is none.
+/// Difference of two jumps, over the admissible error of a step, that is negligible.
 const ALIKE: f64 = 1e-3;
-/// Steps that are shorter than this share of the way between stations do not look for the place
-/// within them at which fluid is let off.
+/// Share of the distance between stations below which a step does not locate the point at which
+/// fluid is released.
 const PLACED: f64 = 1e-3;
-/// Share of itself by which a step that ends where fluid is let off goes beyond that place, so that
-/// the way out is open at its end.
+/// Relative amount by which a step that ends at a release of fluid is prolonged, so that the path
+/// to the mouth is open at its end.
 const BEYOND: f64 = 1e-3;
 /// Smallest step as a fraction of the distance between stations.
 const SMALLEST: f64 = 1e-7;
 
-/// How a step went.
+/// Outcome of a step.
 enum Attempt {
     Accepted,
-    /// To be tried with this share of its length.
+    /// To be repeated with this share of its length.
     Shorter(f64),
-    /// The same, without tracing.
+    /// To be repeated with this share of its length, without tracing.
     Untraced(f64),
-    /// To be tried again, the fluid to be let off at its end.
-    ThenLetOff,
+    /// To be repeated, with fluid to be released at its end.
+    ThenRelease,
 }
 
-/// A step that can be followed to less than this share of it is made untraced, with a share
-/// [`UNTRACED`] of its length; others end at this share of what could be followed.
+/// A step that can be traced over less than the share [`EARLY`] is repeated untraced with the share
+/// [`UNTRACED`] of its length; other steps are shortened to the share [`BEFORE`] of the traced
+/// part.
 const EARLY: f64 = 0.05;
 const UNTRACED: f64 = 1.0 / 16.0;
 const BEFORE: f64 = 0.95;
 
 impl<'a> Stepper<'a> {
     /// Virgin faces without load. `tolerance` is that on K relative to its peak; `expected` (mm, p)
-    /// is the slip that each point would show without contact, for the scale of first events.
+    /// is the slip that each point would show without contact, which scales the first events.
     pub fn new(
         problem: &'a FaceProblem<'a>,
         solver: &dyn ContactSolver,
@@ -249,8 +250,8 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// Faces that go on from `history`.
-    pub fn from_history(
+    /// Faces that continue from `history`.
+    pub(crate) fn from_history(
         problem: &'a FaceProblem<'a>,
         solver: &dyn ContactSolver,
         tolerance: f64,
@@ -265,8 +266,8 @@ impl<'a> Stepper<'a> {
         stepper
     }
 
-    /// All that is to be known to go on from here.
-    pub fn history(&self) -> FaceHistory {
+    /// The data required to continue from the current state.
+    pub(crate) fn history(&self) -> FaceHistory {
         FaceHistory {
             solution: self.current.clone(),
             scale: self.scale.clone(),
@@ -275,25 +276,26 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// The same with another control of the steps.
-    pub fn with_control(self, control: StepControl) -> Self {
+    /// This stepper with the step control `control`.
+    pub(crate) fn with_control(self, control: StepControl) -> Self {
         Self { control, ..self }
     }
 
-    /// The same, given up as soon as `interrupted` says so: it is asked before each step.
-    pub fn with_interruption(self, interrupted: &'a (dyn Fn() -> bool + Sync)) -> Self {
+    /// This stepper with an interruption: `interrupted` is called before each step and stops the
+    /// path by returning true.
+    pub(crate) fn with_interruption(self, interrupted: &'a (dyn Fn() -> bool + Sync)) -> Self {
         Self { interrupted, ..self }
     }
 
-    /// The same, to keep the jumps of `points` on the way.
-    pub fn with_visits(self, points: Range<usize>) -> Self {
+    /// This stepper with a record of the jumps of `points` along the path.
+    pub(crate) fn with_visits(self, points: Range<usize>) -> Self {
         Self { visited: Some(Visited { points, paths: Vec::new() }), ..self }
     }
 
-    /// The jumps (mm) of the points of [`Stepper::with_visits`] along each path since, with their
-    /// coordinates: from its beginning on, at every accepted solution and wherever a status
-    /// changes.
-    pub fn take_visits(&mut self) -> Vec<Vec<(f64, Vec<f64>)>> {
+    /// The recorded jumps (mm) of the points of [`Stepper::with_visits`] for each path since the
+    /// last call, with path coordinates: at the start, at every accepted solution and at every
+    /// change of status.
+    pub(crate) fn take_visits(&mut self) -> Vec<Vec<(f64, Vec<f64>)>> {
         self.visited.as_mut().map_or(Vec::new(), |visited| std::mem::take(&mut visited.paths))
     }
 
@@ -302,9 +304,9 @@ impl<'a> Stepper<'a> {
         &self.current
     }
 
-    /// Whether the current solution is `other`, as far as what comes after it can tell: the same
-    /// statuses, and jumps that differ by less than a thousandth of the error that a step may make.
-    pub fn is_like(&self, other: &FaceSolution) -> bool {
+    /// Whether the current solution is equivalent to `other` for all later steps: the same
+    /// statuses, and jumps that differ by less than a thousandth of the admissible error of a step.
+    pub(crate) fn is_like(&self, other: &FaceSolution) -> bool {
         let near = |i: usize| (self.current.jump[i] - other.jump[i]).abs() <= ALIKE * self.allowed(i / 2);
         let filled = |(one, other): (&PocketState, &PocketState)| {
             let near = (one.content - other.content).abs() <= ALIKE * self.tolerance * other.content.abs();
@@ -324,7 +326,7 @@ impl<'a> Stepper<'a> {
         self.counts
     }
 
-    /// Begins a new path at coordinate `start`: its load there must be the current one.
+    /// Begins a new path at coordinate `start`, where its load must equal the current load.
     pub fn begin(&mut self, start: f64) {
         self.at = start;
         if let Some(visited) = &mut self.visited {
@@ -333,12 +335,12 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// Follows `path` to `station`, in as many steps as the tolerance asks for. `accepted` sees
-    /// every accepted solution, and the faces wherever a status changes on the way to it, with
-    /// their forces.
+    /// Follows `path` to `station`, in as many steps as the tolerance requires. `accepted` receives
+    /// every accepted solution, and the faces at every change of status before it, with their
+    /// forces.
     ///
-    /// Errors: contact does not converge in the smallest step, or in too many; the steps find no
-    /// end; an interruption.
+    /// Errors: no convergence in the smallest step or in too many steps; too many steps; an
+    /// interruption.
     pub fn advance(
         &mut self,
         path: &dyn LoadPath,
@@ -350,7 +352,7 @@ impl<'a> Stepper<'a> {
         let mut step = whole;
         let (mut attempts, mut failures) = (0, 0);
         let mut control = self.control;
-        let mut lets_off = LetsOff::There;
+        let mut at_release = AtRelease::EndStep;
         while self.at != station {
             if (self.interrupted)() {
                 return Err(SteppingError::Interrupted { at: self.at });
@@ -362,21 +364,21 @@ impl<'a> Stepper<'a> {
             let target = if step.abs() >= (station - self.at).abs() { station } else { self.at + step };
             let smallest = (target - self.at).abs() <= SMALLEST * whole.abs();
             if (target - self.at).abs() <= PLACED * whole.abs() {
-                lets_off = LetsOff::AtItsEnd;
+                at_release = AtRelease::Continue;
             }
-            let manner = (if smallest { StepControl::Fixed } else { control }, lets_off);
+            let manner = (if smallest { StepControl::Fixed } else { control }, at_release);
             match self.attempt(path, target, manner, accepted) {
                 Ok(Attempt::Accepted) => {
                     if target != station {
                         self.counts.substeps += 1;
                     }
-                    self.let_off_all(accepted)?;
+                    self.release_all(accepted)?;
                     step = station - self.at;
                     control = self.control;
-                    lets_off = LetsOff::There;
+                    at_release = AtRelease::EndStep;
                 }
                 Ok(Attempt::Shorter(share)) => step = share * (target - self.at),
-                Ok(Attempt::ThenLetOff) => lets_off = LetsOff::AtItsEnd,
+                Ok(Attempt::ThenRelease) => at_release = AtRelease::Continue,
                 Ok(Attempt::Untraced(share)) => {
                     step = share * (target - self.at);
                     control = StepControl::Fixed;
@@ -393,12 +395,12 @@ impl<'a> Stepper<'a> {
         Ok(())
     }
 
-    /// Tries a step to `target`. If it is not accepted, the solution is as before.
+    /// Tries a step to `target`. If it is not accepted, the solution is unchanged.
     fn attempt(
         &mut self,
         path: &dyn LoadPath,
         target: f64,
-        (control, lets_off): (StepControl, LetsOff),
+        (control, at_release): (StepControl, AtRelease),
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Result<Attempt, NotConverged> {
         let (end, outside) = (path.nodal_forces(target), path.over_mouths(target));
@@ -406,7 +408,7 @@ impl<'a> Stepper<'a> {
         self.faces.keep();
         let has_memory = self.problem.has_friction() || !self.problem.pockets().is_empty();
         let result = if control == StepControl::Adaptive && has_memory {
-            self.traced(path, target, (end, outside), lets_off, accepted)
+            self.traced(path, target, (end, outside), at_release, accepted)
         } else {
             self.untraced(target, (end, outside), accepted)
         };
@@ -417,29 +419,29 @@ impl<'a> Stepper<'a> {
         result
     }
 
-    /// A step in which all events are met in their order.
+    /// A step that follows all events in their order.
     fn traced(
         &mut self,
         path: &dyn LoadPath,
         target: f64,
         (end, outside): (Vec<f64>, Vec<f64>),
-        lets_off: LetsOff,
+        at_release: AtRelease,
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Result<Attempt, NotConverged> {
         let mut memory = std::mem::take(&mut self.memory);
         memory.load.lead_through(&self.load, &path.nodal_forces(0.5 * (self.at + target)), end);
-        let result = self.traced_on(&mut memory, path, target, (outside, lets_off), accepted);
+        let result = self.traced_on(&mut memory, path, target, (outside, at_release), accepted);
         self.memory = memory;
         result
     }
 
-    /// [`Stepper::traced`] along the load in the memory.
+    /// [`Stepper::traced`] along the load in the work arrays.
     fn traced_on(
         &mut self,
         StepMemory { load, trace }: &mut StepMemory,
         path: &dyn LoadPath,
         target: f64,
-        (outside_end, lets_off): (Vec<f64>, LetsOff),
+        (outside_end, at_release): (Vec<f64>, AtRelease),
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Result<Attempt, NotConverged> {
         let along = |share: f64| self.at + share * (target - self.at);
@@ -465,17 +467,19 @@ impl<'a> Stepper<'a> {
             },
             allowed: &|j| allowed(tolerance, scale_of[j]),
             outside: outside.clone(),
-            loud: self.loud(),
-            lets_off,
+            release_excess: self.release_excess(),
+            at_release,
         };
         match follow(self.problem, &mut self.faces, &self.current, scale, accuracy, trace) {
             Ok(()) => {}
             Err(Stop::Inaccurate { excess }) => return Ok(Attempt::Shorter((0.9 / excess.cbrt()).max(0.2))),
             Err(Stop::Lost { share }) if share > EARLY => return Ok(Attempt::Shorter(BEFORE * share)),
             Err(Stop::Lost { .. }) => return Ok(Attempt::Untraced(UNTRACED)),
-            // The step ends where fluid finds its way out.
-            Err(Stop::LetsOff { share }) if share > 1.0 - 2.0 * BEYOND => return Ok(Attempt::ThenLetOff),
-            Err(Stop::LetsOff { share }) => return Ok(Attempt::Shorter((share * (1.0 + BEYOND)).max(EARLY))),
+            // The step ends at a release of fluid.
+            Err(Stop::AtRelease { share }) if share > 1.0 - 2.0 * BEYOND => return Ok(Attempt::ThenRelease),
+            Err(Stop::AtRelease { share }) => {
+                return Ok(Attempt::Shorter((share * (1.0 + BEYOND)).max(EARLY)));
+            }
         }
         self.solve(&load.end, &trace.reference_slip, &outside_end)?;
         let after = self.faces.solution();
@@ -491,7 +495,7 @@ impl<'a> Stepper<'a> {
         let leaks = |state: &PocketState| state.status == PocketStatus::Leaking;
         let closes =
             trace.now.fluid.iter().zip(&after.fluid).any(|(traced, solved)| leaks(traced) != leaks(solved));
-        if closes && lets_off == LetsOff::There {
+        if closes && at_release == AtRelease::EndStep {
             return Ok(Attempt::Shorter(0.5));
         }
         let from = self.at;
@@ -504,7 +508,7 @@ impl<'a> Stepper<'a> {
         Ok(self.accept(target, (std::mem::take(&mut load.end), outside_end), accepted))
     }
 
-    /// A step whose events all count as at its start.
+    /// A step in which all events are taken to occur at its start.
     fn untraced(
         &mut self,
         target: f64,
@@ -535,7 +539,7 @@ impl<'a> Stepper<'a> {
         solved.map(|_| ())
     }
 
-    /// Makes the solution in `faces` the current one.
+    /// Makes the solution in `faces` the current solution.
     fn accept(
         &mut self,
         target: f64,
@@ -570,13 +574,13 @@ impl<'a> Stepper<'a> {
         Attempt::Accepted
     }
 
-    /// Error (mm) of the slip at which point `j` is held that leaves K within the tolerance.
+    /// Admissible error (mm) of the slip at which point `j` is held, for K within the tolerance.
     fn allowed(&self, j: usize) -> f64 {
         allowed(self.tolerance, self.scale[j])
     }
 }
 
-/// The same for a point whose jumps go up to `scale`, mm.
+/// Admissible error (mm) for a point whose largest jump is `scale` (mm).
 fn allowed(tolerance: f64, scale: f64) -> f64 {
     HELD_SLIP * tolerance * scale
 }

@@ -1,4 +1,4 @@
-//! Jumps and contact forces of the faces, as components are held and freed.
+//! Tableau of the jumps and contact forces of the faces, with components held or free.
 
 use super::condition::{Condition, Degenerate};
 use super::differences::Differences;
@@ -14,28 +14,28 @@ use crate::math::{Matrix, add_rows_to_each, axpy};
 /// A basis of such conditions has a tableau: with the prescribed quantity of each component as
 /// input (w_i, or with p = A w the force p_i + c_i p_{i+1}) and the other one as output (p_i, or
 /// w_i), output = T · input. Where the present conditions differ from those of the basis, the
-/// inputs there are unknown instead, and follow from as many equations, all of whose coefficients
-/// are entries of T. A change of status thus costs one row of a small system, and undoing it
-/// costs nothing. Many differences together become a new basis, by a block principal
+/// inputs there are unknown instead, and follow from an equal number of equations whose
+/// coefficients are entries of T. A change of status thus costs one row of a small system, and
+/// undoing it costs nothing. Many differences are combined into a new basis by a block principal
 /// pivot (Cottle, Pang & Stone, The Linear Complementarity Problem, 2.3).
 pub(super) struct Tableau<'a> {
     stiffness: &'a Matrix,
-    /// Unit (N/mm per mm) of the forces in the tableau over those of the jumps: stiffnesses and
-    /// compliances are about one then.
+    /// Ratio (N/mm per mm) of the units of forces and jumps in the tableau, which makes stiffnesses
+    /// and compliances of order one.
     unit: f64,
-    /// Conditions of the basis; of held components the jump does not count.
+    /// Conditions of the basis, regardless of the jumps of held components.
     basis: Vec<Condition>,
     /// Tᵀ: the outputs for a unit of each input.
     responses: Matrix,
     now: Vec<Condition>,
     kept: Vec<Condition>,
-    /// Where the basis holds components (mm), zero where it does not, and its outputs for that:
-    /// what is held seldom moves.
+    /// Jumps (mm) at which the basis holds components, zero for free ones, and the outputs for
+    /// these; held components seldom move.
     held: Vec<f64>,
     of_held: Vec<f64>,
     probe: Probe,
     loads: Loads,
-    /// Components that the basis leaves free.
+    /// Components that are free in the basis.
     free: Vec<usize>,
     differences: Differences,
 }
@@ -45,11 +45,11 @@ pub(super) struct Tableau<'a> {
 struct Action {
     /// One of the loads, if any.
     load: Option<usize>,
-    /// Whether the held components are where their conditions say, or at zero.
+    /// Whether the held components are at the jumps of their conditions, or at zero.
     held: bool,
 }
 
-/// How jumps and contact forces change.
+/// Rates of jumps and contact forces.
 #[derive(Debug, Clone, Default)]
 pub(super) struct FaceRate {
     /// mm
@@ -59,24 +59,24 @@ pub(super) struct FaceRate {
 }
 
 impl FaceRate {
-    /// None of `components` changes.
+    /// Zero rates of `components` components.
     pub(super) fn zero(components: usize) -> Self {
         Self { jump: vec![0.0; components], contact: vec![0.0; components] }
     }
 }
 
-/// Components per difference that it takes to make a new basis, and how many differences at least
-/// and at most: a system of more costs more than a basis.
+/// Number of components per difference beyond which a new basis is computed, within limits of the
+/// number of differences; a larger system costs more than a basis.
 const MANY: usize = 12;
 const FEW: usize = 10;
 const MOST: usize = 80;
-/// A new basis is made at once beyond this multiple of that number.
+/// Multiple of that number of differences beyond which a new basis is computed immediately.
 const URGENT: usize = 3;
-/// Residual of the probe, relative to its terms so far, above which a basis is computed anew.
+/// Residual of the probe, relative to its terms so far, above which a basis is recomputed.
 const DRIFT: f64 = 1e-13;
 
 impl<'a> Tableau<'a> {
-    /// All components held at zero. `stiffness` is A, symmetric.
+    /// The tableau with all components held at zero; `stiffness` is A, symmetric.
     pub(super) fn new(stiffness: &'a Matrix) -> Self {
         let n = stiffness.rows();
         let held = vec![Condition::Held(0.0); n];
@@ -97,13 +97,13 @@ impl<'a> Tableau<'a> {
         }
     }
 
-    /// The loads to answer.
+    /// The loads.
     pub(super) fn loads(&mut self) -> &mut Loads {
         &mut self.loads
     }
 
-    /// Sets the condition of `component`. Only one that another follows may be coupled, and only to
-    /// one that is free without coupling or held.
+    /// Sets the condition of `component`. Only a component with a successor may be coupled, and its
+    /// successor must be held or free without coupling.
     pub(super) fn set(&mut self, component: usize, condition: Condition) {
         if !condition.is_like(self.now[component]) {
             self.differences.change(component, !condition.is_like(self.basis[component]));
@@ -111,12 +111,12 @@ impl<'a> Tableau<'a> {
         self.now[component] = condition;
     }
 
-    /// Makes the present conditions those to return to.
+    /// Saves the present conditions for [`Self::restore`].
     pub(super) fn keep(&mut self) {
         self.kept.clone_from(&self.now);
     }
 
-    /// Returns to what was kept.
+    /// Restores the saved conditions.
     pub(super) fn restore(&mut self) {
         for component in 0..self.now.len() {
             self.set(component, self.kept[component]);
@@ -129,22 +129,22 @@ impl<'a> Tableau<'a> {
 
     /// The jumps (mm) and contact forces q (N/mm) of all components under the first load.
     ///
-    /// Errors: conditions that leave a component without equation.
+    /// Errors: conditions that leave a component undetermined.
     pub(super) fn solve(&mut self, jump: &mut [f64], contact: &mut [f64]) -> Result<(), Degenerate> {
         self.change_basis_beyond(self.many());
         self.solve_checked(jump, contact)
     }
 
-    /// [`Tableau::solve`] in an iteration, whose conditions may well be undone.
+    /// [`Tableau::solve`] within an iteration, whose conditions are likely to be undone.
     pub(super) fn solve_again(&mut self, jump: &mut [f64], contact: &mut [f64]) -> Result<(), Degenerate> {
         self.change_basis_beyond(URGENT * self.many());
         self.solve_checked(jump, contact)
     }
 
-    /// Contributions of the loads from number `first` on to jumps and contact forces while nothing
-    /// that is held moves, one after the other in `rates`.
+    /// Contributions of the loads from number `first` on to jumps and contact forces with held
+    /// components fixed, one after the other in `rates`.
     ///
-    /// Errors: conditions that leave a component without equation.
+    /// Errors: conditions that leave a component undetermined.
     pub(super) fn rates(&mut self, first: usize, rates: &mut [FaceRate]) -> Result<(), Degenerate> {
         self.change_basis_beyond(self.many());
         self.prepare()?;
@@ -156,10 +156,10 @@ impl<'a> Tableau<'a> {
         Ok(())
     }
 
-    /// Contributions (mm) of load number `load` to the jumps of `components` while nothing that is
-    /// held moves.
+    /// Contributions (mm) of load number `load` to the jumps of `components` with held components
+    /// fixed.
     ///
-    /// Errors: conditions that leave a component without equation.
+    /// Errors: conditions that leave a component undetermined.
     pub(super) fn jumps_under<const N: usize>(
         &mut self,
         load: usize,
@@ -182,16 +182,16 @@ impl<'a> Tableau<'a> {
         Ok(jumps)
     }
 
-    /// Makes a basis of the present conditions, if more than `most` differ.
+    /// Makes the present conditions the basis, if more than `most` differ from it.
     fn change_basis_beyond(&mut self, most: usize) {
         if self.differences.components.len() > most {
-            // Where that fails, the differences remain, and their own system decides.
+            // If this fails, the differences remain, and their own equations are solved.
             let _ = self.change_basis();
         }
     }
 
     /// Jumps and contact forces under the first load. A basis that has become inaccurate is
-    /// computed anew.
+    /// recomputed.
     fn solve_checked(&mut self, jump: &mut [f64], contact: &mut [f64]) -> Result<(), Degenerate> {
         let sound = self.equilibrium(jump, contact);
         if sound.is_ok() && self.fulfils(jump, contact) {
@@ -201,8 +201,8 @@ impl<'a> Tableau<'a> {
         self.equilibrium(jump, contact)
     }
 
-    /// Whether A w = load + q holds under the first load, as far as a sum of all equations with the
-    /// weights of the probe tells.
+    /// Whether A w = load + q holds under the first load, according to the sum of all equations
+    /// with the weights of the probe.
     fn fulfils(&mut self, jump: &[f64], contact: &[f64]) -> bool {
         let (mut sum, mut size) = (0.0f64, 0.0f64);
         let load = self.loads.forces(0);
@@ -226,7 +226,7 @@ impl<'a> Tableau<'a> {
         Ok(())
     }
 
-    /// All that [`Tableau::answer_to`] needs.
+    /// Computes the data that [`Tableau::answer_to`] needs.
     fn prepare(&mut self) -> Result<(), Degenerate> {
         let (basis, unit) = (&self.basis, self.unit);
         let driven = |forces: &[f64], i: usize| match basis[i] {
@@ -237,7 +237,7 @@ impl<'a> Tableau<'a> {
         self.factor()
     }
 
-    /// The basis under `action` with the inputs at which the present conditions are met.
+    /// The response of the basis to `action` with the inputs at which the present conditions hold.
     fn answer_to(&mut self, action: Action) -> Result<Answer, Degenerate> {
         let mut answer = self.of_basis(action);
         self.meet_conditions(action, &mut answer)?;
@@ -247,8 +247,8 @@ impl<'a> Tableau<'a> {
         Ok(answer)
     }
 
-    /// Gives `answer`, that of the basis to `action`, the inputs at which the present conditions
-    /// are met.
+    /// Sets the inputs of `answer`, the response of the basis to `action`, so that the present
+    /// conditions hold.
     fn meet_conditions(&self, action: Action, answer: &mut Answer) -> Result<(), Degenerate> {
         let Answer { input, output, changes } = answer;
         let components = &self.differences.components;
@@ -259,7 +259,7 @@ impl<'a> Tableau<'a> {
         Ok(())
     }
 
-    /// Factors the equations of what differs from the basis.
+    /// Factors the equations of the components that differ from the basis.
     fn factor(&mut self) -> Result<(), Degenerate> {
         let mut differences = std::mem::take(&mut self.differences);
         let entry =
@@ -283,12 +283,13 @@ impl<'a> Tableau<'a> {
         solvable
     }
 
-    /// Jumps and contact forces of `answer` to `load`, with what is held in place or at zero.
+    /// Jumps and contact forces of `answer` to `load`, with held components at their jumps or at
+    /// zero.
     fn write(&self, load: usize, held: bool, answer: &Answer, (jump, contact): (&mut [f64], &mut [f64])) {
         let conditions = self.basis.iter().zip(&self.now);
         let answers = answer.input.iter().zip(&answer.output).zip(self.loads.forces(load));
         let results = jump.iter_mut().zip(contact);
-        // From the last component on: a coupled one needs the next.
+        // In descending order, because a coupled component needs its successor.
         let (mut force, mut next_contact) = (0.0, 0.0);
         for (((basis, now), ((&input, &output), load)), (jump, contact)) in
             conditions.zip(answers).zip(results).rev()
@@ -296,7 +297,8 @@ impl<'a> Tableau<'a> {
             let free_jump;
             (free_jump, force) = basis.state(input, output, force);
             (*jump, *contact) = match *now {
-                // Exactly, so that what sticks does not creep and what slips is on the cone.
+                // Set exactly, so that sticking points do not creep and slipping points lie on the
+                // friction cone.
                 Condition::Held(at) => (if held { at } else { 0.0 }, force * self.unit - load),
                 Condition::Free(coupling) => (free_jump, -times(coupling, || next_contact)),
             };
@@ -304,19 +306,19 @@ impl<'a> Tableau<'a> {
         }
     }
 
-    /// The basis under `action`.
+    /// The response of the basis to `action`.
     fn of_basis(&mut self, action: Action) -> Answer {
         let mut answer = self.loads.of_basis(action.load, self.now.len());
         if action.held {
-            // Where the basis holds nothing, this is zero.
+            // Zero for components that the basis does not hold.
             axpy(1.0, &self.held, &mut answer.input);
             axpy(1.0, &self.of_held, &mut answer.output);
         }
         answer
     }
 
-    /// Moves what is held, as in the basis, but elsewhere than before. Where the basis holds what
-    /// is free now, the input is unknown, and what it was last a good guess.
+    /// Moves components that are held in the basis and now at different jumps. Where a component of
+    /// the basis is now free, its input is unknown, and its last value is kept as an estimate.
     fn move_held(&mut self) {
         for i in 0..self.now.len() {
             if let (Condition::Held(_), Condition::Held(at)) = (self.basis[i], self.now[i])
@@ -329,7 +331,7 @@ impl<'a> Tableau<'a> {
     }
 
     /// Contribution of a unit of the input of component `input` to the left-hand side of the
-    /// condition of `component` today, which differs from that in the basis.
+    /// present condition of `component`, which differs from that in the basis.
     fn coefficient(&self, component: usize, input: usize) -> f64 {
         let response = self.responses.row(input);
         let own = f64::from(component == input);
@@ -363,7 +365,7 @@ impl<'a> Tableau<'a> {
         }
     }
 
-    /// Makes the present conditions a basis of their own, from A.
+    /// Recomputes the basis of the present conditions from A.
     fn refresh(&mut self) -> Result<(), Degenerate> {
         self.basis.fill(Condition::Held(0.0));
         self.responses = in_units(self.stiffness, self.unit);
@@ -372,8 +374,7 @@ impl<'a> Tableau<'a> {
         self.change_basis().map_err(|_| Degenerate)
     }
 
-    /// A basis that has not answered yet: everything that is held moves there from zero with the
-    /// next response.
+    /// Starts a basis without responses: with the next response all held components move from zero.
     fn begin_basis(&mut self) {
         self.differences = Differences::default();
         self.free.clear();
@@ -385,9 +386,9 @@ impl<'a> Tableau<'a> {
 
     /// Makes the present conditions the basis. With K the components that differ, R the
     /// coefficients of all inputs in their conditions and Z = R_K⁻¹, the inputs of K are u_K = Z (s
-    /// − R u) in terms of their new ones s and of the others u.
+    /// − R u) in terms of their new inputs s and the other inputs u.
     fn change_basis(&mut self) -> Result<(), LinearError> {
-        // What the loads do under the new conditions is known without the new basis.
+        // The responses under the new conditions are computed without the new basis.
         self.move_held();
         let loads = (0..self.loads.len()).map(|k| Action { load: Some(k), held: false });
         let actions = loads.chain([Action { load: None, held: true }]);
@@ -403,7 +404,7 @@ impl<'a> Tableau<'a> {
         let (n, k) = (self.now.len(), differences.len());
         let own = Matrix::from_fn(k, k, |m, p| conditions[(differences[p], m)]);
         let inverse = general_inverse(&own)?.transposed();
-        // Those of K have no say any more.
+        // The inputs of K are eliminated.
         differences.iter().for_each(|&i| conditions.row_mut(i).fill(0.0));
         conditions.entries_mut().iter_mut().for_each(|value| *value = -*value);
         let mut of_changed = Matrix::zeros(k, n);
@@ -430,7 +431,7 @@ impl<'a> Tableau<'a> {
     /// The coefficients of all inputs (rows) in the present conditions of `differences` (columns).
     fn conditions(&self, differences: &[usize]) -> Matrix {
         let (n, k) = (self.now.len(), differences.len());
-        // Share of the response of the component itself, and of the one after it.
+        // Contributions of the responses of the component and of its successor.
         let mut shares = Vec::with_capacity(k);
         for &i in differences {
             shares.push(match (self.basis[i], self.now[i]) {
@@ -452,7 +453,7 @@ impl<'a> Tableau<'a> {
                 }
             }
         }
-        // Where the basis is free, the input itself counts.
+        // For a free component of the basis the input itself contributes.
         for (m, &i) in differences.iter().enumerate() {
             for j in (i..=i + 1).filter(|j| *j < n) {
                 conditions[(j, m)] = self.coefficient(i, j);
@@ -461,8 +462,8 @@ impl<'a> Tableau<'a> {
         conditions
     }
 
-    /// `coupling` where the basis holds the component after `i`, zero where its response does not
-    /// count.
+    /// `coupling` if the basis holds the component after `i`, zero if its response does not
+    /// contribute.
     fn of_next(&self, i: usize, coupling: f64) -> f64 {
         match self.basis.get(i + 1) {
             Some(Condition::Held(_)) => coupling,
@@ -470,7 +471,7 @@ impl<'a> Tableau<'a> {
         }
     }
 
-    /// Makes the old inputs of `differences`, for a unit of each new input (rows of `inputs`),
+    /// Turns the old inputs of `differences`, for a unit of each new input (rows of `inputs`), into
     /// outputs.
     fn exchange(&mut self, differences: &[usize], inputs: &Matrix) {
         for j in 0..self.now.len() {
@@ -480,7 +481,7 @@ impl<'a> Tableau<'a> {
                     (Condition::Held(_), _) => response[i] = inputs[p],
                     (Condition::Free(coupling), Condition::Held(_)) => {
                         let next = || match self.basis[i + 1] {
-                            // Not written over yet: components come in order.
+                            // Not overwritten yet, because components are processed in order.
                             Condition::Held(_) => response[i + 1],
                             Condition::Free(_) => match differences.get(p + 1) {
                                 Some(&other) if other == i + 1 => inputs[p + 1],
@@ -495,7 +496,7 @@ impl<'a> Tableau<'a> {
         }
     }
 
-    /// Input and output under the present conditions of `answer` of the basis before.
+    /// Input and output in the new basis of `answer` in the previous basis.
     fn renewed(&self, answer: &Answer) -> Answer {
         let n = self.now.len();
         let mut new = Answer { input: vec![0.0; n], output: vec![0.0; n], changes: Vec::new() };
@@ -513,7 +514,8 @@ impl<'a> Tableau<'a> {
         new
     }
 
-    /// Makes `answers`, those to all loads and to what is held, those of the basis.
+    /// Stores `answers`, the responses to all loads and to the held components, as those of the
+    /// basis.
     fn take_over(&mut self, mut answers: Vec<Answer>) {
         if let Some(of_held) = answers.pop() {
             self.held = self.basis.iter().map(|condition| condition.held().unwrap_or(0.0)).collect();
@@ -524,8 +526,8 @@ impl<'a> Tableau<'a> {
 }
 
 impl Condition {
-    /// Jump (mm) and A w (in units) of a component of which the basis has this condition, from its
-    /// input and output; `next` is A w of the one after it.
+    /// Jump (mm) and A w (in units) of a component with this condition in the basis, from its input
+    /// and output; `next` is A w of its successor.
     fn state(self, input: f64, output: f64, next: f64) -> (f64, f64) {
         match self {
             Self::Held(_) => (input, output),
@@ -544,7 +546,7 @@ fn in_units(stiffness: &Matrix, unit: f64) -> Matrix {
     Matrix::from_fn(stiffness.rows(), stiffness.columns(), |i, j| stiffness[(i, j)] / unit)
 }
 
-/// `coupling` times a value that is there only where the coupling is not zero.
+/// `coupling` times a value that exists only if the coupling is not zero.
 #[inline]
 fn times(coupling: f64, value: impl FnOnce() -> f64) -> f64 {
     if coupling == 0.0 { 0.0 } else { coupling * value() }

@@ -11,7 +11,7 @@ fn stiffness() -> Matrix {
 
 const LOAD: [f64; N] = [10.0, -20.0, 5.0, 30.0, 3.0, -10.0, 20.0, 7.0];
 
-/// By how much A w = load + q and the conditions are missed, over the load.
+/// Largest residual of A w = load + q and of the conditions, over the load.
 fn defect(tableau: &mut Tableau, conditions: &[Condition; N], again: bool) -> f64 {
     let (mut jump, mut contact) = ([0.0; N], [0.0; N]);
     tableau.loads().set([LOAD]);
@@ -98,7 +98,7 @@ fn conditions_without_a_solution_are_refused_and_others_are_met_afterwards() {
     let stiffness = Matrix::from_fn(3, 3, |i, j| rows[i][j]);
     let mut tableau = Tableau::new(&stiffness);
     let (mut w, mut q) = ([0.0; 3], [0.0; 3]);
-    // A basis with forces for inputs, which what comes after a refusal must not take for jumps.
+    // A basis with forces as inputs, which must not be read as jumps after a rejected condition.
     tableau.set(1, Free(0.0));
     tableau.change_basis().unwrap();
     tableau.loads().set([[1.0, 2.0, 1.0]]);
@@ -137,14 +137,14 @@ fn rates_are_what_a_load_adds_before_and_after_a_new_base() {
             assert!((with.0[i] - without.0[i] - jump[i]).abs() < 1e-16, "{step}, {i}");
             assert!((with.1[i] - without.1[i] - contact[i]).abs() < 1e-11, "{step}, {i}");
         }
-        // The loads have been answered: the new basis takes that over.
+        // The responses to the loads are known and carried over to the new basis.
         tableau.set(0, Free(0.3));
         tableau.set(3, if step == 0 { Held(0.0) } else { Free(0.0) });
         tableau.set(2, Held(1e-4 * f64::from(step)));
         if step > 0 {
             tableau.change_basis().unwrap();
             assert!(tableau.loads.are_answered());
-            // What was the input of a coupled component is missing at another condition.
+            // The former input of a coupled component is missing under another condition.
             tableau.set(0, Free(-0.2));
             tableau.rates(1, &mut rate).unwrap();
             let [FaceRate { jump, contact }] = rate.clone();
@@ -161,8 +161,8 @@ fn rates_are_what_a_load_adds_before_and_after_a_new_base() {
     }
 }
 
-/// Along steps of the load whose ends are answered by sums, with a new basis on the way, a step
-/// that is tried again from the same start, and one from elsewhere.
+/// Load steps whose end responses are sums, with a new basis in between, a repeated step from the
+/// same start, and a step from a different start.
 #[test]
 fn a_load_at_the_end_of_a_step_is_a_sum() {
     let stiffness = stiffness();
@@ -186,7 +186,7 @@ fn a_load_at_the_end_of_a_step_is_a_sum() {
         tableau.loads().set_on(&start, &end, [&first[..], &second[..]].into_iter());
         assert_eq!(tableau.loads.is_sum(), ![0, 3, 5].contains(&step), "{step}");
         let (mut jump, mut contact) = ([0.0; N], [0.0; N]);
-        // Without the check that would mend it.
+        // Without the check that would correct it.
         tableau.equilibrium(&mut jump, &mut contact).unwrap();
         let mut fresh = Tableau::new(&stiffness);
         (0..N).for_each(|i| fresh.set(i, tableau.now[i]));

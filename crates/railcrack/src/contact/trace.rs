@@ -1,8 +1,8 @@
-//! A load step followed event by event.
+//! Tracing of a load step event by event.
 
 use super::condition::Degenerate;
 use super::parabola::Parabola;
-use super::pocket_way::{OutsidePressure, PocketEvent, PocketWay};
+use super::pocket_trace::{OutsidePressure, PocketEvent, PocketTrace};
 use super::problem::ROUND_OFF;
 use super::tableau::FaceRate;
 use super::{FaceProblem, FaceResponse, FaceScale, FaceSolution, PointStatus};
@@ -10,9 +10,9 @@ use super::{FaceProblem, FaceResponse, FaceScale, FaceSolution, PointStatus};
 /// The load within a step, at share τ of it: start + τ first + τ² second.
 #[derive(Default)]
 pub(super) struct StepLoad {
-    /// Nodal forces at its start, N/mm, 2p.
+    /// Nodal forces at the start of the step, N/mm, 2p.
     pub start: Vec<f64>,
-    /// At its end.
+    /// Nodal forces at its end.
     pub end: Vec<f64>,
     /// Coefficient of τ.
     pub first: Vec<f64>,
@@ -21,7 +21,7 @@ pub(super) struct StepLoad {
 }
 
 impl StepLoad {
-    /// Becomes the parabola through the forces at the start, in the middle and at the end.
+    /// Sets the parabola through the forces at the start, in the middle and at the end.
     pub(super) fn lead_through(&mut self, start: &[f64], middle: &[f64], end: Vec<f64>) {
         let each = |form: fn(f64, f64, f64) -> f64, values: &mut Vec<f64>| {
             values.clear();
@@ -40,24 +40,23 @@ impl StepLoad {
     }
 }
 
-/// The way of the faces through a step.
+/// The faces during a step.
 #[derive(Default)]
 pub(super) struct Trace {
-    /// The slip (mm, p) from which friction counts at its end.
+    /// The slip (mm, p) from which friction is measured at the end of the step.
     pub reference_slip: Vec<f64>,
-    /// The faces at its end, or where they are on their way.
+    /// The faces at the point reached in the step, finally at its end.
     pub now: FaceSolution,
     /// Coefficients of τ and τ².
     rates: [FaceRate; 2],
-    changes: Vec<Change>,
-    /// How many of them are of this step: the others are memory for further ones.
+    changes: Vec<Transition>,
+    /// Number of transitions of this step; further entries are reusable memory.
     count: usize,
 }
 
 impl Trace {
-    /// Where statuses changed: what was rising may fall from there on, so that extremes of K lie
-    /// there.
-    pub(super) fn changes(&self) -> &[Change] {
+    /// Changes of status; extremes of K lie there, because the rates change.
+    pub(super) fn changes(&self) -> &[Transition] {
         &self.changes[..self.count]
     }
 
@@ -78,72 +77,73 @@ impl Trace {
                 change.share = share;
                 change.solution.clone_from(&self.now);
             }
-            None => self.changes.push(Change { share, solution: self.now.clone() }),
+            None => self.changes.push(Transition { share, solution: self.now.clone() }),
         }
         self.count += 1;
     }
 }
 
-/// A point touches, opens, begins to slip or ceases to.
-pub(super) struct Change {
-    /// When, as share of the step.
+/// A change of status: a point touches, opens, begins to slip or ceases to slip.
+pub(super) struct Transition {
+    /// Share of the step at which it occurs.
     pub share: f64,
-    /// The faces then.
+    /// The faces at that moment.
     pub solution: FaceSolution,
 }
 
-/// How accurate a step has to be.
+/// Accuracy requirements of a step.
 pub(super) struct Accuracy<'s> {
-    /// The part of the load that its parabola misses (N/mm, 2p), where it misses most.
+    /// Difference between the load and its parabola (N/mm, 2p) where it is largest.
     pub missed: &'s dyn Fn() -> Vec<f64>,
-    /// By how much (mm) the slip may be wrong at which a point is held.
+    /// Admissible error (mm) of the slip at which a point is held.
     pub allowed: &'s dyn Fn(usize) -> f64,
     /// The pressure over the mouths of pockets.
     pub outside: OutsidePressure,
-    /// By how much (MPa) a pressure on open faces exceeds it before fluid is let off.
-    pub loud: f64,
-    /// Whether the step ends where fluid has to be let off.
-    pub lets_off: LetsOff,
+    /// Excess (MPa) of the pressure on open faces over that at the mouth at which fluid is
+    /// released.
+    pub release_excess: f64,
+    /// Whether the step ends at a release of fluid.
+    pub at_release: AtRelease,
 }
 
-/// The end of a step in which fluid has to be let off.
+/// Treatment of a release of fluid within a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum LetsOff {
-    /// It ends there.
-    There,
-    /// It goes on, and fluid is let off at its end.
-    AtItsEnd,
+pub(super) enum AtRelease {
+    /// The step ends there.
+    EndStep,
+    /// The step continues, and fluid is released at its end.
+    Continue,
 }
 
-/// A step that was not followed to its end.
+/// Reasons for which a step was not traced to its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Stop {
-    /// No next change could be found, at this share of the step.
+    /// No next change could be determined at this share of the step.
     Lost {
         /// Share of the step.
         share: f64,
     },
-    /// The load is too far from a parabola.
+    /// The load differs too much from a parabola.
     Inaccurate {
-        /// Error of the slip at which a point would be held, over what is allowed.
+        /// Error of the slip at which a point would be held, over the admissible error.
         excess: f64,
     },
-    /// Fluid at more than the pressure over the mouth has found a way out.
-    LetsOff {
+    /// Fluid above the pressure over the mouth has an open path to the mouth.
+    AtRelease {
         /// Share of the step.
         share: f64,
     },
 }
 
-/// Events at one moment, and in a step over the number of points, that are too many: the contact
-/// conditions have no solution there, or the faces have just begun to touch everywhere.
+/// Limits of the number of events at one moment, and in a step over the number of points. Beyond
+/// them the contact conditions have no solution, or the faces have just begun to touch everywhere.
 const MOST_AT_ONCE: usize = 32;
 const MOST_PER_POINT: usize = 4;
-/// Shares of a step that differ by less are the same moment.
+/// Difference of two shares of a step below which they are the same moment.
 const MOMENT: f64 = 1e-12;
 
-/// The faces followed through a step.
-struct Way<'w, 'a> {
+/// State of the tracing of a step.
+struct TracedStep<'w, 'a> {
     problem: &'w FaceProblem<'a>,
     faces: &'w mut FaceResponse<'a>,
     /// Jumps and forces below these are round-off.
@@ -151,19 +151,19 @@ struct Way<'w, 'a> {
     share: f64,
     trace: &'w mut Trace,
     /// The fluid, where its pressure is an unknown.
-    pockets: PocketWay,
+    pockets: PocketTrace,
     accuracy: Accuracy<'w>,
-    /// By crack, a bound of the error of slip that what the parabola misses means, over √C_jj of
-    /// the point: by Cauchy and Schwarz |C_jk| ≤ √(C_jj C_kk). None before it is asked for; `faces`
-    /// has what is missed as load 3 then.
+    /// For each crack, a bound of the error of slip due to the difference between load and
+    /// parabola, over √C_jj of the point: |C_jk| ≤ √(C_jj C_kk) by Cauchy and Schwarz. None until
+    /// it is needed; `faces` then has the difference as load 3.
     error_bounds: Option<Vec<f64>>,
 }
 
 /// The next change of status.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Event {
+struct TimedChange {
     change: StatusChange,
-    /// Share of the step from now on.
+    /// Share of the step until then.
     after: f64,
 }
 
@@ -173,10 +173,10 @@ enum StatusChange {
     Pocket(usize, PocketEvent),
 }
 
-/// Follows the faces from `current` through a step, of whose load `faces` has the coefficients as
-/// loads 1 and 2. Between two changes of status the response is a parabola like the load, so that
-/// the changes are found one after the other. On return `faces` has the statuses at the end of the
-/// step, and `trace` has the way.
+/// Follows the faces from `current` through a step, for which `faces` has the coefficients of the
+/// load as loads 1 and 2. Between two changes of status the response is a parabola like the load,
+/// so that the changes can be determined one after the other. On return `faces` has the statuses at
+/// the end of the step, and `trace` the transitions.
 pub(super) fn follow<'a>(
     problem: &FaceProblem<'a>,
     faces: &mut FaceResponse<'a>,
@@ -186,10 +186,11 @@ pub(super) fn follow<'a>(
     trace: &mut Trace,
 ) -> Result<(), Stop> {
     trace.begin(current);
-    // Fluid that is let off at the end of the step stays until then.
-    let loud = if accuracy.lets_off == LetsOff::There { accuracy.loud } else { f64::INFINITY };
-    let pockets = PocketWay::new(problem, accuracy.outside.clone(), loud);
-    let mut way = Way {
+    // Fluid that is released at the end of the step stays until then.
+    let release_excess =
+        if accuracy.at_release == AtRelease::EndStep { accuracy.release_excess } else { f64::INFINITY };
+    let pockets = PocketTrace::new(problem, accuracy.outside.clone(), release_excess);
+    let mut step = TracedStep {
         problem,
         faces,
         round_off: FaceScale { jump: ROUND_OFF * scale.jump, force: ROUND_OFF * scale.force },
@@ -202,27 +203,27 @@ pub(super) fn follow<'a>(
     let most = MOST_AT_ONCE + MOST_PER_POINT * problem.points();
     let (mut events, mut at_once) = (0, 0);
     loop {
-        let lost = Stop::Lost { share: way.share };
-        way.faces.rates(1, &mut way.trace.rates).map_err(|Degenerate| lost)?;
-        way.press().map_err(|Degenerate| lost)?;
-        let Some(event) = way.next_event() else { break };
+        let lost = Stop::Lost { share: step.share };
+        step.faces.rates(1, &mut step.trace.rates).map_err(|Degenerate| lost)?;
+        step.press().map_err(|Degenerate| lost)?;
+        let Some(event) = step.next_event() else { break };
         at_once = if event.after > MOMENT { 0 } else { at_once + 1 };
         events += 1;
         if at_once > MOST_AT_ONCE || events > most {
             return Err(lost);
         }
-        way.advance(event.after);
-        way.change(event)?;
+        step.advance(event.after);
+        step.change(event)?;
     }
-    way.advance(1.0 - way.share);
-    for (k, state) in way.trace.now.fluid.iter().enumerate() {
-        way.faces.set_pocket(k, *state);
+    step.advance(1.0 - step.share);
+    for (k, state) in step.trace.now.fluid.iter().enumerate() {
+        step.faces.set_pocket(k, *state);
     }
     Ok(())
 }
 
-impl Way<'_, '_> {
-    /// Goes on by `after` of the step.
+impl TracedStep<'_, '_> {
+    /// Advances by the share `after` of the step.
     fn advance(&mut self, after: f64) {
         let (one, two) = (after, after * (2.0 * self.share + after));
         let go = |values: &mut [f64], first: &[f64], second: &[f64]| {
@@ -239,7 +240,7 @@ impl Way<'_, '_> {
         }
     }
 
-    /// Adds to the rates of the load what the pressures of the pockets do.
+    /// Adds the contribution of the pocket pressures to the rates of the load.
     fn press(&mut self) -> Result<(), Degenerate> {
         if self.trace.now.fluid.is_empty() {
             return Ok(());
@@ -250,18 +251,18 @@ impl Way<'_, '_> {
     }
 
     /// The first change of status within the step.
-    fn next_event(&self) -> Option<Event> {
-        let mut next: Option<Event> = None;
+    fn next_event(&self) -> Option<TimedChange> {
+        let mut next: Option<TimedChange> = None;
         let mut span = 1.0 - self.share;
         for point in 0..self.problem.points() {
             if let Some((after, status)) = self.event_of(point, span) {
                 span = after;
-                next = Some(Event { change: StatusChange::Point(point, status), after });
+                next = Some(TimedChange { change: StatusChange::Point(point, status), after });
             }
         }
-        let scale = PocketWay::scale_of(self.round_off);
+        let scale = PocketTrace::scale_of(self.round_off);
         let pocket = self.pockets.next_event(self.problem, &self.trace.now, scale, self.share, span);
-        let of_pocket = |(after, k, event)| Event { change: StatusChange::Pocket(k, event), after };
+        let of_pocket = |(after, k, event)| TimedChange { change: StatusChange::Pocket(k, event), after };
         pocket.map(of_pocket).or(next)
     }
 
@@ -313,13 +314,15 @@ impl Way<'_, '_> {
     }
 
     /// Gives the point or the pocket of `event` its new status.
-    fn change(&mut self, event: Event) -> Result<(), Stop> {
+    fn change(&mut self, event: TimedChange) -> Result<(), Stop> {
         let (point, status) = match event.change {
             StatusChange::Point(point, status) => (point, status),
-            StatusChange::Pocket(_, PocketEvent::LetsOff) => return Err(Stop::LetsOff { share: self.share }),
+            StatusChange::Pocket(_, PocketEvent::Releases) => {
+                return Err(Stop::AtRelease { share: self.share });
+            }
             StatusChange::Pocket(k, PocketEvent::Becomes(status)) => {
                 self.trace.note_change(self.share);
-                self.trace.now.fluid[k] = PocketWay::changed(self.problem, &self.trace.now, k, status);
+                self.trace.now.fluid[k] = PocketTrace::changed(self.problem, &self.trace.now, k, status);
                 return Ok(());
             }
         };
@@ -333,14 +336,14 @@ impl Way<'_, '_> {
         self.trace.reference_slip[point] = slip;
         self.trace.now.status[point] = status;
         self.faces.set_status(point, status, slip);
-        let scale = PocketWay::scale_of(self.round_off);
-        for (k, event) in PocketWay::closed_by(self.problem, &self.trace.now, scale, point) {
+        let scale = PocketTrace::scale_of(self.round_off);
+        for (k, event) in PocketTrace::closed_by(self.problem, &self.trace.now, scale, point) {
             match event {
                 PocketEvent::Becomes(status) => {
-                    self.trace.now.fluid[k] = PocketWay::changed(self.problem, &self.trace.now, k, status);
+                    self.trace.now.fluid[k] = PocketTrace::changed(self.problem, &self.trace.now, k, status);
                 }
-                PocketEvent::LetsOff if self.accuracy.lets_off == LetsOff::AtItsEnd => {}
-                PocketEvent::LetsOff => return Err(Stop::LetsOff { share: self.share }),
+                PocketEvent::Releases if self.accuracy.at_release == AtRelease::Continue => {}
+                PocketEvent::Releases => return Err(Stop::AtRelease { share: self.share }),
             }
         }
         Ok(())
@@ -352,7 +355,7 @@ impl Way<'_, '_> {
         let body = self.problem.body();
         let (points, compliance) = (&body.faces.points, &body.compliance);
         let mobility = |i: usize| compliance[(i, i)].sqrt();
-        // A point that touches earlier or later does so at another slip.
+        // An error of the moment of touching is an error of the slip at that moment.
         let slope = match (self.trace.now.status[point], self.speed(point, self.share)) {
             (PointStatus::Open, (along, closing)) => (along / closing).abs(),
             _ => 0.0,

@@ -3,14 +3,13 @@ use crate::contact::fixtures::one_point;
 use PointStatus::{Open, SlipBackward, SlipForward, Stick};
 use proptest::prelude::*;
 
-/// Compliance of the point, mm per N/mm: own only, so that shear and pressure know nothing of each
-/// other.
+/// Compliance of the point, mm per N/mm: without coupling between shear and pressure.
 const C: f64 = 1e-5;
 const MU: f64 = 0.5;
 const SCALE: FaceScale = FaceScale { jump: 1e-3, force: 100.0 };
 
 /// Follows the point through a step from `current` with `status`, the load start + τ first + τ²
-/// second with `missed` beside it; what happened and the faces at the end.
+/// second which the parabola misses by `missed`; returns the result and the faces at the end.
 fn followed(
     current: &FaceSolution,
     [start, first, second]: [[f64; 2]; 3],
@@ -28,8 +27,8 @@ fn followed(
         missed: &|| missed.to_vec(),
         allowed: &|_| allowed,
         outside,
-        loud: 0.0,
-        lets_off: LetsOff::There,
+        release_excess: 0.0,
+        at_release: AtRelease::EndStep,
     };
     let mut trace = Trace::default();
     let followed = follow(&problem, &mut faces, current, SCALE, accuracy, &mut trace);
@@ -56,7 +55,7 @@ fn a_point_that_is_pushed_to_and_fro() {
     let (traced, end) = followed(&current, load, [0.0; 2], 1e-9);
     let trace = traced.ok().unwrap();
     let (reference_slip, changes) = (&trace.reference_slip, trace.changes());
-    // It begins to slip, is held, and slips back.
+    // The point begins to slip, is held, and slips back.
     assert_eq!(changes.len(), 3);
     let hold = &changes[1];
     let farthest = C * (L - MU * P);
@@ -98,7 +97,7 @@ fn a_point_opens() {
     // Slip 2e-4 = c (load − 20).
     let (traced, end) = followed(&current, [[40.0, -40.0], [10.0, 80.0], [0.0; 2]], [0.0; 2], 1e-9);
     let changes = traced.ok().unwrap().changes;
-    // Where the pressure 40 − 80 τ is gone.
+    // The pressure 40 − 80 τ vanishes.
     assert_eq!(changes.len(), 1);
     assert_near(changes[0].share, 0.5, 1.0);
     assert_eq!(changes[0].solution.status, [SlipForward]);
@@ -107,8 +106,8 @@ fn a_point_opens() {
     assert_near(end.jump[1], C * 40.0, 1e-3);
 }
 
-/// The part of the load that the parabola misses counts by the slip that it means: directly, and by
-/// the moment at which the point touches.
+/// The part of the load that the parabola misses counts by the error of slip that it causes,
+/// directly and through the moment at which the point touches.
 #[test]
 fn a_hold_is_as_accurate_as_its_load() {
     const P: f64 = 40.0;
@@ -147,8 +146,8 @@ fn a_way_without_next_change_is_lost_where_it_ends() {
         missed: &|| vec![0.0; 2],
         allowed: &|_| 1.0,
         outside,
-        loud: 0.0,
-        lets_off: LetsOff::There,
+        release_excess: 0.0,
+        at_release: AtRelease::EndStep,
     };
     let scale = FaceScale { jump: 1.0, force: 1.0 };
     let lost = follow(&problem, &mut faces, &current, scale, accuracy, &mut Trace::default()).err().unwrap();
@@ -167,7 +166,7 @@ proptest! {
             (Some(after), Some(seen)) => {
                 prop_assert!(after <= seen && seen - after <= span / POINTS as f64 + 1e-12, "{after}, {seen}");
             }
-            // Shorter than the points are apart.
+            // Shorter than the distance of the points.
             (Some(after), None) => prop_assert!(value(after + 1e-6) < 1e-5),
             (None, seen) => prop_assert!(seen.is_none(), "{seen:?}"),
         }

@@ -14,12 +14,12 @@ pub fn segment_distance(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> f64 {
 }
 
 /// The distance (mm) of the point p from the closed segment a–b.
-pub fn point_to_segment(p: Vec2, a: Vec2, b: Vec2) -> f64 {
+pub(crate) fn point_to_segment(p: Vec2, a: Vec2, b: Vec2) -> f64 {
     from_nearest(p, a, b).length()
 }
 
-/// The vector (mm) to the point p from the nearest one of the closed segment a–b.
-pub fn from_nearest(p: Vec2, a: Vec2, b: Vec2) -> Vec2 {
+/// The vector (mm) from the nearest point of the closed segment a–b to the point p.
+pub(crate) fn from_nearest(p: Vec2, a: Vec2, b: Vec2) -> Vec2 {
     let along = b - a;
     let squared = along.dot(along);
     let t = if squared > 0.0 { ((p - a).dot(along) / squared).clamp(0.0, 1.0) } else { 0.0 };

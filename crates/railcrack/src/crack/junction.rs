@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 pub struct CrackEnd {
     /// Index of the crack in the network, from 0.
     pub crack: usize,
-    /// Which end of it.
+    /// The end of that crack.
     pub end: End,
 }
 
@@ -21,30 +21,30 @@ pub struct CrackTip {
     /// Index among the ends of the crack that lie below the surface, from 0; ends that have joined
     /// a crack count.
     pub tip: usize,
-    /// Which end of the crack it is.
+    /// The end of the crack.
     pub end: End,
 }
 
 impl CrackTip {
-    /// The end of the crack that it is.
-    pub fn crack_end(self) -> CrackEnd {
+    /// The crack end at which the tip lies.
+    pub(crate) fn crack_end(self) -> CrackEnd {
         CrackEnd { crack: self.crack, end: self.end }
     }
 }
 
-/// Kinds of crack ends.
+/// Kinds of crack end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum EndKind {
-    /// It ends in the steel: a singular stress ahead, and it may grow.
+pub(crate) enum EndKind {
+    /// A tip in the steel, with a singular stress ahead; it may grow.
     Tip,
-    /// It breaks the running surface.
+    /// A mouth at the running surface.
     Mouth,
-    /// It meets another crack.
+    /// An end that lies on another crack.
     Junction,
 }
 
-/// An end of a crack that lies on another crack: at a vertex of that one, bit for bit, so that the
-/// junction stays where it is whatever grows later. [`Crack::with_vertex`] makes the vertex.
+/// An end of a crack that lies on another crack. It coincides with a vertex of the receiving crack,
+/// bit for bit, so that later growth of either crack does not move the junction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Junction {
     /// The end that lies on the other crack.
@@ -55,18 +55,18 @@ pub struct Junction {
 
 /// A point at which cracks of a network meet.
 #[derive(Debug, Clone, PartialEq)]
-pub struct JunctionPoint {
-    /// Where, mm.
+pub(crate) struct JunctionPoint {
+    /// Position, mm.
     pub position: Vec2,
-    /// The ends that lie there, in order of crack and end. No other end does.
+    /// All crack ends at this point, in order of crack and end.
     pub ends: Vec<CrackEnd>,
-    /// The crack that goes on through the point; none where ends meet ends only.
+    /// The crack that passes through the point; none where only ends meet.
     pub through: Option<Passing>,
 }
 
-/// A crack at a junction that is not at one of its ends.
+/// A crack that passes through a junction.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Passing {
+pub(crate) struct Passing {
     /// Index of the crack, from 0.
     pub crack: usize,
     /// Index of the junction among its points, from 0; segment `vertex` − 1 ends there and segment
@@ -78,33 +78,20 @@ pub struct Passing {
 }
 
 impl JunctionPoint {
-    /// An end that lies at `position`.
+    /// The first crack end at `position`.
     pub(super) fn at(position: Vec2) -> Self {
         Self { position, ends: Vec::new(), through: None }
     }
 
     /// Whether `crack` is at this point.
-    pub fn holds(&self, crack: usize) -> bool {
+    pub(crate) fn holds(&self, crack: usize) -> bool {
         self.ends.iter().any(|end| end.crack == crack)
             || self.through.is_some_and(|passing| passing.crack == crack)
     }
 }
 
 impl Crack {
-    /// This crack with one more vertex, at `point` (mm) on segment `segment` (from 0): unchanged
-    /// where one of the ends of the segment is there already, bit for bit. Errors as
-    /// [`Crack::polyline`].
-    pub fn with_vertex(&self, segment: usize, point: Vec2) -> Result<Self, super::CrackError> {
-        let (from, to) = self.segment(segment);
-        if from == point || to == point {
-            return Ok(self.clone());
-        }
-        let mut points = self.points().to_vec();
-        points.insert(segment + 1, point);
-        Self::polyline(points)
-    }
-
-    /// Index of the vertex at `point`, bit for bit; none where there is none.
+    /// Index of the vertex that equals `point` bit for bit, if there is one.
     pub fn vertex_at(&self, point: Vec2) -> Option<usize> {
         self.points().iter().position(|&p| p == point)
     }

@@ -1,10 +1,10 @@
 //! Networks of cracks in one rail.
 
 use super::intersection::intersect_elsewhere;
-use super::{Crack, CrackEnd, CrackTip, End, EndKind, Junction, JunctionPoint, Passing, Walk};
+use super::{Crack, CrackCurve, CrackEnd, CrackTip, End, EndKind, Junction, JunctionPoint, Passing};
 use thiserror::Error;
 
-/// Cracks that cannot stand side by side.
+/// Cracks that do not form a network.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum NetworkError {
@@ -19,8 +19,8 @@ pub enum NetworkError {
         /// Number of another, from 1.
         second: usize,
     },
-    /// A junction of a crack that is not there, of a mouth, of a crack with itself, or of an end
-    /// that has one already.
+    /// A junction of a missing crack, of a mouth, of a crack with itself, or of an end that is
+    /// joined already.
     #[error(
         "junction {number}: the {end:?} end of crack {crack} cannot join crack {onto}; a junction takes an end below the surface, \
          once, onto another of the {cracks} cracks"
@@ -50,7 +50,7 @@ pub enum NetworkError {
         y: f64,
     },
     /// Cracks, or cracks and the running surface, that enclose a piece of the rail.
-    #[error("junction {number} closes a loop: a piece of the rail is detached, which nothing holds in place")]
+    #[error("junction {number} closes a loop: it would detach a piece of the rail")]
     Detached {
         /// Number of the junction that closes the loop, from 1.
         number: usize,
@@ -93,8 +93,8 @@ impl CrackNetwork {
         Ok(Self { cracks, junctions, points })
     }
 
-    /// Sections of cracks in space, at least one: they may cross, since the cracks may lie beside
-    /// each other. No engine in the plane takes such a network.
+    /// Plane sections of one or more cracks in space. They may cross, because the cracks themselves
+    /// may lie in different planes. The plane engines do not accept such a network.
     pub fn sections(cracks: Vec<Crack>) -> Result<Self, NetworkError> {
         if cracks.is_empty() {
             return Err(NetworkError::Empty);
@@ -113,12 +113,12 @@ impl CrackNetwork {
     }
 
     /// The points at which cracks meet, in order of the first junction there.
-    pub fn junction_points(&self) -> &[JunctionPoint] {
+    pub(crate) fn junction_points(&self) -> &[JunctionPoint] {
         &self.points
     }
 
     /// The kind of `end`.
-    pub fn end_kind(&self, end: CrackEnd) -> EndKind {
+    pub(crate) fn end_kind(&self, end: CrackEnd) -> EndKind {
         if end.end == End::First && self.cracks[end.crack].is_surface_breaking() {
             EndKind::Mouth
         } else if self.points.iter().any(|point| point.ends.contains(&end)) {
@@ -129,7 +129,7 @@ impl CrackNetwork {
     }
 
     /// The ends of crack `crack` (from 0) that are tips, first before last.
-    pub fn tips_of(&self, crack: usize) -> Vec<End> {
+    pub(crate) fn tips_of(&self, crack: usize) -> Vec<End> {
         let is_tip = |end: &End| self.end_kind(CrackEnd { crack, end: *end }) == EndKind::Tip;
         [End::First, End::Last].into_iter().filter(is_tip).collect()
     }
@@ -143,12 +143,12 @@ impl CrackNetwork {
         ends.filter(|tip| self.end_kind(tip.crack_end()) == EndKind::Tip).collect()
     }
 
-    /// The walk along each crack, with the square-root parameter at its tips.
-    pub fn walks(&self) -> Vec<Walk> {
+    /// The curve of each crack, with the square-root parameter at its tips.
+    pub(crate) fn curves(&self) -> Vec<CrackCurve> {
         self.cracks
             .iter()
             .enumerate()
-            .map(|(crack, one)| Walk::with_tips(one, &self.tips_of(crack)))
+            .map(|(crack, one)| CrackCurve::with_tips(one, &self.tips_of(crack)))
             .collect()
     }
 
@@ -179,7 +179,7 @@ impl From<Crack> for CrackNetwork {
     }
 }
 
-/// Whether `junction` can be, beside those `before` it.
+/// Checks that `junction` is compatible with the junctions `before` it.
 fn check(cracks: &[Crack], before: &[Junction], junction: &Junction) -> Result<(), NetworkError> {
     let Junction { joining, onto } = *junction;
     let number = before.len() + 1;
@@ -199,10 +199,11 @@ fn check(cracks: &[Crack], before: &[Junction], junction: &Junction) -> Result<(
     }
 }
 
-/// Refuses the junction by which cracks that are connected already, the running surface counting as
-/// a crack, are connected once more.
+/// Rejects a junction between cracks that are connected already, directly or through other cracks;
+/// the running surface counts as a crack.
 fn closed_loop(cracks: &[Crack], junctions: &[Junction]) -> Result<(), NetworkError> {
-    // Every crack knows the lowest member of its connected part; the surface comes before them.
+    // Each crack stores the lowest index of its connected part; the surface has a lower index than
+    // any crack.
     const SURFACE: usize = 0;
     let part = |(i, crack): (usize, &Crack)| if crack.is_surface_breaking() { SURFACE } else { i + 1 };
     let mut parts: Vec<usize> = cracks.iter().enumerate().map(part).collect();
@@ -238,7 +239,7 @@ fn junction_points(cracks: &[Crack], junctions: &[Junction]) -> Vec<JunctionPoin
         } else if vertex == receiving.segment_count() {
             point.ends.push(CrackEnd { crack, end: End::Last });
         } else {
-            let s = Walk::new(receiving).from_first(vertex);
+            let s = CrackCurve::new(receiving).arc_length_at(vertex);
             point.through = Some(Passing { crack, vertex, s });
         }
     }

@@ -13,7 +13,7 @@ fn junction(crack: usize, end: End, onto: usize) -> Junction {
 
 /// A buried crack with a vertex at (0.3, −5).
 fn receiving() -> Crack {
-    crack(&[(-3.0, -5.0), (2.0, -5.0)]).with_vertex(0, Vec2::new(0.3, -5.0)).unwrap()
+    crack(&[(-3.0, -5.0), (0.3, -5.0), (2.0, -5.0)])
 }
 
 #[test]
@@ -75,11 +75,11 @@ fn junctions_that_cannot_be() {
     let without = crack(&[(-3.0, -5.0), (2.0, -5.0)]);
     let no_vertex = of(&[&joining, &without], &[junction(0, End::Last, 1)]);
     assert_eq!(no_vertex, NetworkError::NoVertex { number: 1, onto: 2, x: 0.3, y: -5.0 });
-    // Meets again at a place of which the junction does not speak.
+    // The cracks meet again at a point that is not declared as a junction.
     let twice = crack(&[(-1.0, -1.0), (-1.0, -6.0), (0.3, -6.0), (0.3, -5.0)]);
     let meeting = of(&[&twice, &receiving()], &[junction(0, End::Last, 1)]);
     assert_eq!(meeting, NetworkError::Meeting { first: 1, second: 2 });
-    // Leaves the junction along the other crack.
+    // The crack leaves the junction along the other crack.
     let along = crack(&[(-1.0, -5.0), (0.3, -5.0)]);
     let meeting = of(&[&along, &receiving()], &[junction(0, End::Last, 1)]);
     assert_eq!(meeting, NetworkError::Meeting { first: 1, second: 2 });

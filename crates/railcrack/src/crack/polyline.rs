@@ -1,11 +1,11 @@
-//! One crack: a polyline from its mouth to its tip, or between two buried tips.
+//! Polyline cracks, from a mouth to a tip or between two buried tips.
 
 use crate::math::{Vec2, segments_touch};
 use crate::words::{Choice, Word};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// An impossible crack.
+/// Points that do not define a crack.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CrackError {
@@ -84,7 +84,7 @@ impl Choice for End {
 /// A crack: points from the mouth (y = 0) to the tip, or between two tips when the first point is
 /// buried.
 ///
-/// Its frame: x1 walks from the first point to the last, x2 is x1 turned by +90°, the + face is on
+/// Its frame: x1 points from the first point to the last, x2 is x1 turned by +90°, the + face is on
 /// the x2 side.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Crack {
@@ -131,8 +131,8 @@ impl Crack {
                 let (a, b) = crack.segment(i);
                 let (c, d) = crack.segment(j);
                 let meet = if j == i + 1 {
-                    // Consecutive segments share b = c: they overlap when the walk turns straight
-                    // back.
+                    // Consecutive segments share b = c: they overlap where the polyline turns
+                    // straight back.
                     (b - a).cross(d - c) == 0.0 && (b - a).dot(d - c) < 0.0
                 } else {
                     segments_touch(a, b, c, d)
@@ -165,8 +165,8 @@ impl Crack {
         self.points[0].y == 0.0
     }
 
-    /// The ends below the surface: the last point, preceded by the first one in a buried crack.
-    /// They are tips but where the crack joins another one, which the network knows
+    /// The ends below the surface: the last point, preceded by the first one in a buried crack. All
+    /// are tips in a crack on its own; in a network an end may join another crack instead
     /// ([`super::CrackNetwork::tips`]).
     pub fn tips(&self) -> Vec<End> {
         if self.is_surface_breaking() { vec![End::Last] } else { vec![End::First, End::Last] }
@@ -189,17 +189,17 @@ impl Crack {
         }
     }
 
-    /// Total length along the walk, mm.
+    /// Length of the polyline, mm.
     pub fn length(&self) -> f64 {
         self.points.windows(2).map(|p| (p[1] - p[0]).length()).sum()
     }
 
-    /// Its largest depth, mm.
+    /// Largest depth, mm.
     pub fn depth(&self) -> f64 {
         self.points.iter().fold(0.0, |depth, p| depth.max(-p.y))
     }
 
-    /// This crack longer by `increment` (mm) at `end`, turned by `kink` (radians,
+    /// This crack extended by `increment` (mm) at `end`, in a direction turned by `kink` (radians,
     /// counter-clockwise) from straight ahead. Errors as [`Crack::polyline`].
     pub fn extended(&self, end: End, increment: f64, kink: f64) -> Result<Self, CrackError> {
         let tip = self.tip(end) + Vec2::unit(self.ahead(end).angle() + kink) * increment;

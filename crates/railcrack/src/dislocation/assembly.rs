@@ -1,16 +1,17 @@
 //! Elastic energy of jumps that are linear in g between the nodes.
 
-use super::integrals::{Rules, pair_integral};
+use super::integrals::{PairRules, pair_integral};
 use super::junctions::Ties;
 use crate::body::{FaceElement, FaceMesh};
-use crate::crack::Walk;
+use crate::crack::CrackCurve;
 use crate::interruption::{Interrupted, Interruption};
 use crate::math::Matrix;
 use crate::nuclei::Interaction;
 use rayon::prelude::*;
 
 /// A: the energy ½ wᵀ A w of the jumps w (slip and opening, mm) at the points of `faces`, N/mm per
-/// mm, for E′ = `modulus` MPa. The ends of `elements` are nodes that follow these points by `ties`.
+/// mm, for E′ = `modulus` MPa. The jumps at the ends of `elements` depend on those at these points
+/// through `ties`.
 ///
 /// A_jk = E′/(8π) ∬ φ_j′ E(z, z′) φ_k′ dg dg′ with the hat functions φ: weakly singular because
 /// jumps are continuous and dislocations on the surface have no effect, so that the mouth needs no
@@ -18,17 +19,17 @@ use rayon::prelude::*;
 ///
 /// Errors: an interruption.
 pub(super) fn stiffness(
-    walks: &[Walk],
+    curves: &[CrackCurve],
     elements: &[FaceElement],
     ties: &Ties,
     faces: &FaceMesh,
     modulus: f64,
     interruption: Interruption<'_>,
 ) -> Result<Matrix, Interrupted> {
-    let rules = Rules::new();
+    let rules = PairRules::new();
     let row = |i: usize| -> Result<Vec<Interaction>, Interrupted> {
         interruption.check()?;
-        Ok((0..=i).map(|j| element_integral(walks, &elements[i], &elements[j], &rules)).collect())
+        Ok((0..=i).map(|j| element_integral(curves, &elements[i], &elements[j], &rules)).collect())
     };
     let blocks = (0..elements.len()).into_par_iter().map(row).collect::<Result<Vec<_>, Interrupted>>()?;
     let points = faces.points.len();
@@ -48,15 +49,15 @@ pub(super) fn stiffness(
 }
 
 pub(super) fn element_integral(
-    walks: &[Walk],
+    curves: &[CrackCurve],
     a: &FaceElement,
     b: &FaceElement,
-    rules: &Rules,
+    rules: &PairRules,
 ) -> Interaction {
     let mut sum = [0.0; 4];
     for piece in &a.pieces {
         for other in &b.pieces {
-            let pair = pair_integral(walks, piece, other, rules);
+            let pair = pair_integral(curves, piece, other, rules);
             for k in 0..4 {
                 sum[k] += pair[k];
             }

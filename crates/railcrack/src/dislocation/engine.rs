@@ -1,14 +1,14 @@
-//! The cracked half-plane by dislocations: C, A and S.
+//! C, A and S of cracks in the half-plane by distributed dislocations.
 
 use super::assembly::stiffness;
 use super::junctions::{Core, Ties, cores};
 use super::nodes::{self, FaceResolution};
-use super::row::Row;
+use super::row::CrackRow;
 use crate::body::{
     BlockStiffness, BodyEngine, BodyError, CrackedBody, FaceElement, FaceMesh, TipGain, discretise,
     thin_flaps,
 };
-use crate::crack::{CrackNetwork, CrackTip, End, Walk};
+use crate::crack::{CrackCurve, CrackNetwork, CrackTip, End};
 use crate::interruption::{Interrupted, Interruption};
 use crate::linear::{LinearError, spd_inverse_unless};
 use crate::material::IsotropicElastic;
@@ -23,7 +23,7 @@ pub enum DislocationError {
     /// geometry.
     #[error("the cracks cannot be resolved by dislocations: {0}")]
     Unresolved(LinearError),
-    /// Given up on request.
+    /// Interrupted on request.
     #[error("{0}")]
     Interrupted(#[from] Interrupted),
 }
@@ -50,44 +50,44 @@ pub fn cracked_body(
     cracked_body_unless(Interruption::NEVER, network, steel, resolution)
 }
 
-/// [`cracked_body`], given up on an `interruption`.
+/// [`cracked_body`] that stops on an `interruption`.
 fn cracked_body_unless(
     interruption: Interruption<'_>,
     network: &CrackNetwork,
     steel: &IsotropicElastic,
     resolution: FaceResolution,
 ) -> Result<CrackedBody, DislocationError> {
-    let Discretised { walks, elements, ties, faces } = discretised(network, resolution, interruption)?;
+    let Discretised { curves, elements, ties, faces } = discretised(network, resolution, interruption)?;
     let modulus = steel.plane_strain_modulus();
-    let stiffness = stiffness(&walks, &elements, &ties, &faces, modulus, interruption)?;
+    let stiffness = stiffness(&curves, &elements, &ties, &faces, modulus, interruption)?;
     let compliance = spd_inverse_unless(interruption, &stiffness)?;
     let tips = network.tips();
-    let gains: Vec<TipGain> = tip_gains(&tips, &walks, &elements, &ties, modulus);
+    let gains: Vec<TipGain> = tip_gains(&tips, &curves, &elements, &ties, modulus);
     let sif_influence = TipGain::sif_influence(&gains, &compliance);
     let body = CrackedBody::new(faces, tips, [compliance, stiffness, sif_influence]);
     Ok(CrackedBody { remarks: remarks(network), ..body })
 }
 
-/// [`cracked_body`] with A crack by crack.
+/// [`cracked_body`] with A in blocks between units of cracks.
 fn body_by_groups(
     interruption: Interruption<'_>,
     network: &CrackNetwork,
     steel: &IsotropicElastic,
     resolution: FaceResolution,
 ) -> Result<CrackedBody, DislocationError> {
-    let Discretised { walks, elements, ties, faces } = discretised(network, resolution, interruption)?;
+    let Discretised { curves, elements, ties, faces } = discretised(network, resolution, interruption)?;
     let modulus = steel.plane_strain_modulus();
-    let row = Row { network, walks: &walks, elements: &elements, ties: &ties, faces: &faces, modulus };
+    let row = CrackRow { network, curves: &curves, elements: &elements, ties: &ties, faces: &faces, modulus };
     let blocks = row.stiffness(interruption)?;
     let tips = network.tips();
-    let gains = tip_gains(&tips, &walks, &elements, &ties, modulus);
+    let gains = tip_gains(&tips, &curves, &elements, &ties, modulus);
     let body = CrackedBody::by_groups(faces, tips, BlockStiffness { tips: gains, ..blocks });
     Ok(CrackedBody { remarks: remarks(network), ..body })
 }
 
-/// Elements of the faces, and how their nodes follow the face points.
+/// Elements of the faces, and the dependence of their nodes on the face points.
 struct Discretised {
-    walks: Vec<Walk>,
+    curves: Vec<CrackCurve>,
     elements: Vec<FaceElement>,
     ties: Ties,
     faces: FaceMesh,
@@ -98,23 +98,23 @@ fn discretised(
     resolution: FaceResolution,
     interruption: Interruption<'_>,
 ) -> Result<Discretised, Interrupted> {
-    let walks = network.walks();
-    let cores = cores(network, &walks, |crack, g| nodes::regular_element(&walks[crack], resolution, g));
-    let nodes = nodes(network, &walks, &cores, resolution, interruption)?;
-    let (elements, all) = discretise(&walks, &nodes);
-    let (ties, faces) = Ties::new(&cores, &walks, &elements, &all);
-    Ok(Discretised { walks, elements, ties, faces })
+    let curves = network.curves();
+    let cores = cores(network, &curves, |crack, g| nodes::regular_element(&curves[crack], resolution, g));
+    let nodes = nodes(network, &curves, &cores, resolution, interruption)?;
+    let (elements, all) = discretise(&curves, &nodes);
+    let (ties, faces) = Ties::new(&cores, &curves, &elements, &all);
+    Ok(Discretised { curves, elements, ties, faces })
 }
 
-/// At 2° and 3°, K is 0.5 % off.
+/// At 2° and 3° the error of K is 0.5 %.
 fn remarks(network: &CrackNetwork) -> Vec<String> {
     thin_flaps(network, 1, "more elements (interface_elements)")
 }
 
-/// How K of each tip follows from the jump next to it.
+/// K of each tip in terms of the jump next to it.
 fn tip_gains(
     tips: &[CrackTip],
-    walks: &[Walk],
+    curves: &[CrackCurve],
     elements: &[FaceElement],
     ties: &Ties,
     modulus: f64,
@@ -129,7 +129,7 @@ fn tip_gains(
         .expect("a crack has at least four elements");
         let point = ties.of(node)[0].0;
         // ⟦w⟧ = W √r / √r_1 on the tip element, and ⟦w⟧ = (8 K / E′) √(r / 2π).
-        let root = walks[tip.crack].root_slope() / (element.range.1 - element.range.0);
+        let root = curves[tip.crack].root_slope() / (element.range.1 - element.range.0);
         TipGain::at(point, modulus * std::f64::consts::TAU.sqrt() / 8.0 * root)
     };
     tips.iter().map(gain).collect()
@@ -137,9 +137,9 @@ fn tip_gains(
 
 /// Number of face points of `network` at `resolution`.
 pub fn face_points(network: &CrackNetwork, resolution: FaceResolution) -> usize {
-    let walks = network.walks();
-    let cores = cores(network, &walks, |crack, g| nodes::regular_element(&walks[crack], resolution, g));
-    let nodes = nodes(network, &walks, &cores, resolution, Interruption::NEVER).unwrap_or_default();
+    let curves = network.curves();
+    let cores = cores(network, &curves, |crack, g| nodes::regular_element(&curves[crack], resolution, g));
+    let nodes = nodes(network, &curves, &cores, resolution, Interruption::NEVER).unwrap_or_default();
     let nodes = nodes.iter().map(Vec::len).sum::<usize>();
     let following: usize = cores.iter().map(|core| 2 * core.arms.len()).sum();
     nodes - network.tips().len() - following
@@ -147,33 +147,34 @@ pub fn face_points(network: &CrackNetwork, resolution: FaceResolution) -> usize 
 
 fn nodes(
     network: &CrackNetwork,
-    walks: &[Walk],
+    curves: &[CrackCurve],
     cores: &[Core],
     resolution: FaceResolution,
     interruption: Interruption<'_>,
 ) -> Result<Vec<Vec<f64>>, Interrupted> {
     let tips: Vec<(usize, Vec2)> =
         network.tips().iter().map(|tip| (tip.crack, network.cracks()[tip.crack].tip(tip.end))).collect();
-    let of_walk = |(i, walk): (usize, &Walk)| {
+    let of_walk = |(i, curve): (usize, &CrackCurve)| {
         interruption.check()?;
         let core_at = |vertex| cores.iter().find(|core| core.is_at(i, vertex));
-        Ok(nodes::nodes(walk, resolution, core_at, |point| room(network, &tips, i, point)))
+        Ok(nodes::nodes(curve, resolution, core_at, |point| room(network, &tips, i, point)))
     };
-    walks.iter().enumerate().map(of_walk).collect()
+    curves.iter().enumerate().map(of_walk).collect()
 }
 
 /// Largest length of an element over the distance to a tip of another crack, whose singular stress
-/// the element has to follow: a tip at half an element from another crack has its K to 0.3 %,
-/// without this to 3.7 %. Beside faces elements may be longer than the distance, because the energy
-/// of the jumps is integrated as accurately as elsewhere: parallel cracks of 6 mm at 0.006 to 0.1
-/// mm have their K to 0.9 % of their own peaks.
+/// the element has to follow: with this limit the error of K of a tip at half an element from
+/// another crack is 0.3 %, without it 3.7 %. Elements close to the faces of another crack may be
+/// longer than their distance, because the energy of the jumps is integrated as accurately as
+/// elsewhere: for parallel cracks of 6 mm at distances of 0.006 to 0.1 mm, K is accurate to 0.9 %
+/// of its peak.
 const NEIGHBOUR_TIP_SHARE: f64 = 0.4;
-/// Largest length of an element of a buried crack over its depth: K of a tip 0.001 mm below the
-/// surface is 0.6 % off, without this 6 to 17 %.
+/// Largest length of an element of a buried crack over its depth: the error of K of a tip 0.001 mm
+/// below the surface is 0.6 %, without this limit 6 to 17 %.
 const SURFACE_SHARE: f64 = 0.12;
 
-/// Largest length (mm) of an element of crack `own` at `point` beside the `tips` of other cracks
-/// (crack and place) and, for a buried crack, below the running surface.
+/// Largest length (mm) of an element of crack `own` at `point`, given the `tips` of other cracks
+/// (crack and position) and, for a buried crack, below the running surface.
 fn room(network: &CrackNetwork, tips: &[(usize, Vec2)], own: usize, point: Vec2) -> f64 {
     let to_tips = tips.iter().filter(|tip| tip.0 != own).map(|tip| (tip.1 - point).length());
     let buried = !network.cracks()[own].is_surface_breaking();
@@ -197,8 +198,8 @@ impl DislocationEngine {
     }
 }
 
-/// Distance that is resolved, over the length of the shortest crack: elements there follow the
-/// distance, but below this the stress between the faces says nothing about a real crack.
+/// Smallest resolved distance over the length of the shortest crack. Elements adapt to smaller
+/// distances too, but the stress between the faces is then meaningless for a real crack.
 const RESOLVED: f64 = 0.005;
 
 impl BodyEngine for DislocationEngine {

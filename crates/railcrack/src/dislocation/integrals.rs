@@ -1,28 +1,29 @@
 //! Double integrals of the dislocation interaction over pairs of straight pieces.
 
 use crate::body::FacePiece as Piece;
-use crate::crack::{End, Walk, from_nearest};
+use crate::crack::{CrackCurve, End, from_nearest};
 use crate::math::{Vec2, gauss_legendre};
 use crate::nuclei::{Interaction, Split, collinear_constant, split_image_interaction, split_interaction};
 
-/// Error of the integral over a pair of pieces, of its size. The flap above a crack at 1° is a
-/// million times more compliant in bending than in shear: with 1e-6 its energy is not positive.
+/// Relative error of the integral over a pair of pieces. The flap above a crack at 1° is a million
+/// times more compliant in bending than in shear: with 1e-6 its energy is not positive.
 const ACCURACY: f64 = 1e-8;
-/// The most points of a rule: that of pieces at [`APART`].
+/// Largest number of points of a rule, needed for pieces at the distance [`APART`].
 const MOST_POINTS: usize = 8;
-/// Weights that a rule has at most.
+/// Largest number of distinct weights of a rule.
 const MOST_CLASSES: usize = MOST_POINTS.div_ceil(2);
 
 /// Gauss rules on [0, 1].
-pub(super) struct Rules {
+pub(super) struct PairRules {
     by_points: Vec<Vec<(f64, f64)>>,
-    /// The distance of pieces over the longer one from which on each number of points suffices.
+    /// For each number of points, the distance of the pieces over the longer one from which it
+    /// suffices.
     from: Vec<f64>,
 }
 
-impl Rules {
-    /// The error of a rule of n points is ρ^(−2n), with ρ of the ellipse around the piece that goes
-    /// through a singularity beside it.
+impl PairRules {
+    /// The error of a rule of n points is ρ^(−2n), where ρ is the parameter of the ellipse around
+    /// the piece that passes through the nearest singularity.
     pub(super) fn new() -> Self {
         let from = |points: usize| {
             let rho = ACCURACY.powf(-0.5 / points as f64);
@@ -42,18 +43,18 @@ impl Rules {
 }
 
 /// ∬ E dg dg′ over two pieces.
-pub(super) fn pair_integral(walks: &[Walk], a: &Piece, b: &Piece, rules: &Rules) -> Interaction {
+pub(super) fn pair_integral(curves: &[CrackCurve], a: &Piece, b: &Piece, rules: &PairRules) -> Interaction {
     let mut sum = [0.0; 4];
     if a.crack == b.crack && a.segment == b.segment {
-        let walk = &walks[a.crack];
+        let curve = &curves[a.crack];
         let area = (a.range.1 - a.range.0) * (b.range.1 - b.range.0);
-        sum = collinear_constant(walk.tangent(a.segment)).map(|e| e * area);
-        let log = -2.0 * log_integral(walk, a.range, b.range, rules);
+        sum = collinear_constant(curve.tangent(a.segment)).map(|e| e * area);
+        let log = -2.0 * log_integral(curve, a.range, b.range, rules);
         sum[0] += log;
         sum[3] += log;
-        subdivided(walks, (a, b), rules, split_image_interaction, image_distance, 0, &mut sum);
+        subdivided(curves, (a, b), rules, split_image_interaction, image_distance, 0, &mut sum);
     } else {
-        subdivided(walks, (a, b), rules, split_interaction, distance, 0, &mut sum);
+        subdivided(curves, (a, b), rules, split_interaction, distance, 0, &mut sum);
     }
     sum
 }
@@ -77,7 +78,8 @@ fn image_distance(a: &Piece, b: &Piece) -> f64 {
     end_distance(a, &Piece { ends: (mirror(b.ends.0), mirror(b.ends.1)), ..*b })
 }
 
-/// Chooses rules only: to the last bit ([`Vec2::length`]) takes longer than the integral.
+/// This distance serves the choice of rules only. Its last bit does not matter, and
+/// [`Vec2::length`] would take longer than the integral.
 fn length(a: &Piece) -> f64 {
     square(a.ends.1 - a.ends.0).sqrt()
 }
@@ -97,9 +99,9 @@ const APART: f64 = 0.8;
 const DEPTH: usize = 20;
 
 fn subdivided(
-    walks: &[Walk],
+    curves: &[CrackCurve],
     (a, b): (&Piece, &Piece),
-    rules: &Rules,
+    rules: &PairRules,
     kernel: impl Fn(Vec2, Vec2) -> Split + Copy,
     apart: impl Fn(&Piece, &Piece) -> f64 + Copy,
     depth: usize,
@@ -109,20 +111,20 @@ fn subdivided(
     let ratio = apart(a, b) / la.max(lb);
     if ratio < APART && depth < DEPTH {
         let halve = |piece: &Piece| {
-            let walk = &walks[piece.crack];
+            let curve = &curves[piece.crack];
             let middle = 0.5 * (piece.range.0 + piece.range.1);
-            let point = walk.position(piece.segment, middle);
+            let point = curve.position(piece.segment, middle);
             let first = Piece { range: (piece.range.0, middle), ends: (piece.ends.0, point), ..*piece };
             let second = Piece { range: (middle, piece.range.1), ends: (point, piece.ends.1), ..*piece };
             [first, second]
         };
         if la >= lb {
             for half in &halve(a) {
-                subdivided(walks, (half, b), rules, kernel, apart, depth + 1, sum);
+                subdivided(curves, (half, b), rules, kernel, apart, depth + 1, sum);
             }
         } else {
             for half in &halve(b) {
-                subdivided(walks, (a, half), rules, kernel, apart, depth + 1, sum);
+                subdivided(curves, (a, half), rules, kernel, apart, depth + 1, sum);
             }
         }
         return;
@@ -130,14 +132,14 @@ fn subdivided(
     let rule = rules.at(ratio);
     let count = rule.len();
     let mut points_b = [(Vec2::default(), 0.0); MOST_POINTS];
-    for (slot, (point, weight)) in points_b.iter_mut().zip(samples(&walks[b.crack], b, rule)) {
+    for (slot, (point, weight)) in points_b.iter_mut().zip(samples(&curves[b.crack], b, rule)) {
         *slot = (point, weight);
     }
-    // A point has the weight of that on the other side of the middle: the logarithms that have one
-    // weight are that of a product.
+    // Points that are symmetric about the middle have equal weights; logarithms with one weight are
+    // combined into that of a product.
     let class = |i: usize| i.min(count - 1 - i);
     let mut products = [[1.0; MOST_CLASSES]; MOST_CLASSES];
-    for (i, (z, weight_a)) in samples(&walks[a.crack], a, rule).enumerate() {
+    for (i, (z, weight_a)) in samples(&curves[a.crack], a, rule).enumerate() {
         for (j, &(z0, weight_b)) in points_b[..count].iter().enumerate() {
             let weight = weight_a * weight_b;
             let Split { rational, of_log } = kernel(z, z0);
@@ -159,12 +161,12 @@ fn subdivided(
 }
 
 fn samples<'a>(
-    walk: &'a Walk,
+    curve: &'a CrackCurve,
     piece: &'a Piece,
     rule: &'a [(f64, f64)],
 ) -> impl Iterator<Item = (Vec2, f64)> + 'a {
     let (start, width) = (piece.range.0, piece.range.1 - piece.range.0);
-    rule.iter().map(move |&(t, w)| (walk.position(piece.segment, start + t * width), w * width))
+    rule.iter().map(move |&(t, w)| (curve.position(piece.segment, start + t * width), w * width))
 }
 
 /// ∬ log|s − s′| dg dg′ on one straight segment.
@@ -172,9 +174,9 @@ fn samples<'a>(
 /// No tip: s − s′ = g − g′. One tip: |s − s′| = |g′ − g| |g′ + g|. Two tips: s − s′ = L
 /// sin((g + g′)/2) sin((g − g′)/2), where the logarithms of the zeros at g = g′, at g = g′ = 0 and
 /// at g = g′ = π are split off and integrated exactly.
-fn log_integral(walk: &Walk, a: (f64, f64), b: (f64, f64), rules: &Rules) -> f64 {
+fn log_integral(curve: &CrackCurve, a: (f64, f64), b: (f64, f64), rules: &PairRules) -> f64 {
     let mirrored = (-b.1, -b.0);
-    match (walk.has_tip(End::First), walk.has_tip(End::Last)) {
+    match (curve.has_tip(End::First), curve.has_tip(End::Last)) {
         (false, false) => return log_difference(a, b),
         (true, false) | (false, true) => return log_difference(a, b) + log_difference(a, mirrored),
         (true, true) => {}
@@ -191,7 +193,7 @@ fn log_integral(walk: &Walk, a: (f64, f64), b: (f64, f64), rules: &Rules) -> f64
             // |sin(x/2)| = x/2 · smooth; near x = 2π the factor (2π − x) is split off as well.
             let sum_angle = g + h;
             let both = ((0.5 * sum_angle).sin() / (sum_angle * (turn - sum_angle))).abs().ln();
-            rest += wa * wb * (smooth(g - h) - std::f64::consts::LN_2 + both + walk.length().ln());
+            rest += wa * wb * (smooth(g - h) - std::f64::consts::LN_2 + both + curve.length().ln());
         }
     }
     sum + log_difference(a, beyond) + rest * (a.1 - a.0) * (b.1 - b.0)

@@ -1,15 +1,16 @@
-//! Junctions of cracks: compatibility of the jumps of their arms.
+//! Compatibility of the jumps at junctions of cracks.
 //!
-//! With the jumps w_k of the arms that end at a junction, those walked towards it counted positive
-//! and those walked away from it negative (σ_k = ±1), the displacement is single-valued around the
-//! junction if Σ σ_k w_k = 0: only then is the energy finite. n arms have n contact conditions but
-//! n − 1 free jumps at the junction, so no set of face points at the junction itself can be dual to
-//! them. Instead the last face point of each arm lies at the edge of a small core, and the jump in
-//! the core follows from these: constant down to a tenth of its radius, from there linear to
-//! p_k = w_k − σ_k (Σ σ_j w_j)/n at the junction, the nearest jumps without a net Burgers vector.
+//! With the jumps w_k of the arms that end at a junction, those that run towards it counted
+//! positive and those that run away from it negative (σ_k = ±1), the displacement is single-valued
+//! around the junction if Σ σ_k w_k = 0: only then is the energy finite. n arms have n contact
+//! conditions but n − 1 free jumps at the junction, so no set of face points at the junction itself
+//! can be dual to them. Instead the last face point of each arm lies at the edge of a small core,
+//! and the jump in the core follows from these: constant down to a tenth of its radius, from there
+//! linear to p_k = w_k − σ_k (Σ σ_j w_j)/n at the junction, the nearest jumps without a net Burgers
+//! vector.
 
 use crate::body::{FaceElement, FaceMesh, FacePoint, FaceSample};
-use crate::crack::{CrackNetwork, End, Walk};
+use crate::crack::{CrackCurve, CrackNetwork, End};
 
 /// Fraction of the radius of a core over which the jumps of the arms are made compatible. The
 /// contact conditions at the edge of the core contain a sixth of this of the tractions of the other
@@ -27,24 +28,24 @@ pub(super) struct Arm {
     pub crack: usize,
     /// Index of the junction among the points of the crack, from 0.
     pub vertex: usize,
-    /// Whether the walk of the crack goes towards the junction or away from it.
-    pub way: Way,
+    /// Direction of the crack relative to the junction.
+    pub direction: ArmDirection,
 }
 
-/// Direction of the walk of an arm.
+/// Direction in which the crack traverses an arm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Way {
+pub(super) enum ArmDirection {
     /// Towards the junction.
-    In,
+    Towards,
     /// Away from it.
-    Out,
+    Away,
 }
 
-impl Way {
+impl ArmDirection {
     fn sign(self) -> f64 {
         match self {
-            Self::In => 1.0,
-            Self::Out => -1.0,
+            Self::Towards => 1.0,
+            Self::Away => -1.0,
         }
     }
 }
@@ -59,13 +60,13 @@ pub(super) struct Core {
 }
 
 impl Core {
-    /// Arc length from the junction to where the jumps begin to change, mm.
-    pub fn inner(&self) -> f64 {
+    /// Arc length from the junction to the point at which the jumps begin to change, mm.
+    pub(crate) fn inner(&self) -> f64 {
         INNER * self.radius
     }
 
     /// Whether this core lies on `crack` at its point `vertex`.
-    pub fn is_at(&self, crack: usize, vertex: usize) -> bool {
+    pub(crate) fn is_at(&self, crack: usize, vertex: usize) -> bool {
         self.arms.iter().any(|arm| arm.crack == crack && arm.vertex == vertex)
     }
 }
@@ -73,30 +74,30 @@ impl Core {
 /// The cores of all junctions, where elements away from them are `element(crack, g)` (mm) long.
 pub(super) fn cores(
     network: &CrackNetwork,
-    walks: &[Walk],
+    curves: &[CrackCurve],
     element: impl Fn(usize, f64) -> f64,
 ) -> Vec<Core> {
     let core = |point: &crate::crack::JunctionPoint| {
         let mut arms = Vec::new();
         for end in &point.ends {
-            let (vertex, way) = match end.end {
-                End::First => (0, Way::Out),
-                End::Last => (walks[end.crack].segments(), Way::In),
+            let (vertex, direction) = match end.end {
+                End::First => (0, ArmDirection::Away),
+                End::Last => (curves[end.crack].segments(), ArmDirection::Towards),
             };
-            arms.push(Arm { crack: end.crack, vertex, way });
+            arms.push(Arm { crack: end.crack, vertex, direction });
         }
         if let Some(passing) = point.through {
-            let arm = |way| Arm { crack: passing.crack, vertex: passing.vertex, way };
-            arms.extend([arm(Way::In), arm(Way::Out)]);
+            let arm = |direction| Arm { crack: passing.crack, vertex: passing.vertex, direction };
+            arms.extend([arm(ArmDirection::Towards), arm(ArmDirection::Away)]);
         }
         let largest = |arm: &Arm| {
-            let walk = &walks[arm.crack];
-            let next = match arm.way {
-                Way::In => arm.vertex - 1,
-                Way::Out => arm.vertex + 1,
+            let curve = &curves[arm.crack];
+            let next = match arm.direction {
+                ArmDirection::Towards => arm.vertex - 1,
+                ArmDirection::Away => arm.vertex + 1,
             };
-            let segment = (walk.from_first(arm.vertex) - walk.from_first(next)).abs();
-            (CORE * element(arm.crack, walk.vertices()[arm.vertex])).min(VERTEX_SHARE * segment)
+            let segment = (curve.arc_length_at(arm.vertex) - curve.arc_length_at(next)).abs();
+            (CORE * element(arm.crack, curve.vertices()[arm.vertex])).min(VERTEX_SHARE * segment)
         };
         let radius = arms.iter().map(largest).fold(f64::INFINITY, f64::min);
         Core { radius, arms }
@@ -104,10 +105,11 @@ pub(super) fn cores(
     network.junction_points().iter().map(core).collect()
 }
 
-/// Nodal jumps of a mesh without compatibility at junctions, in terms of the free ones.
+/// Nodal jumps of a mesh without compatibility at junctions, in terms of the free jumps at the face
+/// points.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Ties {
-    /// For each node the face points that it follows, with their factors, which act on jumps in the
+    /// For each node the face points on which it depends, with the factors of their jumps in the
     /// common frame.
     follows: Vec<Vec<(usize, f64)>>,
     /// For each node the face point of its own arm.
@@ -115,16 +117,16 @@ pub(super) struct Ties {
 }
 
 impl Ties {
-    /// The face points that node `node` follows, with their factors.
-    pub fn of(&self, node: usize) -> &[(usize, f64)] {
+    /// The face points on which node `node` depends, with their factors.
+    pub(crate) fn of(&self, node: usize) -> &[(usize, f64)] {
         &self.follows[node]
     }
 
     /// The ties of `cores` between the nodes of `elements`, which are the points of `faces`; and
-    /// the points that remain free, which take over the tractions of the others.
-    pub fn new(
+    /// the points that remain free, which carry the tractions of the others.
+    pub(crate) fn new(
         cores: &[Core],
-        walks: &[Walk],
+        curves: &[CrackCurve],
         elements: &[FaceElement],
         faces: &FaceMesh,
     ) -> (Self, FaceMesh) {
@@ -133,13 +135,13 @@ impl Ties {
         let mut own: Vec<usize> = (0..count).collect();
         for core in cores {
             let nodes: Vec<ArmNodes> =
-                core.arms.iter().map(|arm| ArmNodes::of(arm, walks, elements)).collect();
+                core.arms.iter().map(|arm| ArmNodes::of(arm, curves, elements)).collect();
             let share = 1.0 / core.arms.len() as f64;
             for (arm, &ArmNodes { edge, inner, junction }) in core.arms.iter().zip(&nodes) {
                 follows[inner] = vec![(edge, 1.0)];
                 let factor = |(other, nodes): (&Arm, &ArmNodes)| {
                     let own = if other == arm { 1.0 } else { 0.0 };
-                    (nodes.edge, own - arm.way.sign() * other.way.sign() * share)
+                    (nodes.edge, own - arm.direction.sign() * other.direction.sign() * share)
                 };
                 follows[junction] = core.arms.iter().zip(&nodes).map(factor).collect();
                 own[inner] = edge;
@@ -161,8 +163,8 @@ impl Ties {
     }
 
     fn reduced(&self, mut points: Vec<FacePoint>, faces: &FaceMesh) -> FaceMesh {
-        // The length of a point is that on its own arm: the shares from other arms have other
-        // directions.
+        // The length of a point covers its own arm only, because the shares from other arms have
+        // other directions.
         for (&own, point) in self.own.iter().zip(&faces.points) {
             points[own].weight += point.weight;
         }
@@ -177,7 +179,7 @@ impl Ties {
                     }
                 }
             }
-            // A sample has two shares: further ones make another sample at the same place.
+            // A sample has two shares; further shares need another sample at the same position.
             for pair in shares.chunks(2) {
                 let shares = [pair[0], pair.get(1).copied().unwrap_or((0, 0.0))];
                 samples.push(FaceSample { shares, ..*sample });
@@ -187,8 +189,8 @@ impl Ties {
     }
 }
 
-/// The nodes of one arm in a core: at its edge, where the jump begins to change, and at the
-/// junction.
+/// The nodes of one arm in a core: at its edge, at its inner edge, where the jump begins to change,
+/// and at the junction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct ArmNodes {
     edge: usize,
@@ -197,15 +199,15 @@ struct ArmNodes {
 }
 
 impl ArmNodes {
-    fn of(arm: &Arm, walks: &[Walk], elements: &[FaceElement]) -> Self {
-        let g = walks[arm.crack].vertices()[arm.vertex];
+    fn of(arm: &Arm, curves: &[CrackCurve], elements: &[FaceElement]) -> Self {
+        let g = curves[arm.crack].vertices()[arm.vertex];
         let own: Vec<&FaceElement> = elements.iter().filter(|element| element.crack == arm.crack).collect();
-        let (nearest, next, near, far) = match arm.way {
-            Way::In => {
+        let (nearest, next, near, far) = match arm.direction {
+            ArmDirection::Towards => {
                 let after = own.partition_point(|element| element.range.1 <= g);
                 (own[after - 1], own[after - 2], 1, 0)
             }
-            Way::Out => {
+            ArmDirection::Away => {
                 let before = own.partition_point(|element| element.range.0 < g);
                 (own[before], own[before + 1], 0, 1)
             }

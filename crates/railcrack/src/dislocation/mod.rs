@@ -1,4 +1,4 @@
-//! The semi-analytical engine: continuous distributions of edge dislocations in a half-plane.
+//! Semi-analytical engine: continuous distributions of edge dislocations in a half-plane.
 
 mod assembly;
 mod engine;

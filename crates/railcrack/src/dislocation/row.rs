@@ -1,20 +1,20 @@
-//! A of a long row of cracks, crack by crack.
+//! A of a long row of cracks in blocks between units.
 
 use super::assembly::{element_integral, scatter, slope};
-use super::integrals::Rules;
+use super::integrals::PairRules;
 use super::junctions::Ties;
 use crate::body::{BlockStiffness, FaceElement, FaceMesh};
-use crate::crack::{CrackNetwork, Walk};
+use crate::crack::{CrackCurve, CrackNetwork};
 use crate::interruption::{Interrupted, Interruption};
 use crate::math::Matrix;
-use crate::nuclei::{FarRow, Place, Source, Units};
+use crate::nuclei::{FarRow, Source, SourceSite, Units};
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// The cracks and elements of which A is made.
-pub(super) struct Row<'a> {
+/// The cracks and elements from which A is assembled.
+pub(super) struct CrackRow<'a> {
     pub network: &'a CrackNetwork,
-    pub walks: &'a [Walk],
+    pub curves: &'a [CrackCurve],
     pub elements: &'a [FaceElement],
     pub ties: &'a Ties,
     pub faces: &'a FaceMesh,
@@ -22,12 +22,12 @@ pub(super) struct Row<'a> {
     pub modulus: f64,
 }
 
-impl Row<'_> {
-    /// A crack by crack, without what the tips need.
+impl CrackRow<'_> {
+    /// A in blocks, without the gains of the tips.
     ///
     /// Errors: an interruption.
-    pub fn stiffness(&self, interruption: Interruption<'_>) -> Result<BlockStiffness, Interrupted> {
-        let units = Units::new(self.network, self.walks);
+    pub(crate) fn stiffness(&self, interruption: Interruption<'_>) -> Result<BlockStiffness, Interrupted> {
+        let units = Units::new(self.network, self.curves);
         let unit_of = units.of_cracks();
         let count = units.cracks.len();
         let mut points = vec![Vec::new(); count];
@@ -61,11 +61,11 @@ impl Row<'_> {
             nearby[k].push((l, block));
         }
         let source =
-            |&e: &usize| Source { place: Place::Element(&self.elements[e]), follows: slopes[e].clone() };
+            |&e: &usize| Source { place: SourceSite::Element(&self.elements[e]), follows: slopes[e].clone() };
         let sources: Vec<Vec<Source<'_>>> =
             elements.iter().map(|own| own.iter().map(source).collect()).collect();
-        let Self { walks, faces, modulus, .. } = *self;
-        let far = FarRow { units: &units, walks, faces, points: &points, sources: &sources, modulus };
+        let Self { curves, faces, modulus, .. } = *self;
+        let far = FarRow { units: &units, curves, faces, points: &points, sources: &sources, modulus };
         let far = far.stiffness();
         interruption.check()?;
         let extents = (0..count).map(|k| units.span(k)).collect();
@@ -73,9 +73,9 @@ impl Row<'_> {
     }
 }
 
-/// Blocks of A that are integrated pair by pair.
+/// Blocks of A between near units, integrated pair by pair of elements.
 struct Near<'a> {
-    row: &'a Row<'a>,
+    row: &'a CrackRow<'a>,
     points: &'a [Vec<usize>],
     elements: &'a [Vec<usize>],
     slopes: &'a [Vec<(usize, f64)>],
@@ -83,15 +83,15 @@ struct Near<'a> {
 
 impl Near<'_> {
     fn block(&self, k: usize, l: usize) -> Matrix {
-        let Row { walks, elements, faces, modulus, .. } = *self.row;
-        let rules = Rules::new();
+        let CrackRow { curves, elements, faces, modulus, .. } = *self.row;
+        let rules = PairRules::new();
         let integrals: Vec<Vec<[f64; 4]>> = self.elements[k]
             .par_iter()
             .enumerate()
             .map(|(number, &i)| {
                 let others: Range<usize> = if k == l { 0..number + 1 } else { 0..self.elements[l].len() };
                 let integral =
-                    |j: usize| element_integral(walks, &elements[i], &elements[self.elements[l][j]], &rules);
+                    |j: usize| element_integral(curves, &elements[i], &elements[self.elements[l][j]], &rules);
                 others.map(integral).collect()
             })
             .collect();

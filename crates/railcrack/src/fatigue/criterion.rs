@@ -1,4 +1,4 @@
-//! Criteria of the direction of growth.
+//! Criteria for the direction of growth.
 
 use crate::words::{Choice, Word};
 use std::ops::RangeInclusive;
@@ -10,13 +10,13 @@ pub enum DirectionCriterion {
     #[default]
     MaxRate,
     /// The same with negative k1 counted as if a closed kink opened negatively: for comparison,
-    /// since not every description of the criterion says that k1 is clipped.
+    /// since not every description of the criterion states that k1 is clipped.
     MaxRateUnclipped,
     /// The range of k1.
     MaxDeltaK1,
     /// The largest k1.
     MaxK1,
-    /// None: the crack grows straight ahead.
+    /// No quantity: the crack grows straight ahead.
     Coplanar,
     /// The largest tangential stress ahead of the actual tip over the passage. Source: Erdogan &
     /// Sih 1963, J. Basic Eng. 85, 519–525.

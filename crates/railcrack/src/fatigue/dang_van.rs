@@ -1,4 +1,4 @@
-//! The Dang Van criterion of crack initiation.
+//! Dang Van criterion of crack initiation.
 
 use crate::math::{Stress, smallest_ball};
 
@@ -31,7 +31,7 @@ impl DangVan {
     /// max over time of τ + a p_h on a cycle of stresses `path` (MPa, in any order, residual stress
     /// included); s* is the centre of the smallest ball (Frobenius norm) around the deviators. None
     /// for an empty path.
-    pub fn value(&self, path: &[Stress]) -> Option<DangVanValue> {
+    pub(crate) fn value(&self, path: &[Stress]) -> Option<DangVanValue> {
         let deviators: Vec<[f64; 3]> = path.iter().map(|stress| stress.deviator()).collect();
         let centre = smallest_ball(&deviators).centre;
         let at = |(time, (stress, deviator)): (usize, (&Stress, &[f64; 3]))| {
@@ -92,7 +92,7 @@ mod tests {
         }
     }
 
-    /// Reversed shear ±T under a constant pressure P: τ = T whatever the constant shear, less a P.
+    /// Reversed shear ±T under a constant pressure P: τ = T for any constant shear, less a P.
     #[test]
     fn reversed_shear_under_pressure() {
         let path = [-150.0, 150.0].map(|xy| Stress { xx: -90.0, yy: -90.0, zz: -90.0, xy: xy + 35.0 });

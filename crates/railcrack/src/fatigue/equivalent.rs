@@ -1,7 +1,7 @@
-//! Equivalent ranges: one number for the ranges of two modes.
+//! Equivalent SIF ranges of mixed modes.
 
-use super::laws::Bold;
 use crate::math::MPA_SQRT_MM;
+use crate::words::{Choice, Word};
 
 /// The equivalent range ΔK_eq of ΔK_I and ΔK_II.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,7 +16,7 @@ pub enum EquivalentRange {
     /// ΔK_I/2 + ½ √(ΔK_I² + 4 (1.155 ΔK_II)²). Source: Richard, Fulland & Sander 2005, Fatigue
     /// Fract. Eng. Mater. Struct. 28, 3–12.
     Richard,
-    /// That of the law of Bold, Brown and Allen ([`Bold`]).
+    /// The equivalent range in the law of Bold, Brown and Allen ([`Bold`]).
     Bold,
 }
 
@@ -26,7 +26,7 @@ impl EquivalentRange {
 
     /// ΔK_eq of the ranges `delta_ki` and `delta_kii`; all MPa √mm.
     #[must_use]
-    pub fn of(&self, delta_ki: f64, delta_kii: f64) -> f64 {
+    pub(crate) fn of(&self, delta_ki: f64, delta_kii: f64) -> f64 {
         match *self {
             Self::HourlierPineau { mode_2_weight } => {
                 (delta_ki * delta_ki + mode_2_weight * delta_kii * delta_kii).sqrt()
@@ -35,7 +35,7 @@ impl EquivalentRange {
             Self::Richard => 0.5 * (delta_ki + delta_ki.hypot(2.0 * 1.155 * delta_kii)),
             Self::Bold => {
                 let unit = MPA_SQRT_MM;
-                Bold::equivalent(delta_ki / unit, delta_kii / unit) * unit
+                bold_range(delta_ki / unit, delta_kii / unit) * unit
             }
         }
     }
@@ -46,9 +46,9 @@ impl EquivalentRange {
     ///   w/(1 − ν), with which modes II and III count by their energy release rates.
     /// * Tanaka 1974: (ΔK_I⁴ + 8 ΔK_II⁴ + 8 ΔK_III⁴/(1 − ν))^¼.
     /// * Richard, Fulland & Sander 2005: ΔK_I/2 + ½ √(ΔK_I² + 4 (1.155 ΔK_II)² + 4 ΔK_III²).
-    /// * Bold, Brown & Allen give none: that of ΔK_I and ΔK_II.
+    /// * Bold, Brown & Allen do not include mode III: the range of ΔK_I and ΔK_II.
     #[must_use]
-    pub fn of_three(
+    pub(crate) fn of_three(
         &self,
         [delta_ki, delta_kii, delta_kiii]: [f64; 3],
         poisson: f64,
@@ -70,6 +70,18 @@ impl EquivalentRange {
         }
     }
 
+    /// The form that gives it, and its weight of mode II where it has one; none where the range
+    /// belongs to a law.
+    #[must_use]
+    pub fn form(&self) -> Option<(RangeForm, Option<f64>)> {
+        match *self {
+            Self::HourlierPineau { mode_2_weight } => Some((RangeForm::HourlierPineau, Some(mode_2_weight))),
+            Self::Tanaka => Some((RangeForm::Tanaka, None)),
+            Self::Richard => Some((RangeForm::Richard, None)),
+            Self::Bold => None,
+        }
+    }
+
     /// The formula as a line of text.
     #[must_use]
     pub fn formula(&self) -> String {
@@ -80,16 +92,43 @@ impl EquivalentRange {
             Self::Bold => "dK^2 = dKI^2 + [(614/507) dKII^3.21]^(2/3.74)".to_owned(),
         }
     }
+}
 
-    /// The name in case files.
+/// ΔK_eq (MPa√m) of Bold, Brown and Allen for `delta_ki` and `delta_kii` (MPa√m): above the
+/// threshold, the mode II term gives the same rate as 6.14e-10 ΔK_II^3.21.
+pub(super) fn bold_range(delta_ki: f64, delta_kii: f64) -> f64 {
+    let shear = (614.0 / 507.0 * delta_kii.powf(3.21)).powf(3.74f64.recip());
+    delta_ki.hypot(shear)
+}
+
+/// The equivalent ranges that may be chosen for a law that has none of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RangeForm {
+    /// [`EquivalentRange::HourlierPineau`].
+    HourlierPineau,
+    /// [`EquivalentRange::Tanaka`].
+    Tanaka,
+    /// [`EquivalentRange::Richard`].
+    Richard,
+}
+
+impl Choice for RangeForm {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::HourlierPineau, Word::now("hourlier-pineau", "sqrt(dKI^2 + w dKII^2)")),
+        (Self::Tanaka, Word::now("tanaka", "(dKI^4 + 8 dKII^4)^(1/4)")),
+        (Self::Richard, Word::now("richard", "dKI/2 + sqrt(dKI^2 + 4 (1.155 dKII)^2)/2")),
+    ];
+}
+
+impl RangeForm {
+    /// The range, with the weight of mode II where it has one; none where the weight is missing.
     #[must_use]
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::HourlierPineau { .. } => "hourlier-pineau",
-            Self::Tanaka => "tanaka",
-            Self::Richard => "richard",
-            Self::Bold => "bold",
-        }
+    pub fn range(self, mode_2_weight: Option<f64>) -> Option<EquivalentRange> {
+        Some(match self {
+            Self::HourlierPineau => EquivalentRange::HourlierPineau { mode_2_weight: mode_2_weight? },
+            Self::Tanaka => EquivalentRange::Tanaka,
+            Self::Richard => EquivalentRange::Richard,
+        })
     }
 }
 
@@ -103,13 +142,17 @@ mod tests {
         for law in laws {
             assert!((law.of_three([9.0, 12.0, 0.0], 0.3, None) - law.of(9.0, 12.0)).abs() < 1e-12);
         }
-        // 0.772/0.7 · 5² beside that of ΔK_II = 5 √0.7⁻¹.
+        // 0.772/0.7 · 5², as for ΔK_II = 5 √0.7⁻¹.
         let by_energy = EquivalentRange::RAIL_STEEL;
         let other = by_energy.of(0.0, 5.0 / 0.7f64.sqrt());
         assert!((by_energy.of_three([0.0, 0.0, 5.0], 0.3, None) - other).abs() < 1e-12);
         assert!((by_energy.of_three([3.0, 0.0, 4.0], 0.3, Some(1.0)) - 5.0).abs() < 1e-12);
         // Richard, Fulland & Sander 2005: α₂ = 1. Pure mode III: ΔK_eq = ΔK_III.
         assert!((EquivalentRange::Richard.of_three([0.0, 0.0, 5.0], 0.3, None) - 5.0).abs() < 1e-12);
+        for range in [EquivalentRange::RAIL_STEEL, EquivalentRange::Tanaka, EquivalentRange::Richard] {
+            let (form, weight) = range.form().unwrap();
+            assert_eq!(form.range(weight), Some(range));
+        }
         // Tanaka 1974: (8/0.7)^¼ = 1.838.
         let tanaka = EquivalentRange::Tanaka.of_three([0.0, 0.0, 5.0], 0.3, None);
         assert!((tanaka - 5.0 * (8.0f64 / 0.7).powf(0.25)).abs() < 1e-12);

@@ -1,4 +1,4 @@
-//! Direction of growth under a non-proportional passage.
+//! Direction of growth under non-proportional loading.
 
 use super::hull::convex_hull;
 use super::kink_ranges::{KinkRanges, tangential, vector_range};
@@ -9,7 +9,7 @@ use crate::fracture::{Sif, SifHistory};
 /// The criterion of Hourlier & Pineau: the crack kinks by the angle β that maximises the growth
 /// rate of the virtual kink over the passage, from the ranges of k1(β, t), clipped at zero (a
 /// closed kink does not open negatively), and k2(β, t). The other criteria maximise other
-/// quantities in the same way.
+/// quantities by the same procedure.
 ///
 /// Source: Hourlier & Pineau 1982, Fatigue Eng. Mater. Struct. 5, 287–302; Trollé et al. 2014,
 /// section 4.
@@ -28,8 +28,8 @@ pub struct Kink {
     pub angle: f64,
     /// Growth rate of the virtual kink, mm per cycle; the mean over the axles of a mix.
     pub rate: f64,
-    /// Δk1 of the virtual kink, k1 clipped at zero, MPa √mm; in a mix, of the wheel that does most
-    /// of the rate.
+    /// Δk1 of the virtual kink, k1 clipped at zero, MPa √mm; in a mix, of the wheel that
+    /// contributes most to the rate.
     pub delta_k1: f64,
     /// Δk2 of the virtual kink, MPa √mm; in a mix, of the same wheel.
     pub delta_k2: f64,
@@ -38,7 +38,7 @@ pub struct Kink {
 }
 
 /// A secondary maximum of the criterion, at least 15° from the chosen one. An end of the searched
-/// range is none.
+/// range does not count.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SecondaryMaximum {
     /// β, radians.
@@ -50,25 +50,26 @@ pub struct SecondaryMaximum {
 
 /// The history of a tip under one wheel of a mix.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WheelHistory<'a> {
+pub(crate) struct WheelHistory<'a> {
     /// Share of the axles.
     pub share: f64,
     /// K through the stabilised passage of this wheel.
     pub history: &'a SifHistory,
 }
 
-/// Least distance of a secondary maximum from the chosen direction, radians.
+/// Smallest distance of a secondary maximum from the chosen direction, radians.
 pub(crate) const SECONDARY_DISTANCE: f64 = 15.0 * std::f64::consts::PI / 180.0;
-/// Maxima whose criteria differ by less, relatively, are ties: round-off of the history must not
+/// Relative difference below which two maxima are tied, so that round-off of the history does not
 /// decide between them.
 const TIE: f64 = 1e-9;
 
 /// The corners of the histories under each wheel, with the shares of the axles.
-type Loads = [(f64, Vec<Sif>)];
+type CornersByWheel = [(f64, Vec<Sif>)];
 
 impl HourlierPineau {
-    /// The kink for one passage of `history`. None where nothing drives a kink: no samples, all
-    /// zero, never open in any direction for a criterion on k1, or samples that are not finite.
+    /// The kink for one passage of `history`. None if nothing drives a kink: for no samples,
+    /// samples that are all zero or not finite, or, with a criterion on k1, a kink that never opens
+    /// in any direction.
     ///
     /// β is searched in [`KINK_ANGLES`] on a grid of 1°; every local maximum is refined by golden
     /// section, and an end of the range can be chosen. Ties go to the smaller |β|, then to the
@@ -80,13 +81,14 @@ impl HourlierPineau {
     }
 
     /// The kink under a mix of wheels: the direction maximises Σ s_i r_i(β), the sum of the rates
-    /// under each wheel by its share of the axles, each with its own threshold. Where no direction
-    /// grows, it is searched without thresholds. Ranges of k1 and of the displacement add like
-    /// rates; of the largest k1 and tangential stress the mix has the largest of all wheels.
+    /// under each wheel by its share of the axles, each with its own threshold. If no direction has
+    /// a rate above zero, the search is repeated without thresholds. Ranges of k1 and of the
+    /// displacement add like rates; for the largest k1 and the largest tangential stress, the
+    /// maximum over all wheels counts.
     ///
     /// A single wheel is [`HourlierPineau::kink`].
     #[must_use]
-    pub fn kink_of_mix(&self, wheels: &[WheelHistory]) -> Option<Kink> {
+    pub(crate) fn kink_of_mix(&self, wheels: &[WheelHistory]) -> Option<Kink> {
         let samples = || wheels.iter().flat_map(|wheel| &wheel.history.samples);
         if !samples().all(|k| k.ki.is_finite() && k.kii.is_finite()) {
             return None;
@@ -131,16 +133,16 @@ impl HourlierPineau {
         })
     }
 
-    fn maxima(&self, loads: &Loads, quantity: Quantity) -> Vec<Maximum> {
+    fn maxima(&self, loads: &CornersByWheel, quantity: Quantity) -> Vec<Maximum> {
         if self.criterion == DirectionCriterion::Coplanar {
             return vec![Maximum { angle: 0.0, value: self.value(loads, Quantity::Drive, 0.0) }];
         }
         local_maxima(|angle| self.value(loads, quantity, angle))
     }
 
-    /// The criterion at `angle`. Under one wheel the rate is represented by ΔK_eq, with which it
-    /// grows: no threshold flattens the search.
-    fn value(&self, loads: &Loads, quantity: Quantity, angle: f64) -> f64 {
+    /// The criterion at `angle`. Under one wheel the rate is represented by ΔK_eq, which increases
+    /// with the rate and is not flattened by a threshold.
+    fn value(&self, loads: &CornersByWheel, quantity: Quantity, angle: f64) -> f64 {
         let sum = |of: &dyn Fn(&[Sif]) -> f64| match loads {
             [(_, only)] => of(only),
             _ => loads.iter().map(|(share, extremes)| share * of(extremes)).sum(),
@@ -175,12 +177,12 @@ impl HourlierPineau {
     }
 }
 
-/// The quantity by which a rate is represented.
+/// The quantity that represents a rate in the search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Quantity {
-    /// One that no threshold flattens.
+    /// ΔK_eq, which no threshold flattens.
     Drive,
-    /// The rate itself, as rates under several wheels add.
+    /// The rate itself, because the rates under several wheels are added.
     Rate,
 }
 

@@ -96,7 +96,7 @@ fn chosen_angle_is_the_best_of_a_fine_scan() {
         let rule = with(criterion);
         let history = passage(2000);
         let kink = rule.kink(&history).unwrap();
-        // All samples, no hull: the reduction to corners must not change the result.
+        // With all samples: the reduction to hull corners must not change the result.
         let value = |beta: f64| value_of(&rule, &history.samples, beta);
         let scan = (-11000..=11000).map(|i| (0.01 * f64::from(i)).to_radians());
         let best = scan.max_by(|a, b| value(*a).total_cmp(&value(*b))).unwrap();
@@ -122,7 +122,7 @@ fn the_secondary_maximum_is_another_local_maximum() {
             && value(secondary.angle) >= value(secondary.angle + 0.01)
     );
     let ratio = (value(secondary.angle) / value(kink.angle)).powf(3.33);
-    assert!((ratio - secondary.ratio).abs() < 1e-12); // same formula, other summation order
+    assert!((ratio - secondary.ratio).abs() < 1e-12); // same formula, different summation order
 }
 
 #[test]
@@ -168,7 +168,7 @@ fn one_wheel_twice_is_the_wheel_itself() {
     let one = rule.kink(&history).unwrap();
     let half = WheelHistory { share: 0.5, history: &history };
     let two = rule.kink_of_mix(&[half, half]).unwrap();
-    // The parabola finds the angle to about 1e-11, whichever quantity it goes through.
+    // The parabola finds the angle to about 1e-11, for any quantity.
     assert!((one.angle - two.angle).abs() < 1e-9, "{one:?} {two:?}");
     assert!((one.rate / two.rate - 1.0).abs() < 1e-12, "{one:?} {two:?}");
 }
@@ -190,7 +190,7 @@ fn the_direction_of_a_mix_flips_where_the_rates_are_equal() {
 
 #[test]
 fn thresholds_count_wheel_by_wheel() {
-    // Each of the wheels is below the threshold, where their sum would not be.
+    // Each wheel is below the threshold, although their sum would not be.
     let paris = Paris { threshold: 5.0, ..Paris::RAIL_STEEL };
     let law = GrowthLaw { rate: RateLaw::Paris(paris), ..GrowthLaw::RAIL_STEEL };
     let rule = HourlierPineau { law, criterion: DirectionCriterion::MaxRate };
@@ -199,7 +199,7 @@ fn thresholds_count_wheel_by_wheel() {
     let wheel = |share, history| WheelHistory { share, history };
     let below = rule.kink_of_mix(&[wheel(0.5, &weak), wheel(0.5, &weak)]).unwrap();
     assert!(below.rate == 0.0 && below.angle.abs() < 1e-6, "{below:?}");
-    // The weak wheel has no say.
+    // The weak wheel does not contribute.
     let alone = rule.kink(&strong).unwrap();
     let mixed = rule.kink_of_mix(&[wheel(0.99, &weak), wheel(0.01, &strong)]).unwrap();
     assert!((alone.angle - mixed.angle).abs() < 1e-9, "{alone:?} {mixed:?}");

@@ -1,15 +1,15 @@
-//! Convex hull of a SIF history.
+//! Convex hulls of SIF histories.
 
 use crate::fracture::Sif;
 use crate::math::{Orientation, Vec2, orientation};
 
 /// The corners of the convex hull of `samples` in the (K_I, K_II) plane, counter-clockwise: a
 /// linear function of K attains its extremes at corners. Fewer than three samples, or collinear
-/// ones, give their ends.
+/// ones, yield their end points.
 ///
 /// Andrew's monotone chain with an exact orientation test; all samples finite.
 pub(super) fn convex_hull(samples: &[Sif]) -> Vec<Sif> {
-    // Adding zero turns −0 into +0: they are one value, and must not be sorted apart.
+    // Adding zero turns −0 into +0, which are equal and must not be sorted apart.
     let mut points: Vec<Vec2> = samples.iter().map(|k| Vec2::new(k.ki + 0.0, k.kii + 0.0)).collect();
     points.sort_unstable_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
     points.dedup();
@@ -22,8 +22,8 @@ pub(super) fn convex_hull(samples: &[Sif]) -> Vec<Sif> {
     corners.iter().map(to_sif).collect()
 }
 
-/// The corners from the first point up to, but excluding, the last one, with all others to the
-/// left.
+/// The corners from the first point up to, but excluding, the last one, with all other points to
+/// the left.
 fn half_hull(points: impl Iterator<Item = Vec2>) -> Vec<Vec2> {
     let mut chain: Vec<Vec2> = Vec::new();
     for point in points {

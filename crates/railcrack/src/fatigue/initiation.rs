@@ -1,4 +1,4 @@
-//! Crack initiation by depth, after Dang Van.
+//! Depth profile of the Dang Van criterion of crack initiation.
 
 use super::{DangVan, DangVanValue};
 use crate::math::Stress;
@@ -6,18 +6,18 @@ use crate::math::Stress;
 /// The criterion at one depth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DepthValue {
-    /// mm; 0 is the running surface.
+    /// Depth, mm; 0 is the running surface.
     pub depth: f64,
-    /// The critical time of the cycle there.
+    /// The critical time of the cycle at this depth.
     pub worst: DangVanValue,
 }
 
 /// The criterion over depth, and its maxima.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Initiation {
-    /// From the surface down.
+    /// The values from the surface down.
     pub by_depth: Vec<DepthValue>,
-    /// At the surface: the first depth.
+    /// The value at the surface, the first depth.
     pub surface: DepthValue,
     /// The largest maximum below the surface; none where the value decreases all the way down.
     pub subsurface: Option<DepthValue>,
@@ -45,7 +45,7 @@ impl Initiation {
         Some(Self { surface, subsurface, by_depth })
     }
 
-    /// The larger of both maxima: where a crack initiates first.
+    /// The larger of the two maxima, where a crack initiates first.
     pub fn critical(&self) -> DepthValue {
         match self.subsurface {
             Some(below) if below.worst.value > self.surface.worst.value => below,

@@ -1,4 +1,4 @@
-//! Stress intensity factors of a virtual kink.
+//! Stress intensity factors of virtual kinks.
 
 use crate::fracture::Sif;
 use std::f64::consts::PI;
@@ -6,9 +6,9 @@ use std::f64::consts::PI;
 /// Stress intensity factors of a virtual kink at the tip, MPa √mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KinkSif {
-    /// k1, of opening.
+    /// k1 (opening mode).
     pub k1: f64,
-    /// k2, of shear.
+    /// k2 (shear mode).
     pub k2: f64,
 }
 
@@ -101,7 +101,7 @@ impl KinkFunctions {
         Self { f11: series(&F11), f12: m * series(&F12), f21: m * series(&F21), f22: series(&F22) }
     }
 
-    /// k1 and k2 of the virtual kink for K_I and K_II of the actual `tip`, in its units.
+    /// k1 and k2 of the virtual kink for K_I and K_II of the actual `tip`, in the same units.
     #[must_use]
     pub fn kinked(&self, tip: Sif) -> KinkSif {
         KinkSif { k1: self.f11 * tip.ki + self.f12 * tip.kii, k2: self.f21 * tip.ki + self.f22 * tip.kii }

@@ -1,4 +1,4 @@
-//! Ranges of the stress intensity factors of a virtual kink.
+//! Ranges of the stress intensity factors of virtual kinks.
 
 use super::{KinkFunctions, LoadRange};
 use crate::fracture::Sif;
@@ -14,7 +14,7 @@ pub(super) struct KinkRanges {
 }
 
 impl KinkRanges {
-    pub fn of(extremes: &[Sif], angle: f64) -> Self {
+    pub(crate) fn of(extremes: &[Sif], angle: f64) -> Self {
         let functions = KinkFunctions::at(angle);
         let (mut k1_low, mut k1_top) = (f64::INFINITY, f64::NEG_INFINITY);
         let (mut k2_low, mut k2_high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -34,13 +34,13 @@ impl KinkRanges {
         }
     }
 
-    /// With negative k1 clipped at zero.
-    pub fn clipped(&self) -> LoadRange {
+    /// The ranges with negative k1 clipped at zero.
+    pub(crate) fn clipped(&self) -> LoadRange {
         LoadRange::new(self.delta_k1, self.delta_k2, self.k1_max)
     }
 
-    /// With negative k1 counted.
-    pub fn unclipped(&self) -> LoadRange {
+    /// The ranges with negative k1 included.
+    pub(crate) fn unclipped(&self) -> LoadRange {
         LoadRange { delta_ki: self.delta_k1_unclipped, ..self.clipped() }
     }
 }
@@ -59,7 +59,7 @@ pub(super) fn vector_range(extremes: &[Sif], angle: f64) -> f64 {
 }
 
 /// The largest tangential stress √(2πr) σ_θθ at `angle` ahead of the actual tip: cos(θ/2) (K_I
-/// cos²(θ/2) − 3/2 K_II sin θ); zero where it is never tension.
+/// cos²(θ/2) − 3/2 K_II sin θ); zero if it is never tensile.
 pub(super) fn tangential(extremes: &[Sif], angle: f64) -> f64 {
     let half = (0.5 * angle).cos();
     let of = |k: &Sif| half * (k.ki * half * half - 1.5 * k.kii * angle.sin());
@@ -81,7 +81,7 @@ mod tests {
         assert!(tangential(&[Sif { ki: 0.0, kii: 1.0 }], angle + 0.01) < value);
     }
 
-    /// Straight ahead k1 and k2 are K_I and K_II: a closed tip has moved along itself only.
+    /// Straight ahead k1 and k2 are K_I and K_II: a closed tip has only slipped.
     #[test]
     fn vector_ranges_leave_out_closed_faces() {
         let tip = |ki: f64, kii: f64| Sif { ki, kii };

@@ -1,4 +1,4 @@
-//! The kink functions against an independent solution of the kinked crack.
+//! Comparison of the kink functions with an independent solution of the kinked crack.
 
 use super::*;
 use std::ops::{Add, Div, Mul, Sub};
@@ -56,7 +56,8 @@ impl Div for Complex {
 ///
 /// with t on any path from −1 to 1 below the tip: here the lower half of the unit circle, with ζ on
 /// the upper half. Then k1 − i k2 = i √(2π) u(−m) e^(−iβ) / B, B² = (1−m)^(−m) (1+m)^m. `steps`
-/// points each way, condensed exponentially at both ends, integrate by the trapezoidal rule.
+/// points in each direction, condensed exponentially at both ends, integrate by the trapezoidal
+/// rule.
 fn mapped_kink(beta: f64, far: Complex, steps: i32) -> Complex {
     let m = beta / PI;
     let jump = c((2.0 * beta).cos() - 1.0, (2.0 * beta).sin()) / c(0.0, 2.0 * PI);

@@ -1,4 +1,4 @@
-//! The most that a virtual kink opens: what brittle fracture compares with the toughness.
+//! Largest k1 over virtual kinks, which brittle fracture compares with the toughness.
 
 use super::{KINK_ANGLES, KinkFunctions};
 use crate::fracture::{Sif, SifHistory};
@@ -12,12 +12,12 @@ pub struct LargestK1 {
     pub k1: f64,
     /// β of the kink, radians, counter-clockwise positive from straight ahead.
     pub angle: f64,
-    /// Sample of the history in which it is reached, from 0.
+    /// Index of the sample of the history in which it is reached, from 0.
     pub sample: usize,
 }
 
 impl LargestK1 {
-    /// Of `history`; none where no kink opens, or where samples are not finite.
+    /// The largest k1 of `history`; none if no kink opens, or if samples are not finite.
     ///
     /// β is searched in [`KINK_ANGLES`] on a grid of 1° and refined by golden section. Under K_I
     /// alone it is 0 and k1 = K_I, under K_II alone ∓76.6° and k1 = 1.2316 |K_II|.
@@ -39,7 +39,7 @@ impl LargestK1 {
     }
 }
 
-/// 1°: k1 is flat at its maximum, to 2e-4 over half a step.
+/// Step of 1°: near its maximum k1 varies by 2e-4 over half a step.
 const GRID_STEP: f64 = std::f64::consts::PI / 180.0;
 /// The grid, and its functions.
 static GRID: std::sync::LazyLock<Vec<(f64, KinkFunctions)>> = std::sync::LazyLock::new(|| {
@@ -47,7 +47,8 @@ static GRID: std::sync::LazyLock<Vec<(f64, KinkFunctions)>> = std::sync::LazyLoc
     (-last..=last).map(|i| GRID_STEP * f64::from(i)).map(|angle| (angle, KinkFunctions::at(angle))).collect()
 });
 
-/// The largest k1 of `tip` on the grid and its angle, the one nearest to straight ahead of equals.
+/// The largest k1 of `tip` on the grid and its angle; of equal values the one nearest to straight
+/// ahead.
 fn coarse(tip: Sif) -> (f64, f64) {
     let opened = GRID.iter().map(|(angle, functions)| (functions.kinked(tip).k1, *angle));
     opened.fold((0.0, 0.0), |best, (k1, angle)| {

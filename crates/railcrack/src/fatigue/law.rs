@@ -63,11 +63,8 @@ impl GrowthLaw {
     /// without a ratio.
     pub(super) fn drive(&self, range: LoadRange) -> f64 {
         let delta = self.equivalent_range(range.delta_ki, range.delta_kii);
-        match &self.rate {
-            // The law is in MPa√m; these know no unit but that of the range.
-            RateLaw::Paris(_) | RateLaw::ParisThreshold(_) | RateLaw::Bold(_) | RateLaw::Table(_) => delta,
-            rate => rate.drive(delta / MPA_SQRT_MM, range.ratio),
-        }
+        // The law is in MPa√m; a range that drives by itself keeps its unit and its bits.
+        self.rate.drive(delta / MPA_SQRT_MM, range.ratio).unwrap_or(delta)
     }
 }
 

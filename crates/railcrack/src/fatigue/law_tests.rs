@@ -1,7 +1,7 @@
 //! Check values of the laws and the equivalent ranges.
 
 use super::*;
-use crate::fatigue::{Bold, Forman, Nasgro, ParisThreshold, RateTable, Walker};
+use crate::fatigue::{Bold, Forman, LawDeclaration, LawInput, Nasgro, ParisThreshold, RateTable, Walker};
 
 /// Eight digits are given.
 const DIGITS: f64 = 1e-6;
@@ -18,6 +18,30 @@ fn rate(law: &GrowthLaw, delta_ki: f64, delta_kii: f64) -> f64 {
 
 fn of_rail_steel(rate: RateLaw) -> GrowthLaw {
     GrowthLaw { rate, ..GrowthLaw::RAIL_STEEL }
+}
+
+#[test]
+fn every_declared_law_has_its_check_value_and_gives_its_constants_back() {
+    for declaration in LawDeclaration::ALL {
+        let LawInput::Constants(of) = declaration.input else { continue };
+        let name = declaration.word.name;
+        let defaults: Vec<f64> = of.all.iter().map(|constant| constant.default).collect();
+        let law = (of.law)(&defaults).unwrap();
+        close(law.rate(of.check.delta, of.check.ratio), of.check.rate);
+        assert_eq!((law.declaration(), law.constants()), (*declaration, defaults.clone()), "{name}");
+        // Distinct values: none goes into another one's place.
+        let distinct: Vec<f64> = (0..defaults.len()).map(|i| 1.0 + i as f64).collect();
+        assert_eq!((of.law)(&distinct).unwrap().constants(), distinct, "{name}");
+        assert!((of.law)(&defaults[1..]).is_none(), "{name}");
+        close(law.times(3.0).rate(of.check.delta, of.check.ratio), 3.0 * of.check.rate);
+        let coefficient = of.all.iter().position(|constant| constant.key == of.coefficient.key).unwrap();
+        assert_eq!(law.times(3.0).constants()[coefficient], 3.0 * defaults[coefficient], "{name}");
+        assert!(of.exponent.is_none_or(|m| of.all.iter().any(|constant| constant.key == m.key)), "{name}");
+        for constant in of.all {
+            let (low, high) = constant.range;
+            assert!((low..=high).contains(&constant.default), "{}", constant.key);
+        }
+    }
 }
 
 #[test]
@@ -55,11 +79,11 @@ fn bold() {
     let law = GrowthLaw { rate: RateLaw::Bold(Bold::RAIL_STEEL), equivalent: EquivalentRange::Bold };
     close(rate(&law, 10.0, 0.0), 2.695_658_9e-6);
     close(rate(&law, 0.0, 10.0), 9.052_781_1e-7);
-    close(Bold::equivalent(0.0, 10.0), 7.594_937);
+    close(bold_range(0.0, 10.0), 7.594_937);
     close(rate(&law, 9.0, 12.0), 6.609_953e-6);
-    close(Bold::equivalent(9.0, 12.0), 12.644_382);
+    close(bold_range(9.0, 12.0), 12.644_382);
     close(rate(&law, 20.0, 20.0), 7.680_857_3e-5);
-    close(Bold::equivalent(20.0, 20.0), 24.281_243);
+    close(bold_range(20.0, 20.0), 24.281_243);
     assert_eq!([rate(&law, 4.0, 0.0), rate(&law, 0.0, 4.0)], [0.0, 0.0]);
 }
 

@@ -1,4 +1,4 @@
-//! Local maxima over the kink angle.
+//! Local maxima over kink angles.
 
 use super::KINK_ANGLES;
 
@@ -12,8 +12,8 @@ pub(super) struct Maximum {
 
 /// Step of the coarse search, radians: the kink functions change by 2 % over it.
 const GRID_STEP: f64 = std::f64::consts::PI / 180.0;
-/// Angles closer than this (radians) count as equally far from straight ahead: the resolution of a
-/// maximum in double precision.
+/// Difference (radians) below which two angles are equally far from straight ahead; the resolution
+/// of a maximum in double precision.
 pub(super) const SAME_ANGLE: f64 = 1e-6;
 
 /// All local maxima of `value` in [`KINK_ANGLES`], ends included: found on a grid of 1° and refined

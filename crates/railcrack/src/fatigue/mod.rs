@@ -1,5 +1,5 @@
 //! Fatigue criteria on histories: crack initiation, and rate and direction of growth under
-//! non-proportional mixed mode.
+//! non-proportional mixed-mode loading.
 
 mod criterion;
 mod dang_van;
@@ -18,15 +18,14 @@ mod toughness;
 
 pub use criterion::{DirectionCriterion, KINK_ANGLES};
 pub use dang_van::{DangVan, DangVanValue};
-pub use equivalent::EquivalentRange;
-pub(crate) use hourlier_pineau::SECONDARY_DISTANCE;
-pub use hourlier_pineau::{HourlierPineau, Kink, SecondaryMaximum, WheelHistory};
+pub use equivalent::{EquivalentRange, RangeForm};
+pub use hourlier_pineau::{HourlierPineau, Kink, SecondaryMaximum};
+pub(crate) use hourlier_pineau::{SECONDARY_DISTANCE, WheelHistory};
 pub use initiation::{DepthValue, Initiation};
 pub use kink::{KinkFunctions, KinkSif};
 pub use largest_k1::LargestK1;
 pub use law::{GrowthLaw, LoadRange};
-pub use laws::{
-    Bold, Forman, Nasgro, Paris, ParisThreshold, RUNAWAY, RateLaw, RateTable, RateTableError, Walker,
-};
+// A law has its name in the table of `laws` alone.
+pub use laws::*;
 pub use ranges::SifRanges;
 pub use toughness::{ACCEPTANCE_RANGES, RAIL_STEELS, RailSteel, Toughness, ToughnessError};

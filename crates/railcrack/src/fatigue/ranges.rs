@@ -27,9 +27,9 @@ impl SifRanges {
         Self { ki_max: high.ki, delta_ki: high.ki.max(0.0) - low.ki.max(0.0), delta_kii: high.kii - low.kii }
     }
 
-    /// The range under which a growth law is taken, with its ratio R of K_I.
+    /// The load range of a growth law, with the ratio R of K_I.
     #[must_use]
-    pub fn load(&self) -> LoadRange {
+    pub(crate) fn load(&self) -> LoadRange {
         LoadRange::new(self.delta_ki, self.delta_kii, self.ki_max)
     }
 }

@@ -11,18 +11,18 @@ pub struct Toughness {
     rows: Vec<(f64, f64)>,
 }
 
-/// A toughness that is none.
+/// An invalid toughness table.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum ToughnessError {
     /// No rows.
     #[error("rows = 0: a toughness needs at least one")]
     Empty,
-    /// A value that is not accepted.
+    /// A value outside its admissible range.
     #[error("row {row}: {reason}")]
     Row {
         /// Row, from 1.
         row: usize,
-        /// Which quantity, its value, what is accepted.
+        /// The quantity, its value and its admissible range.
         reason: OutOfRange,
     },
 }
@@ -69,7 +69,7 @@ impl Toughness {
     }
 }
 
-/// Toughness of a rail steel at −20 °C demanded by EN 13674-1.
+/// Requirements of EN 13674-1 on a rail steel, with its toughness at −20 °C.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RailSteel {
     /// The name of the steel in EN 13674-1.
@@ -78,18 +78,18 @@ pub struct RailSteel {
     pub least_toughness: f64,
     /// Least mean of K_Ic, MPa√m.
     pub mean_toughness: f64,
-    /// Typical 0.2 % proof stress, MPa; the standard demands none.
+    /// Typical 0.2 % proof stress, MPa; the standard does not specify one.
     pub yield_stress: f64,
-    /// Fatigue crack growth at ΔK = 10 and 13.5 MPa√m, R = 0.5, that is still accepted, m per 1e9
-    /// cycles.
+    /// Fatigue crack growth at ΔK = 10 and 13.5 MPa√m, R = 0.5, accepted at most, m per 1e9 cycles.
     pub accepted_growth: [f64; 2],
     /// Standard deviation of ln C from rail to rail: an estimate.
     pub c_log_std: f64,
 }
 
 /// The steels that are known by name. Source: EN 13674-1, K_Ic at −20 °C and growth at R = 0.5,
-/// quoted from memory. Its rates make a slope of 3.91; the measurements on which its demands rest
-/// found a mean slope close to 4 (European project SMT4-CT98-2240, summary in CORDIS).
+/// quoted from memory. Its rates correspond to an exponent of 3.91; the measurements behind the
+/// requirements found a mean exponent close to 4 (European project SMT4-CT98-2240, summary in
+/// CORDIS).
 pub const RAIL_STEELS: &[RailSteel] = &[
     RailSteel {
         name: "R260",
@@ -113,13 +113,13 @@ pub const RAIL_STEELS: &[RailSteel] = &[
 pub const ACCEPTANCE_RANGES: [f64; 2] = [10.0, 13.5];
 
 impl RailSteel {
-    /// The steel called `name`, in capitals or not.
+    /// The steel called `name`, regardless of case.
     pub fn of(name: &str) -> Option<&'static Self> {
         RAIL_STEELS.iter().find(|steel| steel.name.eq_ignore_ascii_case(name.trim()))
     }
 
-    /// Paris' law through the two rates that are still accepted, with the equivalent range of the
-    /// paper: from above, since the standard bounds the rate, and measures it at R = 0.5.
+    /// Paris' law through the two largest accepted rates, with the equivalent range of the paper.
+    /// It is an upper bound, since the standard limits the rate and measures it at R = 0.5.
     pub fn growth_law(&self) -> GrowthLaw {
         let [slow, fast] = self.accepted_growth.map(|metres| 1e-6 * metres);
         let [low, high] = ACCEPTANCE_RANGES;
@@ -128,8 +128,8 @@ impl RailSteel {
         GrowthLaw { rate, equivalent: EquivalentRange::RAIL_STEEL }
     }
 
-    /// The mean that is demanded, at all temperatures: that of −20 °C is on the safe side where it
-    /// is warmer.
+    /// The required mean K_Ic at −20 °C, used at all temperatures, which is conservative at higher
+    /// ones.
     pub fn toughness(&self) -> Toughness {
         Toughness { rows: vec![(-20.0, self.mean_toughness)] }
     }
@@ -157,7 +157,7 @@ mod tests {
         // 17 m in 1e9 cycles.
         assert!((law.rate(10.0, 0.5) / 17e-6 - 1.0).abs() < 1e-12);
         assert!((law.rate(13.5, 0.5) / 55e-6 - 1.0).abs() < 1e-12);
-        // The paper's steel is within.
+        // The steel of the paper is within the limits.
         let paper = RateLaw::Paris(Paris::RAIL_STEEL);
         assert!(ACCEPTANCE_RANGES.iter().all(|&range| paper.rate(range, 0.5) < law.rate(range, 0.5)));
     }

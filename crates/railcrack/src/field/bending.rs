@@ -9,9 +9,9 @@ use crate::math::{OutOfRange, Stress, Vec2};
 /// ([`super::Wheels`]).
 ///
 /// σ_yy = σ_xy = 0, and σ_zz = 0, as the rail is free to contract sideways. The beam's shear stress
-/// is left out, so that the field is in equilibrium only where M does not change: what is missing
-/// at the depth d is V d (h − d/2)/I, with the shear force V; under a wheel, V = Q/2, 1.4 MPa at 10
-/// mm in a 60E1 under 100 kN.
+/// is left out, so that the field is in equilibrium only where M is constant: the missing shear
+/// stress at the depth d is V d (h − d/2)/I, with the shear force V; under a wheel, V = Q/2, 1.4
+/// MPa at 10 mm in a 60E1 under 100 kN.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BendingWheel {
     bending: Bending,
@@ -29,7 +29,7 @@ impl Wheel for BendingWheel {
         Stress { xx: self.bending.stress(point.x - xc, -point.y), ..Stress::ZERO }
     }
 
-    /// Of Euler's beam: the deflection, and u_x = (h − d) w′.
+    /// The displacement of Euler's beam: the deflection w, and u_x = (h − d) w′.
     fn displacement(&self, point: Vec2, xc: f64) -> Vec2 {
         let (deflection, slope) = self.bending.deflection(point.x - xc);
         let above = self.bending.track().section.neutral_axis_depth + point.y;

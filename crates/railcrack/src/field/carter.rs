@@ -6,8 +6,8 @@ use crate::load::{CarterContact, HertzianContact};
 use crate::material::IsotropicElastic;
 use crate::math::{OutOfRange, Stress, Vec2};
 
-/// A wheel in Hertzian line contact, in partial slip: the contact in full sliding less the shear
-/// that the stick zone does not bear, both half-ellipses.
+/// A wheel in Hertzian line contact, in partial slip: the half-ellipse of shear in full sliding
+/// less a half-ellipse over the stick zone.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CarterWheel {
     contact: CarterContact,
@@ -27,7 +27,7 @@ struct StuckShear {
     /// 1/c, 1/mm.
     per_half_width: f64,
     poisson: f64,
-    /// Displacements of the pressure alone and of pressure and shear.
+    /// Displacements due to the pressure alone, and due to pressure and shear.
     displacement: [HertzDisplacement; 2],
 }
 
@@ -58,15 +58,10 @@ impl CarterWheel {
             edges: contact.edges(),
         })
     }
-
-    /// The contact.
-    pub fn contact(&self) -> &CarterContact {
-        &self.contact
-    }
 }
 
 impl StuckShear {
-    /// Φ = W q / 2 of a shear alone, as in [`HertzField`].
+    /// The field of shear alone: Φ = W q / 2, as in [`HertzField`].
     #[inline(always)]
     fn stress(&self, point: Vec2, xc: f64) -> Stress {
         let x = (point.x - (xc + self.centre)) * self.per_half_width;

@@ -4,7 +4,7 @@ use super::StressField;
 use crate::math::{Stress, Vec2};
 use thiserror::Error;
 
-/// A profile that cannot be used.
+/// An invalid profile.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ProfileError {
     /// No rows.

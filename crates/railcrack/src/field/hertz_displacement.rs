@@ -5,19 +5,20 @@ use crate::load::HertzianContact;
 use crate::material::IsotropicElastic;
 use crate::math::Vec2;
 
-/// The displacement of the half-plane y ≤ 0 under a Hertzian contact in plane strain: that of the
-/// stress of [`super::HertzField`].
+/// The displacement of the half-plane y ≤ 0 under a Hertzian contact in plane strain; its stress is
+/// [`super::HertzField`].
 ///
 /// With z, s, W and Φ = (μ − i) W p0 / 2 as there and φ′ = Φ, a φ = a p0 (μ − i) I / 2 in mm,
 /// I = ∫ W dz = −ρ²/4 − ln(z + s)/2, ρ = 1/(z + s) = −W,
 ///
 /// 2G (u_x + i u_y) = κ φ(z) + φ(z̄) − (z − z̄) conj Φ(z),  κ = 3 − 4ν
 ///
-/// (Muskhelishvili, Some Basic Problems of the Mathematical Theory of Elasticity, § 112). A line
-/// load moves a half-plane without bound, like the logarithm of the distance; the rigid motion is
-/// that of I without a constant, which has no rotation far away.
+/// (Muskhelishvili, Some Basic Problems of the Mathematical Theory of Elasticity, § 112). Under a
+/// line load the displacement of a half-plane grows without bound, like the logarithm of the
+/// distance. The rigid motion is fixed by taking I without a constant of integration, so that there
+/// is no rotation far away.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct HertzDisplacement {
+pub(crate) struct HertzDisplacement {
     per_half_width: f64,
     friction: f64,
     /// κ = 3 − 4ν.
@@ -28,7 +29,7 @@ pub struct HertzDisplacement {
 
 impl HertzDisplacement {
     /// The displacement under `contact` in a rail of `steel`.
-    pub fn new(contact: &HertzianContact, steel: &IsotropicElastic) -> Self {
+    pub(crate) fn new(contact: &HertzianContact, steel: &IsotropicElastic) -> Self {
         Self {
             per_half_width: 1.0 / contact.half_width,
             friction: contact.friction,
@@ -38,8 +39,8 @@ impl HertzDisplacement {
     }
 
     /// The displacement (mm) of `point` (mm) for a contact centred at `xc` (mm). A point above the
-    /// surface is taken as on it.
-    pub fn displacement(&self, point: Vec2, xc: f64) -> Vec2 {
+    /// surface is moved onto it.
+    pub(crate) fn displacement(&self, point: Vec2, xc: f64) -> Vec2 {
         let x = (point.x - xc) * self.per_half_width;
         let y = (point.y * self.per_half_width).min(0.0);
         let root = Root::of(x, y);

@@ -36,7 +36,7 @@ impl HertzField {
     }
 
     /// The stress (MPa) at `point` (mm) for a contact centred at `xc` (mm); on the surface, the
-    /// limit from inside. A point above the surface is taken as on it.
+    /// limit from inside. A point above the surface is moved onto it.
     #[inline(always)]
     pub fn stress(&self, point: Vec2, xc: f64) -> Stress {
         let x = (point.x - xc) * self.per_half_width;
@@ -75,10 +75,10 @@ impl Transform {
     }
 }
 
-/// Points whose stress is computed side by side.
+/// Number of points whose stress is computed simultaneously.
 const LANES: usize = 8;
 
-/// A field that is computed at many points side by side.
+/// A field that is computed at several points simultaneously.
 pub(super) trait Lanes {
     /// The stress (MPa) at `point` (mm) with the wheel at `xc` (mm), inlined into the loop over
     /// points.
@@ -92,7 +92,7 @@ impl Lanes for HertzField {
     }
 }
 
-/// The stresses of `field` at many points (mm): the same bits as one by one.
+/// The stresses of `field` at many points (mm), with the same bits as point by point.
 pub(super) fn side_by_side(field: &impl Lanes, points: &[Vec2], xc: f64) -> Vec<Stress> {
     let mut stresses = vec![Stress::ZERO; points.len()];
     Arch::new().dispatch(Stresses { field, points, xc, stresses: &mut stresses });
@@ -100,8 +100,8 @@ pub(super) fn side_by_side(field: &impl Lanes, points: &[Vec2], xc: f64) -> Vec<
 }
 
 impl HertzField {
-    /// [`HertzField::stress`] at many points (mm), the same bits.
-    pub fn stresses(&self, points: &[Vec2], xc: f64) -> Vec<Stress> {
+    /// [`HertzField::stress`] at many points (mm), with the same bits as point by point.
+    pub(crate) fn stresses(&self, points: &[Vec2], xc: f64) -> Vec<Stress> {
         side_by_side(self, points, xc)
     }
 }

@@ -1,4 +1,4 @@
-//! Stress fields of the uncracked rail: those that stay, and wheels that move along it.
+//! Stress fields of the uncracked rail: fixed fields, and those of wheels that move along it.
 
 mod bending;
 mod carter;
@@ -16,7 +16,7 @@ mod wheels;
 pub use bending::BendingWheel;
 pub use carter::CarterWheel;
 pub use depth_profile::{DepthProfile, ProfileError};
-pub use hertz_displacement::HertzDisplacement;
+pub(crate) use hertz_displacement::HertzDisplacement;
 pub use hertz_half_plane::HertzField;
 pub use table::TableWheel;
 pub use wheel::{EndField, EndsError, HertzWheel, RailEnds, StressesUnderWheel, Wheel};
@@ -32,7 +32,7 @@ pub trait StressField: Send + Sync {
     fn stress(&self, point: Vec2) -> Stress;
 }
 
-/// A field that several loads share.
+/// A field shared by several loads.
 impl<T: StressField + ?Sized> StressField for Arc<T> {
     fn stress(&self, point: Vec2) -> Stress {
         self.as_ref().stress(point)
@@ -53,8 +53,8 @@ impl StressField for Sum {
 pub struct Uniform(pub Stress);
 
 impl Uniform {
-    /// σ_xx = `xx` (MPa) alone: remote tension along the rail, or that of a rail colder than
-    /// neutral ([`crate::load::Temperature::stress`]).
+    /// σ_xx = `xx` (MPa) alone: remote tension along the rail, or the stress of a rail below its
+    /// neutral temperature ([`crate::load::Temperature::stress`]).
     pub fn along_rail(xx: f64) -> Self {
         Self(Stress { xx, ..Stress::ZERO })
     }

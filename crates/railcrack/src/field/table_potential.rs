@@ -2,7 +2,7 @@
 
 use num_complex::Complex64 as Complex;
 
-/// The transforms P = ∫ p/(z − t) dt and Q = ∫ q/(z − t) dt at a place z, Im z ≤ 0, and their
+/// The transforms P = ∫ p/(z − t) dt and Q = ∫ q/(z − t) dt at a point z, Im z ≤ 0, and their
 /// derivatives.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Transforms {
@@ -12,7 +12,7 @@ pub(super) struct Transforms {
     pub q_slope: Complex,
 }
 
-/// A place where the slopes of pressure and shear jump.
+/// A point at which the slopes of pressure and shear jump.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Node {
     t: f64,
@@ -24,16 +24,16 @@ struct Node {
 /// away, so the first term that is left out is of the order of RATIO^TERMS/TERMS² = 4e-9.
 const TERMS: usize = 12;
 const RATIO: f64 = 0.3;
-/// Cells with more nodes than this close by are divided.
+/// Number of nearby nodes above which a cell is divided.
 const MOST_NEAR: usize = 2;
-/// Most divisions: a cell is then 1e-9 of the table.
+/// Largest number of divisions, after which a cell is 1e-9 of the table.
 const DEEPEST: u32 = 32;
-/// Half-extents of the table beyond which the moments of the traction are all that is seen; the
-/// terms fall by this factor.
+/// Distance in half-extents of the table beyond which the moments of the traction suffice;
+/// successive terms decrease by this factor.
 const FAR: f64 = 4.0;
-/// Moments: FAR^−MOMENTS = 1e-8.
+/// Number of moments: FAR^−MOMENTS = 1e-8.
 const MOMENTS: usize = 13;
-/// Half-extents beyond which the first [`FEW`] moments serve: 8^−9 = 7e-9.
+/// Distance in half-extents beyond which the first [`FEW`] moments suffice: 8^−9 = 7e-9.
 const FARTHER: f64 = 8.0;
 const FEW: usize = 9;
 
@@ -42,15 +42,15 @@ type Coefficients = [[f64; 4]; TERMS];
 
 /// A square of the half-plane below the table.
 #[derive(Debug, Clone, Copy)]
-struct Cell {
+struct SeriesCell {
     x: f64,
     y: f64,
     half: f64,
-    /// Index of the first of four parts; 0 for a cell that is whole.
+    /// Index of the first of its four quarters; 0 for a cell that is not divided.
     parts: usize,
-    /// Series of a whole cell.
+    /// Index of the series of an undivided cell.
     series: usize,
-    /// Nodes too close for the series.
+    /// Range of the nodes that are too close for the series.
     near: (usize, usize),
 }
 
@@ -65,14 +65,15 @@ struct Cell {
 #[derive(Debug, Clone)]
 pub(super) struct TablePotential {
     nodes: Vec<Node>,
-    cells: Vec<Cell>,
+    cells: Vec<SeriesCell>,
     series: Vec<Coefficients>,
     /// ∫ p t^k dt, ∫ q t^k dt.
     moments: [[f64; 2]; MOMENTS],
 }
 
 impl TablePotential {
-    /// Of rows (t, p, q), t increasing in [−1, 1], without traction in the first and the last.
+    /// The potential of rows (t, p, q) with t increasing in [−1, 1], without traction in the first
+    /// and the last row.
     pub(super) fn new(rows: &[[f64; 3]]) -> Self {
         let slope = |i: usize, k: usize| (rows[i + 1][k] - rows[i][k]) / (rows[i + 1][0] - rows[i][0]);
         let last = rows.len() - 1;
@@ -86,14 +87,14 @@ impl TablePotential {
             (0..rows.len()).map(node).filter(|node| node.p_jump != 0.0 || node.q_jump != 0.0).collect();
         let mut potential = Self { nodes, cells: Vec::new(), series: Vec::new(), moments: moments(rows) };
         let near = (0, potential.nodes.len());
-        potential.cells.push(Cell { x: 0.0, y: -FAR, half: FAR, parts: 0, series: 0, near });
+        potential.cells.push(SeriesCell { x: 0.0, y: -FAR, half: FAR, parts: 0, series: 0, near });
         potential.divide(0, [[0.0; 4]; TERMS], near, 0);
         potential
     }
 
-    /// Makes cell `i`, of the series of its nodes but `near`, which its parent had too close.
+    /// Builds cell `i`; `near` are the nodes that were too close for the series of its parent.
     fn divide(&mut self, i: usize, mut series: Coefficients, near: (usize, usize), level: u32) {
-        let Cell { x, y, half, .. } = self.cells[i];
+        let SeriesCell { x, y, half, .. } = self.cells[i];
         let reach = std::f64::consts::SQRT_2 * half / RATIO;
         let beside = reach * reach - y * y;
         let within = if beside > 0.0 { beside.sqrt() } else { 0.0 };
@@ -120,7 +121,7 @@ impl TablePotential {
         let sides = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)];
         for (sx, sy) in sides {
             let (x, y) = (x + sx * quarter, y + sy * quarter);
-            self.cells.push(Cell { x, y, half: quarter, parts: 0, series: 0, near: own });
+            self.cells.push(SeriesCell { x, y, half: quarter, parts: 0, series: 0, near: own });
         }
         for (k, (sx, sy)) in sides.into_iter().enumerate() {
             self.divide(first + k, shifted(&series, 0.5 * sx, 0.5 * sy), own, level + 1);
@@ -149,7 +150,8 @@ impl TablePotential {
         sum
     }
 
-    /// The transforms at x + i y, y ≤ 0, node by node.
+    /// The transforms at x + i y, y ≤ 0, node by node: the reference of the tests.
+    #[cfg(test)]
     pub(super) fn directly(&self, x: f64, y: f64) -> Transforms {
         let mut sum = Transforms::default();
         self.nodes.iter().for_each(|node| node.add(x, y, &mut sum));
@@ -188,7 +190,7 @@ impl TablePotential {
     }
 }
 
-/// By moments: Σ m_k/z^(k+1).
+/// The transforms from the moments: Σ m_k/z^(k+1).
 #[inline(always)]
 fn far(moments: &[[f64; 2]], x: f64, y: f64) -> Transforms {
     let per_square = 1.0 / (x * x + y * y);
@@ -219,7 +221,7 @@ impl Node {
         let value = w * logarithm;
         sum.p += value * self.p_jump;
         sum.q += value * self.q_jump;
-        // The 1 vanishes in the sum over all nodes only.
+        // The constant 1 cancels only in the sum over all nodes.
         sum.p_slope += (logarithm + 1.0) * self.p_jump;
         sum.q_slope += (logarithm + 1.0) * self.q_jump;
     }

@@ -24,7 +24,7 @@ pub trait Wheel: Send + Sync {
     /// The displacement (mm) of `point` (mm) with the wheel at `xc` (mm), up to a rigid motion.
     fn displacement(&self, point: Vec2, xc: f64) -> Vec2;
 
-    /// Places on the running surface where the field is not analytic, such as the edges of the
+    /// Points of the running surface at which the field is not analytic, such as the edges of the
     /// contact: abscissae relative to x_c (mm), increasing.
     fn edges(&self) -> &[f64];
 
@@ -39,8 +39,9 @@ pub trait Wheel: Send + Sync {
         }
     }
 
-    /// The part of the field that bends the rail as a beam; none for a contact alone. It reaches
-    /// some metres, and is no field of the half-plane: the ends of a block cannot cancel it.
+    /// The part of the field that bends the rail as a beam; none for a contact alone. It extends
+    /// over some metres and is not a field of the half-plane, so that the ends of a block cannot
+    /// cancel it.
     fn bending(&self) -> Option<&Bending> {
         None
     }
@@ -99,10 +100,10 @@ impl Wheel for HertzWheel {
     }
 }
 
-/// The ends of an uncracked rail. They cancel what the field of any wheel does there to free and
-/// held boundaries; the field that this adds is smooth at the cracks.
+/// The ends of an uncracked rail. They add a field that cancels the tractions and displacements of
+/// a wheel's half-plane field on the free and held boundaries; this field is smooth at the cracks.
 pub trait RailEnds: Debug + Send + Sync {
-    /// The field that they add under `wheel` anywhere in `positions` (mm).
+    /// The field added to that of `wheel` for any wheel position in the range `positions` (mm).
     ///
     /// Errors: the wheel leaves the rail, or comes too close to an end.
     fn under(
@@ -115,9 +116,9 @@ pub trait RailEnds: Debug + Send + Sync {
 /// The field that the ends of a rail add to that of one wheel.
 pub trait EndField: Send + Sync {
     /// The stresses (MPa) at fixed `points` (mm), in order, as a function of the wheel position x_c
-    /// (mm). Beyond the positions that the field was made for, they are those of the nearest one.
+    /// (mm). Outside the range of positions of the field, they are those of the nearest position.
     ///
-    /// Errors: a point outside of the rail.
+    /// Errors: a point outside the rail.
     fn at(&self, points: &[Vec2]) -> Result<StressesUnderWheel, EndsError>;
 }
 

@@ -1,4 +1,4 @@
-//! The field of a wheel, however its load is described.
+//! The field of a wheel for any description of its load.
 
 use super::{BendingWheel, CarterWheel, HertzWheel, PlacedWheel, TableWheel, Wheel, Wheels};
 use crate::load::{Contact, WheelLoad};
@@ -6,7 +6,7 @@ use crate::material::IsotropicElastic;
 use crate::math::OutOfRange;
 
 /// The field of a wheel with `load` on a rail of `steel`: that of its contact, and bending where
-/// there is a track. Temperature is no part of it: it stays between passages
+/// there is a track. The stress of temperature is not included, because it remains between passages
 /// ([`super::Uniform::along_rail`]).
 ///
 /// Errors: [`Contact::check`], [`crate::load::Track::check`].

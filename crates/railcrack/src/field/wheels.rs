@@ -9,7 +9,7 @@ use thiserror::Error;
 pub struct PlacedWheel {
     /// The field.
     pub wheel: Box<dyn Wheel>,
-    /// Where its own x_c lies relative to that of the whole, mm.
+    /// Its own x_c relative to that of the sum, mm.
     pub at: f64,
 }
 
@@ -18,16 +18,16 @@ pub struct PlacedWheel {
 pub enum WheelsError {
     /// More than one beam.
     #[error(
-        "bending is in {count} of the wheels: one beam bears all axles, with their distances in its track"
+        "bending is in {count} of the wheels: one beam carries all axles, with their distances in its track"
     )]
     Bending {
-        /// How many of them bend the rail.
+        /// Number of wheels that bend the rail.
         count: usize,
     },
     /// Bending that is not at x_c.
     #[error("bending is placed {at} mm from x_c: must be at 0, with the distances of its axles in its track")]
     BendingBeside {
-        /// Where it was placed, mm.
+        /// Its position, mm.
         at: f64,
     },
 }
@@ -41,7 +41,7 @@ pub struct Wheels {
 impl Wheels {
     /// The sum of `parts`.
     ///
-    /// Errors: bending in more than one of them, or beside x_c.
+    /// Errors: bending in more than one of them, or at a distance from x_c.
     pub fn new(parts: Vec<PlacedWheel>) -> Result<Self, WheelsError> {
         let bending = || parts.iter().filter(|part| part.wheel.bending().is_some());
         let count = bending().count();
@@ -54,7 +54,7 @@ impl Wheels {
         Ok(Self::of_one_beam(parts))
     }
 
-    /// The sum of `parts`, of which one at most bends the rail, at x_c.
+    /// The sum of `parts`, of which at most one, at x_c, bends the rail.
     pub(super) fn of_one_beam(parts: Vec<PlacedWheel>) -> Self {
         let of =
             |part: &PlacedWheel| part.wheel.edges().iter().map(|edge| edge + part.at).collect::<Vec<_>>();
@@ -103,8 +103,8 @@ impl Wheel for Wheels {
         self.parts.iter().find_map(|part| part.wheel.bending())
     }
 
-    /// The largest of the parts: the stress changes over the contact of one wheel, not over their
-    /// distance.
+    /// The largest value of the parts, because the stress changes over the contact of one wheel and
+    /// not over the distance between wheels.
     fn half_width(&self) -> f64 {
         self.parts.iter().map(|part| part.wheel.half_width()).fold(0.0, f64::max)
     }

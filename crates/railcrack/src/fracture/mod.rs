@@ -4,4 +4,4 @@ mod sif;
 mod williams;
 
 pub use sif::{Sif, SifHistory};
-pub use williams::{TipField, TipPowers, WilliamsField};
+pub(crate) use williams::WilliamsField;

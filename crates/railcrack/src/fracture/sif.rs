@@ -1,4 +1,4 @@
-//! Stress intensity factors of a tip, and their history.
+//! Stress intensity factors of a tip, and their histories.
 
 use crate::math::MPA_SQRT_MM;
 use std::ops::{Add, Mul};
@@ -45,7 +45,7 @@ impl Mul<f64> for Sif {
 /// unloaded ends included.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SifHistory {
-    /// The samples in the order of events.
+    /// The samples in the order of loading.
     pub samples: Vec<Sif>,
 }
 

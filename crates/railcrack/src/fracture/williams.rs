@@ -8,7 +8,7 @@ use num_complex::Complex64;
 /// A displacement with its gradient and stress, components in the tip frame (x1 ahead, x2 to its
 /// left).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TipField {
+pub(crate) struct TipField {
     /// Displacement u, mm.
     pub displacement: Vec2,
     /// ∂u/∂x1.
@@ -23,7 +23,7 @@ pub struct TipField {
 ///
 /// 2 G (u1 + i u2) = κ φ − z conj φ′ − conj ψ
 #[derive(Debug, Clone, Copy)]
-pub struct WilliamsField {
+pub(crate) struct WilliamsField {
     exponent: f64,
     phi: Complex64,
     psi: Complex64,
@@ -33,7 +33,7 @@ pub struct WilliamsField {
 
 /// z, z^λ and its first two derivatives at a point z = r e^{iθ}.
 #[derive(Debug, Clone, Copy)]
-pub struct TipPowers {
+pub(crate) struct TipPowers {
     z: Complex64,
     power: Complex64,
     slope: Complex64,
@@ -43,17 +43,17 @@ pub struct TipPowers {
 impl WilliamsField {
     /// The field of a tip with the stress intensity factors `k` (MPa √mm): λ = 1/2, A = (K_I − i
     /// K_II)/√(2π) (Williams 1957, in the form of Muskhelishvili's potentials).
-    pub fn of(k: Sif, steel: &IsotropicElastic) -> Self {
+    pub(crate) fn of(k: Sif, steel: &IsotropicElastic) -> Self {
         Self::new(0.5, Complex64::new(k.ki, -k.kii) / std::f64::consts::TAU.sqrt(), steel)
     }
 
-    /// −∂/∂x1 of [`WilliamsField::of`], its change as the tip advances: λ = −1/2, displacements
-    /// like r^(−1/2).
+    /// −∂/∂x1 of [`WilliamsField::of`], the rate of its change with the advance of the tip: λ =
+    /// −1/2, displacements like r^(−1/2).
     ///
     /// It is the dual field of the stress intensity factors: with u a field of K around the tip,
     /// the integral over a small circle ∮ (t(u)·v − t(v)·u) ds = (2/E′) (K_I k_I + K_II k_II)
     /// (Betti; equal to the interaction integral).
-    pub fn dual(k: Sif, steel: &IsotropicElastic) -> Self {
+    pub(crate) fn dual(k: Sif, steel: &IsotropicElastic) -> Self {
         Self::new(-0.5, Complex64::new(-k.ki, k.kii) * 0.5 / std::f64::consts::TAU.sqrt(), steel)
     }
 
@@ -70,12 +70,13 @@ impl WilliamsField {
     /// The field at the distance `r` (mm, positive) and the angle `theta` (radians from x1). The
     /// angle may leave (−π, π]: the field is continued, so that the jump can follow a crack that
     /// kinks behind the tip.
-    pub fn at(&self, r: f64, theta: f64, poisson: f64) -> TipField {
+    #[cfg(test)]
+    pub(crate) fn at(&self, r: f64, theta: f64, poisson: f64) -> TipField {
         self.of_powers(&self.powers(r, theta), poisson)
     }
 
     /// The powers of z that all fields with this λ share at a point, as for [`WilliamsField::at`].
-    pub fn powers(&self, r: f64, theta: f64) -> TipPowers {
+    pub(crate) fn powers(&self, r: f64, theta: f64) -> TipPowers {
         let l = self.exponent;
         let z = Complex64::from_polar(r, theta);
         let power = Complex64::from_polar(r.powf(l), l * theta);
@@ -84,7 +85,7 @@ impl WilliamsField {
     }
 
     /// [`WilliamsField::at`] from the `powers` of a field with the same λ.
-    pub fn of_powers(&self, powers: &TipPowers, poisson: f64) -> TipField {
+    pub(crate) fn of_powers(&self, powers: &TipPowers, poisson: f64) -> TipField {
         let z = powers.z;
         let (phi, psi) = (self.phi * powers.power, self.psi * powers.power);
         let (phi_1, psi_1) = (self.phi * powers.slope, self.psi * powers.slope);
@@ -153,7 +154,7 @@ mod tests {
                 assert!((at.stress.yy - lame * trace - 2.0 * g * at.across.y).abs() < 1e-12);
                 assert!((at.stress.zz - lame * trace).abs() < 1e-12);
                 assert!((at.stress.xy - g * (at.along.y + at.across.x)).abs() < 1e-12);
-                // The gradient by differences.
+                // The gradient by finite differences.
                 let moved = |dx: f64, dy: f64| {
                     let p = Vec2::new(0.5 * 1.1f64.cos() + dx, 0.5 * 1.1f64.sin() + dy);
                     field.at(p.length(), p.angle(), 0.3).displacement

@@ -12,10 +12,6 @@ use crate::fatigue::SECONDARY_DISTANCE;
 use crate::math::Vec2;
 use serde::{Deserialize, Serialize};
 
-/// A tip whose growth in a step reaches this fraction of a whole increment is not deferred: tips
-/// that are about equally fast, such as those of a row of cracks, stay side by side.
-pub(super) const KEEPS_PACE: f64 = 2.0 / 3.0;
-
 /// Growth of a tip that is not in its crack yet.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct DeferredGrowth {
@@ -26,6 +22,10 @@ pub struct DeferredGrowth {
 }
 
 impl DeferredGrowth {
+    /// A tip whose growth in a step reaches this fraction of a whole increment is not deferred:
+    /// tips that are about equally fast, such as those of a row of cracks, stay level.
+    pub(crate) const KEEPS_PACE: f64 = 2.0 / 3.0;
+
     /// This and an `increment` (mm) in `direction` (a unit vector).
     ///
     /// Lengths add up, so that the number of cycles is right; a sum of vectors would be shorter.
@@ -41,12 +41,12 @@ impl DeferredGrowth {
         if !same_branch {
             return Self { length, ..self };
         }
-        let way = self.direction * self.length + direction * increment;
-        Self { length, direction: way * way.length().recip() }
+        let sum = self.direction * self.length + direction * increment;
+        Self { length, direction: sum * sum.length().recip() }
     }
 
     /// The share of it that was there `before` the last increment.
-    pub(super) fn share_of(self, before: Self) -> f64 {
+    pub(crate) fn share_of(self, before: Self) -> f64 {
         if before.length == 0.0 { 0.0 } else { before.length / self.length }
     }
 }

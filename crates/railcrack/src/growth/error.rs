@@ -38,6 +38,16 @@ pub enum GrowthError {
         /// Where and how.
         source: PassageError,
     },
+    /// A state of cracks in the plane given to a run in space, or the other way round.
+    #[error("step {step}: the state holds cracks {found}, and the engine computes cracks {wanted}")]
+    Geometry {
+        /// The step.
+        step: usize,
+        /// What the state holds.
+        found: &'static str,
+        /// What the engine computes.
+        wanted: &'static str,
+    },
     /// The cracks have run into each other.
     #[error("step {step}: {source}")]
     Network {

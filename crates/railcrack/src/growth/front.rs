@@ -1,6 +1,5 @@
-//! Fronts of cracks in space: what their records have beside those of tips in the plane.
+//! Cracks in space with their fronts.
 
-use super::TipStop;
 use serde::{Deserialize, Serialize};
 
 /// Shape of a planar crack in space: half of an ellipse that breaks the surface, or a whole one
@@ -11,8 +10,8 @@ pub struct FrontShape {
     pub dip: f64,
     /// Turn of the plane about the vertical, from +x to the positive lateral direction, radians.
     pub strike: f64,
-    /// Half axis l along the dip, mm.
-    pub depth: f64,
+    /// Length l: half axis down the dip, mm.
+    pub length: f64,
     /// Half axis c along the surface, mm.
     pub half_length: f64,
     /// x and lateral position (mm) of the middle of the trace of the plane in the surface.
@@ -22,7 +21,7 @@ pub struct FrontShape {
     pub buried: Option<f64>,
 }
 
-/// A point of a front beside its [`TipRecord`](super::TipRecord).
+/// What only a front point in space has.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FrontTip {
     /// Parametric angle of the ellipse, radians: 0 at the end towards which the trace points, which
@@ -47,23 +46,8 @@ pub struct FrontTip {
     pub followed: Option<f64>,
 }
 
-/// Increment of a front whose cycles are known once the speed at its end is.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct FrontInterval {
-    /// The crack (from 0) that set the pace.
-    pub crack: usize,
-    /// Which of the motions of its front did.
-    pub motion: FrontMotion,
-    /// Its speed at the start, mm per cycle.
-    pub speed: f64,
-    /// Cycles by that speed alone.
-    pub cycles: f64,
-    /// Whether it has that number of cycles, whatever the speed at its end.
-    pub is_settled: bool,
-}
-
 /// Motions of an elliptical front.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FrontMotion {
     /// Down the dip; of a buried crack, the end further down.
     Down,
@@ -71,22 +55,11 @@ pub enum FrontMotion {
     Up,
     /// Along the trace of the plane: without strike, towards larger lateral positions.
     Plus,
-    /// The other way.
+    /// Along the trace, in the opposite direction.
     Minus,
 }
 
-/// Cracks in space between two steps.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct FrontState {
-    /// Their shapes at the start of the step to compute next.
-    pub shapes: Vec<FrontShape>,
-    /// Why each no longer grows.
-    pub stopped: Vec<Option<TipStop>>,
-    /// The increment that led to the shapes.
-    pub interval: Option<FrontInterval>,
-}
-
-/// Faces of cracks in space beside their [`FaceRecord`](super::FaceRecord).
+/// The third direction of the faces of cracks in space, and their cells.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FaceAcross {
     /// Lateral position of each face point, mm.
@@ -94,14 +67,7 @@ pub struct FaceAcross {
     /// `states[position][point]`: slip along the trace (mm), and the shear stress transmitted
     /// along it (MPa).
     pub states: Vec<Vec<[f64; 2]>>,
-}
-
-/// Cracks in space at one step.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FrontRecord {
-    /// Their shapes.
-    pub shapes: Vec<FrontShape>,
-    /// Corners of their cells: face points, then the points of the fronts.
+    /// Corners of the cells: face points, then the points of the fronts.
     pub cells: Vec<[usize; 4]>,
     /// Output positions (from 0) whose jumps are written.
     pub written: Vec<usize>,

@@ -62,7 +62,7 @@ impl Maintenance {
 }
 
 /// A field of the steel below a surface that has come down by `removed` (mm).
-pub(super) struct Uncovered<'a> {
+pub(crate) struct Uncovered<'a> {
     pub field: &'a dyn StressField,
     pub removed: f64,
 }

@@ -1,70 +1,27 @@
-//! A mix of wheels: its members, their shares of the growth, and the one that turns the crack.
+//! A mix of wheels: their passages over one body, and their shares of the growth.
 
-use super::{Observer, PassageSettings, RailLoad};
-use crate::fatigue::{HourlierPineau, LargestK1, RUNAWAY, SifRanges, WheelHistory};
-use crate::field::{StressField, Wheel};
-use crate::fracture::SifHistory;
-use serde::{Deserialize, Serialize};
+use super::{GrowthError, Observer, TipRecord, Warning, WheelOfRail, WheelShares};
+use crate::fatigue::{LargestK1, RUNAWAY, SifRanges};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-/// Most wheels of a mix.
-pub const MOST_WHEELS: usize = 20;
-
-/// A wheel of a mix beside the first one: what may be its own.
-pub struct MixedWheel {
-    /// Its field.
-    pub wheel: Box<dyn Wheel>,
-    /// Share of the axles.
-    pub share: f64,
-    /// Stress of the rail while it passes that stays between passages, temperature included.
-    pub residual: Option<Box<dyn StressField>>,
-    /// Its passages.
-    pub passages: PassageSettings,
-    /// K_Ic (MPa √mm) at its temperature; none where the rail does not break.
-    pub toughness: Option<f64>,
-}
-
-impl MixedWheel {
-    pub(super) fn load(&self) -> RailLoad<'_> {
-        RailLoad { wheel: self.wheel.as_ref(), residual: self.residual.as_deref() }
-    }
-}
-
-/// Shares of the wheels of a mix in the growth of a tip; no members where there is one wheel.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-pub struct WheelShares {
-    count: usize,
-    values: [f64; MOST_WHEELS],
-}
-
-impl WheelShares {
-    /// The shares of `rates` in their sum; zeros where nothing grows.
-    pub fn of(rates: &[f64]) -> Self {
-        let mut shares = Self { count: rates.len().min(MOST_WHEELS), ..Self::default() };
-        let sum: f64 = rates.iter().sum();
-        for (share, rate) in shares.values.iter_mut().zip(rates) {
-            *share = if sum > 0.0 { rate / sum } else { 0.0 };
-        }
-        shares
-    }
-
-    /// The shares `values`, as stored.
-    pub fn from_values(values: &[f64]) -> Self {
-        let mut shares = Self { count: values.len().min(MOST_WHEELS), ..Self::default() };
-        shares.values.iter_mut().zip(values).for_each(|(share, value)| *share = *value);
-        shares
-    }
-
-    /// From wheel to wheel.
-    pub fn values(&self) -> &[f64] {
-        &self.values[..self.count]
-    }
+/// Demand of one wheel on a tip.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct WheelDemand {
+    pub ranges: SifRanges,
+    /// ΔK_eq, MPa √mm.
+    pub delta_keq: f64,
+    /// da/dN of a passage of this wheel, mm.
+    pub rate: f64,
+    pub largest_k1: Option<LargestK1>,
 }
 
 /// A tip under all wheels.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct MixedTip {
+pub(crate) struct MixedTip {
     /// Of the wheel that grows it most; the largest K_I is that of all wheels.
     pub ranges: SifRanges,
+    /// The wheel that grows it most, from 0.
+    pub grown_by: usize,
     /// Σ s_i r_i, mm per axle.
     pub rate: f64,
     pub shares: WheelShares,
@@ -74,65 +31,46 @@ pub(super) struct MixedTip {
 }
 
 impl MixedTip {
-    /// Of the histories under `wheels`, with the toughness of each.
-    pub fn of(direction: &HourlierPineau, wheels: &[WheelHistory], toughness: &[Option<f64>]) -> Self {
-        let law = &direction.law;
-        let ranges: Vec<SifRanges> = wheels.iter().map(|wheel| SifRanges::of(wheel.history)).collect();
-        let rate = |(ranges, wheel): (&SifRanges, &WheelHistory)| {
-            let rate = law.rate(ranges.load()).min(RUNAWAY);
-            if wheels.len() == 1 || rate >= RUNAWAY { rate } else { wheel.share * rate }
+    /// Of the demand of each of `wheels`.
+    pub fn of(demands: &[WheelDemand], wheels: &[WheelOfRail<'_>]) -> Self {
+        let rate = |(demand, wheel): (&WheelDemand, &WheelOfRail)| {
+            let rate = demand.rate.min(RUNAWAY);
+            if demands.len() == 1 || rate >= RUNAWAY { rate } else { wheel.share * rate }
         };
-        let rates: Vec<f64> = ranges.iter().zip(wheels).map(rate).collect();
-        let driven = |i: usize| (rates[i], law.equivalent_range(ranges[i].delta_ki, ranges[i].delta_kii));
-        let most = (0..wheels.len()).reduce(|a, b| if driven(b) > driven(a) { b } else { a }).unwrap_or(0);
-        let opened =
-            wheels.iter().enumerate().filter_map(|(i, wheel)| Some((i, LargestK1::of(wheel.history)?)));
+        let rates: Vec<f64> = demands.iter().zip(wheels).map(rate).collect();
+        let driven = |i: usize| (rates[i], demands[i].delta_keq);
+        let most = (0..demands.len()).reduce(|a, b| if driven(b) > driven(a) { b } else { a }).unwrap_or(0);
+        let opened = demands.iter().enumerate().filter_map(|(i, demand)| Some((i, demand.largest_k1?)));
         let danger = |(i, largest): &(usize, LargestK1)| {
-            largest.k1 / toughness.get(*i).copied().flatten().unwrap_or(1.0)
+            largest.k1 / wheels.get(*i).and_then(|wheel| wheel.toughness).unwrap_or(1.0)
         };
         let opened = opened.reduce(|a, b| if danger(&b) > danger(&a) { b } else { a });
-        let ki_max = ranges.iter().map(|ranges| ranges.ki_max).fold(f64::NEG_INFINITY, f64::max);
+        let ki_max = demands.iter().map(|demand| demand.ranges.ki_max).fold(f64::NEG_INFINITY, f64::max);
         Self {
-            ranges: SifRanges { ki_max, ..ranges[most] },
+            ranges: SifRanges { ki_max, ..demands[most].ranges },
+            grown_by: most,
             rate: rates.iter().sum::<f64>().min(RUNAWAY),
-            shares: if wheels.len() > 1 { WheelShares::of(&rates) } else { WheelShares::default() },
+            shares: if demands.len() > 1 { WheelShares::of(&rates) } else { WheelShares::default() },
             largest_k1: opened.map(|(_, largest)| largest),
             opened_by: opened.map_or(0, |(wheel, _)| wheel),
         }
     }
 }
 
-/// Directions that differ by less (radians) are the same for the question of who turns the crack.
-const TURNED: f64 = std::f64::consts::PI / 180.0;
-
-/// The wheel (from 0) without which the crack would kink most differently from `angle` (radians);
-/// none where none changes the direction by a degree.
-pub(super) fn turned_by(direction: &HourlierPineau, wheels: &[WheelHistory], angle: f64) -> Option<usize> {
-    let without = |i: usize| {
-        let others: Vec<WheelHistory> =
-            wheels.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, wheel)| *wheel).collect();
-        let kink = if others.is_empty() { None } else { direction.kink_of_mix(&others) };
-        (i, kink.map_or(0.0, |kink| (kink.angle - angle).abs()))
-    };
-    let turns = (0..wheels.len()).map(without).filter(|(_, turn)| *turn > TURNED);
-    turns.reduce(|a, b| if b.1 > a.1 { b } else { a }).map(|(i, _)| i)
-}
-
-/// The histories of tip `tip` under each wheel.
-pub(super) fn histories_of<'a>(
-    tip: usize,
-    shares: &'a [f64],
-    histories: &'a [&'a [SifHistory]],
-) -> Vec<WheelHistory<'a>> {
-    let of = |(&share, all): (&f64, &&'a [SifHistory])| WheelHistory { share, history: &all[tip] };
-    shares.iter().zip(histories).map(of).collect()
+/// The largest k1 of `tip` in the measure of the toughness of the first of `wheels`, with which it
+/// is compared, MPa √mm; 0 where none opens.
+pub(crate) fn compared_k1(tip: &TipRecord, wheels: &[WheelOfRail<'_>]) -> f64 {
+    let toughness = |wheel: usize| wheels.get(wheel).and_then(|wheel| wheel.toughness);
+    let own = tip.opened_by.checked_sub(1).and_then(|_| toughness(tip.opened_by));
+    let scale = toughness(0).zip(own).map_or(1.0, |(first, own)| first / own);
+    tip.largest_k1.map_or(0.0, |largest| scale * largest.k1)
 }
 
 /// Passes on that a step is to be given up, and no progress: that of the first wheel stands for
 /// all.
-pub(super) struct Beside<'a>(pub &'a dyn Observer);
+pub(crate) struct WithoutProgress<'a>(pub &'a dyn Observer);
 
-impl Observer for Beside<'_> {
+impl Observer for WithoutProgress<'_> {
     fn progress(&self, _: f64) {}
 
     fn interrupted(&self) -> bool {
@@ -140,32 +78,67 @@ impl Observer for Beside<'_> {
     }
 }
 
+/// The passages of `count` wheels over the same body, one after the other or in parallel: wheels
+/// know nothing of each other. `passage` takes the number of a wheel from 0.
+///
+/// Errors: those of `passage`, the first wheel's first.
+pub(crate) fn under_each_wheel<P: Send>(
+    count: usize,
+    observer: &dyn Observer,
+    warnings: &mut Vec<Warning>,
+    passage: impl Fn(usize, &dyn Observer, &mut Vec<Warning>) -> Result<P, GrowthError> + Sync,
+) -> Result<Vec<P>, GrowthError> {
+    if count == 1 {
+        return Ok(vec![passage(0, observer, warnings)?]);
+    }
+    let quiet = WithoutProgress(observer);
+    let of_wheel = |wheel: usize| {
+        let mut own = Vec::new();
+        let observer = if wheel == 0 { observer } else { &quiet };
+        let passage = passage(wheel, observer, &mut own);
+        (passage, own.into_iter().map(|warning| warning.under_wheel(wheel)).collect::<Vec<_>>())
+    };
+    let all: Vec<_> = (0..count).into_par_iter().map(of_wheel).collect();
+    let mut passages = Vec::with_capacity(all.len());
+    for (passage, own) in all {
+        warnings.extend(own);
+        passages.push(passage?);
+    }
+    Ok(passages)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fracture::Sif;
+    use crate::fatigue::GrowthLaw;
+    use crate::fracture::{Sif, SifHistory};
+    use crate::growth::PassageSettings;
 
-    fn history(samples: &[(f64, f64)]) -> SifHistory {
-        SifHistory { samples: samples.iter().map(|&(ki, kii)| Sif { ki, kii }).collect() }
+    fn demand(law: &GrowthLaw, samples: &[(f64, f64)]) -> WheelDemand {
+        let history = SifHistory { samples: samples.iter().map(|&(ki, kii)| Sif { ki, kii }).collect() };
+        let ranges = SifRanges::of(&history);
+        WheelDemand {
+            ranges,
+            delta_keq: law.equivalent_range(ranges.delta_ki, ranges.delta_kii),
+            rate: law.rate(ranges.load()),
+            largest_k1: LargestK1::of(&history),
+        }
     }
 
     #[test]
-    fn rates_add_by_share_and_the_weak_wheel_may_turn_the_crack() {
-        let direction = HourlierPineau::default();
-        let (often, seldom) = (history(&[(0.0, 0.0), (100.0, 0.0)]), history(&[(0.0, 0.0), (0.0, 400.0)]));
-        let wheels =
-            [WheelHistory { share: 0.9, history: &often }, WheelHistory { share: 0.1, history: &seldom }];
-        let tip = MixedTip::of(&direction, &wheels, &[None, None]);
-        let rate = |history| direction.law.rate(SifRanges::of(history).load());
-        let want = [0.9 * rate(&often), 0.1 * rate(&seldom)];
+    fn rates_add_by_share_and_a_cold_rail_breaks_first() {
+        let law = GrowthLaw::RAIL_STEEL;
+        let demands = [demand(&law, &[(0.0, 0.0), (100.0, 0.0)]), demand(&law, &[(0.0, 0.0), (0.0, 400.0)])];
+        let passages = PassageSettings::default();
+        let wheel = |share, toughness| WheelOfRail { share, toughness, passages: &passages };
+        let tip = MixedTip::of(&demands, &[wheel(0.9, None), wheel(0.1, None)]);
+        let want = [0.9 * demands[0].rate, 0.1 * demands[1].rate];
         assert_eq!(tip.rate, want[0] + want[1]);
         assert_eq!(tip.shares.values(), [want[0] / tip.rate, want[1] / tip.rate]);
-        assert!(tip.shares.values()[1] > 0.8 && tip.ranges.delta_kii == 400.0 && tip.ranges.ki_max == 100.0);
-        let angle = direction.kink_of_mix(&wheels).unwrap().angle;
-        assert!(angle < -0.5, "{angle}");
-        assert_eq!(turned_by(&direction, &wheels, angle), Some(1));
+        assert!(tip.shares.values()[1] > 0.8 && tip.grown_by == 1);
+        assert!(tip.ranges.delta_kii == 400.0 && tip.ranges.ki_max == 100.0);
         // A cold rail breaks first under the wheel that passes in the cold.
-        let cold = MixedTip::of(&direction, &wheels, &[Some(100.0), Some(1000.0)]);
+        let cold = MixedTip::of(&demands, &[wheel(0.9, Some(100.0)), wheel(0.1, Some(1000.0))]);
         assert_eq!((cold.opened_by, cold.largest_k1.unwrap().k1), (0, 100.0));
     }
 }

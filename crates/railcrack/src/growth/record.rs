@@ -1,8 +1,8 @@
 //! Records of a growth step.
 
 use super::{
-    DeferredGrowth, FaceRecord, FieldRecord, FrontRecord, FrontTip, PassageRecord, Piece, RunStop,
-    SolverCounts, TipStop, Warning, WheelShares,
+    DeferredGrowth, FaceRecord, FieldRecord, FrontTip, Geometry, PassageRecord, Piece, RunStop, SolverCounts,
+    TipStop, Warning, WheelShares,
 };
 use crate::body::BodyTimes;
 use crate::crack::{Crack, CrackTip, Junction};
@@ -18,10 +18,9 @@ pub struct TipRecord {
     pub x: f64,
     /// Ordinate of the tip, mm.
     pub y: f64,
-    /// Length of its crack, with the deferred growth of its tips, mm.
+    /// Length of its crack, mm: in the plane with the deferred growth of its tips, in space the half
+    /// axis down the dip.
     pub length: f64,
-    /// Its growth that is not in the crack yet.
-    pub deferred: DeferredGrowth,
     /// Largest K_I of the stabilised passage, MPa √mm; in a mix, of all wheels. The ranges of a
     /// mix are those of the wheel that does most of the growth.
     pub ki_max: f64,
@@ -35,10 +34,6 @@ pub struct TipRecord {
     pub largest_k1: Option<LargestK1>,
     /// Chosen kink, radians, counter-clockwise positive; none for a tip that does not load at all.
     pub kink: Option<f64>,
-    /// The best other local maximum at least 15° away, radians.
-    pub secondary: Option<f64>,
-    /// Its rate over the best rate.
-    pub secondary_ratio: Option<f64>,
     /// Increment to the next step, mm, in the crack or deferred; 0 in the last step and for a
     /// stopped tip. Negative for a tip that joins a crack which lies across its deferred growth.
     pub increment: f64,
@@ -48,14 +43,61 @@ pub struct TipRecord {
     pub stop: Option<TipStop>,
     /// Shares of the wheels of a mix in its rate.
     pub shares: WheelShares,
-    /// The wheel of a mix (from 0) without which it would grow in the most different direction.
-    pub turned_by: Option<usize>,
     /// The wheel (from 0) of its largest k1.
     pub opened_by: usize,
     /// Sine of the angle of its crack at the mouth; none for a buried crack.
     pub mouth_sine: Option<f64>,
-    /// The rest of a point of a front in space.
-    pub front: Option<FrontTip>,
+    /// What only tips in the plane, or only front points in space have.
+    pub geometry: TipGeometry,
+}
+
+/// A tip in the plane, or a point of a front in space.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum TipGeometry {
+    /// A tip in the plane.
+    Plane(PlaneTip),
+    /// A front point.
+    Space(FrontTip),
+}
+
+/// What only a tip in the plane has.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct PlaneTip {
+    /// Its growth that is not in the crack yet.
+    pub deferred: DeferredGrowth,
+    /// The best other local maximum at least 15° away, radians.
+    pub secondary: Option<f64>,
+    /// Its rate over the best rate.
+    pub secondary_ratio: Option<f64>,
+    /// The wheel of a mix (from 0) without which it would grow in the most different direction.
+    pub turned_by: Option<usize>,
+}
+
+impl TipRecord {
+    /// What only a tip in the plane has.
+    #[must_use]
+    pub fn plane(&self) -> Option<&PlaneTip> {
+        match &self.geometry {
+            TipGeometry::Plane(plane) => Some(plane),
+            TipGeometry::Space(_) => None,
+        }
+    }
+
+    /// What only a front point in space has.
+    #[must_use]
+    pub fn front(&self) -> Option<&FrontTip> {
+        match &self.geometry {
+            TipGeometry::Plane(_) => None,
+            TipGeometry::Space(front) => Some(front),
+        }
+    }
+
+    /// Depth below the running surface with the deferred growth, mm.
+    #[must_use]
+    pub fn depth(&self) -> f64 {
+        let deferred = self.plane().map_or(DeferredGrowth::default(), |plane| plane.deferred);
+        -(self.y + deferred.direction.y * deferred.length)
+    }
 }
 
 /// Wall time of the phases of one step, seconds.
@@ -78,9 +120,7 @@ pub struct StepRecord {
     /// Step number; 0 is the initial geometry.
     pub step: usize,
     /// The cracks at the start of the step.
-    pub cracks: Vec<Crack>,
-    /// Where they have joined each other.
-    pub junctions: Vec<Junction>,
+    pub geometry: Geometry,
     /// All tips, in order of crack and tip; ends that have joined a crack are none.
     pub tips: Vec<TipRecord>,
     /// All passages, in a mix of the first wheel; the last one is the stabilised one.
@@ -91,8 +131,6 @@ pub struct StepRecord {
     pub faces: FaceRecord,
     /// The fields around the cracks, where they are wanted and the engine has them.
     pub fields: Option<FieldRecord>,
-    /// The crack in space, of a run there.
-    pub front: Option<FrontRecord>,
     /// Load cycles at the start of the step.
     pub load_cycles: f64,
     /// Removed of the running surface since the beginning, by wear and grinding, mm.
@@ -110,4 +148,18 @@ pub struct StepRecord {
     pub warnings: Vec<Warning>,
     /// Set in the last step of a run.
     pub stop: Option<RunStop>,
+}
+
+impl StepRecord {
+    /// The cracks at the start of the step, of cracks in space their sections.
+    #[must_use]
+    pub fn cracks(&self) -> &[Crack] {
+        self.geometry.cracks()
+    }
+
+    /// Where they have joined each other.
+    #[must_use]
+    pub fn junctions(&self) -> &[Junction] {
+        self.geometry.junctions()
+    }
 }

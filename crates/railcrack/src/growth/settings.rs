@@ -5,32 +5,6 @@ use crate::contact::StepControl;
 use crate::fatigue::{DirectionCriterion, GrowthLaw};
 use crate::load::Passage;
 use crate::math::OutOfRange;
-use crate::words::{Choice, Word};
-
-/// How the contact of many cracks is followed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum NetworkContact {
-    /// All cracks together, event by event.
-    #[default]
-    Whole,
-    /// Each crack with its neighbours, event by event, under the forces of all others: in sweeps
-    /// until they agree. For dry cracks and an engine that makes bodies by groups; others are
-    /// followed as a whole.
-    Groups,
-}
-
-impl Choice for NetworkContact {
-    const WORDS: &'static [(Self, Word)] = &[
-        (Self::Whole, Word::now("whole", "all cracks together, the cost grows with their number squared")),
-        (
-            Self::Groups,
-            Word::now(
-                "groups",
-                "each crack with its neighbours, in sweeps until they agree within network_tolerance, for dozens of cracks in a half-plane: newton, no fluid, and no fields are written",
-            ),
-        ),
-    ];
-}
 
 /// The wheel's passages.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,7 +38,7 @@ impl Default for PassageSettings {
 }
 
 impl PassageSettings {
-    /// Refuses a passage that is none, no passages at all, and tolerances that are not positive.
+    /// Refuses an empty passage, no passages at all, and tolerances that are not positive.
     pub fn check(&self) -> Result<(), OutOfRange> {
         self.passage.check()?;
         let passages = self.max_passages as f64;
@@ -120,11 +94,11 @@ impl GrowthSettings {
     };
 
     /// Wear and grinding, where they remove anything.
-    pub(super) fn maintained(&self) -> Option<&Maintenance> {
+    pub(crate) fn maintained(&self) -> Option<&Maintenance> {
         self.maintenance.as_ref().filter(|maintenance| maintenance.removal() > 0.0)
     }
 
-    /// Refuses an increment that is none, and limits that are not numbers.
+    /// Refuses an increment that is not positive, and limits that are not numbers.
     pub fn check(&self) -> Result<(), OutOfRange> {
         let fraction = self.increment > 0.0 && self.increment.is_finite();
         OutOfRange::unless(fraction, "increment over the crack length", self.increment, "positive")?;

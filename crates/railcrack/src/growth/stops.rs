@@ -1,9 +1,7 @@
-//! Conditions under which a tip or the run stops.
+//! Conditions under which a crack or the run stops, the same in the plane and in space.
 
-use super::step_state::{Step, StepState, TipDrive};
-use super::{GrowthSettings, RunStop, TipStop};
-use crate::crack::Crack;
-use crate::math::RailBox;
+use super::{GrowthSettings, RunStop, StepStart, TipStop};
+use crate::fatigue::RUNAWAY;
 
 /// A ligament shorter than this many resolved lengths is used up: fewer cannot resolve the gradient
 /// across it.
@@ -14,71 +12,86 @@ const LIGAMENT_FRACTION: f64 = 0.01;
 /// shortened increment.
 const CYCLES_ROUNDING: f64 = 1e-12;
 
-/// The ligament to the running surface (mm) that a tip of `crack` may still leave; `resolution`
-/// (mm) is the length that the engine resolves.
-pub(super) fn spent_ligament(crack: &Crack, resolution: f64) -> f64 {
-    f64::max(LIGAMENT_RESOLUTIONS * resolution, LIGAMENT_FRACTION * crack.length())
+/// The ligament to the running surface (mm) that a crack of `length` (mm) may still leave;
+/// `resolution` (mm) is the length that the engine resolves.
+pub(crate) fn spent_ligament(length: f64, resolution: f64) -> f64 {
+    f64::max(LIGAMENT_RESOLUTIONS * resolution, LIGAMENT_FRACTION * length)
 }
 
-/// Stop of a tip whatever the other cracks do: its increment would leave the rail, or use up the
-/// ligament to the running surface.
-///
-/// The ligament is the depth of the new tip below the surface, of which `removal` (mm) is taken off
-/// meanwhile; it is spent only by a tip that rises.
-pub(super) fn stop_of_one(
-    step: &Step,
-    crack: &Crack,
-    rail: RailBox,
-    resolution: f64,
-    removal: f64,
-) -> Option<TipStop> {
-    let rises = step.to.y > step.from.y;
-    let depth = -step.to.y - removal;
-    if step.to.y >= 0.0 || (rises && depth < spent_ligament(crack, resolution)) {
-        return Some(TipStop::BreakOut);
+/// A crack shorter than this fraction of the longest that it has been is worn away: the steps in
+/// which it is cut are no finer.
+const WORN_AWAY: f64 = 0.05;
+
+/// The length (mm) below which a crack is worn away that has been `longest` (mm).
+pub(crate) fn least_length(longest: f64, resolution: f64) -> f64 {
+    f64::max(LIGAMENT_RESOLUTIONS * resolution, WORN_AWAY * longest)
+}
+
+/// Demand of a tip, as far as stops depend on it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct TipDemand {
+    /// da/dN, mm per cycle.
+    pub rate: f64,
+    /// The largest k1 of a virtual kink through the passage, MPa √mm; 0 where none opens.
+    pub largest_k1: f64,
+    /// Why it stopped in an earlier step, if it did.
+    pub stopped: Option<TipStop>,
+}
+
+impl TipDemand {
+    /// Whether the growth law has no finite rate for it.
+    pub fn runs_away(&self) -> bool {
+        self.rate >= RUNAWAY
     }
-    let inside = 0.5 * rail.width - (step.to.x - rail.centre).abs() > resolution
-        && rail.depth + step.to.y > resolution;
-    (!inside).then_some(TipStop::LeavesRail)
+
+    /// Whether it breaks the rail: its largest k1 reaches the toughness, or K that of its growth
+    /// law. K of a tip behind a spent ligament, or that has joined a crack, is that of no crack any
+    /// more.
+    pub fn breaks(&self, settings: &GrowthSettings) -> bool {
+        let is_tip =
+            !matches!(self.stopped, Some(TipStop::BreakOut | TipStop::Coalescence | TipStop::WornAway));
+        let reaches = settings.toughness.is_some_and(|toughness| self.largest_k1 >= toughness);
+        is_tip && (reaches || self.runs_away())
+    }
 }
 
-/// Whether a tip breaks the rail: its largest k1 reaches the toughness, or K that of its growth
-/// law.
-/// K of a tip behind a spent ligament, or that has joined a crack, is that of no crack any more.
-pub(super) fn breaks(settings: &GrowthSettings, tip: &TipDrive) -> bool {
-    let is_tip = !matches!(tip.stopped, Some(TipStop::BreakOut | TipStop::Coalescence | TipStop::WornAway));
-    let reaches = settings.toughness.is_some_and(|toughness| tip.largest_k1 >= toughness);
-    is_tip && (reaches || tip.runs_away())
-}
-
-/// A tip that does not load, or is slower than the arrest rate; or one that runs away. Where the
-/// surface is removed, a tip that does not grow may grow again when it has come nearer.
-pub(super) fn standstill(tip: &TipDrive, settings: &GrowthSettings) -> Option<TipStop> {
-    if tip.runs_away() {
+/// Why what grows no faster than `grows` says stops: fracture where it runs away, arrest where it
+/// stands still. Where the surface is removed, a crack that does not grow may grow again when the
+/// surface has come nearer.
+pub(crate) fn standstill(runs_away: bool, grows: bool, settings: &GrowthSettings) -> Option<TipStop> {
+    if runs_away {
         return Some(TipStop::Fracture);
     }
     let waits = settings.maintained().is_some();
-    (!waits && !grows(tip, settings)).then_some(TipStop::Arrest)
+    (!waits && !grows).then_some(TipStop::Arrest)
 }
 
-/// Whether a tip loads and is not slower than the arrest rate.
-pub(super) fn grows(tip: &TipDrive, settings: &GrowthSettings) -> bool {
-    tip.kink.is_some() && tip.rate > 0.0 && tip.rate >= settings.arrest_rate
-}
-
-/// Why the run ends at the start of this step, before any increment: fracture first, then the
-/// critical length, cycles, steps.
-pub(super) fn run_stop(settings: &GrowthSettings, state: &StepState<'_>) -> Option<RunStop> {
-    if state.tips.iter().any(|tip| breaks(settings, tip)) {
+/// Why the run ends at the start of a step, before any increment: fracture first, then the critical
+/// length, cycles, steps. `longest` is the length (mm) of the longest crack.
+pub(crate) fn run_stop(
+    settings: &GrowthSettings,
+    at: &StepStart<'_>,
+    breaks: bool,
+    longest: f64,
+) -> Option<RunStop> {
+    if breaks {
         return Some(RunStop::Fracture);
     }
-    let critical = settings.critical_length.unwrap_or(f64::INFINITY);
-    if (0..state.cracks.len()).any(|crack| state.length(crack) >= critical) {
+    if longest >= settings.critical_length.unwrap_or(f64::INFINITY) {
         return Some(RunStop::CriticalLength);
     }
     let cycles = settings.stop_after_cycles.unwrap_or(f64::INFINITY);
-    if state.load_cycles >= cycles * (1.0 - CYCLES_ROUNDING) {
+    if at.load_cycles >= cycles * (1.0 - CYCLES_ROUNDING) {
         return Some(RunStop::Cycles);
     }
-    (state.step >= settings.steps).then_some(RunStop::StepsDone)
+    (at.step >= settings.steps).then_some(RunStop::StepsDone)
+}
+
+/// The end of a run in which everything has stopped, with the reason of the last one that did:
+/// `stops` holds the stop of earlier steps and that of now.
+pub(crate) fn nothing_grows(stops: &[(Option<TipStop>, Option<TipStop>)]) -> Option<RunStop> {
+    let all: Vec<TipStop> = stops.iter().map(|(_, now)| *now).collect::<Option<_>>()?;
+    let of_this_step =
+        stops.iter().zip(&all).filter(|((before, _), _)| before.is_none()).map(|(_, now)| *now).next_back();
+    of_this_step.or(all.last().copied()).map(RunStop::NoTipGrows)
 }

@@ -44,3 +44,11 @@ pub struct Warning {
     /// One sentence with its numbers.
     pub text: String,
 }
+
+impl Warning {
+    /// The warning with the wheel (from 0) of a mix that it is about.
+    #[must_use]
+    pub(crate) fn under_wheel(self, wheel: usize) -> Self {
+        Self { text: format!("wheel {}, {}", wheel + 1, self.text), ..self }
+    }
+}

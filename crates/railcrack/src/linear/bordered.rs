@@ -1,4 +1,4 @@
-//! Triangular factorisation of a matrix that grows by bordering.
+//! Triangular factors of matrices that grow by bordering.
 
 use super::LinearError;
 use crate::math::inlined::{axpy, dot};
@@ -6,17 +6,17 @@ use pulp::{Arch, Simd, WithSimd};
 
 /// The triangular factors of a square matrix of some unknowns, without row interchanges: bordering
 /// by a further unknown costs as much as a solution, and the last unknowns are removed at no cost.
-/// For matrices whose leading blocks are well conditioned.
+/// Suitable for matrices whose leading blocks are well conditioned.
 #[derive(Debug, Clone, Default)]
-pub struct BorderedFactor {
+pub(crate) struct BorderedFactor {
     lower: Triangle,
     upper: Triangle,
     /// The diagonal of U.
     pivots: Vec<f64>,
 }
 
-/// The off-diagonal lines: rows of L left of the diagonal, or columns of U above it, one after the
-/// other.
+/// The off-diagonal lines, one after the other: rows of L left of the diagonal, or columns of U
+/// above it.
 #[derive(Debug, Clone, Default)]
 struct Triangle {
     entries: Vec<f64>,
@@ -34,17 +34,17 @@ impl Triangle {
     }
 }
 
-/// Pivots below this fraction of the largest entry of their row and column are taken for zero.
+/// Pivots below this fraction of the largest entry of their row and column count as zero.
 const SINGULAR: f64 = 1e-10;
 
 impl BorderedFactor {
     /// Number of unknowns.
-    pub fn order(&self) -> usize {
+    pub(crate) fn order(&self) -> usize {
         self.pivots.len()
     }
 
     /// Removes all unknowns but the first `order`.
-    pub fn truncate(&mut self, order: usize) {
+    pub(crate) fn truncate(&mut self, order: usize) {
         self.pivots.truncate(order);
         for triangle in [&mut self.lower, &mut self.upper] {
             triangle.entries.truncate(Triangle::start(self.pivots.len()));
@@ -54,9 +54,9 @@ impl BorderedFactor {
     /// Adds an unknown: its `row` of the matrix up to the previous unknowns, its `column`, and its
     /// `diagonal` entry.
     ///
-    /// Errors, which leave the factor as it was: another length; a pivot below 1e-10 of the largest
-    /// of the new entries.
-    pub fn push(&mut self, row: &[f64], column: &[f64], diagonal: f64) -> Result<(), LinearError> {
+    /// Errors, after which the factor is unchanged: a wrong length; a pivot below 1e-10 of the
+    /// largest of the new entries.
+    pub(crate) fn push(&mut self, row: &[f64], column: &[f64], diagonal: f64) -> Result<(), LinearError> {
         let order = self.order();
         for (quantity, given) in [
             ("entries of a row left of the diagonal", row.len()),
@@ -69,7 +69,7 @@ impl BorderedFactor {
         let largest = row.iter().chain(column).fold(diagonal.abs(), |m, v| m.max(v.abs()));
         self.lower.entries.extend(row);
         self.upper.entries.extend(column);
-        let pivot = diagonal - Arch::new().dispatch(Border(self));
+        let pivot = diagonal - Arch::new().dispatch(BorderElimination(self));
         if pivot.is_nan() || pivot.abs() <= SINGULAR * largest {
             self.truncate(order);
             return Err(LinearError::Singular { order: order + 1 });
@@ -80,8 +80,8 @@ impl BorderedFactor {
 
     /// Solves A x = b in place: `right` is b and becomes x.
     ///
-    /// Errors: another length.
-    pub fn solve(&self, right: &mut [f64]) -> Result<(), LinearError> {
+    /// Errors: a wrong length.
+    pub(crate) fn solve(&self, right: &mut [f64]) -> Result<(), LinearError> {
         if right.len() != self.order() {
             let quantity = "entries of a right-hand side";
             return Err(LinearError::WrongLength { quantity, given: right.len(), expected: self.order() });
@@ -91,10 +91,11 @@ impl BorderedFactor {
     }
 }
 
-/// Replaces the lines of the matrix beyond the last pivot by those of its factors; their product.
-struct Border<'a>(&'a mut BorderedFactor);
+/// Replaces the lines of the matrix beyond the last pivot by those of its factors, and returns
+/// their scalar product.
+struct BorderElimination<'a>(&'a mut BorderedFactor);
 
-impl WithSimd for Border<'_> {
+impl WithSimd for BorderElimination<'_> {
     type Output = f64;
 
     #[inline(always)]
@@ -169,7 +170,7 @@ mod tests {
         }
         factor.truncate(3);
         assert_solves(&factor, |j| j);
-        // The others in another order.
+        // The other unknowns in a different order.
         let place = |j: usize| if j < 3 { j } else { N + 2 - j };
         for at in 3..N {
             push(&mut factor, place(at), place);

@@ -1,4 +1,4 @@
-//! Cholesky factorisation of sparse matrices: analysed once per pattern, factored once per matrix.
+//! Sparse Cholesky factorisation: one analysis per pattern, one factorisation per matrix.
 
 use super::fronts::eliminated;
 use super::lanes::Tile;
@@ -18,14 +18,14 @@ impl SparseCholesky {
     /// Analyses `matrix` for the elimination order `order`, which contains every unknown once. The
     /// order decides the size of the factor ([`crate::mesh::QuadMesh::nested_dissection`]).
     ///
-    /// Errors: an order that is not one of the unknowns; an element with an unknown that is not
-    /// there.
+    /// Errors: an order that is not a permutation of the unknowns; an element with an unknown out
+    /// of range.
     pub fn analyse(matrix: &impl ElementSum, order: Vec<usize>) -> Result<Self, LinearError> {
         Self::analyse_unless(Interruption::NEVER, matrix, order)
     }
 
-    /// [`SparseCholesky::analyse`], given up on an `interruption`.
-    pub fn analyse_unless(
+    /// [`SparseCholesky::analyse`] that stops on an `interruption`.
+    pub(crate) fn analyse_unless(
         interruption: Interruption<'_>,
         matrix: &impl ElementSum,
         order: Vec<usize>,
@@ -33,19 +33,20 @@ impl SparseCholesky {
         Ok(Self { structure: Arc::new(Structure::new(matrix, order, interruption)?) })
     }
 
-    /// Factors `matrix`, whose elements must couple no other unknowns than those analysed, front by
-    /// front: branches of the elimination tree in parallel, and towards its root the blocks of a
-    /// front. The bits do not depend on the number of threads.
+    /// Factors `matrix`, whose elements must couple only unknowns that are coupled in the analysed
+    /// matrix. The factorisation proceeds front by front, with branches of the elimination tree in
+    /// parallel, and near its root the blocks of a front in parallel. The bits do not depend on the
+    /// number of threads.
     ///
-    /// Errors: another number of unknowns, or entries outside of the structure; an element whose
-    /// matrix does not have the size of its unknowns; a matrix that is not positive definite (the
-    /// unknown is named).
+    /// Errors: a different number of unknowns, or entries outside the structure; an element whose
+    /// matrix does not fit its unknowns; a matrix that is not positive definite (the error gives
+    /// the unknown).
     pub fn factor(&self, matrix: &impl ElementSum) -> Result<SparseFactor, LinearError> {
         self.factor_unless(Interruption::NEVER, matrix)
     }
 
-    /// [`SparseCholesky::factor`], given up on an `interruption`.
-    pub fn factor_unless(
+    /// [`SparseCholesky::factor`] that stops on an `interruption`.
+    pub(crate) fn factor_unless(
         &self,
         interruption: Interruption<'_>,
         matrix: &impl ElementSum,

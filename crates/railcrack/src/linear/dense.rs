@@ -17,7 +17,7 @@ const BLOCK: usize = 192;
 const STRIP: usize = 32;
 
 /// Replaces the lower triangle of a symmetric matrix by that of its Cholesky factor, on this
-/// thread. The error is the place of a pivot that is not positive.
+/// thread. The error is the index of a pivot that is not positive.
 pub(super) fn factor_in_place(matrix: MatMut<'_, f64>) -> Result<(), usize> {
     let scratch = llt::factor::cholesky_in_place_scratch::<f64>(matrix.nrows(), Par::Seq, Spec::default());
     let mut buffer = MemBuffer::new(scratch);
@@ -27,11 +27,11 @@ pub(super) fn factor_in_place(matrix: MatMut<'_, f64>) -> Result<(), usize> {
         .map_err(|llt::factor::LltError::NonPositivePivot { index }| index)
 }
 
-/// The end of an elimination before its last column.
+/// Reasons for which an elimination ends before its last column.
 pub(super) enum EliminationError {
-    /// The place of a pivot that is not positive.
+    /// The index of a pivot that is not positive.
     Pivot(usize),
-    /// Given up on request.
+    /// Interrupted on request.
     Interrupted(Interrupted),
 }
 
@@ -42,7 +42,8 @@ impl From<Interrupted> for EliminationError {
 }
 
 impl EliminationError {
-    /// The error of a matrix of `order` unknowns, of which `unknown` says which one a place is.
+    /// The error of a matrix of `order` unknowns; `unknown` maps an index in the elimination to the
+    /// unknown.
     pub(super) fn of(self, order: usize, unknown: impl Fn(usize) -> usize) -> LinearError {
         match self {
             Self::Pivot(place) => LinearError::NotPositiveDefinite { order, pivot: unknown(place) },
@@ -55,14 +56,14 @@ impl EliminationError {
 /// holds column j from the diagonal on: its first rows become columns of L, the others their Schur
 /// complement. The bits do not depend on the number of threads.
 ///
-/// Errors: an interruption, or the place of a pivot that is not positive.
+/// Errors: an interruption, or the index of a pivot that is not positive.
 pub(super) fn eliminate(
     matrix: &mut [f64],
     order: usize,
     columns: usize,
     interruption: Interruption<'_>,
 ) -> Result<(), EliminationError> {
-    // Symmetric: rows are columns.
+    // The matrix is symmetric, so that rows are columns.
     let mut matrix = MatMut::from_column_major_slice_mut(matrix, order, order);
     for start in (0..columns).step_by(BLOCK) {
         interruption.check()?;
@@ -95,7 +96,7 @@ pub(super) fn eliminate(
 /// that neighbouring rows share are skipped.
 ///
 /// Errors: an interruption.
-pub fn products_of_rows(rows: &Matrix, interruption: Interruption<'_>) -> Result<Matrix, Interrupted> {
+pub(crate) fn products_of_rows(rows: &Matrix, interruption: Interruption<'_>) -> Result<Matrix, Interrupted> {
     let (count, length) = (rows.rows(), rows.columns());
     let all = MatRef::from_row_major_slice(rows.entries(), count, length);
     let mut products = Matrix::zeros(count, count);
@@ -122,7 +123,7 @@ pub fn products_of_rows(rows: &Matrix, interruption: Interruption<'_>) -> Result
 
 /// The product A B.
 ///
-/// Errors: another number of columns of A than of rows of B.
+/// Errors: a number of columns of A that differs from the number of rows of B.
 pub fn product(a: &Matrix, b: &Matrix) -> Result<Matrix, LinearError> {
     if a.columns() != b.rows() {
         let quantity = "rows of the second factor of a product";
@@ -144,7 +145,7 @@ pub fn product(a: &Matrix, b: &Matrix) -> Result<Matrix, LinearError> {
 /// sum += factor A B.
 ///
 /// Errors: shapes that do not fit.
-pub fn add_product(factor: f64, a: &Matrix, b: &Matrix, sum: &mut Matrix) -> Result<(), LinearError> {
+pub(crate) fn add_product(factor: f64, a: &Matrix, b: &Matrix, sum: &mut Matrix) -> Result<(), LinearError> {
     let (rows, inner, columns) = (a.rows(), a.columns(), b.columns());
     for (quantity, given, expected) in [
         ("rows of the second factor of a product", b.rows(), inner),
@@ -170,7 +171,7 @@ pub fn add_product(factor: f64, a: &Matrix, b: &Matrix, sum: &mut Matrix) -> Res
 /// partial pivoting. Below some dozens of unknowns a call of the blocked factorisation costs more
 /// than this.
 #[derive(Debug, Clone)]
-pub struct SmallFactor {
+pub(crate) struct SmallFactor {
     /// U on and above the diagonal, L below, whose diagonal is one.
     entries: Matrix,
     /// The row with which row k was interchanged before its elimination.
@@ -181,7 +182,7 @@ impl SmallFactor {
     /// Factors `matrix`.
     ///
     /// Errors: a matrix that is not square; a pivot below 1e-12 of the largest entry.
-    pub fn new(mut matrix: Matrix) -> Result<Self, LinearError> {
+    pub(crate) fn new(mut matrix: Matrix) -> Result<Self, LinearError> {
         let order = matrix.rows();
         if matrix.columns() != order {
             let quantity = "columns of a matrix to factor";
@@ -214,8 +215,8 @@ impl SmallFactor {
 
     /// Solves A x = b in place: `right` is b and becomes x.
     ///
-    /// Errors: another length.
-    pub fn solve(&self, right: &mut [f64]) -> Result<(), LinearError> {
+    /// Errors: a wrong length.
+    pub(crate) fn solve(&self, right: &mut [f64]) -> Result<(), LinearError> {
         let order = self.entries.rows();
         if right.len() != order {
             let quantity = "entries of a right-hand side";
@@ -262,7 +263,7 @@ impl SmallFactor {
 
 /// Order up to which an inverse is computed row by row.
 const SMALL: usize = 24;
-/// Pivots below this fraction of the largest entry are taken for zero.
+/// Pivots below this fraction of the largest entry count as zero.
 const SINGULAR: f64 = 1e-12;
 
 /// The inverse of a symmetric positive definite matrix, by Cholesky; exactly symmetric.
@@ -270,8 +271,11 @@ pub fn spd_inverse(matrix: &Matrix) -> Result<Matrix, LinearError> {
     spd_inverse_unless(Interruption::NEVER, matrix)
 }
 
-/// [`spd_inverse`], given up on an `interruption`.
-pub fn spd_inverse_unless(interruption: Interruption<'_>, matrix: &Matrix) -> Result<Matrix, LinearError> {
+/// [`spd_inverse`] that stops on an `interruption`.
+pub(crate) fn spd_inverse_unless(
+    interruption: Interruption<'_>,
+    matrix: &Matrix,
+) -> Result<Matrix, LinearError> {
     let order = matrix.rows();
     let mut factor = matrix.clone();
     eliminate(factor.entries_mut(), order, order, interruption)
@@ -293,8 +297,8 @@ pub fn spd_inverse_unless(interruption: Interruption<'_>, matrix: &Matrix) -> Re
     Ok(inverse)
 }
 
-/// Order up to which an inverse is made from its factor by one call, which nothing interrupts: a
-/// second at most.
+/// Order up to which an inverse is computed from its factor in one call that cannot be interrupted;
+/// it takes at most a second.
 const AT_ONCE: usize = 3000;
 
 /// L⁻ᵀ L⁻¹ of a factor whose row j is column j of L, in strips.
@@ -318,7 +322,7 @@ fn large_inverse(factor: &Matrix, interruption: Interruption<'_>) -> Result<Matr
 
 /// The inverse of a square matrix, by Gaussian elimination with partial pivoting.
 ///
-/// Errors: it is singular.
+/// Errors: a singular matrix.
 pub fn general_inverse(matrix: &Matrix) -> Result<Matrix, LinearError> {
     let order = matrix.rows();
     if order <= SMALL {
@@ -391,7 +395,7 @@ mod tests {
 
     #[test]
     fn products_of_rows_with_leading_zeros() {
-        // Rows of two strips, of which most begin with zeros.
+        // Rows of two strips, most of which begin with zeros.
         let value = |i: usize, j: usize| if 2 * j < i { 0.0 } else { ((3 * i + 5 * j) % 11) as f64 - 5.0 };
         let rows = Matrix::from_fn(STRIP + 9, 47, value);
         let sum = |i: usize, j: usize| rows.row(i).iter().zip(rows.row(j)).map(|(a, b)| a * b).sum();

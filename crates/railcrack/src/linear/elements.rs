@@ -13,8 +13,8 @@ pub trait ElementSum: Sync {
     /// Number of elements.
     fn count(&self) -> usize;
 
-    /// The unknowns of an element, from 0, each at most once; `None` is a held one, without row and
-    /// column.
+    /// The unknowns of an element, from 0, each at most once; `None` stands for a held unknown
+    /// without row and column.
     fn unknowns(&self, element: usize) -> Vec<Option<usize>>;
 
     /// The matrix of an element, n × n with its n unknowns. Only the lower triangle is read.
@@ -31,13 +31,13 @@ pub(super) struct Pattern {
     pub(super) rows: Vec<u32>,
 }
 
-/// Columns between two questions whether to go on.
+/// Number of columns between two checks for an interruption.
 const OFTEN: usize = 10_000;
 
 impl Pattern {
     /// The pattern of `matrix`.
     ///
-    /// Errors: an unknown that does not exist; too many entries for their indices; an interruption.
+    /// Errors: an unknown out of range; too many entries for their indices; an interruption.
     pub(super) fn new(matrix: &impl ElementSum, interruption: Interruption<'_>) -> Result<Self, LinearError> {
         let order = matrix.order();
         let too_large = |_| LinearError::TooLarge { order };

@@ -6,7 +6,7 @@ use thiserror::Error;
 /// A matrix that cannot be built or factored.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum LinearError {
-    /// Not positive definite.
+    /// A matrix that is not positive definite.
     #[error("matrix of order {order} is not positive definite: pivot {pivot} is not positive")]
     NotPositiveDefinite {
         /// Order of the matrix.
@@ -21,15 +21,15 @@ pub enum LinearError {
         /// Order of the matrix.
         order: usize,
     },
-    /// An unknown that does not exist.
-    #[error("unknown {unknown}: there are {order}, numbered from 0")]
+    /// An unknown out of range.
+    #[error("unknown {unknown} is out of range: the {order} unknowns are numbered from 0")]
     NoSuchUnknown {
         /// The given value.
         unknown: usize,
         /// Order of the matrix.
         order: usize,
     },
-    /// An entry where the pattern has none.
+    /// An entry outside the pattern.
     #[error("entry ({row}, {column}) is not in the pattern of the matrix")]
     OutsidePattern {
         /// Row, from 0.
@@ -47,8 +47,8 @@ pub enum LinearError {
         /// The required number.
         expected: usize,
     },
-    /// An elimination order that names an unknown twice.
-    #[error("the elimination order has unknown {unknown} twice")]
+    /// An elimination order that contains an unknown twice.
+    #[error("the elimination order contains unknown {unknown} twice")]
     EliminatedTwice {
         /// The unknown.
         unknown: usize,
@@ -59,7 +59,7 @@ pub enum LinearError {
         /// Order of the matrix.
         order: usize,
     },
-    /// Given up on request.
+    /// Interrupted on request.
     #[error("{0}")]
     Interrupted(#[from] Interrupted),
 }

@@ -1,7 +1,6 @@
-//! The multifrontal factorisation, from the leaves of the elimination tree to its root (Duff and
-//! Reid 1983; Liu 1992). The front of a supernode is the dense matrix of its columns and the rows
-//! below them; the Schur complement that its elimination leaves is added to the front of its
-//! parent.
+//! Multifrontal factorisation, from the leaves of the elimination tree to its root (Duff and Reid
+//! 1983; Liu 1992). The front of a supernode is the dense matrix of its columns and the rows below
+//! them; the Schur complement that its elimination leaves is added to the front of its parent.
 
 use super::dense::eliminate;
 use super::lanes::{ROWS, Tile};
@@ -12,13 +11,14 @@ use crate::math::axpy;
 use rayon::prelude::*;
 use std::collections::HashMap;
 
-/// Largest share of all operations in a branch of the tree that one thread eliminates.
+/// Largest share of all operations in one branch of the tree, which one thread eliminates.
 const BRANCH_SHARE: f64 = 1.0 / 24.0;
 
 /// L in tiles, supernode by supernode.
 ///
-/// Errors: another number of unknowns; an element that does not fit its unknowns or the structure;
-/// a matrix that is not positive definite (the unknown is named); an interruption.
+/// Errors: a different number of unknowns; an element that does not fit its unknowns or the
+/// structure; a matrix that is not positive definite (the error gives the unknown); an
+/// interruption.
 pub(super) fn eliminated(
     structure: &Structure,
     matrix: &impl ElementSum,
@@ -28,8 +28,8 @@ pub(super) fn eliminated(
     let fronts = Fronts { structure, matrix, elements, children: children(structure), interruption };
     let mut tiles = vec![[0.0; ROWS]; structure.supernodes.iter().map(Supernode::tiles).sum()];
     let (branches, trunk) = branches(structure);
-    let mut places = Places::new(structure, &mut tiles);
-    let branches: Vec<Vec<Place>> = branches.iter().map(|branch| places.take(branch)).collect();
+    let mut places = TileStorage::new(structure, &mut tiles);
+    let branches: Vec<Vec<SupernodeTiles>> = branches.iter().map(|branch| places.take(branch)).collect();
     let results: Vec<(Option<Failure>, Remainders)> =
         branches.into_par_iter().map(|branch| fronts.branch(branch, Remainders::new())).collect();
     let (failures, left): (Vec<Option<Failure>>, Vec<Remainders>) = results.into_iter().unzip();
@@ -43,13 +43,13 @@ pub(super) fn eliminated(
     }
 }
 
-/// A supernode, and the storage of its tiles.
-type Place<'a> = (usize, &'a mut [Tile]);
+/// A supernode, and its tiles.
+type SupernodeTiles<'a> = (usize, &'a mut [Tile]);
 
-/// The storage that is still to be handed out.
-struct Places<'a>(Vec<Option<&'a mut [Tile]>>);
+/// The tiles that have not been handed out yet.
+struct TileStorage<'a>(Vec<Option<&'a mut [Tile]>>);
 
-impl<'a> Places<'a> {
+impl<'a> TileStorage<'a> {
     fn new(structure: &Structure, mut tiles: &'a mut [Tile]) -> Self {
         let place = |node: &Supernode| {
             let (own, rest) = std::mem::take(&mut tiles).split_at_mut(node.tiles());
@@ -59,13 +59,13 @@ impl<'a> Places<'a> {
         Self(structure.supernodes.iter().map(place).collect())
     }
 
-    /// The storage of `supernodes`, each of which is handed out once.
-    fn take(&mut self, supernodes: &[usize]) -> Vec<Place<'a>> {
+    /// The tiles of `supernodes`; each supernode is handed out once.
+    fn take(&mut self, supernodes: &[usize]) -> Vec<SupernodeTiles<'a>> {
         supernodes.iter().map(|&s| (s, self.0[s].take().unwrap_or_default())).collect()
     }
 }
 
-/// The reason why elimination ended at a place.
+/// The reason for the end of the elimination, and the place in the elimination order.
 struct Failure {
     place: usize,
     reason: LinearError,
@@ -174,9 +174,9 @@ struct Fronts<'a, M> {
 }
 
 impl<M: ElementSum> Fronts<'_, M> {
-    /// Eliminates supernodes, given the Schur complements of previous ones, by supernode; returns
-    /// those that remain for others.
-    fn branch(&self, places: Vec<Place>, mut left: Remainders) -> (Option<Failure>, Remainders) {
+    /// Eliminates supernodes, given the Schur complements of previous supernodes; returns those
+    /// that remain for later supernodes.
+    fn branch(&self, places: Vec<SupernodeTiles>, mut left: Remainders) -> (Option<Failure>, Remainders) {
         let mut front = Vec::new();
         for (s, place) in places {
             let node = self.structure.supernodes[s];
@@ -258,17 +258,17 @@ impl<M: ElementSum> Fronts<'_, M> {
     }
 }
 
-/// Adds values to a column, at increasing places.
+/// Adds values to a column at increasing row positions.
 fn add_at(at: &[usize], values: &[f64], column: &mut [f64]) {
     match at {
-        // Contiguous, as most are.
+        // Most of them are contiguous.
         &[first, .., last] if last - first == at.len() - 1 => axpy(1.0, values, &mut column[first..=last]),
         _ => at.iter().zip(values).for_each(|(&i, value)| column[i] += value),
     }
 }
 
-/// The position of a row, a place in the elimination order, in the front of a supernode with the
-/// rows `below` it.
+/// The position of a row, given by its place in the elimination order, in the front of a supernode
+/// with the rows `below` it.
 fn place_in(node: &Supernode, below: &[u32], row: usize) -> usize {
     if row < node.start + node.columns {
         row - node.start

@@ -1,24 +1,25 @@
-//! Minimal residuals of a linear system of which only products are known.
+//! Minimal residuals of linear systems that are given by products only.
 
 use crate::math::{axpy, dot};
 
-/// The combination of directions that solves a linear system best.
+/// The combination of directions with the smallest residual.
 #[derive(Debug, Clone, PartialEq)]
-pub struct LeastResidual {
+pub(crate) struct LeastResidual {
     /// The factor of each direction.
     pub factors: Vec<f64>,
     /// Residual over the size of the right-hand side.
     pub residual: f64,
 }
 
-/// Minimal residuals (GMRES; Saad & Schultz 1986) of A x = b: the directions are b and what
-/// `product` makes of the one before, made orthonormal, and the solution is their combination.
-/// Ends when the residual falls below `tolerance` of b or after `most` directions.
+/// Minimal residuals (GMRES; Saad & Schultz 1986) of A x = b: the directions are b and the
+/// `product` of each previous direction, orthonormalised, and the solution is a combination of
+/// them. The iteration ends when the residual falls below `tolerance` of b or after `most`
+/// directions.
 ///
-/// `product`: A times a direction; the caller keeps the direction, or what it stands for.
+/// `product` returns A times a direction; the caller stores the direction or its equivalent.
 ///
 /// Errors: those of `product`.
-pub fn least_residual<E>(
+pub(crate) fn least_residual<E>(
     right: &[f64],
     tolerance: f64,
     most: usize,
@@ -30,7 +31,7 @@ pub fn least_residual<E>(
     }
     let mut directions = vec![right.iter().map(|b| b / size).collect::<Vec<f64>>()];
     // Columns of the upper triangular factor of Hessenberg's matrix, its rotations, and the
-    // right-hand side turned by them.
+    // right-hand side after these rotations.
     let (mut triangle, mut rotations) = (Vec::<Vec<f64>>::new(), Vec::<[f64; 2]>::new());
     let mut turned = vec![size];
     for k in 0..most {

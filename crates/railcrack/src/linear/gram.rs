@@ -1,25 +1,26 @@
-//! Gram matrices: scalar products of half-solved columns.
+//! Gram matrices of half-solved columns.
 
-use super::lanes::{LANES, Row, add_outer};
+use super::lanes::{LANES, LaneRow, add_outer};
 use super::reach::ReachedPanel;
 use crate::interruption::{Interrupted, Interruption};
 use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// Panels whose products with all others one thread computes together: enough to load the others
-/// seldom, few enough to keep all threads busy.
+/// Number of panels whose products with all others one thread computes together: large enough to
+/// load the other panels seldom, small enough to keep all threads busy.
 const STRIP: usize = 3;
-/// Rows of panels that are multiplied at once: those of two panels fit into the fastest cache.
+/// Number of panel rows that are multiplied at once; those of two panels fit into the first-level
+/// cache.
 const DEPTH: usize = 96;
 
 /// The products of the columns of one panel with those of another: row r holds those of its column
 /// r.
-type Block = [Row; LANES];
+type PanelProduct = [LaneRow; LANES];
 
 /// W_iᵀ W_j = b_iᵀ K⁻¹ b_j of every column i of the panels from `first` on with all columns j up to
-/// itself, row by row. Each is the same bits whichever others are computed, on any number of
-/// threads.
+/// itself, row by row. The bits of each product are independent of the other products and of the
+/// number of threads.
 ///
 /// Errors: an interruption.
 pub fn gram(
@@ -30,7 +31,8 @@ pub fn gram(
     let numbers: Vec<usize> = (first..panels.len()).collect();
     let strips = numbers.par_chunks(STRIP).map(|strip| {
         interruption.check()?;
-        let mut blocks: Vec<Vec<Block>> = strip.iter().map(|&i| vec![[Row::ZERO; LANES]; i + 1]).collect();
+        let mut blocks: Vec<Vec<PanelProduct>> =
+            strip.iter().map(|&i| vec![[LaneRow::ZERO; LANES]; i + 1]).collect();
         Arch::new().dispatch(Strip { panels, first: strip[0], blocks: &mut blocks });
         Ok(strip.iter().zip(&blocks).flat_map(|(&i, blocks)| rows(panels, i, blocks)).collect::<Vec<_>>())
     });
@@ -39,7 +41,7 @@ pub fn gram(
 }
 
 /// The rows of panel `i` from its blocks.
-fn rows(panels: &[Arc<ReachedPanel>], i: usize, blocks: &[Block]) -> Vec<Vec<f64>> {
+fn rows(panels: &[Arc<ReachedPanel>], i: usize, blocks: &[PanelProduct]) -> Vec<Vec<f64>> {
     let row = |r: usize| {
         let mut row = Vec::new();
         for (panel, block) in panels[..i].iter().zip(blocks) {
@@ -51,11 +53,11 @@ fn rows(panels: &[Arc<ReachedPanel>], i: usize, blocks: &[Block]) -> Vec<Vec<f64
     (0..panels[i].columns()).map(row).collect()
 }
 
-/// Some panels and their blocks, with all panels up to each.
+/// Some panels, and the products of each with all panels up to itself.
 struct Strip<'a> {
     panels: &'a [Arc<ReachedPanel>],
     first: usize,
-    blocks: &'a mut [Vec<Block>],
+    blocks: &'a mut [Vec<PanelProduct>],
 }
 
 impl WithSimd for Strip<'_> {
@@ -68,7 +70,7 @@ impl WithSimd for Strip<'_> {
         supernodes.sort_unstable();
         supernodes.dedup();
         for s in supernodes {
-            let others: Vec<&[Row]> =
+            let others: Vec<&[LaneRow]> =
                 self.panels[..self.first + own.len()].iter().map(|panel| panel.rows_of(s)).collect();
             let height = others.iter().map(|rows| rows.len()).max().unwrap_or(0);
             for from in (0..height).step_by(DEPTH) {

@@ -1,9 +1,9 @@
-//! The inner kernel of the sparse solver: a tile of numbers times rows of columns side by side.
+//! Inner kernel of the sparse solver: a tile of numbers times rows of several columns.
 //!
 //! Columns are lanes of vector registers: row r of a panel holds entry r of [`LANES`] columns. The
 //! operations in one lane are a fixed sequence, independent of the other lanes, so that the bits of
-//! a column do not depend on those beside it. Products are fused with sums where the code says so
-//! and nowhere else, and rounded once: the bits do not depend on the vector unit either.
+//! a column do not depend on its neighbours. Products are fused with sums exactly where the code
+//! states it, and rounded once, so that the bits do not depend on the vector unit either.
 
 use pulp::Simd;
 
@@ -14,27 +14,27 @@ pub(super) const LANES: usize = 16;
 /// the sums.
 pub(super) const ROWS: usize = 6;
 
-/// [`ROWS`] entries of a column. The tiles of a supernode stand column by column: first the blocks
-/// of the triangle, block b with the columns up to its own, then the blocks below. Rows that pad
-/// the last block are zero; on the diagonal stands 1 / L_ii.
+/// [`ROWS`] entries of a column. The tiles of a supernode are stored column by column: first the
+/// blocks of the triangle, block b with the columns up to its own, then the blocks below. Rows that
+/// pad the last block are zero; the diagonal holds 1 / L_ii.
 pub(super) type Tile = [f64; ROWS];
 
 /// One row of a panel, aligned to a cache line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C, align(64))]
-pub(super) struct Row(pub(super) [f64; LANES]);
+pub(super) struct LaneRow(pub(super) [f64; LANES]);
 
-impl Row {
+impl LaneRow {
     /// Zero in every lane.
     pub(super) const ZERO: Self = Self([0.0; LANES]);
 }
 
 /// Sums of a tile: row by row, lane by lane.
-pub(super) type Sums = [Row; ROWS];
+pub(super) type Sums = [LaneRow; ROWS];
 
 /// sums[r] += Σ_k tile[k][r] x[k] over the columns of the tile, in their order.
 #[inline(always)]
-pub(super) fn add_tile<S: Simd>(simd: S, tile: &[[f64; ROWS]], x: &[Row], sums: &mut Sums) {
+pub(super) fn add_tile<S: Simd>(simd: S, tile: &[[f64; ROWS]], x: &[LaneRow], sums: &mut Sums) {
     add_products(simd, tile.iter(), x, sums);
 }
 
@@ -43,7 +43,7 @@ const HELD: usize = 8;
 
 /// sums[r] += Σ_k (lane r of a[k]) b[k], in the order of k.
 #[inline(always)]
-pub(super) fn add_outer<S: Simd>(simd: S, a: &[Row], b: &[Row], sums: &mut [Row; LANES]) {
+pub(super) fn add_outer<S: Simd>(simd: S, a: &[LaneRow], b: &[LaneRow], sums: &mut [LaneRow; LANES]) {
     let (groups, _) = sums.as_chunks_mut::<HELD>();
     for (group, sums) in groups.iter_mut().enumerate() {
         let lanes = a.iter().map(|row| &row.0.as_chunks::<HELD>().0[group]);
@@ -56,8 +56,8 @@ pub(super) fn add_outer<S: Simd>(simd: S, a: &[Row], b: &[Row], sums: &mut [Row;
 fn add_products<'a, S: Simd, const R: usize>(
     simd: S,
     factors: impl Iterator<Item = &'a [f64; R]> + Clone,
-    x: &[Row],
-    sums: &mut [Row; R],
+    x: &[LaneRow],
+    sums: &mut [LaneRow; R],
 ) {
     for v in (0..LANES / S::F64_LANES).step_by(2) {
         let mut held = [[simd.splat_f64s(0.0); 2]; R];
@@ -84,7 +84,12 @@ fn add_products<'a, S: Simd, const R: usize>(
 /// sums[k] += Σ_r tile[k][r] y[r]: the transpose of a tile of at most [`ROWS`] columns, rows in
 /// their order.
 #[inline(always)]
-pub(super) fn add_transposed_tile<S: Simd>(simd: S, tile: &[[f64; ROWS]], y: &[Row; ROWS], sums: &mut Sums) {
+pub(super) fn add_transposed_tile<S: Simd>(
+    simd: S,
+    tile: &[[f64; ROWS]],
+    y: &[LaneRow; ROWS],
+    sums: &mut Sums,
+) {
     let mut square = [[0.0; ROWS]; ROWS];
     for (k, column) in tile.iter().enumerate().take(ROWS) {
         for r in 0..ROWS {
@@ -96,7 +101,7 @@ pub(super) fn add_transposed_tile<S: Simd>(simd: S, tile: &[[f64; ROWS]], y: &[R
 
 /// y += factor x, lane by lane.
 #[inline(always)]
-pub(super) fn add_row<S: Simd>(simd: S, factor: f64, x: &Row, y: &mut Row) {
+pub(super) fn add_row<S: Simd>(simd: S, factor: f64, x: &LaneRow, y: &mut LaneRow) {
     let factor = simd.splat_f64s(factor);
     let (x, _) = S::as_simd_f64s(&x.0);
     let (y, _) = S::as_mut_simd_f64s(&mut y.0);
@@ -107,7 +112,7 @@ pub(super) fn add_row<S: Simd>(simd: S, factor: f64, x: &Row, y: &mut Row) {
 
 /// y −= x, lane by lane.
 #[inline(always)]
-pub(super) fn subtract<S: Simd>(simd: S, x: &Row, y: &mut Row) {
+pub(super) fn subtract<S: Simd>(simd: S, x: &LaneRow, y: &mut LaneRow) {
     let (x, _) = S::as_simd_f64s(&x.0);
     let (y, _) = S::as_mut_simd_f64s(&mut y.0);
     for (y, x) in y.iter_mut().zip(x) {
@@ -117,9 +122,9 @@ pub(super) fn subtract<S: Simd>(simd: S, x: &Row, y: &mut Row) {
 
 /// (y − x) scale, lane by lane.
 #[inline(always)]
-pub(super) fn scaled_difference<S: Simd>(simd: S, y: &Row, x: &Row, scale: f64) -> Row {
+pub(super) fn scaled_difference<S: Simd>(simd: S, y: &LaneRow, x: &LaneRow, scale: f64) -> LaneRow {
     let scale = simd.splat_f64s(scale);
-    let mut difference = Row::ZERO;
+    let mut difference = LaneRow::ZERO;
     let (out, _) = S::as_mut_simd_f64s(&mut difference.0);
     let ((y, _), (x, _)) = (S::as_simd_f64s(&y.0), S::as_simd_f64s(&x.0));
     for (out, (y, x)) in out.iter_mut().zip(y.iter().zip(x)) {

@@ -1,4 +1,4 @@
-//! Triangular factors of large dense matrices that are not symmetric.
+//! Triangular factors of large unsymmetric dense matrices.
 
 use super::LinearError;
 use crate::math::Matrix;
@@ -13,25 +13,25 @@ use rayon::prelude::*;
 /// The triangular factors of a square matrix, by Gaussian elimination with partial pivoting in
 /// panels of columns. The bits do not depend on the number of threads.
 #[derive(Debug, Clone)]
-pub struct LargeFactor {
+pub(crate) struct LargeFactor {
     /// Row j is column j of the factors: U on and above the diagonal, L below, whose diagonal is
     /// one.
     columns: Matrix,
-    /// The row of the matrix that stands at each place.
+    /// The row of the matrix at each position.
     rows: Vec<usize>,
 }
 
 /// Columns that are eliminated together, and columns of the remainder that one thread updates
 /// together: their sums do not depend on the thread.
 const PANEL: usize = 64;
-/// Pivots below this fraction of the largest entry are taken for zero.
+/// Pivots below this fraction of the largest entry count as zero.
 const SINGULAR: f64 = 1e-12;
 
 impl LargeFactor {
     /// Factors the matrix of which row j of `columns` is column j.
     ///
     /// Errors: a matrix that is not square; a pivot below 1e-12 of the largest entry.
-    pub fn of_columns(mut columns: Matrix) -> Result<Self, LinearError> {
+    pub(crate) fn of_columns(mut columns: Matrix) -> Result<Self, LinearError> {
         let order = columns.rows();
         if columns.columns() != order {
             let quantity = "columns of a matrix to factor";
@@ -78,14 +78,14 @@ impl LargeFactor {
     }
 
     /// Number of unknowns.
-    pub fn order(&self) -> usize {
+    pub(crate) fn order(&self) -> usize {
         self.rows.len()
     }
 
     /// A⁻¹ b.
     ///
-    /// Errors: another length.
-    pub fn solve(&self, right: &[f64]) -> Result<Vec<f64>, LinearError> {
+    /// Errors: a wrong length.
+    pub(crate) fn solve(&self, right: &[f64]) -> Result<Vec<f64>, LinearError> {
         let order = self.order();
         if right.len() != order {
             let quantity = "entries of a right-hand side";

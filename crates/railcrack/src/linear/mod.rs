@@ -1,7 +1,6 @@
-//! Linear algebra, dense and sparse; the only module that names faer.
-//!
-//! Results are the same bits whatever the number of threads: parallel tasks are blocks and columns
-//! independent of each other, divided in the same places for any number.
+//! Linear algebra, dense and sparse; the only module that uses faer. Results have the same bits for
+//! any number of threads: parallel tasks are independent blocks and columns whose division does not
+//! depend on that number.
 
 mod bordered;
 mod cholesky;
@@ -22,8 +21,9 @@ mod sweep;
 
 pub(crate) use bordered::BorderedFactor;
 pub use cholesky::{SparseCholesky, SparseFactor};
+pub(crate) use dense::spd_inverse_unless;
 pub(crate) use dense::{SmallFactor, add_product, products_of_rows};
-pub use dense::{general_inverse, product, spd_inverse, spd_inverse_unless};
+pub use dense::{general_inverse, product, spd_inverse};
 pub use elements::ElementSum;
 pub use error::LinearError;
 pub(crate) use gmres::least_residual;

@@ -3,23 +3,23 @@
 
 use super::LinearError;
 use super::cholesky::SparseFactor;
-use super::lanes::{LANES, Row};
+use super::lanes::{LANES, LaneRow};
 use super::sweep::Panel;
 use crate::interruption::Interruption;
 use rayon::prelude::*;
 
-/// A sparse right-hand side b: (unknown, value); values of the same unknown add.
+/// A sparse right-hand side b: (unknown, value); values of the same unknown are added.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SparseColumn {
     /// Unknowns, from 0, and their values.
     pub entries: Vec<(usize, f64)>,
 }
 
-/// W = L⁻¹ P b of up to `PANEL_COLUMNS` columns side by side, stored where one of them is not
-/// zero: on the supernodes between those of their b and the root of the elimination tree.
+/// W = L⁻¹ P b of up to `PANEL_COLUMNS` columns, stored where at least one of them is not zero: on
+/// the supernodes between those of their b and the root of the elimination tree.
 ///
-/// The bits of a column depend on the factor and on its b alone. It is valid with the factor that
-/// made it and with no other.
+/// The bits of a column depend on the factor and on its b alone. It is valid only with the factor
+/// from which it was made.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReachedPanel {
     columns: usize,
@@ -27,20 +27,20 @@ pub struct ReachedPanel {
     supernodes: Vec<u32>,
     /// The first row of each; one more at the end.
     starts: Vec<u32>,
-    rows: Vec<Row>,
+    rows: Vec<LaneRow>,
 }
 
-/// Number of columns solved side by side.
-pub const PANEL_COLUMNS: usize = LANES;
+/// Number of columns of a panel.
+pub(crate) const PANEL_COLUMNS: usize = LANES;
 
 impl ReachedPanel {
     /// Number of columns.
-    pub fn columns(&self) -> usize {
+    pub(crate) fn columns(&self) -> usize {
         self.columns
     }
 
     /// The rows of a supernode; none where no column reaches it.
-    pub(super) fn rows_of(&self, supernode: u32) -> &[Row] {
+    pub(super) fn rows_of(&self, supernode: u32) -> &[LaneRow] {
         match self.supernodes.binary_search(&supernode) {
             Ok(k) => &self.rows[self.starts[k] as usize..self.starts[k + 1] as usize],
             Err(_) => &[],
@@ -51,11 +51,6 @@ impl ReachedPanel {
     pub(super) fn supernodes(&self) -> &[u32] {
         &self.supernodes
     }
-
-    /// Number of stored rows.
-    pub fn rows(&self) -> usize {
-        self.rows.len()
-    }
 }
 
 impl SparseFactor {
@@ -63,7 +58,7 @@ impl SparseFactor {
     /// `PANEL_COLUMNS` columns. Columns that begin near each other in the elimination tree should
     /// be neighbours.
     ///
-    /// Errors: an unknown that does not exist; an interruption.
+    /// Errors: an unknown out of range; an interruption.
     pub fn forward(
         &self,
         columns: &[SparseColumn],
@@ -113,18 +108,18 @@ impl SparseFactor {
     /// `order` entries), which become the solutions. The bits of a solution depend on its own
     /// right-hand side alone.
     ///
-    /// Errors: another length.
+    /// Errors: a wrong length.
     pub fn solve(&self, columns: &mut [f64]) -> Result<(), LinearError> {
         let all: Vec<usize> = (0..self.structure.supernodes.len()).collect();
         self.solve_over(&all, &[], columns)
     }
 
-    /// [`SparseFactor::solve`] for some unknowns alone: at the `wanted` ones the solutions are the
-    /// same, elsewhere they are incomplete. The work is that on the paths from these and from the
-    /// entries of the right-hand sides to the root of the elimination tree.
+    /// [`SparseFactor::solve`] for some unknowns only. The solutions have the same bits at the
+    /// `wanted` unknowns and are incomplete elsewhere. The work is limited to the paths from these
+    /// unknowns and from the entries of the right-hand sides to the root of the elimination tree.
     ///
-    /// Errors: another length; an unknown that does not exist.
-    pub fn solve_for(
+    /// Errors: a wrong length; an unknown out of range.
+    pub(crate) fn solve_for(
         &self,
         wanted: impl IntoIterator<Item = usize>,
         columns: &mut [f64],
@@ -135,8 +130,8 @@ impl SparseFactor {
         self.solve_over(&trunk, &branches, columns)
     }
 
-    /// Those of `supernodes`, which contain every ancestor of each, that are not in the `trunk`, as
-    /// branches of the elimination tree that grow from it.
+    /// The members of `supernodes` outside the `trunk`, as branches of the elimination tree that
+    /// start from it; `supernodes` contain every ancestor of each member.
     fn branches(&self, trunk: &[usize], supernodes: &[usize]) -> Vec<Vec<usize>> {
         let in_trunk = |s: usize| trunk.binary_search(&s).is_ok();
         let mut branch_of = vec![0; self.structure.supernodes.len()];
@@ -156,7 +151,7 @@ impl SparseFactor {
     }
 
     /// Solves for the unknowns of some supernodes in elimination order: those of the `trunk`, which
-    /// contains every ancestor of each, and those of `branches` that grow from it, where the
+    /// contains all their ancestors, and those of `branches` that start from it, on which the
     /// right-hand sides are zero. The storage of a branch is reused for the next one.
     fn solve_over(
         &self,

@@ -1,4 +1,4 @@
-//! The sparse factor: residuals, dense algebra, and bits that do not depend on the other columns.
+//! Sparse factor: residuals, comparison with dense algebra, and bits independent of other columns.
 
 use super::{
     ElementSum, LinearError, PANEL_COLUMNS, ReachedPanel, SparseCholesky, SparseColumn, SparseFactor, gram,
@@ -74,13 +74,13 @@ impl Elements {
 
 /// Two unknowns at each node of `columns` × `rows` squares with random symmetric positive definite
 /// blocks.
-struct Grid {
+struct SquareLattice {
     columns: usize,
     rows: usize,
     squares: Vec<[Option<usize>; 8]>,
 }
 
-impl Grid {
+impl SquareLattice {
     fn new(columns: usize, rows: usize) -> Self {
         let square = |e: usize| {
             let first = (e / columns) * (columns + 1) + e % columns;
@@ -175,9 +175,9 @@ fn panels(factor: &SparseFactor, columns: &[SparseColumn]) -> Vec<Arc<ReachedPan
 
 #[test]
 fn solutions_by_residual() {
-    // The last has fronts of several blocks.
+    // The last size has fronts of several blocks.
     for (columns, rows) in [(1, 1), (2, 5), (7, 3), (16, 16), (40, 23), (110, 104)] {
-        let grid = Grid::new(columns, rows);
+        let grid = SquareLattice::new(columns, rows);
         let (matrix, factor) = grid.factored(5);
         let mut chance = Chance(1);
         // More columns than one panel holds.
@@ -196,7 +196,7 @@ fn solutions_by_residual() {
 
 #[test]
 fn products_agree_with_dense_algebra() {
-    let grid = Grid::new(6, 5);
+    let grid = SquareLattice::new(6, 5);
     let (matrix, factor) = grid.factored(8);
     let inverse = spd_inverse(&matrix.dense()).unwrap();
     let columns = grid.local_columns(30);
@@ -214,11 +214,12 @@ fn products_agree_with_dense_algebra() {
 
 #[test]
 fn panels_store_only_the_reach_of_their_columns() {
-    let grid = Grid::new(30, 30);
+    let grid = SquareLattice::new(30, 30);
     let (matrix, factor) = grid.factored(3);
     let column = &grid.local_columns(1)[0];
     let alone = factor.forward(std::slice::from_ref(column), Interruption::NEVER).unwrap().remove(0);
-    assert!(2 * alone.rows() < grid.order(), "{} of {}", alone.rows(), grid.order());
+    let rows: usize = alone.supernodes().iter().map(|&s| alone.rows_of(s).len()).sum();
+    assert!(2 * rows < grid.order(), "{rows} of {}", grid.order());
     // Still, its square is the energy of the full solution.
     let right = full(grid.order(), column);
     let mut solution = right.clone();
@@ -230,7 +231,7 @@ fn panels_store_only_the_reach_of_their_columns() {
 
 #[test]
 fn the_bits_do_not_depend_on_the_other_columns() {
-    let grid = Grid::new(30, 21);
+    let grid = SquareLattice::new(30, 21);
     let (_, factor) = grid.factored(11);
     let columns = grid.local_columns(130);
     let together = panels(&factor, &columns);
@@ -267,12 +268,13 @@ fn the_bits_do_not_depend_on_the_other_columns() {
 
 #[test]
 fn wanted_unknowns_agree_with_the_full_solution() {
-    let grid = Grid::new(30, 30);
+    let grid = SquareLattice::new(30, 30);
     let (_, factor) = grid.factored(3);
     let right: Vec<f64> = grid.local_columns(3).iter().flat_map(|b| full(grid.order(), b)).collect();
     let mut whole = right.clone();
     factor.solve(&mut whole).unwrap();
-    // Far from the right-hand sides on several branches of the elimination tree, and beside them.
+    // Unknowns far from the right-hand sides on several branches of the elimination tree, and close
+    // to them.
     let wanted = [grid.order() - 1, 7, 8, 29, grid.order() - 30, grid.order() / 2];
     let mut part = right.clone();
     factor.solve_for(wanted, &mut part).unwrap();
@@ -280,7 +282,7 @@ fn wanted_unknowns_agree_with_the_full_solution() {
         assert!(wanted.iter().all(|&i| x[i] == y[i] && x[i] != 0.0));
     }
     let left = right.iter().zip(&part).zip(&whole).filter(|((b, y), x)| b == y && y != x).count();
-    assert!(2 * left > right.len(), "{left} of {} unknowns left alone", right.len());
+    assert!(2 * left > right.len(), "{left} of {} unknowns unsolved", right.len());
     assert!(matches!(
         factor.solve_for([grid.order()], &mut part).unwrap_err(),
         LinearError::NoSuchUnknown { .. }
@@ -289,7 +291,7 @@ fn wanted_unknowns_agree_with_the_full_solution() {
 
 #[test]
 fn the_bits_do_not_depend_on_the_number_of_threads() {
-    let grid = Grid::new(110, 104);
+    let grid = SquareLattice::new(110, 104);
     let columns = grid.local_columns(90);
     let run = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
@@ -305,7 +307,7 @@ fn the_bits_do_not_depend_on_the_number_of_threads() {
 
 #[test]
 fn one_analysis_serves_every_matrix_of_the_same_elements() {
-    let grid = Grid::new(9, 4);
+    let grid = SquareLattice::new(9, 4);
     let first = grid.matrix(1);
     let analysed = SparseCholesky::analyse(&first, grid.elimination_order()).unwrap();
     for matrix in [first, grid.matrix(2)] {
@@ -318,7 +320,7 @@ fn one_analysis_serves_every_matrix_of_the_same_elements() {
 
 #[test]
 fn an_indefinite_matrix_names_the_unknown() {
-    let grid = Grid::new(8, 8);
+    let grid = SquareLattice::new(8, 8);
     let mut matrix = grid.matrix(4);
     let analysed = SparseCholesky::analyse(&matrix, grid.elimination_order()).unwrap();
     let unknown = 77;
@@ -332,8 +334,8 @@ fn an_indefinite_matrix_names_the_unknown() {
 
 #[test]
 fn held_unknowns_and_gaps_between_elements() {
-    // Unknown 2 of the first element is held; the second has one unknown alone; unknown 3 comes
-    // after both.
+    // Unknown 2 of the first element is held; the second has a single unknown; unknown 3 belongs to
+    // none.
     let spring = Matrix::from_fn(2, 2, |i, j| if i == j { 3.0 } else { -1.0 });
     let springs = [vec![Some(0), Some(2)], vec![Some(2), Some(1)], vec![None, Some(1)], vec![Some(3), None]];
     let matrix =
@@ -376,7 +378,7 @@ fn refuses_elements_that_do_not_fit() {
 
 #[test]
 fn refuses_orders_and_columns_that_do_not_fit() {
-    let grid = Grid::new(2, 2);
+    let grid = SquareLattice::new(2, 2);
     let matrix = grid.matrix(4);
     let order = grid.order();
     let refused = |order: Vec<usize>| SparseCholesky::analyse(&matrix, order).unwrap_err();

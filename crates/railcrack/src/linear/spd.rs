@@ -13,35 +13,36 @@ use std::sync::Arc;
 
 /// The Cholesky factor K = L Lᵀ of a symmetric positive definite matrix.
 ///
-/// It is made in blocks of rows from the first on. A row of L depends only on the rows of K up to
-/// its own, so that a matrix with the same leading rows takes over their blocks, which are shared.
+/// It is computed in blocks of rows from the first row on. A row of L depends only on the rows of K
+/// up to its own, so that a matrix with the same leading rows reuses their blocks, which are
+/// shared.
 #[derive(Debug, Clone, Default)]
-pub struct SpdFactor {
+pub(crate) struct SpdFactor {
     order: usize,
-    blocks: Vec<Arc<Block>>,
+    blocks: Vec<Arc<FactorRows>>,
 }
 
 /// Some rows of L.
 #[derive(Debug)]
-struct Block {
+struct FactorRows {
     start: usize,
-    /// (start + w) × w: the rows are stored side by side, as products with them read them; the
-    /// entries above the diagonal are meaningless.
+    /// (start + w) × w: the rows are stored contiguously, in the order in which products read them;
+    /// the entries above the diagonal are meaningless.
     rows: Matrix,
 }
 
 /// Rows of a block.
 const BLOCK: usize = 96;
-/// Rows that one thread solves together: their sums do not depend on the thread.
+/// Number of rows that one thread solves together; their sums do not depend on the thread.
 const TOGETHER: usize = 48;
 
 impl SpdFactor {
     /// Factors a matrix of `order` unknowns: `fill(i, row)` adds the entries (i, 0) to (i, i) to
     /// the i + 1 zeros of `row`. The bits do not depend on the number of threads.
     ///
-    /// Errors: a matrix that is not positive definite (the unknown is named).
+    /// Errors: a matrix that is not positive definite (the error gives the unknown).
     #[cfg(test)]
-    pub fn new(order: usize, fill: impl Fn(usize, &mut [f64]) + Sync) -> Result<Self, LinearError> {
+    pub(crate) fn new(order: usize, fill: impl Fn(usize, &mut [f64]) + Sync) -> Result<Self, LinearError> {
         Self::default().changed(0, order, Interruption::NEVER, fill)
     }
 
@@ -49,7 +50,7 @@ impl SpdFactor {
     /// are those of a factorisation from scratch.
     ///
     /// Errors: a matrix that is not positive definite; an interruption.
-    pub fn changed(
+    pub(crate) fn changed(
         mut self,
         unchanged: usize,
         order: usize,
@@ -70,9 +71,9 @@ impl SpdFactor {
         Ok(self)
     }
 
-    /// Number of rows that [`SpdFactor::changed`] takes over from this factor, without asking for
-    /// them, if those before `unchanged` are the same.
-    pub fn kept(&self, unchanged: usize) -> usize {
+    /// Number of rows that [`SpdFactor::changed`] reuses from this factor without requesting them,
+    /// if the rows before `unchanged` are the same.
+    pub(crate) fn kept(&self, unchanged: usize) -> usize {
         unchanged.min(self.order) / BLOCK * BLOCK
     }
 
@@ -104,8 +105,8 @@ impl SpdFactor {
     }
 
     /// The block of L at `start` from its `rows` of the matrix, to which the first `applied` blocks
-    /// are applied, or the place among them of a pivot that is not positive.
-    fn block(&self, start: usize, applied: usize, mut rows: Matrix) -> Result<Block, usize> {
+    /// are applied, or the index among them of a pivot that is not positive.
+    fn block(&self, start: usize, applied: usize, mut rows: Matrix) -> Result<FactorRows, usize> {
         let (width, stride) = (rows.rows(), rows.columns());
         rows.entries_mut().par_chunks_mut(TOGETHER * stride).for_each(|rows| {
             forward(&self.blocks[applied..], rows, stride, 0);
@@ -120,14 +121,14 @@ impl SpdFactor {
             matmul(columns.get_mut(from.., ..), Accum::Add, left.get(from.., ..), across, -1.0, Par::Seq);
         });
         factor_in_place(own)?;
-        Ok(Block { start, rows: rows.transposed() })
+        Ok(FactorRows { start, rows: rows.transposed() })
     }
 
     /// L⁻¹ Bᵀ as rows, one for each row of `right` (r × order), so that their scalar products are B
     /// K⁻¹ Bᵀ. The leading zeros that neighbouring rows share are skipped.
     ///
-    /// Errors: rows of another length; an interruption.
-    pub fn half_solve_rows(
+    /// Errors: rows of a wrong length; an interruption.
+    pub(crate) fn half_solve_rows(
         &self,
         mut right: Matrix,
         interruption: Interruption<'_>,
@@ -148,8 +149,8 @@ impl SpdFactor {
 
     /// L⁻ᵀ `half`, in place: K⁻¹ b from L⁻¹ b.
     ///
-    /// Errors: another length.
-    pub fn back_solve(&self, half: &mut [f64]) -> Result<(), LinearError> {
+    /// Errors: a wrong length.
+    pub(crate) fn back_solve(&self, half: &mut [f64]) -> Result<(), LinearError> {
         self.expect_length(half.len())?;
         let mut rest = MatMut::from_column_major_slice_mut(half, self.order, 1);
         for block in self.blocks.iter().rev() {
@@ -169,10 +170,10 @@ impl SpdFactor {
     }
 }
 
-/// Forward substitution, L⁻¹ b, of right-hand sides as rows of `stride` entries, of which those
+/// Forward substitution, L⁻¹ b, of right-hand sides as rows of `stride` entries, whose entries
 /// before `first` are zero, for the unknowns of `blocks`. All previous blocks are applied already,
 /// or multiply zeros only.
-fn forward(blocks: &[Arc<Block>], rows: &mut [f64], stride: usize, first: usize) {
+fn forward(blocks: &[Arc<FactorRows>], rows: &mut [f64], stride: usize, first: usize) {
     let mut all = MatMut::from_row_major_slice_mut(rows, rows.len() / stride, stride);
     for block in blocks {
         let (solved, right) = all.rb_mut().split_at_col_mut(block.start);
@@ -183,7 +184,7 @@ fn forward(blocks: &[Arc<Block>], rows: &mut [f64], stride: usize, first: usize)
     }
 }
 
-impl Block {
+impl FactorRows {
     fn width(&self) -> usize {
         self.rows.columns()
     }

@@ -1,4 +1,4 @@
-//! The structure of a sparse Cholesky factor: supernodes and their tree.
+//! Structure of sparse Cholesky factors: supernodes and their tree.
 
 use super::elements::Pattern;
 use super::lanes::ROWS;
@@ -21,7 +21,7 @@ pub(super) struct Structure {
     order: Vec<u32>,
     /// The place of each unknown in it.
     place: Vec<u32>,
-    /// In elimination order: every one before its parent.
+    /// The supernodes in elimination order, each before its parent.
     pub(super) supernodes: Vec<Supernode>,
     /// The supernode of each place.
     supernode_of: Vec<u32>,
@@ -45,7 +45,7 @@ pub(super) struct Supernode {
 }
 
 impl Supernode {
-    /// Its columns, places in the elimination order.
+    /// Its columns, as places in the elimination order.
     pub(super) fn places(&self) -> Range<usize> {
         self.start..self.start + self.columns
     }
@@ -83,8 +83,8 @@ impl Supernode {
 }
 
 impl Structure {
-    /// Errors: an order that is not one of the unknowns; an element with an unknown that does not
-    /// exist; an interruption.
+    /// Errors: an order that is not a permutation of the unknowns; an element with an unknown out
+    /// of range; an interruption.
     pub(super) fn new(
         matrix: &impl ElementSum,
         order: Vec<usize>,
@@ -149,7 +149,7 @@ impl Structure {
 
     /// The place of an unknown in the elimination order.
     ///
-    /// Errors: an unknown that does not exist.
+    /// Errors: an unknown out of range.
     pub(super) fn place_of(&self, unknown: usize) -> Result<usize, LinearError> {
         let no_such = LinearError::NoSuchUnknown { unknown, order: self.unknowns() };
         self.place.get(unknown).map(|&place| place as usize).ok_or(no_such)
@@ -161,7 +161,7 @@ impl Structure {
         self.supernode_of[place] as usize
     }
 
-    /// Rows below a supernode, places in the elimination order, increasing.
+    /// Rows below a supernode, as increasing places in the elimination order.
     pub(super) fn rows_below(&self, s: &Supernode) -> &[u32] {
         &self.pattern[s.pattern..s.pattern + s.below]
     }

@@ -1,18 +1,18 @@
-//! Forward and backward substitution with the supernodes of a factor, for the columns of a panel.
+//! Forward and backward substitution with the supernodes of a factor for the columns of a panel.
 
 use super::cholesky::SparseFactor;
-use super::lanes::{ROWS, Row, add_row, add_tile, add_transposed_tile, scaled_difference, subtract};
+use super::lanes::{LaneRow, ROWS, add_row, add_tile, add_transposed_tile, scaled_difference, subtract};
 use super::structure::Supernode;
 use pulp::{Arch, Simd, WithSimd};
 
-/// Some supernodes of a factor, in elimination order, with every ancestor of each, and a panel over
-/// their rows.
+/// A panel over the rows of some supernodes of a factor, which are in elimination order and contain
+/// every ancestor of each.
 pub(super) struct Panel<'a> {
     factor: &'a SparseFactor,
     supernodes: &'a [usize],
     /// The first row in the panel of each participating supernode of the factor.
     offset: Vec<usize>,
-    rows: Vec<Row>,
+    rows: Vec<LaneRow>,
 }
 
 impl<'a> Panel<'a> {
@@ -26,8 +26,8 @@ impl<'a> Panel<'a> {
     }
 
     /// Keeps the first `kept` rows, and continues with zeros over `supernodes` in elimination
-    /// order, which contain every ancestor of each that has no row among those kept: for
-    /// [`Panel::backward`] over these alone.
+    /// order, which contain every ancestor that has no row among those kept. [`Panel::backward`]
+    /// then needs only these.
     pub(super) fn go_on(&mut self, kept: usize, supernodes: &'a [usize]) {
         let mut next = kept;
         for &s in supernodes {
@@ -36,7 +36,7 @@ impl<'a> Panel<'a> {
         }
         self.rows.truncate(kept);
         self.rows.reserve_exact(next - kept);
-        self.rows.resize(next, Row::ZERO);
+        self.rows.resize(next, LaneRow::ZERO);
         self.supernodes = supernodes;
     }
 
@@ -63,7 +63,7 @@ impl<'a> Panel<'a> {
     }
 
     /// The rows of a supernode.
-    pub(super) fn rows_of(&self, s: usize) -> &[Row] {
+    pub(super) fn rows_of(&self, s: usize) -> &[LaneRow] {
         &self.rows[self.offset[s]..][..self.factor.structure.supernodes[s].columns]
     }
 
@@ -99,7 +99,7 @@ impl WithSimd for Forward<'_, '_> {
             let mut tiles = tiles[node.triangle(node.blocks())..].chunks_exact(node.columns);
             for rows in factor.structure.rows_below(&node).chunks(ROWS) {
                 let Some(tile) = tiles.next() else { break };
-                let mut sums = [Row::ZERO; ROWS];
+                let mut sums = [LaneRow::ZERO; ROWS];
                 add_tile(simd, tile, x, &mut sums);
                 for (row, sum) in rows.iter().map(|&row| row as usize).zip(&sums) {
                     let t = factor.structure.supernode_at(row);
@@ -113,9 +113,9 @@ impl WithSimd for Forward<'_, '_> {
 
 /// x[first..] of a block: x_i = (x_i − Σ_{j<i} L_ij x_j) / L_ii.
 #[inline(always)]
-fn forward_block<S: Simd>(simd: S, block: &[[f64; ROWS]], first: usize, x: &mut [Row]) {
+fn forward_block<S: Simd>(simd: S, block: &[[f64; ROWS]], first: usize, x: &mut [LaneRow]) {
     let (left, triangle) = block.split_at(first);
-    let mut sums = [Row::ZERO; ROWS];
+    let mut sums = [LaneRow::ZERO; ROWS];
     add_tile(simd, left, x, &mut sums);
     let x = &mut x[first..first + ROWS];
     for r in 0..ROWS {
@@ -142,7 +142,7 @@ impl WithSimd for Backward<'_, '_> {
             let rows = rows.map(|&row| panel.rows[panel.row_of(row as usize)]);
             below.clear();
             below.extend(rows);
-            below.resize(node.below.next_multiple_of(ROWS), Row::ZERO);
+            below.resize(node.below.next_multiple_of(ROWS), LaneRow::ZERO);
             let (below, _) = below.as_chunks::<ROWS>();
             let from = panel.offset[s];
             let x = &mut panel.rows[from..from + node.panel_rows()];
@@ -161,12 +161,12 @@ fn backward_block<S: Simd>(
     tiles: &[[f64; ROWS]],
     node: &Supernode,
     b: usize,
-    below: &[[Row; ROWS]],
-    x: &mut [Row],
+    below: &[[LaneRow; ROWS]],
+    x: &mut [LaneRow],
 ) {
     let first = b * ROWS;
     let columns = first..(first + ROWS).min(node.columns);
-    let mut sums = [Row::ZERO; ROWS];
+    let mut sums = [LaneRow::ZERO; ROWS];
     let under = tiles[node.triangle(node.blocks())..].chunks_exact(node.columns);
     for (tile, y) in under.zip(below) {
         add_transposed_tile(simd, &tile[columns.clone()], y, &mut sums);

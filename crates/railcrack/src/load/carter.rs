@@ -1,5 +1,6 @@
 //! Line contact of wheel on rail in partial slip.
 
+use super::contact_kind::{ContactKind, LineContact};
 use super::{HertzianContact, Travel};
 use crate::math::OutOfRange;
 use std::f64::consts::PI;
@@ -22,13 +23,13 @@ pub struct CarterContact {
     pub friction: f64,
     /// ξ, in [−1, 1].
     pub traction: f64,
-    /// Which way the wheel runs.
+    /// Direction of travel of the wheel.
     pub travel: Travel,
 }
 
 impl CarterContact {
-    /// Refuses a contact without pressure or extent, a negative friction, and more shear than
-    /// friction.
+    /// Rejects a contact without pressure or extent, a negative friction, and a traction beyond the
+    /// friction limit.
     pub fn check(&self) -> Result<(), OutOfRange> {
         self.sliding().check()?;
         let friction = "wheel\u{2013}rail friction";
@@ -37,7 +38,7 @@ impl CarterContact {
         OutOfRange::unless(within, "traction Q/(\u{3bc} P)", self.traction, "in [-1, 1]")
     }
 
-    /// The same pressure in full sliding, signed as the shear.
+    /// The contact with the same pressure in full sliding, with the sign of this shear.
     pub fn sliding(&self) -> HertzianContact {
         HertzianContact {
             peak_pressure: self.peak_pressure,
@@ -46,7 +47,7 @@ impl CarterContact {
         }
     }
 
-    /// ± μ with the sign of the shear; 0 for a wheel that transmits none.
+    /// ± μ with the sign of the shear; 0 for a wheel that transmits no shear.
     fn signed_friction(&self) -> f64 {
         if self.traction == 0.0 { 0.0 } else { self.friction.copysign(self.traction) }
     }
@@ -56,8 +57,8 @@ impl CarterContact {
         self.half_width * (1.0 - self.traction.abs()).sqrt()
     }
 
-    /// d, the middle of the stick zone from that of the contact, mm.
-    pub fn stick_centre(&self) -> f64 {
+    /// d, the centre of the stick zone relative to that of the contact, mm.
+    pub(crate) fn stick_centre(&self) -> f64 {
         (self.half_width - self.stick_half_width()) * self.travel.sign()
     }
 
@@ -78,29 +79,60 @@ impl CarterContact {
         0.5 * PI * self.half_width * self.peak_pressure
     }
 
-    /// Q′ = ξ μ P′, N/mm along +x on the rail.
-    pub fn shear_load(&self) -> f64 {
-        self.traction * self.friction * self.line_load()
-    }
-
     /// The creepage (μ a/R) (1 − √(1 − |ξ|)), without sign; R (mm) = `radius` of
     /// 1/R = 1/R_wheel + 1/R_rail.
     pub fn creepage(&self, radius: f64) -> f64 {
         self.friction * self.half_width / radius * (1.0 - (1.0 - self.traction.abs()).sqrt())
     }
 
-    /// Where pressure or shear are not smooth: abscissae from the centre of the contact,
-    /// increasing, mm.
-    pub fn edges(&self) -> Vec<f64> {
+    /// Abscissae from the centre of the contact at which pressure or shear are not smooth, mm,
+    /// increasing.
+    pub(crate) fn edges(&self) -> Vec<f64> {
         let a = self.half_width;
         let slip_begins = (a - 2.0 * self.stick_half_width()) * self.travel.sign();
         let partial = self.traction != 0.0 && self.traction.abs() < 1.0 && self.friction > 0.0;
         if partial { vec![-a, slip_begins, a] } else { vec![-a, a] }
     }
+
+    /// The mirror image: of a wheel that runs the other way.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        Self { traction: -self.traction, travel: self.travel.opposite(), ..*self }
+    }
 }
 
 fn half_ellipse(x: f64) -> f64 {
     ((1.0 - x) * (1.0 + x)).max(0.0).sqrt()
+}
+
+impl LineContact for CarterContact {
+    fn kind(&self) -> ContactKind {
+        ContactKind::Carter
+    }
+
+    fn checked(&self) -> Result<(), OutOfRange> {
+        self.check()
+    }
+
+    fn highest_pressure(&self) -> f64 {
+        self.peak_pressure
+    }
+
+    fn half_extent(&self) -> f64 {
+        self.half_width
+    }
+
+    fn normal_force(&self) -> f64 {
+        self.line_load()
+    }
+
+    fn force_ratio(&self) -> f64 {
+        self.traction * self.friction
+    }
+
+    fn shear_ratio(&self) -> f64 {
+        if self.traction == 0.0 { 0.0 } else { self.friction }
+    }
 }
 
 #[cfg(test)]
@@ -133,12 +165,8 @@ mod tests {
                         load += contact.shear(middle - half * angle.cos()) * half * angle.sin() * PI * weight;
                     }
                 }
-                assert!(
-                    (load - contact.shear_load()).abs() < TOLERANCE * contact.line_load() * 1e3,
-                    "{load}"
-                );
                 let want = traction * 0.3 * contact.line_load();
-                assert!((contact.shear_load() - want).abs() <= TOLERANCE * contact.line_load());
+                assert!((load - want).abs() < TOLERANCE * contact.line_load() * 1e3, "{load}");
             }
         }
     }
@@ -154,7 +182,7 @@ mod tests {
             assert!((CARTER.shear(u) - back.shear(-u)).abs() < 1e-10, "mirrored at {u}");
             assert!(CARTER.shear(u).abs() <= 0.3 * CARTER.pressure(u) + 1e-12);
         }
-        // Where it slips, the shear is all that friction gives.
+        // In the slip zone the shear equals the friction limit.
         assert!((CARTER.shear(-5.0) + 0.3 * CARTER.pressure(-5.0)).abs() < 1e-12);
     }
 

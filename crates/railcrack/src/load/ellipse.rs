@@ -5,7 +5,7 @@ use crate::material::IsotropicElastic;
 use crate::math::{OutOfRange, complete_elliptic};
 use std::f64::consts::PI;
 
-/// A wheel on a rail head, in the numbers of a vehicle.
+/// A wheel on a rail head, described by its load and radii.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WheelOnRail {
     /// P, N, positive.
@@ -76,15 +76,10 @@ impl HertzEllipse {
         Ok(Self { peak_pressure: 1.5 * wheel_load / (PI * longer * shorter), along, across })
     }
 
-    /// P = 2π a b p0 / 3, N.
-    pub fn wheel_load(&self) -> f64 {
-        2.0 / 3.0 * PI * self.along * self.across * self.peak_pressure
-    }
-
     /// The line contact of the strip at `lateral` (z, mm), in full sliding with signed `friction`:
     /// p0 √(1 − (z/b)²) and a √(1 − (z/b)²).
     ///
-    /// Errors: a strip beside the ellipse.
+    /// Errors: a strip outside the ellipse.
     pub fn strip(&self, lateral: f64, friction: f64) -> Result<HertzianContact, OutOfRange> {
         let within = lateral.abs() < self.across;
         OutOfRange::unless(within, "lateral offset (mm)", lateral, "inside of the contact ellipse")?;
@@ -171,7 +166,9 @@ mod tests {
             "{}",
             curvature(across, along) * 300.0
         );
-        assert!((ellipse.wheel_load() / 100e3 - 1.0).abs() < 1e-14);
+        let HertzEllipse { peak_pressure, along, across } = ellipse;
+        let wheel_load = 2.0 / 3.0 * PI * along * across * peak_pressure;
+        assert!((wheel_load / 100e3 - 1.0).abs() < 1e-14);
     }
 
     #[test]

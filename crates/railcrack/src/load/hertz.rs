@@ -1,5 +1,6 @@
 //! Hertzian line contact of wheel on rail.
 
+use super::contact_kind::{ContactKind, LineContact};
 use crate::material::IsotropicElastic;
 use crate::math::OutOfRange;
 
@@ -41,7 +42,7 @@ impl HertzianContact {
         Ok(Self { peak_pressure, half_width, friction })
     }
 
-    /// Refuses a contact without pressure or extent, and numbers that are not finite.
+    /// Rejects a contact without pressure or extent, and numbers that are not finite.
     pub fn check(&self) -> Result<(), OutOfRange> {
         OutOfRange::unless_positive("peak pressure p0 (MPa)", self.peak_pressure)?;
         OutOfRange::unless_positive("half-width a of the contact (mm)", self.half_width)?;
@@ -52,6 +53,42 @@ impl HertzianContact {
     #[must_use]
     pub fn line_load(&self) -> f64 {
         0.5 * std::f64::consts::PI * self.half_width * self.peak_pressure
+    }
+
+    /// The mirror image: of a wheel that runs the other way.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        Self { friction: -self.friction, ..*self }
+    }
+}
+
+impl LineContact for HertzianContact {
+    fn kind(&self) -> ContactKind {
+        ContactKind::Hertz
+    }
+
+    fn checked(&self) -> Result<(), OutOfRange> {
+        self.check()
+    }
+
+    fn highest_pressure(&self) -> f64 {
+        self.peak_pressure
+    }
+
+    fn half_extent(&self) -> f64 {
+        self.half_width
+    }
+
+    fn normal_force(&self) -> f64 {
+        self.line_load()
+    }
+
+    fn force_ratio(&self) -> f64 {
+        self.friction
+    }
+
+    fn shear_ratio(&self) -> f64 {
+        self.friction.abs()
     }
 }
 

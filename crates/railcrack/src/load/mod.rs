@@ -2,6 +2,7 @@
 
 mod carter;
 mod contact;
+mod contact_kind;
 mod ellipse;
 mod hertz;
 mod passage;
@@ -12,6 +13,7 @@ mod track;
 
 pub use carter::CarterContact;
 pub use contact::{Contact, WheelLoad};
+pub use contact_kind::ContactKind;
 pub use ellipse::{HertzEllipse, WheelOnRail};
 pub use hertz::HertzianContact;
 pub use passage::{Passage, Travel};

@@ -2,7 +2,7 @@
 
 use crate::math::OutOfRange;
 
-/// Which way a wheel runs.
+/// Direction of travel of a wheel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Travel {
     /// Towards +x.
@@ -21,7 +21,7 @@ impl Travel {
         }
     }
 
-    /// The other way.
+    /// The opposite direction.
     #[must_use]
     pub fn opposite(self) -> Self {
         match self {
@@ -31,8 +31,8 @@ impl Travel {
     }
 }
 
-/// Wheel positions of one passage at which results are wanted: `positions` abscissae evenly spaced
-/// from `from` to `to` (mm). `from` > `to` is a wheel that runs towards −x.
+/// Wheel positions of one passage at which results are output: `positions` abscissae evenly spaced
+/// from `from` to `to` (mm). With `from` > `to` the wheel runs towards −x.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Passage {
     /// First abscissa of the Hertz centre, mm.
@@ -51,7 +51,7 @@ impl Default for Passage {
 }
 
 impl Passage {
-    /// Refuses fewer than two positions, and abscissae that are not finite.
+    /// Rejects fewer than two positions, and abscissae that are not finite.
     pub fn check(&self) -> Result<(), OutOfRange> {
         OutOfRange::unless_finite("first wheel position (mm)", self.from)?;
         OutOfRange::unless_finite("last wheel position (mm)", self.to)?;
@@ -59,7 +59,7 @@ impl Passage {
         OutOfRange::unless(self.positions >= 2, "output positions of a passage", positions, "at least 2")
     }
 
-    /// Which way the wheel runs.
+    /// Direction of travel of the wheel.
     pub fn travel(&self) -> Travel {
         if self.to < self.from { Travel::Backward } else { Travel::Forward }
     }

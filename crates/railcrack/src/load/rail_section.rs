@@ -14,7 +14,8 @@ pub struct RailSection {
 }
 
 impl RailSection {
-    /// Refuses a section that is none, and a neutral axis below the foot.
+    /// Rejects a section without second moment or neutral-axis depth, and a neutral axis below the
+    /// foot.
     pub fn check(&self) -> Result<(), OutOfRange> {
         OutOfRange::unless_positive("second moment of area (mm\u{2074})", self.second_moment)?;
         let depth = self.neutral_axis_depth;
@@ -81,19 +82,13 @@ pub const SECTIONS: &[NamedSection] = &[
 ];
 
 impl NamedSection {
-    /// The section called `name`, in capitals or not.
+    /// The section called `name`, regardless of case.
     pub fn of(name: &str) -> Option<&'static Self> {
         let same = |other: &str| other.eq_ignore_ascii_case(name.trim());
         SECTIONS.iter().find(|section| same(section.name) || section.aliases.iter().any(|alias| same(alias)))
     }
 
-    /// All names, aliases last.
-    pub fn names() -> impl Iterator<Item = &'static str> {
-        let aliases = SECTIONS.iter().flat_map(|section| section.aliases);
-        SECTIONS.iter().map(|section| section.name).chain(aliases.copied())
-    }
-
-    /// Its data for bending.
+    /// The data of its bending.
     pub fn section(&self) -> RailSection {
         RailSection {
             second_moment: 1e4 * self.second_moment_cm4,
@@ -123,6 +118,5 @@ mod tests {
     fn known_by_old_and_new_names() {
         assert_eq!(NamedSection::of("uic 60"), NamedSection::of("60E1"));
         assert!(NamedSection::of("60E1").is_some() && NamedSection::of("61E1").is_none());
-        assert_eq!(NamedSection::names().next(), Some("60E1"));
     }
 }

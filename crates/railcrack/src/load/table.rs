@@ -1,9 +1,10 @@
-//! Contact of wheel on rail given by a table of pressure and shear.
+//! Wheel–rail contact given by a table of pressure and shear.
 
+use super::contact_kind::{ContactKind, LineContact};
 use crate::math::OutOfRange;
 use thiserror::Error;
 
-/// Pressure and shear at one place of the contact.
+/// Pressure and shear at one abscissa of the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactRow {
     /// Abscissa from x_c, mm.
@@ -14,21 +15,21 @@ pub struct ContactRow {
     pub shear: f64,
 }
 
-/// A table that is no contact.
+/// An invalid contact table.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum ContactTableError {
     /// Fewer than three rows: a contact begins and ends at zero.
     #[error("rows = {count}: a contact needs at least 3, the first and the last without pressure")]
     TooFewRows {
-        /// How many there are.
+        /// The number of rows.
         count: usize,
     },
-    /// A value that is not accepted.
+    /// A value outside its admissible range.
     #[error("row {row}: {reason}")]
     Row {
         /// Row, from 1.
         row: usize,
-        /// Which quantity, its value, what is accepted.
+        /// The quantity, its value and its admissible range.
         reason: OutOfRange,
     },
     /// No pressure anywhere.
@@ -37,18 +38,18 @@ pub enum ContactTableError {
 }
 
 /// Any pressure p(u) and shear q(u) under the wheel, u = x − x_c: linear between rows, zero
-/// outside. Several patches are rows of zeros between them.
+/// outside. Rows of zeros separate several patches.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TableContact {
     rows: Vec<ContactRow>,
 }
 
-/// |q| may exceed μ p by this fraction of the largest μ p: rounding of a file.
+/// Fraction of the largest μ p by which |q| may exceed μ p, for numbers rounded in a file.
 const ROUNDING: f64 = 1e-3;
 
 impl TableContact {
-    /// The contact of `rows`. Where `friction` (μ) is given, |q| ≤ μ p is required, but for the
-    /// rounding of a file.
+    /// The contact of `rows`. Where `friction` (μ) is given, |q| ≤ μ p is required, up to the
+    /// rounding of numbers in a file.
     ///
     /// Errors: fewer than three rows; values that are not finite; u that does not increase;
     /// negative pressure; pressure or shear in the first or last row, where a step of the traction
@@ -87,7 +88,7 @@ impl TableContact {
         Ok(Self { rows: self.rows.iter().map(times).collect() })
     }
 
-    /// The mirror image, of a wheel that runs the other way.
+    /// The mirror image, which is the contact of a wheel that runs in the opposite direction.
     #[must_use]
     pub fn mirrored(&self) -> Self {
         let mirror = |row: &ContactRow| ContactRow { u: -row.u, shear: -row.shear, ..*row };
@@ -105,7 +106,7 @@ impl TableContact {
     }
 
     /// The middle of the table, mm from x_c.
-    pub fn middle(&self) -> f64 {
+    pub(crate) fn middle(&self) -> f64 {
         0.5 * (self.rows[self.rows.len() - 1].u + self.rows[0].u)
     }
 
@@ -120,7 +121,7 @@ impl TableContact {
     }
 
     /// ∫ q du, N/mm along +x on the rail.
-    pub fn shear_load(&self) -> f64 {
+    pub(crate) fn shear_load(&self) -> f64 {
         self.integral(|row| row.shear)
     }
 
@@ -131,9 +132,9 @@ impl TableContact {
         pressed.fold(0.0, |most, row| most.max(row.shear.abs() / row.pressure))
     }
 
-    /// Ends of the patches, where the traction begins or ceases: abscissae from x_c, increasing,
-    /// mm.
-    pub fn edges(&self) -> Vec<f64> {
+    /// Abscissae from x_c of the ends of the patches, where the traction begins or ceases, mm,
+    /// increasing.
+    pub(crate) fn edges(&self) -> Vec<f64> {
         let loaded = |row: &ContactRow| row.pressure != 0.0 || row.shear != 0.0;
         let rows = &self.rows;
         let edge = |i: &usize| {
@@ -170,6 +171,41 @@ fn check_row(
     let Some(friction) = friction else { return Ok(()) };
     let most = friction * (pressure + ROUNDING * peak);
     OutOfRange::unless(shear.abs() <= most, "q_mpa", shear, "at most the given friction times p_mpa")
+}
+
+impl LineContact for TableContact {
+    fn kind(&self) -> ContactKind {
+        ContactKind::Table
+    }
+
+    fn checked(&self) -> Result<(), OutOfRange> {
+        // It is checked where it is made.
+        Ok(())
+    }
+
+    fn highest_pressure(&self) -> f64 {
+        self.peak_pressure()
+    }
+
+    fn half_extent(&self) -> f64 {
+        self.half_width()
+    }
+
+    fn offset(&self) -> f64 {
+        self.middle()
+    }
+
+    fn normal_force(&self) -> f64 {
+        self.line_load()
+    }
+
+    fn force_ratio(&self) -> f64 {
+        self.shear_load() / self.line_load()
+    }
+
+    fn shear_ratio(&self) -> f64 {
+        self.largest_friction()
+    }
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use crate::math::OutOfRange;
 pub struct Temperature {
     /// T, °C.
     pub rail: f64,
-    /// T_neutral, at which the rail is without force, °C.
+    /// T_neutral, at which the rail carries no axial force, °C.
     pub neutral: f64,
     /// α, 1/K.
     pub expansion: f64,
@@ -18,7 +18,7 @@ impl Temperature {
     /// α of rail steel, 1/K, as common in track engineering (1.15e-5 to 1.2e-5).
     pub const RAIL_STEEL_EXPANSION: f64 = 1.15e-5;
 
-    /// Refuses temperatures that are not finite and an expansion that is not positive.
+    /// Rejects temperatures that are not finite and an expansion that is not positive.
     pub fn check(&self) -> Result<(), OutOfRange> {
         OutOfRange::unless_finite("temperature of the rail (\u{b0}C)", self.rail)?;
         OutOfRange::unless_finite("neutral temperature (\u{b0}C)", self.neutral)?;

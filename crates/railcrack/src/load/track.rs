@@ -20,13 +20,13 @@ pub struct Track {
     pub section: RailSection,
     /// k, N/mm per mm of deflection of one rail, MPa.
     pub foundation: f64,
-    /// The axles, one at least.
+    /// The axles, at least one.
     pub axles: Vec<Axle>,
 }
 
 impl Track {
-    /// Refuses a section or a foundation that is none, a track without axles, and axles that do not
-    /// press on it.
+    /// Rejects an invalid section, a foundation modulus that is not positive, a track without
+    /// axles, and axle loads that do not press on the rail.
     pub fn check(&self) -> Result<(), OutOfRange> {
         self.section.check()?;
         OutOfRange::unless_positive("foundation modulus k (N/mm\u{b2})", self.foundation)?;

@@ -55,7 +55,7 @@ impl IsotropicElastic {
     }
 
     /// The stress (MPa) of the elastic strains ε_xx, ε_yy and γ_xy = 2 ε_xy; ε_zz = 0.
-    pub fn plane_strain_stress(&self, xx: f64, yy: f64, shear: f64) -> Stress {
+    pub(crate) fn plane_strain_stress(&self, xx: f64, yy: f64, shear: f64) -> Stress {
         let mu = self.shear_modulus();
         let bulk = 2.0 * mu * self.poisson / (1.0 - 2.0 * self.poisson) * (xx + yy);
         Stress { xx: bulk + 2.0 * mu * xx, yy: bulk + 2.0 * mu * yy, zz: bulk, xy: mu * shear }

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// An inadmissible parameter of the hardening law.
+/// Inadmissible parameters of the hardening law.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum HardeningError {
     /// Yield stress.

@@ -4,7 +4,7 @@ use super::vector::dot3;
 
 /// A ball in three dimensions.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ball {
+pub(crate) struct Ball {
     /// Centre.
     pub centre: [f64; 3],
     /// Radius.
@@ -16,18 +16,18 @@ pub struct Ball {
 const INSIDE: f64 = 1e-13;
 /// Flatter simplices (squared height over squared edges) have no usable circumscribed ball.
 const FLAT: f64 = 1e-14;
-/// Every pivot enlarges the ball, so the loop terminates; this bounds it for coordinates that are
-/// NaN.
+/// Limit of the number of pivots. Every pivot enlarges the ball, so the loop terminates without it
+/// unless a coordinate is NaN.
 const PIVOTS: usize = 1000;
 
 /// The smallest ball that contains all `points`; radius 0 at the origin for none.
 ///
-/// The farthest points are added one by one to a short list, whose smallest ball Welzl's recursion
-/// gives exactly.
+/// The farthest point is added repeatedly to a short list of points, whose smallest ball Welzl's
+/// recursion finds exactly.
 ///
 /// Source: Welzl 1991, Smallest enclosing disks; Gärtner 1999, Fast and robust smallest enclosing
 /// balls (pivoting).
-pub fn smallest_ball(points: &[[f64; 3]]) -> Ball {
+pub(crate) fn smallest_ball(points: &[[f64; 3]]) -> Ball {
     let Some(&first) = points.first() else { return Ball { centre: [0.0; 3], radius: 0.0 } };
     let mut pivots = vec![first];
     let mut ball = Ball { centre: first, radius: 0.0 };

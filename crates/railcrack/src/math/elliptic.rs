@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Complete elliptic integrals of one modulus e.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CompleteElliptic {
+pub(crate) struct CompleteElliptic {
     /// K, of the first kind.
     pub k: f64,
     /// E, of the second kind.
@@ -15,7 +15,7 @@ pub struct CompleteElliptic {
 
 /// K, E and D of the complementary modulus k′ = √(1 − e²) = `complement`, in (0, 1], by the
 /// arithmetic–geometric mean (Abramowitz and Stegun, 17.6).
-pub fn complete_elliptic(complement: f64) -> CompleteElliptic {
+pub(crate) fn complete_elliptic(complement: f64) -> CompleteElliptic {
     let modulus2 = (1.0 - complement) * (1.0 + complement);
     let (mut a, mut g) = (1.0, complement);
     // ½ + Σ 2^(n−1) c_n²/e²; c_1 = (1 − k′)/2 = e²/(2 (1 + k′)).

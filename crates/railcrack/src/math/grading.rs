@@ -1,9 +1,9 @@
 //! Graded subdivision of an interval.
 
-/// Interior points that divide [a, b] into equal integrals of `density` (elements per length),
-/// their number its rounded integral: a graded mesh whose element size is 1/density or slightly
-/// less.
-pub fn quantiles(a: f64, b: f64, density: impl Fn(f64) -> f64) -> Vec<f64> {
+/// Interior points that divide [a, b] into intervals with equal integrals of `density` (elements
+/// per length). The number of intervals is the rounded-up integral over [a, b], so that the
+/// elements of this graded mesh have the size 1/density or slightly less.
+pub(crate) fn quantiles(a: f64, b: f64, density: impl Fn(f64) -> f64) -> Vec<f64> {
     const CELLS: usize = 400;
     let step = (b - a) / CELLS as f64;
     let mut sums = vec![0.0];
@@ -11,7 +11,8 @@ pub fn quantiles(a: f64, b: f64, density: impl Fn(f64) -> f64) -> Vec<f64> {
         sums.push(sums[i] + step * density(a + (i as f64 + 0.5) * step));
     }
     let total = sums[CELLS];
-    // Slightly below the ceiling, so that a uniform density gives exactly its own number.
+    // Slightly below the ceiling, so that a uniform density gives exactly the number of elements it
+    // stands for.
     let count = (total - 1e-6).ceil().max(1.0) as usize;
     (1..count)
         .map(|k| {

@@ -89,8 +89,8 @@ impl<'m, W: AsRef<[f64]>, R: Fn(usize) -> &'m [f64], Y: AsMut<[f64]>> WithSimd f
     }
 }
 
-/// The same kernels for inlining into a larger loop that is compiled for the vector unit: short
-/// vectors do not repay a call.
+/// The same kernels for inlining into a larger loop compiled for the vector unit, since a call
+/// costs more than short vectors gain.
 pub(crate) mod inlined {
     use super::SUMS;
 

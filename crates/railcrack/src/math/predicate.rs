@@ -4,7 +4,7 @@ use super::Vec2;
 
 /// The side of a directed line on which a point lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Orientation {
+pub(crate) enum Orientation {
     /// To the left, counter-clockwise.
     Left,
     /// To the right, clockwise.
@@ -14,7 +14,7 @@ pub enum Orientation {
 }
 
 /// The side of the line a → b on which c lies, decided exactly (Shewchuk's adaptive predicate).
-pub fn orientation(a: Vec2, b: Vec2, c: Vec2) -> Orientation {
+pub(crate) fn orientation(a: Vec2, b: Vec2, c: Vec2) -> Orientation {
     let coord = |p: Vec2| robust::Coord { x: p.x, y: p.y };
     let side = robust::orient2d(coord(a), coord(b), coord(c));
     if side > 0.0 {
@@ -27,7 +27,7 @@ pub fn orientation(a: Vec2, b: Vec2, c: Vec2) -> Orientation {
 }
 
 /// Whether the closed segments a–b and c–d have a point in common; exact.
-pub fn segments_touch(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> bool {
+pub(crate) fn segments_touch(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> bool {
     let within = |p: Vec2, q: Vec2, r: Vec2| {
         r.x >= p.x.min(q.x) && r.x <= p.x.max(q.x) && r.y >= p.y.min(q.y) && r.y <= p.y.max(q.y)
     };

@@ -1,13 +1,13 @@
 //! The rail as a rectangle.
 
-/// A rectangle below y = 0: a rail, or a part of one.
+/// A rectangle below y = 0 that represents a rail or a part of one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RailBox {
     /// Width, mm.
     pub width: f64,
     /// Depth, mm.
     pub depth: f64,
-    /// Abscissa of its middle, mm.
+    /// Abscissa of its centre, mm.
     pub centre: f64,
 }
 

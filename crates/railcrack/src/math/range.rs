@@ -1,8 +1,8 @@
-//! Numbers that are not accepted.
+//! Range checks of input quantities.
 
 use thiserror::Error;
 
-/// A quantity outside of the range in which it means something.
+/// A quantity outside its admissible range.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error("{quantity} = {value}: must be {accepted}")]
 pub struct OutOfRange {
@@ -15,18 +15,18 @@ pub struct OutOfRange {
 }
 
 impl OutOfRange {
-    /// Refuses a `value` that is not positive and finite.
-    pub fn unless_positive(quantity: &'static str, value: f64) -> Result<(), Self> {
+    /// Rejects a `value` that is not positive and finite.
+    pub(crate) fn unless_positive(quantity: &'static str, value: f64) -> Result<(), Self> {
         Self::unless(value > 0.0 && value.is_finite(), quantity, value, "positive and finite")
     }
 
-    /// Refuses a `value` that is not finite.
-    pub fn unless_finite(quantity: &'static str, value: f64) -> Result<(), Self> {
+    /// Rejects a `value` that is not finite.
+    pub(crate) fn unless_finite(quantity: &'static str, value: f64) -> Result<(), Self> {
         Self::unless(value.is_finite(), quantity, value, "finite")
     }
 
-    /// Refuses `value` unless it is `fine`.
-    pub fn unless(
+    /// Rejects `value` unless `fine` holds.
+    pub(crate) fn unless(
         fine: bool,
         quantity: &'static str,
         value: f64,

@@ -17,8 +17,8 @@ pub struct Stress {
 }
 
 impl Stress {
-    /// This stress, whose components refer to axes with the first along the unit vector `first`, in
-    /// components along x and y.
+    /// This stress in components along x and y, given its components in axes of which the first
+    /// lies along the unit vector `first`.
     pub fn rotated(self, first: Vec2) -> Self {
         let (c, s) = (first.x, first.y);
         let shear = 2.0 * c * s * self.xy;

@@ -39,7 +39,7 @@ impl Vec2 {
         self.x.hypot(self.y)
     }
 
-    /// This vector rotated by +90°: x2 for a given x1.
+    /// This vector rotated by +90°; it turns x1 into x2.
     pub fn left(self) -> Self {
         Self::new(-self.y, self.x)
     }

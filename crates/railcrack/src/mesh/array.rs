@@ -1,4 +1,4 @@
-//! Data arrays on points or cells.
+//! Arrays of data on points or cells.
 
 use super::GridError;
 use crate::math::{Stress, Vec2};
@@ -18,18 +18,19 @@ pub struct Array {
 }
 
 impl Array {
-    /// One number per point or cell.
+    /// An array with one number per point or cell.
     pub fn scalars(name: &str, values: Vec<f64>) -> Self {
         Self { name: name.to_owned(), components: 1, values }
     }
 
-    /// Vectors of the plane as 3 components, the third 0.
+    /// Plane vectors stored with 3 components, the third of which is 0.
     pub fn vectors(name: &str, vectors: &[Vec2]) -> Self {
         let values = vectors.iter().flat_map(|v| [v.x, v.y, 0.0]).collect();
         Self { name: name.to_owned(), components: 3, values }
     }
 
-    /// Symmetric tensors as the 6 components XX, YY, ZZ, XY, YZ, XZ of VTK, the last two 0.
+    /// Symmetric tensors stored with the 6 components XX, YY, ZZ, XY, YZ, XZ of VTK, the last two
+    /// 0.
     pub fn stresses(name: &str, stresses: &[Stress]) -> Self {
         let values = stresses.iter().flat_map(|s| [s.xx, s.yy, s.zz, s.xy, 0.0, 0.0]).collect();
         Self { name: name.to_owned(), components: SYMMETRIC_TENSOR.len(), values }
@@ -42,7 +43,7 @@ impl Array {
 
     /// The entries as plane vectors; a third component is ignored.
     ///
-    /// Errors: not 2 or 3 components; a value that is not finite.
+    /// Errors: a number of components other than 2 or 3; a value that is not finite.
     pub fn to_vectors(&self) -> Result<Vec<Vec2>, GridError> {
         if !matches!(self.components, 2 | 3) {
             return Err(self.other_components("2 or 3"));
@@ -54,7 +55,7 @@ impl Array {
     /// The entries as plane-strain tensors: 4 components XX, YY, ZZ, XY, or the 6 of VTK, of which
     /// the out-of-plane shears are ignored.
     ///
-    /// Errors: not 4 or 6 components; a value that is not finite.
+    /// Errors: a number of components other than 4 or 6; a value that is not finite.
     pub fn to_stresses(&self) -> Result<Vec<Stress>, GridError> {
         if !matches!(self.components, 4 | 6) {
             return Err(self.other_components("4 or 6"));
@@ -65,7 +66,7 @@ impl Array {
 
     /// Checks that every value is finite.
     ///
-    /// Errors: the first one that is not.
+    /// Errors: the first value that is not finite.
     pub fn finite(&self) -> Result<(), GridError> {
         match self.values.iter().position(|value| !value.is_finite()) {
             None => Ok(()),

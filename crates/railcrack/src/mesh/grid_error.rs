@@ -1,28 +1,30 @@
-//! Errors of an unstructured grid.
+//! Errors of unstructured grids.
 
 use thiserror::Error;
 
-/// An inconsistent grid.
+/// Inconsistencies of an unstructured grid.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum GridError {
-    /// A number of nodes that does not make whole cells.
+    /// A number of nodes that is not a multiple of the nodes of one cell.
     #[error(
         "block {block} of the cells has {found} nodes, which is not a multiple of the {nodes} nodes of a cell"
     )]
     PartialCell {
         /// Block, from 0.
         block: usize,
-        /// Its nodes.
+        /// Its number of nodes.
         found: usize,
-        /// Nodes of one cell.
+        /// Number of nodes of one cell.
         nodes: usize,
     },
-    /// A cell with a point that does not exist.
-    #[error("block {block} of the cells names point {point}: points are numbered from 0, there are {points}")]
+    /// A cell that refers to a point outside the list of points.
+    #[error(
+        "block {block} of the cells refers to point {point}, but the {points} points are numbered from 0"
+    )]
     NoSuchPoint {
         /// Block, from 0.
         block: usize,
-        /// The point that it names.
+        /// The point that it refers to.
         point: usize,
         /// Number of points.
         points: usize,
@@ -39,7 +41,7 @@ pub enum GridError {
         /// Number of points or cells.
         entries: usize,
     },
-    /// Data with another number of components than required.
+    /// Data with an unsuitable number of components.
     #[error("`{name}` has {found} components: must be {accepted}")]
     Components {
         /// The data.
@@ -49,7 +51,7 @@ pub enum GridError {
         /// The accepted numbers of components.
         accepted: &'static str,
     },
-    /// Two arrays of one name.
+    /// Two arrays with the same name.
     #[error("`{name}` occurs twice")]
     SameName {
         /// The name.

@@ -1,5 +1,5 @@
-//! Meshes: the background mesh of the finite-element engine (graded rectangles that do not know the
-//! cracks), and unstructured grids with data, as other programs give and take them.
+//! Meshes: the background mesh of the finite-element engine (graded rectangles, independent of the
+//! cracks), and unstructured grids with data for exchange with other programs.
 
 mod array;
 mod grid_error;

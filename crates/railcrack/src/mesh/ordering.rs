@@ -1,44 +1,50 @@
-//! Nested dissection: the elimination order of the nodes of a grid.
+//! Nested-dissection ordering of the nodes of a grid for elimination.
 
 use super::QuadMesh;
 use std::ops::RangeInclusive;
 
 /// Lattice columns and rows of a part of the mesh.
-struct Part {
+struct LatticeBlock {
     columns: RangeInclusive<usize>,
     rows: RangeInclusive<usize>,
 }
 
-/// A part with so few elements along both directions is not divided further: below this size a
-/// separator costs as much as it saves.
+/// Number of elements in both directions at or below which a part is not divided further, because a
+/// separator would cost as much as it saves.
 const LEAF_ELEMENTS: usize = 2;
 
 impl QuadMesh {
     /// The nodes in nested-dissection order: a grid line divides the mesh in two; the nodes of
-    /// either part come first, each part ordered in the same way, and the nodes on the line come
+    /// either part come first, each part ordered by the same rule, and the nodes on the line come
     /// last. Eliminated in this order, the nodes of a part fill in only among themselves and on the
     /// lines around the part. The direction with more elements is divided.
     ///
     /// Every node occurs once (George, SIAM J. Numer. Anal. 10, 1973).
     pub fn nested_dissection(&self) -> Vec<usize> {
         let mut order = Vec::with_capacity(self.node_count());
-        self.dissect(Part { columns: 0..=2 * self.columns(), rows: 0..=2 * self.rows() }, &mut order);
+        self.dissect(LatticeBlock { columns: 0..=2 * self.columns(), rows: 0..=2 * self.rows() }, &mut order);
         order
     }
 
-    fn dissect(&self, part: Part, order: &mut Vec<usize>) {
-        let Part { columns, rows } = part;
+    fn dissect(&self, part: LatticeBlock, order: &mut Vec<usize>) {
+        let LatticeBlock { columns, rows } = part;
         let wide = line_inside(&columns);
         let high = line_inside(&rows);
         match (wide, high) {
             (Some(line), other) if other.is_none() || elements(&columns) >= elements(&rows) => {
-                self.dissect(Part { columns: *columns.start()..=line - 1, rows: rows.clone() }, order);
-                self.dissect(Part { columns: line + 1..=*columns.end(), rows: rows.clone() }, order);
+                self.dissect(
+                    LatticeBlock { columns: *columns.start()..=line - 1, rows: rows.clone() },
+                    order,
+                );
+                self.dissect(LatticeBlock { columns: line + 1..=*columns.end(), rows: rows.clone() }, order);
                 self.collect(line..=line, rows, order);
             }
             (_, Some(line)) => {
-                self.dissect(Part { columns: columns.clone(), rows: *rows.start()..=line - 1 }, order);
-                self.dissect(Part { columns: columns.clone(), rows: line + 1..=*rows.end() }, order);
+                self.dissect(
+                    LatticeBlock { columns: columns.clone(), rows: *rows.start()..=line - 1 },
+                    order,
+                );
+                self.dissect(LatticeBlock { columns: columns.clone(), rows: line + 1..=*rows.end() }, order);
                 self.collect(columns, line..=line, order);
             }
             (_, None) => self.collect(columns, rows, order),
@@ -54,7 +60,7 @@ impl QuadMesh {
     }
 }
 
-/// Elements between or beside the lattice indices of a range, along one direction.
+/// Number of elements along one direction that touch the lattice indices of a range.
 fn elements(range: &RangeInclusive<usize>) -> usize {
     range.end().div_ceil(2) - range.start() / 2
 }

@@ -4,10 +4,10 @@ use super::shape::{Edge, NODES};
 use crate::math::Vec2;
 use thiserror::Error;
 
-/// Grid lines that do not form a mesh.
+/// Grid lines that do not define a mesh.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum MeshError {
-    /// Fewer than two lines in a direction.
+    /// Fewer than two grid lines in one direction.
     #[error("a mesh needs at least two grid lines along {axis}, {count} given")]
     TooFewLines {
         /// `x` or `y`.
@@ -15,15 +15,15 @@ pub enum MeshError {
         /// Number of given lines.
         count: usize,
     },
-    /// More unknowns than a mesh may have.
-    #[error("its {unknowns:.3e} unknowns are more than {most:e}: larger elements make fewer")]
+    /// Too many unknowns.
+    #[error("its {unknowns:.3e} unknowns exceed the limit of {most:e}; larger elements reduce them")]
     TooManyUnknowns {
-        /// Displacement unknowns of the mesh that is wanted.
+        /// Displacement unknowns of the requested mesh.
         unknowns: f64,
-        /// The most that are accepted.
+        /// Largest accepted number.
         most: f64,
     },
-    /// Lines that do not increase.
+    /// Grid lines that are not in increasing order.
     #[error("grid line {index} along {axis} at {value} mm does not lie beyond the line before it")]
     NotIncreasing {
         /// `x` or `y`.
@@ -61,7 +61,7 @@ pub struct Element {
 
 impl Element {
     /// Reference coordinates (ξ, η) of a point (mm).
-    pub fn reference(&self, point: Vec2) -> (f64, f64) {
+    pub(crate) fn reference(&self, point: Vec2) -> (f64, f64) {
         let size = self.size();
         (
             (2.0 * point.x - self.lower.x - self.upper.x) / size.x,
@@ -70,12 +70,12 @@ impl Element {
     }
 
     /// Width and height, mm.
-    pub fn size(&self) -> Vec2 {
+    pub(crate) fn size(&self) -> Vec2 {
         self.upper - self.lower
     }
 
     /// The four corners counter-clockwise from the lower left, mm.
-    pub fn corners(&self) -> [Vec2; 4] {
+    pub(crate) fn corners(&self) -> [Vec2; 4] {
         [self.lower, Vec2::new(self.upper.x, self.lower.y), self.upper, Vec2::new(self.lower.x, self.upper.y)]
     }
 }
@@ -117,7 +117,7 @@ impl QuadMesh {
     }
 
     /// Number of elements.
-    pub fn element_count(&self) -> usize {
+    pub(crate) fn element_count(&self) -> usize {
         self.columns() * self.rows()
     }
 
@@ -128,27 +128,27 @@ impl QuadMesh {
     }
 
     /// Column and row of element `e`.
-    pub fn grid_place(&self, e: usize) -> (usize, usize) {
+    pub(crate) fn grid_place(&self, e: usize) -> (usize, usize) {
         (e % self.columns(), e / self.columns())
     }
 
     /// The node at lattice point (c, r), `c` from 0 to 2 columns, `r` from 0 to 2 rows, not both
     /// odd.
-    pub fn node_at(&self, c: usize, r: usize) -> usize {
+    pub(crate) fn node_at(&self, c: usize, r: usize) -> usize {
         let columns = self.columns();
         let before = (r / 2) * (3 * columns + 2);
         if r.is_multiple_of(2) { before + c } else { before + 2 * columns + 1 + c / 2 }
     }
 
     /// The lattice point of a node.
-    pub fn lattice_point(&self, node: usize) -> (usize, usize) {
+    pub(crate) fn lattice_point(&self, node: usize) -> (usize, usize) {
         let columns = self.columns();
         let (pair, rest) = (node / (3 * columns + 2), node % (3 * columns + 2));
         if rest <= 2 * columns { (rest, 2 * pair) } else { (2 * (rest - 2 * columns - 1), 2 * pair + 1) }
     }
 
     /// Position of a node, mm.
-    pub fn node_position(&self, node: usize) -> Vec2 {
+    pub(crate) fn node_position(&self, node: usize) -> Vec2 {
         let (c, r) = self.lattice_point(node);
         let at = |lines: &[f64], i: usize| {
             if i.is_multiple_of(2) { lines[i / 2] } else { 0.5 * (lines[i / 2] + lines[i / 2 + 1]) }
@@ -157,7 +157,7 @@ impl QuadMesh {
     }
 
     /// Element `e`.
-    pub fn element(&self, e: usize) -> Element {
+    pub(crate) fn element(&self, e: usize) -> Element {
         let (column, row) = self.grid_place(e);
         let (c, r) = (2 * column, 2 * row);
         let offsets = [(0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1)];
@@ -169,7 +169,7 @@ impl QuadMesh {
     }
 
     /// The elements that share a node, in increasing order.
-    pub fn elements_of(&self, node: usize) -> Vec<usize> {
+    pub(crate) fn elements_of(&self, node: usize) -> Vec<usize> {
         let (c, r) = self.lattice_point(node);
         // A lattice index on a grid line touches the cells on both sides, one between lines only
         // its own.
@@ -185,7 +185,7 @@ impl QuadMesh {
     }
 
     /// The element across a side of `e`; none at the outer boundary.
-    pub fn neighbour(&self, e: usize, side: Edge) -> Option<usize> {
+    pub(crate) fn neighbour(&self, e: usize, side: Edge) -> Option<usize> {
         let (column, row) = self.grid_place(e);
         let (columns, rows) = (self.columns(), self.rows());
         match side {
@@ -198,7 +198,7 @@ impl QuadMesh {
 
     /// Columns and rows of the elements whose closure meets the box between `lower` and `upper`
     /// (mm).
-    pub fn places_meeting(
+    pub(crate) fn places_meeting(
         &self,
         lower: Vec2,
         upper: Vec2,
@@ -212,8 +212,8 @@ impl QuadMesh {
     }
 
     /// The element that contains `point` (mm): of several that touch it, the one to the upper
-    /// right. None outside of the mesh.
-    pub fn locate(&self, point: Vec2) -> Option<usize> {
+    /// right. None outside the mesh.
+    pub(crate) fn locate(&self, point: Vec2) -> Option<usize> {
         let find = |lines: &[f64], at: f64| {
             let cells = lines.len() - 1;
             (at >= lines[0] && at <= lines[cells])

@@ -2,10 +2,10 @@
 
 /// Nodes of an element: corners 0 to 3 counter-clockwise from the lower left, then the midpoints of
 /// the bottom, right, top and left side.
-pub const NODES: usize = 8;
+pub(crate) const NODES: usize = 8;
 
 /// Reference coordinates of the four corners.
-pub const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+pub(crate) const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
 /// A side of an element, in the order of its midside nodes 4 to 7.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -25,7 +25,7 @@ impl Edge {
     pub const ALL: [Self; 4] = [Self::Bottom, Self::Right, Self::Top, Self::Left];
 
     /// The three nodes on the side: its two corners and its midside node.
-    pub fn nodes(self) -> [usize; 3] {
+    pub(crate) fn nodes(self) -> [usize; 3] {
         let i = self as usize;
         [i, (i + 1) % 4, 4 + i]
     }
@@ -33,7 +33,7 @@ impl Edge {
 
 /// Values, ∂/∂ξ and ∂/∂η of the eight shape functions at (ξ, η) in [−1, 1]² (Zienkiewicz & Taylor,
 /// serendipity family).
-pub fn shape_functions(xi: f64, eta: f64) -> [[f64; 3]; NODES] {
+pub(crate) fn shape_functions(xi: f64, eta: f64) -> [[f64; 3]; NODES] {
     let mut values = [[0.0; 3]; NODES];
     for (value, [a, b]) in values.iter_mut().zip(CORNERS) {
         let (p, q) = (1.0 + a * xi, 1.0 + b * eta);

@@ -57,13 +57,8 @@ pub struct CellBlock {
 
 impl CellBlock {
     /// Number of cells.
-    pub fn len(&self) -> usize {
+    pub fn cell_count(&self) -> usize {
         self.connectivity.len() / self.shape.nodes().max(1)
-    }
-
-    /// Whether there is no cell.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     /// The points of each cell.
@@ -90,7 +85,7 @@ pub struct UnstructuredGrid {
 impl UnstructuredGrid {
     /// Number of cells in all blocks.
     pub fn cell_count(&self) -> usize {
-        self.cells.iter().map(CellBlock::len).sum()
+        self.cells.iter().map(CellBlock::cell_count).sum()
     }
 
     /// The point data called `name`.
@@ -105,8 +100,8 @@ impl UnstructuredGrid {
 
     /// Checks that cells and data fit the points.
     ///
-    /// Errors: a cell with too few nodes or with a point that does not exist; data of the wrong
-    /// length or with the name of other data.
+    /// Errors: a number of nodes that is not a multiple of the nodes of a cell; a cell that refers
+    /// to a missing point; data of the wrong length; two arrays with the same name.
     pub fn check(&self) -> Result<(), GridError> {
         for (i, block) in self.cells.iter().enumerate() {
             let nodes = block.shape.nodes();

@@ -1,37 +1,37 @@
-//! A between cracks that are far apart, by an interpolation of the interaction of dislocations.
+//! Blocks of A between distant cracks, by interpolation of the dislocation interaction.
 
 use super::kernel::interaction;
-use super::units::{Extent, Units};
+use super::units::{SourceBox, Units};
 use crate::body::{FaceElement, FaceMesh, FarStiffness};
-use crate::crack::Walk;
+use crate::crack::CrackCurve;
 use crate::linear::product;
 use crate::math::{Matrix, Vec2, gauss_legendre};
 use rayon::prelude::*;
 
 /// Gauss points on each piece of an element.
 const POINTS: usize = 8;
-/// The same for an estimate of the error.
+/// Gauss points on each piece for the estimate of the error.
 const FEW_POINTS: usize = 2;
 
-/// Dislocations that follow the jumps at face points.
+/// Dislocations whose Burgers vectors depend on the jumps at face points.
 pub(crate) struct Source<'a> {
-    pub place: Place<'a>,
-    /// Their Burgers vector over the jumps at these points, which are counted within the unit.
+    pub place: SourceSite<'a>,
+    /// Face points of the unit, by index within the unit, with the Burgers vector per jump there.
     pub follows: Vec<(usize, f64)>,
 }
 
-/// Where dislocations are.
-pub(crate) enum Place<'a> {
-    /// Those on an element: the jump changes evenly in the parameter of the walk.
+/// The position of dislocations.
+pub(crate) enum SourceSite<'a> {
+    /// Dislocations on an element, over which the jump is linear in the parameter of the curve.
     Element(&'a FaceElement),
-    /// One at a point (mm) of a crack.
+    /// A dislocation at a point (mm) of a crack.
     Point { crack: usize, at: Vec2 },
 }
 
 /// A row of cracks and the dislocations on them.
 pub(crate) struct FarRow<'a> {
     pub units: &'a Units,
-    pub walks: &'a [Walk],
+    pub curves: &'a [CrackCurve],
     pub faces: &'a FaceMesh,
     /// The face points of each unit.
     pub points: &'a [Vec<usize>],
@@ -43,7 +43,7 @@ pub(crate) struct FarRow<'a> {
 
 impl FarRow<'_> {
     /// A between all units that are not near to each other.
-    pub fn stiffness(&self) -> FarStiffness {
+    pub(crate) fn stiffness(&self) -> FarStiffness {
         let count = self.units.cracks.len();
         let moments = (0..count).into_par_iter().map(|k| self.moments(k)).collect();
         let of_crack = |&crack: &usize| self.units.extents[crack].nodes();
@@ -67,7 +67,7 @@ impl FarRow<'_> {
     }
 
     /// The difference between the expansion of A between units `k` and `l` and its integral, over
-    /// the norm of that.
+    /// the norm of the integral.
     fn off(&self, moments: &Matrix, between: &Matrix, others: &Matrix, (k, l): (usize, usize)) -> f64 {
         let (one, other) = (self.dislocations(k), self.dislocations(l));
         let at = |all: &[(Vec2, f64, usize)]| all.iter().map(|(at, ..)| *at).collect::<Vec<Vec2>>();
@@ -94,22 +94,22 @@ impl FarRow<'_> {
         if norm > 0.0 { f64::sqrt(off / norm) } else { 0.0 }
     }
 
-    /// The dislocations of unit `k`, where elements are taken by few points: places, Burgers
-    /// vectors over the jump at a point of the unit, and that point.
+    /// The dislocations of unit `k`, with few quadrature points per element: position, Burgers
+    /// vector per jump at a face point of the unit, and that face point.
     fn dislocations(&self, k: usize) -> Vec<(Vec2, f64, usize)> {
         let rule = gauss_legendre(FEW_POINTS);
         let mut all = Vec::new();
         for Source { place, follows } in &self.sources[k] {
             let mut at: Vec<(Vec2, f64)> = Vec::new();
             match *place {
-                Place::Point { at: point, .. } => at.push((point, 1.0)),
-                Place::Element(element) => {
+                SourceSite::Point { at: point, .. } => at.push((point, 1.0)),
+                SourceSite::Element(element) => {
                     let range = element.range.1 - element.range.0;
                     for piece in &element.pieces {
                         let (start, width) = (piece.range.0, piece.range.1 - piece.range.0);
                         at.extend(rule.iter().map(|&(t, w)| {
                             let g = start + t * width;
-                            (self.walks[piece.crack].position(piece.segment, g), w * width / range)
+                            (self.curves[piece.crack].position(piece.segment, g), w * width / range)
                         }));
                     }
                 }
@@ -123,7 +123,7 @@ impl FarRow<'_> {
 
     fn moments(&self, k: usize) -> Matrix {
         let (cracks, points) = (&self.units.cracks[k], &self.points[k]);
-        let rank = 2 * Extent::NODES;
+        let rank = 2 * SourceBox::NODES;
         let rule = gauss_legendre(POINTS);
         let mut moments = Matrix::zeros(2 * points.len(), rank * cracks.len());
         for Source { place, follows } in &self.sources[k] {
@@ -144,17 +144,17 @@ impl FarRow<'_> {
         moments
     }
 
-    /// The crack of dislocations, and the weights of its box's Chebyshev points: for an element
-    /// ∫ L_q(z(g)) dg over its range.
-    fn weights(&self, place: &Place<'_>, rule: &[(f64, f64)]) -> (usize, Vec<f64>) {
+    /// The crack on which dislocations lie, and the weights of the Chebyshev points of its box; for
+    /// an element these are ∫ L_q(z(g)) dg over its range.
+    fn weights(&self, place: &SourceSite<'_>, rule: &[(f64, f64)]) -> (usize, Vec<f64>) {
         match *place {
-            Place::Point { crack, at } => (crack, self.units.extents[crack].weights(at)),
-            Place::Element(element) => {
-                let mut sum = vec![0.0; Extent::NODES];
+            SourceSite::Point { crack, at } => (crack, self.units.extents[crack].weights(at)),
+            SourceSite::Element(element) => {
+                let mut sum = vec![0.0; SourceBox::NODES];
                 for piece in &element.pieces {
                     let (start, width) = (piece.range.0, piece.range.1 - piece.range.0);
                     for &(t, w) in rule {
-                        let point = self.walks[piece.crack].position(piece.segment, start + t * width);
+                        let point = self.curves[piece.crack].position(piece.segment, start + t * width);
                         let weights = self.units.extents[element.crack].weights(point);
                         sum.iter_mut().zip(weights).for_each(|(sum, l)| *sum += w * width * l);
                     }

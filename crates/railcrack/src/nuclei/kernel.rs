@@ -4,7 +4,7 @@ use crate::math::Vec2;
 
 /// The 2 × 2 interaction of unit dislocations: `[xx, xy, yx, yy]`, first index the Burgers vector
 /// at z.
-pub type Interaction = [f64; 4];
+pub(crate) type Interaction = [f64; 4];
 
 /// Energy of interaction of unit dislocations at `z` and `z0` (mm), in units of E′/(8π) per mm² of
 /// Burgers vectors.
@@ -18,17 +18,17 @@ pub type Interaction = [f64; 4];
 /// It vanishes with z or z0 on the surface. Moving a second dislocation b′ in from the surface
 /// costs b′_x Im F − b′_y Re F. (Muskhelishvili 1953, §§ 41, 90–93.)
 #[inline]
-pub fn interaction(z: Vec2, z0: Vec2) -> Interaction {
+pub(crate) fn interaction(z: Vec2, z0: Vec2) -> Interaction {
     split_interaction(z, z0).whole()
 }
 
-/// An interaction by its logarithm, which stands on the diagonal, and the rest: sums over many
-/// points need the logarithm of one product only.
+/// An interaction split into its logarithm, which appears on the diagonal only, and the rest. Sums
+/// over many points need only the logarithm of one product.
 #[derive(Debug, Clone, Copy)]
-pub struct Split {
-    /// All but the logarithm.
+pub(crate) struct Split {
+    /// The interaction without the logarithm.
     pub rational: Interaction,
-    /// The logarithm is of this.
+    /// The argument of the logarithm.
     pub of_log: f64,
 }
 
@@ -40,9 +40,9 @@ impl Split {
     }
 }
 
-/// [`interaction`] by its parts; the logarithm is of |z̄−z0|²/|z−z0|².
+/// [`interaction`] in two parts; the argument of the logarithm is |z̄−z0|²/|z−z0|².
 #[inline]
-pub fn split_interaction(z: Vec2, z0: Vec2) -> Split {
+pub(crate) fn split_interaction(z: Vec2, z0: Vec2) -> Split {
     let (dx, dy) = (z.x - z0.x, z.y - z0.y);
     let inverse = 1.0 / (dx * dx + dy * dy);
     // (z − z0)/(z̄ − z̄0): the direction squared.
@@ -52,9 +52,9 @@ pub fn split_interaction(z: Vec2, z0: Vec2) -> Split {
 }
 
 /// Contribution of the free surface to [`interaction`]: all but −log|z−z0|² and (z−z0)/(z̄−z̄0);
-/// smooth at z = z0 below the surface. The logarithm is of |z̄−z0|² in mm².
+/// smooth at z = z0 below the surface. The argument of the logarithm is |z̄−z0|² in mm².
 #[inline]
-pub fn split_image_interaction(z: Vec2, z0: Vec2) -> Split {
+pub(crate) fn split_image_interaction(z: Vec2, z0: Vec2) -> Split {
     // m = z̄ − z0.
     let (mx, my) = (z.x - z0.x, -z.y - z0.y);
     let (dx, dy) = (z.x - z0.x, z.y - z0.y);
@@ -71,7 +71,7 @@ pub fn split_image_interaction(z: Vec2, z0: Vec2) -> Split {
 
 /// −log|z−z0|² and (z−z0)/(z̄−z̄0) when both lie on one straight line of direction `tangent`: the
 /// second is constant. Returns it as an [`Interaction`] without the logarithm.
-pub fn collinear_constant(tangent: Vec2) -> Interaction {
+pub(crate) fn collinear_constant(tangent: Vec2) -> Interaction {
     let (ex, ey) = (tangent.x * tangent.x - tangent.y * tangent.y, 2.0 * tangent.x * tangent.y);
     [ex, ey, ey, -ex]
 }

@@ -1,32 +1,31 @@
-//! The cracks of a row, unit by unit.
+//! Units of joined cracks in a row.
 
-use crate::crack::{CrackNetwork, Walk};
+use crate::crack::{CrackCurve, CrackNetwork};
 use crate::math::{Vec2, chebyshev};
 
-/// Cracks are near to each other up to this distance along the rail, over the larger of their
-/// sizes.
+/// Distance along the rail, over the larger crack size, up to which cracks are near to each other.
 const GAP: f64 = 1.0;
-/// Chebyshev points of the expansion along the rail and in depth, by crack.
+/// Numbers of Chebyshev points of the expansion per crack, along the rail and in depth.
 const ALONG: usize = 5;
 const DOWN: usize = 4;
 
-/// Boxes are wider than their cracks by this (mm), or those of upright cracks would have no width.
+/// Width (mm) by which boxes exceed their cracks, so that the boxes of upright cracks have a width.
 const FLAT: f64 = 1e-9;
 
-/// The box around a crack.
+/// The bounding box of a crack.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Extent {
+pub(super) struct SourceBox {
     low: Vec2,
     high: Vec2,
 }
 
-impl Extent {
-    /// Number of its Chebyshev points.
-    pub const NODES: usize = ALONG * DOWN;
+impl SourceBox {
+    /// Number of Chebyshev points of a box.
+    pub(crate) const NODES: usize = ALONG * DOWN;
 
-    fn of(walk: &Walk) -> Self {
-        let points = (0..walk.segments()).map(|i| walk.position(i, walk.vertices()[i]));
-        let all = points.chain([walk.last_point()]);
+    fn of(curve: &CrackCurve) -> Self {
+        let points = (0..curve.segments()).map(|i| curve.position(i, curve.vertices()[i]));
+        let all = points.chain([curve.last_point()]);
         let none = Self {
             low: Vec2::new(f64::INFINITY, f64::INFINITY),
             high: Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
@@ -46,8 +45,8 @@ impl Extent {
         gap >= GAP * self.size().max(other.size())
     }
 
-    /// Chebyshev points, of which [`Extent::weights`] are the weights of a point.
-    pub fn nodes(&self) -> Vec<Vec2> {
+    /// The Chebyshev points to which [`SourceBox::weights`] refers.
+    pub(crate) fn nodes(&self) -> Vec<Vec2> {
         let [xs, ys] = self.lines();
         xs.iter().flat_map(|&x| ys.iter().map(move |&y| Vec2::new(x, y))).collect()
     }
@@ -58,7 +57,7 @@ impl Extent {
         [chebyshev::points(&xs, ALONG), chebyshev::points(&ys, DOWN)]
     }
 
-    pub fn weights(&self, point: Vec2) -> Vec<f64> {
+    pub(crate) fn weights(&self, point: Vec2) -> Vec<f64> {
         let [xs, ys] = self.lines();
         let (along, down) = (chebyshev::weights(&xs, point.x), chebyshev::weights(&ys, point.y));
         along.iter().flat_map(|a| down.iter().map(move |d| a * d)).collect()
@@ -70,18 +69,18 @@ impl Extent {
 pub(crate) struct Units {
     /// The cracks of each unit, in order.
     pub cracks: Vec<Vec<usize>>,
-    pub(super) extents: Vec<Extent>,
+    pub(super) extents: Vec<SourceBox>,
 }
 
 impl Units {
-    /// Those of `network`, whose cracks `walks` follow.
-    pub fn new(network: &CrackNetwork, walks: &[Walk]) -> Self {
-        let extents: Vec<Extent> = walks.iter().map(Extent::of).collect();
+    /// The units of `network`, whose cracks have the `curves`.
+    pub(crate) fn new(network: &CrackNetwork, curves: &[CrackCurve]) -> Self {
+        let extents: Vec<SourceBox> = curves.iter().map(SourceBox::of).collect();
         Self { cracks: units(network, &extents), extents }
     }
 
     /// The unit of each crack.
-    pub fn of_cracks(&self) -> Vec<usize> {
+    pub(crate) fn of_cracks(&self) -> Vec<usize> {
         let mut unit_of = vec![0; self.extents.len()];
         for (k, cracks) in self.cracks.iter().enumerate() {
             cracks.iter().for_each(|&crack| unit_of[crack] = k);
@@ -90,7 +89,7 @@ impl Units {
     }
 
     /// Whether units `k` and `l` are near to each other.
-    pub fn are_near(&self, k: usize, l: usize) -> bool {
+    pub(crate) fn are_near(&self, k: usize, l: usize) -> bool {
         let near = |&one: &usize| {
             self.cracks[l].iter().any(|&other| !self.extents[one].is_apart(&self.extents[other]))
         };
@@ -98,13 +97,13 @@ impl Units {
     }
 
     /// Ends of unit `k` along the rail, mm.
-    pub fn span(&self, k: usize) -> (f64, f64) {
+    pub(crate) fn span(&self, k: usize) -> (f64, f64) {
         let low = self.cracks[k].iter().map(|&c| self.extents[c].low.x).fold(f64::INFINITY, f64::min);
         (low, self.cracks[k].iter().map(|&c| self.extents[c].high.x).fold(f64::NEG_INFINITY, f64::max))
     }
 }
 
-fn units(network: &CrackNetwork, extents: &[Extent]) -> Vec<Vec<usize>> {
+fn units(network: &CrackNetwork, extents: &[SourceBox]) -> Vec<Vec<usize>> {
     let mut units: Vec<Vec<usize>> = (0..extents.len()).map(|crack| vec![crack]).collect();
     for point in network.junction_points() {
         let through = point.through.iter().map(|passing| passing.crack);

@@ -1,4 +1,4 @@
-//! The elastic balance of a plastic stress on the mesh of the rail.
+//! Elastic balance of a plastic stress on the mesh of the rail.
 
 use super::plastic::PlasticField;
 use crate::bulk::{BulkError, BulkRail, gauss_lines};
@@ -22,11 +22,11 @@ pub struct BalancedStress {
     along_y: Vec<f64>,
     /// `stresses[row * along_x.len() + column]`, MPa.
     stresses: Vec<Stress>,
-    /// Depths for `residual.csv`: corners of the elements, downwards, mm.
+    /// Depths of the corners of the elements, for `residual.csv`, downwards, mm.
     depths: Vec<f64>,
 }
 
-/// Accuracy of a plastic stress as represented on the mesh of the rail, over a part of the rail.
+/// Loss of accuracy of a plastic stress in its representation on the mesh, over a part of the rail.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProjectionLoss {
     /// L2 norm of the field on the part, √∫ p:p dA, MPa mm.
@@ -37,7 +37,8 @@ pub struct ProjectionLoss {
     pub difference: f64,
 }
 
-/// Points of the rules: generalised forces of quadratic elements and losses.
+/// Numbers of quadrature points for the generalised forces of quadratic elements and for the
+/// losses.
 const RULE: usize = 3;
 
 /// Values of the plastic stress at the nodes of the elements.
@@ -54,7 +55,7 @@ fn interpolated(element: &Element, nodal: &[Stress], shapes: &[[f64; 3]; NODES])
 impl BalancedStress {
     /// Balances `plastic`, the plastic stress (MPa) at a point (mm), on `rail`.
     ///
-    /// Errors: linear algebra.
+    /// Errors: those of the linear algebra.
     pub fn new(rail: &BulkRail, plastic: impl Fn(Vec2) -> Stress + Sync) -> Result<Self, BulkError> {
         let nodal = at_nodes(rail, plastic);
         let mut forces = generalised_forces(rail, &nodal);
@@ -165,7 +166,7 @@ pub fn projection_loss(rail: &BulkRail, plastic: &PlasticField, part: RailBox) -
 /// The interval of `lines` that contains `x`, or the nearest one, and the local coordinate.
 fn between(lines: &[f64], x: f64) -> (usize, f64) {
     let i = lines.partition_point(|&line| line <= x).clamp(1, lines.len() - 1) - 1;
-    // Extrapolates beyond the first and the last line as far as the element extends.
+    // Within the first and the last element the stress is extrapolated beyond the Gauss points.
     let t = (x - lines[i]) / (lines[i + 1] - lines[i]);
     (i, t.clamp(-1.0, 2.0))
 }

@@ -26,7 +26,7 @@ const FREE_IN_THE_PLANE: Boundary =
 /// 𝕂ε_p, MPa.
 fn elastic_stress_of(strain: Stress) -> Stress {
     let in_plane = steel().plane_strain_stress(strain.xx, strain.yy, 2.0 * strain.xy);
-    // The out-of-plane strain adds λ tr, and 2 μ of its own.
+    // The out-of-plane strain contributes λ tr and 2 μ ε_zz.
     let (mu, nu) = (steel().shear_modulus(), POISSON);
     let lambda = 2.0 * mu * nu / (1.0 - 2.0 * nu);
     let add = lambda * strain.zz;
@@ -38,7 +38,7 @@ fn largest_difference(one: Stress, other: Stress) -> f64 {
     [d.xx, d.yy, d.zz, d.xy].into_iter().fold(0.0, |m: f64, v| m.max(v.abs()))
 }
 
-/// A uniform plastic strain of incompressible flow, and one that changes the volume.
+/// Two uniform plastic strains: one of incompressible flow, and one that changes the volume.
 const STRAINS: [Stress; 2] = [
     Stress { xx: 1e-3, yy: -1.4e-3, zz: 0.4e-3, xy: 0.0 },
     Stress { xx: 0.7e-3, yy: 0.2e-3, zz: -0.3e-3, xy: 0.0 },
@@ -74,7 +74,7 @@ fn a_plastic_strain_free_in_the_plane_leaves_only_out_of_plane_stress() {
 
 #[test]
 fn layers_converge_to_the_closed_form() {
-    // A profile with kinks: σ_xx = −σ_p,xx where nothing moves along x.
+    // A profile with kinks: σ_xx = −σ_p,xx without displacement along x.
     let rows = vec![(0.0, 25.0, 10.0), (1.1, -110.0, 0.0), (2.7, 50.0, -20.0), (6.3, 0.0, 0.0)];
     let profile = DepthProfile::new(rows).unwrap();
     let plastic = PlasticField::layers(&profile).unwrap();
@@ -131,8 +131,8 @@ fn losses_vanish_for_linear_fields() {
     assert!(loss.norm > 0.0 && (loss.norm_ratio - 1.0).abs() < 1e-12 && loss.difference < 1e-7, "{loss:?}"); // reference coordinates to 1e-12
 }
 
-/// Triangles on rings around (0, `y`): a disc of radius 2 mm that has grown, in a ring that has
-/// not.
+/// Triangles on rings around (0, `y`): a disc of radius 2 mm with a plastic expansion, in a ring
+/// without.
 fn grown_disc(y: f64, plastic: Stress) -> PlasticField {
     let (rings, around, radius) = (40, 48, 2.0);
     let centre = Vec2::new(0.0, y);
@@ -181,12 +181,12 @@ fn grown_disc(y: f64, plastic: Stress) -> PlasticField {
 }
 
 /// Fraction of the stress inside: elements of a quarter of the radius, cells that smear the edge
-/// over a tenth of it, and (2/20)² for the surface and the ends of the mesh.
+/// over a tenth of the radius, and (2/20)² for the surface and the ends of the mesh.
 const DISC: f64 = 0.04;
 
 /// A disc with the free in-plane expansion e is restrained by its surroundings: −μ e/(1 − ν) inside
-/// in all directions of the plane; outside, radially −, around + μ e/(1 − ν) (a/r)² (Eshelby 1957,
-/// for a cylinder).
+/// in all directions of the plane; outside, −μ e/(1 − ν) (a/r)² radially and +μ e/(1 − ν) (a/r)²
+/// circumferentially (Eshelby 1957, for a cylinder).
 #[test]
 fn a_field_on_foreign_triangles_balances_like_eshelbys_cylinder() {
     let growth = 1e-3;

@@ -1,4 +1,4 @@
-//! Point location and shape functions on a mesh of plane cells from any source.
+//! Point location and shape functions on unstructured meshes of plane cells.
 
 use super::error::PlasticFieldError;
 use super::shape::{PlaneShape, Shapes};
@@ -11,7 +11,7 @@ pub(super) struct PlaneCell {
     pub nodes: Vec<usize>,
 }
 
-/// Plane cells, unstructured.
+/// An unstructured mesh of plane cells.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct CellMesh {
     pub points: Vec<Vec2>,
@@ -19,7 +19,7 @@ pub(super) struct CellMesh {
     buckets: Buckets,
 }
 
-/// Squares of the plane and the cells that reach into each.
+/// Square buckets of the plane and the cells that overlap each.
 #[derive(Debug, Clone, PartialEq)]
 struct Buckets {
     lower: Vec2,
@@ -30,19 +30,19 @@ struct Buckets {
     cells: Vec<Vec<usize>>,
 }
 
-/// Reference coordinates this far outside still count as inside the cell: gaps between cells whose
-/// coordinates were rounded when written.
+/// Distance in reference coordinates up to which a point outside a cell counts as inside, because
+/// rounded coordinates in a file leave gaps between cells.
 const INSIDE: f64 = 1e-6;
-/// Most buckets per cell, on average: in a mesh without overlaps there are a few.
+/// Largest average number of buckets per cell; a mesh without overlaps has a few.
 const MOST_BUCKETS: usize = 32;
 /// Newton iterations for the reference coordinates; straight cells need three.
 const NEWTON_STEPS: usize = 20;
 
 impl CellMesh {
-    /// Cells of `points`; nodes must be numbers of points.
+    /// Cells of `points`; nodes are indices of points.
     ///
     /// Errors: no cell; a cell that is folded or has no area.
-    pub fn new(points: Vec<Vec2>, cells: Vec<PlaneCell>) -> Result<Self, PlasticFieldError> {
+    pub(crate) fn new(points: Vec<Vec2>, cells: Vec<PlaneCell>) -> Result<Self, PlasticFieldError> {
         if cells.is_empty() {
             return Err(PlasticFieldError::NoCells);
         }
@@ -61,12 +61,12 @@ impl CellMesh {
     }
 
     /// Smallest and largest coordinates.
-    pub fn extent(&self) -> (Vec2, Vec2) {
+    pub(crate) fn extent(&self) -> (Vec2, Vec2) {
         (self.buckets.lower, self.buckets.upper)
     }
 
     /// The cell that contains `point` and the shape functions there; none outside.
-    pub fn locate(&self, point: Vec2) -> Option<(usize, Shapes)> {
+    pub(crate) fn locate(&self, point: Vec2) -> Option<(usize, Shapes)> {
         self.buckets.near(point).iter().find_map(|&cell| {
             let at = self.reference(cell, point)?;
             Some((cell, self.cells[cell].shape.functions(at)))
@@ -74,7 +74,7 @@ impl CellMesh {
     }
 
     /// Integration points of a cell: the shape functions there and the weight, mm².
-    pub fn quadrature(&self, cell: usize) -> impl Iterator<Item = (Shapes, f64)> {
+    pub(crate) fn quadrature(&self, cell: usize) -> impl Iterator<Item = (Shapes, f64)> {
         let shape = self.cells[cell].shape;
         shape.rule().into_iter().map(move |(at, weight)| {
             (shape.functions(at), weight * self.jacobian(cell, at).determinant().abs())
@@ -82,7 +82,7 @@ impl CellMesh {
     }
 
     /// The centroid of a cell, mm, where linear fields equal their mean.
-    pub fn centroid(&self, cell: usize) -> Vec2 {
+    pub(crate) fn centroid(&self, cell: usize) -> Vec2 {
         let nodes = &self.cells[cell].nodes;
         let (mut sum, mut area) = (Vec2::default(), 0.0);
         for (shapes, weight) in self.quadrature(cell) {
@@ -113,7 +113,7 @@ impl CellMesh {
         Jacobian { along_xi: slope(1), along_eta: slope(2) }
     }
 
-    /// Reference coordinates of `point` in `cell`; none where it lies outside.
+    /// Reference coordinates of `point` in `cell`; none if it lies outside.
     fn reference(&self, cell: usize, point: Vec2) -> Option<Vec2> {
         let shape = self.cells[cell].shape;
         let mut at = shape.centre();
@@ -163,7 +163,7 @@ impl Buckets {
     fn new(points: &[Vec2], cells: &[PlaneCell]) -> Self {
         let used = || cells.iter().flat_map(|cell| cell.nodes.iter().map(|&node| points[node]));
         let (lower, upper) = bounds(used());
-        // About one cell per bucket, in squares where the extent allows it.
+        // About one cell per bucket, with square buckets if the extent allows it.
         let size = upper - lower;
         let count = cells.len() as f64;
         let columns =
@@ -180,7 +180,7 @@ impl Buckets {
             })
             .collect();
         let mut buckets = Self { lower, upper, columns, rows, cells: Vec::new() };
-        // Cells that lie upon one another each reach into every bucket.
+        // Cells that lie on top of one another each overlap every bucket.
         while buckets.columns * buckets.rows > 1
             && boxes.iter().map(|of| buckets.reached(*of)).sum::<usize>() > MOST_BUCKETS * cells.len()
         {
@@ -199,7 +199,7 @@ impl Buckets {
         buckets
     }
 
-    /// Number of buckets into which a box reaches.
+    /// Number of buckets that a box overlaps.
     fn reached(&self, (from, to): (Vec2, Vec2)) -> usize {
         let (first, last) = (self.place(from), self.place(to));
         (last.0 - first.0 + 1) * (last.1 - first.1 + 1)

@@ -1,11 +1,11 @@
-//! Errors of a given plastic stress.
+//! Errors of a plastic stress given on a mesh.
 
 use thiserror::Error;
 
-/// An inadmissible plastic stress.
+/// An invalid plastic stress.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum PlasticFieldError {
-    /// No array of the right name.
+    /// No array with the required name.
     #[error(
         "no array `{wanted}` on points or cells (there: {there}): it holds the plastic stress 2 G eps_p in MPa, 6 components XX, YY, \
          ZZ, XY, YZ, XZ or the first 4 of them"
@@ -16,13 +16,13 @@ pub enum PlasticFieldError {
         /// The arrays present.
         there: String,
     },
-    /// An array that is not a stress.
+    /// An array that does not hold a stress.
     #[error("{reason}")]
     Array {
         /// The fault.
         reason: String,
     },
-    /// No triangle and no quadrilateral.
+    /// No triangles or quadrilaterals.
     #[error("no triangles and no quadrilaterals: the plastic stress must be given on a mesh")]
     NoCells,
     /// A cell of an unsupported type.
@@ -43,7 +43,7 @@ pub enum PlasticFieldError {
         /// Ordinate of its first node, mm.
         y: f64,
     },
-    /// A mesh outside of the rail.
+    /// A mesh outside the rail.
     #[error(
         "the mesh reaches from y = {from} to {to} mm: the rail lies at y <= 0, with its running surface at y = 0"
     )]
@@ -54,7 +54,7 @@ pub enum PlasticFieldError {
         to: f64,
     },
     /// An implausibly large stress.
-    #[error("{largest} MPa: no plastic stress of steel is larger than {limit} MPa")]
+    #[error("{largest} MPa exceeds {limit} MPa, the largest plausible plastic stress of steel")]
     TooLarge {
         /// Largest component, MPa.
         largest: f64,

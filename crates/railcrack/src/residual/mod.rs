@@ -1,8 +1,9 @@
-//! Plastic stress from any source: projected onto the mesh of the rail and balanced there.
+//! Residual stress from a given plastic stress, projected onto the mesh of the rail and balanced
+//! there.
 //!
-//! A plastic stress 𝕂ε_p is not a residual stress: a piece with it, cut out of the rail, would
-//! change its shape. The residual stress is the resulting σ = 𝕂(ε − ε_p) in equilibrium, of
-//! opposite sign for a layer along the rail.
+//! A plastic stress 𝕂ε_p is not a residual stress: a piece of steel cut out of the rail would
+//! change its shape by the plastic strain. The residual stress is the resulting σ = 𝕂(ε − ε_p) in
+//! equilibrium; for a plastic strain in a layer along the rail it has the opposite sign.
 
 mod balance;
 mod cells;

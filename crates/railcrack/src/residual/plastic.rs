@@ -1,4 +1,4 @@
-//! Plastic stress given on a mesh, at any point of the rail.
+//! Plastic stress given on a mesh, evaluated at any point of the rail.
 
 use super::cells::{CellMesh, PlaneCell};
 use super::error::PlasticFieldError;
@@ -11,18 +11,19 @@ use crate::mesh::{CellShape, UnstructuredGrid};
 /// Name of the array that holds the plastic stress 𝕂ε_p, MPa.
 pub const PLASTIC_STRESS_ARRAY: &str = "plastic_stress_mpa";
 
-/// Largest plausible plastic stress of steel, MPa: a larger one shows a wrong unit.
+/// Largest plausible plastic stress of steel, MPa: a larger one indicates a wrong unit.
 const LARGEST: f64 = 1e5;
-/// Fraction of its height by which a mesh may exceed y = 0: rounding when it was written.
+/// Fraction of its height by which a mesh may exceed y = 0, for coordinates rounded in a file.
 const ABOVE: f64 = 1e-3;
 
-/// Plastic stress below this fraction of the largest does not count for the plastic depth.
+/// Fraction of the largest plastic stress below which a plastic stress is ignored in the plastic
+/// depth.
 const NOTHING: f64 = 1e-3;
 
-/// The plastic stress 𝕂ε_p = 2 G ε_p (MPa) at the nodes of its own mesh; still to be balanced.
+/// The plastic stress 𝕂ε_p = 2 G ε_p (MPa) at the nodes of its own mesh, not yet balanced.
 ///
-/// Beyond the left and the right end of the mesh it continues as at the end: a rail is rolled along
-/// its whole length. Below and in holes of the mesh it is zero.
+/// Beyond the left and the right end of the mesh it continues as at the end: the rail is rolled
+/// over along its whole length. Below and in holes of the mesh it is zero.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlasticField {
     mesh: CellMesh,
@@ -33,7 +34,7 @@ pub struct PlasticField {
 /// L2 norms over the field's own mesh: √∫ p:p dA, MPa mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RecoveryLoss {
-    /// Norm of the given field, cell by cell.
+    /// Norm of the given field, constant in each cell.
     pub norm: f64,
     /// Norm of the field recovered from nodal values, over that of the given field.
     pub norm_ratio: f64,
@@ -46,8 +47,8 @@ impl PlasticField {
     /// means, from which nodal values follow by least squares. Points and lines among the cells are
     /// ignored.
     ///
-    /// Errors: no such array, or one that holds no stress; no plane cells, or folded ones; a mesh
-    /// above the running surface.
+    /// Errors: no such array, or one that does not hold a stress; no plane cells, or folded cells;
+    /// a mesh above the running surface.
     pub fn from_grid(grid: &UnstructuredGrid) -> Result<Self, PlasticFieldError> {
         let (on_points, on_cells) =
             (grid.point_array(PLASTIC_STRESS_ARRAY), grid.cell_array(PLASTIC_STRESS_ARRAY));
@@ -83,7 +84,7 @@ impl PlasticField {
 
     /// A plastic stress that depends on depth alone, `profile` read as σ_p,xx and σ_p,zz.
     ///
-    /// Errors: none for the profiles of steel.
+    /// Errors: a stress that is implausible for steel.
     pub fn layers(profile: &DepthProfile) -> Result<Self, PlasticFieldError> {
         let rows = profile.rows();
         let mut depths: Vec<f64> = rows.iter().map(|row| row.0).collect();
@@ -122,7 +123,7 @@ impl PlasticField {
         nodes.iter().zip(shapes).fold(Stress::ZERO, |sum, (&node, n)| sum + self.nodal[node] * n[0])
     }
 
-    /// Left, right end and depth of its mesh, mm.
+    /// Left end, right end and depth of its mesh, mm.
     pub fn extent(&self) -> (f64, f64, f64) {
         let (lower, upper) = self.mesh.extent();
         (lower.x, upper.x, -lower.y)
@@ -159,7 +160,7 @@ impl PlasticField {
     }
 }
 
-/// Triangles and quadrilaterals, and their numbers in the grid.
+/// Triangles and quadrilaterals, and their indices in the grid.
 fn plane_cells(grid: &UnstructuredGrid) -> Result<(Vec<PlaneCell>, Vec<usize>), PlasticFieldError> {
     let (mut cells, mut kept) = (Vec::new(), Vec::new());
     let mut index = 0;

@@ -6,8 +6,8 @@ fn linear(p: Vec2) -> Stress {
     Stress { xx: 30.0 + 2.0 * p.x - 5.0 * p.y, yy: -4.0 + p.y, zz: 1.0 - p.x, xy: 0.3 * p.x - p.y }
 }
 
-/// Uneven squares from x = −6 to 6 mm and down to 5 mm, divided into triangles where `shape` says
-/// so.
+/// Uneven squares from x = −6 to 6 mm and down to 5 mm, divided into triangles if `shape` requires
+/// it.
 fn uneven(shape: CellShape) -> UnstructuredGrid {
     let (columns, rows) = (6, 5);
     let place = |i: usize, j: usize| {
@@ -123,7 +123,7 @@ fn the_loss_is_that_of_the_norms() {
         cell_data: vec![Array::stresses("plastic_stress_mpa", &stresses)],
     };
     let field = PlasticField::from_grid(&grid).unwrap();
-    // The means over the layers come close to those given.
+    // The means over the layers are close to the given ones.
     let at = |depth: f64| field.plastic_stress(Vec2::new(3.0, -depth)).xx;
     for (layer, value) in depths.windows(2).zip(values) {
         let mean = 0.5 * (at(layer[0]) + at(layer[1]));

@@ -6,18 +6,19 @@ use crate::math::{Stress, Vec2};
 /// Layers of neighbours by which a patch is extended until the centroids of its cells spread in
 /// every direction.
 const EXTENSIONS: usize = 3;
-/// Spread (variance) in a direction, over that in the widest, below which the centroids do not
-/// determine the gradient in it.
+/// Variance of the centroids in a direction, over the largest variance, below which they do not
+/// determine the gradient in that direction.
 const SPREAD: f64 = 1e-6;
 
-/// Rounds, each of which adds the remaining defect of the cell means: two compensate most of the
-/// flattening, and more would overshoot where cells are too coarse for the field.
+/// Number of rounds, each of which adds the fit to the remaining defect of the cell means. Two
+/// rounds compensate most of the flattening; more would overshoot where cells are too coarse for
+/// the field.
 const ROUNDS: usize = 2;
 
 /// Nodal values of `mesh` from `values`, the means over its cells: at each node the least-squares
-/// linear fit to the cells around it; then the same for the defect of the resulting means. Linear
-/// fields are reproduced exactly, at the boundary too; the rounds restore peaks that the fits
-/// flatten. Points without a cell get zero.
+/// linear fit to the cells around it, followed by the same fit to the defect of the resulting
+/// means. Linear fields are reproduced exactly, at the boundary too; the rounds restore peaks that
+/// the fits flatten. Points without a cell get zero.
 ///
 /// A least-squares fit of the shape functions to one point per cell is not unique on
 /// quadrilaterals: there are fewer cells than nodes. Source: Zienkiewicz & Zhu 1992, Int. J. Numer.
@@ -70,8 +71,8 @@ fn patches(mesh: &CellMesh) -> Vec<Vec<(usize, f64)>> {
         }
         let here = mesh.points[node];
         let fit = |patch: &[usize]| Fit::new(patch.iter().map(|&cell| centroids[cell]), here);
-        // The smallest patch with the most directions: a strip of cells never determines the
-        // gradient across it.
+        // The smallest patch whose centroids spread in the largest number of directions. A strip of
+        // cells never determines the gradient across it.
         let (mut best, mut patch) = (cells.clone(), cells.clone());
         let mut directions = fit(&best).directions();
         for _ in 0..EXTENSIONS {

@@ -1,4 +1,4 @@
-//! Shape functions of plane cells of any mesh.
+//! Shape functions of plane cells.
 
 use crate::math::Vec2;
 use crate::mesh::{CORNERS, shape_functions};
@@ -6,7 +6,7 @@ use crate::mesh::{CORNERS, shape_functions};
 /// A plane cell: corners in order, then the midpoints of the sides, the first between the first and
 /// the second corner, then the centre.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PlaneShape {
+pub(crate) enum PlaneShape {
     /// 3 corners.
     Triangle,
     /// 4 corners.
@@ -41,10 +41,11 @@ impl PlaneShape {
         if self.is_triangle() { Vec2::new(1.0 / 3.0, 1.0 / 3.0) } else { Vec2::default() }
     }
 
-    /// Integration points and weights of the reference cell: exact to the third degree.
+    /// Integration points and weights of the reference cell, exact for polynomials of the third
+    /// degree.
     pub(super) fn rule(self) -> Vec<(Vec2, f64)> {
         if self.is_triangle() {
-            // Strang & Fix: six points, the fourth degree.
+            // Strang & Fix: six points, exact to the fourth degree.
             let (a, b) = (0.445_948_490_915_965, 0.091_576_213_509_771);
             let (wa, wb) = (0.5 * 0.223_381_589_678_011, 0.5 * 0.109_951_743_655_322);
             let three = |p: f64| [Vec2::new(p, p), Vec2::new(1.0 - 2.0 * p, p), Vec2::new(p, 1.0 - 2.0 * p)];

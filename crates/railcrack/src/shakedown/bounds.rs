@@ -35,7 +35,8 @@ pub struct DepthBounds {
     pub shakedown: f64,
 }
 
-/// Depths searched, over a: the stress path shrinks with depth beyond the maximum, near 0.5 to 0.8.
+/// Largest depth of the search, over a. The maximum lies at 0.5 to 0.8; below it the stress path
+/// shrinks with depth.
 const DEEPEST: f64 = 2.0;
 /// Number of intervals of the coarse search in depth; the maximum is refined between its
 /// neighbours.
@@ -44,8 +45,8 @@ const DEPTH_INTERVALS: u32 = 80;
 /// coordinate is that of confocal ellipses, dense at the edges, where the surface stress has a
 /// kink. Doubling them changes the limits by less than 1e-4.
 const PATH_INTERVALS: i32 = 100;
-/// Length of the path on each side: x/a = cosh 3 = 10. Beyond, the path runs straight to zero,
-/// which is added.
+/// Length of the path on each side: x/a = cosh 3 = 10. Beyond it the path is straight and ends at
+/// zero, which is added as a point.
 const PATH_END: f64 = 3.0;
 
 /// p0/k at first yield: 1 / max √J2 over the half-plane, for p0 = 1. `friction` is the wheel–rail
@@ -53,7 +54,7 @@ const PATH_END: f64 = 3.0;
 ///
 /// Source of the condition: von Mises; values in Johnson, Contact Mechanics, 4.4 and 7.1 (by
 /// Tresca).
-pub fn first_yield_ratio(friction: f64, poisson: f64) -> FirstYield {
+pub(crate) fn first_yield_ratio(friction: f64, poisson: f64) -> FirstYield {
     let field = unit_contact(friction, poisson);
     first_yield(&|x, depth| field.stress(Vec2::new(x, -depth), 0.0))
 }
@@ -71,8 +72,8 @@ pub fn shakedown_limit_ratio(friction: f64, poisson: f64) -> ShakedownLimit {
     shakedown_limit(&|x, depth| field.stress(Vec2::new(x, -depth), 0.0))
 }
 
-/// First yield and limit of elastic shakedown at each of `depths_over_a`, as [`first_yield_ratio`]
-/// and [`shakedown_limit_ratio`] find them at the critical depth.
+/// First yield and limit of elastic shakedown at each of `depths_over_a`, whose minima over depth
+/// are the ratio of first yield and [`shakedown_limit_ratio`].
 pub fn bounds_by_depth(friction: f64, poisson: f64, depths_over_a: &[f64]) -> Vec<DepthBounds> {
     let field = unit_contact(friction, poisson);
     bounds_at(&|x, depth| field.stress(Vec2::new(x, -depth), 0.0), depths_over_a)
@@ -88,23 +89,23 @@ pub struct ContactBounds<'a> {
 }
 
 impl<'a> ContactBounds<'a> {
-    /// Of `contact`, whose field is `wheel`.
+    /// The bounds of `contact`, whose field is `wheel`.
     pub fn new(contact: &Contact, wheel: &'a dyn Wheel) -> Self {
         let (peak_pressure, half_width) = (contact.peak_pressure(), contact.half_width());
         Self { wheel, peak_pressure, half_width, middle: contact.middle() }
     }
 
-    /// As [`first_yield_ratio`].
+    /// p0/k at first yield: 1 / max √J2 over the half-plane, for p0 = 1.
     pub fn first_yield(&self) -> FirstYield {
         first_yield(&|x, depth| self.stress(x, depth))
     }
 
-    /// As [`shakedown_limit_ratio`].
+    /// p0/k at the limit of elastic shakedown, as [`shakedown_limit_ratio`].
     pub fn shakedown_limit(&self) -> ShakedownLimit {
         shakedown_limit(&|x, depth| self.stress(x, depth))
     }
 
-    /// As [`bounds_by_depth`].
+    /// First yield and limit of elastic shakedown by depth, as [`bounds_by_depth`].
     pub fn by_depth(&self, depths_over_a: &[f64]) -> Vec<DepthBounds> {
         bounds_at(&|x, depth| self.stress(x, depth), depths_over_a)
     }
@@ -174,9 +175,9 @@ pub fn shakedown_map(most: f64, points: usize, poisson: f64) -> Vec<MapPoint> {
 }
 
 /// Depth and value of the largest √(3/2) |s + s0| over σ_y of the elastic passage of a contact of
-/// half-width `a` (mm), whose `field` is that at x and depth (mm), s0
-/// the deviator of the initial stress at a depth (mm): the rail yields where it exceeds 1. Searched
-/// down to `DEEPEST` half-widths.
+/// half-width `a` (mm), whose `field` is a function of x and depth (mm), with s0 the deviator of
+/// the initial stress at a depth (mm): the rail yields where it exceeds 1. Searched down to
+/// `DEEPEST` half-widths.
 pub(super) fn utilisation(
     field: UnitField,
     a: f64,
@@ -214,7 +215,7 @@ fn shear_intensity(field: UnitField, x: f64, depth: f64) -> f64 {
     (0.5 * (a * a + b * b + c * c)).sqrt()
 }
 
-/// x/a from −cosh 3 to cosh 3, both edges of the contact and its middle among them.
+/// x/a from −cosh 3 to cosh 3, including both edges of the contact and its middle.
 pub(super) fn path_abscissae() -> Vec<f64> {
     let t = |i: i32| f64::from(i) / f64::from(PATH_INTERVALS);
     let inside = (-PATH_INTERVALS..=PATH_INTERVALS).map(|i| (std::f64::consts::FRAC_PI_2 * t(i)).sin());
@@ -222,8 +223,8 @@ pub(super) fn path_abscissae() -> Vec<f64> {
     inside.chain(outside.flat_map(|x| [x, -x])).collect()
 }
 
-/// The depth/a in [0, DEEPEST] at which `value` is largest, and its value: a grid, the surface
-/// included, and golden section around its best depth.
+/// The depth/a in [0, DEEPEST] at which `value` is largest, and its value: found on a grid that
+/// includes the surface, and by golden section around its best depth.
 fn maximum_over_depth(value: impl Fn(f64) -> f64) -> (f64, f64) {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     // 2 · DEEPEST / DEPTH_INTERVALS · 0.618^20 = 3e-6 a: the value is then flat to 1e-11.

@@ -1,8 +1,8 @@
-//! The stabilised cycle from the columns of the last passage.
+//! Stabilised cycle of stress and strain from the columns of the last passage.
 
 use super::eigenstress::Columns;
 use super::error::ShakedownError;
-use super::grid::Grid;
+use super::grid::RailGrid;
 use super::rail::{RolledRail, Travel};
 use super::state::{Admissibility, Cycle};
 use super::steady::{SteadyPassage, SteadyProblem, first_column};
@@ -11,7 +11,7 @@ use crate::material::IsotropicElastic;
 use crate::math::Stress;
 
 /// Zero strain or stress on all columns of `grid`.
-pub(super) fn zeros(grid: &Grid) -> Columns {
+pub(super) fn zeros(grid: &RailGrid) -> Columns {
     let size = grid.columns * grid.layers.count();
     [vec![0.0; size], vec![0.0; size], vec![0.0; size]]
 }
@@ -27,7 +27,7 @@ pub(super) fn layer_stress(steel: &IsotropicElastic, strain: PlasticStrain) -> S
     }
 }
 
-/// −1 where the computation is the mirror image of the rail: the factor of abscissae and shears.
+/// −1 if the computation is the mirror image of the rail: the factor of abscissae and shears.
 pub(super) fn mirror(travel: Travel) -> f64 {
     match travel {
         Travel::Forward => 1.0,
@@ -35,10 +35,10 @@ pub(super) fn mirror(travel: Travel) -> f64 {
     }
 }
 
-/// Stress and strain of `passage`, and their admissibility. Errors: a contact that is none.
+/// Stress and strain of `passage`, and their admissibility. Errors: an invalid contact.
 pub(super) fn of(
     rail: &RolledRail,
-    grid: &Grid,
+    grid: &RailGrid,
     problem: &mut SteadyProblem,
     passage: &SteadyPassage,
 ) -> Result<(Cycle, Admissibility), ShakedownError> {

@@ -1,5 +1,5 @@
-//! Residual stress of a plastic strain in the half-plane: the elastic redistribution, exact in
-//! every layer.
+//! Residual stress of a plastic strain in the half-plane, by elastic redistribution exact in every
+//! layer.
 
 use super::fourier::{Fourier, Signals};
 use super::layers::Layers;
@@ -17,13 +17,13 @@ pub(super) type Columns = [Vec<f64>; 3];
 /// e^(ikx) solves (∂² − k²)² φ = −E′ (∂² e_xx − k² e_yy − 2 i k ∂ e_xy); see [`Wave`]. Stresses are
 /// averages over layers: the operator is then symmetric, like the energy from which it derives.
 ///
-/// Waves have a period L, the rail has none. Let the strain be U(y) far upstream and U + D far
-/// downstream. U is treated exactly. To the rest, a ramp that rises by D over one period is added,
-/// which makes it periodic, and the stress of such a ramp in the infinite half-plane is subtracted.
-/// The ramp, and the mean over the period, represent the waves longer than the period: the stress
-/// σ(k) of a wave has a kink at k = 0, and the sum over waves becomes the integral up to L⁻⁴ if the
-/// kink is represented by its value at Δk/6, Δk = 2π/L (Euler and Maclaurin). With K the response
-/// to that wave, as far as it is linear in k,
+/// Waves have a period L, whereas the rail is infinitely long. Let the strain be U(y) far upstream
+/// and U + D far downstream. U is treated exactly. A ramp that rises by D over one period is added
+/// to the remainder, which makes it periodic, and the stress of this ramp in the infinite
+/// half-plane is subtracted. The ramp, and the mean over the period, represent the waves longer
+/// than the period: the stress σ(k) of a wave has a kink at k = 0, and the sum over waves becomes
+/// the integral up to L⁻⁴ if the kink is represented by its value at Δk/6, Δk = 2π/L (Euler and
+/// Maclaurin). With K the response to that wave, as far as it is linear in k,
 ///
 ///   σ_xx = −E′ mean + (K_xx + E′)(q − D x/L) + E′ D_xx x/L + …,
 ///
@@ -36,9 +36,9 @@ pub(super) struct Eigenstress {
     columns: usize,
     layers: Layers,
     fourier: Fourier,
-    /// Of wave k > 0 and layer j at (k − 1) · layers + j.
+    /// The response to wave k > 0 in layer j at (k − 1) · layers + j.
     factors: Vec<LayerFactors>,
-    /// Of [`LONG_WAVES`] and layer, likewise.
+    /// The response to each of [`LONG_WAVES`], ordered likewise.
     long_factors: Vec<LayerFactors>,
     signals: Signals,
     wave: Wave,
@@ -46,15 +46,15 @@ pub(super) struct Eigenstress {
 
 /// The wave that represents all waves longer than the period, over Δk.
 const LONG_WAVE: f64 = 1.0 / 6.0;
-/// Only the part linear in k counts: it is taken from two waves that are longer still, by this
-/// factor and twice it, …
+/// Only the part linear in k is needed. It is extrapolated from two waves that are longer by this
+/// factor and twice this factor, …
 const NEAR: f64 = 0.01;
 /// … over Δk.
 const LONG_WAVES: [f64; 2] = [NEAR * LONG_WAVE, 2.0 * NEAR * LONG_WAVE];
 
 impl Eigenstress {
-    /// `columns` (a power of two) abscissae at `spacing` (mm); `layers` of the rail; its elasticity
-    /// `steel`.
+    /// The operator on `columns` (a power of two) abscissae at a `spacing` (mm), for the `layers`
+    /// of a rail of `steel`.
     pub(super) fn new(steel: &IsotropicElastic, columns: usize, spacing: f64, layers: Layers) -> Self {
         let period = columns as f64 * spacing;
         let unit = 2.0 * std::f64::consts::PI / period;
@@ -79,8 +79,8 @@ impl Eigenstress {
         }
     }
 
-    /// σ_xx, σ_yy and σ_xy, MPa, averaged over the layers, into `stress`, of the plastic strain
-    /// `strain` (coordinates of [`super::PlasticStrain::deviator`]) in the layers, which enters as
+    /// Writes σ_xx, σ_yy and σ_xy (MPa, averaged over the layers) to `stress`. The plastic strain
+    /// `strain` (coordinates of [`super::PlasticStrain::deviator`]) in the layers enters as
     /// `upstream` in the last column and leaves by the first.
     pub(super) fn stress(&mut self, strain: &Columns, upstream: &[[f64; 3]], stress: &mut Columns) {
         let layers = self.layers.count();
@@ -105,7 +105,7 @@ impl Eigenstress {
         Strains { xx: strain.xx + out, yy: strain.yy + out, xy: strain.xy }
     }
 
-    /// The periodic strain as signals: xx + i yy of each layer, then xy of pairs of layers.
+    /// The periodic strain as complex signals: xx + i yy of each layer, then xy of pairs of layers.
     fn load(&mut self, strain: &Columns, upstream: &[[f64; 3]], gain: &[Strains]) {
         let layers = self.layers.count();
         let lanes = layers + layers.div_ceil(2);
@@ -127,8 +127,8 @@ impl Eigenstress {
         }
     }
 
-    /// The largest out-of-balance force per mm² on a layer or on the surface, MPa: the sum over
-    /// waves, of which none can cancel another, between neighbouring columns.
+    /// The largest out-of-balance force per mm² on a layer or on the surface between neighbouring
+    /// columns, MPa: a sum over waves, which cannot cancel each other.
     pub(super) fn imbalance(&mut self, strain: &Columns, upstream: &[[f64; 3]]) -> f64 {
         let layers = self.layers.count();
         let gain: Vec<Strains> =
@@ -181,7 +181,7 @@ impl Eigenstress {
         }
     }
 
-    /// The mean over the period, −E′ e_xx, removed from the signals.
+    /// Removes the mean over the period, −E′ e_xx, from the signals and returns it.
     fn take_mean(&mut self) -> Vec<Strains> {
         let layers = self.layers.count();
         let lanes = layers + layers.div_ceil(2);
@@ -198,8 +198,8 @@ impl Eigenstress {
         mean
     }
 
-    /// The contribution of the waves longer than the period, with the strain that enters added and
-    /// the ramp subtracted.
+    /// The contribution of the waves longer than the period, including the entering strain, without
+    /// the ramp.
     fn long_waves(&mut self, mean: &[Strains], gain: &[Strains], entering: &[Strains]) -> Vec<LongWaves> {
         let modulus = self.plane_strain_modulus;
         let less_step: Vec<f64> = mean.iter().zip(gain).map(|(mean, gain)| mean.xx - gain.xx).collect();
@@ -208,7 +208,7 @@ impl Eigenstress {
             let of = |c: usize| near[j][c] + (1.0 / NEAR - 1.0) * (far[j][c] - near[j][c]);
             let [kink, along, shear, shear_along] = [of(0), of(1), of(2), of(3)];
             LongWaves {
-                // Half a period from the first column to the load, where the step is.
+                // The step is at the load, half a period from the first column.
                 xx: -modulus * (mean[j].xx + entering[j].xx + kink + 0.5 * (along - gain[j].xx))
                     + modulus * shear_along,
                 slope_xx: modulus * along,
@@ -241,7 +241,7 @@ impl Eigenstress {
         kinks.iter().zip(&self.wave.stresses).map(of_layer).collect()
     }
 
-    /// Stress from signals and long waves.
+    /// The stress from the signals and the long waves.
     fn unload(&self, long: &[LongWaves], stress: &mut Columns) {
         let layers = self.layers.count();
         let lanes = layers + layers.div_ceil(2);

@@ -1,4 +1,4 @@
-//! The elastic redistribution: reciprocity, energy, closed forms and the effect of the period.
+//! Elastic redistribution: reciprocity, energy, closed forms and the effect of the period.
 
 use super::*;
 

@@ -7,7 +7,7 @@ use thiserror::Error;
 /// Errors of the stabilised plastic state.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum ShakedownError {
-    /// A pressure outside of the range of the model.
+    /// A pressure outside the range of the model.
     #[error("p0/k = {ratio}: must be positive and at most {most}; k is the yield stress over sqrt(3)")]
     Load {
         /// p0/k.
@@ -15,7 +15,7 @@ pub enum ShakedownError {
         /// The largest accepted value.
         most: f64,
     },
-    /// An inadmissible contact.
+    /// An invalid contact.
     #[error("{quantity} = {value}: must be {accepted}")]
     Contact {
         /// The quantity.
@@ -27,7 +27,7 @@ pub enum ShakedownError {
     },
     /// An initial residual stress that the steel cannot carry.
     #[error(
-        "initial residual stress: {utilisation} of the yield stress at depth {depth} mm; must be at most 1, or the rail yields without a wheel"
+        "initial residual stress: {utilisation} of the yield stress at depth {depth} mm; must be at most 1, otherwise the rail yields without a wheel"
     )]
     Initial {
         /// √(3/2) |s| / σ_y.
@@ -35,7 +35,7 @@ pub enum ShakedownError {
         /// mm.
         depth: f64,
     },
-    /// A plastic zone that extends deeper with every attempt.
+    /// A plastic zone that becomes deeper with every enlargement of the grid.
     #[error(
         "the plastic zone reaches below {depth} mm: the initial residual stress and the wheel make the whole rail yield"
     )]
@@ -57,7 +57,7 @@ pub enum ShakedownError {
         /// The tolerance of this change.
         tolerance: f64,
     },
-    /// Given up on request.
+    /// Interrupted on request.
     #[error("{0}")]
     Interrupted(#[from] Interrupted),
 }

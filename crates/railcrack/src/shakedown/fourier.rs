@@ -1,11 +1,11 @@
-//! Discrete Fourier transforms of many signals at once.
+//! Discrete Fourier transforms of many signals at the same time.
 
 use pulp::{Arch, Simd, WithSimd};
 
 /// The transform X_k = Σ_n x_n e^(−2π i k n / N) of signals of length N, a power of two.
 ///
 /// Signals are stored side by side: sample n of all of them is contiguous, so that one butterfly
-/// serves them all.
+/// processes all of them.
 ///
 /// Source: Stockham's self-sorting form of radix four (Cooley & Tukey 1965; Van Loan 1992,
 /// Computational Frameworks for the Fast Fourier Transform, 1.7).
@@ -26,7 +26,7 @@ pub(super) struct Signals {
 }
 
 impl Signals {
-    /// `samples` = length · number of signals zeros.
+    /// Zero signals; `samples` = length · number of signals.
     pub(super) fn zeros(samples: usize) -> Self {
         let zeros = || vec![0.0; samples];
         Self { re: zeros(), im: zeros(), spare_re: zeros(), spare_im: zeros() }
@@ -34,7 +34,7 @@ impl Signals {
 }
 
 impl Fourier {
-    /// `length` is a power of two.
+    /// The transform of signals of `length` samples, a power of two.
     pub(super) fn new(length: usize) -> Self {
         let root = |n: usize| (-2.0 * std::f64::consts::PI * n as f64 / length as f64).sin_cos();
         let roots = (0..length).map(root).map(|(sin, cos)| (cos, sin)).collect();
@@ -66,7 +66,7 @@ impl Fourier {
             let Signals { re, im, spare_re, spare_im } = &mut *signals;
             for part in 0..rest / radix {
                 let root = |power: usize| self.roots[power * part * stride];
-                let from = Part { re, im, block: stride * lanes, part, parts: rest / radix };
+                let from = ButterflyInput { re, im, block: stride * lanes, part, parts: rest / radix };
                 let first = part * radix * stride * lanes;
                 let to = (first, spare_re.as_mut_slice(), spare_im.as_mut_slice());
                 if radix == 4 {
@@ -83,7 +83,7 @@ impl Fourier {
 }
 
 /// The input of a butterfly: blocks `part`, `part + parts`, `part + 2 parts`, ….
-struct Part<'a> {
+struct ButterflyInput<'a> {
     re: &'a [f64],
     im: &'a [f64],
     block: usize,
@@ -91,7 +91,7 @@ struct Part<'a> {
     parts: usize,
 }
 
-impl<'a> Part<'a> {
+impl<'a> ButterflyInput<'a> {
     #[inline(always)]
     fn leg(&self, leg: usize) -> (&'a [f64], &'a [f64]) {
         let from = (self.part + leg * self.parts) * self.block;
@@ -99,12 +99,12 @@ impl<'a> Part<'a> {
     }
 }
 
-/// Offset of the first block that a butterfly writes, and the arrays.
-type Target<'a> = (usize, &'a mut [f64], &'a mut [f64]);
+/// The output of a butterfly: offset of the first block, real and imaginary parts.
+type ButterflyOutput<'a> = (usize, &'a mut [f64], &'a mut [f64]);
 
 struct Four<'a> {
-    from: Part<'a>,
-    to: Target<'a>,
+    from: ButterflyInput<'a>,
+    to: ButterflyOutput<'a>,
     roots: [(f64, f64); 3],
 }
 
@@ -140,8 +140,8 @@ impl WithSimd for Four<'_> {
 }
 
 struct Two<'a> {
-    from: Part<'a>,
-    to: Target<'a>,
+    from: ButterflyInput<'a>,
+    to: ButterflyOutput<'a>,
 }
 
 impl WithSimd for Two<'_> {
@@ -149,7 +149,7 @@ impl WithSimd for Two<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        // The last stage alone: its only root is 1.
+        // Last stage only, with the single root 1.
         let block = self.from.block;
         let [(ar, ai), (br, bi)] = [0, 1].map(|leg| self.from.leg(leg));
         let (first, re, im) = self.to;

@@ -1,4 +1,4 @@
-//! Columns and layers around the contact.
+//! Grid of columns and layers around the contact.
 
 use super::layers::Layers;
 use super::rail::RolledRail;
@@ -7,8 +7,8 @@ use super::{bounds, error::ShakedownError};
 /// Resolution of stress and strain around the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Resolution {
-    /// Columns, and layers where the rail may yield, per half-width of the contact: a power of two,
-    /// so that both edges of the contact are columns.
+    /// Number of columns, and of layers where the rail may yield, per half-width of the contact; a
+    /// power of two, so that both edges of the contact lie on columns.
     pub per_half_width: u32,
     /// Least period of the waves, in half-widths of the contact; see `docs/shakedown.md`.
     pub period: u32,
@@ -23,8 +23,8 @@ impl Default for Resolution {
 
 /// Columns and layers of one computation.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Grid {
-    /// A power of two.
+pub(super) struct RailGrid {
+    /// Number of columns, a power of two.
     pub columns: usize,
     /// mm.
     pub spacing: f64,
@@ -33,27 +33,28 @@ pub(super) struct Grid {
     pub fine_depth: f64,
 }
 
-/// Beyond this p0/k the plastic zone is deeper than ten half-widths: no elastic half-plane carries
-/// such a load, and the pressure ceases to be Hertzian long before.
+/// p0/k beyond which the plastic zone is deeper than ten half-widths. No elastic half-plane carries
+/// such a load, and the pressure ceases to be Hertzian at much lower loads.
 const HEAVIEST: f64 = 20.0;
-/// The plastic zone extends deeper than first yield, because the yielded part sheds its load: by so
-/// much, and …
+/// Factor by which the plastic zone is deeper than the zone of the elastic passage above yield,
+/// because the yielded part sheds load, and …
 const SPREAD: f64 = 1.35;
-/// … so much over a.
+/// … increase of its depth, over a.
 const SPREAD_OVER_A: f64 = 0.1;
 /// Least period over the depth of the even layers.
 const PERIOD_OVER_DEPTH: f64 = 4.5;
-/// Depth of all layers over that of the even ones: flow in the lower ones shows that more even ones
-/// are needed.
+/// Depth of all layers over that of the even ones: flow in the lower layers shows that more even
+/// layers are needed.
 const MARGIN: f64 = 1.15;
-/// Depth over a beyond which layers and columns double: deeper zones are larger in all directions.
+/// Depth over a beyond which the sizes of layers and columns double, because deeper zones are
+/// larger in all directions.
 const COARSER_BEYOND: f64 = 4.0;
 /// Half-widths on each side of the contact in which flow is admitted and the extrapolation acts.
-pub(super) const WINDOW: f64 = 3.0;
+pub(super) const ACTIVE: f64 = 3.0;
 
-impl Grid {
-    /// The grid for `rail`: even layers down to where its elastic passage yields and somewhat
-    /// deeper.
+impl RailGrid {
+    /// The grid for `rail`, with even layers to slightly below the depth at which its elastic
+    /// passage yields.
     pub(super) fn of(rail: &RolledRail, resolution: Resolution) -> Result<Self, ShakedownError> {
         Self::check_load(rail)?;
         let a = rail.contact.half_width();
@@ -61,14 +62,14 @@ impl Grid {
         Ok(Self::down_to(rail, resolution, SPREAD * depth + SPREAD_OVER_A * a))
     }
 
-    /// Whether a half-plane can carry the load of `rail`.
+    /// Checks that a half-plane can carry the load of `rail`.
     pub(super) fn check_load(rail: &RolledRail) -> Result<(), ShakedownError> {
         let ratio = rail.pressure_ratio();
         let accepted = ratio > 0.0 && ratio <= HEAVIEST;
         if accepted { Ok(()) } else { Err(ShakedownError::Load { ratio, most: HEAVIEST }) }
     }
 
-    /// For `rail`: even layers down to `fine_depth` (mm).
+    /// The grid for `rail` with even layers down to `fine_depth` (mm).
     pub(super) fn down_to(rail: &RolledRail, resolution: Resolution, fine_depth: f64) -> Self {
         let a = rail.contact.half_width();
         let mut spacing = a / f64::from(resolution.per_half_width.next_power_of_two());

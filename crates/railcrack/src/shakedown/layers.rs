@@ -1,4 +1,4 @@
-//! Layers of the rail by depth.
+//! Layers of the rail in depth.
 
 /// Layers of the rail from the surface down, each with one plastic strain at every abscissa.
 #[derive(Debug, Clone, PartialEq)]
@@ -7,17 +7,18 @@ pub struct Layers {
     interfaces: Vec<f64>,
 }
 
-/// Thickness of a layer over the one above, below the even ones: nothing flows there.
+/// Thickness of a layer over that of the layer above, below the even layers, where there is no
+/// plastic flow.
 const GROWTH: f64 = 1.2;
-/// The same at the surface, …
+/// Thickness of a layer over that of the layer above at the surface, …
 const SURFACE_GROWTH: f64 = 2.0;
-/// … where layers begin with the even thickness over two to this power. Under friction the stress
+/// … where the first layer has the even thickness over two to this power. Under friction the stress
 /// at the edges of the contact varies with the square root of the depth.
 const SURFACE_LAYERS: i32 = 5;
 
 impl Layers {
-    /// Layers of `thickness` (mm) down to `fine_depth` (mm), thinner ones at the surface, growing
-    /// below down to `depth` (mm).
+    /// Layers of `thickness` (mm) down to `fine_depth` (mm), thinner ones at the surface, and
+    /// increasingly thick ones from there to `depth` (mm).
     pub(super) fn graded(thickness: f64, fine_depth: f64, depth: f64) -> Self {
         let mut interfaces = vec![0.0];
         // 2⁻⁵, 2⁻⁵, 2⁻⁴, …, 2⁻¹ of the thickness make up one layer.
@@ -38,22 +39,22 @@ impl Layers {
     }
 
     /// Number of layers.
-    pub fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         self.interfaces.len() - 1
     }
 
     /// Depth of the upper face of layer `i`, mm.
-    pub fn top(&self, i: usize) -> f64 {
+    pub(crate) fn top(&self, i: usize) -> f64 {
         self.interfaces[i]
     }
 
     /// Thickness of layer `i`, mm.
-    pub fn thickness(&self, i: usize) -> f64 {
+    pub(crate) fn thickness(&self, i: usize) -> f64 {
         self.interfaces[i + 1] - self.interfaces[i]
     }
 
     /// Depths of the midplanes of the layers, mm.
-    pub fn middles(&self) -> Vec<f64> {
+    pub(crate) fn middles(&self) -> Vec<f64> {
         self.interfaces.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect()
     }
 

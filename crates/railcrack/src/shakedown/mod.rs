@@ -17,8 +17,8 @@ mod streamline;
 mod wave;
 
 pub use bounds::{
-    ContactBounds, DepthBounds, FirstYield, MapPoint, ShakedownLimit, bounds_by_depth, first_yield_ratio,
-    shakedown_limit_ratio, shakedown_map,
+    ContactBounds, DepthBounds, FirstYield, MapPoint, ShakedownLimit, bounds_by_depth, shakedown_limit_ratio,
+    shakedown_map,
 };
 pub use error::ShakedownError;
 pub use grid::Resolution;

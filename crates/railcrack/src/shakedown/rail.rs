@@ -1,4 +1,4 @@
-//! The rolled rail: material, contact, travel, initial residual stress.
+//! Rolled rails: material, contact, direction of travel and initial residual stress.
 
 use super::bounds::{
     ContactBounds, DepthBounds, FirstYield, ShakedownLimit, bounds_by_depth, first_yield_ratio,
@@ -27,7 +27,7 @@ pub struct RolledRail {
     pub initial: Option<DepthProfile>,
 }
 
-/// The field of a contact, by abscissa from its middle.
+/// The field of a contact as a function of the abscissa from its middle.
 pub(super) struct RollingField {
     wheel: Box<dyn Wheel>,
     middle: f64,
@@ -61,44 +61,42 @@ impl RolledRail {
         self.initial.as_ref().map_or(Stress::ZERO, |profile| profile.stress(at))
     }
 
-    /// First yield under the contact. Errors: a contact that is none.
+    /// First yield under the contact. Errors: an invalid contact.
     pub fn first_yield(&self) -> Result<FirstYield, ShakedownError> {
-        match &self.contact {
-            Contact::Hertz(contact) => Ok(first_yield_ratio(contact.friction, self.steel.poisson())),
-            contact => Ok(self.bounds_of(contact, |bounds| bounds.first_yield())?),
+        match self.contact.sliding() {
+            Some(contact) => Ok(first_yield_ratio(contact.friction, self.steel.poisson())),
+            None => Ok(self.bounds_of(|bounds| bounds.first_yield())?),
         }
     }
 
-    /// The limit of elastic shakedown under the contact. Errors: a contact that is none.
+    /// The limit of elastic shakedown under the contact. Errors: an invalid contact.
     pub fn shakedown_limit(&self) -> Result<ShakedownLimit, ShakedownError> {
-        match &self.contact {
-            Contact::Hertz(contact) => Ok(shakedown_limit_ratio(contact.friction, self.steel.poisson())),
-            contact => Ok(self.bounds_of(contact, |bounds| bounds.shakedown_limit())?),
+        match self.contact.sliding() {
+            Some(contact) => Ok(shakedown_limit_ratio(contact.friction, self.steel.poisson())),
+            None => Ok(self.bounds_of(|bounds| bounds.shakedown_limit())?),
         }
     }
 
-    /// Both at each of `depths_over_a`. Errors: a contact that is none.
+    /// First yield and shakedown limit at each of `depths_over_a`. Errors: an invalid contact.
     pub fn bounds_by_depth(&self, depths_over_a: &[f64]) -> Result<Vec<DepthBounds>, ShakedownError> {
-        match &self.contact {
-            Contact::Hertz(contact) => {
-                Ok(bounds_by_depth(contact.friction, self.steel.poisson(), depths_over_a))
-            }
-            contact => Ok(self.bounds_of(contact, |bounds| bounds.by_depth(depths_over_a))?),
+        match self.contact.sliding() {
+            Some(contact) => Ok(bounds_by_depth(contact.friction, self.steel.poisson(), depths_over_a)),
+            None => Ok(self.bounds_of(|bounds| bounds.by_depth(depths_over_a))?),
         }
     }
 
-    fn bounds_of<T>(&self, contact: &Contact, of: impl FnOnce(&ContactBounds) -> T) -> Result<T, OutOfRange> {
-        let wheel = alone(contact, &self.steel)?;
-        Ok(of(&ContactBounds::new(contact, wheel.as_ref())))
+    fn bounds_of<T>(&self, of: impl FnOnce(&ContactBounds) -> T) -> Result<T, OutOfRange> {
+        let wheel = alone(&self.contact, &self.steel)?;
+        Ok(of(&ContactBounds::new(&self.contact, wheel.as_ref())))
     }
 
-    /// The field of the contact. Errors: a contact that is none.
+    /// The field of the contact. Errors: an invalid contact.
     pub(super) fn field(&self) -> Result<RollingField, ShakedownError> {
         let (wheel, middle) = (alone(&self.contact, &self.steel)?, self.contact.middle());
         Ok(RollingField { wheel, middle })
     }
 
-    /// The same for the wheel of the mirrored rail where it runs towards −x.
+    /// The field of the contact, or of its mirror image if the wheel runs towards −x.
     pub(super) fn forward_field(&self) -> Result<RollingField, ShakedownError> {
         let contact = self.forward_contact();
         Ok(RollingField { wheel: alone(&contact, &self.steel)?, middle: contact.middle() })

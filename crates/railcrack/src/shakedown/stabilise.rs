@@ -1,10 +1,10 @@
-//! Iteration over passages to the stabilised state.
+//! Iteration over passages up to the stabilised state.
 
 use super::bounds::{ShakedownLimit, utilisation};
 use super::cycle;
 use super::eigenstress::{Columns, Eigenstress};
 use super::error::ShakedownError;
-use super::grid::{Grid, Resolution, WINDOW};
+use super::grid::{ACTIVE, RailGrid, Resolution};
 use super::rail::RolledRail;
 use super::state::{DepthRange, LayerState, Method, PassRecord, RailState, StabilisedRail};
 use super::steady::{SteadyPassage, SteadyProblem, Upstream, first_column};
@@ -13,17 +13,17 @@ use super::streamline::FlowLaw;
 use crate::interruption::Interruption;
 use crate::math::{OutOfRange, Stress};
 
-/// Settings of the computation.
+/// Settings of the stabilisation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stabilisation {
-    /// The way.
+    /// The method.
     pub method: Method,
-    /// Columns and layers.
+    /// Resolution in columns and layers.
     pub resolution: Resolution,
     /// Number of passages after which the rail counts as not stabilised.
     pub max_passes: usize,
-    /// Change of the residual stress by a passage, over the largest that passages have left, at
-    /// which it counts as stabilised.
+    /// Change of the residual stress by a passage, over the largest residual stress left by
+    /// passages, below which it counts as stabilised.
     pub pass_tolerance: f64,
 }
 
@@ -41,13 +41,13 @@ impl Default for Stabilisation {
 }
 
 /// Change of the plastic strain at which the iteration within a passage ends, times 2 G over R:
-/// some MPa/1000.
+/// some 1e-3 MPa.
 const TOLERANCE: f64 = 1e-5;
-/// The same for the direct method, whose plastic strain drifts by as much in each iteration without
-/// any change of the stress.
+/// The same tolerance for the direct method, whose plastic strain drifts by this amount in each
+/// iteration without any change of the stress.
 const DIRECT_TOLERANCE: f64 = 2e-4;
 /// Change of the plastic strain by a passage, over the yield strain, above which the rail has not
-/// stabilised whatever the stress: a shear along the rail leaves no residual stress, and may
+/// stabilised even if the stress has: a shear along the rail leaves no residual stress and may
 /// continue.
 const STRAIN_TOLERANCE: f64 = 1e-2;
 /// Number of redistributions after which a passage has failed; the softest steels (C = E/10⁴) take
@@ -56,16 +56,16 @@ const MOST_ITERATIONS: usize = 3000;
 /// Number of times that the even layers are extended downwards because there is flow below them.
 const EXTENSIONS: usize = 8;
 /// A layer alternates if its accumulated plastic strain in a passage is this many times the plastic
-/// strain that it retains: in one that settles the two are equal; …
+/// strain that it retains: in a layer that settles the two are equal; …
 const ALTERNATING: f64 = 4.0;
 /// … and if the path is at least this fraction of the longest: shorter ones, in single layers at
 /// the surface, come and go with the number of columns.
 const ALTERNATING_SHARE: f64 = 1e-2;
 
-/// The state to which repeated passages over `rail` lead. `watch` receives every passage, and again
-/// from the first one on where the plastic zone turns out to need more layers.
+/// The state to which repeated passages over `rail` lead. `watch` receives every passage, and
+/// starts again with the first one if the plastic zone turns out to need more layers.
 ///
-/// Errors: a load or contact outside of the range of the model; a passage that does not converge.
+/// Errors: a load or contact outside the range of the model; a passage that does not converge.
 ///
 /// Source: Dang Van & Maitournam 1993, J. Mech. Phys. Solids 41, 1691–1710 (steady flow under
 /// moving loads).
@@ -77,7 +77,7 @@ pub fn stabilise(
     stabilise_unless(Interruption::NEVER, rail, settings, watch)
 }
 
-/// [`stabilise`], given up on an `interruption`.
+/// [`stabilise`] that stops on an `interruption`.
 pub fn stabilise_unless(
     interruption: Interruption<'_>,
     rail: &RolledRail,
@@ -85,30 +85,30 @@ pub fn stabilise_unless(
     mut watch: impl FnMut(&PassRecord),
 ) -> Result<StabilisedRail, ShakedownError> {
     check_rail(rail)?;
-    let mut grid = Grid::of(rail, settings.resolution)?;
+    let mut grid = RailGrid::of(rail, settings.resolution)?;
     for _ in 0..EXTENSIONS {
-        let mut run = Run::new(rail, settings, &grid)?;
+        let mut run = PassIteration::new(rail, settings, &grid)?;
         let flown = run.all_passes(interruption, &mut watch)?;
         if flown <= grid.fine_depth {
             return run.finish();
         }
-        grid = Grid::down_to(rail, settings.resolution, 1.25 * flown);
+        grid = RailGrid::down_to(rail, settings.resolution, 1.25 * flown);
     }
     Err(ShakedownError::Bottomless { depth: grid.fine_depth })
 }
 
 /// Checks that [`stabilise`] can compute `rail`.
 ///
-/// Errors: a load, contact or initial residual stress outside of the range of the model.
+/// Errors: a load, contact or initial residual stress outside the range of the model.
 pub fn check_rail(rail: &RolledRail) -> Result<(), ShakedownError> {
-    Grid::check_load(rail)?;
+    RailGrid::check_load(rail)?;
     let contact = &rail.contact;
     OutOfRange::unless_positive("peak pressure (MPa)", contact.peak_pressure())?;
     OutOfRange::unless_positive("half width (mm)", contact.half_width())?;
     let within = (-1.0..=1.0).contains(&contact.adhesion());
     OutOfRange::unless(within, "friction", contact.adhesion(), "between -1 and 1")?;
     contact.check()?;
-    // The profile is linear between its rows, and |s| convex: its largest value is at a row.
+    // The profile is linear between its rows, and |s| convex: its largest value occurs at a row.
     for &(depth, xx, zz) in rail.initial.iter().flat_map(|profile| profile.rows()) {
         let s = Stress { xx, zz, ..Stress::ZERO }.deviator();
         let utilisation = s.iter().map(|c| c * c).sum::<f64>().sqrt() / rail.hardening.yield_radius();
@@ -119,11 +119,11 @@ pub fn check_rail(rail: &RolledRail) -> Result<(), ShakedownError> {
     Ok(())
 }
 
-/// The computation on one grid.
-struct Run<'a> {
+/// The iteration over passages on one grid.
+struct PassIteration<'a> {
     rail: &'a RolledRail,
     settings: &'a Stabilisation,
-    grid: &'a Grid,
+    grid: &'a RailGrid,
     problem: SteadyProblem,
     /// Plastic strain of the last two passages.
     last: Option<SteadyPassage>,
@@ -133,11 +133,11 @@ struct Run<'a> {
     stabilised: bool,
 }
 
-impl<'a> Run<'a> {
+impl<'a> PassIteration<'a> {
     fn new(
         rail: &'a RolledRail,
         settings: &'a Stabilisation,
-        grid: &'a Grid,
+        grid: &'a RailGrid,
     ) -> Result<Self, ShakedownError> {
         let field = rail.forward_field()?;
         let layers = grid.layers.middles();
@@ -151,13 +151,13 @@ impl<'a> Run<'a> {
                 }
             }
         }
-        let half_window = (WINDOW * rail.contact.half_width() / grid.spacing).round() as usize;
+        let half_active = (ACTIVE * rail.contact.half_width() / grid.spacing).round() as usize;
         let middle = grid.columns / 2;
         let problem = SteadyProblem {
             eigenstress: Eigenstress::new(&rail.steel, grid.columns, grid.spacing, grid.layers.clone()),
             law: FlowLaw::new(&rail.steel, &rail.hardening),
             background,
-            window: middle - half_window..middle + half_window,
+            active: middle - half_active..middle + half_active,
             strain_scale: 2.0 * rail.steel.shear_modulus() / rail.hardening.yield_radius(),
             tolerance: match settings.method {
                 Method::PassByPass => TOLERANCE,
@@ -179,8 +179,8 @@ impl<'a> Run<'a> {
         })
     }
 
-    /// All passages; returns the greatest depth with plastic strain, mm. Ends early where this lies
-    /// below the even layers.
+    /// Computes all passages and returns the greatest depth with plastic strain, mm. Ends early if
+    /// this depth lies below the even layers.
     fn all_passes(
         &mut self,
         interruption: Interruption<'_>,
@@ -351,8 +351,8 @@ impl<'a> Run<'a> {
         })
     }
 
-    /// Where plastic strain alternates: according to the layers, and where the zone is thinner than
-    /// these, according to the elastic paths.
+    /// The depth range of alternating plastic strain, from the layers or, if the zone is thinner
+    /// than one layer, from the elastic paths.
     fn alternating(&self, passage: &SteadyPassage, limit: ShakedownLimit) -> DepthRange {
         let layers = self.entering.len();
         let (came, leaving) = (&passage.entering, first_column(&passage.strain, layers));

@@ -1,4 +1,4 @@
-//! The stabilised state and the passages that lead to it.
+//! Stabilised state, and the passages that lead to it.
 
 use super::layers::Layers;
 use super::rail::RolledRail;
@@ -34,10 +34,11 @@ impl Choice for RailState {
 /// Method for the stabilised plastic state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// Each passage starts from the state left by the one before.
+    /// Each passage starts from the state left by the previous one.
     PassByPass,
-    /// Upstream := downstream in every iteration. An elastic-shakedown state is not unique: this
-    /// one is admissible, and need not be the one to which passages lead.
+    /// The upstream state is set to the downstream state in every iteration. An elastic-shakedown
+    /// state is not unique: the result is admissible, but need not be the state to which passages
+    /// lead.
     Direct,
 }
 
@@ -45,22 +46,22 @@ impl Choice for Method {
     const WORDS: &'static [(Self, Word)] = &[
         (
             Self::PassByPass,
-            Word::now("pass-by-pass", "each passage starts from the state left by the one before"),
+            Word::now("pass-by-pass", "each passage starts from the state left by the previous one"),
         ),
         (
             Self::Direct,
             Word::now(
                 "direct",
-                "the state downstream becomes that upstream in every iteration: cheaper, and another admissible state",
+                "the downstream state becomes the upstream state in every iteration: cheaper, but possibly a different admissible state",
             ),
         ),
     ];
 }
 
-/// One passage, or the single computation of [`Method::Direct`].
+/// Record of one passage, or of the single computation of [`Method::Direct`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PassRecord {
-    /// From 1.
+    /// Number of the passage, from 1.
     pub pass: usize,
     /// Number of elastic redistributions.
     pub iterations: usize,
@@ -91,7 +92,7 @@ pub struct LayerState {
     pub plastic_per_pass: f64,
 }
 
-/// Depths, mm.
+/// A range of depths, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DepthRange {
     /// Upper end.
@@ -101,13 +102,13 @@ pub struct DepthRange {
 }
 
 /// Stress and plastic strain around the load in the last passage, in the order of travel: a rail
-/// point meets the columns one after the other.
+/// point passes the columns one after the other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycle {
     /// Abscissae of the columns from the centre of the contact, mm, upstream first.
     pub abscissae: Vec<f64>,
-    /// Stress of wheel, plastic strain and manufacturing, MPa: that of column i and layer j at
-    /// i · layers + j.
+    /// Stress due to the wheel, plastic strain and manufacturing, MPa; column i and layer j at i ·
+    /// layers + j.
     pub stress: Vec<Stress>,
     /// Plastic strain, likewise.
     pub strain: Vec<PlasticStrain>,
@@ -143,18 +144,18 @@ pub struct StabilisedRail {
     pub alternating: Option<DepthRange>,
     /// The last passage.
     pub cycle: Cycle,
-    /// How well the state satisfies yield condition, periodicity and equilibrium.
+    /// Residuals of the yield condition, of periodicity and of equilibrium.
     pub admissibility: Admissibility,
 }
 
 impl StabilisedRail {
-    /// Elastic redistributions of all passages: the cost.
+    /// Number of elastic redistributions in all passages, a measure of the cost.
     pub fn iterations(&self) -> usize {
         self.passes.iter().map(|pass| pass.iterations).sum()
     }
 
     /// The largest difference of σ_xx or σ_zz of the residual stress from `other`, MPa, at the
-    /// depths of this one.
+    /// depths of this state.
     pub fn stress_difference(&self, other: &Self) -> f64 {
         let difference = |layer: &LayerState| {
             let there = other.residual_stress(layer.depth);
@@ -187,8 +188,8 @@ impl StabilisedRail {
         path
     }
 
-    /// The same at the running surface: the stress of the wheel there, and the residual stress of
-    /// the uppermost layer. `rail` is the rail that was computed.
+    /// The stress path at the running surface, MPa: the stress of the wheel there, and the residual
+    /// stress of the uppermost layer. `rail` is the computed rail.
     pub fn surface_path(&self, rail: &RolledRail) -> Vec<Stress> {
         let (Some(top), Ok(field)) = (self.profile.first(), rail.field()) else { return Vec::new() };
         let mut path = self.stress_path(0);

@@ -1,4 +1,4 @@
-//! One passage in the frame of the load.
+//! Steady passages in the frame of the load.
 
 use super::eigenstress::{Columns, Eigenstress};
 use super::streamline::FlowLaw;
@@ -6,13 +6,13 @@ use crate::interruption::{Interrupted, Interruption};
 use crate::math::Anderson;
 use std::ops::Range;
 
-/// The steady state of one passage: stress and plastic strain around the load, which do not change
-/// in its frame.
+/// Steady state of one passage: stress and plastic strain around the load, which are constant in
+/// its frame.
 #[derive(Debug, Clone)]
 pub(super) struct SteadyPassage {
-    /// Plastic strain, coordinates of a deviator.
+    /// Plastic strain in coordinates of a deviator.
     pub strain: Columns,
-    /// The plastic strain that enters, by layer.
+    /// The entering plastic strain by layer.
     pub entering: Vec<[f64; 3]>,
     /// √(2/3) ∫ |dε_p| of each layer.
     pub path: Vec<f64>,
@@ -23,38 +23,39 @@ pub(super) struct SteadyPassage {
     pub change: f64,
 }
 
-/// The relation between the plastic strain that enters and the one that leaves.
+/// The plastic strain that enters the passage.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Upstream {
-    /// It is given.
+    /// A given strain.
     Given,
-    /// It is the one that leaves: a periodic passage.
+    /// The strain that leaves, for a periodic passage.
     Downstream,
 }
 
-/// The data that do not change from passage to passage.
+/// The data that are common to all passages.
 pub(super) struct SteadyProblem {
     pub eigenstress: Eigenstress,
     pub law: FlowLaw,
     /// Stress deviators of wheel and initial residual stress, MPa.
     pub background: Columns,
-    /// Columns around the contact, in which the extrapolation acts; the values outside follow.
-    pub window: Range<usize>,
+    /// Columns around the contact in which the extrapolation acts; the values outside follow from
+    /// these.
+    pub active: Range<usize>,
     /// 2 G over the radius of the yield surface.
     pub strain_scale: f64,
-    /// Largest change at which the iteration ends.
+    /// Change at or below which the iteration ends.
     pub tolerance: f64,
     /// Largest number of redistributions.
     pub max_iterations: usize,
 }
 
-/// Number of iterates that Anderson's extrapolation combines: 4 to 10 take about the same number of
-/// redistributions.
+/// Number of iterates that Anderson's extrapolation combines; with 4 to 10 the number of
+/// redistributions is about the same.
 const DEPTH: usize = 6;
 
 impl SteadyProblem {
     /// Alternates redistribution and return mapping from `start` until the plastic strain repeats,
-    /// or `max_iterations`; `entering` is the plastic strain upstream, by layer.
+    /// or until `max_iterations`; `entering` is the plastic strain upstream, by layer.
     ///
     /// Errors: an interruption.
     pub(super) fn solve(
@@ -69,7 +70,7 @@ impl SteadyProblem {
         let mut strain = start;
         if upstream == Upstream::Given {
             for c in 0..3 {
-                for at in self.window.end * layers..strain[c].len() {
+                for at in self.active.end * layers..strain[c].len() {
                     strain[c][at] = entering[at % layers][c];
                 }
             }
@@ -90,19 +91,19 @@ impl SteadyProblem {
             if change <= self.tolerance || iterations >= self.max_iterations || !change.is_finite() {
                 return Ok(SteadyPassage { strain: image, entering, path, iterations, change });
             }
-            let window = self.window.start * layers..self.window.end * layers;
+            let active = self.active.start * layers..self.active.end * layers;
             let part = |field: &Columns| -> Vec<f64> {
-                field.iter().flat_map(|component| &component[window.clone()]).copied().collect()
+                field.iter().flat_map(|component| &component[active.clone()]).copied().collect()
             };
             let mut next = part(&strain);
             let residual: Vec<f64> = part(&image).iter().zip(&next).map(|(g, x)| g - x).collect();
             anderson.advance(&mut next, &residual);
-            for (c, values) in next.chunks_exact(window.len()).enumerate() {
-                strain[c][window.clone()].copy_from_slice(values);
-                strain[c][window.end..].copy_from_slice(&image[c][window.end..]);
-                // Downstream of the window the extrapolated strain continues as its image under the
-                // iteration does.
-                for at in (0..window.start).rev() {
+            for (c, values) in next.chunks_exact(active.len()).enumerate() {
+                strain[c][active.clone()].copy_from_slice(values);
+                strain[c][active.end..].copy_from_slice(&image[c][active.end..]);
+                // Downstream of the active columns the extrapolated strain continues like its image
+                // under the iteration.
+                for at in (0..active.start).rev() {
                     strain[c][at] = strain[c][at + layers] + (image[c][at] - image[c][at + layers]);
                 }
             }
@@ -121,7 +122,7 @@ fn largest_difference(a: &Columns, b: &Columns) -> f64 {
     for at in 0..a[0].len() {
         let d = [0, 1, 2].map(|c| a[c][at] - b[c][at]);
         let square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-        // `max` would ignore it.
+        // `max` would ignore NaN.
         if square.is_nan() {
             return f64::NAN;
         }

@@ -1,4 +1,4 @@
-//! Plastic strain.
+//! Plastic strain tensors.
 
 /// A plastic strain: deviatoric, with tensor shear.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -14,9 +14,9 @@ pub struct PlasticStrain {
 }
 
 impl PlasticStrain {
-    /// From the coordinates of [`crate::math::Stress::deviator`], whose Euclidean norm is the
-    /// Frobenius norm: ((ε_xx − ε_yy)/√2, √(3/2) ε_zz, √2 ε_xy).
-    pub fn from_deviator([difference, out, shear]: [f64; 3]) -> Self {
+    /// The strain with the coordinates of [`crate::math::Stress::deviator`], whose Euclidean norm
+    /// is the Frobenius norm: ((ε_xx − ε_yy)/√2, √(3/2) ε_zz, √2 ε_xy).
+    pub(crate) fn from_deviator([difference, out, shear]: [f64; 3]) -> Self {
         const ROOT_2: f64 = std::f64::consts::SQRT_2;
         let zz = (2.0 / 3.0_f64).sqrt() * out;
         Self {
@@ -28,7 +28,7 @@ impl PlasticStrain {
     }
 
     /// The coordinates of [`PlasticStrain::from_deviator`].
-    pub fn deviator(self) -> [f64; 3] {
+    pub(crate) fn deviator(self) -> [f64; 3] {
         const ROOT_2: f64 = std::f64::consts::SQRT_2;
         [(self.xx - self.yy) / ROOT_2, 1.5_f64.sqrt() * self.zz, ROOT_2 * self.xy]
     }

@@ -1,4 +1,4 @@
-//! Return mapping along the streamlines.
+//! Return mapping along streamlines.
 
 use super::eigenstress::Columns;
 use crate::material::{IsotropicElastic, KinematicHardening};
@@ -7,12 +7,12 @@ use std::ops::Range;
 
 /// Integration of the constitutive law along horizontal streamlines.
 ///
-/// In the frame of the load a material point meets the stresses of its layer one after the other,
+/// In the frame of the load a material point passes the stresses of its layer one after the other,
 /// d/dt = −V ∂/∂x. With B = s + H ε_p of the previous iterate, which the redistribution leaves
 /// unchanged if H is the stiffness of the response of the surroundings, the plastic strain is such
 /// that ξ = B − (H + 2 C/3) ε_p stays in the yield ball: return mapping along the normal (Wilkins
 /// 1964; Simo & Hughes 1998, Computational Inelasticity, 3.3). At the fixed point B − H ε_p is the
-/// stress deviator s itself, whatever H.
+/// stress deviator s itself for any H.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FlowLaw {
     radius: f64,
@@ -27,12 +27,12 @@ pub(super) struct FlowLaw {
 }
 
 /// H over 2 G. The redistribution has stiffnesses from 0 (a shear that the surroundings follow) to
-/// 2 G (which they do not follow at all): half of it is the constant for which the worse of the two
-/// limits converges best.
+/// 2 G (which they do not follow at all): half of this is the constant with the best convergence in
+/// the worse of the two limits.
 const STIFFNESS: f64 = 0.5;
 
-/// Substeps of the interval between columns in which there is plastic flow; the path is straight in
-/// between. See `docs/shakedown.md` for the effect of substeps and columns.
+/// Substeps of the interval between columns in which there is plastic flow; the path within an
+/// interval is straight. See `docs/shakedown.md` for the effect of substeps and columns.
 const PARTS: usize = 4;
 
 impl FlowLaw {
@@ -47,9 +47,9 @@ impl FlowLaw {
         }
     }
 
-    /// From the plastic strain `old`, its residual `stress` and the deviators `background` of all
-    /// other stress: the plastic strain `new` of material points that enter with `upstream` at the
-    /// last column. Returns the accumulated plastic strain √(2/3) ∫ |dε_p| of each layer.
+    /// Computes the plastic strain `new` of material points that enter with `upstream` at the last
+    /// column, from the plastic strain `old`, its residual `stress` and the deviators `background`
+    /// of all other stress. Returns the accumulated plastic strain √(2/3) ∫ |dε_p| of each layer.
     pub(super) fn follow(
         &self,
         stress: &Columns,

@@ -1,4 +1,4 @@
-//! Residual stress of one wave of plastic strain along the rail.
+//! Residual stress of a single wave of plastic strain along the rail.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -70,24 +70,26 @@ pub(super) struct LayerFactors {
     /// τ, and e^(−τ).
     thickness: f64,
     decay: f64,
-    /// ∫_0^τ e^(−t) dt and ∫_0^τ t e^(−t) dt: effect at its border of a source in the layer.
+    /// ∫_0^τ e^(−t) dt and ∫_0^τ t e^(−t) dt: effect of a source in the layer at the border of the
+    /// layer.
     source: [f64; 2],
-    /// The same over τ: effect in the layer of a source at its border.
+    /// These integrals over τ: mean effect in the layer of a source at its border.
     mean: [f64; 2],
-    /// (1/τ) ∫∫ e^(−|t − t'|) and (1/τ) ∫∫ |t − t'| e^(−|t − t'|): effect in the layer of a source
-    /// in it.
+    /// (1/τ) ∫∫ e^(−|t − t'|) and (1/τ) ∫∫ |t − t'| e^(−|t − t'|): mean effect in the layer of a
+    /// source in the same layer.
     own: [f64; 2],
     /// κ d and e^(−κ d), d the depth of the upper border.
     depth: f64,
     depth_decay: f64,
 }
 
-/// Below this τ the closed forms of `source[1]` and `own` suffer from cancellation; the first
-/// neglected term of the series is τ⁵/840 of them.
+/// Value of τ below which the closed forms of `source[1]` and `own` suffer from cancellation; the
+/// first neglected term of the series is τ⁵/840 of them.
 const THIN: f64 = 1e-2;
 
 impl LayerFactors {
-    /// `wave_number` κ > 0, 1/mm; `top` the depth of the upper border, mm; `thickness` in mm.
+    /// The factors for `wave_number` κ > 0 (1/mm) of a layer with its upper border at the depth
+    /// `top` (mm), of `thickness` (mm).
     pub(super) fn new(wave_number: f64, top: f64, thickness: f64) -> Self {
         let tau = wave_number * thickness;
         let decay = (-tau).exp();
@@ -125,7 +127,7 @@ struct Far {
 }
 
 impl Far {
-    /// The same at the other border of a layer in which z and w act.
+    /// The effect at the opposite border of a layer with the sources z and w.
     #[inline(always)]
     fn across(self, layer: &LayerFactors, z: Complex, w: Complex) -> Self {
         Self {
@@ -145,7 +147,7 @@ impl Far {
         }
     }
 
-    /// 4 σ / −E′ of it; `side` is +1 for sources below, −1 for sources above.
+    /// 4 σ / −E′ of this effect; `side` is +1 for sources below, −1 for sources above.
     #[inline(always)]
     fn stress(self, side: f64) -> [Complex; 3] {
         let Self { z0, z1, w0 } = self;
@@ -162,13 +164,14 @@ impl Far {
 ///   4 σ_xy/−E′ = ± i ∫ ((t − 1) z − w) e^(−t) κ dy′,
 ///
 /// and φ = (A + B κ y) e^(κy) removes the tractions on the surface. Sums over the sources above and
-/// below are carried from border to border.
+/// below are propagated from border to border.
 pub(super) struct Wave {
     /// e_xx, e_yy, e_xy of each layer.
     pub strains: Vec<[Complex; 3]>,
     /// σ_xx, σ_yy, σ_xy over −E′, means over each layer.
     pub stresses: Vec<[Complex; 3]>,
-    /// Effect of the sources below at the upper border of each layer, and last below all of them.
+    /// Effect of the sources below at the upper border of each layer; the last entry is below all
+    /// layers.
     borders: Vec<Far>,
 }
 
@@ -213,8 +216,8 @@ impl Wave {
 }
 
 impl Wave {
-    /// Tractions (σ_yy, σ_xy) over −E′ at the upper border of each layer, and below the last, of
-    /// the last balance.
+    /// Tractions (σ_yy, σ_xy) over −E′ of the last balance, at the upper border of each layer and
+    /// below the last one.
     fn tractions(&self, layers: &[LayerFactors]) -> Vec<[Complex; 2]> {
         let image = Image::of(self.borders[0]);
         let mut above = Far::default();
@@ -262,7 +265,7 @@ struct Image {
 }
 
 impl Image {
-    /// The one that removes the surface tractions of the sources below it.
+    /// The contribution that removes the surface tractions of the sources below the surface.
     fn of(below: Far) -> Self {
         let Far { z0, z1, w0 } = below;
         Self { a: w0 - z1, b: z1 * 2.0 - z0 - w0 * 2.0 }

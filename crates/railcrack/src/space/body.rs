@@ -60,7 +60,7 @@ impl CloseCracks {
     pub fn among(cracks: &[SpaceCrack]) -> Option<Self> {
         let pairs = (0..cracks.len()).flat_map(|second| (0..second).map(move |first| (first, second)));
         let of = |(first, second): (usize, usize)| {
-            let axes = [&cracks[first], &cracks[second]].map(|crack| crack.depth.min(crack.half_length));
+            let axes = [&cracks[first], &cracks[second]].map(|crack| crack.length.min(crack.half_length));
             let least = LEAST_DISTANCE * axes[0].min(axes[1]);
             let distance = cracks[first].distance(&cracks[second]);
             (distance < least).then_some(Self { first, second, distance, least })

@@ -26,7 +26,7 @@ impl SpaceCrack {
         let start = corner([0.0, 0.0, 1.0], [0.0, 0.0, 1.0]);
         let mut corners = vec![start];
         let mut nearest = start;
-        let size = self.depth.max(self.half_length).max(other.depth).max(other.half_length);
+        let size = self.length.max(self.half_length).max(other.length).max(other.half_length);
         for _ in 0..STEPS {
             let square = dot3(nearest, nearest);
             if square <= (TOLERANCE * size).powi(2) {
@@ -57,7 +57,7 @@ impl SpaceCrack {
     fn farthest(&self, direction: Vector, reach: f64) -> Vector {
         let frame = self.frame();
         let [_, ds, dz] = frame.components(direction);
-        let (l, c) = (reach * self.depth, reach * self.half_length);
+        let (l, c) = (reach * self.length, reach * self.half_length);
         let size = (l * ds).hypot(c * dz);
         let on_ellipse = if size > 0.0 { [l * l * ds / size, c * c * dz / size] } else { [0.0; 2] };
         let [s, zeta] = match self.extent {

@@ -5,13 +5,13 @@
 //! taken whose normal speed is nearest to the local rates, in the mean square along the front.
 
 use super::body::FrontPoint;
-use crate::growth::{FrontMotion, FrontShape};
+use crate::growth::{FrontMotion, FrontShape, Mover};
 use std::f64::consts::PI;
 
 /// Half of the layer (radians of φ) in which the front meets the surface: no cell resolves it.
 pub const VERTEX_LAYER: f64 = 15.0 * PI / 180.0;
 
-/// The speeds of an elliptical front, mm per cycle, or their increments, mm.
+/// The speeds of the motions of an elliptical front (mm per cycle), or their increments (mm).
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct FrontSpeeds {
     motions: Vec<(FrontMotion, f64)>,
@@ -75,6 +75,28 @@ impl FrontSpeeds {
         Self { motions: motions.iter().copied().zip(speeds).collect() }
     }
 
+    /// Those of `crack` (from 0) among `movers`, whose numbers are those of the motions.
+    pub fn of_movers(shape: &FrontShape, crack: usize, movers: &[Mover]) -> Self {
+        let speed = |index: usize| {
+            movers.iter().find(|mover| (mover.crack, mover.index) == (crack, index)).map_or(0.0, |m| m.rate)
+        };
+        let motions = motions(shape).iter().enumerate();
+        Self { motions: motions.map(|(index, motion)| (*motion, speed(index))).collect() }
+    }
+
+    /// As movers of `crack` (from 0) of `length` (mm).
+    pub fn movers(&self, crack: usize, length: f64) -> impl Iterator<Item = Mover> + '_ {
+        let all = self.motions.iter().enumerate();
+        all.map(move |(index, (_, rate))| Mover { crack, index, rate: *rate, length })
+    }
+
+    /// With every speed replaced by a function of the number of its motion and itself.
+    #[must_use]
+    pub fn map(&self, of: impl Fn(usize, f64) -> f64) -> Self {
+        let all = self.motions.iter().enumerate();
+        Self { motions: all.map(|(index, (motion, speed))| (*motion, of(index, *speed))).collect() }
+    }
+
     /// The fastest motion and its speed.
     pub fn fastest(&self) -> Option<(FrontMotion, f64)> {
         let moving = self.motions.iter().copied().filter(|(_, speed)| *speed > 0.0);
@@ -91,14 +113,14 @@ impl FrontSpeeds {
         self.motions.iter().map(|(motion, speed)| speed * normal_speed(shape, *motion, point)).sum()
     }
 
-    /// `shape` after these speeds for `cycles`.
-    pub fn moved(&self, shape: &FrontShape, cycles: f64) -> FrontShape {
-        let by = |motion| cycles * self.of(motion);
+    /// `shape` after these increments.
+    pub fn moved(&self, shape: &FrontShape) -> FrontShape {
+        let by = |motion| self.of(motion);
         let (left, right) = (by(FrontMotion::Plus), by(FrontMotion::Minus));
         let (down, up) = (by(FrontMotion::Down), by(FrontMotion::Up));
         let [x, lateral, _] = shape.frame().position(0.0, 0.5 * (left - right));
         FrontShape {
-            depth: shape.depth + if shape.buried.is_some() { 0.5 * (down + up) } else { down },
+            length: shape.length + if shape.buried.is_some() { 0.5 * (down + up) } else { down },
             half_length: shape.half_length + 0.5 * (left + right),
             middle: [shape.middle[0] + x, shape.middle[1] + lateral],
             buried: shape.buried.map(|centre| centre + 0.5 * (down - up)),
@@ -161,7 +183,7 @@ mod tests {
     use super::*;
 
     fn shape(buried: Option<f64>) -> FrontShape {
-        FrontShape { dip: 0.5, strike: 0.0, depth: 3.0, half_length: 5.0, middle: [0.0, 1.0], buried }
+        FrontShape { dip: 0.5, strike: 0.0, length: 3.0, half_length: 5.0, middle: [0.0, 1.0], buried }
     }
 
     fn front(shape: &FrontShape, count: usize) -> Vec<FrontPoint> {
@@ -170,12 +192,12 @@ mod tests {
         let point = |i: usize| {
             let phi = step * i as f64;
             let (sin, cos) = phi.sin_cos();
-            let normal = [sin / shape.depth, cos / shape.half_length];
+            let normal = [sin / shape.length, cos / shape.half_length];
             let size = normal[0].hypot(normal[1]);
             FrontPoint {
                 crack: 0,
                 phi,
-                position: [0.0, shape.half_length * cos, shape.depth * sin],
+                position: [0.0, shape.half_length * cos, shape.length * sin],
                 normal: normal.map(|n| n / size),
             }
         };
@@ -197,16 +219,17 @@ mod tests {
             }
             assert_eq!(found.fastest().unwrap().0, FrontMotion::Plus);
             // Each end goes by its own speed.
-            let grown = found.moved(&shape, 1e6);
+            let increments = found.map(|_, speed| 1e6 * speed);
+            let grown = increments.moved(&shape);
             let ends = |of: &FrontShape| {
                 [
                     of.middle[1] + of.half_length,
                     of.middle[1] - of.half_length,
-                    of.buried.unwrap_or(0.0) + of.depth,
+                    of.buried.unwrap_or(0.0) + of.length,
                 ]
             };
             let by: Vec<f64> = ends(&grown).iter().zip(ends(&shape)).map(|(a, b)| a - b).collect();
-            let turned = found.moved(&FrontShape { strike: 0.5 * PI, ..shape }, 1e6);
+            let turned = increments.moved(&FrontShape { strike: 0.5 * PI, ..shape });
             let [x, lateral] = [0, 1].map(|c| turned.middle[c] - shape.middle[c]);
             assert!((x + 0.5).abs() < 1e-9 && lateral.abs() < 1e-9, "ends move along the trace: {turned:?}");
             assert!((by[0] - 3.0).abs() < 1e-9 && (by[1] + 2.0).abs() < 1e-9 && (by[2] - 1.0).abs() < 1e-9);

@@ -1,58 +1,49 @@
-//! Records of a step of growth in space, in the form of those in the plane.
+//! Records of passages in space, in the form of those in the plane.
 
 use super::body::SpaceBody;
-use super::front_motion::FrontSpeeds;
 use super::passage::SpaceHistory;
 use super::stabilised::StabilisedSpace;
 use super::states::SpaceStatus;
-use super::tips::FrontDrive;
-use super::way::Way;
 use crate::body::FacePoint;
 use crate::contact::{FaceState, FaceStatus};
-use crate::fracture::Sif;
-use crate::growth::{FaceAcross, FaceRecord, FrontShape, PassageRecord, RunStop, TipRecord, TipStop};
+use crate::fracture::{Sif, SifHistory};
+use crate::growth::{FaceAcross, FaceRecord, PassageRecord, StabilisedPassage};
 use crate::math::Vec2;
 
-/// Shapes and body of a step.
-pub(super) struct StepOf<'a> {
-    pub shapes: &'a [FrontShape],
-    pub body: &'a SpaceBody,
-}
-
-impl StepOf<'_> {
-    /// The points of the fronts with their increments and stops.
-    pub fn tips(&self, drive: FrontDrive, speeds: &[FrontSpeeds], way: &Way) -> Vec<TipRecord> {
-        let toughness_of =
-            |tip: &TipRecord| way.stop == Some(RunStop::Fracture) && tip.rate >= crate::fatigue::RUNAWAY;
-        let FrontDrive { tips, growing, .. } = drive;
-        let points = self.body.front();
-        tips.into_iter()
-            .zip(growing)
-            .zip(points)
-            .map(|((mut tip, rate), point)| {
-                let crack = point.crack;
-                let cycles = way.cycles_of(crack);
-                tip.increment = cycles * speeds[crack].at(&self.shapes[crack], point);
-                if let Some(front) =
-                    tip.front.as_mut().filter(|front| front.counts && rate > 0.0 && cycles > 0.0)
-                {
-                    front.followed = Some(tip.increment / (cycles * rate));
-                }
-                tip.stop = if toughness_of(&tip) {
-                    Some(TipStop::Fracture)
-                } else if rate > 0.0 {
-                    way.stopped[crack]
-                } else {
-                    Some(TipStop::Arrest)
-                };
-                tip
-            })
-            .collect()
+/// The stabilised passage in the form of those in the plane. `written` are the output positions
+/// (from 0) whose jumps are written.
+pub(super) fn stabilised_record(
+    body: &SpaceBody,
+    passage: &StabilisedSpace,
+    written: Vec<usize>,
+) -> StabilisedPassage {
+    let last = passage.passages.last();
+    let of_point = |q: usize| {
+        // With the wheel away, before it comes and after it.
+        let ends = last.map(|history| history.before[q]).into_iter().chain([passage.between[q]]);
+        ends.chain(last.into_iter().flat_map(move |history| history.sifs.iter().map(move |sifs| sifs[q])))
+    };
+    let points = 0..body.front().len();
+    let range = |q: usize| {
+        let (low, high) = of_point(q)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), k| (low.min(k.kiii), high.max(k.kiii)));
+        (high - low).max(0.0)
+    };
+    let history =
+        |q: usize| SifHistory { samples: of_point(q).map(|k| Sif { ki: k.ki, kii: k.kii }).collect() };
+    StabilisedPassage {
+        passages: passage.passages.iter().map(passage_record).collect(),
+        histories: points.clone().map(history).collect(),
+        faces: face_record(body, passage, written),
+        counts: passage.counts,
+        last_change: passage.last_change,
+        coupling: None,
+        delta_kiii: points.map(range).collect(),
     }
 }
 
 /// K of each front point over a passage.
-pub(super) fn passage_record(history: &SpaceHistory) -> PassageRecord {
+fn passage_record(history: &SpaceHistory) -> PassageRecord {
     let points = history.sifs.first().map_or(0, Vec::len);
     let of_point = |q: usize| history.sifs.iter().map(move |sifs| sifs[q]);
     PassageRecord {
@@ -64,7 +55,7 @@ pub(super) fn passage_record(history: &SpaceHistory) -> PassageRecord {
 }
 
 /// The faces during the stabilised passage: stresses are nodal forces over the areas of the hats.
-pub(super) fn face_record(body: &SpaceBody, passage: &StabilisedSpace) -> FaceRecord {
+fn face_record(body: &SpaceBody, passage: &StabilisedSpace, written: Vec<usize>) -> FaceRecord {
     let areas = body.areas();
     // Down the dip, as seen from the side of the rail.
     let points = body.points().iter().zip(&areas).enumerate().map(|(a, ([x, _, depth], area))| {
@@ -109,6 +100,8 @@ pub(super) fn face_record(body: &SpaceBody, passage: &StabilisedSpace) -> FaceRe
         across: Some(FaceAcross {
             lateral: body.points().iter().map(|point| point[1]).collect(),
             states: across.collect(),
+            cells: body.cells().to_vec(),
+            written,
         }),
     }
 }

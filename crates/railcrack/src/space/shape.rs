@@ -8,7 +8,7 @@ use thiserror::Error;
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub enum Extent {
     /// The crack breaks the surface: its front runs from one end of the mouth to the other, and
-    /// `depth` is measured from the mouth along the dip.
+    /// `length` is measured from the mouth down the dip.
     SurfaceBreaking,
     /// The front is closed; the middle of the crack lies at this distance (mm) from the trace of
     /// its plane in the surface, along the dip.
@@ -32,8 +32,8 @@ pub struct SpaceCrack {
     pub strike: f64,
     /// Half-axis along the surface c, mm.
     pub half_length: f64,
-    /// Half-axis along the dip l, mm.
-    pub depth: f64,
+    /// Half axis down the dip l, mm.
+    pub length: f64,
     /// x and lateral position (mm) of the middle of the trace of the plane in the surface.
     pub middle: [f64; 2],
     /// Whether the front is open or closed.
@@ -65,13 +65,13 @@ pub enum ShapeError {
     },
     /// A buried crack that reaches the surface.
     #[error(
-        "buried crack whose middle lies {centre} mm down the dip: its half-axis {depth} mm reaches the surface"
+        "buried crack whose middle lies {centre} mm down the dip: its half axis {length} mm reaches the surface"
     )]
     ReachesSurface {
         /// Distance of the middle from the trace of the plane, mm.
         centre: f64,
-        /// Half-axis along the dip, mm.
-        depth: f64,
+        /// Half axis down the dip, mm.
+        length: f64,
     },
     /// A front that is not star-shaped about its middle.
     #[error("deviation {value} of the front from its ellipse at {degrees}°: must stay below 1/2")]
@@ -85,24 +85,24 @@ pub enum ShapeError {
 
 impl SpaceCrack {
     /// A semi-ellipse that breaks the surface: `dip` in radians, half the length of its mouth and
-    /// its depth along the dip in mm.
-    pub fn surface_breaking(dip: f64, half_length: f64, depth: f64) -> Result<Self, ShapeError> {
-        Self::new(dip, half_length, depth, Extent::SurfaceBreaking)
+    /// its length down the dip in mm.
+    pub fn surface_breaking(dip: f64, half_length: f64, length: f64) -> Result<Self, ShapeError> {
+        Self::new(dip, half_length, length, Extent::SurfaceBreaking)
     }
 
     /// A buried ellipse whose middle lies `centre` mm from the trace of its plane.
-    pub fn buried(dip: f64, half_length: f64, depth: f64, centre: f64) -> Result<Self, ShapeError> {
-        Self::new(dip, half_length, depth, Extent::Buried { centre })
+    pub fn buried(dip: f64, half_length: f64, length: f64, centre: f64) -> Result<Self, ShapeError> {
+        Self::new(dip, half_length, length, Extent::Buried { centre })
     }
 
-    fn new(dip: f64, half_length: f64, depth: f64, extent: Extent) -> Result<Self, ShapeError> {
+    fn new(dip: f64, half_length: f64, length: f64, extent: Extent) -> Result<Self, ShapeError> {
         let middle = [0.0; 2];
-        Self { dip, strike: 0.0, half_length, depth, middle, extent, deviation: Vec::new() }.checked()
+        Self { dip, strike: 0.0, half_length, length, middle, extent, deviation: Vec::new() }.checked()
     }
 
     /// The same crack, if it is admissible.
     pub fn checked(self) -> Result<Self, ShapeError> {
-        for value in [self.half_length, self.depth] {
+        for value in [self.half_length, self.length] {
             if !(value > 0.0 && value.is_finite()) {
                 return Err(ShapeError::HalfAxis { value });
             }
@@ -121,9 +121,9 @@ impl SpaceCrack {
                 return Err(ShapeError::Deviation { value, degrees: f64::from(degrees) });
             }
             if let Extent::Buried { centre } = self.extent {
-                let reach = self.depth * (1.0 + value) * f64::from(degrees).to_radians().sin();
+                let reach = self.length * (1.0 + value) * f64::from(degrees).to_radians().sin();
                 if (centre + reach).is_nan() || centre + reach <= 0.0 {
-                    return Err(ShapeError::ReachesSurface { centre, depth: self.depth });
+                    return Err(ShapeError::ReachesSurface { centre, length: self.length });
                 }
             }
         }
@@ -167,6 +167,6 @@ impl SpaceCrack {
             Extent::SurfaceBreaking => 0.0,
             Extent::Buried { centre } => centre,
         };
-        [centre + self.depth * y * factor, self.half_length * x * factor]
+        [centre + self.length * y * factor, self.half_length * x * factor]
     }
 }

@@ -4,7 +4,8 @@ use super::body::FrontSif;
 use super::contact::{SpaceContact, SpaceContactError};
 use super::passage::{SpaceHistory, SpaceLoad, SpacePassageSettings, SpacePassages};
 use crate::contact::StepControl;
-use crate::growth::{Observer, PassageSettings, SolverCounts};
+use crate::growth::{Memory, Observer, PassageSettings, Repeats, SolverCounts, until_repeated};
+use std::rc::Rc;
 
 /// How often two intervals between output positions may be halved.
 const HALVINGS: usize = 8;
@@ -50,19 +51,10 @@ pub fn stabilised_space_passage(
             SpacePassageSettings { tolerance, halvings: HALVINGS }
         }
     };
-    let mut histories: Vec<SpaceHistory> = Vec::new();
-    let mut last_change = None;
-    while histories.len() < settings.max_passages {
-        let history = passages.pass(&fine, &mut faces)?;
-        if let Some(before) = histories.last() {
-            let peak = history.peak().max(f64::MIN_POSITIVE);
-            last_change = Some(history.difference(before) / peak);
-        }
-        histories.push(history);
-        if last_change.is_some_and(|change| change <= settings.passage_tolerance) {
-            break;
-        }
-    }
+    let memory = if contact.friction.iter().any(|&mu| mu > 0.0) { Memory::Friction } else { Memory::None };
+    let repeated = until_repeated(settings, memory, |_, _| passages.pass(&fine, &mut faces).map(Rc::new))?;
+    drop(repeated.last);
+    let histories: Vec<SpaceHistory> = repeated.records.into_iter().map(Rc::unwrap_or_clone).collect();
     let outputs = settings.passage.positions;
     let counts = histories.iter().fold(SolverCounts::default(), |sum, history| {
         let one = SolverCounts {
@@ -79,6 +71,18 @@ pub fn stabilised_space_passage(
         between: contact.body.sifs_of_jumps(&faces.jumps),
         counts: SolverCounts { passages: histories.len(), ..counts },
         passages: histories,
-        last_change,
+        last_change: repeated.change,
     })
+}
+
+impl Repeats for Rc<SpaceHistory> {
+    type Record = Self;
+
+    fn record(&self) -> Self {
+        Self::clone(self)
+    }
+
+    fn change_from(&self, before: &Self) -> f64 {
+        self.difference(before) / self.peak().max(f64::MIN_POSITIVE)
+    }
 }

@@ -1,13 +1,13 @@
-//! Rates along fronts: ranges of K in three modes, and what the direction criterion would like.
+//! Rates along fronts: ranges of K in three modes, and the kink that the direction criterion would
+//! choose.
 
-use super::body::{FrontPoint, FrontSif, SpaceBody};
+use super::body::{FrontPoint, SpaceBody};
 use super::front_motion::counts;
-use super::stabilised::StabilisedSpace;
 use crate::crack::{CrackTip, End};
-use crate::fatigue::{HourlierPineau, LargestK1, RUNAWAY, SifRanges};
-use crate::fracture::{Sif, SifHistory};
+use crate::fatigue::{HourlierPineau, LargestK1, SifRanges, WheelHistory};
 use crate::growth::{
-    DeferredGrowth, FrontShape, FrontTip, GrowthSettings, TipJudge, TipRecord, TipStop, WheelShares,
+    FrontShape, FrontTip, GrowthSettings, MixedTip, StabilisedPassage, TipGeometry, TipRecord, WheelDemand,
+    WheelOfRail,
 };
 use crate::math::MPA_SQRT_MM;
 
@@ -16,115 +16,92 @@ pub(super) struct FrontLaw<'a> {
     pub growth: &'a GrowthSettings,
     pub poisson: f64,
     pub mode_3_weight: Option<f64>,
-    pub judge: Option<&'a dyn TipJudge>,
-}
-
-/// Fronts under their stabilised passage.
-pub(super) struct FrontDrive {
-    /// Their points.
-    pub tips: Vec<TipRecord>,
-    /// The rate of each, zero where it is slower than the arrest rate, mm per cycle.
-    pub growing: Vec<f64>,
-    /// Whether the rail breaks.
-    pub breaks: bool,
-}
-
-impl FrontDrive {
-    /// Of the cracks of `body` with these `shapes`, some of which have `stopped`.
-    pub fn new(
-        law: &FrontLaw,
-        shapes: &[FrontShape],
-        stopped: &[Option<TipStop>],
-        body: &SpaceBody,
-        passage: &StabilisedSpace,
-    ) -> Self {
-        let of = |(q, point): (usize, &FrontPoint)| {
-            let first = body.cracks()[point.crack].front.start;
-            let tip = CrackTip { crack: point.crack, tip: q - first, end: End::Last };
-            law.tip(&shapes[point.crack], tip, point, |sifs| sifs[q], passage)
-        };
-        let tips: Vec<TipRecord> = body.front().iter().enumerate().map(of).collect();
-        let stopped = |tip: &TipRecord| stopped[tip.tip.crack];
-        let growing = tips
-            .iter()
-            .map(|tip| if tip.rate >= law.growth.arrest_rate { tip.rate.min(RUNAWAY) } else { 0.0 })
-            .collect();
-        // A front behind a spent ligament, or that has met another one, is no front any more.
-        let is_front = |tip: &&TipRecord| {
-            !matches!(stopped(tip), Some(TipStop::BreakOut | TipStop::Coalescence))
-                && tip.front.is_some_and(|front| front.counts)
-        };
-        let breaks = tips.iter().filter(is_front).any(|tip| {
-            let k1 = tip.largest_k1.map_or(0.0, |largest| largest.k1);
-            tip.rate >= RUNAWAY || law.growth.toughness.is_some_and(|toughness| k1 >= toughness)
-        });
-        Self { tips, growing, breaks }
-    }
 }
 
 impl FrontLaw<'_> {
+    /// State and demand of every front point of `body`, whose cracks have these `shapes`, under the
+    /// passages of all `wheels`.
+    pub fn tips(
+        &self,
+        shapes: &[FrontShape],
+        body: &SpaceBody,
+        wheels: &[WheelOfRail],
+        passages: &[StabilisedPassage],
+    ) -> Vec<TipRecord> {
+        let of = |(q, point): (usize, &FrontPoint)| {
+            let first = body.cracks()[point.crack].front.start;
+            let tip = CrackTip { crack: point.crack, tip: q - first, end: End::Last };
+            self.tip(&shapes[point.crack], tip, point, q, wheels, passages)
+        };
+        body.front().iter().enumerate().map(of).collect()
+    }
+
+    /// The point `q` of all fronts.
     fn tip(
         &self,
         shape: &FrontShape,
         tip: CrackTip,
         point: &FrontPoint,
-        of: impl Fn(&[FrontSif]) -> FrontSif,
-        passage: &StabilisedSpace,
+        q: usize,
+        wheels: &[WheelOfRail],
+        passages: &[StabilisedPassage],
     ) -> TipRecord {
-        let last = passage.passages.last();
-        let samples = || {
-            let output = last.into_iter().flat_map(|history| history.sifs.iter().map(|sifs| of(sifs)));
-            // With the wheel away, before it comes and after it.
-            last.map(|history| of(&history.before)).into_iter().chain([of(&passage.between)]).chain(output)
+        let law = &self.growth.law;
+        let demand = |passage: &StabilisedPassage| {
+            let ranges = SifRanges::of(&passage.histories[q]);
+            let modes = [ranges.delta_ki, ranges.delta_kii, passage.delta_kiii[q]];
+            let delta_keq = law.equivalent.of_three(modes, self.poisson, self.mode_3_weight);
+            WheelDemand {
+                ranges,
+                delta_keq,
+                rate: law.rate.rate(delta_keq / MPA_SQRT_MM, ranges.load().ratio),
+                largest_k1: LargestK1::of(&passage.histories[q]),
+            }
         };
-        let history = SifHistory { samples: samples().map(|k| Sif { ki: k.ki, kii: k.kii }).collect() };
-        let ranges = SifRanges::of(&history);
-        let (low, high) = samples()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), k| (low.min(k.kiii), high.max(k.kiii)));
-        let delta_kiii = (high - low).max(0.0);
-        let modes = [ranges.delta_ki, ranges.delta_kii, delta_kiii];
-        let delta_keq = self.growth.law.equivalent.of_three(modes, self.poisson, self.mode_3_weight);
-        let rate = self.growth.law.rate.rate(delta_keq / MPA_SQRT_MM, ranges.load().ratio).min(RUNAWAY);
-        let direction = HourlierPineau { law: self.growth.law.clone(), criterion: self.growth.criterion };
-        let kink = direction.kink(&history);
-        let ahead = self.growth.law.rate(ranges.load());
+        let demands: Vec<WheelDemand> = passages.iter().map(demand).collect();
+        let under = MixedTip::of(&demands, wheels);
+        let histories: Vec<WheelHistory> = passages
+            .iter()
+            .zip(wheels)
+            .map(|(passage, wheel)| WheelHistory { share: wheel.share, history: &passage.histories[q] })
+            .collect();
+        let direction = HourlierPineau { law: law.clone(), criterion: self.growth.criterion };
+        let kink = direction.kink_of_mix(&histories);
+        let straight = |(demand, wheel): (&WheelDemand, &WheelOfRail)| {
+            let rate = law.rate(demand.ranges.load());
+            if demands.len() == 1 { rate } else { wheel.share * rate }
+        };
+        let ahead: f64 = demands.iter().zip(wheels).map(straight).sum();
         let [x, lateral, depth] = point.position;
-        let mut tip = TipRecord {
+        let delta_keq = demands[under.grown_by].delta_keq;
+        TipRecord {
             tip,
             x,
             y: -depth,
-            length: shape.depth,
-            deferred: DeferredGrowth::default(),
-            ki_max: ranges.ki_max,
-            delta_ki: ranges.delta_ki,
-            delta_kii: ranges.delta_kii,
+            length: shape.length,
+            ki_max: under.ranges.ki_max,
+            delta_ki: under.ranges.delta_ki,
+            delta_kii: under.ranges.delta_kii,
             delta_keq,
-            largest_k1: LargestK1::of(&history),
+            largest_k1: under.largest_k1,
             // Growth is straight ahead.
             kink: (delta_keq > 0.0).then_some(0.0),
-            secondary: None,
-            secondary_ratio: None,
             increment: 0.0,
-            rate,
+            rate: under.rate,
             stop: None,
-            shares: WheelShares::default(),
-            turned_by: None,
-            opened_by: 0,
+            shares: under.shares,
+            opened_by: under.opened_by,
             mouth_sine: shape.buried.is_none().then(|| shape.dip.sin()),
-            front: Some(FrontTip {
+            geometry: TipGeometry::Space(FrontTip {
                 phi: point.phi,
                 lateral,
                 half_length: shape.half_length,
-                delta_kiii,
+                delta_kiii: passages[under.grown_by].delta_kiii[q],
                 wanted_kink: kink.map(|kink| kink.angle),
                 wanted_ratio: kink.filter(|_| ahead > 0.0).map(|kink| kink.rate / ahead),
                 counts: counts(shape, point.phi),
                 followed: None,
             }),
-        };
-        if let Some(judge) = self.judge {
-            judge.judge(&history, &mut tip);
         }
-        tip
     }
 }

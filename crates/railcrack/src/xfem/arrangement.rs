@@ -1,4 +1,4 @@
-//! Arrangement of lines that divides a rectangle into convex cells.
+//! Arrangements of lines that divide a rectangle into convex cells.
 
 use crate::math::{Orientation, Vec2, orientation};
 use crate::mesh::{Edge, Element};
@@ -13,19 +13,19 @@ pub(super) struct CutLine {
 
 /// The line on which an edge of a cell lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Border {
+pub(super) enum EdgeLine {
     /// A side of the element.
     Side(Edge),
     /// A cutting line, by index.
     Line(usize),
 }
 
-/// A convex cell, counter-clockwise; `borders[k]` is the line of the edge from vertex k to the next
-/// one.
+/// A convex cell, counter-clockwise; `edge_lines[k]` is the line of the edge from vertex k to the
+/// next one.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Cell {
     pub vertices: Vec<usize>,
-    pub borders: Vec<Border>,
+    pub edge_lines: Vec<EdgeLine>,
 }
 
 /// The cells of an element: an arrangement of whole lines, so that each inner edge lies between
@@ -39,8 +39,10 @@ pub(super) struct Arrangement {
 impl Arrangement {
     /// The undivided element.
     pub(super) fn whole(element: &Element) -> Self {
-        let cell =
-            Cell { vertices: vec![0, 1, 2, 3], borders: Edge::ALL.into_iter().map(Border::Side).collect() };
+        let cell = Cell {
+            vertices: vec![0, 1, 2, 3],
+            edge_lines: Edge::ALL.into_iter().map(EdgeLine::Side).collect(),
+        };
         Self { vertices: element.corners().to_vec(), cells: vec![cell] }
     }
 
@@ -51,9 +53,9 @@ impl Arrangement {
     pub(super) fn new(element: &Element, lines: &[CutLine]) -> Self {
         let mut cut = Self::whole(element);
         // The lines through each vertex.
-        let mut on: Vec<Vec<Border>> = vec![Vec::new(); 4];
+        let mut on: Vec<Vec<EdgeLine>> = vec![Vec::new(); 4];
         for (index, line) in lines.iter().enumerate() {
-            let label = Border::Line(index);
+            let label = EdgeLine::Line(index);
             let side: Vec<Orientation> =
                 cut.vertices
                     .iter()
@@ -79,7 +81,7 @@ impl Arrangement {
                 let n = cell.vertices.len();
                 for k in 0..n {
                     let (a, b) = (cell.vertices[k], cell.vertices[(k + 1) % n]);
-                    let border = cell.borders[k];
+                    let border = cell.edge_lines[k];
                     let crosses = matches!(
                         (side[a], side[b]),
                         (Orientation::Left, Orientation::Right) | (Orientation::Right, Orientation::Left)
@@ -109,7 +111,8 @@ impl Arrangement {
                         halves[other].push(middle, border);
                     }
                 }
-                cells.extend(halves.map(|ring| Cell { vertices: ring.vertices, borders: ring.borders }));
+                cells
+                    .extend(halves.map(|ring| Cell { vertices: ring.vertices, edge_lines: ring.edge_lines }));
             }
             cut.cells = cells;
         }
@@ -125,33 +128,39 @@ impl Arrangement {
 #[derive(Default)]
 struct Ring {
     vertices: Vec<usize>,
-    borders: Vec<Border>,
+    edge_lines: Vec<EdgeLine>,
 }
 
 impl Ring {
-    fn push(&mut self, vertex: usize, border: Border) {
+    fn push(&mut self, vertex: usize, border: EdgeLine) {
         self.vertices.push(vertex);
-        self.borders.push(border);
+        self.edge_lines.push(border);
     }
 }
 
 /// The intersection of line `index` with an edge of a cell that lies on `border`. On a side of the
 /// element the point depends on the side and the line alone, so that both elements at the side get
 /// the same bits.
-fn crossing(element: &Element, lines: &[CutLine], border: Border, index: usize, ends: (Vec2, Vec2)) -> Vec2 {
+fn crossing(
+    element: &Element,
+    lines: &[CutLine],
+    border: EdgeLine,
+    index: usize,
+    ends: (Vec2, Vec2),
+) -> Vec2 {
     let line = lines[index];
     match border {
-        Border::Side(side @ (Edge::Bottom | Edge::Top)) => {
+        EdgeLine::Side(side @ (Edge::Bottom | Edge::Top)) => {
             let y = if side == Edge::Bottom { element.lower.y } else { element.upper.y };
             let x = level((line.from.y, line.from.x), (line.to.y, line.to.x), y);
             Vec2::new(x.clamp(ends.0.x.min(ends.1.x), ends.0.x.max(ends.1.x)), y)
         }
-        Border::Side(side @ (Edge::Left | Edge::Right)) => {
+        EdgeLine::Side(side @ (Edge::Left | Edge::Right)) => {
             let x = if side == Edge::Left { element.lower.x } else { element.upper.x };
             let y = level((line.from.x, line.from.y), (line.to.x, line.to.y), x);
             Vec2::new(x, y.clamp(ends.0.y.min(ends.1.y), ends.0.y.max(ends.1.y)))
         }
-        Border::Line(other) => {
+        EdgeLine::Line(other) => {
             let other = lines[other];
             for point in [line.from, line.to] {
                 if point == other.from || point == other.to {
@@ -201,7 +210,7 @@ mod tests {
         for cell in &cut.cells {
             let n = cell.vertices.len();
             for k in 0..n {
-                let Border::Line(_) = cell.borders[k] else { continue };
+                let EdgeLine::Line(_) = cell.edge_lines[k] else { continue };
                 let (a, b) = (cell.vertices[k], cell.vertices[(k + 1) % n]);
                 let twins = cut.cells.iter().filter(|other| {
                     let m = other.vertices.len();

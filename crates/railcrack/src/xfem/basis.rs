@@ -53,8 +53,8 @@ impl Elasticity {
     }
 }
 
-/// The functions on one cell: two standard ones per node of the element, and the same with the
-/// unknowns of the part of its support; then two per node with the enrichment functions of a tip or
+/// The functions on one cell: two standard ones per node of the element, the same two with the
+/// unknowns of the part of its support, then two per node with the enrichment functions of a tip or
 /// kink.
 pub(super) struct CellBasis<'a> {
     element: Element,

@@ -1,4 +1,4 @@
-//! The cracked rail in extended finite elements, condensed to its face points.
+//! Cracked rails in extended finite elements, condensed to their face points.
 
 use super::basis::Elasticity;
 use super::border::Border;
@@ -33,7 +33,7 @@ pub fn cracked_body(
     cracked_body_with(background, network, settings, &mut ColumnStore::default(), Interruption::NEVER)
 }
 
-/// [`cracked_body`] with what was computed for other cracks on the same background, given up on an
+/// [`cracked_body`] with reuse of results for other cracks on the same background that stops on an
 /// `interruption`.
 pub fn cracked_body_with(
     background: &Arc<BulkRail>,
@@ -46,7 +46,7 @@ pub fn cracked_body_with(
     Ok(CrackedBody { fields: Some(Arc::new(inside)), ..body })
 }
 
-/// [`cracked_body`], and what its fields follow from.
+/// [`cracked_body`], and the data from which its fields follow.
 pub(super) fn reduced(
     background: &Arc<BulkRail>,
     network: &CrackNetwork,
@@ -61,20 +61,20 @@ pub(super) fn reduced(
     Ok((CrackedBody { remarks, ..body }, inside))
 }
 
-/// Remarks on thin flaps: at 2°, K is 0.6 % off.
+/// Remarks on thin flaps: at 2° the error of K is 0.6 %.
 pub(super) fn of_thin_flaps(network: &CrackNetwork) -> Vec<String> {
     thin_flaps(network, 2, "smaller elements (element_size_mm)")
 }
 
-/// A body, its inside and the remarks on its tips.
+/// A body, the data of its interior and the remarks on its tips.
 pub(super) struct Reduced {
     pub body: CrackedBody,
     pub inside: Inside,
     pub remarks: Vec<Vec<String>>,
 }
 
-/// The cracked rail with `network`, some of the cracks of a row; `number` is the index in the row
-/// of each of them.
+/// The cracked rail with `network`, which holds some of the cracks of a row; `number` is the index
+/// of each crack in the row.
 pub(super) fn of_some_cracks(
     background: &Arc<BulkRail>,
     network: &CrackNetwork,
@@ -138,7 +138,7 @@ pub(super) fn of_some_cracks(
     Ok(Reduced { body, inside, remarks })
 }
 
-/// The part of the cracked mesh that does not need its stiffness.
+/// The cracked mesh without its stiffness.
 pub(super) struct Discretisation {
     pub cuts: Cuts,
     /// Size of the elements at each tip, mm.
@@ -178,8 +178,8 @@ impl Discretisation {
     }
 }
 
-/// Relative difference between the length of a crack and that of its pieces in elements that
-/// round-off explains.
+/// Relative difference between the length of a crack and that of its pieces in elements that is
+/// accepted as round-off.
 const COVERAGE: f64 = 1e-8;
 
 /// Size (mm) of the elements at a point: the longest side of the element that contains it.

@@ -1,5 +1,5 @@
-//! The border of the system: coupling of the enriched unknowns with the standard ones and with one
-//! another.
+//! Border of the system of equations: couplings of the enriched unknowns with the standard unknowns
+//! and with each other.
 
 use super::basis::{CellBasis, Elasticity, Function, Target};
 use super::cuts::{CellPlace, Cuts};
@@ -29,13 +29,13 @@ pub(super) struct CellStiffness {
     entries: Vec<f64>,
 }
 
-/// The border of the system, cells added up.
+/// The assembled border of the system.
 #[derive(Debug, Clone)]
 pub(super) struct BorderEntries {
     /// K_se: per enriched unknown, the entries of the standard unknowns 2 node + axis, held ones
     /// included.
     pub columns: Vec<Entries>,
-    /// K_ee: for row i the entries of the enriched unknowns j ≤ i; the diagonal is always there.
+    /// K_ee: for row i the entries of the enriched unknowns j ≤ i, always including the diagonal.
     pub square: Vec<Entries>,
 }
 
@@ -51,8 +51,8 @@ impl Border {
         let cells: Result<Vec<Vec<CellStiffness>>, Interrupted> = space
             .elements
             .par_iter()
-            // One by one: the few columns around a tip, which are neighbours, take most of the
-            // time.
+            // Columns are distributed one by one, because the few neighbouring columns around a tip
+            // take most of the time.
             .with_max_len(1)
             .map(|&e| {
                 interruption.check()?;
@@ -103,19 +103,19 @@ impl Border {
 }
 
 impl CellStiffness {
-    /// The functions of a cell with an unknown of this kind.
+    /// The functions of a cell that have an unknown of this kind.
     pub(super) fn functions(&self, unknown: fn(&Target) -> Option<usize>) -> impl Iterator<Item = usize> {
         (0..self.targets.len()).filter(move |&a| unknown(&self.targets[a]).is_some())
     }
 
-    /// Of two functions, in the order of the targets.
+    /// The entry of two functions, numbered in the order of the targets.
     pub(super) fn entry(&self, a: usize, b: usize) -> f64 {
         let (row, column) = (a.max(b), a.min(b));
         self.entries[row * (row + 1) / 2 + column]
     }
 }
 
-/// Sorts by unknown and adds the entries of each, in the order in which they came.
+/// Sorts by unknown and adds the entries of each unknown in their original order.
 pub(super) fn merge(entries: &mut Entries) {
     entries.sort_by_key(|entry| entry.0);
     entries.dedup_by(|next, kept| {
@@ -128,8 +128,8 @@ pub(super) fn merge(entries: &mut Entries) {
 }
 
 /// The stiffness of the enriched cells of an element. Products of the shape functions alone are
-/// polynomials and are integrated as such, near a tip too: so not a bit of them changes when a tip
-/// advances.
+/// polynomials and are integrated as such even near a tip, so that their bits do not change when a
+/// tip advances.
 fn element_stiffness(
     cuts: &Cuts,
     space: &Space,
@@ -173,7 +173,7 @@ impl<'a> Integral<'a> {
         Self { basis, elasticity, entries: vec![0.0; n * (n + 1) / 2] }
     }
 
-    /// Adds to `rows`, at quadrature `points`.
+    /// Adds the contributions of the quadrature `points` to `rows`.
     fn add(&mut self, rows: Range<usize>, points: &[WeightedPoint]) {
         let start = |row: usize| row * (row + 1) / 2;
         let entries = &mut self.entries[start(rows.start)..start(rows.end)];
@@ -207,15 +207,15 @@ mod tests {
     use crate::math::RailBox;
     use crate::xfem::body::Discretisation;
     use crate::xfem::space::Enrichment;
-    use crate::xfem::{MeshSettings, Window, XfemSettings};
+    use crate::xfem::{MeshSettings, RefinedRegion, XfemSettings};
 
     #[test]
     fn an_advancing_tip_changes_no_bit_behind_it() {
         let short = Crack::surface_breaking(0.0, 6.0, 0.3).unwrap();
         let long = short.extended(End::Last, 0.7, -0.05).unwrap();
         let [short, long] = [short, long].map(CrackNetwork::from);
-        let window = Window::new(&short, MeshSettings { element_size: 0.25, expected_growth: 1.5 });
-        let mesh = window.mesh(RailBox { width: 1800.0, depth: 900.0, centre: 0.0 }).unwrap();
+        let refined = RefinedRegion::new(&short, MeshSettings { element_size: 0.25, expected_growth: 1.5 });
+        let mesh = refined.mesh(RailBox { width: 1800.0, depth: 900.0, centre: 0.0 }).unwrap();
         let elasticity = Elasticity::new(IsotropicElastic::new(210e3, 0.3).unwrap());
         let of = |network: &CrackNetwork| {
             let parts = Discretisation::new(&mesh, network, &XfemSettings::default()).unwrap();
@@ -229,7 +229,7 @@ mod tests {
         for (i, enrichment) in before.space.enrichments.iter().enumerate() {
             let Enrichment::Part { node, .. } = enrichment else { continue };
             let distance = (mesh.node_position(*node) - tip).length();
-            // Tip enrichments extend over 2.5 elements and those that touch them.
+            // Tip enrichments extend over 2.5 elements and the adjacent ones.
             if distance > 2.0 * size {
                 behind += usize::from(distance < 3.5 * size);
                 assert_eq!(*enrichment, after.space.enrichments[i]);
@@ -239,6 +239,6 @@ mod tests {
                 }
             }
         }
-        assert!(behind > 5, "{behind} functions beside those of the tip");
+        assert!(behind > 5, "{behind} functions other than those of the tip");
     }
 }

@@ -1,4 +1,4 @@
-//! Columns and factor of the border that are reused from one growth step to the next.
+//! Reuse of the columns and the factor of the border between growth steps.
 
 use super::border::Entries;
 use crate::interruption::Interruption;
@@ -8,21 +8,22 @@ use std::sync::Arc;
 /// Half-solved columns L⁻¹ b of the border, scalar products of the last ones, and the factor of
 /// their Schur complement.
 ///
-/// The results for the leading columns are reused as long as these columns are the same bits; since
-/// the results depend on nothing else, a resumed run finds the same bits without them. A clone
-/// shares all of it.
+/// The results for the leading columns are reused as long as these columns have the same bits. The
+/// results depend on nothing else, so that a resumed run obtains the same bits without reuse. A
+/// clone shares all data.
 #[derive(Debug, Clone, Default)]
 pub struct ColumnStore {
     columns: Arc<[SparseColumn]>,
     panels: Vec<Arc<ReachedPanel>>,
-    /// b_iᵀ K⁻¹ b_j of the columns from `first_product` on with all up to their own: those before
-    /// them are in the factor.
+    /// b_iᵀ K⁻¹ b_j for the columns i from `first_product` on and all j ≤ i; the factor contains
+    /// the products of the earlier columns.
     products: Vec<Arc<[f64]>>,
     first_product: usize,
     factored: Option<Factored>,
 }
 
-/// A factor, and the data of the rows of its matrix: for each row its column, and its row of K_ee.
+/// A factor, and the data of the rows of its matrix: for each row its column of the border and its
+/// row of K_ee.
 #[derive(Debug, Clone)]
 struct Factored {
     columns: Arc<[SparseColumn]>,
@@ -30,7 +31,7 @@ struct Factored {
     factor: SpdFactor,
 }
 
-/// The border, eliminated.
+/// The eliminated border.
 pub(super) struct Eliminated {
     /// L Lᵀ of the Schur complement.
     pub factor: SpdFactor,
@@ -38,7 +39,7 @@ pub(super) struct Eliminated {
     pub further: Vec<Arc<[f64]>>,
 }
 
-/// Number of leading ones that are the same bits.
+/// Number of leading items with the same bits.
 fn in_common<'a>(one: impl Iterator<Item = &'a Entries>, other: impl Iterator<Item = &'a Entries>) -> usize {
     let same = |(a, b): &(&Entries, &Entries)| a.len() == b.len() && bits(a).eq(bits(b));
     one.zip(other).take_while(same).count()
@@ -53,7 +54,7 @@ fn entries(columns: &[SparseColumn]) -> impl Iterator<Item = &Entries> {
 }
 
 impl ColumnStore {
-    /// Forgets everything.
+    /// Clears all stored results.
     pub(super) fn clear(&mut self) {
         *self = Self::default();
     }
@@ -63,10 +64,10 @@ impl ColumnStore {
         !self.panels.is_empty() && self.factored.is_some()
     }
 
-    /// Eliminates a border of `columns` and rows `square` of K_ee; after those of the border,
-    /// `columns` may have further ones. `fill(i, row, products, square)` makes row i of the Schur
-    /// complement as for [`SpdFactor::changed`], from the products b_iᵀ K⁻¹ b_j and its row of
-    /// K_ee. Keeps the data that the next call may reuse, and drops the rest.
+    /// Eliminates a border of `columns` and rows `square` of K_ee; `columns` may continue after
+    /// those of the border. `fill(i, row, products, square)` makes row i of the Schur complement as
+    /// for [`SpdFactor::changed`], from the products b_iᵀ K⁻¹ b_j and its row of K_ee. Data that
+    /// the next call may reuse are kept, the rest is dropped.
     pub(super) fn eliminated(
         &mut self,
         rail: &SparseFactor,
@@ -93,8 +94,8 @@ impl ColumnStore {
         Ok(Eliminated { factor, further })
     }
 
-    /// Solves `columns`, of which the first ones are the `same` as before, and multiplies those
-    /// from `needed` on with all up to their own.
+    /// Solves `columns`, of which the leading `same` ones are unchanged, and forms the products of
+    /// each column from `needed` on with all columns up to itself.
     fn solve(
         &mut self,
         rail: &SparseFactor,
@@ -104,8 +105,8 @@ impl ColumnStore {
     ) -> Result<(), LinearError> {
         let whole = |columns: usize| columns / PANEL_COLUMNS * PANEL_COLUMNS;
         let (kept, needed) = (whole(same), whole(needed.min(same)));
-        // Memory of columns that cannot be reused is freed first; where a solution fails, nothing
-        // is kept.
+        // The memory of columns that cannot be reused is freed first; after a failed solution
+        // nothing is kept.
         let Self { mut panels, mut products, first_product, .. } = std::mem::take(self);
         panels.truncate(kept / PANEL_COLUMNS);
         products.truncate(kept.saturating_sub(first_product));
@@ -139,7 +140,7 @@ mod tests {
         BulkRail::new(mesh, &IsotropicElastic::new(210e3, 0.3).unwrap(), Boundary::HalfPlane).unwrap()
     }
 
-    /// Columns along the unknowns, with another `seed` from `changed` on.
+    /// Columns with a different `seed` from `changed` on.
     fn columns(order: usize, changed: usize, seed: usize) -> Vec<SparseColumn> {
         let entry = |i: usize, k: usize| {
             let chance = if i < changed { 0 } else { seed };
@@ -150,7 +151,7 @@ mod tests {
             .collect()
     }
 
-    /// The diagonal of K_ee; another one at `changed`.
+    /// The diagonal of K_ee, with a different value at `changed`.
     fn square(changed: Option<usize>) -> Vec<Entries> {
         (0..BORDER).map(|i| vec![(i, 60.0 + f64::from(changed == Some(i)))]).collect()
     }
@@ -178,8 +179,8 @@ mod tests {
         let order = rail.order();
         let mut kept = ColumnStore::default();
         let mut seen = Vec::new();
-        // Changes farther on, changes before the kept part of K_ee and of the columns, changes of
-        // everything, and none.
+        // Changes late in the columns, changes before the kept part of K_ee and of the columns, a
+        // change of everything, and no change.
         let changes =
             [(0, None), (250, None), (300, None), (BORDER, None), (320, Some(120)), (40, None), (310, None)];
         for (seed, (changed, in_square)) in changes.into_iter().chain([(0, None), (0, None)]).enumerate() {
@@ -190,6 +191,6 @@ mod tests {
             assert!(!seen.contains(&afresh) || seed > 7, "from column {changed}");
             seen.push(afresh);
         }
-        assert!(kept.products.len() < BORDER + FURTHER, "products that are in the factor are forgotten");
+        assert!(kept.products.len() < BORDER + FURTHER, "products that the factor contains are dropped");
     }
 }

@@ -1,4 +1,4 @@
-//! Condensation of the cracked rail to its face points: C and S.
+//! Condensation of the cracked rail to C and S at its face points.
 
 use super::border::{Border, BorderEntries, Entries};
 use super::columns::{ColumnStore, Eliminated};
@@ -36,11 +36,11 @@ pub(super) struct System<'a> {
     pub duality: &'a Duality,
 }
 
-/// How the unknowns are eliminated.
+/// Method of eliminating the unknowns.
 #[derive(Debug, Clone)]
 pub(super) enum Elimination {
-    /// The standard unknowns by the one factor of the rail, then the enriched ones as a dense
-    /// border.
+    /// The standard unknowns are eliminated with the factor of the uncracked rail, then the
+    /// enriched ones as a dense border.
     Border {
         /// K_se.
         coupling: Arc<Vec<Entries>>,
@@ -48,10 +48,10 @@ pub(super) enum Elimination {
         factor: SpdFactor,
         /// B, row by row.
         jumps: Vec<Entries>,
-        /// The unknowns over the scaled ones.
+        /// Ratio of each unknown to its scaled value.
         scale: Vec<f64>,
     },
-    /// All together, by one factorisation.
+    /// All unknowns are eliminated in one factorisation.
     Together {
         /// Factor of [K_ss K_se; K_es K_ee].
         factor: Arc<SparseFactor>,
@@ -60,21 +60,22 @@ pub(super) enum Elimination {
     },
 }
 
-/// Fraction of the diagonal that is added to the condensed matrix: it suppresses functions that
-/// depend linearly on the others to round-off.
+/// Fraction of the diagonal that is added to the condensed matrix, to suppress functions that are
+/// linearly dependent on others to within round-off.
 const REDUNDANT: f64 = 1e-13;
 
 /// Largest ratio of the number of enriched unknowns to the root of that of the standard ones at
 /// which the enriched ones form a dense border, whose elimination grows with the third power of
-/// their number. Beyond, one factorisation of the whole system is faster: it grows with the 1.5th
-/// power of the number of standard unknowns. By operation counts both cost the same in a growth
-/// step at about eight; one crack stays below, nine are at eighteen.
+/// their number. Beyond this ratio one factorisation of the whole system is faster, since its cost
+/// grows with the 1.5th power of the number of standard unknowns. By operation counts both methods
+/// cost the same in a growth step at a ratio of about eight. One crack stays below it; nine cracks
+/// reach eighteen.
 const DENSE: f64 = 8.0;
 
 impl System<'_> {
     /// C = B S_ee⁻¹ Bᵀ with the Schur complement S_ee = K_ee − K_es K_ss⁻¹ K_se, as jumps at face
     /// points under nodal forces there, and S. The choice of elimination depends on the cracks and
-    /// the mesh alone, so that a resumed run finds the same bits.
+    /// the mesh alone, so that a resumed run obtains the same bits.
     pub(super) fn condensed(
         &self,
         store: &mut ColumnStore,
@@ -177,8 +178,8 @@ impl System<'_> {
         Ok(self.at_face_points(compliance, &influence, elimination))
     }
 
-    /// The nested dissection of the mesh, in which each node is accompanied by its enrichments:
-    /// they have their support on the elements around it, like its own functions.
+    /// The nested dissection of the mesh, in which each node is followed by its enrichments,
+    /// because their support consists of the same elements as that of its standard functions.
     fn order(&self) -> Vec<usize> {
         let mesh = self.rail.order();
         let mut of_node: Vec<Vec<usize>> = vec![Vec::new(); self.rail.mesh().node_count()];
@@ -191,7 +192,7 @@ impl System<'_> {
         nodes.into_iter().flat_map(of).collect()
     }
 
-    /// C and S from ∫ λ ⟦w⟧ under tractions λ and from K under these.
+    /// C and S from ∫ λ ⟦w⟧ and K under unit tractions λ.
     fn at_face_points(
         &self,
         compliance: Matrix,
@@ -210,7 +211,7 @@ impl System<'_> {
 
 impl Elimination {
     /// The unknowns under each of some tractions Σ λ_j τ_j on the faces: `tractions` are the τ_j
-    /// (MPa), along x and y. The standard unknowns are complete at the `nodes` alone.
+    /// (MPa), along x and y. The standard unknowns are complete at `nodes` only.
     pub(super) fn unknowns(
         &self,
         rail: &BulkRail,
@@ -233,8 +234,8 @@ impl Elimination {
         Ok(Unknowns { standard: together, enriched })
     }
 
-    /// The enriched unknowns under each of some tractions, where they follow without the standard
-    /// ones.
+    /// The enriched unknowns under each of some tractions, if they can be computed without the
+    /// standard ones.
     fn enriched(&self, tractions: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, LinearError> {
         let Self::Border { factor, jumps, scale, .. } = self else {
             return Ok(vec![Vec::new(); tractions.len()]);
@@ -268,14 +269,14 @@ fn under_tractions(jumps: &[Entries], tractions: &[Vec<f64>], unknowns: usize) -
 
 /// The unknowns under some loads.
 pub(super) struct Unknowns {
-    /// The free standard unknowns, at the beginning of a row for each load.
+    /// The free standard unknowns, one row per load, at the beginning of the row.
     pub standard: Matrix,
-    /// Those of the enrichments, for each load.
+    /// The enriched unknowns for each load.
     pub enriched: Vec<Vec<f64>>,
 }
 
-/// Right-hand sides −K_se u_e of the standard unknowns from `enriched` unknowns, a row for each of
-/// some loads.
+/// Right-hand sides −K_se u_e of the standard unknowns from the `enriched` unknowns, one row per
+/// load.
 fn pulls(rail: &BulkRail, coupling: &[Entries], enriched: &[Vec<f64>]) -> Matrix {
     let mut right = Matrix::zeros(enriched.len(), rail.order());
     for (k, enriched) in enriched.iter().enumerate() {

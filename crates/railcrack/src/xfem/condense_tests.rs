@@ -1,4 +1,4 @@
-//! Agreement of the two condensations: dense border and one factorisation.
+//! Agreement of the two condensations, by dense border and by one factorisation.
 
 use super::{Condensed, Elimination, System};
 use crate::crack::{Crack, CrackNetwork};

@@ -1,6 +1,6 @@
-//! Elements cut by the cracks, and their cells.
+//! Elements cut by cracks, and their cells.
 
-use super::arrangement::{Arrangement, Border, CutLine};
+use super::arrangement::{Arrangement, CutLine, EdgeLine};
 use super::path::{CutPath, STRAIGHT, TipPath};
 use crate::crack::{CrackNetwork, CrackTip};
 use crate::math::{Orientation, Vec2, orientation};
@@ -8,13 +8,13 @@ use crate::mesh::{Edge, Element, QuadMesh};
 use std::collections::BTreeMap;
 
 /// Parts of a side and chords of an element that are shorter than this fraction of the side are
-/// ignored: round-off leaves them where a crack passes through a node. Such a part carries 1e-24 of
-/// the energy of an element.
+/// ignored: they arise from round-off where a crack passes through a node. Such a part carries
+/// 1e-24 of the energy of an element.
 const NOTHING: f64 = 1e-12;
 
-/// Kinks above this angle (radians) impede the slip of the faces that meet there: jumps go like √r.
-/// Without √r functions at the kink, K of an increment of 2.4 elements that kinks by 15° is 3 to 6
-/// % off, with them 1 %; at 5° the difference is no longer visible.
+/// Angle (radians) above which a kink impedes the slip of the faces, so that jumps vary like √r.
+/// Without √r functions at the kink, the error of K of an increment of 2.4 elements at a kink of
+/// 15° is 3 to 6 %, with them 1 %; at 5° the difference is no longer visible.
 pub(super) const SHARP_KINK: f64 = 0.1;
 
 /// One element with its cells.
@@ -65,7 +65,7 @@ pub(super) struct CellPlace {
 pub(super) struct CrackPiece {
     pub crack: usize,
     pub segment: usize,
-    /// Ends along the walk, mm.
+    /// Ends along the curve, mm.
     pub ends: (Vec2, Vec2),
     /// Arc length at the ends, mm.
     pub s: (f64, f64),
@@ -89,9 +89,9 @@ pub(super) struct Cuts {
     pub tips: Vec<TipPath>,
     /// Points with √r functions: the tips, then the kinks.
     pub poles: Vec<TipPath>,
-    /// Elements that contain a part of a crack or a tip, and those that were asked for.
+    /// Elements that contain a part of a crack or a tip, and those requested explicitly.
     pub elements: BTreeMap<usize, CutElement>,
-    /// All pieces, crack by crack along the walk.
+    /// All pieces, crack by crack along the curve.
     pub pieces: Vec<CrackPiece>,
     /// Keyed by the element below or left of the side, and that side (Top or Right).
     side_cracks: BTreeMap<(usize, Edge), Vec<SideCrack>>,
@@ -104,7 +104,7 @@ impl Cuts {
         let tips: Vec<TipPath> = network.tips().into_iter().map(tip).collect();
         let mut poles = tips.clone();
         for (crack, path) in paths.iter().enumerate() {
-            // Where another crack ends at this one, faces are free to slide into it.
+            // Where another crack ends at this one, the faces can slide into it.
             let joined = |i: usize| network.junction_points().iter().any(|j| j.position == path.points[i]);
             for i in (1..path.segments()).filter(|&i| path.turn(i) > SHARP_KINK && !joined(i)) {
                 poles.push(TipPath::before_kink(crack, path, i));
@@ -118,7 +118,7 @@ impl Cuts {
                 }
             }
         }
-        // A segment ends at a kink also in an element that the next segment leaves at once.
+        // A segment may end at a kink in an element that the next segment leaves immediately.
         for (crack, path) in paths.iter().enumerate() {
             for i in 1..path.segments() {
                 for e in elements_at(mesh, path.points[i]) {
@@ -195,7 +195,7 @@ impl Cuts {
         }
         let arrangement = Arrangement::new(&element, &lines);
         CutElement::new(element, arrangement, |border, a, b| {
-            let Border::Line(line) = border else { return None };
+            let EdgeLine::Line(line) = border else { return None };
             owners[line].iter().find_map(|&(crack, segment)| {
                 let (from, to) = self.paths[crack].segment(segment);
                 let along = to - from;
@@ -350,11 +350,11 @@ impl CutElement {
     }
 
     /// `crack` says whether an edge on a border from a to b belongs to a crack: to which segment,
-    /// and whether the crack runs in its direction.
+    /// and whether the crack runs from a to b.
     fn new(
         element: Element,
         arrangement: Arrangement,
-        crack: impl Fn(Border, Vec2, Vec2) -> Option<(usize, usize, bool)>,
+        crack: impl Fn(EdgeLine, Vec2, Vec2) -> Option<(usize, usize, bool)>,
     ) -> Self {
         let cells = arrangement.cells.len();
         let mut region: Vec<usize> = (0..cells).collect();
@@ -362,10 +362,10 @@ impl CutElement {
         let mut cracks = Vec::new();
         let mut inner: BTreeMap<(usize, usize), usize> = BTreeMap::new();
         for (i, cell) in arrangement.cells.iter().enumerate() {
-            for (k, &border) in cell.borders.iter().enumerate() {
+            for (k, &border) in cell.edge_lines.iter().enumerate() {
                 let (a, b) = (cell.vertices[k], cell.vertices[(k + 1) % cell.vertices.len()]);
                 let ends = (arrangement.vertices[a], arrangement.vertices[b]);
-                if let Border::Side(side) = border {
+                if let EdgeLine::Side(side) = border {
                     let (from, to) = (along_side(side, ends.0), along_side(side, ends.1));
                     sides.push(SidePiece { side, from: from.min(to), to: from.max(to), cell: i });
                     continue;
@@ -375,8 +375,8 @@ impl CutElement {
                 let Some(&other) = inner.get(&(b, a)) else { continue };
                 match crack(border, ends.0, ends.1) {
                     None => join(&mut region, i, other),
-                    // The cell lies to the left of its edge: the + face when the crack runs the
-                    // same way.
+                    // The cell lies to the left of its edge: the + face when the crack runs in the
+                    // same direction.
                     Some((crack, segment, true)) => {
                         cracks.push(InnerCrack { crack, segment, ends, plus: i, minus: other });
                     }
@@ -395,7 +395,7 @@ impl CutElement {
     }
 }
 
-/// Gives all members of the sets of `a` and `b` the smaller name of both.
+/// Merges the sets of `a` and `b` under the smaller of their labels.
 pub(super) fn join(names: &mut [usize], a: usize, b: usize) {
     let (low, high) = (names[a].min(names[b]), names[a].max(names[b]));
     for name in names.iter_mut().filter(|name| **name == high) {
@@ -413,7 +413,7 @@ pub(super) fn along_side(side: Edge, point: Vec2) -> f64 {
 
 /// The common end of a segment and a line through another one, if the segment continues the line
 /// straight on from there up to round-off: a crack that continues another one from a junction. Two
-/// lines that differ by round-off cannot be ordered, so they are taken for one.
+/// lines that differ by round-off cannot be ordered, so they are treated as one line.
 fn continuation(line: CutLine, (from, to): (Vec2, Vec2)) -> Option<Vec2> {
     let (joint, other) = match [line.from, line.to] {
         ends if ends.contains(&from) => (from, to),

@@ -1,4 +1,4 @@
-//! Size of the domain of integration of a tip.
+//! Size of the integration domain of the SIFs at a tip.
 
 use super::cuts::{Cuts, SHARP_KINK};
 use super::settings::XfemSettings;
@@ -11,8 +11,8 @@ use crate::math::Vec2;
 /// elements at the tip and costs 0.9 % of K.
 const SMALLEST: f64 = 2.0;
 
-/// Distance, in elements, between a tip and its neighbour below which K is not to be trusted: both
-/// lie in one element then. Measured against fine elements of the other engine: within 0.1 % of the
+/// Distance, in elements, between a tip and its neighbour below which K is unreliable, since both
+/// lie in one element. Measured against fine elements of the other engine: within 0.1 % of the
 /// largest K down to 1.4 elements, 0.8 % at 0.6, 6 % at 0.4.
 const TRUSTED: f64 = 1.0;
 
@@ -23,10 +23,10 @@ enum Neighbour {
     Surface,
 }
 
-/// The domain of tip `tip`, around which elements are `size` (mm) large: as in `settings`, but no
-/// farther than the nearest other crack or the running surface, down to [`SMALLEST`]. Neighbours
-/// inside the smallest domain contribute to its integral through their faces. The remark reports a
-/// neighbour that is too near; `number` is the index, for its reader, of a crack.
+/// The domain of tip `tip`, around which elements have the size `size` (mm): as in `settings`, but
+/// extending no farther than the nearest other crack or the running surface, down to [`SMALLEST`].
+/// Neighbours inside the smallest domain contribute to its integral through their faces. The remark
+/// reports a neighbour that is too near; `number` gives the index under which it names a crack.
 pub(super) fn domain_of(
     cuts: &Cuts,
     tip: usize,
@@ -58,13 +58,13 @@ pub(super) fn domain_of(
     (domain, remark)
 }
 
-/// Distance, in elements, between a tip and the last sharp kink of its crack below which K is not
-/// to be trusted: crack-face friction around the corner is not resolved. Measured against fine
+/// Distance, in elements, between a tip and the last sharp kink of its crack below which K is
+/// unreliable, since crack-face friction around the corner is not resolved. Measured against fine
 /// elements of the other engine, kinks of 40° and 70° to either side: up to 15 % of the largest K
 /// at a quarter of an element, 8 % at one, 6 % at 1.6, 4 % at 2.4.
 const TRUSTED_PART: f64 = 1.25;
 
-/// A remark on a last segment after a sharp kink that elements of `size` (mm) do not resolve.
+/// A remark on a last segment after a sharp kink that is too short for elements of `size` (mm).
 pub(super) fn short_part(
     cuts: &Cuts,
     tip: usize,

@@ -1,12 +1,12 @@
-//! The finite-element engine: one mesh and one factor for all growth steps of a run.
+//! Finite-element engine with one mesh and one factor for all growth steps of a run.
 
 use super::body::{Discretisation, cracked_body_with};
 use super::columns::ColumnStore;
 use super::error::XfemError;
+use super::refined_region::{MeshSettings, RefinedRegion, ResolvedLayers};
 use super::row::MeshedRow;
 use super::settings::XfemSettings;
 use super::size::{XfemSize, factor_entries};
-use super::window::{Layers, MeshSettings, Window};
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::bulk::{BottomSupport, Boundary, BulkRail, SideSupport};
 use crate::crack::CrackNetwork;
@@ -19,7 +19,7 @@ use std::time::Instant;
 /// Boundary of the rail in the finite-element engine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RailEnd {
-    /// The running surface only: the mesh is held so far away that this has no influence.
+    /// A half-plane. The mesh is held at such a distance that the boundary has no influence.
     HalfPlane {
         /// Abscissa of the centre of the mesh, mm.
         centre: f64,
@@ -35,17 +35,17 @@ pub enum RailEnd {
     },
 }
 
-/// Half-width and depth of the mesh of a half-plane, over the extent of the window. A boundary held
-/// at this distance changes K by about (l/R)² × 8: less than 1e-3.
+/// Half-width and depth of the mesh of a half-plane, over the extent of the refined region. A
+/// boundary held at this distance changes K by about (l/R)² × 8: less than 1e-3.
 const FAR: f64 = 150.0;
-/// Largest number of enlargements of the window.
+/// Largest number of enlargements of the refined region.
 const ENLARGEMENTS: usize = 20;
 
 impl RailEnd {
-    fn extent(&self, window: &Window) -> RailBox {
+    fn extent(&self, refined: &RefinedRegion) -> RailBox {
         match self {
             Self::HalfPlane { centre } => {
-                let size = window.upper - window.lower;
+                let size = refined.upper - refined.lower;
                 let reach = FAR * size.x.max(size.y);
                 RailBox { width: 2.0 * reach, depth: reach, centre: *centre }
             }
@@ -61,25 +61,26 @@ impl RailEnd {
     }
 }
 
-/// Extended finite elements for all growth steps of a run. The mesh is laid around the initial
-/// cracks with room for their growth, and is factored once; when a crack leaves the fine window,
-/// the window is enlarged in fixed steps. A clone shares the factor and the columns solved with it.
+/// Extended finite elements for all growth steps of a run. The mesh is refined around the initial
+/// cracks with room for their growth, and its stiffness is factored once. When a crack leaves the
+/// refined region, that region is enlarged in fixed steps. A clone shares the factor and the
+/// columns solved with it.
 #[derive(Debug, Clone)]
 pub struct XfemEngine {
     steel: IsotropicElastic,
     end: RailEnd,
     settings: XfemSettings,
-    /// The window of the initial cracks.
-    initial: Window,
-    /// That of the mesh.
-    window: Window,
+    /// The refined region of the initial cracks.
+    initial: RefinedRegion,
+    /// The refined region of the present mesh.
+    refined: RefinedRegion,
     background: Option<Arc<BulkRail>>,
     columns: ColumnStore,
 }
 
 impl XfemEngine {
-    /// The engine for the cracks `initial` at the beginning of the run, with elements of one size
-    /// at all of them.
+    /// The engine for the cracks `initial` at the beginning of the run, with elements of the same
+    /// size at all cracks.
     pub fn new(
         initial: &CrackNetwork,
         steel: IsotropicElastic,
@@ -87,12 +88,12 @@ impl XfemEngine {
         end: RailEnd,
         settings: XfemSettings,
     ) -> Self {
-        Self::with_window(Window::new(initial, mesh), steel, end, settings)
+        Self::with_region(RefinedRegion::new(initial, mesh), steel, end, settings)
     }
 
-    /// The engine with a mesh that is fine in `window`.
-    pub fn with_window(
-        window: Window,
+    /// The engine with a mesh that is fine in the region `refined`.
+    pub fn with_region(
+        refined: RefinedRegion,
         steel: IsotropicElastic,
         end: RailEnd,
         settings: XfemSettings,
@@ -101,32 +102,32 @@ impl XfemEngine {
             steel,
             end,
             settings,
-            initial: window.clone(),
-            window,
+            initial: refined.clone(),
+            refined,
             background: None,
             columns: ColumnStore::default(),
         }
     }
 
-    /// This engine with a mesh that also resolves `layers`; to be called before it has made one.
-    pub fn resolving(self, layers: Layers) -> Self {
-        let window = self.initial.resolving(layers);
-        Self { initial: window.clone(), window, ..self }
+    /// This engine with a mesh that also resolves `layers`; to be called before the mesh is made.
+    pub fn resolving(self, layers: ResolvedLayers) -> Self {
+        let refined = self.initial.resolving(layers);
+        Self { initial: refined.clone(), refined, ..self }
     }
 
-    /// All that mesh and factor of the rail depend on for the initial cracks, in words; two rails
-    /// with the same words are the same bits.
+    /// A text of all data on which mesh and factor of the rail depend for the initial cracks. Two
+    /// rails with the same text have the same bits.
     pub fn rail_in_words(&self) -> String {
         let (extent, boundary) = (self.end.extent(&self.initial), self.end.boundary());
         // The shortest decimals that read back to the same bits.
         format!("{:?} {extent:?} {boundary:?} {:?}", self.steel, self.initial)
     }
 
-    /// Takes over mesh, factor and columns of `other`, where this engine has none yet and would
-    /// make the same ones.
+    /// Takes over mesh, factor and columns of `other`, if this engine has none yet and would make
+    /// identical ones.
     pub fn take_over(&mut self, other: &Self) {
         if self.background.is_some()
-            || other.window != self.initial
+            || other.refined != self.initial
             || self.rail_in_words() != other.rail_in_words()
         {
             return;
@@ -136,14 +137,14 @@ impl XfemEngine {
     }
 
     /// Displacement unknowns of the mesh for the initial cracks, computed without making it;
-    /// infinite where no number holds them.
+    /// infinite on overflow.
     pub fn mesh_unknowns(&self) -> f64 {
         self.initial.mesh_unknowns(self.end.extent(&self.initial))
     }
 
     /// Size of the system of `network`, without factoring it.
     pub fn size(&self, network: &CrackNetwork) -> Result<XfemSize, XfemError> {
-        let mesh = self.window.mesh(self.end.extent(&self.window))?;
+        let mesh = self.refined.mesh(self.end.extent(&self.refined))?;
         // All but a few of the unknowns on the boundary are free.
         let mesh_unknowns = 2 * mesh.node_count();
         let Discretisation { space, interface, .. } = Discretisation::new(&mesh, network, &self.settings)?;
@@ -155,30 +156,30 @@ impl XfemEngine {
         })
     }
 
-    /// Size of the systems of `network` by groups.
+    /// Size of the systems of `network` with A in blocks.
     pub fn size_by_groups(&self, network: &CrackNetwork) -> Result<XfemSize, XfemError> {
-        let (window, _) = self.window_for(network);
-        self.row(network, &window).size()
+        let (refined, _) = self.region_for(network);
+        self.row(network, &refined).size()
     }
 
-    fn row<'a>(&'a self, network: &'a CrackNetwork, window: &'a Window) -> MeshedRow<'a> {
-        let (extent, settings) = (self.end.extent(window), self.settings);
-        MeshedRow { network, steel: &self.steel, window, extent, settings }
+    fn row<'a>(&'a self, network: &'a CrackNetwork, refined: &'a RefinedRegion) -> MeshedRow<'a> {
+        let (extent, settings) = (self.end.extent(refined), self.settings);
+        MeshedRow { network, steel: &self.steel, refined, extent, settings }
     }
 
-    /// The window that holds `network`, and its predecessor in the sequence of enlargements, if
-    /// any.
-    fn window_for(&self, network: &CrackNetwork) -> (Window, Option<Window>) {
-        let mut window = self.initial.clone();
+    /// The refined region that holds `network`, and its predecessor in the sequence of
+    /// enlargements, if any.
+    fn region_for(&self, network: &CrackNetwork) -> (RefinedRegion, Option<RefinedRegion>) {
+        let mut refined = self.initial.clone();
         let mut before = None;
         for _ in 0..ENLARGEMENTS {
-            if window.holds(network) {
+            if refined.holds(network) {
                 break;
             }
-            let larger = window.enlarged();
-            before = Some(std::mem::replace(&mut window, larger));
+            let larger = refined.enlarged();
+            before = Some(std::mem::replace(&mut refined, larger));
         }
-        (window, before)
+        (refined, before)
     }
 
     /// The mesh for `network`, made and factored unless it exists already.
@@ -186,19 +187,19 @@ impl XfemEngine {
         self.background_unless(Interruption::NEVER, network)
     }
 
-    /// [`XfemEngine::background`], given up on an `interruption`.
-    pub fn background_unless(
+    /// [`XfemEngine::background`] that stops on an `interruption`.
+    pub(crate) fn background_unless(
         &mut self,
         interruption: Interruption<'_>,
         network: &CrackNetwork,
     ) -> Result<&Arc<BulkRail>, XfemError> {
-        let (window, _) = self.window_for(network);
-        if window != self.window || self.background.is_none() {
-            let mesh = window.mesh(self.end.extent(&window))?;
+        let (refined, _) = self.region_for(network);
+        if refined != self.refined || self.background.is_none() {
+            let mesh = refined.mesh(self.end.extent(&refined))?;
             let rail = BulkRail::new_unless(interruption, mesh, &self.steel, self.end.boundary())?;
             self.background = Some(Arc::new(rail));
             self.columns = ColumnStore::default();
-            self.window = window;
+            self.refined = refined;
         }
         Ok(self.background.as_ref().expect("made above"))
     }
@@ -215,7 +216,7 @@ impl XfemEngine {
         let mut body =
             cracked_body_with(background, network, self.settings, &mut self.columns, interruption)?;
         body.times.mesh_s = mesh_s;
-        self.remark_on_window(network, &mut body);
+        self.remark_on_region(network, &mut body);
         Ok(body)
     }
 
@@ -224,20 +225,20 @@ impl XfemEngine {
         interruption: Interruption<'_>,
         network: &CrackNetwork,
     ) -> Result<CrackedBody, XfemError> {
-        let (window, _) = self.window_for(network);
-        let mut body = self.row(network, &window).body(interruption)?;
-        self.remark_on_window(network, &mut body);
+        let (refined, _) = self.region_for(network);
+        let mut body = self.row(network, &refined).body(interruption)?;
+        self.remark_on_region(network, &mut body);
         Ok(body)
     }
 
-    /// Tells that the window was enlarged, by the cracks alone, so that a run that is taken up here
-    /// says the same.
-    fn remark_on_window(&self, network: &CrackNetwork, body: &mut CrackedBody) {
-        let (window, before) = self.window_for(network);
+    /// Adds a remark if the refined region was enlarged. It depends on the cracks alone, so that a
+    /// run resumed at this step gives the same remark.
+    fn remark_on_region(&self, network: &CrackNetwork, body: &mut CrackedBody) {
+        let (refined, before) = self.region_for(network);
         if before.is_some_and(|before| before.was_left_by(network)) {
             body.remarks.push(format!(
-                "a crack left the fine part of the mesh, which now reaches from x = {:.1} to {:.1} mm and to a depth of {:.1} mm",
-                window.lower.x, window.upper.x, -window.lower.y
+                "a crack left the refined region of the mesh, which now extends from x = {:.1} to {:.1} mm and to a depth of {:.1} mm",
+                refined.lower.x, refined.upper.x, -refined.lower.y
             ));
         }
     }
@@ -252,7 +253,7 @@ impl BodyEngine for XfemEngine {
         self.cracked(interruption, network).map_err(|reason| BodyError { reason: Box::new(reason) })
     }
 
-    /// None of a block, in which forces between cracks that are far apart are not those of the
+    /// None for a block, in which the forces between distant cracks differ from those of the
     /// half-plane.
     fn body_by_groups(
         &mut self,
@@ -272,7 +273,7 @@ impl BodyEngine for XfemEngine {
     }
 
     fn resolution(&self, network: &CrackNetwork) -> f64 {
-        self.window.resolution(network)
+        self.refined.resolution(network)
     }
 }
 

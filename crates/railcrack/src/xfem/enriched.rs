@@ -1,4 +1,4 @@
-//! Stiffness of standard and enriched unknowns together.
+//! Joint stiffness of standard and enriched unknowns.
 
 use super::border::{Border, CellStiffness};
 use crate::bulk::{BulkRail, RailStiffness};
@@ -11,12 +11,12 @@ pub(super) struct EnrichedStiffness<'a> {
     rail: &'a BulkRail,
     mesh: RailStiffness<'a>,
     border: &'a Border,
-    /// Per enriched unknown.
+    /// Addition to the diagonal for each enriched unknown.
     added: Vec<f64>,
 }
 
 /// An element of the sum.
-enum Part<'a> {
+enum Summand<'a> {
     /// An element of the mesh.
     Mesh(usize),
     /// A cell: the contribution of its enriched functions.
@@ -26,16 +26,18 @@ enum Part<'a> {
 }
 
 impl<'a> EnrichedStiffness<'a> {
-    /// With `added[i]` on the diagonal at enriched unknown i.
+    /// The stiffness with `added[i]` on the diagonal at enriched unknown i.
     pub(super) fn new(rail: &'a BulkRail, border: &'a Border, added: Vec<f64>) -> Self {
         Self { rail, mesh: rail.stiffness(), border, added }
     }
 
-    fn part(&self, element: usize) -> Part<'a> {
+    fn part(&self, element: usize) -> Summand<'a> {
         let cells = &self.border.cells;
         match element.checked_sub(self.mesh.count()) {
-            None => Part::Mesh(element),
-            Some(other) => cells.get(other).map_or_else(|| Part::Added(other - cells.len()), Part::Cell),
+            None => Summand::Mesh(element),
+            Some(other) => {
+                cells.get(other).map_or_else(|| Summand::Added(other - cells.len()), Summand::Cell)
+            }
         }
     }
 }
@@ -53,29 +55,29 @@ impl ElementSum for EnrichedStiffness<'_> {
         let free = |unknown: usize| self.rail.unknowns(unknown / 2)[unknown % 2];
         let enriched = |unknown: usize| Some(self.mesh.order() + unknown);
         match self.part(element) {
-            Part::Mesh(element) => self.mesh.unknowns(element),
-            Part::Cell(cell) => {
+            Summand::Mesh(element) => self.mesh.unknowns(element),
+            Summand::Cell(cell) => {
                 let standard = cell.targets.iter().filter_map(|target| target.standard.map(free));
                 standard
                     .chain(cell.targets.iter().filter_map(|target| target.enriched.map(enriched)))
                     .collect()
             }
-            Part::Added(unknown) => vec![enriched(unknown)],
+            Summand::Added(unknown) => vec![enriched(unknown)],
         }
     }
 
     fn matrix(&self, element: usize) -> Matrix {
         match self.part(element) {
-            Part::Mesh(element) => self.mesh.matrix(element),
-            Part::Cell(cell) => {
+            Summand::Mesh(element) => self.mesh.matrix(element),
+            Summand::Cell(cell) => {
                 let mut functions: Vec<usize> = cell.functions(|target| target.standard).collect();
                 let standard = functions.len();
                 functions.extend(cell.functions(|target| target.enriched));
-                // Entries between standard unknowns belong to the elements.
+                // Entries between standard unknowns come from the elements of the mesh.
                 let entry = |i, j| if i < standard { 0.0 } else { cell.entry(functions[i], functions[j]) };
                 Matrix::from_fn(functions.len(), functions.len(), entry)
             }
-            Part::Added(unknown) => Matrix::from_fn(1, 1, |_, _| self.added[unknown]),
+            Summand::Added(unknown) => Matrix::from_fn(1, 1, |_, _| self.added[unknown]),
         }
     }
 }

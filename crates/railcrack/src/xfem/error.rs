@@ -1,4 +1,4 @@
-//! Cracks that the finite-element engine cannot represent.
+//! Errors of the finite-element engine.
 
 use crate::bulk::BulkError;
 use crate::interruption::Interrupted;
@@ -15,32 +15,32 @@ pub enum XfemError {
     OutsideMesh {
         /// Number of the crack, from 1.
         crack: usize,
-        /// Length inside of the mesh, mm.
+        /// Length inside the mesh, mm.
         covered: f64,
         /// Its length, mm.
         length: f64,
     },
-    /// Grid lines that make no mesh.
+    /// Invalid grid lines.
     #[error("the mesh cannot be made: {0}")]
     Mesh(#[from] MeshError),
-    /// The uncracked rail.
+    /// An error of the uncracked rail.
     #[error("the rail cannot be computed: {0}")]
     Bulk(#[from] BulkError),
-    /// Linear algebra.
+    /// An error of the linear algebra.
     #[error("the enriched system cannot be solved: {0}")]
     Linear(#[from] LinearError),
-    /// Face points that the jump in the elements cannot follow.
+    /// Face points that are too dense for the jump functions of the elements.
     #[error(
         "the elements cannot follow face points as close as {spacing} mm (interface_spacing_mm; that of the elements \
          always works): {reason}"
     )]
     FacePoints {
-        /// The largest distance that was asked for, mm.
+        /// The largest requested distance, mm.
         spacing: f64,
-        /// The inverse of C that does not exist.
+        /// The error of inverting C.
         reason: LinearError,
     },
-    /// Given up on request.
+    /// Interrupted on request.
     #[error("{0}")]
     Interrupted(#[from] Interrupted),
 }

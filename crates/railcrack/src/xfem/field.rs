@@ -1,4 +1,4 @@
-//! Displacement and stress fields of the cracked body.
+//! Displacement and stress fields of cracked bodies.
 
 use super::basis::{CellBasis, Elasticity, Function};
 use super::condense::{Elimination, Unknowns};
@@ -32,8 +32,8 @@ const MARGIN: f64 = 0.25;
 
 /// The displacements under one load.
 struct Displacements {
-    /// Displacements of the nodes of the mesh on which the grid depends, mm; those of the others
-    /// are incomplete.
+    /// Displacements of the nodes of the mesh, mm; complete only at the nodes on which the grid
+    /// depends.
     nodes: Vec<Vec2>,
     enriched: Vec<f64>,
 }
@@ -69,7 +69,7 @@ impl Inside {
             };
             let mut nodes: Vec<Vec2> = (0..self.rail.mesh().node_count()).map(of_node).collect();
             if let (Some((wheel, xc)), true) = (load.wheel, is_block) {
-                // At one position nothing is interpolated: one solution.
+                // A single position needs one solution and no interpolation.
                 let displacements = BlockCorrection::new(&self.rail, wheel, xc..=xc)?.displacements(xc)?;
                 nodes.iter_mut().zip(displacements).for_each(|(node, u)| *node = *node + u);
             }
@@ -109,7 +109,7 @@ impl Inside {
         field
     }
 
-    /// Displacement and stress at the `points` of a cell, from all its functions.
+    /// Displacement and stress at the `points` of a cell from all its functions.
     fn in_cell(
         &self,
         place: CellPlace,
@@ -148,9 +148,8 @@ impl Inside {
     }
 }
 
-/// The stress (MPa) at the nodes of an element without enrichment: that at its 2 × 2 Gauss points,
-/// where it is superconvergent (Barlow, Int. J. Numer. Meth. Engng 10, 1976), extrapolated
-/// bilinearly.
+/// The stress (MPa) at the nodes of an element without enrichment, extrapolated bilinearly from its
+/// 2 × 2 Gauss points, where it is superconvergent (Barlow, Int. J. Numer. Meth. Engng 10, 1976).
 fn nodal_stresses(element: &Element, nodes: &[Vec2], elasticity: &Elasticity) -> [Stress; NODES] {
     let gauss = 1.0 / 3.0f64.sqrt();
     let size = element.size();

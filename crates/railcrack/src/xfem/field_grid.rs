@@ -1,4 +1,4 @@
-//! The grid on which the field of a cracked body is given.
+//! Output grid of the field of a cracked body.
 
 use super::cuts::{CellPlace, CutElement, Cuts};
 use super::interface::Interface;
@@ -8,21 +8,22 @@ use crate::mesh::{NODES, QuadMesh};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// A grid and the origin of its points.
+/// A grid, and the elements and cells from which its points come.
 pub(super) struct Layout {
     pub grid: FieldGrid,
     /// Elements that no crack and no enrichment touches.
     pub whole: Vec<usize>,
-    /// Points at the nodes of these.
+    /// Points at the nodes of these elements.
     pub nodes: BTreeMap<usize, usize>,
-    /// Cells of all other elements, with their points; those of the faces last.
+    /// Cells of all other elements, with their points; the points of the faces come last.
     pub cells: Vec<(CellPlace, Range<usize>)>,
 }
 
 /// Fraction of the distance to the centre of the cell at which the stress of a point at a tip or a
-/// kink is evaluated: it is infinite there.
+/// kink is evaluated, since it is infinite at the point itself.
 const INSIDE: f64 = 0.1;
-/// A corner this near to a tip or a kink, relative to the element, is taken to lie at it.
+/// Distance from a tip or a kink, relative to the element, below which a corner counts as lying at
+/// it.
 const AT_POLE: f64 = 1e-9;
 
 impl Layout {
@@ -48,7 +49,7 @@ impl Layout {
         layout
     }
 
-    /// The nodes of all its elements, some several times.
+    /// The nodes of all its elements, with repetitions.
     pub(super) fn mesh_nodes(&self, mesh: &QuadMesh) -> impl Iterator<Item = usize> {
         let others = self.cells.iter().flat_map(|(place, _)| mesh.element(place.element).nodes);
         self.nodes.keys().copied().chain(others)

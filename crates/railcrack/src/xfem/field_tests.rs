@@ -1,4 +1,4 @@
-//! The field of the cracked body against jumps at face points, statics and the tip asymptotics.
+//! The field of the cracked body, compared with face jumps, statics and the tip asymptotics.
 
 use crate::body::{CrackedBody, Face, FieldGrid, FieldLoad, PointField};
 use crate::crack::{Crack, CrackNetwork};
@@ -57,7 +57,7 @@ fn points_on_both_faces_move_apart_by_the_jump() {
                 let from = |p: usize| (grid.points[p] - point.position).length();
                 let found =
                     lines.flat_map(|line| line.ends).min_by(|&a, &b| from(a).total_cmp(&from(b))).unwrap();
-                assert!(from(found) < 1e-9, "face point {j} is no point of the grid");
+                assert!(from(found) < 1e-9, "face point {j} is not a point of the grid");
                 field.displacement[found]
             };
             let jump = displacement(Face::Plus) - displacement(Face::Minus);
@@ -97,8 +97,8 @@ fn open_faces_are_free_of_traction() {
         let normal = Vec2::unit(-degrees.to_radians()).left();
         let (mut squares, mut count) = (0.0, 0.0);
         for end in grid.lines.iter().flat_map(|line| line.ends) {
-            // A tenth of the crack at mouth and tip is left out: the corner at the mouth and the
-            // singular stress.
+            // A tenth of the crack at mouth and tip is left out, because of the corner at the mouth
+            // and the singular stress at the tip.
             if (0.1..=0.9).contains(&(grid.points[end].length() / LENGTH)) {
                 let left = (field.stress[end] + TENSION).traction(normal).length() / TENSION.xx;
                 assert!(left < WORST, "{degrees} degrees: {left} of the tension at {:?}", grid.points[end]);

@@ -3,7 +3,7 @@
 use super::cuts::{CrackPiece, Cuts, SHARP_KINK};
 use super::junctions::{junctions_on, leave_junctions};
 use crate::body::{FaceElement, FaceMesh, discretise};
-use crate::crack::{CrackNetwork, End, Walk};
+use crate::crack::{CrackCurve, CrackNetwork, End};
 use crate::math::{Matrix, Vec2, axpy, gauss_legendre, quantiles};
 use crate::mesh::QuadMesh;
 
@@ -13,10 +13,10 @@ pub(super) struct Interface {
     pub faces: FaceMesh,
     pub stations: Vec<Station>,
     elements: Vec<FaceElement>,
-    walks: Vec<Walk>,
+    curves: Vec<CrackCurve>,
 }
 
-/// The face points at the ends of an element, and their weights.
+/// Face points at the ends of an element, and their weights.
 type Shares = [(usize, f64); 2];
 
 /// A quadrature point of the faces. Jumps are ⟦w⟧ = Σ ψ_j w_j with ψ linear in g and zero at a tip;
@@ -39,16 +39,16 @@ pub(super) struct Station {
 /// two points per element, and with one the pressures do not oscillate.
 const SPACING: f64 = 1.0;
 /// Step of √r next to a tip, over the root of the length of crack in the element there: points at
-/// 0.16, 0.64, 1.44 of an element. With steps of a third K leaks out of a locked tip, by up to 3 %
-/// of its peak as the last part of the crack begins to slip; with a quarter pressures oscillate.
+/// 0.16, 0.64, 1.44 of an element. With steps of a third, K at a locked tip changes by up to 3 % of
+/// its peak as the last part of the crack begins to slip; with a quarter, pressures oscillate.
 const TIP_STEP: f64 = 0.4;
 /// Length of the element across a kink, over the regular one.
 const KINK_SPACING: f64 = 0.15;
-/// The same for kinks without √r functions.
+/// Length of the element across a kink without √r functions, over the regular one.
 const SMALL_KINK_SPACING: f64 = 0.5;
 /// Distance of a small kink from the next one or the end of the crack, over the regular element,
-/// beyond which it has points of its own. Points that are denser than the jump functions carry
-/// oscillating pressures: at half an element from the tip K was off by 7 to 30 %.
+/// beyond which it has points of its own. Pressures oscillate on points that are denser than the
+/// jump functions: at half an element from the tip the error of K was 7 to 30 %.
 const KINK_ROOM: f64 = 3.0;
 /// Growth of the distance of face points away from a kink: length per distance.
 const KINK_GRADING: f64 = 0.5;
@@ -61,15 +61,15 @@ const SMALL_KINK: f64 = 0.05;
 const GAUSS: usize = 6;
 
 impl Interface {
-    /// `spacing` (mm) between face points; that of the elements for `None`.
+    /// Face points at a distance `spacing` (mm), or as dense as the elements for `None`.
     pub(super) fn new(mesh: &QuadMesh, network: &CrackNetwork, cuts: &Cuts, spacing: Option<f64>) -> Self {
-        let walks = network.walks();
-        let joined: Vec<Vec<usize>> = (0..walks.len()).map(|crack| junctions_on(network, crack)).collect();
+        let curves = network.curves();
+        let joined: Vec<Vec<usize>> = (0..curves.len()).map(|crack| junctions_on(network, crack)).collect();
         let nodes: Vec<Vec<f64>> =
-            walks.iter().zip(&joined).map(|(walk, joined)| nodes(mesh, walk, joined, spacing)).collect();
-        let (mut elements, mut faces) = discretise(&walks, &nodes);
-        leave_junctions(&walks, &joined, &mut elements, &mut faces);
-        let mut interface = Self { faces, stations: Vec::new(), elements, walks };
+            curves.iter().zip(&joined).map(|(curve, joined)| nodes(mesh, curve, joined, spacing)).collect();
+        let (mut elements, mut faces) = discretise(&curves, &nodes);
+        leave_junctions(&curves, &joined, &mut elements, &mut faces);
+        let mut interface = Self { faces, stations: Vec::new(), elements, curves };
         interface.stations = interface.stations_of(cuts);
         interface
     }
@@ -83,11 +83,11 @@ impl Interface {
         let rule = gauss_legendre(GAUSS);
         let mut stations = Vec::new();
         self.common_pieces(cuts, |common| {
-            let walk = &self.walks[common.element.crack];
+            let curve = &self.curves[common.element.crack];
             for &(t, weight) in &rule {
                 let g = common.g.0 + t * (common.g.1 - common.g.0);
-                let length = weight * (common.g.1 - common.g.0) * walk.ds(g);
-                let point = point_on(&cuts.pieces[common.piece], walk.s(g));
+                let length = weight * (common.g.1 - common.g.0) * curve.ds(g);
+                let point = point_on(&cuts.pieces[common.piece], curve.s(g));
                 let (jumps, tractions) = shares(common.element, g);
                 stations.push(Station { piece: common.piece, point, length, jumps, tractions });
             }
@@ -99,29 +99,29 @@ impl Interface {
     pub(super) fn lines(&self, cuts: &Cuts) -> Vec<StraightLine> {
         let mut lines = Vec::new();
         self.common_pieces(cuts, |CommonPiece { element, piece, g }| {
-            let walk = &self.walks[element.crack];
-            let ends = [g.0, g.1].map(|g| point_on(&cuts.pieces[piece], walk.s(g)));
+            let curve = &self.curves[element.crack];
+            let ends = [g.0, g.1].map(|g| point_on(&cuts.pieces[piece], curve.s(g)));
             let tractions = [g.0, g.1].map(|g| shares(element, g).1);
             lines.push(StraightLine { piece, ends, tractions });
         });
         lines
     }
 
-    /// Visits the intersections of face elements and pieces of crack, along the walks.
+    /// Visits the intersections of face elements and pieces of crack, along the curves.
     fn common_pieces<'a>(&'a self, cuts: &Cuts, mut visit: impl FnMut(CommonPiece<'a>)) {
-        for (crack, walk) in self.walks.iter().enumerate() {
+        for (crack, curve) in self.curves.iter().enumerate() {
             let first = cuts.pieces.partition_point(|piece| piece.crack < crack);
             let last = cuts.pieces.partition_point(|piece| piece.crack <= crack);
             let mut piece = first;
             for element in self.elements.iter().filter(|element| element.crack == crack) {
-                let (from, to) = (walk.s(element.range.0), walk.s(element.range.1));
+                let (from, to) = (curve.s(element.range.0), curve.s(element.range.1));
                 while piece > first && cuts.pieces[piece].s.0 > from {
                     piece -= 1;
                 }
                 while piece < last && cuts.pieces[piece].s.0 < to {
                     let part = &cuts.pieces[piece];
                     if part.s.1 > from {
-                        let at = |s: f64, end: f64, own: f64| if s == own { end } else { walk.g(s) };
+                        let at = |s: f64, end: f64, own: f64| if s == own { end } else { curve.g(s) };
                         let g = (
                             at(part.s.0.max(from), element.range.0, from),
                             at(part.s.1.min(to), element.range.1, to),
@@ -156,11 +156,12 @@ impl Interface {
     }
 }
 
-/// Maps integrals over the faces to jumps at face points, and nodal forces there to tractions.
+/// Maps integrals over the faces to jumps at face points, and nodal forces at face points to
+/// tractions.
 #[derive(Debug, Clone)]
 pub(super) struct Duality {
     /// The factors of the tridiagonal G: per row the entry of the lower factor, the pivot, and the
-    /// entry beside it.
+    /// superdiagonal entry.
     bands: Vec<[f64; 3]>,
     /// x1 of each face point.
     tangents: Vec<Vec2>,
@@ -168,7 +169,7 @@ pub(super) struct Duality {
 
 impl Duality {
     /// G⁻¹ b in the frames of the faces: slip and opening at the face points from b_j = ∫ λ_j ⟦w⟧
-    /// ds along x and y. `b[j]` may be any row of numbers.
+    /// ds along x and y. `b[j]` may be a row of any length.
     pub(super) fn nodal_jumps(&self, mut b: Matrix) -> Matrix {
         let points = self.bands.len();
         for i in 1..points {
@@ -193,7 +194,7 @@ impl Duality {
         for (i, x1) in self.tangents.iter().enumerate() {
             let x2 = x1.left();
             let (x, y) = b.row_pair(2 * i, 2 * i + 1);
-            // Row y is written last: both rows are read.
+            // Row y is written last, because both rows are read.
             let turned: Vec<f64> = x.iter().zip(&*y).map(|(x, y)| x1.x * x + x1.y * y).collect();
             y.iter_mut().zip(x).for_each(|(y, x)| *y = x2.x * x + x2.y * *y);
             b.row_mut(2 * i).copy_from_slice(&turned);
@@ -232,7 +233,7 @@ struct CommonPiece<'a> {
     element: &'a FaceElement,
     /// Index of the piece.
     piece: usize,
-    /// Range of the parameter of the walk.
+    /// Range of the parameter of the curve.
     g: (f64, f64),
 }
 
@@ -241,7 +242,7 @@ struct CommonPiece<'a> {
 pub(super) struct StraightLine {
     /// Index of the piece of crack.
     pub piece: usize,
-    /// Ends along the walk, mm.
+    /// Ends along the curve, mm.
     pub ends: [Vec2; 2],
     /// (face point, λ) at each end.
     pub tractions: [Shares; 2],
@@ -266,66 +267,66 @@ fn shares(element: &FaceElement, g: f64) -> (Shares, Shares) {
     (jumps, tractions)
 }
 
-/// A place of a walk with nodes of its own, around which elements are shorter.
-struct Place {
+/// A point of a crack curve that has nodes of its own and shorter elements around it.
+struct RefinedPoint {
     /// Arc length, mm.
     s: f64,
-    /// Length of an element there, mm; infinite where it is the regular one.
+    /// Length of an element there, mm; infinite for the regular length.
     element: f64,
     /// The nodes in g, in order.
     nodes: Vec<f64>,
 }
 
-/// The nodes of one walk in g, ends included; those at the points `joined`, where cracks meet,
+/// The nodes of one curve in g, ends included; those at the points `joined`, where cracks meet,
 /// twice.
-fn nodes(mesh: &QuadMesh, walk: &Walk, joined: &[usize], spacing: Option<f64>) -> Vec<f64> {
-    let (start, end) = walk.range();
-    let vertices = walk.vertices();
-    let segments = walk.segments();
+fn nodes(mesh: &QuadMesh, curve: &CrackCurve, joined: &[usize], spacing: Option<f64>) -> Vec<f64> {
+    let (start, end) = curve.range();
+    let vertices = curve.vertices();
+    let segments = curve.segments();
     let chord = |g: f64| {
-        let segment = walk.segment_at(g, &vertices);
-        let chord = SPACING * chord_at(mesh, walk.position(segment, g), walk.tangent(segment));
+        let segment = curve.segment_at(g, &vertices);
+        let chord = SPACING * chord_at(mesh, curve.position(segment, g), curve.tangent(segment));
         spacing.map_or(chord, |spacing| chord.min(spacing))
     };
     let tip_step = [(End::First, start), (End::Last, end)]
         .into_iter()
-        .filter(|(which, _)| walk.has_tip(*which))
-        .map(|(_, g)| TIP_STEP * walk.root_slope() * chord(g).sqrt())
+        .filter(|(which, _)| curve.has_tip(*which))
+        .map(|(_, g)| TIP_STEP * curve.root_slope() * chord(g).sqrt())
         .fold(f64::INFINITY, f64::min);
     let place = |i: usize| {
-        let s = walk.from_first(i);
-        let before = if i > 0 { s - walk.from_first(i - 1) } else { f64::INFINITY };
-        let after = if i < segments { walk.from_first(i + 1) - s } else { f64::INFINITY };
+        let s = curve.arc_length_at(i);
+        let before = if i > 0 { s - curve.arc_length_at(i - 1) } else { f64::INFINITY };
+        let after = if i < segments { curve.arc_length_at(i + 1) - s } else { f64::INFINITY };
         let gap = before.min(after);
         let g = vertices[i];
         if joined.contains(&i) {
             let element = (JUNCTION_SPACING * chord(g)).min(0.3 * gap);
             let mut nodes = Vec::new();
             if i > 0 {
-                nodes.extend([walk.g(s - element), g]);
+                nodes.extend([curve.g(s - element), g]);
             }
             if i < segments {
-                nodes.extend([g, walk.g(s + element)]);
+                nodes.extend([g, curve.g(s + element)]);
             }
-            return Some(Place { s, element, nodes });
+            return Some(RefinedPoint { s, element, nodes });
         }
         if i == 0 || i == segments {
-            return Some(Place { s, element: f64::INFINITY, nodes: vec![g] });
+            return Some(RefinedPoint { s, element: f64::INFINITY, nodes: vec![g] });
         }
         // An element across each kink, so that every node has one tangent. Points are dense only
-        // where the jump functions can follow them. So a small kink has none where another one or
-        // an end is too near for this: the element there runs across it.
-        let sharp = walk.turn(i) > SHARP_KINK;
-        (sharp || (walk.turn(i) > SMALL_KINK && gap >= KINK_ROOM * chord(g))).then(|| {
+        // where the jump functions are dense enough. A small kink that is too near another one or
+        // an end therefore has no points of its own; the element there runs across it.
+        let sharp = curve.turn(i) > SHARP_KINK;
+        (sharp || (curve.turn(i) > SMALL_KINK && gap >= KINK_ROOM * chord(g))).then(|| {
             let spacing = if sharp { KINK_SPACING } else { SMALL_KINK_SPACING };
             let element = (spacing * chord(g)).min(0.5 * gap);
-            Place { s, element, nodes: vec![walk.g(s - 0.5 * element), walk.g(s + 0.5 * element)] }
+            RefinedPoint { s, element, nodes: vec![curve.g(s - 0.5 * element), curve.g(s + 0.5 * element)] }
         })
     };
-    let places: Vec<Place> = (0..=segments).filter_map(place).collect();
+    let places: Vec<RefinedPoint> = (0..=segments).filter_map(place).collect();
     let density = |g: f64| {
-        let near = |place: &Place| place.element + KINK_GRADING * (walk.s(g) - place.s).abs();
-        walk.ds(g) / places.iter().map(near).fold(chord(g), f64::min)
+        let near = |place: &RefinedPoint| place.element + KINK_GRADING * (curve.s(g) - place.s).abs();
+        curve.ds(g) / places.iter().map(near).fold(chord(g), f64::min)
     };
     let mut nodes = places[0].nodes.clone();
     for next in &places[1..] {

@@ -1,4 +1,4 @@
-//! Face points at junctions of cracks.
+//! Face points near junctions of cracks.
 //!
 //! The jumps of the arms of a junction are coupled there, since the displacement around it is
 //! single-valued: n arms have n contact conditions but n − 1 free jumps. So no face point lies at
@@ -6,7 +6,7 @@
 //! values at its other end: no part of the tractions is lost or counted twice.
 
 use crate::body::{FaceElement, FaceMesh};
-use crate::crack::{CrackNetwork, End, Walk};
+use crate::crack::{CrackCurve, CrackNetwork, End};
 
 /// The points of `crack` at which other cracks meet it, by index, in order.
 pub(super) fn junctions_on(network: &CrackNetwork, crack: usize) -> Vec<usize> {
@@ -27,17 +27,17 @@ pub(super) fn junctions_on(network: &CrackNetwork, crack: usize) -> Vec<usize> {
     points
 }
 
-/// Removes the face points at junctions and adds their share to the next one of the same arm.
-/// `joined` are the points of each crack at which others meet it.
+/// Removes the face points at junctions and adds their share to the next point of the same arm.
+/// `joined` are the points of each crack at which other cracks meet it.
 pub(super) fn leave_junctions(
-    walks: &[Walk],
+    curves: &[CrackCurve],
     joined: &[Vec<usize>],
     elements: &mut [FaceElement],
     faces: &mut FaceMesh,
 ) {
     let mut heir: Vec<usize> = (0..faces.points.len()).collect();
     for element in elements.iter_mut() {
-        let vertices = walks[element.crack].vertices();
+        let vertices = curves[element.crack].vertices();
         let at = joined[element.crack].iter().map(|&point| vertices[point]);
         let ends = [element.range.0, element.range.1];
         for g in at {

@@ -1,4 +1,4 @@
-//! The extended finite-element engine: a background mesh independent of the cracks, and enrichment
+//! Extended finite-element engine: a background mesh independent of the cracks, and enrichment
 //! functions that represent them.
 
 mod arrangement;
@@ -18,6 +18,7 @@ mod interface;
 mod junctions;
 mod path;
 mod quadrature;
+mod refined_region;
 mod row;
 mod row_part;
 mod settings;
@@ -25,16 +26,16 @@ mod sif;
 mod size;
 mod space;
 mod trace;
-mod window;
 
 pub use body::{cracked_body, cracked_body_with};
 pub use columns::ColumnStore;
 pub use engine::{RailEnd, XfemEngine};
 pub use error::XfemError;
+pub use refined_region::{
+    MOST_MESH_UNKNOWNS, MeshSettings, RefinedRegion, ResolvedLayers, default_element_sizes,
+};
 pub use settings::{EnrichmentRadius, XfemSettings};
-pub use sif::SifDomain;
 pub use size::XfemSize;
-pub use window::{Layers, MOST_MESH_UNKNOWNS, MeshSettings, Window, default_element_sizes};
 
 #[cfg(test)]
 mod patch_tests;

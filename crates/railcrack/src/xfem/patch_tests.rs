@@ -1,4 +1,4 @@
-//! A Williams field on a patch, and superposition, against one dense system of all unknowns.
+//! Williams fields on a patch, and superposition compared with one dense system of all unknowns.
 
 use super::basis::{CellBasis, Elasticity, Function, MODES};
 use super::body::Discretisation;
@@ -52,7 +52,7 @@ pub(super) struct Dense {
 }
 
 impl Dense {
-    pub fn new(mesh: &QuadMesh, network: &CrackNetwork) -> Self {
+    pub(crate) fn new(mesh: &QuadMesh, network: &CrackNetwork) -> Self {
         let parts = Discretisation::new(mesh, network, &XfemSettings::default()).unwrap();
         let elasticity = Elasticity::new(steel());
         let border =
@@ -102,7 +102,7 @@ impl Dense {
     }
 
     /// K of displacements without tractions on the faces.
-    pub fn sifs(&self, u: &[f64]) -> [f64; 2] {
+    pub(crate) fn sifs(&self, u: &[f64]) -> [f64; 2] {
         self.functionals().map(|functional| {
             let standard: f64 = functional.standard.iter().map(|&(i, v)| v * u[i]).sum();
             standard + functional.enriched.iter().map(|&(i, v)| v * u[self.standard + i]).sum::<f64>()
@@ -110,7 +110,7 @@ impl Dense {
     }
 
     /// The solution under `forces` with the `held` unknowns at zero.
-    pub fn solve(&self, forces: &[f64], held: impl Fn(usize) -> bool) -> Vec<f64> {
+    pub(crate) fn solve(&self, forces: &[f64], held: impl Fn(usize) -> bool) -> Vec<f64> {
         let n = forces.len();
         // Functions without stiffness, or linearly dependent on the others, are suppressed.
         let scale: Vec<f64> =
@@ -197,7 +197,7 @@ fn williams_field_on_a_patch() {
 /// Round-off of systems of two thousand unknowns.
 const SAME: f64 = 1e-10;
 
-/// A loaded block with a crack: all unknowns at once, against the uncracked block followed by the
+/// A loaded block with a crack: all unknowns at once, compared with the uncracked block and the
 /// crack under the forces −K_es u0 that the field of the uncracked block exerts on the enriched
 /// functions.
 #[test]
@@ -207,7 +207,7 @@ fn superposition_of_a_discrete_field() {
     let boundary = Boundary::Block { bottom: BottomSupport::Clamped, sides: SideSupport::Free };
     let rail = BulkRail::new(mesh.clone(), &steel(), boundary).unwrap();
     let (standard, n) = (dense.standard, dense.matrix.rows());
-    // Tension and shear on the right side, outside of the support of all enrichments.
+    // Tension and shear on the right side, outside the support of all enrichments.
     let forces =
         dense.outline(|_, normal, _, _| if normal.x > 0.0 { Vec2::new(50.0, 30.0) } else { Vec2::default() });
     assert!(forces[standard..].iter().all(|f| *f == 0.0));

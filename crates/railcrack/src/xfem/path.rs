@@ -1,11 +1,11 @@
-//! Crack paths and tip frames for the enrichment.
+//! Crack paths and tip frames of the enrichment.
 
 use crate::crack::{Crack, End, point_to_segment};
 use crate::math::{Orientation, Vec2, orientation};
 
-/// Points closer than this to the line between their neighbours, relative to the length of the
-/// crack, are left out: increments straight ahead leave points that are collinear up to round-off,
-/// and two cutting lines that differ by round-off cannot be ordered.
+/// Distance of a point from the line between its neighbours, relative to the length of the crack,
+/// below which it is left out. Increments straight ahead leave points that are collinear up to
+/// round-off, and two cutting lines that differ by round-off cannot be ordered.
 pub(super) const STRAIGHT: f64 = 1e-9;
 
 /// The path of a crack without the points at which it does not kink.
@@ -51,7 +51,7 @@ impl CutPath {
         (self.points[i], self.points[i + 1])
     }
 
-    /// The kink angle (radians, 0 to π) of the path at point `i`, not an end.
+    /// The kink angle (radians, 0 to π) of the path at point `i`, which is not an end.
     pub(super) fn turn(&self, i: usize) -> f64 {
         let (a, b) = (self.points[i] - self.points[i - 1], self.points[i + 1] - self.points[i]);
         a.cross(b).atan2(a.dot(b)).abs()
@@ -81,7 +81,7 @@ impl CutPath {
 pub(super) struct TipPath {
     pub crack: usize,
     pub end: End,
-    /// The crack walked towards the tip.
+    /// The crack, traversed towards the tip.
     points: Vec<Vec2>,
     pub ahead: Vec2,
 }
@@ -112,8 +112,8 @@ impl TipPath {
         (self.points[self.points.len() - 2], self.position())
     }
 
-    /// The kink angle (radians, 0 to π) of the crack at the beginning of that segment; none where
-    /// it is the only one.
+    /// The kink angle (radians, 0 to π) of the crack at the beginning of its last segment; none if
+    /// that is the only segment.
     pub(super) fn last_turn(&self) -> Option<f64> {
         let n = self.points.len();
         let before = self.points[n - 2] - *self.points.get(n.checked_sub(3)?)?;
@@ -124,8 +124,8 @@ impl TipPath {
     /// ahead, continued across the extension of the last segment and cut along the actual crack:
     /// the ray from the tip changes sheet where it crosses the crack.
     ///
-    /// Sides are those of the corners, determined exactly, so that the point of a sliver cannot
-    /// fall on the wrong side by round-off.
+    /// Sides are determined exactly from the corners of the cell, so that round-off cannot move the
+    /// point of a sliver to the wrong side.
     pub(super) fn sheet(&self, cell: &[Vec2]) -> (Vec2, f64) {
         let inside = cell.iter().fold(Vec2::default(), |sum, &v| sum + v) * (1.0 / cell.len() as f64);
         let tip = self.position();
@@ -140,7 +140,7 @@ impl TipPath {
         }
         for pair in self.points[..self.points.len() - 1].windows(2) {
             let left_of_ray = |v: Vec2| orientation(tip, inside, v) != Orientation::Right;
-            // A ray through a kink counts for one of the two segments that meet there.
+            // A ray through a kink is counted for one of the two segments that meet there.
             if left_of_ray(pair[0]) == left_of_ray(pair[1]) {
                 continue;
             }
@@ -165,13 +165,14 @@ impl TipPath {
         self.ahead.cross(arm).atan2(self.ahead.dot(arm))
     }
 
-    /// A vector given by its components in the tip frame, in x and y components.
+    /// Components along x and y of a vector that is given in the tip frame.
     pub(super) fn to_global(&self, v: Vec2) -> Vec2 {
         self.ahead * v.x + self.ahead.left() * v.y
     }
 }
 
-/// The side of the line p → q on which a cell lies; that of its inner point when the line cuts it.
+/// The side of the line p → q on which a cell lies; the side of its inner point when the line cuts
+/// the cell.
 fn side_of(cell: &[Vec2], inside: Vec2, p: Vec2, q: Vec2) -> Orientation {
     let has = |wanted| cell.iter().any(|&v| orientation(p, q, v) == wanted);
     match (has(Orientation::Left), has(Orientation::Right)) {

@@ -13,7 +13,7 @@ pub(super) struct Rules {
 }
 
 /// Points per direction for products of derivatives of eight-node shape functions: of degree 4
-/// together, and 5 with the collapse of a square to a triangle.
+/// together, and 5 with the mapping of a square to a triangle.
 const POLYNOMIAL: usize = 3;
 /// Points per direction and triangle at the tip, where r = t² makes the integrand smooth.
 const AT_TIP: usize = 8;
@@ -23,7 +23,8 @@ impl Rules {
         Self { rules: (0..=12).map(gauss_legendre).collect() }
     }
 
-    /// Points of a cell. `singular` are the tips whose √r functions act in the element.
+    /// The quadrature points of a cell. `singular` are the tips whose √r functions act in the
+    /// element.
     pub(super) fn on_cell(&self, cut: &CutElement, cell: usize, singular: &[Vec2]) -> Vec<WeightedPoint> {
         let polygon = cut.arrangement.polygon(cell);
         let size = cut.element.size();
@@ -61,8 +62,8 @@ impl Rules {
             .collect()
     }
 
-    /// Triangles from the first corner of a convex polygon, each a collapsed square, for integrands
-    /// that this integrates exactly.
+    /// Points in the triangles from the first corner of a convex polygon, each a collapsed square,
+    /// for integrands that this rule integrates exactly.
     fn fan(&self, polygon: &[Vec2], points: usize) -> Vec<WeightedPoint> {
         let mut all = Vec::new();
         for i in 1..polygon.len() - 1 {
@@ -71,8 +72,8 @@ impl Rules {
         all
     }
 
-    /// Triangles from the point of the polygon nearest to the tip, which is the tip itself where it
-    /// is a corner. Mirrored polygons have mirrored triangles.
+    /// Points in the triangles from the point of the polygon nearest to the tip, which is the tip
+    /// itself if it is a corner. Mirrored polygons have mirrored triangles.
     fn around(&self, polygon: &[Vec2], tip: Vec2, points: usize, radial: Radial) -> Vec<WeightedPoint> {
         let apex = nearest_point(polygon, tip);
         let mut all = Vec::new();
@@ -114,13 +115,14 @@ impl Rules {
 /// Distribution of the points from the apex of a triangle.
 #[derive(Clone, Copy)]
 enum Radial {
-    /// Evenly.
+    /// Uniform in the distance.
     Linear,
-    /// Like t², for integrands like r^(−1).
+    /// Proportional to t², for integrands like r^(−1).
     Squared,
 }
 
-/// Cells nearer to a tip than this times the element are integrated from their point nearest to it.
+/// Distance from a tip, over the size of the element, below which a cell is integrated from its
+/// point nearest to the tip.
 const NEAR: f64 = 0.6;
 
 /// Distance (mm) of a point from a convex polygon, 0 inside.

@@ -1,15 +1,15 @@
-//! Long rows of cracks in finite elements: A from parts of the row that overlap.
+//! A of long rows of cracks in finite elements, from overlapping parts of the row.
 
 use super::body::{Discretisation, Reduced, of_some_cracks, of_thin_flaps};
 use super::columns::ColumnStore;
 use super::error::XfemError;
+use super::refined_region::{OUTER_GRADING, RefinedRegion};
 use super::row_part::{PartOfRow, Taken, UnitOfPart};
 use super::settings::XfemSettings;
 use super::size::{XfemSize, factor_entries};
-use super::window::{OUTER_GRADING, Window};
 use crate::body::{BlockStiffness, BodyTimes, CrackedBody, FaceMesh, FaceSample, TipGain};
 use crate::bulk::{Boundary, BulkRail};
-use crate::crack::{CrackNetwork, Walk};
+use crate::crack::{CrackCurve, CrackNetwork};
 use crate::interruption::Interruption;
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, RailBox};
@@ -20,22 +20,24 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Units of a part of the row, or more where one has more neighbours. What a crack exerts on
-/// another is independent of all others; parts differ in where their mesh becomes coarse.
+/// Number of units in a part of the row; a part has more if one of its units has more neighbours.
+/// The force between two cracks is independent of all other cracks; parts differ in where their
+/// mesh becomes coarse.
 const UNITS: usize = 10;
-/// Length of the fine mesh beside a part, over its largest unit.
+/// Length of the fine mesh beyond each end of a part, over its largest unit.
 const BESIDE: f64 = 0.3;
 
-/// A row of cracks in the half-plane and the mesh that is fine in `window`.
+/// A row of cracks in the half-plane and the mesh that is fine in the region `refined`.
 pub(super) struct MeshedRow<'a> {
     pub network: &'a CrackNetwork,
     pub steel: &'a IsotropicElastic,
-    pub window: &'a Window,
+    pub refined: &'a RefinedRegion,
     pub extent: RailBox,
     pub settings: XfemSettings,
 }
 
-/// The parts of a row, each by its units: units that are near to each other are together in one.
+/// The parts of a row, each as a range of units. Any two units that are near to each other share a
+/// part.
 fn parts(units: &Units) -> Vec<Range<usize>> {
     let count = units.cracks.len();
     let last_near: Vec<usize> =
@@ -52,8 +54,8 @@ fn parts(units: &Units) -> Vec<Range<usize>> {
     }
 }
 
-/// Of the `parts` of a row of `count` units that hold units `k` ≤ `l`, the one in which they are
-/// farthest from an end at which the row goes on.
+/// Of the `parts` of a row of `count` units that hold units `k` ≤ `l`, the part in which they are
+/// farthest from an end beyond which the row continues.
 fn home(parts: &[Range<usize>], count: usize, k: usize, l: usize) -> usize {
     let margin = |part: &Range<usize>| {
         let before = if part.start == 0 { count } else { k - part.start };
@@ -64,15 +66,15 @@ fn home(parts: &[Range<usize>], count: usize, k: usize, l: usize) -> usize {
 }
 
 impl MeshedRow<'_> {
-    /// The body, A crack by crack.
-    pub fn body(&self, interruption: Interruption<'_>) -> Result<CrackedBody, XfemError> {
+    /// The body, with A in blocks.
+    pub(crate) fn body(&self, interruption: Interruption<'_>) -> Result<CrackedBody, XfemError> {
         let started = Instant::now();
-        let walks = self.network.walks();
-        let units = Units::new(self.network, &walks);
+        let curves = self.network.curves();
+        let units = Units::new(self.network, &curves);
         let parts = parts(&units);
-        let whole = self.window.mesh_lines(self.extent)?;
+        let whole = self.refined.mesh_lines(self.extent)?;
         let taken = |i: usize| self.taken(&units, &parts, i, &whole, interruption);
-        // Meshes and factors of as many parts as there are threads are in memory together.
+        // Each thread has the mesh and factor of one part in memory.
         let mut all: Vec<Taken> = Vec::new();
         let numbers: Vec<usize> = (0..parts.len()).collect();
         for some in numbers.chunks(rayon::current_num_threads()) {
@@ -80,8 +82,8 @@ impl MeshedRow<'_> {
             all.extend(some);
         }
         let made = started.elapsed().as_secs_f64();
-        let mut body = self.assembled(&walks, &units, all);
-        // Of parts that were made side by side.
+        let mut body = self.assembled(&curves, &units, all);
+        // Remarks of parts that were computed simultaneously.
         let BodyTimes { mesh_s, enrichment_s, border_s, sif_s, condensation_s } = body.times;
         let share = made / (mesh_s + enrichment_s + border_s + sif_s + condensation_s);
         body.times = BodyTimes {
@@ -94,12 +96,12 @@ impl MeshedRow<'_> {
         Ok(body)
     }
 
-    /// Size of all parts together; entries of the factors of two of them, which are in memory
-    /// together on two threads.
-    pub fn size(&self) -> Result<XfemSize, XfemError> {
-        let units = Units::new(self.network, &self.network.walks());
+    /// Total size of all parts; the entries of the factor are those of two parts, which two threads
+    /// hold in memory simultaneously.
+    pub(crate) fn size(&self) -> Result<XfemSize, XfemError> {
+        let units = Units::new(self.network, &self.network.curves());
         let parts = parts(&units);
-        let whole = self.window.mesh_lines(self.extent)?;
+        let whole = self.refined.mesh_lines(self.extent)?;
         let mut size = XfemSize::default();
         for (i, own) in parts.iter().enumerate() {
             let mesh = self.mesh_of(&units, own, &whole)?;
@@ -139,7 +141,7 @@ impl MeshedRow<'_> {
         QuadMesh::new(lines_around(x, (low - BESIDE * size, high + BESIDE * size)), y.clone())
     }
 
-    /// Part `i`, as far as it is taken.
+    /// The blocks of part `i` that are used in the row.
     fn taken(
         &self,
         units: &Units,
@@ -163,7 +165,7 @@ impl MeshedRow<'_> {
         Ok(part.taken(&body, inside.interface.elements(), &remarks, &at_home)?)
     }
 
-    fn assembled(&self, walks: &[Walk], units: &Units, all: Vec<Taken>) -> CrackedBody {
+    fn assembled(&self, curves: &[CrackCurve], units: &Units, all: Vec<Taken>) -> CrackedBody {
         let count = units.cracks.len();
         let tips = self.network.tips();
         let mut near: Vec<Vec<(usize, Matrix)>> = vec![Vec::new(); count];
@@ -189,7 +191,7 @@ impl MeshedRow<'_> {
         }
         near.iter_mut().for_each(|blocks| blocks.sort_by_key(|(l, _)| *l));
         let of_units: Vec<UnitOfPart> = of_units.into_iter().flatten().collect();
-        // Points and samples crack by crack, and the place of each unit's points.
+        // Points and samples crack by crack, and the index of each unit's points.
         let unit_of = units.of_cracks();
         let mut faces = FaceMesh::default();
         let mut points: Vec<Vec<usize>> = of_units.iter().map(|u| vec![0; u.points.len()]).collect();
@@ -217,9 +219,9 @@ impl MeshedRow<'_> {
             remarks.extend(own.remarks.iter().cloned());
         }
         let dislocations: Vec<Vec<Source<'_>>> =
-            of_units.iter().map(|unit| unit.sources(self.network, walks)).collect();
+            of_units.iter().map(|unit| unit.sources(self.network, curves)).collect();
         let modulus = self.steel.plane_strain_modulus();
-        let far = FarRow { units, walks, faces: &faces, points: &points, sources: &dislocations, modulus }
+        let far = FarRow { units, curves, faces: &faces, points: &points, sources: &dislocations, modulus }
             .stiffness();
         let extents = (0..count).map(|k| units.span(k)).collect();
         let blocks = BlockStiffness { units: points, extents, near, far, tips: gains };
@@ -227,7 +229,7 @@ impl MeshedRow<'_> {
     }
 }
 
-/// The grid `lines` between `from` and `to`, and some beyond, at distances that grow.
+/// The grid `lines` between `from` and `to`, continued beyond both at increasing distances.
 fn lines_around(lines: &[f64], (from, to): (f64, f64)) -> Vec<f64> {
     let last = lines.len() - 1;
     let first = lines.partition_point(|&x| x <= from).clamp(1, last) - 1;

@@ -1,15 +1,15 @@
-//! A part of a long row of cracks, and what is taken of it.
+//! Parts of a long row of cracks, and the blocks that the row takes from them.
 
 use super::error::XfemError;
 use super::junctions::junctions_on;
 use crate::body::{BodyTimes, CrackedBody, FaceElement, FacePoint, FaceSample};
-use crate::crack::{CrackEnd, CrackNetwork, CrackTip, Junction, Walk};
+use crate::crack::{CrackCurve, CrackEnd, CrackNetwork, CrackTip, Junction};
 use crate::linear::{LinearError, product};
 use crate::math::Matrix;
-use crate::nuclei::{Place, Source, Units};
+use crate::nuclei::{Source, SourceSite, Units};
 use std::ops::Range;
 
-/// Some units of a row, as a network of their own.
+/// Some units of a row as a separate network.
 pub(super) struct PartOfRow {
     pub network: CrackNetwork,
     /// Its cracks in the row.
@@ -19,26 +19,26 @@ pub(super) struct PartOfRow {
     unit_of: Vec<usize>,
 }
 
-/// A unit as it is in the part that it is taken from; points are counted within their unit.
+/// A unit in the part from which it is taken; points are numbered within their unit.
 pub(super) struct UnitOfPart {
-    /// Its face points, their cracks those of the row.
+    /// Its face points, with cracks numbered in the row.
     pub points: Vec<FacePoint>,
     /// Quadrature points with the crack in the row.
     pub samples: Vec<(usize, FaceSample)>,
     pub tips: Vec<TipOfPart>,
-    /// Elements, their cracks those of the row.
+    /// Elements, with cracks numbered in the row.
     elements: Vec<FaceElement>,
 }
 
-/// A tip as it is in the part that its unit is taken from.
+/// A tip in the part from which its unit is taken.
 pub(super) struct TipOfPart {
     pub tip: CrackEnd,
-    /// Unit of the row and point of it with the [`crate::body::TipGain`].
+    /// Unit of the row, and point of the unit, with its [`crate::body::TipGain`].
     pub gains: Vec<(usize, usize, [[f64; 2]; 2])>,
     pub remarks: Vec<String>,
 }
 
-/// The matrices and faces that are taken of a part.
+/// The matrices and faces that are taken from a part.
 pub(super) struct Taken {
     /// A between units k ≤ l of the row.
     pub pairs: Vec<((usize, usize), Matrix)>,
@@ -49,7 +49,7 @@ pub(super) struct Taken {
 
 impl PartOfRow {
     /// The units `own` of `network`.
-    pub fn new(network: &CrackNetwork, units: &Units, own: Range<usize>) -> Self {
+    pub(crate) fn new(network: &CrackNetwork, units: &Units, own: Range<usize>) -> Self {
         let mut cracks: Vec<usize> = units.cracks[own.clone()].concat();
         cracks.sort_unstable();
         let number = |crack: usize| cracks.binary_search(&crack).ok();
@@ -68,18 +68,18 @@ impl PartOfRow {
         }
     }
 
-    /// The number in the row of crack `crack`, from 0.
-    pub fn number(&self, crack: usize) -> usize {
+    /// The index in the row of crack `crack`, from 0.
+    pub(crate) fn number(&self, crack: usize) -> usize {
         self.cracks[crack]
     }
 
     /// The unit in the row of crack `crack`.
-    pub fn unit(&self, crack: usize) -> usize {
+    pub(crate) fn unit(&self, crack: usize) -> usize {
         self.unit_of[crack]
     }
 
-    /// An `error` with the number of a crack in the row.
-    pub fn in_row(&self, error: XfemError) -> XfemError {
+    /// The `error` with its crack numbered in the row.
+    pub(crate) fn in_row(&self, error: XfemError) -> XfemError {
         match error {
             XfemError::OutsideMesh { crack, covered, length } => {
                 XfemError::OutsideMesh { crack: self.cracks[crack - 1] + 1, covered, length }
@@ -90,14 +90,14 @@ impl PartOfRow {
 
     /// The units and pairs of the `body` of this part that are `at_home` in it, with its `elements`
     /// and the `remarks` on its tips.
-    pub fn taken(
+    pub(crate) fn taken(
         &self,
         body: &CrackedBody,
         elements: &[FaceElement],
         remarks: &[Vec<String>],
         at_home: &dyn Fn(usize, usize) -> bool,
     ) -> Result<Taken, LinearError> {
-        // The points of each unit, and the place of each point among them.
+        // The points of each unit, and the index of each point among them.
         let mut points: Vec<Vec<usize>> = vec![Vec::new(); self.units.len()];
         let mut place = Vec::new();
         for (i, point) in body.faces.points.iter().enumerate() {
@@ -166,25 +166,25 @@ impl PartOfRow {
 }
 
 impl UnitOfPart {
-    /// The dislocations of this unit of `network`, whose cracks `walks` follow.
-    pub fn sources(&self, network: &CrackNetwork, walks: &[Walk]) -> Vec<Source<'_>> {
+    /// The dislocations of this unit of `network`, whose cracks have the `curves`.
+    pub(crate) fn sources(&self, network: &CrackNetwork, curves: &[CrackCurve]) -> Vec<Source<'_>> {
         let mut sources = Vec::new();
         for element in &self.elements {
             let ends = element.ends.iter().zip([-1.0, 1.0]);
             let follows: Vec<(usize, f64)> =
                 ends.clone().filter_map(|(end, sign)| Some(((*end)?, sign))).collect();
-            sources.push(Source { place: Place::Element(element), follows });
-            // Where an arm of a junction ends its jump does, too.
+            sources.push(Source { place: SourceSite::Element(element), follows });
+            // The jump on an arm of a junction ends with the arm.
             let crack = element.crack;
-            let walk = &walks[crack];
-            let vertices = walk.vertices();
+            let curve = &curves[crack];
+            let vertices = curve.vertices();
             for vertex in junctions_on(network, crack) {
                 let g = vertices[vertex];
                 for ((end, sign), range) in ends.clone().zip([element.range.0, element.range.1]) {
                     if let (true, Some(point)) = (range == g, *end) {
                         let at = network.cracks()[crack].points()[vertex];
                         sources.push(Source {
-                            place: Place::Point { crack, at },
+                            place: SourceSite::Point { crack, at },
                             follows: vec![(point, -sign)],
                         });
                     }

@@ -1,4 +1,4 @@
-//! Resolution of the enrichment and of the crack faces.
+//! Resolution settings of the enrichment and of the crack faces.
 
 /// Resolution around the tips and along the faces. Numbers without unit count elements at the tip.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -10,7 +10,7 @@ pub struct XfemSettings {
     /// It falls to 0 here.
     pub domain_outer: f64,
     /// Distance between face points away from mouth, tip and kinks, mm; the length of crack in an
-    /// element where none.
+    /// element if not given.
     pub interface_spacing: Option<f64>,
 }
 

@@ -10,10 +10,10 @@ use crate::fracture::WilliamsField;
 use crate::math::{Stress, Vec2, gauss_legendre};
 use crate::mesh::{Edge, QuadMesh};
 
-/// A domain of integration: the weight q is 1 up to `inner` from the tip and falls to 0 at `outer`,
-/// mm.
+/// An integration domain, whose weight q is 1 up to `inner` (mm) from the tip and decreases to 0 at
+/// `outer` (mm).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SifDomain {
+pub(crate) struct SifDomain {
     /// Inner radius, mm.
     pub inner: f64,
     /// Outer radius, mm.

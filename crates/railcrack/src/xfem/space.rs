@@ -1,4 +1,4 @@
-//! The enriched approximation space: the enrichment functions and their supports.
+//! Enriched approximation space: enrichment functions and their supports.
 
 use super::cuts::{CellPlace, Cuts, elements_at, join};
 use crate::math::Vec2;
@@ -30,8 +30,8 @@ pub(super) enum Enrichment {
 /// A tip or kink, and the enrichment that each node of an element carries for it.
 type TipFunctions = (usize, [Option<usize>; NODES]);
 
-/// The enrichments of a mesh with cracks, in order along the cracks from their first points on, so
-/// that a tip that advances leaves the first ones as they are. Enrichment i has the unknowns 2 i
+/// The enrichments of a mesh with cracks, ordered along the cracks from their first points, so that
+/// the advance of a tip leaves the leading enrichments unchanged. Enrichment i has the unknowns 2 i
 /// and 2 i + 1.
 #[derive(Debug, Clone)]
 pub(super) struct Space {
@@ -77,7 +77,7 @@ impl Space {
         }
         let tip_lists = tips.values_mut().flatten().map(|(_, list)| list);
         sort_along(mesh, cuts, &mut enrichments, parts.values_mut().chain(tip_lists));
-        // A crack through a node touches two of its elements in that point alone, and still
+        // A crack through a node touches two of its elements at that point only, and still
         // separates their functions.
         for e in parts.keys().map(|&(e, _)| e).chain(tips.keys().copied()) {
             cuts.include(mesh, e);
@@ -185,8 +185,8 @@ fn other_parts(mesh: &QuadMesh, cuts: &Cuts, node: usize) -> Vec<Vec<(usize, usi
     others.into_values().collect()
 }
 
-/// The name of the part in which the node lies; of several, when a crack runs through the node, the
-/// first.
+/// The label of the part in which the node lies; the first of several if a crack passes through the
+/// node.
 fn own_part(mesh: &QuadMesh, cuts: &Cuts, node: usize, members: &[(usize, usize)], names: &[usize]) -> usize {
     let at = mesh.node_position(node);
     for (&(e, region), &name) in members.iter().zip(names) {
@@ -213,15 +213,16 @@ mod tests {
     use super::*;
     use crate::crack::{Crack, CrackNetwork};
     use crate::math::RailBox;
-    use crate::xfem::window::{MeshSettings, Window};
+    use crate::xfem::refined_region::{MeshSettings, RefinedRegion};
 
     #[test]
     fn supports_cut_in_two_have_one_other_part() {
         for degrees in [75.0f64, 60.0, 30.0, 15.0] {
             let network: CrackNetwork =
                 Crack::surface_breaking(0.0, 6.0, degrees.to_radians()).unwrap().into();
-            let window = Window::new(&network, MeshSettings { element_size: 0.2, expected_growth: 2.67 });
-            let mesh = window.mesh(RailBox { width: 6000.0, depth: 3000.0, centre: 0.0 }).unwrap();
+            let refined =
+                RefinedRegion::new(&network, MeshSettings { element_size: 0.2, expected_growth: 2.67 });
+            let mesh = refined.mesh(RailBox { width: 6000.0, depth: 3000.0, centre: 0.0 }).unwrap();
             let mut cuts = Cuts::new(&mesh, &network);
             let held: Vec<usize> =
                 cuts.elements.iter().filter(|(_, c)| c.regions > 1).map(|(e, _)| *e).collect();

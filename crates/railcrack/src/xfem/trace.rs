@@ -1,4 +1,4 @@
-//! Jumps of the enriched functions across the faces.
+//! Jumps of enriched functions across the faces.
 
 use super::basis::{CellBasis, Function};
 use super::border::{Entries, merge};

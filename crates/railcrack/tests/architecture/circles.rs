@@ -1,4 +1,5 @@
-//! Circles between files: files that import one another, directly or through others.
+//! Circles between files, and between folders: those that import one another, directly or through
+//! others.
 
 use super::source::{SourceFile, Token};
 use std::collections::{BTreeMap, BTreeSet};
@@ -7,9 +8,9 @@ use std::path::{Path, PathBuf};
 /// A path of modules from the root of the crate, with an item at its end.
 type Names = Vec<String>;
 
-/// The groups of `files` of one crate that reach one another. An import counts for the file that
-/// defines what is imported: re-exports of `mod.rs` lead there, and are no imports of their own.
-/// Tests do not count.
+/// The groups of `files`, and of folders, of one crate that reach one another. An import counts for
+/// the file that defines what is imported: re-exports of `mod.rs` lead there, and are no imports of
+/// their own. Tests do not count.
 pub fn circles(files: &[SourceFile]) -> Vec<BTreeSet<PathBuf>> {
     let sources: Vec<&SourceFile> = files.iter().filter(|file| !is_for_tests(&file.path)).collect();
     let modules: BTreeMap<Names, usize> =
@@ -33,14 +34,30 @@ pub fn circles(files: &[SourceFile]) -> Vec<BTreeSet<PathBuf>> {
     let resolve = |path: &Names| file_of(path, &modules, &exports);
     let edges: Vec<BTreeSet<usize>> =
         imports.iter().map(|paths| paths.iter().filter_map(resolve).collect()).collect();
-    let reached: Vec<BTreeSet<usize>> = (0..edges.len()).map(|from| reach(from, &edges)).collect();
-    let group = |i: usize| -> BTreeSet<usize> {
-        reached[i].iter().copied().filter(|&j| j == i || reached[j].contains(&i)).collect()
-    };
-    let groups: BTreeSet<BTreeSet<usize>> =
-        (0..edges.len()).filter(|&i| reached[i].contains(&i)).map(group).collect();
-    let named = |group: BTreeSet<usize>| group.into_iter().map(|i| sources[i].path.clone()).collect();
-    groups.into_iter().map(named).collect()
+    let mut circles: Vec<BTreeSet<PathBuf>> = Vec::new();
+    // Of each folder what lies in it: its files, and the folders in it as wholes.
+    let folders: BTreeSet<&Path> = sources.iter().flat_map(|file| file.path.ancestors().skip(1)).collect();
+    for folder in folders {
+        let entry = |i: usize| -> Option<&Path> {
+            let within = sources[i].path.strip_prefix(folder).ok()?;
+            Some(Path::new(within.iter().next()?))
+        };
+        let mut arrows: BTreeMap<&Path, BTreeSet<&Path>> = BTreeMap::new();
+        for (from, imported) in edges.iter().enumerate() {
+            let Some(from) = entry(from) else { continue };
+            arrows.entry(from).or_default().extend(imported.iter().filter_map(|&to| entry(to)));
+        }
+        let reached: BTreeMap<&Path, BTreeSet<&Path>> =
+            arrows.keys().map(|&from| (from, reach(from, &arrows))).collect();
+        for (entry, own) in &reached {
+            let back = own.iter().filter(|other| reached[*other].contains(entry));
+            let group: BTreeSet<PathBuf> = back.map(|other| folder.join(other)).collect();
+            if group.len() > 1 && !circles.contains(&group) {
+                circles.push(group);
+            }
+        }
+    }
+    circles
 }
 
 fn is_for_tests(path: &Path) -> bool {
@@ -124,12 +141,12 @@ fn file_of(
     }
 }
 
-/// All files that `from` imports, directly or through others.
-fn reach(from: usize, edges: &[BTreeSet<usize>]) -> BTreeSet<usize> {
+/// Everything that `from` imports, directly or through others.
+fn reach<'a>(from: &'a Path, arrows: &BTreeMap<&'a Path, BTreeSet<&'a Path>>) -> BTreeSet<&'a Path> {
     let mut reached = BTreeSet::new();
     let mut pending = vec![from];
     while let Some(next) = pending.pop() {
-        for &other in edges[next].iter().filter(|&&other| other != next) {
+        for &other in arrows[next].iter().filter(|&&other| other != next) {
             if reached.insert(other) {
                 pending.push(other);
             }
@@ -164,4 +181,13 @@ fn what_a_folder_defines_itself_counts_and_tests_do_not() {
     assert_eq!(groups(&[folder, ("a/one.rs", "use super::Field;")]), [["a/mod.rs", "a/one.rs"]]);
     let leaf = ("a/one.rs", "mod tests { use super::super::Field; }");
     assert!(groups(&[folder, leaf, ("a/one_tests.rs", "use crate::a::Field;")]).is_empty());
+}
+
+#[test]
+fn folders_that_import_one_another_are_found() {
+    let down = ("a/one.rs", "use crate::b::one::B;");
+    let (lower, other) = (("b/one.rs", "pub struct B;"), ("a/two.rs", "pub struct A;"));
+    let up = ("b/two.rs", "use crate::a::two::A;");
+    assert!(groups(&[down, lower, other]).is_empty());
+    assert_eq!(groups(&[down, lower, other, up]), [["a", "b"]]);
 }

@@ -2,16 +2,23 @@
 
 mod circles;
 mod glossary;
+mod layers;
 mod prose;
+mod python;
 mod rules;
 mod source;
 
+use layers::{Arrow, Layers};
+use python::PythonFile;
 use rules::{Rules, Stage};
 use source::SourceFile;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 const CRATE: &str = env!("CARGO_MANIFEST_DIR");
+
+/// The sources of the Python package, with a row in the table of layers.
+const PYTHON_PACKAGE: &str = "python/railcrack";
 
 fn workspace() -> PathBuf {
     Path::new(CRATE).join("../..")
@@ -20,6 +27,10 @@ fn workspace() -> PathBuf {
 fn rules() -> Rules {
     let text = std::fs::read_to_string(workspace().join("ARCHITECTURE.md")).unwrap();
     Rules::parse(&text)
+}
+
+fn layers() -> BTreeMap<String, Layers> {
+    Layers::of_crates(&std::fs::read_to_string(workspace().join("ARCHITECTURE.md")).unwrap())
 }
 
 fn rust_files(folder: &Path) -> Vec<PathBuf> {
@@ -47,7 +58,8 @@ fn sources(root: &Path) -> Vec<SourceFile> {
         let text = std::fs::read_to_string(&path).unwrap();
         SourceFile::read(path.strip_prefix(root).unwrap(), &text)
     };
-    rust_files(root).into_iter().filter(|path| *path != root.join("lib.rs")).map(read).collect()
+    let is_root = |path: &PathBuf| *path == root.join("lib.rs") || *path == root.join("main.rs");
+    rust_files(root).into_iter().filter(|path| !is_root(path)).map(read).collect()
 }
 
 fn assert_none(violations: &[String]) {
@@ -70,24 +82,52 @@ fn modules_import_only_what_the_table_allows() {
     assert_none(&violations);
 }
 
-/// Crates without circles between their files.
-const WITHOUT_CIRCLES: [&str; 6] = [
-    "crates/railcrack",
-    "crates/railcrack-vtu",
-    "crates/railcrack-case",
-    "crates/railcrack-run",
-    "crates/railcrack-report",
-    "crates/railcrack-paper",
-];
+#[test]
+fn modules_import_only_those_in_lower_layers() {
+    let layers = layers();
+    let mut violations = Vec::new();
+    for (name, path) in crates().into_iter().filter(|(name, _)| name != "railcrack") {
+        let Some(layers) = layers.get(&name) else {
+            violations.push(format!("{name} has no row"));
+            continue;
+        };
+        let files = sources(&path.join("src"));
+        let there = files.iter().map(|file| file.module().to_owned()).collect();
+        let faults = layers.differences(&there).into_iter().chain(layers.faults(layers::arrows(&files)));
+        violations.extend(faults.map(|fault| format!("{name}: {fault}")));
+    }
+    assert_none(&violations);
+}
 
 #[test]
-fn no_files_import_one_another() {
-    let mut violations = Vec::new();
-    for folder in WITHOUT_CIRCLES {
-        let files = sources(&workspace().join(folder).join("src"));
-        for group in circles::circles(&files) {
-            violations.push(format!("{folder}: {group:?}"));
+fn the_python_package_has_layers_too() {
+    let layers = &layers()[PYTHON_PACKAGE];
+    let mut files = Vec::new();
+    for entry in std::fs::read_dir(workspace().join(PYTHON_PACKAGE)).unwrap() {
+        let path = entry.unwrap().path();
+        let is_face = path.file_stem().is_some_and(|stem| stem == "__init__");
+        if path.extension().is_some_and(|ending| ending == "py") && !is_face {
+            files.push(PythonFile::read(&path, &std::fs::read_to_string(&path).unwrap()));
         }
+    }
+    let arrows = files.iter().flat_map(|PythonFile { module, imports }| {
+        imports.iter().map(move |(imported, line)| Arrow {
+            place: format!("{module}.py:{line}"),
+            module,
+            imported,
+        })
+    });
+    let mut violations = layers.differences(&files.iter().map(|file| file.module.clone()).collect());
+    violations.extend(layers.faults(arrows));
+    assert_none(&violations);
+}
+
+#[test]
+fn neither_files_nor_folders_import_one_another() {
+    let mut violations = Vec::new();
+    for (name, path) in crates() {
+        let groups = circles::circles(&sources(&path.join("src")));
+        violations.extend(groups.iter().map(|group| format!("{name}: {group:?}")));
     }
     assert_none(&violations);
 }
@@ -182,6 +222,29 @@ fn only_the_command_prints() {
     assert_none(&crates().into_iter().flat_map(of_crate).collect::<Vec<_>>());
 }
 
+/// The pages and sources below a path, or the one that it is.
+fn texts(path: &Path) -> Vec<PathBuf> {
+    if !path.is_dir() {
+        return vec![path.to_path_buf()];
+    }
+    let entries = std::fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path());
+    let is_text = |path: &PathBuf| {
+        path.is_dir() || path.extension().is_some_and(|ending| ending == "md" || ending == "rs")
+    };
+    let mut found: Vec<PathBuf> = entries.filter(is_text).flat_map(|path| texts(&path)).collect();
+    found.sort();
+    found
+}
+
+#[test]
+fn prose_is_free_of_crutches() {
+    let mut faults = Vec::new();
+    for path in prose::PLAIN.iter().flat_map(|path| texts(&workspace().join(path))) {
+        faults.extend(prose::crutches(&path, &std::fs::read_to_string(&path).unwrap()));
+    }
+    assert_none(&faults);
+}
+
 #[test]
 fn prose_is_narrow_and_doc_comments_name_their_subject() {
     let mut faults = Vec::new();
@@ -189,7 +252,8 @@ fn prose_is_narrow_and_doc_comments_name_their_subject() {
         faults.extend(prose::faults_of_source(&path, &std::fs::read_to_string(&path).unwrap()));
     }
     let docs = workspace().join("docs");
-    let folders = [workspace(), docs.clone(), docs.join("how-to"), docs.join("decisions")];
+    let folders =
+        [workspace(), docs.clone(), docs.join("how-to"), docs.join("decisions"), docs.join("python")];
     for entry in folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap()) {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|ending| ending == "md") {

@@ -1,4 +1,5 @@
-//! Prose of the sources and documents: its width, and how doc comments begin.
+//! Prose of the sources and documents: its width, how doc comments begin, and phrases that are not
+//! idiomatic English.
 
 use std::path::Path;
 
@@ -7,6 +8,48 @@ const WIDTH: usize = 100;
 
 /// Pages that a program writes, held to their generators by tests of their own.
 const GENERATED: [&str; 3] = ["case-file.md", "verification.md", "paper.md"];
+
+/// Folders and pages, relative to the workspace, whose prose must be free of [`CRUTCHES`]: pages,
+/// and comments of sources.
+pub const PLAIN: [&str; 6] =
+    ["README.md", "ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs", "python/README.md"];
+
+/// Phrases that are not what an engineer would write.
+const CRUTCHES: [&str; 33] = [
+    "are handed over",
+    "are told",
+    "as good as that",
+    "come to its number",
+    "come to their number",
+    "comes to its number",
+    "functions of one's own",
+    "functions of the user",
+    "hand over",
+    "handed over",
+    "handed-over",
+    "handing over",
+    "hands over",
+    "hang on it",
+    "hang on the",
+    "hangs on",
+    "hung on",
+    "in place of",
+    "is a law from above",
+    "is told",
+    "much else to do",
+    "of one's own",
+    "on its way",
+    "on the way",
+    "on their way",
+    "stand beside",
+    "stands beside",
+    "tells apart",
+    "that is none",
+    "told apart",
+    "was told",
+    "were told",
+    "what is told",
+];
 
 /// Lines of comments that are too wide, and doc comments that begin with "What": `path:line: text`.
 pub fn faults_of_source(path: &Path, text: &str) -> Vec<String> {
@@ -49,6 +92,59 @@ pub fn faults_of_page(path: &Path, text: &str) -> Vec<String> {
         }
     }
     faults
+}
+
+/// The prose of a page or source line by line: code and signs of comments are empty.
+fn prose(path: &Path, text: &str) -> Vec<String> {
+    let is_source = path.extension().is_some_and(|ending| ending == "rs");
+    let mut in_code = false;
+    let mut lines = Vec::new();
+    for line in text.lines() {
+        let words = line.trim();
+        let words = match words.strip_prefix("//") {
+            Some(comment) if is_source => comment.trim_start_matches(['/', '!']).trim_start(),
+            None if is_source => "",
+            _ => words,
+        };
+        let fence = words.starts_with("```");
+        in_code ^= fence;
+        lines.push(if fence || in_code { String::new() } else { words.to_lowercase() });
+    }
+    lines
+}
+
+/// Phrases among the [`CRUTCHES`], within a line or across its end.
+pub fn crutches(path: &Path, text: &str) -> Vec<String> {
+    if path.file_name().is_some_and(|name| GENERATED.iter().any(|page| name == *page)) {
+        return Vec::new();
+    }
+    let lines = prose(path, text);
+    let mut faults = Vec::new();
+    for (i, line) in lines.iter().enumerate() {
+        let both = lines.get(i + 1).map_or_else(|| line.clone(), |next| format!("{line} {next}"));
+        for phrase in CRUTCHES {
+            let begins_here = both.match_indices(phrase).any(|(at, _)| {
+                let is_end = |sign: Option<char>| sign.is_none_or(|sign| !sign.is_alphanumeric());
+                at < line.len()
+                    && is_end(both[..at].chars().next_back())
+                    && is_end(both[at + phrase.len()..].chars().next())
+            });
+            if begins_here {
+                faults.push(format!("{}:{}: \"{phrase}\"", path.display(), i + 1));
+            }
+        }
+    }
+    faults
+}
+
+#[test]
+fn crutches_are_found() {
+    let page = "A table that is\nnone.\n\nIn Place of it,\n```\nin place of\n```\nmagnetism is toldless\n";
+    let found = crutches(Path::new("a.md"), page);
+    assert_eq!(found, ["a.md:1: \"that is none\"", "a.md:4: \"in place of\""]);
+    assert_eq!(crutches(Path::new("paper.md"), page), [""; 0]);
+    let source = "//! The path hangs\n//! on it.\nlet text = \"in place of\"; // in place of\n";
+    assert_eq!(crutches(Path::new("a.rs"), source), ["a.rs:1: \"hangs on\""]);
 }
 
 /// A single word, such as an address, cannot be broken.

@@ -134,7 +134,7 @@ pub fn dependencies(manifest: &str) -> BTreeSet<String> {
 }
 
 /// The rows under `heading` and its ruler, cell by cell.
-fn table(text: &str, heading: &str) -> Vec<Vec<String>> {
+pub fn table(text: &str, heading: &str) -> Vec<Vec<String>> {
     let columns = heading.matches('|').count() - 1;
     let rows = text.lines().skip_while(|line| line.trim() != heading).skip(2);
     let rows: Vec<Vec<String>> = rows
@@ -147,7 +147,7 @@ fn table(text: &str, heading: &str) -> Vec<Vec<String>> {
 }
 
 /// The names between backticks.
-fn names(cell: &str) -> impl Iterator<Item = String> {
+pub fn names(cell: &str) -> impl Iterator<Item = String> {
     cell.split('`').skip(1).step_by(2).map(str::to_owned)
 }
 

@@ -6,8 +6,9 @@ use railcrack::contact::{self, ContactSolver, FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::dislocation::FaceResolution;
 use railcrack::field::{HertzWheel, StressField};
-use railcrack::growth::{PassageSettings, RailLoad, StabilisedPassage, Unobserved, stabilised_passage};
+use railcrack::growth::{PassageSettings, StabilisedPassage, Unobserved};
 use railcrack::load::{HertzianContact, Passage};
+use railcrack::plane::{RailLoad, stabilised_passage};
 use std::fmt;
 
 /// Output positions per half-width, and the tolerance of the load steps.

@@ -9,7 +9,7 @@ use railcrack::interruption::Interruption;
 use railcrack::linear::spd_inverse;
 use railcrack::math::{Matrix, Stress, Vec2};
 use railcrack::xfem::{
-    ColumnStore, RailEnd, Window, XfemEngine, XfemSettings, cracked_body_with, default_element_sizes,
+    ColumnStore, RailEnd, RefinedRegion, XfemEngine, XfemSettings, cracked_body_with, default_element_sizes,
 };
 
 /// How the rail is meshed.
@@ -17,7 +17,7 @@ use railcrack::xfem::{
 pub struct Meshed {
     /// Size of the elements, mm; none for the default.
     pub element_size: Option<f64>,
-    /// Final over initial length for which the window makes room.
+    /// Final over initial length for which the refined region makes room.
     pub expected_growth: f64,
     pub settings: XfemSettings,
     pub end: RailEnd,
@@ -67,8 +67,8 @@ impl Meshed {
 
     /// The engine with a mesh for joined cracks.
     pub fn engine_of(&self, network: &CrackNetwork) -> XfemEngine {
-        let window = Window::with_sizes(network, &self.sizes(network), self.expected_growth);
-        XfemEngine::with_window(window, steel(), self.end, self.settings)
+        let refined = RefinedRegion::with_sizes(network, &self.sizes(network), self.expected_growth);
+        XfemEngine::with_region(refined, steel(), self.end, self.settings)
     }
 
     pub fn body(&self, cracks: &[Crack]) -> CrackedBody {

@@ -5,8 +5,9 @@ use crate::common::{order, steel, surface_crack};
 use railcrack::dislocation::{DislocationEngine, FaceResolution};
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::field::HertzWheel;
-use railcrack::growth::{Growth, GrowthProblem, GrowthSettings, GrowthState, Unobserved};
+use railcrack::growth::{Growth, GrowthSettings, GrowthState, Unobserved};
 use railcrack::load::HertzianContact;
+use railcrack::plane::PlaneRail;
 
 /// Load cycles in which a straight crack at 30° grows from 6 to 6 · 1.08⁶ mm in `steps` increments,
 /// and those by the rate at the start of each alone.
@@ -14,7 +15,7 @@ fn cycles(steps: usize) -> (f64, f64) {
     let contact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.3 };
     let engine = DislocationEngine { steel: steel(), resolution: FaceResolution::default() };
     let wheel = HertzWheel::new(&contact, &steel()).unwrap();
-    let mut problem = GrowthProblem::new(engine, wheel, vec![0.3]);
+    let mut problem = PlaneRail::new(engine, wheel, vec![0.3]);
     problem.growth = GrowthSettings {
         steps,
         increment: 1.08_f64.powf(6.0 / steps as f64) - 1.0,

@@ -13,9 +13,10 @@ use railcrack::contact::{
 use railcrack::crack::{Crack, CrackNetwork, End};
 use railcrack::dislocation::{FaceResolution, cracked_body};
 use railcrack::field::Uniform;
-use railcrack::growth::{CrackFluid, PressureProfile, StabilisedPassage};
+use railcrack::growth::StabilisedPassage;
 use railcrack::material::IsotropicElastic;
 use railcrack::math::{Stress, Vec2};
+use railcrack::plane::{CrackFluid, PressureProfile};
 use std::f64::consts::PI;
 
 const LENGTH: f64 = 6.0;

@@ -6,12 +6,11 @@ use railcrack::contact::{FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork, End, Junction};
 use railcrack::dislocation::{DislocationEngine, FaceResolution};
 use railcrack::field::{DepthProfile, HertzWheel, StressField};
-use railcrack::growth::{
-    Observer, PassageError, PassageSettings, RailLoad, StabilisedPassage, Unobserved, stabilised_passage,
-};
+use railcrack::growth::{Observer, PassageError, PassageSettings, StabilisedPassage, Unobserved};
 use railcrack::interruption::Interruption;
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::material::IsotropicElastic;
+use railcrack::plane::{RailLoad, stabilised_passage};
 use railcrack::xfem::{MeshSettings, RailEnd, XfemEngine, XfemSettings};
 use std::sync::atomic::{AtomicUsize, Ordering};
 

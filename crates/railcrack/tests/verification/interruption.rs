@@ -10,11 +10,10 @@ use railcrack::contact::{
 use railcrack::crack::CrackNetwork;
 use railcrack::dislocation::{DislocationEngine, FaceResolution};
 use railcrack::field::HertzWheel;
-use railcrack::growth::{
-    Observer, PassageError, PassageSettings, RailLoad, StabilisedPassage, Unobserved, stabilised_passage,
-};
+use railcrack::growth::{Observer, PassageError, PassageSettings, StabilisedPassage, Unobserved};
 use railcrack::interruption::Interruption;
 use railcrack::load::{HertzianContact, Passage};
+use railcrack::plane::{RailLoad, stabilised_passage};
 use railcrack::shakedown::{Resolution, ShakedownError, Stabilisation, stabilise_unless};
 use railcrack::xfem::{MeshSettings, RailEnd, XfemEngine, XfemSettings};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};

@@ -37,10 +37,10 @@ fn area_of_the_spall() {
     let joins =
         records.iter().position(|(record, _)| record.tips[0].stop == Some(TipStop::Coalescence)).unwrap();
     let (before, after) = (&records[joins].0, &records[joins + 1].0);
-    assert_eq!([before.tips.len(), after.tips.len(), after.junctions.len()], [3, 2, 1]);
+    assert_eq!([before.tips.len(), after.tips.len(), after.junctions().len()], [3, 2, 1]);
     assert_eq!(
-        after.cracks[1].vertex_at(after.cracks[0].tip(railcrack::crack::End::Last)),
-        Some(before.cracks[1].points().len() / 2 + 1)
+        after.cracks()[1].vertex_at(after.cracks()[0].tip(railcrack::crack::End::Last)),
+        Some(before.cracks()[1].points().len() / 2 + 1)
     );
     let spalls: Vec<_> = records.iter().flat_map(|(record, _)| &record.pieces).collect();
     assert_eq!(
@@ -53,7 +53,7 @@ fn area_of_the_spall() {
     let stored = postcard::to_stdvec(&records[joins].1).unwrap();
     let again = steps(&case, Some(postcard::from_bytes(&stored).unwrap()), joins + 2);
     for (one, two) in again.iter().zip(&records[joins + 1..]) {
-        assert_eq!((&one.0.tips, &one.0.cracks, &one.1), (&two.0.tips, &two.0.cracks, &two.1));
+        assert_eq!((&one.0.tips, one.0.cracks(), &one.1), (&two.0.tips, two.0.cracks(), &two.1));
     }
     assert_eq!(again.len(), 2);
 }
@@ -64,12 +64,12 @@ fn against_a_finer_mesh() {
     let case = case();
     let records = steps(&case, None, 4);
     let record = &records[4].0;
-    assert_eq!(record.junctions.len(), 1);
-    let mut rolling = Rolling::over(vec![record.cracks[0].clone()], 0.1, 0.025);
+    assert_eq!(record.junctions().len(), 1);
+    let mut rolling = Rolling::over(vec![record.cracks()[0].clone()], 0.1, 0.025);
     // Steps as fine as the mesh is to be judged.
     rolling.steps.tolerance = 5e-4;
     let histories = |elements: usize| {
-        let body = joined_body(&record.cracks, &record.junctions, elements);
+        let body = joined_body(record.cracks(), record.junctions(), elements);
         let result = rolling.on(&FaceProblem::new(&body, &[0.1; 2]).unwrap(), &Newton::default());
         let passage = &result.passages[result.passages.len() - 1];
         passage.sifs.iter().flatten().flat_map(|k| [k.ki, k.kii]).collect::<Vec<f64>>()
@@ -92,9 +92,9 @@ fn ranges_between_output_positions() {
     let overrides = Overrides { engine: Some("xfem".into()), ..Overrides::default() };
     let case = Case::read_with(&path, &overrides).unwrap();
     let record = &steps(&case, None, 3)[3].0;
-    let mut rolling = Rolling::over(vec![record.cracks[0].clone()], 0.1, 0.025);
+    let mut rolling = Rolling::over(vec![record.cracks()[0].clone()], 0.1, 0.025);
     rolling.steps.positions = 1921;
-    let body = joined_body(&record.cracks, &record.junctions, default_elements());
+    let body = joined_body(record.cracks(), record.junctions(), default_elements());
     let result = rolling.on(&FaceProblem::new(&body, &[0.1; 2]).unwrap(), &Newton::default());
     let upper = &result.histories[0];
     let largest_ki = upper.samples.iter().map(|k| k.ki).fold(0.0, f64::max);

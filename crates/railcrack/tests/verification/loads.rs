@@ -13,14 +13,14 @@ use railcrack::field::{
     BendingWheel, CarterWheel, HertzWheel, PlacedWheel, StressField, TableWheel, Uniform, Wheel, Wheels,
 };
 use railcrack::growth::{
-    Growth, GrowthProblem, GrowthSettings, GrowthState, PassageSettings, RailLoad, RunStop,
-    StabilisedPassage, TipStop, Unobserved, stabilised_passage,
+    Growth, GrowthSettings, GrowthState, PassageSettings, RunStop, StabilisedPassage, TipStop, Unobserved,
 };
 use railcrack::load::{
     Axle, CarterContact, ContactRow, HertzianContact, NamedSection, Passage, TableContact, Temperature,
     Track, Travel,
 };
 use railcrack::math::{MPA_SQRT_MM, Stress};
+use railcrack::plane::{PlaneRail, RailLoad, stabilised_passage};
 use std::f64::consts::PI;
 
 const PEAK_PRESSURE: f64 = 845.0;
@@ -270,7 +270,7 @@ fn a_winter_rail_breaks() {
     let crack = surface_crack(0.0, 10.0, 60.0);
     let engine = DislocationEngine { steel: steel(), resolution: FaceResolution::default() };
     let wheel = Wheels::on_track(hertz(0.025), track()).unwrap();
-    let mut problem = GrowthProblem::new(engine, wheel, vec![0.5]);
+    let mut problem = PlaneRail::new(engine, wheel, vec![0.5]);
     problem.residual = Some(Box::new(winter()));
     problem.growth = GrowthSettings {
         steps: 30,

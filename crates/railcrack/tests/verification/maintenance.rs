@@ -5,17 +5,18 @@ use railcrack::dislocation::{DislocationEngine, FaceResolution};
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::field::{DepthProfile, HertzWheel};
 use railcrack::growth::{
-    Grinding, Growth, GrowthProblem, GrowthSettings, GrowthState, Maintenance, RunStop, StepRecord,
-    StressMoves, TipStop, Unobserved,
+    Grinding, Growth, GrowthSettings, GrowthState, Maintenance, RunStop, StepRecord, StressMoves, TipStop,
+    Unobserved,
 };
 use railcrack::load::HertzianContact;
+use railcrack::plane::PlaneRail;
 
 /// A crack of 6 mm at 30° that goes straight on under a driven wheel.
-fn problem(maintenance: Option<Maintenance>, steps: usize, increment: f64) -> GrowthProblem {
+fn problem(maintenance: Option<Maintenance>, steps: usize, increment: f64) -> PlaneRail {
     let contact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.3 };
     let engine = DislocationEngine { steel: steel(), resolution: FaceResolution::default() };
     let wheel = HertzWheel::new(&contact, &steel()).unwrap();
-    let mut problem = GrowthProblem::new(engine, wheel, vec![0.3]);
+    let mut problem = PlaneRail::new(engine, wheel, vec![0.3]);
     problem.growth = GrowthSettings {
         steps,
         increment,
@@ -26,7 +27,7 @@ fn problem(maintenance: Option<Maintenance>, steps: usize, increment: f64) -> Gr
     problem
 }
 
-fn run(problem: GrowthProblem) -> Vec<StepRecord> {
+fn run(problem: PlaneRail) -> Vec<StepRecord> {
     let mut growth = Growth::new(problem, GrowthState::initial(&surface_crack(0.0, 6.0, 30.0).into()));
     std::iter::from_fn(|| growth.next_step(&Unobserved).unwrap()).collect()
 }
@@ -92,7 +93,7 @@ fn in_the_balance_the_length_stays_and_the_surface_comes_down() {
     assert!((last.tips[0].length - 6.0).abs() < 0.02, "{}", last.tips[0].length);
     let removed = 0.5 * first * last.load_cycles;
     assert!((last.removed / removed - 1.0).abs() < 1e-2, "{} {removed}", last.removed);
-    assert!((last.tips[0].y + 3.0).abs() < 0.01 && last.cracks[0].points()[0].y == 0.0);
+    assert!((last.tips[0].y + 3.0).abs() < 0.01 && last.cracks()[0].points()[0].y == 0.0);
 }
 
 #[test]
@@ -120,10 +121,10 @@ fn grinding_wears_the_crack_away_at_last_and_a_resumed_run_is_the_same() {
     let mut state = growth.state().clone();
     for want in &whole {
         let got = growth.next_step(&Unobserved).unwrap().unwrap();
-        let same = (got.load_cycles, got.removed, &got.cracks, got.tips[0].rate, got.tips[0].increment);
+        let same = (got.load_cycles, got.removed, got.cracks(), got.tips[0].rate, got.tips[0].increment);
         assert_eq!(
             same,
-            (want.load_cycles, want.removed, &want.cracks, want.tips[0].rate, want.tips[0].increment)
+            (want.load_cycles, want.removed, want.cracks(), want.tips[0].rate, want.tips[0].increment)
         );
         state.clone_from(growth.state());
         growth = Growth::new(maintained(), state.clone());

@@ -5,10 +5,9 @@ use railcrack::dislocation::{DislocationEngine, FaceResolution};
 use railcrack::fatigue::KinkFunctions;
 use railcrack::field::HertzWheel;
 use railcrack::fracture::Sif;
-use railcrack::growth::{
-    Growth, GrowthProblem, GrowthSettings, GrowthState, MixedWheel, PassageSettings, StepRecord, Unobserved,
-};
+use railcrack::growth::{Growth, GrowthSettings, GrowthState, PassageSettings, StepRecord, Unobserved};
 use railcrack::load::HertzianContact;
+use railcrack::plane::{MixedWheel, PlaneRail};
 
 fn wheel(peak_pressure: f64, friction: f64) -> HertzWheel {
     HertzWheel::new(&HertzianContact { peak_pressure, half_width: 6.75, friction }, &steel()).unwrap()
@@ -23,7 +22,7 @@ fn steps(wheels: &[(f64, HertzWheel)]) -> Vec<StepRecord> {
 fn grown(wheels: &[(f64, HertzWheel)], increments: usize, length: f64) -> Vec<StepRecord> {
     let engine = DislocationEngine { steel: steel(), resolution: FaceResolution::default() };
     let (first, others) = wheels.split_first().unwrap();
-    let mut problem = GrowthProblem::new(engine, first.1, vec![0.3]);
+    let mut problem = PlaneRail::new(engine, first.1, vec![0.3]);
     problem.growth = GrowthSettings { steps: increments, ..GrowthSettings::default() };
     problem.share = first.0;
     let mixed = |&(share, wheel): &(f64, HertzWheel)| MixedWheel {

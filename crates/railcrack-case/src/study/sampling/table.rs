@@ -2,6 +2,7 @@
 
 use super::substitute::Substitute;
 use crate::case::place_of;
+use crate::files::lines;
 use crate::schema::{CaseErrors, Fault, Kind, Report, Source, read_file};
 use std::path::Path;
 
@@ -17,16 +18,19 @@ impl SampleTable {
     ///
     /// Errors: it cannot be read; a column is no key; a row has another number of fields.
     pub fn read(path: &Path) -> Result<Self, CaseErrors> {
-        let source = read_file(path)?;
-        Self::parse(&source.text, &source.name)
+        Self::of(read_file(path)?)
     }
 
     /// The table with this `text`; errors call it `name`.
     ///
     /// Errors: see [`SampleTable::read`].
     pub fn parse(text: &str, name: &str) -> Result<Self, CaseErrors> {
-        let mut report = Report::new(Source { name: name.into(), text: text.into() });
-        let table = read(text, &mut report);
+        Self::of(Source { name: name.into(), text: text.into() })
+    }
+
+    fn of(source: Source) -> Result<Self, CaseErrors> {
+        let mut report = Report::new(source.clone());
+        let table = read(&source, &mut report);
         match table {
             Some(columns) if report.is_clean() => Ok(Self { columns }),
             _ => Err(report.into_errors()),
@@ -34,16 +38,10 @@ impl SampleTable {
     }
 }
 
-fn read(text: &str, report: &mut Report) -> Option<Vec<(String, Substitute)>> {
-    let mut offset = 0;
-    let lines = text.split_inclusive('\n').map(|line| {
-        let at = offset;
-        offset += line.len();
-        (at, line.trim_end())
-    });
-    let mut lines = lines.filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
+fn read(source: &Source, report: &mut Report) -> Option<Vec<(String, Substitute)>> {
+    let mut lines = lines(source);
     let help = "a header of keys such as contact.friction,crack[1].angle_deg, then a row per run";
-    let Some((at, header)) = lines.next() else {
+    let Some((header, at)) = lines.next() else {
         report.add(Fault::new("there is no header").help(help));
         return None;
     };
@@ -62,19 +60,19 @@ fn read(text: &str, report: &mut Report) -> Option<Vec<(String, Substitute)>> {
             }
             Ok(_) => {
                 let says = format!("`{name}` is a list, which no field of a table holds");
-                report.add(Fault { span: Some(at..at + header.len()), ..Fault::new(says).help(help) });
+                report.add(Fault { span: Some(at.clone()), ..Fault::new(says).help(help) });
             }
             Err((says, near)) => {
                 let says = format!("column `{name}`: {says}");
-                report.add(Fault { span: Some(at..at + header.len()), ..Fault::new(says).help(near) });
+                report.add(Fault { span: Some(at.clone()), ..Fault::new(says).help(near) });
             }
         }
     }
-    for (at, line) in lines {
+    for (line, at) in lines {
         let fields: Vec<&str> = line.split(',').map(str::trim).collect();
         if fields.len() != columns.len() {
             let says = format!("{} fields below {} columns", fields.len(), columns.len());
-            report.add(Fault { span: Some(at..at + line.len()), ..Fault::new(says).help(help) });
+            report.add(Fault { span: Some(at), ..Fault::new(says).help(help) });
             return None;
         }
         for (field, (_, kind, substitute)) in fields.iter().zip(&mut columns) {

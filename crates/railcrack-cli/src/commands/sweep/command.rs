@@ -12,9 +12,10 @@ use clap::Args;
 use railcrack_case::{Overrides, SampleTable, Study};
 use railcrack_report::Pages;
 use railcrack_run::StudyFolder;
-use railcrack_run::budget::{Budget, Needs, OverBudget};
+use railcrack_run::machine::{Budget, Needs, OverBudget};
 use railcrack_run::simulation::{Ending, FailedRun, RunError, StudyComputation, case_files, study_plan};
-use railcrack_run::study::{Entry, RunEnd};
+use railcrack_run::study::Entry;
+use railcrack_run::summary::RunEnd;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
@@ -102,6 +103,7 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
         engine: arguments.engine.clone(),
         contact: arguments.contact.clone(),
         settings: arguments.set.set.clone(),
+        ..Overrides::default()
     };
     let samples = arguments.table.as_deref().map(SampleTable::read).transpose()?;
     let study = input::study(&arguments.study, &overrides, samples.as_ref())?;

@@ -3,8 +3,8 @@
 use crate::exit::Exit;
 use railcrack_run::StudyFolder;
 use railcrack_run::decision::Quantiles;
-use railcrack_run::population::Population;
 use railcrack_run::simulation::{Ending, FailedRun};
+use railcrack_run::study::Population;
 use railcrack_run::study::{RunState, StudyResults};
 use serde_json::{Value, json};
 use std::io::Write;

@@ -2,11 +2,16 @@
 "use strict";
 
 (() => {
-  const stamp = document.currentScript.dataset.stamp;
+  const stamp = document.currentScript?.dataset.stamp;
   const KEPT = `railcrack-view ${location.pathname}`;
-  // Sliders, menus and folded parts stay as the reader has set them.
-  const settings = () => [...document.querySelectorAll("input[type=range], select, #study-filter")].filter((input) => input.id);
-  const folded = () => [...document.querySelectorAll("details")];
+
+  /** Sliders, menus and the filter: they stay as the reader has set them. */
+  const settings = () => {
+    const all = document.querySelectorAll("input[type=range], select, #study-filter");
+    return /** @type {(HTMLInputElement | HTMLSelectElement)[]} */ ([...all]).filter((input) => input.id);
+  };
+  /** Parts that fold: they stay open or closed. */
+  const folding = () => [...document.querySelectorAll("details")];
 
   const bar = document.createElement("p");
   bar.id = "live";
@@ -20,15 +25,16 @@
     pause.textContent = paused ? "Follow" : "Pause";
   });
   bar.append(words, " ", pause);
-  document.querySelector("h1").after(bar);
+  document.querySelector("h1")?.after(bar);
 
+  /** What the reader has set: a slider at its end stays at the end, wherever that is by then. */
   function keep() {
-    sessionStorage.setItem(KEPT, JSON.stringify({
-      scroll: scrollY,
-      // A slider at its end stays at the end, wherever that is by then.
-      values: settings().map((input) => [input.id, input.value, input.type === "range" && input.value === input.max && input.max !== "0"]),
-      open: folded().map((part) => part.open),
-    }));
+    const values = settings().map((input) => {
+      const isAtEnd = input instanceof HTMLInputElement && input.max !== "0" && input.value === input.max;
+      return { id: input.id, value: input.value, isAtEnd };
+    });
+    const open = folding().map((part) => part.open);
+    sessionStorage.setItem(KEPT, JSON.stringify({ scroll: scrollY, values, open }));
   }
 
   async function restore() {
@@ -36,13 +42,19 @@
     if (!text) return;
     sessionStorage.removeItem(KEPT);
     const { scroll, values, open } = JSON.parse(text);
-    folded().forEach((part, i) => { part.open = open[i] ?? false; });
+    for (const [i, part] of folding().entries()) part.open = open[i] ?? false;
     // The sliders have their ends when the explorer is there.
-    const isReady = (id) => !document.getElementById(id) || document.getElementById(id).dataset.ready === "true";
-    for (let i = 0; i < 100 && !(isReady("explorer") && isReady("study-table")); i++) await new Promise((done) => setTimeout(done, 50));
-    for (const [id, value, atEnd] of values) {
-      const input = document.getElementById(id);
-      const wanted = atEnd ? input?.max : value;
+    /** @param {string} id */
+    const isReady = (id) => {
+      const part = document.getElementById(id);
+      return !part || part.dataset.ready === "true";
+    };
+    for (let i = 0; i < 100 && !["explorer", "study-table"].every(isReady); i++)
+      await new Promise((done) => setTimeout(done, 50));
+    const now = new Map(settings().map((input) => [input.id, input]));
+    for (const { id, value, isAtEnd } of values) {
+      const input = now.get(id);
+      const wanted = isAtEnd && input instanceof HTMLInputElement ? input.max : value;
       if (!input || input.value === wanted) continue;
       input.value = wanted;
       input.dispatchEvent(new Event("input", { bubbles: true }));
@@ -52,8 +64,12 @@
   }
 
   /** Whether the reader is at something that a new page would take away. */
-  const isBusy = () => paused || document.querySelector(":active") || getSelection().toString()
-    || document.getElementById("play")?.textContent === "Stop" || document.activeElement?.matches("input[type=search]");
+  const isBusy = () =>
+    paused ||
+    document.querySelector(":active") ||
+    getSelection()?.toString() ||
+    document.getElementById("play")?.textContent === "Stop" ||
+    document.activeElement?.matches("input[type=search]");
 
   async function look() {
     let next = 1000;
@@ -63,14 +79,15 @@
       bar.dataset.over = state.over;
       if (state.stamp !== stamp && !isBusy()) {
         keep();
-        return location.reload();
+        location.reload();
+        return;
       }
       if (state.over && state.stamp === stamp) {
         pause.hidden = true;
         next = 5000;
       }
     } catch {
-      words.textContent = "railcrack view has ended; the page stays as it is.";
+      words.textContent = "railcrack view has ended; this page is no longer updated.";
       pause.hidden = true;
       next = 5000;
     }

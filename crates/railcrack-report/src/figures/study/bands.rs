@@ -4,7 +4,10 @@ use super::run::StudyRun;
 use crate::chart::{Chart, ChartArea, ChartAxis, ChartScale, Curve, CurveColour, CurveLook, CurveWidth};
 use crate::figures::sif::Mode;
 use crate::figures::{cycles, sif};
-use railcrack_run::representative::{RepresentativeTip, cycles_to};
+use railcrack_run::run_folder::{RepresentativeTip, cycles_to};
+
+/// Runs above which a study is drawn as bands, and its page is that of many runs.
+pub(crate) const MANY: usize = 50;
 
 /// Shares of the runs below each curve, with their names.
 const SHARES: [(f64, &str); 5] =

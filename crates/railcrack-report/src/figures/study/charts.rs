@@ -5,7 +5,7 @@ use super::styles::Styles;
 use crate::chart::{Chart, ChartAxis, ChartLegend, Curve, CurveDots};
 use crate::figures::sif::Mode;
 use crate::figures::{cycles, paths, sif};
-use railcrack_run::representative::RepresentativeTip;
+use railcrack_run::run_folder::RepresentativeTip;
 
 /// K of the initial cracks, paths and growth of `runs`, those with a finished step among them.
 pub(crate) fn study_charts(runs: &[&StudyRun], styles: &Styles) -> Vec<Chart> {

@@ -7,7 +7,7 @@ mod plots;
 mod run;
 mod styles;
 
-pub(crate) use bands::band_charts;
+pub(crate) use bands::{MANY, band_charts};
 pub(crate) use charts::study_charts;
 pub(crate) use choice::stratified;
 pub(crate) use plots::{STUDY_PLOTS, study_plots};

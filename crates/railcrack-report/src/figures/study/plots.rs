@@ -1,12 +1,11 @@
 //! The SVG files of a study.
 
-use super::bands::band_charts;
+use super::bands::{MANY, band_charts};
 use super::charts::study_charts;
 use super::run::StudyRun;
 use super::styles::Styles;
 use crate::chart::{Chart, ChartSheet, CurveColour, CurveLook, LegendEntry, SheetLegend};
 use crate::figures::plot::Plot;
-use crate::pages::MANY;
 use railcrack_run::study::StudyPlan;
 
 /// Every plot that a study may have.

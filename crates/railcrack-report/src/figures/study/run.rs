@@ -4,7 +4,7 @@ use crate::direction::{Heading, heading};
 use crate::numbers::brief;
 use railcrack_run::StudyFolder;
 use railcrack_run::files::REPORT_FILE;
-use railcrack_run::representative::RepresentativeTip;
+use railcrack_run::run_folder::RepresentativeTip;
 use railcrack_run::study::{PlannedRun, StudyPlan, StudyRow};
 
 /// A run of a study.

@@ -8,7 +8,7 @@ use railcrack::fatigue::DirectionCriterion;
 use railcrack::load::Contact;
 use railcrack::math::RailBox;
 use railcrack::words::Choice;
-use railcrack_case::{Case, ContactOrigin, ContactSolver, Engine};
+use railcrack_case::{Case, ContactOrigin, ContactSolver};
 
 /// A sentence or two each.
 pub(super) fn assumptions(run: &RunFolder) -> Vec<String> {
@@ -59,23 +59,16 @@ fn wheel(case: &Case) -> String {
     };
     let passage = &case.passages.passage;
     let travel = if passage.from > passage.to { "−x" } else { "+x" };
-    let (pressure, shear) = match contact {
-        Contact::Hertz(contact) => (
-            "Hertzian line contact in full sliding",
-            format!("wheel–rail friction {} ({drags})", signed(contact.friction)),
+    let shear = match contact {
+        Contact::Hertz(contact) => format!("wheel–rail friction {} ({drags})", signed(contact.friction)),
+        Contact::Carter(carter) => format!(
+            "wheel–rail friction {} where it slips, traction Q/(μP) = {} ({drags})",
+            carter.friction,
+            signed(carter.traction)
         ),
-        Contact::Carter(carter) => (
-            "Hertzian line contact in partial slip (Carter)",
-            format!(
-                "wheel–rail friction {} where it slips, traction Q/(μP) = {} ({drags})",
-                carter.friction,
-                signed(carter.traction)
-            ),
-        ),
-        Contact::Table(_) => {
-            ("contact from a table", format!("Q/P = {} ({drags})", signed(rounded(contact.adhesion(), 4))))
-        }
+        Contact::Table(_) => format!("Q/P = {} ({drags})", signed(rounded(contact.adhesion(), 4))),
     };
+    let pressure = contact.kind().described();
     let strip = match &case.wheel.origin {
         ContactOrigin::Ellipse { wheel, ellipse, lateral } => format!(
             " It is the strip {} mm beside the middle of the Hertz ellipse of {} kN, semi-axes {} mm along and {} mm \
@@ -274,11 +267,7 @@ fn direction(case: &Case) -> String {
 
 fn solution(run: &RunFolder) -> String {
     let summary = &run.summary;
-    let engine = match run.case.engine {
-        Engine::Xfem => "extended finite elements",
-        Engine::Dislocation => "distributed dislocations",
-        Engine::Space => "boundary elements in space",
-    };
+    let engine = run.case.engine.method();
     let solver = match run.case.contact_solver {
         ContactSolver::Latin => "the LATIN method",
         ContactSolver::Newton => "Newton's method",

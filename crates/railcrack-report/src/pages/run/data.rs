@@ -6,10 +6,11 @@ use crate::numbers::{number, numbers};
 use crate::row::NamedCrack;
 use crate::shown::{Deflated, Quantised, ShownRun};
 use railcrack::contact::FluidModel;
-use railcrack::growth::{CrackFluid, PressureProfile, RunStop, TipStop};
+use railcrack::growth::{RunStop, TipStop};
+use railcrack::plane::{CrackFluid, PressureProfile};
 use railcrack::words::Choice;
 use railcrack_run::csv::TipRow;
-use railcrack_run::histories::History;
+use railcrack_run::run_folder::History;
 use serde_json::{Value, json};
 use std::ops::Range;
 

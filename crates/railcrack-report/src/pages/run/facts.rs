@@ -10,7 +10,7 @@ use crate::table::Table;
 use railcrack::growth::{RunStop, TipStop};
 use railcrack::words::Choice;
 use railcrack_run::csv::TipRow;
-use railcrack_run::representative::representative_tip as representative;
+use railcrack_run::run_folder::representative_tip as representative;
 
 /// The first and the last row of the representative tip.
 fn representative_tip(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {

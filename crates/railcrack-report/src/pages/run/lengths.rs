@@ -6,7 +6,7 @@ use crate::row::NamedCrack;
 use crate::svg::round_step;
 use crate::table::{MISSING, Table};
 use railcrack_run::csv::TipRow;
-use railcrack_run::representative::cycles_to;
+use railcrack_run::run_folder::cycles_to;
 
 /// Rows of the table of lengths, about.
 const LENGTHS: usize = 8;

@@ -11,7 +11,7 @@ use railcrack::growth::RunStop;
 use railcrack::space::VERTEX_LAYER;
 use railcrack_case::SpaceCase;
 use railcrack_run::csv::TipRow;
-use railcrack_run::histories::History;
+use railcrack_run::run_folder::History;
 use serde_json::{Value, json};
 
 const EXPLORER: &str = include_str!("../../assets/space.html");

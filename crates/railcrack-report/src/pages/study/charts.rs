@@ -4,7 +4,7 @@ use crate::chart::{Chart, ChartAxis, Curve, CurveColour, CurveDots};
 use crate::figures::{Plot, StudyRun, Styles, stratified, study_charts};
 use crate::page::Block;
 use crate::pages::pictures::still;
-use railcrack_run::representative::RepresentativeTip;
+use railcrack_run::run_folder::RepresentativeTip;
 use railcrack_run::study::{StudyAxis, StudyPlan};
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -8,7 +8,7 @@ use railcrack::bulk::Boundary;
 use railcrack::growth::WarningKind;
 use railcrack::growth::{RunStop, TipStop};
 use railcrack::words::Choice;
-use railcrack_run::representative::cycles_to;
+use railcrack_run::run_folder::cycles_to;
 use railcrack_run::study::{RunState, StudyPlan};
 use std::collections::BTreeMap;
 

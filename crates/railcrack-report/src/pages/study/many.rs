@@ -6,12 +6,9 @@ use crate::page::Block;
 use crate::sensitivity::{Estimate, first_order, rank_correlation};
 use crate::shown::Deflated;
 use railcrack::words::Choice;
-use railcrack_run::representative::{RepresentativeTip, cycles_to};
+use railcrack_run::run_folder::{RepresentativeTip, cycles_to};
 use railcrack_run::study::StudyPlan;
 use serde_json::{Value, json};
-
-/// Runs above which the page is this one.
-pub(crate) const MANY: usize = 50;
 
 /// A column of the table, and a choice of what is drawn.
 struct Column {

@@ -6,12 +6,9 @@ mod many;
 mod population;
 mod runs;
 
-pub(crate) use many::MANY;
-
-use crate::figures::{Plot, StudyRun, Styles};
+use crate::figures::{MANY, Plot, StudyRun, Styles};
 use crate::page::{Block, Page, Section};
-use railcrack_run::population::Population;
-use railcrack_run::study::StudyPlan;
+use railcrack_run::study::{Population, StudyPlan};
 
 /// Runs up to which the table stands above the charts.
 const SHORT_TABLE: usize = 12;

@@ -6,7 +6,7 @@ use crate::page::Block;
 use crate::pages::ways::ways;
 use crate::table::Table;
 use railcrack_run::decision::{DepthQuantiles, Quantiles, ScatterSummary};
-use railcrack_run::population::Population;
+use railcrack_run::study::Population;
 
 /// The first blocks of the page of a study: the result of its samples; none without any.
 pub(super) fn blocks(populations: &[Population]) -> Vec<Block> {

@@ -50,7 +50,7 @@ fn cells(plan: &StudyPlan, run: &StudyRun, has_tonnes: bool) -> Vec<Cell> {
     cells.extend(plan.values_of(run.planned).map(|(_, value)| Cell::from(brief(value))));
     let missing = || Cell::from(MISSING);
     let (tip, summary) = (run.tip(), run.row.summary.as_ref());
-    let of_tip = |text: &dyn Fn(&railcrack_run::representative::RepresentativeTip) -> String| {
+    let of_tip = |text: &dyn Fn(&railcrack_run::run_folder::RepresentativeTip) -> String| {
         tip.map_or_else(missing, |tip| text(tip).into())
     };
     cells.push(of_tip(&|tip| format!("{} → {}", fixed(tip.first.length, 2), fixed(tip.last().length, 2))));

@@ -1,6 +1,12 @@
 //! The law of Bold, Brown and Allen.
 
+use super::RateLaw;
+use super::declaration::{
+    COEFFICIENTS, CheckValue, Constant, LawConstants, LawDeclaration, LawInput, OwnRange, RATE_UNIT,
+};
 use super::law::Law;
+use crate::fatigue::EquivalentRange;
+use crate::words::Word;
 
 /// da/dN = C (ΔK_eq^3.74 − 4^3.74) with ΔK_eq² = ΔK_I² + [(614/507) ΔK_II^3.21]^(2/3.74), measured
 /// on rail steel under sequences of mode I and mode II.
@@ -19,15 +25,34 @@ impl Bold {
     pub const EXPONENT: f64 = 3.74;
     /// Threshold, MPa√m.
     pub const THRESHOLD: f64 = 4.0;
-
-    /// ΔK_eq (MPa√m) of `delta_ki` and `delta_kii` (MPa√m): the mode II term makes the same rate
-    /// as 6.14e-10 ΔK_II^3.21 above the threshold.
-    #[must_use]
-    pub fn equivalent(delta_ki: f64, delta_kii: f64) -> f64 {
-        let shear = (614.0 / 507.0 * delta_kii.powf(3.21)).powf(Self::EXPONENT.recip());
-        delta_ki.hypot(shear)
-    }
 }
+
+const C: Constant = Constant::new(
+    "bold_c",
+    RATE_UNIT,
+    COEFFICIENTS,
+    Bold::RAIL_STEEL.c,
+    "Coefficient C of C (dKeq^3.74 - 4^3.74).",
+);
+
+/// The declaration of the law.
+pub(super) const DECLARATION: LawDeclaration = LawDeclaration {
+    word: Word::now("bold", "C (dKeq^3.74 - 4^3.74), Bold, Brown and Allen 1991"),
+    own_range: Some(OwnRange {
+        range: EquivalentRange::Bold,
+        reason: "the law of Bold, Brown and Allen has an equivalent range of its own",
+    }),
+    input: LawInput::Constants(&LawConstants {
+        all: &[C],
+        coefficient: C,
+        exponent: None,
+        law: |values| match *values {
+            [c] => Some(Bold { c }.into()),
+            _ => None,
+        },
+        check: CheckValue { delta: 10.0, ratio: 0.5, rate: 2.695_659e-6 },
+    }),
+};
 
 impl Law for Bold {
     fn rate(&self, delta: f64, _: f64) -> f64 {
@@ -40,5 +65,13 @@ impl Law for Bold {
 
     fn exponent(&self) -> f64 {
         Self::EXPONENT
+    }
+
+    fn constants(&self) -> Vec<f64> {
+        vec![self.c]
+    }
+
+    fn times(&self, factor: f64) -> RateLaw {
+        Self { c: self.c * factor }.into()
     }
 }

@@ -1,5 +1,7 @@
 //! Traits that all laws of the growth rate share.
 
+use super::RateLaw;
+
 /// A rate (mm per cycle) that stands for a crack that runs away: a metre per cycle.
 pub const RUNAWAY: f64 = 1e3;
 
@@ -10,13 +12,19 @@ pub(super) trait Law {
     fn rate(&self, delta: f64, ratio: f64) -> f64;
 
     /// A quantity that grows with the rate and is not flattened by a threshold, so that a direction
-    /// can be found below it.
-    fn drive(&self, delta: f64, _ratio: f64) -> f64 {
-        delta
+    /// can be found below it; none where it is `delta` itself, in whatever unit.
+    fn drive(&self, _delta: f64, _ratio: f64) -> Option<f64> {
+        None
     }
 
     /// The exponent of the rate in [`Law::drive`], far from a threshold.
     fn exponent(&self) -> f64;
+
+    /// The values of the constants in the order of the declaration; none of a table.
+    fn constants(&self) -> Vec<f64>;
+
+    /// The same law with all its rates times `factor`.
+    fn times(&self, factor: f64) -> RateLaw;
 
     /// The law with its constants, `dK` for the equivalent range: `da/dN = …`, mm per cycle and
     /// MPa√m.

@@ -1,21 +1,20 @@
-//! Laws of the growth rate: a file for each, and the table of all of them.
+//! Laws of the growth rate: a file for each, in which it is declared, and the table of all of them.
 
-mod bold;
-mod forman;
+mod declaration;
 mod law;
-mod nasgro;
-mod paris;
-mod paris_threshold;
 mod rate_law;
-mod table;
-mod walker;
 
-pub use bold::Bold;
-pub use forman::Forman;
+pub use declaration::{CheckValue, Constant, LawConstants, LawDeclaration, LawInput, OwnRange};
 pub use law::RUNAWAY;
-pub use nasgro::Nasgro;
-pub use paris::Paris;
-pub use paris_threshold::ParisThreshold;
-pub use rate_law::RateLaw;
-pub use table::{RateTable, RateTableError};
-pub use walker::Walker;
+pub use table::RateTableError;
+
+// The law that a case has by default stands first.
+rate_law::laws! {
+    Paris(paris::Paris);
+    ParisThreshold(paris_threshold::ParisThreshold);
+    Bold(bold::Bold);
+    Walker(walker::Walker);
+    Forman(forman::Forman);
+    Nasgro(nasgro::Nasgro);
+    Table(table::RateTable);
+}

@@ -1,6 +1,11 @@
 //! The law of NASGRO.
 
+use super::RateLaw;
+use super::declaration::{
+    COEFFICIENTS, CheckValue, Constant, EXPONENTS, K_UNIT, LawConstants, LawDeclaration, LawInput, RATE_UNIT,
+};
 use super::law::Law;
+use crate::words::Word;
 use std::f64::consts::PI;
 
 /// da/dN = C [(1−f)/(1−R) ΔK]^n (1 − ΔK_th/ΔK)^p / (1 − K_max/K_c)^q with K_max = ΔK/(1−R) and
@@ -53,14 +58,67 @@ impl Nasgro {
     }
 }
 
+const C: Constant = Constant::new(
+    "nasgro_c",
+    RATE_UNIT,
+    COEFFICIENTS,
+    1e-9,
+    "Coefficient C of C [(1-f)/(1-R) dKeq]^n (1 - dKth/dKeq)^p / (1 - Kmax/Kc)^q.",
+);
+
+const N: Constant = Constant::new("nasgro_n", "", EXPONENTS, 3.0, "Exponent n.");
+
+const P: Constant = Constant::new("nasgro_p", "", (0.0, 10.0), 0.5, "Exponent p.");
+
+const Q: Constant = Constant::new("nasgro_q", "", (0.0, 10.0), 0.5, "Exponent q.");
+
+const THRESHOLD: Constant = Constant::new("nasgro_threshold", K_UNIT, (0.0, 1e3), 5.0, "dKth.");
+
+const KC: Constant = Constant::new(
+    "nasgro_kc",
+    K_UNIT,
+    (0.1, 1e3),
+    40.0,
+    "Kc, at which the crack runs away: the run ends with fracture.",
+);
+
+const ALPHA: Constant = Constant::new(
+    "nasgro_alpha",
+    "",
+    (1.0, 3.0),
+    2.5,
+    "Constraint alpha of Newman's f: 1 in plane stress, 3 in plane strain.",
+);
+
+const S: Constant =
+    Constant::new("nasgro_s", "", (0.0, 0.99), 0.3, "Largest stress over flow stress in Newman's f.");
+
+/// The declaration of the law.
+pub(super) const DECLARATION: LawDeclaration = LawDeclaration {
+    word: Word::now("nasgro", "with closure, threshold and toughness"),
+    own_range: None,
+    input: LawInput::Constants(&LawConstants {
+        all: &[C, N, P, Q, THRESHOLD, KC, ALPHA, S],
+        coefficient: C,
+        exponent: Some(N),
+        law: |values| match *values {
+            [c, n, p, q, threshold, kc, alpha, s] => {
+                Some(Nasgro { c, n, p, q, threshold, kc, alpha, s }.into())
+            }
+            _ => None,
+        },
+        check: CheckValue { delta: 12.0, ratio: 0.3, rate: 1.220_730e-6 },
+    }),
+};
+
 impl Law for Nasgro {
     fn rate(&self, delta: f64, ratio: f64) -> f64 {
         let share = 1.0 - self.threshold / delta;
         if share > 0.0 { self.above_threshold(delta, ratio) * share.powf(self.p) } else { 0.0 }
     }
 
-    fn drive(&self, delta: f64, ratio: f64) -> f64 {
-        self.above_threshold(delta, ratio).powf(self.n.recip())
+    fn drive(&self, delta: f64, ratio: f64) -> Option<f64> {
+        Some(self.above_threshold(delta, ratio).powf(self.n.recip()))
     }
 
     fn formula(&self) -> String {
@@ -70,5 +128,13 @@ impl Law for Nasgro {
 
     fn exponent(&self) -> f64 {
         self.n
+    }
+
+    fn constants(&self) -> Vec<f64> {
+        vec![self.c, self.n, self.p, self.q, self.threshold, self.kc, self.alpha, self.s]
+    }
+
+    fn times(&self, factor: f64) -> RateLaw {
+        Self { c: self.c * factor, ..*self }.into()
     }
 }

@@ -1,6 +1,11 @@
 //! Paris' law.
 
+use super::RateLaw;
+use super::declaration::{
+    COEFFICIENTS, CheckValue, Constant, EXPONENTS, LawConstants, LawDeclaration, LawInput, RATE_UNIT,
+};
 use super::law::{Law, above};
+use crate::words::Word;
 
 /// da/dN = C ΔK^m above a threshold, zero at or below it: the rate jumps there.
 ///
@@ -21,6 +26,35 @@ impl Paris {
     pub const RAIL_STEEL: Self = Self { c: 2e-9, m: 3.33, threshold: 0.0 };
 }
 
+/// C.
+pub(super) const C: Constant = Constant::new(
+    "paris_c",
+    RATE_UNIT,
+    COEFFICIENTS,
+    Paris::RAIL_STEEL.c,
+    "Coefficient C of the law; at dKeq = 10 MPa sqrt(m) the rate is at most a millimetre per cycle.",
+);
+
+/// m.
+pub(super) const M: Constant =
+    Constant::new("paris_m", "", EXPONENTS, Paris::RAIL_STEEL.m, "Exponent m of the law.");
+
+/// The declaration of the law.
+pub(super) const DECLARATION: LawDeclaration = LawDeclaration {
+    word: Word::now("paris", "C dKeq^m above the threshold"),
+    own_range: None,
+    input: LawInput::Constants(&LawConstants {
+        all: &[C, M, Constant::THRESHOLD],
+        coefficient: C,
+        exponent: Some(M),
+        law: |values| match *values {
+            [c, m, threshold] => Some(Paris { c, m, threshold }.into()),
+            _ => None,
+        },
+        check: CheckValue { delta: 10.0, ratio: 0.5, rate: 4.275_924e-6 },
+    }),
+};
+
 impl Law for Paris {
     fn rate(&self, delta: f64, _: f64) -> f64 {
         if delta > self.threshold { self.c * delta.powf(self.m) } else { 0.0 }
@@ -32,5 +66,13 @@ impl Law for Paris {
 
     fn exponent(&self) -> f64 {
         self.m
+    }
+
+    fn constants(&self) -> Vec<f64> {
+        vec![self.c, self.m, self.threshold]
+    }
+
+    fn times(&self, factor: f64) -> RateLaw {
+        Self { c: self.c * factor, ..*self }.into()
     }
 }

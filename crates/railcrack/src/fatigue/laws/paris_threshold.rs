@@ -1,6 +1,10 @@
 //! Paris' law with the threshold inside.
 
+use super::RateLaw;
+use super::declaration::{CheckValue, Constant, LawConstants, LawDeclaration, LawInput};
 use super::law::Law;
+use super::paris::{C, M};
+use crate::words::Word;
 
 /// da/dN = C (ΔK^m − ΔK_th^m): the rate falls to zero at the threshold and does not jump there.
 ///
@@ -15,6 +19,22 @@ pub struct ParisThreshold {
     pub threshold: f64,
 }
 
+/// The declaration of the law.
+pub(super) const DECLARATION: LawDeclaration = LawDeclaration {
+    word: Word::now("paris-threshold", "C (dKeq^m - dKth^m)"),
+    own_range: None,
+    input: LawInput::Constants(&LawConstants {
+        all: &[C, M, Constant::THRESHOLD],
+        coefficient: C,
+        exponent: Some(M),
+        law: |values| match *values {
+            [c, m, threshold] => Some(ParisThreshold { c, m, threshold }.into()),
+            _ => None,
+        },
+        check: CheckValue { delta: 10.0, ratio: 0.5, rate: 4.275_924e-6 },
+    }),
+};
+
 impl Law for ParisThreshold {
     fn rate(&self, delta: f64, _: f64) -> f64 {
         (self.c * (delta.powf(self.m) - self.threshold.powf(self.m))).max(0.0)
@@ -26,5 +46,13 @@ impl Law for ParisThreshold {
 
     fn exponent(&self) -> f64 {
         self.m
+    }
+
+    fn constants(&self) -> Vec<f64> {
+        vec![self.c, self.m, self.threshold]
+    }
+
+    fn times(&self, factor: f64) -> RateLaw {
+        Self { c: self.c * factor, ..*self }.into()
     }
 }

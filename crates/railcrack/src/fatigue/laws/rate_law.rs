@@ -1,51 +1,55 @@
-//! The table of the laws of the growth rate.
+//! The law of the growth rate, one of a table.
 
-use super::law::Law;
-use super::{Bold, Forman, Nasgro, Paris, ParisThreshold, RateTable, Walker};
+use super::RateLaw;
 
-/// Declares [`RateLaw`]: a row for each law.
+/// Declares the modules of the laws and [`RateLaw`]: a row for each, `Variant(file::Type)`, whose
+/// file has the type and its `DECLARATION`.
 macro_rules! laws {
-    ($($(#[doc = $doc:literal])+ $law:ident($of:ty) = $name:literal;)+) => {
+    ($($law:ident($file:ident::$of:ident);)+) => {
+        $(mod $file;)+
+        $(pub use $file::$of;)+
+
         /// A law of the growth rate.
         #[derive(Debug, Clone, PartialEq)]
         pub enum RateLaw {
-            $($(#[doc = $doc])+ $law($of),)+
+            $(#[doc = concat!("[`", stringify!($of), "`].")] $law($of),)+
         }
 
+        $(impl From<$of> for RateLaw {
+            fn from(law: $of) -> Self {
+                Self::$law(law)
+            }
+        })+
+
         impl RateLaw {
-            /// The name in case files.
+            /// The declaration of the law.
             #[must_use]
-            pub fn name(&self) -> &'static str {
+            pub fn declaration(&self) -> &'static LawDeclaration {
                 match self {
-                    $(Self::$law(_) => $name,)+
+                    $(Self::$law(_) => &$file::DECLARATION,)+
                 }
             }
 
-            fn law(&self) -> &dyn Law {
+            fn law(&self) -> &dyn law::Law {
                 match self {
                     $(Self::$law(law) => law,)+
                 }
             }
         }
+
+        impl LawDeclaration {
+            /// All laws.
+            pub const ALL: &'static [&'static Self] = &[$(&$file::DECLARATION),+];
+        }
+
+        impl crate::words::Choice for &'static LawDeclaration {
+            const WORDS: &'static [(Self, crate::words::Word)] =
+                &[$((&$file::DECLARATION, $file::DECLARATION.word)),+];
+        }
     };
 }
 
-laws! {
-    /// C ΔK^m above a threshold.
-    Paris(Paris) = "paris";
-    /// C (ΔK^m − ΔK_th^m).
-    ParisThreshold(ParisThreshold) = "paris-threshold";
-    /// The same with constants for rail steel in non-proportional mixed mode.
-    Bold(Bold) = "bold";
-    /// C [ΔK/(1−R)^(1−γ)]^m.
-    Walker(Walker) = "walker";
-    /// C ΔK^m/((1−R) K_c − ΔK).
-    Forman(Forman) = "forman";
-    /// Threshold, closure and toughness in one formula.
-    Nasgro(Nasgro) = "nasgro";
-    /// Measured rates.
-    Table(RateTable) = "table";
-}
+pub(super) use laws;
 
 impl RateLaw {
     /// da/dN (mm per cycle) under the equivalent range `delta` (MPa√m), zero or more, with the
@@ -57,9 +61,10 @@ impl RateLaw {
     }
 
     /// A quantity that grows with the rate under `delta` (MPa√m) and `ratio`, and that no threshold
-    /// flattens: the equivalent range itself where the law knows no other.
-    pub(in crate::fatigue) fn drive(&self, delta: f64, ratio: f64) -> f64 {
-        if delta > 0.0 { self.law().drive(delta, ratio) } else { 0.0 }
+    /// flattens; none where the law knows no other than the equivalent range itself.
+    pub(in crate::fatigue) fn drive(&self, delta: f64, ratio: f64) -> Option<f64> {
+        let drive = self.law().drive(delta, ratio)?;
+        Some(if delta > 0.0 { drive } else { 0.0 })
     }
 
     /// The ratio of the rates of two drives, far from a threshold.
@@ -74,19 +79,21 @@ impl RateLaw {
         format!("da/dN = {}", self.law().formula())
     }
 
+    /// The name in case files.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        self.declaration().word.name
+    }
+
+    /// The values of the constants in the order of the declaration; none of a table.
+    #[must_use]
+    pub fn constants(&self) -> Vec<f64> {
+        self.law().constants()
+    }
+
     /// This law with all its rates times `factor`.
     #[must_use]
     pub fn times(&self, factor: f64) -> Self {
-        let mut law = self.clone();
-        match &mut law {
-            Self::Paris(law) => law.c *= factor,
-            Self::ParisThreshold(law) => law.c *= factor,
-            Self::Bold(law) => law.c *= factor,
-            Self::Walker(law) => law.c *= factor,
-            Self::Forman(law) => law.c *= factor,
-            Self::Nasgro(law) => law.c *= factor,
-            Self::Table(table) => *table = table.times(factor),
-        }
-        law
+        self.law().times(factor)
     }
 }

@@ -1,7 +1,10 @@
 //! Measured growth rates as a table.
 
+use super::RateLaw;
+use super::declaration::{LawDeclaration, LawInput};
 use super::law::Law;
 use crate::math::OutOfRange;
+use crate::words::Word;
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -61,13 +64,11 @@ impl RateTable {
     pub fn covers(&self) -> (f64, f64) {
         (self.rows[0].0, self.rows[self.rows.len() - 1].0)
     }
-
-    /// This table with all rates times `factor`.
-    #[must_use]
-    pub fn times(&self, factor: f64) -> Self {
-        Self { rows: self.rows.iter().map(|&(delta, rate)| (delta, rate * factor)).collect() }
-    }
 }
+
+/// The declaration of the law.
+pub(super) const DECLARATION: LawDeclaration =
+    LawDeclaration { word: Word::now("table", "measured rates"), own_range: None, input: LawInput::Table };
 
 impl Law for RateTable {
     fn rate(&self, delta: f64, _: f64) -> f64 {
@@ -88,5 +89,13 @@ impl Law for RateTable {
     fn exponent(&self) -> f64 {
         let ((d0, r0), (d1, r1)) = (self.rows[0], self.rows[self.rows.len() - 1]);
         (r1 / r0).ln() / (d1 / d0).ln()
+    }
+
+    fn constants(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
+    fn times(&self, factor: f64) -> RateLaw {
+        Self { rows: self.rows.iter().map(|&(delta, rate)| (delta, rate * factor)).collect() }.into()
     }
 }

@@ -4,9 +4,10 @@ use super::body;
 use crate::common::{Absolute, Of, Relative, close, largest, steel, surface_crack};
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::field::{BendingWheel, HertzField, HertzWheel, Uniform, Wheels};
-use railcrack::growth::{PassageSettings, RailLoad, Unobserved, output_positions, stabilised_passage};
+use railcrack::growth::{PassageSettings, Unobserved, output_positions};
 use railcrack::load::{Axle, Bending, HertzianContact, NamedSection, Passage, Track};
 use railcrack::math::Vec2;
+use railcrack::plane::{RailLoad, stabilised_passage};
 use railcrack::space::{
     EllipticWheel, SpaceBody, SpaceContact, SpaceCrack, SpaceHistory, SpaceLoad, SpacePassageSettings,
     SpaceResolution, Surroundings, Symmetric, space_passage,

@@ -4,9 +4,10 @@ use crate::common::{Of, Rolling, close, largest, steel, surface_crack};
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::field::{HertzWheel, Wheel};
 use railcrack::fracture::Sif;
-use railcrack::growth::{PassageSettings, RailLoad, Unobserved, stabilised_passage};
+use railcrack::growth::{PassageSettings, Unobserved};
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::math::{Stress, Vec2};
+use railcrack::plane::{RailLoad, stabilised_passage};
 use railcrack::space::{
     EllipticWheel, SpaceBody, SpaceContact, SpaceCrack, SpaceHistory, SpaceLoad, SpacePassageSettings,
     SpaceResolution, Surroundings, Symmetric, space_passage,

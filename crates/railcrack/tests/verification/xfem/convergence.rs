@@ -8,7 +8,7 @@ use railcrack::crack::CrackNetwork;
 use railcrack::math::RailBox;
 use railcrack::math::{Stress, Vec2};
 use railcrack::mesh::QuadMesh;
-use railcrack::xfem::{EnrichmentRadius, MeshSettings, Window, XfemSettings, cracked_body};
+use railcrack::xfem::{EnrichmentRadius, MeshSettings, RefinedRegion, XfemSettings, cracked_body};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -52,7 +52,7 @@ type Measure = fn(&CrackedBody) -> f64;
 fn converges(enrichment: EnrichmentRadius, measures: &[(&str, Measure, f64)]) {
     let network = CrackNetwork::from(buried_crack(CENTRE, HALF, ANGLE));
     let settings = MeshSettings { element_size: 2.0 * HALF / COARSEST, expected_growth: 1.0 };
-    let coarsest = Window::new(&network, settings).mesh(OUTLINE).unwrap();
+    let coarsest = RefinedRegion::new(&network, settings).mesh(OUTLINE).unwrap();
     let settings = XfemSettings { enrichment, ..XfemSettings::default() };
     let bodies = MESHES.map(|parts| {
         let mesh = QuadMesh::new(cut(coarsest.x_lines(), parts), cut(coarsest.y_lines(), parts)).unwrap();

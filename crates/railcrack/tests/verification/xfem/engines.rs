@@ -2,7 +2,7 @@
 
 use crate::common::{Meshed, Of, body, close, largest, surface_crack};
 use railcrack::body::CrackedBody;
-use railcrack::crack::{Crack, CrackNetwork, End, Walk};
+use railcrack::crack::{Crack, CrackCurve, CrackNetwork, End};
 use railcrack::math::{Stress, Vec2};
 
 /// Elements of the dislocation engine: its own error is then below 1e-4.
@@ -21,14 +21,14 @@ fn tractions() -> [Loading; 3] {
     ]
 }
 
-/// Parameter g of the walk and slip and opening at the face points of a crack, with the tip.
-fn jumps(body: &CrackedBody, walk: &Walk, forces: &[f64]) -> Vec<(f64, [f64; 2])> {
+/// Parameter g of the curve and slip and opening at the face points of a crack, with the tip.
+fn jumps(body: &CrackedBody, curve: &CrackCurve, forces: &[f64]) -> Vec<(f64, [f64; 2])> {
     let jumps = body.compliance.times(forces);
     let at = |(j, point): (usize, &railcrack::body::FacePoint)| {
-        (walk.g(point.s), [jumps[2 * j], jumps[2 * j + 1]])
+        (curve.g(point.s), [jumps[2 * j], jumps[2 * j + 1]])
     };
     let mut all: Vec<(f64, [f64; 2])> = body.faces.points.iter().enumerate().map(at).collect();
-    all.push((walk.range().1, [0.0; 2]));
+    all.push((curve.range().1, [0.0; 2]));
     all
 }
 
@@ -43,10 +43,10 @@ fn interpolated(jumps: &[(f64, [f64; 2])], g: f64) -> [f64; 2] {
 fn compare(name: &str, crack: Crack) {
     let meshed = Meshed::default().body(std::slice::from_ref(&crack));
     let dislocated = body(std::slice::from_ref(&crack), ELEMENTS);
-    let walk = Walk::new(&CrackNetwork::from(crack).cracks()[0]);
+    let curve = CrackCurve::new(&CrackNetwork::from(crack).cracks()[0]);
     for (load, stress) in tractions() {
         let forces = [&meshed.faces, &dislocated.faces].map(|faces| faces.nodal_forces(stress));
-        let (own, other) = (jumps(&meshed, &walk, &forces[0]), jumps(&dislocated, &walk, &forces[1]));
+        let (own, other) = (jumps(&meshed, &curve, &forces[0]), jumps(&dislocated, &curve, &forces[1]));
         let peak = largest(other.iter().flat_map(|jump| jump.1));
         let jump = largest(own.iter().flat_map(|&(g, w)| {
             let want = interpolated(&other, g);

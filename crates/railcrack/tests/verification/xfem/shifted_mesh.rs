@@ -6,7 +6,7 @@ use railcrack::crack::{Crack, CrackNetwork, End};
 use railcrack::math::RailBox;
 use railcrack::math::{Stress, Vec2};
 use railcrack::mesh::QuadMesh;
-use railcrack::xfem::{MeshSettings, Window, XfemSettings, cracked_body};
+use railcrack::xfem::{MeshSettings, RefinedRegion, XfemSettings, cracked_body};
 use std::sync::Arc;
 
 /// Difference of K from that on the first mesh, relative to the largest K.
@@ -40,8 +40,8 @@ fn stretched(lines: &[f64], at: f64, shift: f64) -> Vec<f64> {
 fn sifs(crack: &Crack, at: Vec2, shift: Vec2, stress: Stress) -> Vec<f64> {
     let network = CrackNetwork::from(crack.clone());
     let size = Meshed::default().size(std::slice::from_ref(crack));
-    let window = Window::new(&network, MeshSettings { element_size: size, expected_growth: 1.0 });
-    let mesh = window.mesh(RailBox { width: 2000.0, depth: 1000.0, centre: 0.0 }).unwrap();
+    let refined = RefinedRegion::new(&network, MeshSettings { element_size: size, expected_growth: 1.0 });
+    let mesh = refined.mesh(RailBox { width: 2000.0, depth: 1000.0, centre: 0.0 }).unwrap();
     let x = moved(mesh.x_lines(), at.x, shift.x * size);
     let y =
         if at.y == 0.0 { mesh.y_lines().to_vec() } else { stretched(mesh.y_lines(), at.y, shift.y * size) };

@@ -9,7 +9,7 @@ use railcrack::crack::{Crack, CrackNetwork, End};
 use railcrack::growth::StabilisedPassage;
 use railcrack::math::Matrix;
 use railcrack::math::RailBox;
-use railcrack::xfem::{MeshSettings, Window, XfemSettings, cracked_body};
+use railcrack::xfem::{MeshSettings, RefinedRegion, XfemSettings, cracked_body};
 use std::sync::Arc;
 
 fn samples(result: &StabilisedPassage) -> Vec<(f64, f64)> {
@@ -51,7 +51,7 @@ fn far_apart() {
         let pair = CrackNetwork::new(vec![crack.clone(), crack.moved(20.0 * LENGTH)]).unwrap();
         let settings = MeshSettings { element_size: LENGTH / 12.0, expected_growth: 1.0 };
         let outline = RailBox { width: 6000.0, depth: 3000.0, centre: 0.0 };
-        let mesh = Window::new(&pair, settings).mesh(outline).unwrap();
+        let mesh = RefinedRegion::new(&pair, settings).mesh(outline).unwrap();
         let rail = Arc::new(BulkRail::new(mesh, &steel(), Boundary::HalfPlane).unwrap());
         let sifs = |network: &CrackNetwork| {
             sifs_under(&cracked_body(&rail, network, XfemSettings::default()).unwrap(), |_| TENSION)

@@ -1,0 +1,118 @@
+//! Numbers of a case that are fitted.
+
+use railcrack_case::{Case, CaseErrors, Overrides};
+use std::path::Path;
+
+const CRACK: &str = "[contact]
+peak_pressure_mpa = 845
+half_width_mm = 6.75
+friction = 0.1
+[[crack]]
+mouth_mm = 0
+length_mm = 6
+angle_deg = 15
+friction = 0.4
+[[crack]]
+mouth_mm = 30
+length_mm = 5
+angle_deg = 20
+friction = 0.5
+";
+
+fn read(rest: &str, overrides: &Overrides) -> Result<Case, CaseErrors> {
+    // Dotted keys of the top stand before the first section.
+    let text = if rest.starts_with('[') { format!("{CRACK}{rest}") } else { format!("{rest}{CRACK}") };
+    Case::parse_with(&text, "case.toml", Path::new(""), overrides)
+}
+
+/// The case with a coefficient `factor` times as large: its key, and the case as it is written.
+fn fitted(rest: &str, factor: f64) -> (String, Case) {
+    let case = read(rest, &Overrides::default()).unwrap();
+    let coefficient = case.coefficient().unwrap();
+    let fitted = read(rest, &coefficient.overrides(factor * coefficient.value)).unwrap();
+    (coefficient.key.to_owned(), Case::parse(&fitted.to_toml(), "fitted.toml", Path::new("")).unwrap())
+}
+
+/// The rate at 12 MPa√m and R = 0.3 is in proportion to the coefficient, and nothing else changes.
+#[test]
+fn every_law_and_spelling_has_its_coefficient_fitted() {
+    for (key, rest) in [
+        ("paris_c", "[traffic]\naxle_load_t = 20\n"),
+        ("paris_c", "[growth]\n# paris_c = 1e-9 was for other rails\nparis_c = 3e-9 # paris_c\n"),
+        ("paris_c", "growth.steps = 3\ngrowth.paris_c = 3E-9\n"),
+        ("paris_c", "growth = { \"paris_c\"=3.0e-9, law = 'paris-threshold', threshold_mpa_sqrt_m = 2 }\n"),
+        ("bold_c", "[growth]\nlaw = \"bold\"\n"),
+        ("walker_c", "[growth]\nlaw = \"walker\"\nequivalent = \"tanaka\"\n  walker_c   =   1e-9\n"),
+        ("forman_c", "[growth]\nlaw = \"forman\"\n"),
+        ("nasgro_c", "[growth]\nnasgro_kc = 50\nlaw = \"nasgro\"\n"),
+        ("paris_c", "[growth]\nsteel = \"R350HT\"\n[traffic]\naxle_load_t = 20\n[scatter]\nsamples = 10\n"),
+    ] {
+        let before = read(rest, &Overrides::default()).unwrap();
+        let (found, after) = fitted(rest, 1.7);
+        assert_eq!(found, key, "{rest}");
+        let rate = |case: &Case| case.growth.law.rate.rate(12.0, 0.3);
+        assert!((rate(&after) / rate(&before) - 1.7).abs() < 1e-12, "{rest}");
+        let mut same = after.growth.clone();
+        same.law.rate = before.growth.law.rate.clone();
+        assert_eq!((same, after.scatter), (before.growth, before.scatter), "{rest}");
+        assert!(after.growth_steel.is_none());
+    }
+}
+
+#[test]
+fn a_table_of_rates_is_refused_with_the_reason() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    std::fs::write(
+        folder.join("measured-rates.csv"),
+        "delta_keq_mpa_sqrt_m,rate_mm_per_cycle\n5,1e-7\n50,1e-3\n",
+    )
+    .unwrap();
+    let text = format!(
+        "{CRACK}[growth]\nlaw = \"table\"\ntable_profile = \"measured-rates.csv\"\n# paris_c = 2e-9\n"
+    );
+    let refused = Case::parse(&text, "case.toml", folder).unwrap().coefficient().unwrap_err().to_string();
+    assert!(
+        refused.starts_with("`growth.law = \"table\"`: the rates of `measured-rates.csv` have no"),
+        "{refused}"
+    );
+}
+
+#[test]
+fn a_number_is_found_in_its_own_section() {
+    let mix = "[[wheel]]\nshare = 0.5\naxle_load_t = 20\n[wheel.contact]\npeak_pressure_mpa = 845\nhalf_width_mm = 6.75\nfriction = 0.1\n";
+    let track = "[wheel.track]\nwheel_load_kn = 100\nfoundation_mpa = 50\nsection = \"60E1\"\n";
+    let case = read("[passage]\npositions = 61\n", &Overrides::default()).unwrap();
+    for (key, value) in [
+        ("contact.friction", 0.1),
+        ("crack.friction", 0.4),
+        ("crack[1].friction", 0.4),
+        ("crack[2].friction", 0.5),
+        ("growth.paris_m", 3.33),
+    ] {
+        assert_eq!(case.number(key), Ok(value), "{key}");
+    }
+    let crack = CRACK.split_at(CRACK.find("[[crack]]").unwrap()).1;
+    let mixed = Case::parse(&format!("{mix}{mix}{track}{crack}"), "mix.toml", Path::new("")).unwrap();
+    assert_eq!(mixed.number("wheel[2].track.wheel_load_kn"), Ok(100.0));
+    assert!(mixed.number("wheel[1].track.wheel_load_kn").is_err(), "the first wheel has none");
+    for (key, reason) in [
+        ("crack[3].friction", "the case gives it no value"),
+        ("growth.critical_length_mm", "the case gives it no value"),
+        ("growth.paris_d", "unknown key `paris_d`; nearest known key: `paris_c`"),
+        ("grow.paris_c", "unknown section `grow`; nearest known section: `growth`"),
+        ("growth.steps", "is no number but an integer from 0"),
+        ("growth.law", "is no number but \"paris\" or"),
+    ] {
+        let refused = case.number(key).unwrap_err().to_string();
+        assert!(refused.starts_with(&format!("`{key}`: {reason}")), "{refused}");
+    }
+}
+
+/// A constant of the command line beside a steel of the file is refused as one of the file is.
+#[test]
+fn a_setting_that_a_steel_contradicts_is_refused() {
+    let settings = vec!["growth.paris_c=1e-9".to_owned()];
+    let overrides = Overrides { settings, ..Overrides::default() };
+    let errors = read("[growth]\nsteel = \"R260\"\n", &overrides).unwrap_err().to_string();
+    assert!(errors.contains("`growth.paris_c = 0.000000001`: says the same thing as `steel`"), "{errors}");
+}

@@ -1,0 +1,57 @@
+//! The command line of `railcrack calibrate`.
+
+use clap::Args;
+use std::path::PathBuf;
+
+/// Fit the growth law, or another number of the case, to measured depths or lengths over traffic
+///
+/// The case is computed, and each measurement gives a coefficient of the growth law: cycles are in
+/// proportion to 1/C. Another number is fitted by runs with several values of it. The run folder
+/// gets calibration.csv, calibration.svg and calibrated.toml, the case with the fitted value.
+#[derive(Debug, Args)]
+pub struct CalibrateArguments {
+    /// The case file: its crack is the one from which the tonnes of the measurements count
+    #[arg(value_name = "CASE")]
+    pub case: PathBuf,
+    /// CSV with the header mgt,depth_mm or mgt,length_mm
+    #[arg(long, value_name = "FILE")]
+    pub measured: PathBuf,
+    /// The number that is fitted in place of the coefficient: crack.friction, wheel[1].share
+    #[arg(long, value_name = "SECTION.KEY")]
+    pub parameter: Option<String>,
+    /// Its range [default: from half to twice the value of the case]
+    #[arg(long, value_name = "LOW,HIGH", requires = "parameter", value_parser = range, allow_hyphen_values = true)]
+    pub between: Option<(f64, f64)>,
+    /// The run folder [default: the case's name beside it]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Say nothing while computing
+    #[arg(long)]
+    pub quiet: bool,
+    /// Replace the run in the folder
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// A range on the command line: `LOW,HIGH`.
+fn range(given: &str) -> Result<(f64, f64), String> {
+    let ends: Option<Vec<f64>> = given.split(',').map(|end| end.trim().parse().ok()).collect();
+    match ends.as_deref() {
+        Some(&[low, high]) if low < high && low.is_finite() && high.is_finite() => Ok((low, high)),
+        _ => Err("must be two numbers LOW,HIGH, the first one smaller".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges() {
+        assert_eq!(range("0.1, 0.5"), Ok((0.1, 0.5)));
+        assert_eq!(range("-1,2"), Ok((-1.0, 2.0)));
+        for wrong in ["0.5", "2,1", "1,1", "a,b", "1,2,3", "1,inf"] {
+            assert!(range(wrong).is_err(), "{wrong}");
+        }
+    }
+}

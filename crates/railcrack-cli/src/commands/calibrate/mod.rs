@@ -1,0 +1,9 @@
+//! `railcrack calibrate`.
+
+mod arguments;
+mod coefficient;
+mod parameter;
+mod results;
+
+pub use arguments::CalibrateArguments;
+pub use coefficient::calibrate;

@@ -1,0 +1,30 @@
+//! Each command to the one who does it.
+
+use crate::arguments::{Arguments, Command};
+use crate::commands::{
+    calibrate, check, compare, completions, init, paper, report, run, schema, shakedown, show, sweep, verify,
+    view,
+};
+use crate::exit::{Exit, Failure};
+use clap::CommandFactory;
+
+/// Does what `command` asks for.
+pub fn dispatch(command: Command) -> Result<Exit, Failure> {
+    match command {
+        Command::Init(arguments) => init::init(&arguments),
+        Command::Calibrate(arguments) => calibrate::calibrate(&arguments),
+        Command::Check(arguments) => check::check(&arguments),
+        Command::Run(arguments) => run::run(&arguments),
+        Command::Compare(arguments) => compare::compare(&arguments),
+        Command::Sweep(arguments) => sweep::sweep(&arguments),
+        Command::Report(arguments) => report::report(&arguments),
+        Command::Shakedown(arguments) => shakedown::shakedown(&arguments),
+        Command::Verify(arguments) => verify::verify(&arguments),
+        Command::View(arguments) => view::view(&arguments),
+        Command::Paper(arguments) => paper::paper(&arguments),
+        Command::Show(arguments) => show::show(&arguments),
+        Command::Schema(arguments) => schema::schema(&arguments),
+        Command::Completions(arguments) => completions::completions(&arguments, Arguments::command()),
+        Command::Man(arguments) => completions::man(&arguments, Arguments::command()),
+    }
+}

@@ -1,0 +1,84 @@
+//! Names of the files and folders of results, and the version of the program that writes them.
+
+/// Version of the program that writes the files.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// The case of a run, defaults filled in.
+pub const CASE_FILE: &str = "case.toml";
+/// State from which a run goes on.
+pub const CHECKPOINT_FILE: &str = "checkpoint.bin";
+/// Run log: an entry per finished growth step.
+pub const RUN_LOG_FILE: &str = "run-log.bin";
+/// A run in numbers.
+pub const SUMMARY_FILE: &str = "summary.json";
+/// How a run of a study ended.
+pub const OUTCOME_FILE: &str = "outcome.json";
+/// List of the field files.
+pub const FIELDS_FILE: &str = "fields.pvd";
+/// Folder of the field files.
+pub const FIELDS_FOLDER: &str = "fields";
+/// The stabilised plastic state in numbers.
+pub const SHAKEDOWN_FILE: &str = "shakedown.json";
+/// The plastic stress that rolling has left, as a field of the rail.
+pub const PLASTIC_FILE: &str = "plastic.vtu";
+/// Stress and plastic strain around the contact.
+pub const CYCLE_FILE: &str = "cycle.vtu";
+/// Folder of the stabilised plastic state that a run computed first.
+pub const ROLLED_FOLDER: &str = "shakedown";
+/// Folder of the files that `case.toml` names.
+pub(crate) const INPUTS_FOLDER: &str = "inputs";
+/// The page in a folder.
+pub const REPORT_FILE: &str = "report.html";
+/// Folder of the plots.
+pub const PLOTS_FOLDER: &str = "plots";
+/// A comparison in numbers.
+pub const COMPARE_FILE: &str = "compare.json";
+/// Plan of a study.
+pub const PLAN_FILE: &str = "study.json";
+/// Samples between the runs of a study.
+pub const POPULATION_FILE: &str = "population.json";
+
+/// Every plot of a run or of a stabilised plastic state.
+pub(crate) const PLOT_FILES: [&str; 17] = [
+    "ki.svg",
+    "kii.svg",
+    "kiii.svg",
+    "along-front.svg",
+    "paths.svg",
+    "length-cycles.svg",
+    "row.svg",
+    "faces.svg",
+    "faces-last.svg",
+    "residual-stress.svg",
+    "plastic-strain.svg",
+    "passes.svg",
+    "passes-change.svg",
+    "bounds.svg",
+    "shakedown-map.svg",
+    "dang-van.svg",
+    "field.svg",
+];
+
+/// Files of a run beside `case.toml`, in the order in which a replaced run is removed: without its
+/// checkpoint a run is one that has not begun.
+pub(crate) const RUN_FILES: [&str; 19] = [
+    CHECKPOINT_FILE,
+    RUN_LOG_FILE,
+    OUTCOME_FILE,
+    "sif.csv",
+    "growth.csv",
+    "faces.csv",
+    "residual.csv",
+    SUMMARY_FILE,
+    "passes.csv",
+    "profile.csv",
+    SHAKEDOWN_FILE,
+    PLASTIC_FILE,
+    CYCLE_FILE,
+    REPORT_FILE,
+    FIELDS_FILE,
+    "inputs/residual-stress.csv",
+    "inputs/initial-residual.csv",
+    "inputs/plastic-stress.vtu",
+    "inputs/plastic-stress.csv",
+];

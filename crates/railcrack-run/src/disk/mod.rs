@@ -1,0 +1,21 @@
+//! Files on the disk: their names and locks, checksums of what was written, and files that are
+//! replaced whole.
+
+pub(crate) mod changes;
+mod checksum;
+#[cfg(test)]
+pub(crate) mod faults;
+pub mod files;
+mod json;
+mod lock;
+mod replace;
+mod stored_name;
+pub(crate) mod words;
+
+pub(crate) use checksum::{Checksum, Seal, checksums, is_signed, sign};
+pub use files::VERSION;
+pub(crate) use json::{json_text, read_json, read_json_if_there, write_json};
+pub use lock::{FolderLock, LOCK_FILE};
+pub use replace::{Durability, read_if_there, replace_file};
+pub(crate) use replace::{PARTIAL, partial_of, remove};
+pub(crate) use stored_name::{check_inputs, check_stored_name};

@@ -1,0 +1,61 @@
+//! A file is replaced whole: readers see the old one or the new one.
+
+use super::changes;
+use crate::error::OutputError;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+/// Ending of a file that is being written and not yet in place.
+pub(crate) const PARTIAL: &str = "partial";
+
+/// Whether the disk must have a file before it takes its place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Durability {
+    /// Survives a power failure.
+    Synced,
+    /// Survives the end of the process.
+    Cached,
+}
+
+/// Writes `content` beside `path` and moves it into place: readers see the old file or the new one,
+/// never a part.
+pub fn replace_file(path: &Path, content: &[u8], durability: Durability) -> Result<(), OutputError> {
+    let partial = partial_of(path);
+    let refused = || OutputError::io("write", path);
+    let mut file = changes::create(&partial).map_err(refused())?;
+    let written = changes::write(&mut file, &partial, content).and_then(|()| match durability {
+        Durability::Synced => changes::sync(&file, &partial),
+        Durability::Cached => Ok(()),
+    });
+    if let Err(reason) = written {
+        // Best effort: the error of the write is the one to report.
+        let _ = changes::remove(&partial);
+        return Err(refused()(reason));
+    }
+    changes::rename(&partial, path).map_err(refused())
+}
+
+pub(crate) fn partial_of(path: &Path) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(".");
+    name.push(PARTIAL);
+    PathBuf::from(name)
+}
+
+/// The content of a file; none where there is no such file.
+pub fn read_if_there(path: &Path) -> Result<Option<Vec<u8>>, OutputError> {
+    match fs::read(path) {
+        Ok(bytes) => Ok(Some(bytes)),
+        Err(reason) if reason.kind() == ErrorKind::NotFound => Ok(None),
+        Err(reason) => Err(OutputError::io("read", path)(reason)),
+    }
+}
+
+/// Removes a file where it is there.
+pub(crate) fn remove(path: &Path) -> Result<(), OutputError> {
+    match changes::remove(path) {
+        Err(reason) if reason.kind() != ErrorKind::NotFound => Err(OutputError::io("remove", path)(reason)),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,113 @@
+//! Fields of a run as files of VTK, and the collection that lists them.
+
+use super::names::name;
+use super::space::space_grids;
+use crate::disk::files::FIELDS_FOLDER;
+use crate::disk::{Durability, Seal, replace_file};
+use crate::error::OutputError;
+use railcrack::body::{Face, FieldGrid};
+use railcrack::growth::{FieldSnapshot, StepRecord};
+use railcrack::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
+use railcrack_vtu::{Snapshot, VtuError, pvd_text, vtu_text};
+use serde::{Deserialize, Serialize};
+use std::fs;
+use std::path::Path;
+
+/// A field file in the list of them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct FieldFileEntry {
+    /// Its name in the run folder.
+    pub name: String,
+    /// Step, plus the share of the positions of its passage that lie before.
+    pub time: f64,
+    /// Its content.
+    pub seal: Seal,
+}
+
+/// The field file of a step and a wheel position (from 1), in the run folder.
+pub fn field_file(step: usize, position: usize) -> String {
+    format!("{FIELDS_FOLDER}/{}", name(step, position))
+}
+
+/// The fields of a step: of each wheel position its number (from 1), the name of its file in the
+/// run folder, and what the file holds.
+pub fn field_grids(record: &StepRecord) -> impl Iterator<Item = (usize, String, UnstructuredGrid)> {
+    let plane = record.fields.iter().flat_map(|fields| {
+        fields.snapshots.iter().map(|snapshot| {
+            let position = snapshot.position + 1;
+            (position, field_file(record.step, position), grid_of(&fields.grid, snapshot))
+        })
+    });
+    plane.chain(space_grids(record))
+}
+
+/// Writes the fields of a step, each to its file.
+///
+/// Errors: a number that is not finite; the system refuses.
+pub(crate) fn write_fields(
+    folder: &Path,
+    record: &StepRecord,
+    durability: Durability,
+) -> Result<Vec<FieldFileEntry>, OutputError> {
+    if record.fields.is_some()
+        || record.faces.across.as_ref().is_some_and(|across| !across.written.is_empty())
+    {
+        let directory = folder.join(FIELDS_FOLDER);
+        fs::create_dir_all(&directory).map_err(OutputError::io("create", &directory))?;
+    }
+    let positions = record.passages.last().map_or(1, |passage| passage.xc.len());
+    let write = |(position, file, grid): (usize, String, UnstructuredGrid)| {
+        let path = folder.join(&file);
+        let text = vtu_text(&grid).map_err(|reason| VtuError::Grid { path: path.clone(), reason })?;
+        replace_file(&path, &text, durability)?;
+        let time = record.step as f64 + (position - 1) as f64 / positions as f64;
+        Ok(FieldFileEntry { name: file, time, seal: Seal::of(&text) })
+    };
+    field_grids(record).map(write).collect()
+}
+
+/// Writes the list of `files` to `path`.
+///
+/// Errors: the system refuses.
+pub(crate) fn write_collection<'a>(
+    path: &Path,
+    files: impl Iterator<Item = &'a FieldFileEntry>,
+    durability: Durability,
+) -> Result<(), OutputError> {
+    replace_file(path, collection(path, files)?.as_bytes(), durability)
+}
+
+/// The text of the list of `files`, for `path`.
+pub(crate) fn collection<'a>(
+    path: &Path,
+    files: impl Iterator<Item = &'a FieldFileEntry>,
+) -> Result<String, OutputError> {
+    let snapshots: Vec<Snapshot> =
+        files.map(|file| Snapshot { time: file.time, file: file.name.clone() }).collect();
+    Ok(pvd_text(&snapshots).map_err(|reason| VtuError::Grid { path: path.to_path_buf(), reason })?)
+}
+
+/// Elements, pieces of elements, faces.
+fn grid_of(grid: &FieldGrid, field: &FieldSnapshot) -> UnstructuredGrid {
+    let block = |shape, connectivity: Vec<usize>| CellBlock { shape, connectivity };
+    let bulk = grid.quads.len() + grid.triangles.len();
+    let side = grid.lines.iter().map(|line| match line.face {
+        Face::Plus => 1.0,
+        Face::Minus => -1.0,
+    });
+    UnstructuredGrid {
+        points: grid.points.clone(),
+        z: Vec::new(),
+        cells: vec![
+            block(CellShape::QuadraticQuad, grid.quads.concat()),
+            block(CellShape::Triangle, grid.triangles.concat()),
+            block(CellShape::Line, grid.lines.iter().flat_map(|line| line.ends).collect()),
+        ],
+        point_data: vec![
+            Array::vectors("displacement_mm", &field.displacement),
+            Array::stresses("stress_mpa", &field.stress),
+            Array::vectors("traction", &field.traction),
+        ],
+        cell_data: vec![Array::scalars("face", std::iter::repeat_n(0.0, bulk).chain(side).collect())],
+    }
+}

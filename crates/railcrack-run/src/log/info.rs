@@ -1,0 +1,98 @@
+//! Facts of the case that stand in the files of a run.
+
+use railcrack::bulk::Boundary;
+use railcrack::growth::Warning;
+use railcrack_case::{ContactSolver, Engine, Inspection, MaintenancePlan, Output, Scatter};
+
+/// A wheel of a mix.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MixInfo {
+    /// Its name.
+    pub name: String,
+    /// Share of the axles.
+    pub share: f64,
+    /// Load of one of its axles, t.
+    pub axle_load: Option<f64>,
+    /// Half-width of its contact, mm.
+    pub half_width: f64,
+}
+
+/// Facts of the case that stand in the files of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunInfo {
+    /// Title of the case.
+    pub title: String,
+    /// Engine.
+    pub engine: Engine,
+    /// Contact solver.
+    pub contact: ContactSolver,
+    /// Boundary of the rail.
+    pub boundary: Boundary,
+    /// Half-width a of the wheel contact, mm: the unit of `xc_over_a`.
+    pub half_width: f64,
+    /// First and last position of `[passage]`, mm: a rail that bends has output positions beyond.
+    pub passage: [f64; 2],
+    /// Whether the rail bends on its track.
+    pub bends: bool,
+    /// K_Ic, MPa √m, where the case gives it.
+    pub toughness: Option<f64>,
+    /// ΔK_eq (MPa√m) of the first and the last row of the growth law, where it is a table.
+    pub law_table: Option<(f64, f64)>,
+    /// Whether there is fluid in the cracks.
+    pub fluid: bool,
+    /// Mean axle load in tonnes, for million gross tonnes.
+    pub axle_load: Option<f64>,
+    /// The wheels of a mix; empty for one wheel.
+    pub mix: Vec<MixInfo>,
+    /// Wear and grinding, where the case has them.
+    pub maintenance: Option<MaintenancePlan>,
+    /// The inspection, where the case has one.
+    pub inspection: Option<Inspection>,
+    /// The scatter, where the case gives it and the run is to sample it.
+    pub scatter: Option<Scatter>,
+    /// The length that ends the run, mm.
+    pub critical_length: Option<f64>,
+    /// Tables, plots and page that are written.
+    pub output: Output,
+    /// Warnings that follow from the case, before any step.
+    pub warnings: Vec<Warning>,
+}
+
+impl RunInfo {
+    /// The facts of an untitled run under one wheel of `half_width` (mm), without anything that a
+    /// case may leave out.
+    #[must_use]
+    pub fn idle(half_width: f64) -> Self {
+        Self {
+            title: String::new(),
+            engine: Engine::Dislocation,
+            contact: ContactSolver::Newton,
+            boundary: Boundary::HalfPlane,
+            half_width,
+            passage: [-1e9, 1e9],
+            bends: false,
+            toughness: None,
+            law_table: None,
+            fluid: false,
+            axle_load: None,
+            mix: Vec::new(),
+            maintenance: None,
+            inspection: None,
+            scatter: None,
+            critical_length: None,
+            output: Output::ALL,
+            warnings: Vec::new(),
+        }
+    }
+
+    /// The sections of the case that bring columns of their own: `wheel` once for each wheel of a
+    /// mix.
+    pub fn sections(&self) -> Vec<&'static str> {
+        let traffic = self.axle_load.map(|_| "traffic");
+        let maintenance = self.maintenance.map(|_| "maintenance");
+        let fluid = self.fluid.then_some("fluid");
+        let wheels = self.mix.iter().map(|_| "wheel");
+        let space = self.engine.is_in_space().then_some("space");
+        traffic.into_iter().chain(wheels).chain(maintenance).chain(fluid).chain(space).collect()
+    }
+}

@@ -1,0 +1,140 @@
+//! Run log: the finished growth steps as far as the tables do not have them.
+
+use super::residual::ResidualSummary;
+use crate::disk::Seal;
+use crate::fields::FieldFileEntry;
+use railcrack::crack::{Crack, Junction};
+use railcrack::fatigue::LargestK1;
+use railcrack::fracture::SifHistory;
+use railcrack::growth::{PhaseTimes, Piece, RunStop, SolverCounts, StepRecord, TipRecord, Warning};
+use railcrack::math::Vec2;
+use serde::{Deserialize, Serialize};
+
+/// A finished growth step: an entry of the run log, appended once and never changed.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct StepDigest {
+    pub step: usize,
+    pub load_cycles: f64,
+    /// Removed of the running surface so far, mm.
+    pub removed: f64,
+    pub tips: Vec<TipRecord>,
+    /// x_c (mm) of the output position at which k1 of the step is largest.
+    pub largest_k1_at: Option<f64>,
+    pub dofs: usize,
+    pub face_points: usize,
+    /// Largest opening of the faces, mm.
+    pub largest_opening: f64,
+    pub counts: SolverCounts,
+    pub times: PhaseTimes,
+    pub stop: Option<RunStop>,
+    /// Pieces of the rail that were enclosed.
+    pub pieces: Vec<Piece>,
+    pub warnings: Vec<Warning>,
+    pub fields: Vec<FieldFileEntry>,
+}
+
+/// The run after its last finished growth step: replaced with every step.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub(crate) struct Present {
+    /// The cracks of step 0.
+    pub initial_cracks: Vec<Crack>,
+    /// The whole path of each crack, what is removed of it included, in the coordinates of the
+    /// initial surface; empty as long as nothing is.
+    pub paths: Vec<Vec<Vec2>>,
+    /// The cracks of the last finished step.
+    pub cracks: Vec<Crack>,
+    /// Where they have joined each other.
+    pub junctions: Vec<Junction>,
+    /// The residual stress of the rail.
+    pub residual: Option<ResidualSummary>,
+    /// Its table.
+    pub residual_table: Option<Seal>,
+    /// Wall time of the finished steps, resumptions counted, seconds.
+    pub wall_s: f64,
+    /// Part of it that went into writing, seconds.
+    pub output_s: f64,
+    /// The most memory held so far, resumptions counted, MB.
+    pub peak_memory_mb: Option<f64>,
+}
+
+/// Of the tip with the largest k1, the output position of the stabilised passage nearest to it: k1
+/// itself counts every load step.
+fn largest_k1_at(record: &StepRecord) -> Option<f64> {
+    let k1 = |tip: &TipRecord| tip.largest_k1.map_or(0.0, |largest| largest.k1);
+    let (tip, opened) = record.tips.iter().enumerate().max_by(|a, b| k1(a.1).total_cmp(&k1(b.1)))?;
+    let other = opened.opened_by.checked_sub(1).and_then(|i| record.beside.get(i));
+    let passage = other.unwrap_or(&record.passages).last()?;
+    let samples = passage.sifs.get(tip)?.clone();
+    passage.xc.get(LargestK1::of(&SifHistory { samples })?.sample).copied()
+}
+
+/// The path of `crack` below a surface that has come down by `removed` (mm), from the mouth that it
+/// had at first: what is above its mouth is taken from the path `before`.
+fn whole_path(before: &[Vec2], crack: &Crack, removed: f64) -> Vec<Vec2> {
+    let lowered = crack.points().iter().map(|point| Vec2::new(point.x, point.y - removed));
+    let above = before.iter().take_while(|point| crack.is_surface_breaking() && point.y > -removed);
+    let above: Vec<Vec2> = above.copied().collect();
+    // The mouth of now is no vertex of the path, but where it is cut.
+    let mouth = usize::from(!above.is_empty());
+    above.into_iter().chain(lowered.skip(mouth)).collect()
+}
+
+/// All finished growth steps.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct RunLog {
+    pub steps: Vec<StepDigest>,
+    pub now: Present,
+}
+
+impl RunLog {
+    /// Takes up a finished step with its field files.
+    pub(crate) fn add(&mut self, record: &StepRecord, fields: Vec<FieldFileEntry>) {
+        if self.steps.is_empty() {
+            self.now.initial_cracks = record.cracks().to_vec();
+        }
+        if record.removed > 0.0 {
+            let before = |i: usize| match self.now.paths.get(i) {
+                Some(path) => &path[..],
+                None => self.now.cracks.get(i).map_or(&[][..], Crack::points),
+            };
+            let whole = |(i, crack): (usize, &Crack)| whole_path(before(i), crack, record.removed);
+            self.now.paths = record.cracks().iter().enumerate().map(whole).collect();
+        }
+        self.now.cracks = record.cracks().to_vec();
+        self.now.junctions = record.junctions().to_vec();
+        self.steps.push(StepDigest {
+            step: record.step,
+            load_cycles: record.load_cycles,
+            removed: record.removed,
+            tips: record.tips.clone(),
+            largest_k1_at: largest_k1_at(record),
+            dofs: record.dofs,
+            face_points: record.faces.points.len(),
+            largest_opening: record
+                .faces
+                .states
+                .iter()
+                .flatten()
+                .map(|state| state.opening)
+                .fold(0.0, f64::max),
+            counts: record.counts,
+            times: record.times,
+            stop: record.stop,
+            pieces: record.pieces.clone(),
+            warnings: record.warnings.clone(),
+            fields,
+        });
+    }
+
+    pub(crate) fn pieces(&self) -> impl Iterator<Item = &Piece> {
+        self.steps.iter().flat_map(|step| &step.pieces)
+    }
+
+    pub(crate) fn warnings(&self) -> impl Iterator<Item = &Warning> {
+        self.steps.iter().flat_map(|step| &step.warnings)
+    }
+
+    pub(crate) fn fields(&self) -> impl Iterator<Item = &FieldFileEntry> {
+        self.steps.iter().flat_map(|step| &step.fields)
+    }
+}

@@ -1,0 +1,64 @@
+//! The beginning of a run on the disk: when the files of another run may be replaced.
+
+use super::case_files::CaseFiles;
+use super::clear::{clear_results, clear_rolled, run_file_in};
+use crate::disk::files::{CASE_FILE, CHECKPOINT_FILE, ROLLED_FOLDER, SUMMARY_FILE};
+use crate::disk::{Durability, remove, replace_file};
+use crate::error::OutputError;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::Path;
+
+/// Treatment of a run that the folder already holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Existing {
+    /// Leave it alone: an error.
+    Refuse,
+    /// Remove the files that a run writes, and no others.
+    Replace,
+}
+
+/// Makes `folder` a run folder with nothing but the case. From `case.toml` on, the folder holds a
+/// run that can be resumed.
+pub(crate) fn begin(folder: &Path, case: &CaseFiles, existing: Existing) -> Result<(), OutputError> {
+    if existing == Existing::Refuse
+        && let Some(file) = run_file_in(folder)
+    {
+        return Err(OutputError::HoldsRun { folder: folder.to_path_buf(), file });
+    }
+    if folder.exists() && !folder.is_dir() {
+        let reason = std::io::Error::new(ErrorKind::NotADirectory, "it is a file, not a folder");
+        return Err(OutputError::io("use as a run folder", folder)(reason));
+    }
+    fs::create_dir_all(folder).map_err(OutputError::io("create the run folder", folder))?;
+    if existing == Existing::Replace {
+        // The order matters to a kill in between: first the old run loses its checkpoint, then the
+        // new case takes the old one's place; whatever is left over then belongs to a run that
+        // starts from its beginning.
+        remove(&folder.join(CHECKPOINT_FILE))?;
+        remove(&folder.join(SUMMARY_FILE))?;
+    }
+    replace_file(&folder.join(CASE_FILE), case.toml.as_bytes(), Durability::Synced)?;
+    if existing == Existing::Replace {
+        clear_results(folder)?;
+        clear_rolled(&folder.join(ROLLED_FOLDER))?;
+    }
+    write_companions(folder, case)
+}
+
+/// Writes the case of a run that goes on: its text and the files that it names.
+pub(crate) fn restore_case(folder: &Path, case: &CaseFiles) -> Result<(), OutputError> {
+    replace_file(&folder.join(CASE_FILE), case.toml.as_bytes(), Durability::Cached)?;
+    write_companions(folder, case)
+}
+
+fn write_companions(folder: &Path, case: &CaseFiles) -> Result<(), OutputError> {
+    for (name, text) in &case.companions {
+        let path = folder.join(name);
+        if let Some(parent) = path.parent() {
+            fs::create_dir_all(parent).map_err(OutputError::io("create", parent))?;
+        }
+        replace_file(&path, text.as_bytes(), Durability::Cached)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,110 @@
+//! Removal of what a run has written, and of nothing else.
+
+use crate::disk::files::{
+    CASE_FILE, CHECKPOINT_FILE, FIELDS_FOLDER, INPUTS_FOLDER, PLOT_FILES, PLOTS_FOLDER, REPORT_FILE,
+    ROLLED_FOLDER, RUN_FILES, SUMMARY_FILE,
+};
+use crate::disk::{FolderLock, LOCK_FILE, PARTIAL, partial_of, remove};
+use crate::error::OutputError;
+use crate::fields::is_field_file;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::Path;
+
+/// Removes every result of a run and its inputs, and their folders where nothing else is in them.
+pub(super) fn clear_results(folder: &Path) -> Result<(), OutputError> {
+    for file in RUN_FILES {
+        remove(&folder.join(file))?;
+        remove(&partial_of(&folder.join(file)))?;
+    }
+    let plots = folder.join(PLOTS_FOLDER);
+    for file in PLOT_FILES.map(|file| plots.join(file)) {
+        remove(&file)?;
+        remove(&partial_of(&file))?;
+        // Drawn from it by `railcrack report --png`.
+        remove(&file.with_extension("png"))?;
+    }
+    let fields = folder.join(FIELDS_FOLDER);
+    clear_fields(&fields)?;
+    for emptied in [plots, fields, folder.join(INPUTS_FOLDER)] {
+        // Refused where the user keeps files of his own in it, or where it does not exist: both are
+        // fine.
+        let _ = fs::remove_dir(emptied);
+    }
+    Ok(())
+}
+
+/// Removes the stage that computed the plastic state, unless the user has a run of his own there.
+pub(super) fn clear_rolled(folder: &Path) -> Result<(), OutputError> {
+    if !folder.join(CASE_FILE).exists() {
+        return Ok(());
+    }
+    clear_results(folder)?;
+    remove(&folder.join(CASE_FILE))?;
+    let _ = fs::remove_dir(folder);
+    Ok(())
+}
+
+/// Removes the field files of a run, also those that were being written.
+fn clear_fields(fields: &Path) -> Result<(), OutputError> {
+    let entries = match fs::read_dir(fields) {
+        Err(reason) if reason.kind() == ErrorKind::NotFound => return Ok(()),
+        entries => entries.map_err(OutputError::io("read", fields))?,
+    };
+    for entry in entries {
+        let name = entry.map_err(OutputError::io("read", fields))?.file_name();
+        let name = name.to_string_lossy();
+        let written = name.strip_suffix(&format!(".{PARTIAL}")).unwrap_or(&name);
+        if is_field_file(written) {
+            remove(&fields.join(name.as_ref()))?;
+        }
+    }
+    Ok(())
+}
+
+/// Removes a run: its case, its results, and its folder where nothing else is in it.
+pub(crate) fn clear_run(folder: &Path) -> Result<(), OutputError> {
+    // A kill at its very end leaves the lock alone.
+    if run_file_in(folder).is_none() && !folder.join(LOCK_FILE).exists() {
+        return Ok(());
+    }
+    let lock = FolderLock::take(folder)?;
+    // Of a study, the summary says that the run is done: without it, a run that a kill leaves half
+    // removed has not begun.
+    remove(&folder.join(SUMMARY_FILE))?;
+    remove(&folder.join(CHECKPOINT_FILE))?;
+    clear_results(folder)?;
+    clear_rolled(&folder.join(ROLLED_FOLDER))?;
+    for file in [folder.join(CASE_FILE), partial_of(&folder.join(CASE_FILE))] {
+        remove(&file)?;
+    }
+    drop(lock);
+    // Refused where the user keeps files of his own in it: fine.
+    let _ = fs::remove_dir(folder);
+    Ok(())
+}
+
+/// A file of a run that stands in `folder`, where one does.
+pub(crate) fn run_file_in(folder: &Path) -> Option<&'static str> {
+    std::iter::once(CASE_FILE).chain(RUN_FILES).find(|file| folder.join(file).exists())
+}
+
+/// The same in the folder of a study, which has a report of its own.
+pub(crate) fn run_file_in_study(folder: &Path) -> Option<&'static str> {
+    let of_run = RUN_FILES.into_iter().filter(|file| *file != REPORT_FILE);
+    std::iter::once(CASE_FILE).chain(of_run).find(|file| folder.join(file).exists())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lock_that_is_alone_goes_with_the_run() {
+        let folder = std::env::temp_dir().join(format!("railcrack-alone-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        fs::write(folder.join(LOCK_FILE), "1\n").unwrap();
+        clear_run(&folder).unwrap();
+        assert!(!folder.exists());
+    }
+}

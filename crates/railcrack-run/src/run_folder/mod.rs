@@ -1,0 +1,26 @@
+//! The folder of a run: its case, when it may be replaced, its checkpoint; its results read back
+//! and verified.
+
+mod begin;
+mod case_files;
+mod checkpoint;
+mod clear;
+mod history;
+mod read;
+mod representative;
+mod stored_case;
+mod verification;
+
+pub use begin::Existing;
+pub(crate) use begin::{begin, restore_case};
+pub use case_files::CaseFiles;
+pub(crate) use case_files::{same_case, same_text};
+pub(crate) use checkpoint::{Checkpoint, LogFile, Seals};
+pub(crate) use clear::{clear_run, run_file_in, run_file_in_study};
+pub use history::History;
+pub(crate) use read::RunFiles;
+pub use read::RunFolder;
+pub use representative::{RepresentativeTip, cycles_to, representative_tip};
+pub(crate) use stored_case::{check_case, read_case, stored_case, was_about_to_begin};
+pub use verification::Verification;
+pub(crate) use verification::{Extent, check_numbers, same_bytes};

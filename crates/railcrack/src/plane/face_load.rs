@@ -1,0 +1,195 @@
+//! The load on the faces through residual stress, approach, passage and departure.
+
+use super::rail_load::RailLoad;
+use super::track::Track;
+use crate::contact::{FaceProblem, FluidModel, FluidState, LoadPath, Pocket};
+use crate::field::{EndField, EndsError, StressesUnderWheel, Wheel};
+use crate::math::{Vec2, axpy};
+
+/// Nodal forces of the uncracked rail's stress.
+pub(super) struct FaceLoad<'a> {
+    pub(super) problem: &'a FaceProblem<'a>,
+    wheel: &'a dyn Wheel,
+    /// Stress that the ends of the rail add at these points; none for a half-plane.
+    ends: Option<StressesUnderWheel>,
+    /// The quadrature points of the faces, mm.
+    points: Vec<Vec2>,
+    /// Nodal forces of the residual stress.
+    residual: Vec<f64>,
+    /// The largest pressure (MPa) of the fluid in cracks that take that over their mouth; none
+    /// without such fluid.
+    cap: Option<f64>,
+    /// The forces of other cracks.
+    others: Vec<(LoadPhase, Track)>,
+}
+
+/// One part of the history, and what its path coordinate is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum LoadPhase {
+    /// Share of the residual stress, 0 to 1; no wheel.
+    Ramp,
+    /// 1 / (distance of the wheel in mm from `origin` towards `side`, ±1); 0 is infinitely far.
+    Far {
+        /// Where distances count from, mm.
+        origin: f64,
+        /// Sign of x on that side.
+        side: f64,
+    },
+    /// Share of the wheel's load, 0 to 1, at one place: where there is no far away.
+    Load {
+        /// x_c, mm.
+        xc: f64,
+    },
+    /// x_c, mm.
+    Over,
+}
+
+impl LoadPhase {
+    /// The approach from infinity to `first` (mm), up to `near` (mm) from the faces.
+    pub fn approach(first: f64, travel: f64, near: f64) -> Self {
+        Self::Far { origin: first + travel * near, side: -travel }
+    }
+
+    /// The departure from `last` to infinity.
+    pub fn departure(last: f64, travel: f64, near: f64) -> Self {
+        Self::Far { origin: last - travel * near, side: travel }
+    }
+}
+
+impl<'a> FaceLoad<'a> {
+    /// The load on the faces of `problem`; `ends` is what the ends of the rail add under the wheel.
+    ///
+    /// Errors: a face outside of the rail.
+    pub(super) fn new(
+        problem: &'a FaceProblem<'a>,
+        load: RailLoad<'a>,
+        ends: Option<&dyn EndField>,
+    ) -> Result<Self, EndsError> {
+        let residual = match load.residual {
+            Some(field) => problem.body().faces.nodal_forces(|point| field.stress(point)),
+            None => vec![0.0; 2 * problem.points()],
+        };
+        let points: Vec<Vec2> = problem.body().faces.samples.iter().map(|sample| sample.point).collect();
+        let ends = ends.map(|ends| ends.at(&points)).transpose()?;
+        let cap = problem.fluid().and_then(|fluid| match fluid.model {
+            FluidModel::Mouth { cap } => Some(cap),
+            FluidModel::Trapped { .. } => None,
+        });
+        Ok(Self { problem, wheel: load.wheel, ends, points, residual, cap, others: Vec::new() })
+    }
+
+    /// The pressure (MPa) that the contact at `xc` (mm), with a share of its load, exerts over the
+    /// mouth of each pocket; zero over a buried crack.
+    pub(super) fn over_mouths(&self, xc: f64, share: f64) -> Vec<f64> {
+        let pockets = self.problem.fluid().map_or(&[][..], |fluid| &fluid.pockets);
+        let over = |pocket: &Pocket| pocket.mouth.map_or(0.0, |mouth| self.wheel.pressure(mouth.x, xc));
+        pockets.iter().map(|pocket| share * over(pocket)).collect()
+    }
+
+    /// Adds the nodal forces of trapped fluid to `forces` (N/mm, 2p): `state` is that in the crack
+    /// of a tip.
+    pub(super) fn press_trapped(&self, forces: &mut [f64], state: impl Fn(usize) -> Option<FluidState>) {
+        let Some(fluid) = self.problem.fluid().filter(|_| self.cap.is_none()) else { return };
+        for pocket in &fluid.pockets {
+            let tips = &self.problem.body().tips;
+            let tip = tips.iter().position(|tip| pocket.cracks.contains(&tip.crack));
+            if let Some(state) = tip.and_then(&state) {
+                axpy(state.pressure, &pocket.unit, forces);
+            }
+        }
+    }
+
+    /// The pressure (MPa) in each pocket where it is that over the mouth; none of another fluid.
+    pub(super) fn in_pockets(&self, xc: f64, share: f64) -> Option<Vec<f64>> {
+        let cap = self.cap?;
+        Some(self.over_mouths(xc, share).into_iter().map(|pressure| pressure.min(cap)).collect())
+    }
+
+    /// The same with the forces (N/mm, 2p) that `others` exert, those of cracks that are not part
+    /// of the problem.
+    pub(super) fn with_others(self, others: Vec<(LoadPhase, Track)>) -> Self {
+        Self { others, ..self }
+    }
+
+    /// The load along `part`.
+    pub(super) fn along(&self, part: LoadPhase) -> PartLoad<'_> {
+        let others = self.others.iter().find(|(own, _)| *own == part).map(|(_, track)| track);
+        PartLoad { load: self, part, others }
+    }
+
+    /// The largest slip (mm) of each point over some of the wheel positions `xc`, with the faces
+    /// free to move.
+    pub(super) fn expected_slip(&self, xc: &[f64]) -> Vec<f64> {
+        let mut slips = vec![0.0f64; self.problem.points()];
+        for &x in xc.iter().step_by((xc.len() / EXPECTED_FROM).max(1)) {
+            let forces = self.along(LoadPhase::Over).nodal_forces(x);
+            let jump = self.problem.body().compliance.times(&forces);
+            for (slip, jump) in slips.iter_mut().zip(jump.chunks_exact(2)) {
+                *slip = slip.max(jump[0].abs());
+            }
+        }
+        slips
+    }
+}
+
+/// Positions that show how far the faces would slip: it serves as a scale only.
+const EXPECTED_FROM: usize = 30;
+
+/// [`FaceLoad`] as a path.
+pub(super) struct PartLoad<'a> {
+    load: &'a FaceLoad<'a>,
+    part: LoadPhase,
+    others: Option<&'a Track>,
+}
+
+impl LoadPath for PartLoad<'_> {
+    fn over_mouths(&self, at: f64) -> Vec<f64> {
+        if self.load.cap.is_some() {
+            // A load like others.
+            return Vec::new();
+        }
+        match self.part {
+            LoadPhase::Ramp => self.load.over_mouths(0.0, 0.0),
+            LoadPhase::Far { .. } if at == 0.0 => self.load.over_mouths(0.0, 0.0),
+            LoadPhase::Far { origin, side } => self.load.over_mouths(origin + side / at, 1.0),
+            LoadPhase::Load { xc } => self.load.over_mouths(xc, at),
+            LoadPhase::Over => self.load.over_mouths(at, 1.0),
+        }
+    }
+
+    fn nodal_forces(&self, at: f64) -> Vec<f64> {
+        let mut forces = self.of_wheel(at);
+        if let Some(others) = self.others {
+            others.add(at, &mut forces);
+        }
+        forces
+    }
+}
+
+impl PartLoad<'_> {
+    fn of_wheel(&self, at: f64) -> Vec<f64> {
+        let FaceLoad { problem, wheel, ends, points, residual, .. } = self.load;
+        let (xc, share) = match self.part {
+            LoadPhase::Ramp => return residual.iter().map(|f| f * at).collect(),
+            LoadPhase::Far { .. } if at == 0.0 => return residual.clone(),
+            LoadPhase::Far { origin, side } => (origin + side / at, 1.0),
+            LoadPhase::Load { xc } => (xc, at),
+            LoadPhase::Over => (at, 1.0),
+        };
+        let mut stresses = wheel.stresses(points, xc);
+        if let Some(ends) = ends {
+            stresses.iter_mut().zip(ends(xc)).for_each(|(stress, end)| *stress = *stress + end);
+        }
+        let mut forces = problem.body().faces.nodal_forces_of_samples(|k, _| stresses[k]);
+        if share != 1.0 {
+            forces.iter_mut().for_each(|f| *f *= share);
+        }
+        forces.iter_mut().zip(residual).for_each(|(f, r)| *f += r);
+        if let Some((pressures, fluid)) = self.load.in_pockets(xc, share).zip(problem.fluid()) {
+            for (pressure, pocket) in pressures.into_iter().zip(&fluid.pockets) {
+                axpy(pressure, &pocket.profile, &mut forces);
+            }
+        }
+        forces
+    }
+}

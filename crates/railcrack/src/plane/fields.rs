@@ -1,0 +1,108 @@
+//! Stress and displacement around the cracks at some wheel positions: those of the uncracked rail
+//! and that of the cracked body together.
+
+use super::face_load::{FaceLoad, LoadPhase};
+use super::rail_load::RailLoad;
+use crate::body::{BodyError, Face, FacePoint, FieldGrid, FieldLoad};
+use crate::contact::{FaceState, LoadPath};
+use crate::growth::{FieldRecord, FieldSettings, FieldSnapshot, StabilisedPassage};
+use crate::math::Vec2;
+
+/// The fields at `positions` (mm) in the stabilised `passage`; none where the engine has none.
+///
+/// Errors: the engine cannot compute them.
+pub(super) fn record_fields(
+    face_load: &FaceLoad,
+    load: RailLoad,
+    passage: &StabilisedPassage,
+    settings: &FieldSettings,
+) -> Result<Option<FieldRecord>, BodyError> {
+    let body = face_load.problem.body();
+    let Some(solver) = &body.fields else { return Ok(None) };
+    let Some(xc) = passage.passages.last().map(|record| &record.xc) else { return Ok(None) };
+    let chosen = nearest(xc, &settings.positions);
+    let faces = &body.faces.points;
+    let forces: Vec<Vec<f64>> = chosen
+        .iter()
+        .map(|&i| {
+            let removed = face_load.along(LoadPhase::Over).nodal_forces(xc[i]);
+            let states = faces.iter().zip(&passage.faces.states[i]);
+            let contact = states.flat_map(|(point, s)| [-s.s12 * point.weight, -s.s22 * point.weight]);
+            let mut forces: Vec<f64> =
+                removed.into_iter().zip(contact).map(|(removed, contact)| removed + contact).collect();
+            face_load
+                .press_trapped(&mut forces, |tip| passage.passages.last()?.fluid.get(tip)?.get(i).copied());
+            forces
+        })
+        .collect();
+    let under = |(i, forces): (usize, _)| FieldLoad { forces, wheel: Some((load.wheel, xc[i])) };
+    let loads: Vec<FieldLoad> =
+        chosen.iter().copied().zip(forces.iter().map(Vec::as_slice)).map(under).collect();
+    let cracked = solver.fields(&loads)?;
+    let grid = cracked.grid;
+    let snapshots = chosen
+        .iter()
+        .zip(cracked.loads)
+        .map(|(&position, mut field)| {
+            let xc = xc[position];
+            for (u, point) in field.displacement.iter_mut().zip(&grid.points) {
+                *u = *u + load.wheel.displacement(*point, xc);
+            }
+            for (stress, &point) in field.stress.iter_mut().zip(&grid.inside) {
+                *stress = *stress + load.wheel.stress(point, xc);
+                if let Some(residual) = load.residual {
+                    *stress = *stress + residual.stress(point);
+                }
+            }
+            let traction = tractions(&grid, faces, &passage.faces.states[position]);
+            FieldSnapshot { position, xc, displacement: field.displacement, stress: field.stress, traction }
+        })
+        .collect();
+    Ok(Some(FieldRecord { grid, snapshots }))
+}
+
+/// Indices of the members of `xc` nearest to each of `wanted`, increasing, none twice.
+fn nearest(xc: &[f64], wanted: &[f64]) -> Vec<usize> {
+    let distance = |i: usize, x: f64| (xc[i] - x).abs();
+    let of = |&x: &f64| (0..xc.len()).min_by(|&i, &j| distance(i, x).total_cmp(&distance(j, x)));
+    let mut chosen: Vec<usize> = wanted.iter().filter_map(of).collect();
+    chosen.sort_unstable();
+    chosen.dedup();
+    chosen
+}
+
+/// Traction that the opposite face exerts at the points of the faces, MPa: the contact traction on
+/// the + face, its negative on the other.
+fn tractions(grid: &FieldGrid, faces: &[FacePoint], states: &[FaceState]) -> Vec<Vec2> {
+    let at_face_point = |j: usize| {
+        let tangent = faces[j].tangent;
+        tangent * -states[j].s12 + tangent.left() * -states[j].s22
+    };
+    let mut tractions = vec![Vec2::default(); grid.points.len()];
+    for line in &grid.lines {
+        let sign = match line.face {
+            Face::Plus => 1.0,
+            Face::Minus => -1.0,
+        };
+        for (&end, shares) in line.ends.iter().zip(&line.tractions) {
+            let used = shares.iter().filter(|(_, share)| *share != 0.0);
+            tractions[end] =
+                used.fold(Vec2::default(), |sum, &(j, share)| sum + at_face_point(j) * (sign * share));
+        }
+    }
+    tractions
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+
+    #[test]
+    fn the_nearest_positions_once_and_in_order() {
+        let there = [-6.0, -3.0, 0.0, 3.0, 6.0];
+        assert_eq!(nearest(&there, &[0.2, -1.0, -100.0, 5.0]), [0, 2, 4]);
+        let back = [6.0, 3.0, 0.0, -3.0];
+        assert_eq!(nearest(&back, &[-2.0, 2.9]), [1, 3]);
+        assert!(nearest(&there, &[]).is_empty());
+    }
+}

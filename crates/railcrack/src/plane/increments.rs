@@ -1,0 +1,361 @@
+//! Increments, load cycles and the longer cracks, from the growth rates of the tips.
+
+use super::coalescence::{Coalescence, coalescences};
+use super::joining::{Outcome, grow, spall};
+use super::step_state::{Step, StepState, TipDrive};
+use super::stops::{grows, spent_ligament, standstill, stop_of_one};
+use super::worn::{Removal, mouth_sine, reaches_junction};
+use crate::crack::{Crack, End, Junction, point_to_segment};
+use crate::growth::{
+    BreakOut, DeferredGrowth, GrowthSettings, Interval, Mover, Moving, Pace, Piece, RunStop, TipStop,
+    WearingCrack, nothing_grows, run_stop,
+};
+use crate::math::Vec2;
+
+/// The advance of one tip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct TipAdvance {
+    /// Increment, mm; 0 for a tip that does not grow and in the last step. Negative for a tip that
+    /// joins a crack which lies across what was deferred.
+    pub increment: f64,
+    /// Its growth that is not in the crack of the next step.
+    pub deferred: DeferredGrowth,
+    /// Why it does not grow, or not any more, if so.
+    pub stop: Option<TipStop>,
+}
+
+/// The transition to the next step.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct PlaneAdvance {
+    /// One per tip, in the order given.
+    pub tips: Vec<TipAdvance>,
+    /// The cracks of the next step.
+    pub cracks: Vec<Crack>,
+    /// Where they have joined each other then.
+    pub junctions: Vec<Junction>,
+    /// All tips that have broken out.
+    pub break_outs: Vec<BreakOut>,
+    /// Pieces that this step encloses.
+    pub pieces: Vec<Piece>,
+    /// Load cycles until then, by the rate at the start of the step: what the tips are grown by.
+    pub cycles: f64,
+    /// The increment that set the pace, from which the cycles follow once the rate at its end is
+    /// known; none where no cycles pass.
+    pub interval: Option<Interval>,
+    /// Removed of the running surface until then, mm.
+    pub removal: f64,
+    /// Whether it is ground then.
+    pub ground: bool,
+    /// Why the run ends with this step, if it does; the cracks are then unchanged and no cycles
+    /// pass.
+    pub stop: Option<RunStop>,
+}
+
+/// The increments from one step to the next.
+///
+/// Wear and grinding remove the running surface meanwhile, and with it the mouths of the cracks.
+/// Where they take more of a crack than its tip grows, they set the pace ([`super::Maintenance`]).
+///
+/// Δa_i = Δa_max rate_i / rate_max with Δa_max = increment × length of the fastest tip's crack, by
+/// the rates at the start of the step. The load cycles follow from the rates of the fastest tip at
+/// both ends ([`Interval`]). A step that would exceed the cycles to stop after, at the rate of its
+/// start, is shortened to end on them.
+///
+/// The growth of a much slower tip is deferred until it amounts to a whole increment
+/// ([`DeferredGrowth`]). Deferred growth counts in the length of the crack, and where the tip
+/// reaches the surface, the ends of the rail or another crack.
+///
+/// A tip that is arrested, or whose increment cannot be made, stops for good and has no influence
+/// on the increments of the others. A tip that comes closer than the resolution to a crack
+/// coalesces with it: its increment ends on that crack, and it ceases to be a tip. New stops are
+/// also reported in the last step.
+///
+/// A tip that breaks out cuts off a spall if its crack is connected to the running surface. A tip
+/// that coalesces with a crack to which it is already connected, through cracks or the surface,
+/// detaches a piece, and the run ends.
+///
+/// Cracks that are no network to begin with (they meet elsewhere than at junctions, or enclose a
+/// piece) are left as they are, and their tips stop.
+///
+/// Source: Trollé et al. 2014, eq. 32.
+#[must_use]
+pub(super) fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> PlaneAdvance {
+    let mut stops: Vec<Option<TipStop>> =
+        state.tips.iter().map(|tip| tip.stopped.or_else(|| standstill(tip, settings))).collect();
+    let mut break_outs = state.break_outs.to_vec();
+    let mut pieces = Vec::new();
+    // Every round stops at least one tip, or is the last.
+    let (pace, plans, met, outcome) = loop {
+        let pace = pace(state, settings, &stops);
+        let plans = planned(state, &pace, settings, &stops);
+        let steps: Vec<Option<Step>> = plans.iter().map(|plan| plan.map(|plan| plan.step)).collect();
+        let met = coalescences(&steps, state.cracks, state.resolution);
+        let plans = beside_coalescences(state, plans, &met);
+        let blocked = blocked_steps(state, &steps, &met, pace.removal);
+        if blocked.is_empty() {
+            let made: Vec<Option<Step>> =
+                plans.iter().map(|plan| plan.and_then(PlannedAdvance::made)).collect();
+            match grow(state, &made, &met) {
+                Outcome::Impossible(blamed) => {
+                    for i in blamed {
+                        stops[i] = Some(TipStop::Coalescence);
+                    }
+                }
+                outcome => break (pace, plans, met, outcome),
+            }
+        }
+        for (i, stop) in blocked {
+            stops[i] = Some(stop);
+            if let (TipStop::BreakOut, Some(step)) = (stop, &steps[i]) {
+                let new = BreakOut { tip: step.tip.crack_end(), surface: way_out(step) };
+                pieces.extend(spall(state, &break_outs, new));
+                break_outs.push(new);
+            }
+        }
+    };
+    let (mut plans, mut outcome) = (plans, outcome);
+    let frees =
+        pace.removal > 0.0 && reaches_junction(state.cracks, state.junctions, pace.removal, state.resolution);
+    if let Outcome::Grown { cracks, .. } = &mut outcome
+        && pace.removal > 0.0
+        && !frees
+    {
+        remove_surface(state, pace.removal, cracks, &mut plans, &mut stops);
+    }
+    let breaks = |tip: &TipDrive| tip.demand().breaks(settings);
+    let longest = (0..state.cracks.len()).map(|crack| state.length(crack)).fold(0.0, f64::max);
+    let stop = run_stop(settings, &state.at, state.tips.iter().any(breaks), longest)
+        .or_else(|| (frees || matches!(outcome, Outcome::Detached(_))).then_some(RunStop::Detached))
+        .or_else(|| {
+            let stops: Vec<_> = state.tips.iter().map(|tip| tip.stopped).zip(stops.iter().copied()).collect();
+            nothing_grows(&stops)
+        });
+    for (stop, coalescence) in stops.iter_mut().zip(&met) {
+        *stop = stop.or(coalescence.map(|_| TipStop::Coalescence));
+    }
+    if stop == Some(RunStop::Fracture) {
+        let broken = |tip: &TipDrive| breaks(tip).then_some(TipStop::Fracture);
+        stops.iter_mut().zip(state.tips).for_each(|(stop, tip)| *stop = broken(tip).or(*stop));
+    }
+    let standing = PlaneAdvance {
+        tips: standing_tips(state, &stops),
+        cracks: state.cracks.to_vec(),
+        junctions: state.junctions.to_vec(),
+        break_outs,
+        pieces,
+        cycles: 0.0,
+        interval: None,
+        removal: 0.0,
+        ground: false,
+        stop,
+    };
+    match (stop, outcome) {
+        (Some(RunStop::Detached), Outcome::Detached(detached)) => {
+            PlaneAdvance { pieces: [standing.pieces, detached].concat(), ..standing }
+        }
+        (None, Outcome::Grown { cracks, junctions }) => {
+            let tips = growing_tips(&standing.tips, &plans, &met);
+            PlaneAdvance {
+                tips,
+                cracks,
+                junctions,
+                cycles: pace.cycles,
+                interval: pace.interval(),
+                removal: pace.removal,
+                ground: pace.grinds,
+                ..standing
+            }
+        }
+        _ => standing,
+    }
+}
+
+/// The pace of the tips that have not stopped, and of the removal of the surface.
+fn pace(state: &StepState<'_>, settings: &GrowthSettings, stops: &[Option<TipStop>]) -> Pace {
+    let all: Vec<Mover> = state.tips.iter().map(|tip| state.mover(tip)).collect();
+    let left = || state.tips.iter().zip(&all).zip(stops).filter(|(_, stop)| stop.is_none());
+    let growing = left().filter(|((tip, _), _)| grows(tip, settings)).map(|((_, mover), _)| *mover);
+    let wearing = (0..state.cracks.len()).filter(|&crack| !state.is_worn_away(crack)).map(|crack| {
+        let mouth_sine = mouth_sine(&state.cracks[crack]).unwrap_or(1.0);
+        WearingCrack { mouth_sine, longest: state.longest(crack) }
+    });
+    let moving = Moving {
+        all: &all,
+        growing: &growing.collect::<Vec<_>>(),
+        some_are_left: left().next().is_some(),
+        wearing: &wearing.collect::<Vec<_>>(),
+    };
+    Pace::of(&moving, &state.at, settings)
+}
+
+/// Takes `removal` (mm) off the surface of `cracks`: tips of cracks that are worn away, or that the
+/// surface has come down to, stop.
+fn remove_surface(
+    state: &StepState<'_>,
+    removal: f64,
+    cracks: &mut Vec<Crack>,
+    plans: &mut [Option<PlannedAdvance>],
+    stops: &mut [Option<TipStop>],
+) {
+    let count = cracks.len();
+    let mut left_out = vec![0.0; count];
+    for (tip, plan) in state.tips.iter().zip(plans.iter()) {
+        left_out[tip.tip.crack] += match plan {
+            Some(plan) if plan.deferred => plan.growth.length,
+            Some(_) => 0.0,
+            None => tip.deferred.length,
+        };
+    }
+    let gone: Vec<bool> = (0..count).map(|crack| state.is_worn_away(crack)).collect();
+    let longest: Vec<f64> = (0..count).map(|crack| state.longest(crack)).collect();
+    let removed =
+        Removal::of((std::mem::take(cracks), &gone), removal, &left_out, &longest, state.resolution);
+    for (i, tip) in state.tips.iter().enumerate() {
+        let [first, last] = removed.broken_out[tip.tip.crack];
+        let broken_out = if tip.tip.end == End::First { first } else { last };
+        if removed.away[tip.tip.crack] {
+            stops[i] = Some(TipStop::WornAway);
+            plans[i] = None;
+        } else if broken_out && stops[i].is_none() {
+            stops[i] = Some(TipStop::BreakOut);
+        }
+    }
+    *cracks = removed.cracks;
+}
+
+/// The tips when no increment is made.
+fn standing_tips(state: &StepState<'_>, stops: &[Option<TipStop>]) -> Vec<TipAdvance> {
+    let standing = |(tip, &stop): (&TipDrive, &Option<TipStop>)| {
+        let is_away = stop == Some(TipStop::WornAway);
+        let deferred = if is_away { DeferredGrowth::default() } else { tip.deferred };
+        TipAdvance { increment: 0.0, deferred, stop }
+    };
+    state.tips.iter().zip(stops).map(standing).collect()
+}
+
+/// The tips when increments are made, from those without.
+fn growing_tips(
+    standing: &[TipAdvance],
+    plans: &[Option<PlannedAdvance>],
+    met: &[Option<Coalescence>],
+) -> Vec<TipAdvance> {
+    let growing =
+        |(tip, (plan, coalescence)): (&TipAdvance, (&Option<PlannedAdvance>, &Option<Coalescence>))| {
+            let Some(plan) = plan else { return *tip };
+            let increment = match coalescence {
+                Some(coalescence) => (coalescence.at - plan.step.from).length() - tip.deferred.length,
+                None => plan.increment,
+            };
+            let deferred = if plan.deferred { plan.growth } else { DeferredGrowth::default() };
+            TipAdvance { increment, deferred, stop: tip.stop }
+        };
+    standing.iter().zip(plans.iter().zip(met)).map(growing).collect()
+}
+
+/// The steps that cannot be made, with the reason: they break out before they meet a crack, or
+/// leave the rail.
+fn blocked_steps(
+    state: &StepState<'_>,
+    steps: &[Option<Step>],
+    met: &[Option<Coalescence>],
+    removal: f64,
+) -> Vec<(usize, TipStop)> {
+    let blocked = |i: usize| {
+        let step = steps[i].as_ref()?;
+        let crack = &state.cracks[step.tip.crack];
+        let stop = stop_of_one(step, crack, state.rail, state.resolution, removal);
+        let ligament = spent_ligament(crack, state.resolution);
+        match met[i] {
+            // A mouth is on the surface already.
+            Some(coalescence) if -coalescence.at.y >= ligament => {
+                stop.filter(|stop| *stop != TipStop::BreakOut)
+            }
+            Some(coalescence) if coalescence.at.y >= 0.0 => Some(TipStop::BreakOut),
+            _ => stop,
+        }
+    };
+    (0..steps.len()).filter_map(|i| Some((i, blocked(i)?))).collect()
+}
+
+/// Where the ligament of a tip that breaks out ends on the running surface: where its increment
+/// passes it, else above its end.
+fn way_out(step: &Step) -> Vec2 {
+    let rise = step.to.y - step.from.y;
+    let share = if step.to.y > 0.0 && rise > 0.0 { -step.from.y / rise } else { 1.0 };
+    Vec2::new(step.from.x + (step.to.x - step.from.x) * share, 0.0)
+}
+
+/// The planned advance of a tip that grows.
+#[derive(Debug, Clone, Copy)]
+struct PlannedAdvance {
+    /// Its own increment, mm.
+    increment: f64,
+    /// All growth that is not in its crack yet, the increment included.
+    growth: DeferredGrowth,
+    /// The segment that this makes.
+    step: Step,
+    /// Whether the segment is too short to be made.
+    deferred: bool,
+}
+
+impl PlannedAdvance {
+    fn made(self) -> Option<Step> {
+        (!self.deferred).then_some(self.step)
+    }
+}
+
+/// The plan of every tip that grows.
+fn planned(
+    state: &StepState<'_>,
+    pace: &Pace,
+    settings: &GrowthSettings,
+    stops: &[Option<TipStop>],
+) -> Vec<Option<PlannedAdvance>> {
+    let plan_of = |drive: &TipDrive| {
+        let crack = &state.cracks[drive.tip.crack];
+        let (from, ahead) = (crack.tip(drive.tip.end), crack.ahead(drive.tip.end));
+        let increment = pace.increment(&state.mover(drive));
+        let growth = drive.deferred.and(increment, Vec2::unit(ahead.angle() + drive.kink?));
+        let to = from + growth.direction * growth.length;
+        let length = state.length(drive.tip.crack);
+        let keeps_pace = increment >= DeferredGrowth::KEEPS_PACE * pace.share * length;
+        let deferred = !keeps_pace && growth.length < settings.increment * length;
+        let step = Step { tip: drive.tip, from, to, deferred: growth.share_of(drive.deferred) };
+        Some(PlannedAdvance { increment, growth, step, deferred })
+    };
+    state
+        .tips
+        .iter()
+        .zip(stops)
+        .map(|(drive, stop)| if stop.is_some() || !grows(drive, settings) { None } else { plan_of(drive) })
+        .collect()
+}
+
+/// The plans beside `met`: a tip that joins a crack is not deferred, nor is one whose plan another
+/// tip ends on.
+fn beside_coalescences(
+    state: &StepState<'_>,
+    plans: Vec<Option<PlannedAdvance>>,
+    met: &[Option<Coalescence>],
+) -> Vec<Option<PlannedAdvance>> {
+    let ends_on = |coalescence: &Coalescence, Step { tip, from, to, .. }: Step| {
+        coalescence.onto == tip.crack && point_to_segment(coalescence.at, from, to) < state.resolution
+    };
+    let beside = |plan: PlannedAdvance, own: &Option<Coalescence>| {
+        let is_met = own.is_some() || met.iter().flatten().any(|coalescence| ends_on(coalescence, plan.step));
+        PlannedAdvance { deferred: plan.deferred && !is_met, ..plan }
+    };
+    plans.into_iter().zip(met).map(|(plan, own)| plan.map(|plan| beside(plan, own))).collect()
+}
+
+#[cfg(test)]
+#[path = "increments_tests.rs"]
+mod tests;
+
+#[cfg(test)]
+#[path = "deferred_tests.rs"]
+mod deferred_tests;
+
+#[cfg(test)]
+#[path = "joining_tests.rs"]
+mod joining_tests;

@@ -1,0 +1,194 @@
+//! The cracks of the next step: longer by the increments, with new junctions.
+
+use super::coalescence::Coalescence;
+use super::pieces::CrackGraph;
+use super::step_state::{Step, StepState};
+use crate::crack::{Crack, CrackEnd, CrackNetwork, End, Junction, point_to_segment};
+use crate::growth::{BreakOut, Piece, PieceKind};
+use crate::math::Vec2;
+
+/// Outcome of the increments of a step.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Outcome {
+    /// The cracks of the next step.
+    Grown {
+        /// The cracks.
+        cracks: Vec<Crack>,
+        /// All junctions.
+        junctions: Vec<Junction>,
+    },
+    /// Pieces are detached.
+    Detached(Vec<Piece>),
+    /// These steps (indices) make no cracks.
+    Impossible(Vec<usize>),
+}
+
+/// Grows the cracks by `steps`, each up to its coalescence where it has one. Without any step they
+/// stay as they are, even where they are no network: there is nothing to blame then.
+pub(super) fn grow(
+    state: &StepState<'_>,
+    steps: &[Option<Step>],
+    coalescences: &[Option<Coalescence>],
+) -> Outcome {
+    if steps.iter().all(Option::is_none) {
+        let (cracks, junctions) = (state.cracks.to_vec(), state.junctions.to_vec());
+        return Outcome::Grown { cracks, junctions };
+    }
+    let mut paths: Vec<Vec<Vec2>> = state.cracks.iter().map(|crack| crack.points().to_vec()).collect();
+    for (i, step) in steps.iter().enumerate() {
+        let Some(step) = step else { continue };
+        let to = coalescences[i].map_or(step.to, |coalescence| coalescence.at);
+        let is_junction = |coalescence: &Coalescence| coalescence.at == step.from;
+        let short = coalescences[i].is_some()
+            && (to - step.from).length() < state.resolution
+            && !coalescences.iter().flatten().any(is_junction);
+        lengthen(&mut paths[step.tip.crack], step.tip.end, to, if short { Last::Moves } else { Last::Stays });
+    }
+    for (step, coalescence) in steps.iter().zip(coalescences) {
+        if let (Some(step), Some(coalescence)) = (step, coalescence) {
+            let own =
+                (coalescence.onto == step.tip.crack && coalescence.with.is_none()).then_some(step.tip.end);
+            insert(&mut paths[coalescence.onto], coalescence.at, own);
+        }
+    }
+    let pieces = detached(state, steps, coalescences, &paths);
+    if !pieces.is_empty() {
+        return Outcome::Detached(pieces);
+    }
+    let mut cracks = Vec::new();
+    for (crack, path) in paths.into_iter().enumerate() {
+        let Ok(longer) = Crack::polyline(path) else {
+            return impossible(steps, coalescences, |i| {
+                steps[i].is_some_and(|step| step.tip.crack == crack)
+                    || coalescences[i].is_some_and(|coalescence| coalescence.onto == crack)
+            });
+        };
+        cracks.push(longer);
+    }
+    let junctions = junctions(state, steps, coalescences);
+    if CrackNetwork::joined(cracks.clone(), junctions.clone()).is_err() {
+        return impossible(steps, coalescences, |i| coalescences[i].is_some());
+    }
+    Outcome::Grown { cracks, junctions }
+}
+
+/// The steps to `blame`; all of them where there are none.
+fn impossible(
+    steps: &[Option<Step>],
+    coalescences: &[Option<Coalescence>],
+    blame: impl Fn(usize) -> bool,
+) -> Outcome {
+    let made: Vec<usize> = (0..coalescences.len()).filter(|&i| steps[i].is_some()).collect();
+    let blamed: Vec<usize> = made.iter().copied().filter(|&i| blame(i)).collect();
+    Outcome::Impossible(if blamed.is_empty() { made } else { blamed })
+}
+
+/// Fate of the point that was the tip.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Last {
+    /// It is a vertex of the longer crack.
+    Stays,
+    /// The end moves: no segment shorter than the resolution is left at a junction.
+    Moves,
+}
+
+fn lengthen(path: &mut Vec<Vec2>, end: End, to: Vec2, last: Last) {
+    let tip = if end == End::First { 0 } else { path.len() - 1 };
+    match (last, end) {
+        (Last::Moves, _) => path[tip] = to,
+        _ if path[tip] == to => {}
+        (Last::Stays, End::First) => path.insert(0, to),
+        (Last::Stays, End::Last) => path.push(to),
+    }
+}
+
+/// Makes `at` a vertex of `path`, on the segment that it lies on; where the end `own` of the path
+/// itself is there, once more.
+fn insert(path: &mut Vec<Vec2>, at: Vec2, own: Option<End>) {
+    let (mut first, mut last) = (0, path.len() - 1);
+    match own {
+        Some(End::First) => first = 1,
+        Some(End::Last) => last -= 1,
+        None => {}
+    }
+    if path[first..=last].contains(&at) {
+        return;
+    }
+    let distance = |i: usize| point_to_segment(at, path[i], path[i + 1]);
+    let nearest = (first..last).min_by(|&i, &j| distance(i).total_cmp(&distance(j)));
+    if let Some(segment) = nearest {
+        path.insert(segment + 1, at);
+    }
+}
+
+/// The junctions so far and those of `coalescences`: where tip meets tip, that of the earlier one.
+fn junctions(
+    state: &StepState<'_>,
+    steps: &[Option<Step>],
+    coalescences: &[Option<Coalescence>],
+) -> Vec<Junction> {
+    let mut junctions = state.junctions.to_vec();
+    for (i, (step, coalescence)) in steps.iter().zip(coalescences).enumerate() {
+        if let (Some(step), Some(coalescence)) = (step, coalescence)
+            && coalescence.with.is_none_or(|other| other > i)
+        {
+            let joining = CrackEnd { crack: step.tip.crack, end: step.tip.end };
+            junctions.push(Junction { joining, onto: coalescence.onto });
+        }
+    }
+    junctions
+}
+
+/// The pieces that the last segments before `coalescences` close off.
+fn detached(
+    state: &StepState<'_>,
+    steps: &[Option<Step>],
+    coalescences: &[Option<Coalescence>],
+    paths: &[Vec<Vec2>],
+) -> Vec<Piece> {
+    let mut graph = CrackGraph::default();
+    let mut closing = Vec::new();
+    for (crack, path) in paths.iter().enumerate() {
+        let meets = |end: End| {
+            let of_end = |step: &Step| (step.tip.crack, step.tip.end) == (crack, end);
+            steps
+                .iter()
+                .zip(coalescences)
+                .any(|(step, coalescence)| step.as_ref().is_some_and(of_end) && coalescence.is_some())
+        };
+        let (mut from, mut to) = (0, path.len() - 1);
+        if meets(End::First) {
+            from += 1;
+            closing.push((crack, path[1], path[0]));
+        }
+        if meets(End::Last) && to > from {
+            to -= 1;
+            closing.push((crack, path[to], path[to + 1]));
+        }
+        graph.add_line(&path[from..=to]);
+    }
+    for BreakOut { tip, surface } in state.break_outs {
+        graph.add_line(&[state.cracks[tip.crack].tip(tip.end), *surface]);
+    }
+    let outline = |(crack, from, to)| {
+        let outline = graph.close(from, to)?;
+        Some(Piece::new(PieceKind::Detached, state.at.step, crack, outline))
+    };
+    closing.into_iter().filter_map(outline).collect()
+}
+
+/// The spall that a tip at `from`, which breaks out at the point `surface` of the running surface,
+/// cuts off; none where the crack is not yet connected to the surface. The break-outs `before`
+/// count as connections.
+pub(super) fn spall(state: &StepState<'_>, before: &[BreakOut], new: BreakOut) -> Option<Piece> {
+    let mut graph = CrackGraph::default();
+    for crack in state.cracks {
+        graph.add_line(crack.points());
+    }
+    for BreakOut { tip, surface } in before {
+        graph.add_line(&[state.cracks[tip.crack].tip(tip.end), *surface]);
+    }
+    let from = state.cracks[new.tip.crack].tip(new.tip.end);
+    let outline = graph.close(from, new.surface)?;
+    Some(Piece::new(PieceKind::Spall, state.at.step, new.tip.crack, outline))
+}

@@ -1,0 +1,35 @@
+//! Cracks as polylines in the plane of the rail: their passages, kinks and increments.
+
+mod coalescence;
+mod crack_fluid;
+mod exchange;
+mod face_load;
+mod fields;
+#[cfg(test)]
+mod fixtures;
+mod groups;
+mod increments;
+mod joining;
+mod network_contact;
+mod passage;
+mod pieces;
+mod rail;
+mod rail_load;
+mod solvers;
+mod stabilise;
+mod stations;
+mod step_state;
+mod stops;
+mod sweeps;
+mod tip_sifs;
+mod track;
+mod turning_wheel;
+mod wheel;
+mod worn;
+
+pub use crack_fluid::{CrackFluid, PressureProfile};
+pub use network_contact::NetworkContact;
+pub use rail::{KnownEnds, PlaneBody, PlaneRail};
+pub use rail_load::RailLoad;
+pub use stabilise::stabilised_passage;
+pub use wheel::MixedWheel;

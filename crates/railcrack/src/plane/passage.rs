@@ -1,0 +1,445 @@
+//! Passages of the wheel over fixed cracks: residual stress, then passages until the history
+//! repeats.
+
+use super::face_load::{FaceLoad, LoadPhase};
+use super::rail_load::RailLoad;
+use super::tip_sifs::{TipMark, TipSifs};
+use crate::contact::{
+    ContactSolver, FaceProblem, FaceSolution, FaceState, FluidModel, FluidState, Pocket, StepControl,
+    Stepper, SteppingCounts, SteppingError,
+};
+use crate::fracture::SifHistory;
+use crate::growth::{
+    FaceRecord, GroupsError, Memory, Observer, PassageError, PassageRecord, PassageSettings, Repeated,
+    Repeats, SolverCounts, StabilisedPassage, output_positions, until_repeated,
+};
+
+/// [`super::stabilised_passage`] of all faces together, under a load that is known there.
+pub(super) fn passages_of_all(
+    face_load: &FaceLoad,
+    load: RailLoad,
+    solver: &dyn ContactSolver,
+    settings: &PassageSettings,
+    observer: &dyn Observer,
+) -> Result<StabilisedPassage, PassageError> {
+    let problem = face_load.problem;
+    let xc = output_positions(&settings.passage, load.wheel.bending(), &places(problem));
+    let expected = face_load.expected_slip(&xc);
+    let interrupted = || observer.interrupted();
+    let stepper = Stepper::new(problem, solver, settings.step_tolerance, &expected)
+        .with_control(settings.step_control)
+        .with_interruption(&interrupted);
+    let near = distances(problem, load.wheel.half_width(), &xc);
+    let mut wheel = Rolling::new(face_load, load, (&xc, near), settings.step_control, stepper);
+    let mut tips = TipSifs::virgin(problem);
+    if load.residual.is_some() {
+        wheel.residual_stress(&mut tips)?;
+    }
+    wheel.seal_buried();
+    let passed = until_repeated(settings, memory(problem), |number, before| {
+        wheel.pass(number, before, &mut tips, observer)
+    })?;
+    Ok(stabilised(passed, wheel.stepper.counts(), wheel.edge_steps, problem, None))
+}
+
+/// The stabilised passage of `passed`, with the `effort` that it took without `edge_steps`, and the
+/// error of groups.
+pub(super) fn stabilised(
+    passed: Repeated<Pass>,
+    effort: SteppingCounts,
+    edge_steps: usize,
+    problem: &FaceProblem,
+    coupling: Option<GroupsError>,
+) -> StabilisedPassage {
+    let points = problem.body().faces.points.clone();
+    StabilisedPassage {
+        counts: SolverCounts {
+            passages: passed.records.len(),
+            substeps: effort.substeps + edge_steps,
+            solves: effort.solves,
+            iterations: effort.iterations,
+            iterations_max: effort.iterations_max,
+            complementarity_max: effort.violation_max,
+        },
+        passages: passed.records,
+        histories: passed.last.histories,
+        faces: FaceRecord { points, states: passed.last.states, across: None },
+        last_change: passed.change,
+        coupling,
+        delta_kiii: Vec::new(),
+    }
+}
+
+/// Whether the faces of `problem` remember a passage.
+pub(super) fn memory(problem: &FaceProblem) -> Memory {
+    if problem.has_friction() { Memory::Friction } else { Memory::None }
+}
+
+impl Repeats for Pass {
+    type Record = PassageRecord;
+
+    fn record(&self) -> PassageRecord {
+        self.record.clone()
+    }
+
+    fn change_from(&self, before: &PassageRecord) -> f64 {
+        change(before, &self.record)
+    }
+
+    fn joins(&self) -> bool {
+        self.joins
+    }
+}
+
+/// Stations of the approach from infinity and of the departure to it, evenly spaced in 1/distance:
+/// the load grows about linearly from station to station.
+const FAR_STATIONS: usize = 8;
+/// Stations of the ramp of residual stress, and of the wheel's load where it cannot come from far
+/// away.
+const RAMP_STATIONS: usize = 8;
+
+/// Shares of residual stress, the last one all of it.
+pub(super) fn ramp_stations() -> impl DoubleEndedIterator<Item = f64> {
+    (1..=RAMP_STATIONS).map(|k| k as f64 / RAMP_STATIONS as f64)
+}
+
+/// Coordinates of an approach up to `near` (mm).
+pub(super) fn far_stations(near: f64) -> impl DoubleEndedIterator<Item = f64> {
+    (1..=FAR_STATIONS).map(move |k| k as f64 / FAR_STATIONS as f64 / near)
+}
+
+/// Distance ahead of the contact, over a, in which a mouth is covered or left.
+const AHEAD: f64 = 1e-6;
+/// Stations around the passage of a contact edge over a mouth, over a: the stress there goes like
+/// the root of the distance.
+const EDGE_STATIONS: [f64; 7] = [-0.03, -0.015, -0.004, 0.0, 0.004, 0.015, 0.03];
+
+/// The passages of the wheel over fixed cracks.
+pub(super) struct Rolling<'a> {
+    problem: &'a FaceProblem<'a>,
+    face_load: &'a FaceLoad<'a>,
+    /// Edges of the contact relative to x_c, mm.
+    edges: &'a [f64],
+    /// a, mm.
+    half_width: f64,
+    /// Output positions, mm.
+    xc: &'a [f64],
+    /// Distances (mm) within which the wheel is not far away at the first and the last of them.
+    near: [f64; 2],
+    /// Abscissae of the mouths, mm.
+    mouths: Vec<f64>,
+    control: StepControl,
+    /// Whether the contact covers the mouth of each pocket whose fluid it traps.
+    covered: Vec<bool>,
+    pub stepper: Stepper<'a>,
+    /// Steps to positions of [`EDGE_STATIONS`].
+    pub edge_steps: usize,
+}
+
+/// Results of one passage.
+pub(super) struct Pass {
+    pub record: PassageRecord,
+    pub histories: Vec<SifHistory>,
+    pub states: Vec<Vec<FaceState>>,
+    /// At each output position.
+    pub marks: Vec<Mark>,
+    /// Whether it coincides with the passage before from some position on.
+    pub joins: bool,
+}
+
+/// The state that determines the rest of a passage.
+pub(super) struct Mark {
+    pub faces: FaceSolution,
+    pub tips: TipMark,
+}
+
+impl Pass {
+    /// Continues from its last position as `other`, which had the same state there.
+    pub fn join(&mut self, other: &Self) {
+        let from = self.marks.len();
+        for (own, sifs) in self.record.sifs.iter_mut().zip(&other.record.sifs) {
+            own.extend_from_slice(&sifs[from..]);
+        }
+        for (own, fluid) in self.record.fluid.iter_mut().zip(&other.record.fluid) {
+            own.extend_from_slice(&fluid[from..]);
+        }
+        let past = other.marks[from - 1].tips.samples();
+        for (own, history) in self.histories.iter_mut().zip(&other.histories) {
+            own.samples.extend_from_slice(&history.samples[past..]);
+        }
+        self.states.extend_from_slice(&other.states[from..]);
+        self.joins = true;
+    }
+}
+
+impl<'a> Rolling<'a> {
+    /// The passages of the wheel of `load` over faces that are at its `stepper`: output positions,
+    /// and the distances from the cracks at the first and the last of them.
+    pub fn new(
+        face_load: &'a FaceLoad<'a>,
+        load: RailLoad<'a>,
+        (xc, near): (&'a [f64], [f64; 2]),
+        control: StepControl,
+        stepper: Stepper<'a>,
+    ) -> Self {
+        let problem = face_load.problem;
+        Self {
+            problem,
+            face_load,
+            edges: load.wheel.edges(),
+            half_width: load.wheel.half_width(),
+            xc,
+            near,
+            mouths: mouths(problem),
+            control,
+            covered: vec![false; trapped(problem).len()],
+            stepper,
+            edge_steps: 0,
+        }
+    }
+
+    pub fn residual_stress(&mut self, tips: &mut TipSifs) -> Result<(), PassageError> {
+        let problem = self.problem;
+        let mut take = |solution: &FaceSolution, forces: &[f64]| tips.follow(problem, solution, forces);
+        self.follow(LoadPhase::Ramp, 0.0, ramp_stations(), &mut take).map_err(failure(0, "residual stress"))
+    }
+
+    /// One passage, approach and departure included. `number` counts from 1.
+    ///
+    /// The memory of the faces fades: a point that sticks was stopped by events of this passage, or
+    /// has stuck all along. Sooner or later the faces reach the state that they had at the same
+    /// position in the passage `before`, and the rest of the passage is then known.
+    pub fn pass(
+        &mut self,
+        number: usize,
+        before: Option<&Pass>,
+        tips: &mut TipSifs,
+        observer: &dyn Observer,
+    ) -> Result<Pass, PassageError> {
+        let problem = self.problem;
+        let (first, last) = (self.xc[0], self.xc[self.xc.len() - 1]);
+        let travel = (last - first).signum();
+        tips.begin();
+        let bounded = problem.body().ends.is_some();
+        let ramp = |k: usize| k as f64 / RAMP_STATIONS as f64;
+        let arrived = if bounded {
+            self.follow(LoadPhase::Load { xc: first }, 0.0, (1..=RAMP_STATIONS).map(ramp), &mut |s, f| {
+                tips.follow(problem, s, f)
+            })
+        } else {
+            let approach = LoadPhase::approach(first, travel, self.near[0]);
+            self.follow(approach, 0.0, far_stations(self.near[0]), &mut |s, f| tips.follow(problem, s, f))
+        };
+        arrived.map_err(failure(number, "approach"))?;
+
+        let tips_of = problem.body().tips.len();
+        let record = PassageRecord {
+            xc: self.xc.to_vec(),
+            sifs: vec![Vec::new(); tips_of],
+            fluid: vec![Vec::new(); if problem.fluid().is_some() { tips_of } else { 0 }],
+            kiii: Vec::new(),
+        };
+        let mut pass =
+            Pass { record, histories: Vec::new(), states: Vec::new(), marks: Vec::new(), joins: false };
+        self.stepper.begin(first);
+        self.cover(first, travel, tips).map_err(failure(number, "passage"))?;
+        for (i, &x) in self.xc.iter().enumerate() {
+            let over = self.face_load.along(LoadPhase::Over);
+            let last = if i == 0 { x } else { self.xc[i - 1] };
+            for station in self.edges_between(last, x).chain([x]) {
+                self.edge_steps += usize::from(station != x);
+                let mut take =
+                    |solution: &FaceSolution, forces: &[f64]| tips.follow(problem, solution, forces);
+                self.stepper.advance(&over, station, &mut take).map_err(failure(number, "passage"))?;
+                self.cover(station, travel, tips).map_err(failure(number, "passage"))?;
+            }
+            pass.record.sifs.iter_mut().zip(tips.sifs()).for_each(|(tip, k)| tip.push(k));
+            let fluid = self.fluid(x);
+            pass.record.fluid.iter_mut().zip(fluid).for_each(|(tip, state)| tip.push(state));
+            pass.states.push(self.stepper.solution().face_states(self.problem));
+            pass.marks.push(Mark { faces: self.stepper.solution().clone(), tips: tips.mark() });
+            observer.progress((i + 1) as f64 / self.xc.len() as f64);
+            if let Some(before) = before
+                && self.stepper.is_like(&before.marks[i].faces)
+                && tips.is_like(&before.marks[i].tips)
+            {
+                pass.histories = tips.histories();
+                pass.join(before);
+                return Ok(pass);
+            }
+        }
+
+        self.uncover(tips).map_err(failure(number, "departure"))?;
+        let left = if bounded {
+            self.follow(LoadPhase::Load { xc: last }, 1.0, (0..RAMP_STATIONS).rev().map(ramp), &mut |s, f| {
+                tips.follow(problem, s, f)
+            })
+        } else {
+            let departure = LoadPhase::departure(last, travel, self.near[1]);
+            let mut back = far_stations(self.near[1]).rev();
+            let start = back.next().unwrap_or(0.0);
+            self.follow(departure, start, back.chain([0.0]), &mut |s, f| tips.follow(problem, s, f))
+        };
+        left.map_err(failure(number, "departure"))?;
+        pass.histories = tips.histories();
+        Ok(pass)
+    }
+
+    /// Traps the fluid of buried cracks, for ever.
+    fn seal_buried(&mut self) {
+        for (k, pocket) in trapped(self.problem).iter().enumerate() {
+            if pocket.mouth.is_none() {
+                self.stepper.seal(k);
+            }
+        }
+    }
+
+    /// Traps the fluid of cracks whose mouths the contact covers from `xc` (mm) on, and lets go
+    /// that of cracks whose mouths it leaves.
+    fn cover(&mut self, xc: f64, travel: f64, tips: &mut TipSifs) -> Result<(), SteppingError> {
+        if self.covered.is_empty() {
+            return Ok(());
+        }
+        let ahead = self.face_load.over_mouths(xc + travel * AHEAD * self.half_width, 1.0);
+        for (k, pressure) in ahead.into_iter().enumerate() {
+            let covers = pressure > 0.0;
+            if covers && !self.covered[k] {
+                self.stepper.seal(k);
+            } else if !covers && self.covered[k] {
+                self.release(k, tips)?;
+            }
+            self.covered[k] = covers;
+        }
+        Ok(())
+    }
+
+    /// Lets all fluid go that the contact traps.
+    fn uncover(&mut self, tips: &mut TipSifs) -> Result<(), SteppingError> {
+        for k in 0..self.covered.len() {
+            if std::mem::take(&mut self.covered[k]) {
+                self.release(k, tips)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn release(&mut self, k: usize, tips: &mut TipSifs) -> Result<(), SteppingError> {
+        let problem = self.problem;
+        self.stepper.release(k, &mut |solution, forces| tips.follow(problem, solution, forces))
+    }
+
+    /// The fluid in the crack of each tip with the wheel at `xc` (mm).
+    fn fluid(&self, xc: f64) -> Vec<FluidState> {
+        let Some(fluid) = self.problem.fluid() else { return Vec::new() };
+        let solution = self.stepper.solution();
+        let pressures = self.face_load.in_pockets(xc, 1.0).unwrap_or_default();
+        let state = |(k, pocket): (usize, &Pocket)| FluidState {
+            pressure: solution
+                .fluid
+                .get(k)
+                .map_or_else(|| pressures.get(k).copied().unwrap_or(0.0), |fluid| fluid.pressure),
+            volume: pocket.volume(&solution.jump),
+        };
+        let states: Vec<FluidState> = fluid.pockets.iter().enumerate().map(state).collect();
+        let in_crack = |crack: usize| {
+            let pocket = fluid.pockets.iter().position(|pocket| pocket.cracks.contains(&crack));
+            pocket.map_or(FluidState::default(), |k| states[k])
+        };
+        self.problem.body().tips.iter().map(|tip| in_crack(tip.crack)).collect()
+    }
+
+    /// Wheel positions between two output positions at which an edge of the contact is at a mouth
+    /// or close to it, in the order of travel: the stress at the mouth varies there too fast to be
+    /// seen from the neighbouring positions.
+    fn edges_between(&self, from: f64, to: f64) -> impl Iterator<Item = f64> + use<> {
+        let travel = (to - from).signum();
+        let within = |x: &f64| (x - from) * travel > 0.0 && (to - x) * travel > 0.0;
+        let adaptive = self.problem.has_friction() && self.control == StepControl::Adaptive;
+        let mut stations: Vec<f64> = if adaptive || !self.covered.is_empty() {
+            edge_stations(&self.mouths, self.edges, self.half_width).filter(within).collect()
+        } else {
+            Vec::new()
+        };
+        stations.sort_by(|a, b| (a * travel).total_cmp(&(b * travel)));
+        stations.into_iter()
+    }
+
+    /// Follows `part` from `start` through `stations`.
+    fn follow(
+        &mut self,
+        part: LoadPhase,
+        start: f64,
+        stations: impl Iterator<Item = f64>,
+        sample: &mut dyn FnMut(&FaceSolution, &[f64]),
+    ) -> Result<(), SteppingError> {
+        self.stepper.begin(start);
+        let path = self.face_load.along(part);
+        for station in stations {
+            self.stepper.advance(&path, station, sample)?;
+        }
+        Ok(())
+    }
+}
+
+/// The pockets whose fluid the contact traps.
+fn trapped<'a>(problem: &'a FaceProblem) -> &'a [Pocket] {
+    match problem.fluid() {
+        Some(fluid) if matches!(fluid.model, FluidModel::Trapped { .. }) => &fluid.pockets,
+        _ => &[],
+    }
+}
+
+/// Wheel positions (mm) at which an edge of the contact, `edges` from its middle, is at one of
+/// `mouths` or close to it.
+pub(super) fn edge_stations(mouths: &[f64], edges: &[f64], half_width: f64) -> impl Iterator<Item = f64> {
+    let at = mouths.iter().flat_map(move |mouth| edges.iter().map(move |edge| mouth - edge));
+    at.flat_map(move |edge| EDGE_STATIONS.map(|share| edge + share * half_width))
+}
+
+/// Distances (mm) along the rail from the first and the last of the positions `xc` to the nearest
+/// face, at least a: the length scales of the stress there.
+pub(super) fn distances(problem: &FaceProblem, half_width: f64, xc: &[f64]) -> [f64; 2] {
+    let samples = &problem.body().faces.samples;
+    let nearest = |x: f64| samples.iter().map(|s| (s.point.x - x).abs()).fold(f64::INFINITY, f64::min);
+    [xc[0], xc[xc.len() - 1]].map(|x| nearest(x).max(half_width))
+}
+
+/// Abscissae of the points of the faces on the running surface, mm.
+pub(super) fn mouths(problem: &FaceProblem) -> Vec<f64> {
+    let points = problem.body().faces.points.iter();
+    points.filter(|point| point.position.y == 0.0).map(|point| point.position.x).collect()
+}
+
+/// Where bending matters along the rail, mm: the mouths, or else the middle of the faces.
+pub(super) fn places(problem: &FaceProblem) -> Vec<f64> {
+    let mouths = mouths(problem);
+    if !mouths.is_empty() {
+        return mouths;
+    }
+    let points = problem.body().faces.points.iter().map(|point| point.position.x);
+    let (low, high) =
+        points.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+    if low <= high { vec![0.5 * (low + high)] } else { Vec::new() }
+}
+
+fn failure(passage: usize, phase: &'static str) -> impl Fn(SteppingError) -> PassageError {
+    move |source| match source {
+        SteppingError::Interrupted { .. } => PassageError::Interrupted,
+        SteppingError::NotConverged { .. } | SteppingError::TooManySteps { .. } => {
+            PassageError::NotConverged { passage, phase, source }
+        }
+    }
+}
+
+/// The largest change of K at any tip and position, relative to the largest |K| of both passages.
+fn change(before: &PassageRecord, after: &PassageRecord) -> f64 {
+    let pairs = before.sifs.iter().flatten().zip(after.sifs.iter().flatten());
+    let (mut difference, mut peak) = (0.0f64, 0.0f64);
+    for (a, b) in pairs {
+        difference = difference.max((a.ki - b.ki).abs()).max((a.kii - b.kii).abs());
+        for k in [a.ki, a.kii, b.ki, b.kii] {
+            peak = peak.max(k.abs());
+        }
+    }
+    if difference == 0.0 { 0.0 } else { difference / peak }
+}

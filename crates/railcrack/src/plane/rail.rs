@@ -1,0 +1,378 @@
+//! A rail with cracks in the plane, as the growth loop sees it.
+
+use super::crack_fluid::CrackFluid;
+use super::face_load::FaceLoad;
+use super::fields::record_fields;
+use super::increments::advance;
+use super::network_contact::NetworkContact;
+use super::rail_load::RailLoad;
+use super::solvers::Solvers;
+use super::step_state::{StepState, TipDrive};
+use super::turning_wheel::{histories_of, turned_by};
+use super::wheel::MixedWheel;
+use super::worn::mouth_sine;
+use crate::body::{BodyEngine, BodyError, CrackedBody};
+use crate::contact::{ContactSolver, FaceProblem, Latin, Newton};
+use crate::crack::{CrackNetwork, CrackTip};
+use crate::fatigue::{HourlierPineau, Kink, LargestK1, SifRanges, WheelHistory};
+use crate::field::{EndField, EndsError, RailEnds, StressField, Wheel};
+use crate::fracture::SifHistory;
+use crate::growth::{
+    Advance, BodyReport, CrackedRail, FieldRecord, FieldSettings, Geometry, GrowthError, GrowthSettings,
+    GrowthState, MixedTip, Mover, Observer, PassageSettings, PlaneGeometry, PlaneTip, StabilisedPassage,
+    StepStart, StressMoves, TipGeometry, TipRecord, Uncovered, Warning, WheelDemand, WheelOfRail,
+    WornSurface, compared_k1, under_each_wheel,
+};
+use crate::interruption::Interruption;
+use crate::math::RailBox;
+use std::sync::Arc;
+
+/// Everything that does not change in a run with cracks in the plane.
+pub struct PlaneRail {
+    /// Turns cracks into a body.
+    pub engine: Box<dyn BodyEngine>,
+    /// Solves contact on the faces.
+    pub solver: Box<dyn ContactSolver>,
+    /// Takes over for a step that `solver` cannot do.
+    pub fallback: Box<dyn ContactSolver>,
+    /// How the contact of many cracks is followed.
+    pub network: NetworkContact,
+    /// μ_c of each crack.
+    pub crack_friction: Vec<f64>,
+    /// The wheel; the first one of a mix.
+    pub wheel: Box<dyn Wheel>,
+    /// Its share of the axles: 1 without a mix.
+    pub share: f64,
+    /// Fluid in the cracks; none for dry ones.
+    pub fluid: Option<CrackFluid>,
+    /// The other wheels of a mix. Shares of all wheels add up to 1; faces and fields that are
+    /// recorded are those of the first wheel.
+    pub others: Vec<MixedWheel>,
+    /// Balanced residual stress, under the first wheel.
+    pub residual: Option<Box<dyn StressField>>,
+    /// The passages of the first wheel.
+    pub passages: PassageSettings,
+    /// Fields to record, if any.
+    pub fields: Option<FieldSettings>,
+    /// Growth law, increments, stops; the toughness is that under the first wheel.
+    pub growth: GrowthSettings,
+    /// The rail.
+    pub rail: RailBox,
+    /// Kept from step to step; the default at the beginning.
+    pub ends: KnownEnds,
+}
+
+/// The ends of the rail of the last step, and what they add under each wheel.
+#[derive(Default)]
+pub struct KnownEnds(Option<(Arc<dyn RailEnds>, Vec<Arc<dyn EndField>>)>);
+
+/// The cracks of a step with their body.
+pub struct PlaneBody {
+    geometry: PlaneGeometry,
+    network: CrackNetwork,
+    body: CrackedBody,
+}
+
+impl PlaneRail {
+    /// Cracks with `crack_friction` under `wheel`, by `engine`: everything else as in a case file
+    /// that leaves out the rest.
+    pub fn new(
+        engine: impl BodyEngine + 'static,
+        wheel: impl Wheel + 'static,
+        crack_friction: Vec<f64>,
+    ) -> Self {
+        Self::with(Box::new(engine), Box::new(wheel), crack_friction)
+    }
+
+    /// [`PlaneRail::new`] with engine and wheel of kinds that are chosen at run time.
+    #[must_use]
+    pub fn with(engine: Box<dyn BodyEngine>, wheel: Box<dyn Wheel>, crack_friction: Vec<f64>) -> Self {
+        Self {
+            engine,
+            solver: Box::new(Newton::default()),
+            fallback: Box::new(Latin::default()),
+            network: NetworkContact::Whole,
+            crack_friction,
+            wheel,
+            share: 1.0,
+            fluid: None,
+            others: Vec::new(),
+            residual: None,
+            passages: PassageSettings::default(),
+            fields: None,
+            growth: GrowthSettings::default(),
+            rail: RailBox::default(),
+            ends: KnownEnds::default(),
+        }
+    }
+
+    /// The fields that the ends of the rail add under each wheel, none for a half-plane: kept for
+    /// as long as the engine keeps the rail.
+    fn ends_under_wheels(
+        &mut self,
+        body: &CrackedBody,
+        step: usize,
+    ) -> Result<Vec<Arc<dyn EndField>>, GrowthError> {
+        let Some(rail) = &body.ends else { return Ok(Vec::new()) };
+        if let Some((known, fields)) = &self.ends.0
+            && std::ptr::addr_eq(Arc::as_ptr(known), Arc::as_ptr(rail))
+        {
+            return Ok(fields.clone());
+        }
+        let fields: Result<Vec<_>, EndsError> =
+            self.loads(&[]).into_iter().map(|(load, settings)| load.at_ends(rail, settings)).collect();
+        let fields = fields.map_err(|source| off_the_rail(source, step))?;
+        self.ends.0 = Some((Arc::clone(rail), fields.clone()));
+        Ok(fields)
+    }
+
+    /// The residual stress under each wheel below a surface that has come down; empty where it has
+    /// not, or where the stress has come down with it.
+    fn uncovered(&self, worn: &WornSurface) -> Vec<Option<Uncovered<'_>>> {
+        let moves = self.growth.maintenance.as_ref().map(|maintenance| maintenance.stress);
+        if worn.removed == 0.0 || moves != Some(StressMoves::WithMetal) {
+            return Vec::new();
+        }
+        let others = self.others.iter().map(|other| other.residual.as_deref());
+        std::iter::once(self.residual.as_deref())
+            .chain(others)
+            .map(|field| field.map(|field| Uncovered { field, removed: worn.removed }))
+            .collect()
+    }
+
+    /// The load and the passages of every wheel, with the residual stress below a surface that has
+    /// come down where it is `uncovered`.
+    fn loads<'a>(
+        &'a self,
+        uncovered: &'a [Option<Uncovered<'a>>],
+    ) -> Vec<(RailLoad<'a>, &'a PassageSettings)> {
+        let first = RailLoad { wheel: self.wheel.as_ref(), residual: self.residual.as_deref() };
+        let others = self.others.iter().map(|other| (other.load(), &other.passages));
+        let all = std::iter::once((first, &self.passages)).chain(others).enumerate();
+        all.map(|(wheel, (load, passages))| match uncovered.get(wheel) {
+            Some(Some(field)) => (RailLoad { residual: Some(field), ..load }, passages),
+            _ => (load, passages),
+        })
+        .collect()
+    }
+
+    fn faces<'a>(&self, body: &'a PlaneBody) -> Result<FaceProblem<'a>, GrowthError> {
+        let PlaneBody { network, body, .. } = body;
+        let fluid = self.fluid.as_ref().map(|fluid| fluid.on(network, &body.faces));
+        Ok(FaceProblem::new(body, &self.crack_friction)?.with_fluid(fluid))
+    }
+
+    fn drive(&self, geometry: &PlaneGeometry, wheels: &[WheelOfRail], tip: &TipRecord) -> TipDrive {
+        let CrackTip { crack, tip: index, .. } = tip.tip;
+        let (deferred, stopped) = (geometry.deferred[crack][index], geometry.stopped[crack][index]);
+        let largest_k1 = compared_k1(tip, wheels);
+        TipDrive { tip: tip.tip, kink: tip.kink, rate: tip.rate, largest_k1, deferred, stopped }
+    }
+}
+
+fn off_the_rail(source: EndsError, step: usize) -> GrowthError {
+    GrowthError::Body { step, source: BodyError { reason: Box::new(source) } }
+}
+
+impl CrackedRail for PlaneRail {
+    type Body = PlaneBody;
+
+    fn settings(&self) -> &GrowthSettings {
+        &self.growth
+    }
+
+    fn wheels(&self) -> Vec<WheelOfRail<'_>> {
+        let first =
+            WheelOfRail { share: self.share, toughness: self.growth.toughness, passages: &self.passages };
+        let others = self.others.iter().map(|MixedWheel { share, toughness, passages, .. }| WheelOfRail {
+            share: *share,
+            toughness: *toughness,
+            passages,
+        });
+        std::iter::once(first).chain(others).collect()
+    }
+
+    fn refinement(&self) -> &'static str {
+        "smaller elements (element_size_mm, interface_elements)"
+    }
+
+    /// The body of all cracks, or crack by crack where contact is followed in groups.
+    fn body(
+        &mut self,
+        state: &GrowthState,
+        interruption: Interruption<'_>,
+    ) -> Result<PlaneBody, GrowthError> {
+        let step = state.step;
+        let Geometry::Plane(geometry) = &state.geometry else {
+            return Err(GrowthError::Geometry { step, found: "in space", wanted: "in the plane" });
+        };
+        let geometry = geometry.clone();
+        let network = CrackNetwork::joined(geometry.cracks.clone(), geometry.junctions.clone())
+            .map_err(|source| GrowthError::Network { step, source })?;
+        let failed = |source: BodyError| match source.is_interruption() {
+            true => GrowthError::Interrupted { step },
+            false => GrowthError::Body { step, source },
+        };
+        let by_groups = self.network == NetworkContact::Groups && self.fluid.is_none();
+        let grouped = if by_groups { self.engine.body_by_groups(interruption, &network) } else { Ok(None) };
+        let body = match grouped.map_err(failed)? {
+            Some(body) => body,
+            None => self.engine.body_unless(interruption, &network).map_err(failed)?,
+        };
+        Ok(PlaneBody { geometry, network, body })
+    }
+
+    fn report(&self, PlaneBody { body, .. }: &PlaneBody) -> BodyReport {
+        BodyReport { dofs: body.dofs, times: body.times, remarks: body.remarks.clone() }
+    }
+
+    fn passages(
+        &mut self,
+        body: &PlaneBody,
+        at: &StepStart<'_>,
+        observer: &dyn Observer,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Vec<StabilisedPassage>, GrowthError> {
+        let ends = self.ends_under_wheels(&body.body, at.step)?;
+        let faces = self.faces(body)?;
+        let uncovered = self.uncovered(at.worn);
+        let loads = self.loads(&uncovered);
+        let mut face_loads = Vec::with_capacity(loads.len());
+        for (wheel, (load, _)) in loads.iter().enumerate() {
+            let end = ends.get(wheel).map(Arc::as_ref);
+            let face_load =
+                FaceLoad::new(&faces, *load, end).map_err(|source| off_the_rail(source, at.step))?;
+            face_loads.push(face_load);
+        }
+        let solvers = Solvers { first: self.solver.as_ref(), second: self.fallback.as_ref(), step: at.step };
+        under_each_wheel(loads.len(), observer, warnings, |wheel, observer, warnings| {
+            solvers.stabilise(&face_loads[wheel], loads[wheel], observer, warnings)
+        })
+    }
+
+    fn fields(
+        &mut self,
+        body: &PlaneBody,
+        at: &StepStart<'_>,
+        passage: &StabilisedPassage,
+    ) -> Result<Option<FieldRecord>, GrowthError> {
+        let wanted = self.fields.as_ref().filter(|fields| at.step.is_multiple_of(fields.every.get()));
+        let Some(settings) = wanted.cloned() else { return Ok(None) };
+        let ends = self.ends_under_wheels(&body.body, at.step)?;
+        let faces = self.faces(body)?;
+        let uncovered = self.uncovered(at.worn);
+        let (load, _) = self.loads(&uncovered)[0];
+        let face_load = FaceLoad::new(&faces, load, ends.first().map(Arc::as_ref))
+            .map_err(|source| off_the_rail(source, at.step))?;
+        record_fields(&face_load, load, passage, &settings)
+            .map_err(|source| GrowthError::Body { step: at.step, source })
+    }
+
+    fn demands(&self, body: &PlaneBody, passages: &[StabilisedPassage]) -> Vec<TipRecord> {
+        let PlaneBody { geometry, network, .. } = body;
+        let growth = &self.growth;
+        let direction = HourlierPineau { law: growth.law.clone(), criterion: growth.criterion };
+        let histories: Vec<&[SifHistory]> = passages.iter().map(|passage| &passage.histories[..]).collect();
+        let wheels = self.wheels();
+        let shares: Vec<f64> = wheels.iter().map(|wheel| wheel.share).collect();
+        let demand = |wheel: &WheelHistory| {
+            let ranges = SifRanges::of(wheel.history);
+            WheelDemand {
+                ranges,
+                delta_keq: growth.law.equivalent_range(ranges.delta_ki, ranges.delta_kii),
+                rate: growth.law.rate(ranges.load()),
+                largest_k1: LargestK1::of(wheel.history),
+            }
+        };
+        let tips = network.tips().into_iter().enumerate();
+        tips.map(|(i, tip)| {
+            let crack = &network.cracks()[tip.crack];
+            let under_wheels = histories_of(i, &shares, &histories);
+            let demands: Vec<WheelDemand> = under_wheels.iter().map(demand).collect();
+            let under = MixedTip::of(&demands, &wheels);
+            let kink = direction.kink_of_mix(&under_wheels);
+            let secondary = kink.as_ref().and_then(|kink: &Kink| kink.secondary);
+            let turned = kink.filter(|_| under_wheels.len() > 1);
+            let at = crack.tip(tip.end);
+            let ranges = under.ranges;
+            TipRecord {
+                tip,
+                x: at.x,
+                y: at.y,
+                length: crack.length() + geometry.deferred_at(tip.crack),
+                ki_max: ranges.ki_max,
+                delta_ki: ranges.delta_ki,
+                delta_kii: ranges.delta_kii,
+                delta_keq: growth.law.equivalent_range(ranges.delta_ki, ranges.delta_kii),
+                largest_k1: under.largest_k1,
+                kink: kink.map(|kink| kink.angle),
+                increment: 0.0,
+                rate: under.rate,
+                stop: None,
+                shares: under.shares,
+                opened_by: under.opened_by,
+                mouth_sine: mouth_sine(crack),
+                geometry: TipGeometry::Plane(PlaneTip {
+                    deferred: geometry.deferred[tip.crack][tip.tip],
+                    secondary: secondary.map(|secondary| secondary.angle),
+                    secondary_ratio: secondary.map(|secondary| secondary.ratio),
+                    turned_by: turned.and_then(|kink| turned_by(&direction, &under_wheels, kink.angle)),
+                }),
+            }
+        })
+        .collect()
+    }
+
+    fn movers(&self, _: &PlaneBody, tips: &[TipRecord]) -> Vec<Mover> {
+        let mover = |TipRecord { tip, rate, length, .. }: &TipRecord| Mover {
+            crack: tip.crack,
+            index: tip.tip,
+            rate: *rate,
+            length: *length,
+        };
+        tips.iter().map(mover).collect()
+    }
+
+    fn advance(&self, body: &PlaneBody, at: &StepStart<'_>, tips: &mut [TipRecord], _: &[Mover]) -> Advance {
+        let PlaneBody { geometry, network, .. } = body;
+        let wheels = self.wheels();
+        let drives: Vec<TipDrive> = tips.iter().map(|tip| self.drive(geometry, &wheels, tip)).collect();
+        let state = StepState {
+            at: *at,
+            cracks: &geometry.cracks,
+            junctions: &geometry.junctions,
+            break_outs: &geometry.break_outs,
+            tips: &drives,
+            rail: self.rail,
+            resolution: self.engine.resolution(network),
+        };
+        let next = advance(&state, &self.growth);
+        let PlaneGeometry { mut stopped, mut deferred, .. } = geometry.clone();
+        for (record, ahead) in tips.iter_mut().zip(&next.tips) {
+            let CrackTip { crack, tip, .. } = record.tip;
+            (record.increment, record.stop) = (ahead.increment, ahead.stop);
+            stopped[crack][tip] = ahead.stop;
+            deferred[crack][tip] = ahead.deferred;
+        }
+        Advance {
+            geometry: Geometry::Plane(PlaneGeometry {
+                cracks: next.cracks,
+                junctions: next.junctions,
+                break_outs: next.break_outs,
+                stopped,
+                deferred,
+            }),
+            pieces: next.pieces,
+            cycles: next.cycles,
+            interval: next.interval,
+            removal: next.removal,
+            ground: next.ground,
+            stop: next.stop,
+            warnings: Vec::new(),
+        }
+    }
+
+    fn forget(&mut self) {
+        self.engine.forget();
+    }
+}

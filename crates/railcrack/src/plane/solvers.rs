@@ -1,0 +1,52 @@
+//! The passages of one wheel by the contact solvers.
+
+use super::face_load::FaceLoad;
+use super::rail_load::RailLoad;
+use super::stabilise::passages_under;
+use crate::contact::ContactSolver;
+use crate::growth::{
+    GrowthError, Observer, PassageError, PassageSettings, StabilisedPassage, Warning, WarningKind,
+};
+
+/// The solvers of a step.
+#[derive(Clone, Copy)]
+pub(super) struct Solvers<'a> {
+    pub first: &'a dyn ContactSolver,
+    /// Takes over where the first one fails.
+    pub second: &'a dyn ContactSolver,
+    pub step: usize,
+}
+
+/// A load with its passages.
+type Load<'a> = (RailLoad<'a>, &'a PassageSettings);
+
+impl Solvers<'_> {
+    /// The passages, by the first solver or, where it fails, by the other one.
+    pub fn stabilise(
+        &self,
+        face_load: &FaceLoad,
+        (load, settings): Load,
+        observer: &dyn Observer,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<StabilisedPassage, GrowthError> {
+        let step = self.step;
+        let by = |solver: &dyn ContactSolver| passages_under(face_load, load, solver, settings, observer);
+        let first = by(self.first);
+        let result = match first {
+            // Groups are for Newton's method alone.
+            Err(PassageError::NotConverged { .. }) if face_load.problem.body().blocks.is_none() => {
+                let second = by(self.second);
+                if let (Err(failure), Ok(_)) = (&first, &second) {
+                    let text = format!("the other contact solver did this step, since: {failure}");
+                    warnings.push(Warning { step, kind: WarningKind::ContactFallback, text });
+                }
+                if matches!(second, Err(PassageError::NotConverged { .. })) { first } else { second }
+            }
+            other => other,
+        };
+        result.map_err(|source| match source {
+            PassageError::Interrupted => GrowthError::Interrupted { step },
+            source => GrowthError::Passage { step, source },
+        })
+    }
+}

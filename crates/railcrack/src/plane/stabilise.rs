@@ -1,0 +1,48 @@
+//! The stabilised passage, of all faces together or group by group.
+
+use super::face_load::FaceLoad;
+use super::passage::passages_of_all;
+use super::rail_load::RailLoad;
+use super::sweeps::passages_by_groups;
+use crate::contact::{ContactSolver, FaceProblem};
+use crate::growth::{Observer, PassageError, PassageSettings, StabilisedPassage};
+
+/// The stabilised passage over fixed cracks. Residual stress is ramped up on virgin faces; then the
+/// wheel passes until the histories of K of two consecutive passages agree. Faces without friction
+/// have no memory, and one passage is enough. The wheel arrives from infinity and leaves to
+/// infinity; in a rail with ends, its load is ramped up at the first position and down at the last.
+///
+/// Where the wheel bends the rail, the passage reaches as far as the beam does, and the output
+/// positions with it.
+///
+/// A body by groups is followed crack by crack with its neighbours, in sweeps until K is within
+/// `network_tolerance`; its cracks are dry.
+///
+/// Errors: settings under which nothing can be computed; a wheel that leaves the rail; contact does
+/// not converge; `observer` asks to stop.
+pub fn stabilised_passage(
+    problem: &FaceProblem,
+    solver: &dyn ContactSolver,
+    load: RailLoad,
+    settings: &PassageSettings,
+    observer: &dyn Observer,
+) -> Result<StabilisedPassage, PassageError> {
+    settings.check()?;
+    let ends = problem.body().ends.as_ref().map(|rail| load.at_ends(rail, settings)).transpose()?;
+    let face_load = FaceLoad::new(problem, load, ends.as_deref())?;
+    passages_under(&face_load, load, solver, settings, observer)
+}
+
+/// [`stabilised_passage`] under a load that is known at the faces.
+pub(super) fn passages_under(
+    face_load: &FaceLoad,
+    load: RailLoad,
+    solver: &dyn ContactSolver,
+    settings: &PassageSettings,
+    observer: &dyn Observer,
+) -> Result<StabilisedPassage, PassageError> {
+    match &face_load.problem.body().blocks {
+        Some(blocks) => passages_by_groups(face_load, blocks, load, solver, settings, observer),
+        None => passages_of_all(face_load, load, solver, settings, observer),
+    }
+}

@@ -1,0 +1,144 @@
+//! Cracks cut at their mouths by wear and grinding.
+
+use super::stops::spent_ligament;
+use crate::crack::{Crack, Junction};
+use crate::growth::least_length;
+use crate::math::Vec2;
+
+/// A crack after the surface above it has been removed.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Worn {
+    /// It is left, its mouth further down; its first and its last end have come to the surface but
+    /// for a ligament where that is said.
+    Left {
+        /// The crack.
+        crack: Crack,
+        /// Of the first and the last end; a mouth is none.
+        broken_out: [bool; 2],
+    },
+    /// Nothing of it is left but the stub of a body that holds other cracks.
+    Away(Crack),
+}
+
+/// `crack` after `depth` (mm) of the surface has been removed. `deferred` (mm) is the growth of its
+/// tips that is not in it, `longest` (mm) the longest that it has been, `resolution` (mm) the
+/// length that the engine resolves.
+pub(super) fn worn(crack: &Crack, depth: f64, deferred: f64, longest: f64, resolution: f64) -> Worn {
+    let lifted: Vec<Vec2> = crack.points().iter().map(|p| Vec2::new(p.x, p.y + depth)).collect();
+    let ligament = spent_ligament(crack, resolution);
+    let deepest = (0..lifted.len()).min_by(|&i, &j| lifted[i].y.total_cmp(&lifted[j].y)).unwrap_or(0);
+    let mouth_at = if crack.is_surface_breaking() { 0.0 } else { -ligament };
+    let (mut before, first) = up_to(lifted[..=deepest].iter().rev(), mouth_at);
+    let (behind, last) = up_to(lifted[deepest..].iter(), -ligament);
+    before.reverse();
+    before.extend_from_slice(behind.get(1..).unwrap_or_default());
+    let mut points = before;
+    if crack.is_surface_breaking() {
+        settle_mouth(&mut points, resolution);
+    }
+    let least = least_length(longest, resolution);
+    let left = lifted[deepest].y < -ligament && points.len() > 1;
+    let left = left.then(|| Crack::polyline(points).ok()).flatten();
+    match left.filter(|left| left.length() + deferred > least) {
+        Some(left) => {
+            let broken_out = [first && !crack.is_surface_breaking(), last];
+            Worn::Left { crack: left, broken_out }
+        }
+        None => Worn::Away(stub(crack, least)),
+    }
+}
+
+/// The points of `walk`, which begins at the deepest one, below `limit` (mm), and the point at
+/// which it comes up to it; whether it does before its end. An end that lies on the surface stays.
+fn up_to<'a>(walk: impl Iterator<Item = &'a Vec2>, limit: f64) -> (Vec<Vec2>, bool) {
+    let mut below: Vec<Vec2> = Vec::new();
+    for &point in walk {
+        if point.y < limit {
+            below.push(point);
+            continue;
+        }
+        if let Some(&last) = below.last() {
+            let share = (limit - last.y) / (point.y - last.y);
+            below.push(Vec2::new(last.x + share * (point.x - last.x), limit));
+        }
+        return (below, true);
+    }
+    (below, false)
+}
+
+/// No first segment shorter than the resolution.
+fn settle_mouth(points: &mut Vec<Vec2>, resolution: f64) {
+    if points.len() > 2 && (points[1] - points[0]).length() < resolution {
+        points.remove(1);
+    }
+}
+
+/// The beginning of a crack that is worn away, `length` (mm) long: a body has no place for none.
+fn stub(crack: &Crack, length: f64) -> Crack {
+    let (from, to) = crack.segment(0);
+    let way = to - from;
+    let end = from + way * f64::min(1.0, length / way.length());
+    Crack::polyline(vec![from, end]).unwrap_or_else(|_| crack.clone())
+}
+
+/// Whether a junction of `cracks` is above the surface, or as good as that, once `depth` (mm) is
+/// removed.
+pub(super) fn reaches_junction(
+    cracks: &[Crack],
+    junctions: &[Junction],
+    depth: f64,
+    resolution: f64,
+) -> bool {
+    junctions.iter().any(|junction| {
+        let crack = &cracks[junction.joining.crack];
+        crack.tip(junction.joining.end).y + depth > -spent_ligament(crack, resolution)
+    })
+}
+
+/// Sine of the angle of `crack` at its mouth; none for a buried one.
+pub(super) fn mouth_sine(crack: &Crack) -> Option<f64> {
+    let (mouth, next) = crack.segment(0);
+    let way = next - mouth;
+    crack.is_surface_breaking().then(|| -way.y / way.length())
+}
+
+/// The cracks of a step after the surface has been removed.
+pub(super) struct Removal {
+    pub cracks: Vec<Crack>,
+    /// Ends of each crack that have come to the surface: the first and the last one.
+    pub broken_out: Vec<[bool; 2]>,
+    /// Which cracks are worn away.
+    pub away: Vec<bool>,
+}
+
+impl Removal {
+    /// Of `depth` (mm) from `cracks`, those that are `gone` already left out. `left_out` (mm) is
+    /// the growth of each that is not in it, `longest` (mm) the longest that each has been.
+    pub fn of(
+        (cracks, gone): (Vec<Crack>, &[bool]),
+        depth: f64,
+        left_out: &[f64],
+        longest: &[f64],
+        resolution: f64,
+    ) -> Self {
+        let count = cracks.len();
+        let mut all = Self { cracks, broken_out: vec![[false; 2]; count], away: vec![false; count] };
+        for i in (0..count).filter(|&i| depth > 0.0 && !gone[i]) {
+            match worn(&all.cracks[i], depth, left_out[i], longest[i], resolution) {
+                Worn::Left { crack, broken_out } => {
+                    all.cracks[i] = crack;
+                    all.broken_out[i] = broken_out;
+                }
+                Worn::Away(stub) => {
+                    all.cracks[i] = stub;
+                    all.away[i] = true;
+                }
+            }
+        }
+        all
+    }
+}
+
+#[cfg(test)]
+#[path = "worn_tests.rs"]
+mod tests;

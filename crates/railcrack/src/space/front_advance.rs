@@ -1,0 +1,278 @@
+//! The advance of cracks in space from one step to the next.
+
+use super::body::{CloseCracks, LEAST_DISTANCE};
+use super::front_motion::FrontSpeeds;
+use super::shape::SpaceCrack;
+use super::worn::{Worn, worn};
+use crate::growth::{
+    FrontShape, GrowthSettings, Mover, Moving, Pace, RunStop, StepStart, TipStop, WearingCrack,
+    nothing_grows, run_stop, spent_ligament, standstill,
+};
+use crate::math::RailBox;
+
+/// Cracks at the start of a step.
+pub(super) struct Start<'a> {
+    pub shapes: &'a [FrontShape],
+    /// Why each no longer grows.
+    pub stopped: &'a [Option<TipStop>],
+    /// The motions of all fronts with their speeds.
+    pub movers: &'a [Mover],
+    /// Whether the rail breaks.
+    pub breaks: bool,
+    pub at: StepStart<'a>,
+}
+
+/// The advance from one step to the next.
+#[derive(Debug, Clone)]
+pub(super) struct FrontAdvance {
+    /// The shapes of the next step.
+    pub shapes: Vec<FrontShape>,
+    /// Why each crack no longer grows.
+    pub stopped: Vec<Option<TipStop>>,
+    /// The increment of each motion of each front, mm.
+    pub increments: Vec<FrontSpeeds>,
+    /// Pace of the step; none where the run ends with it.
+    pub pace: Option<Pace>,
+    pub stop: Option<RunStop>,
+    /// Cracks that would have met.
+    pub meetings: Vec<CloseCracks>,
+}
+
+impl FrontAdvance {
+    /// The advance of `start`: the fastest of all cracks grows by the increment, the others as far
+    /// in the same cycles. A crack that is arrested, or would leave the rail, use up its ligament or
+    /// meet another one stops for good where it is, and the others grow on. Wear and grinding remove
+    /// the running surface meanwhile.
+    pub fn new(start: &Start, growth: &GrowthSettings, rail: RailBox) -> Self {
+        let speeds_of = |crack: usize| FrontSpeeds::of_movers(&start.shapes[crack], crack, start.movers);
+        let grows = |crack: usize| speeds_of(crack).fastest().is_some();
+        let at_rest = |(crack, stop): (usize, &Option<TipStop>)| {
+            stop.or_else(|| standstill(false, grows(crack), growth))
+        };
+        let mut stopped: Vec<Option<TipStop>> = start.stopped.iter().enumerate().map(at_rest).collect();
+        let mut meetings = Vec::new();
+        // Each round stops a crack, or is the last.
+        let (pace, increments, mut shapes) = loop {
+            let pace = pace(start, growth, &stopped);
+            let increments: Vec<FrontSpeeds> = (0..start.shapes.len())
+                .map(|crack| match stopped[crack] {
+                    None => speeds_of(crack).map(|index, rate| {
+                        let length = start.shapes[crack].length;
+                        if rate > 0.0 { pace.increment(&Mover { crack, index, rate, length }) } else { 0.0 }
+                    }),
+                    Some(_) => speeds_of(crack).map(|_, _| 0.0),
+                })
+                .collect();
+            let next: Vec<FrontShape> = increments
+                .iter()
+                .zip(start.shapes)
+                .map(|(increment, shape)| increment.moved(shape))
+                .collect();
+            let leaving = (0..next.len())
+                .filter(|&k| stopped[k].is_none())
+                .find_map(|k| leaves(&next[k], rail).map(|stop| (k, stop)));
+            if let Some((crack, stop)) = leaving {
+                stopped[crack] = Some(stop);
+            } else if let Some(close) = meeting(&next)
+                .filter(|close| [close.first, close.second].iter().any(|&crack| stopped[crack].is_none()))
+            {
+                for crack in [close.first, close.second] {
+                    stopped[crack] = stopped[crack].or(Some(TipStop::Coalescence));
+                }
+                meetings.push(close);
+            } else {
+                break (pace, increments, next);
+            }
+        };
+        if pace.removal > 0.0 {
+            remove_surface(start, pace.removal, &mut shapes, &mut stopped);
+        }
+        let longest = start.shapes.iter().map(|shape| shape.length).fold(0.0, f64::max);
+        let stops: Vec<_> = start.stopped.iter().copied().zip(stopped.iter().copied()).collect();
+        let stop = run_stop(growth, &start.at, start.breaks, longest).or_else(|| nothing_grows(&stops));
+        if stop.is_some() {
+            let increments = increments.iter().map(|increment| increment.map(|_, _| 0.0)).collect();
+            let shapes = start.shapes.to_vec();
+            return Self { shapes, stopped, increments, pace: None, stop, meetings };
+        }
+        Self { shapes, stopped, increments, pace: Some(pace), stop, meetings }
+    }
+}
+
+/// The pace of the cracks that have not stopped, and of the removal of the surface.
+fn pace(start: &Start, growth: &GrowthSettings, stopped: &[Option<TipStop>]) -> Pace {
+    let growing = start.movers.iter().filter(|mover| stopped[mover.crack].is_none() && mover.rate > 0.0);
+    let there = (0..start.shapes.len()).filter(|&crack| stopped[crack] != Some(TipStop::WornAway));
+    let wearing = there.map(|crack| {
+        let shape = &start.shapes[crack];
+        let mouth_sine = if shape.buried.is_none() { shape.dip.sin() } else { 1.0 };
+        WearingCrack { mouth_sine, longest: start.at.worn.longest_of(crack, shape.length) }
+    });
+    let moving = Moving {
+        all: start.movers,
+        growing: &growing.copied().collect::<Vec<_>>(),
+        some_are_left: stopped.iter().any(Option::is_none),
+        wearing: &wearing.collect::<Vec<_>>(),
+    };
+    Pace::of(&moving, &start.at, growth)
+}
+
+/// Takes `removal` (mm) off the surface of cracks of `shapes`: those that are worn away, or that
+/// the surface has come down to, stop.
+fn remove_surface(start: &Start, removal: f64, shapes: &mut [FrontShape], stopped: &mut [Option<TipStop>]) {
+    for (crack, (shape, stop)) in shapes.iter_mut().zip(stopped).enumerate() {
+        if *stop == Some(TipStop::WornAway) {
+            continue;
+        }
+        let longest = start.at.worn.longest_of(crack, start.shapes[crack].length);
+        let (left, fate) = worn(shape, removal, longest, resolution(shape));
+        *shape = left;
+        *stop = match fate {
+            Worn::Left => *stop,
+            Worn::BrokenOut => stop.or(Some(TipStop::BreakOut)),
+            Worn::Away => Some(TipStop::WornAway),
+        };
+    }
+}
+
+/// The length (mm) that cells resolve in front of a crack of `shape`: twice of it is the least
+/// distance for which the integrals between cracks are verified.
+pub(super) fn resolution(shape: &FrontShape) -> f64 {
+    0.5 * LEAST_DISTANCE * shape.length
+}
+
+/// Two cracks of these shapes that are too close to be computed.
+fn meeting(shapes: &[FrontShape]) -> Option<CloseCracks> {
+    let cracks: Vec<SpaceCrack> = shapes.iter().filter_map(|shape| shape.crack().ok()).collect();
+    if cracks.len() < shapes.len() { None } else { CloseCracks::among(&cracks) }
+}
+
+/// Whether a crack of this shape would leave the rail, or has no ligament left.
+fn leaves(shape: &FrontShape, rail: RailBox) -> Option<TipStop> {
+    let deepest = shape.buried.unwrap_or(0.0) + shape.length;
+    let [x, _, depth] = shape.frame().position(deepest, 0.0);
+    let inside = depth < rail.depth && (shape.middle[0] + x - rail.centre).abs() < 0.5 * rail.width;
+    if !inside {
+        return Some(TipStop::LeavesRail);
+    }
+    let least = spent_ligament(shape.length, resolution(shape));
+    let spent = shape.buried.is_some_and(|centre| centre - shape.length < least);
+    spent.then_some(TipStop::BreakOut)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::body::FrontPoint;
+    use super::*;
+    use crate::growth::{Grinding, Maintenance, StressMoves, WornSurface};
+    use std::f64::consts::PI;
+
+    const RAIL: RailBox = RailBox { centre: 0.0, width: 300.0, depth: 172.0 };
+
+    /// A semicircle of 4 mm.
+    fn circle(x: f64, lateral: f64) -> FrontShape {
+        FrontShape {
+            dip: 0.5 * PI,
+            strike: 0.0,
+            length: 4.0,
+            half_length: 4.0,
+            middle: [x, lateral],
+            buried: None,
+        }
+    }
+
+    /// The speeds of a semicircle whose points all grow at `rate`.
+    fn speeds(shape: &FrontShape, rate: f64) -> FrontSpeeds {
+        let front: Vec<FrontPoint> = (0..=16)
+            .map(|i| {
+                let (sin, cos) = (PI * f64::from(i) / 16.0).sin_cos();
+                let position = [0.0, shape.half_length * cos, shape.length * sin];
+                FrontPoint { crack: 0, phi: PI * f64::from(i) / 16.0, position, normal: [sin, cos] }
+            })
+            .collect();
+        FrontSpeeds::nearest(shape, &front, &vec![rate; front.len()])
+    }
+
+    fn advance(
+        shapes: &[FrontShape],
+        stopped: &[Option<TipStop>],
+        rates: &[f64],
+        growth: &GrowthSettings,
+    ) -> FrontAdvance {
+        let of = |(crack, (shape, rate)): (usize, (&FrontShape, &f64))| {
+            speeds(shape, *rate).movers(crack, shape.length).collect::<Vec<_>>()
+        };
+        let movers: Vec<Mover> = shapes.iter().zip(rates).enumerate().flat_map(of).collect();
+        let worn = WornSurface::default();
+        let at = StepStart { step: 0, load_cycles: 0.0, worn: &worn };
+        let start = Start { shapes, stopped, movers: &movers, breaks: false, at };
+        FrontAdvance::new(&start, growth, RAIL)
+    }
+
+    fn settings() -> GrowthSettings {
+        GrowthSettings { steps: 5, increment: 0.05, ..GrowthSettings::default() }
+    }
+
+    #[test]
+    fn the_fastest_crack_grows_by_the_increment_and_the_others_in_its_cycles() {
+        let shapes = [circle(0.0, 0.0), circle(20.0, 0.0), circle(40.0, 0.0)];
+        let next = advance(&shapes, &[None; 3], &[1e-6, 2e-6, 0.0], &settings());
+        assert_eq!((next.stop, &next.stopped[..]), (None, &[None, None, Some(TipStop::Arrest)][..]));
+        let grown: Vec<f64> = next.shapes.iter().map(|shape| shape.length - 4.0).collect();
+        for (grown, want) in grown.iter().zip([0.1, 0.2, 0.0]) {
+            assert!((grown - want).abs() < 1e-9, "{grown} {want}");
+        }
+        let pace = next.pace.as_ref().unwrap();
+        assert!((pace.cycles - 1e5).abs() < 1e-3 && pace.interval().unwrap().mover.crack == 1, "{next:?}");
+        // What has stopped stays stopped, whatever its rate.
+        let later = advance(&shapes, &[None, Some(TipStop::Arrest), None], &[1e-6, 2e-6, 1e-6], &settings());
+        let pace = later.pace.as_ref().unwrap();
+        assert_eq!((pace.interval().unwrap().mover.crack, later.shapes[1]), (0, shapes[1]));
+        let critical = GrowthSettings { critical_length: Some(4.0), ..settings() };
+        assert_eq!(advance(&shapes, &[None; 3], &[1e-6; 3], &critical).stop, Some(RunStop::CriticalLength));
+    }
+
+    #[test]
+    fn cracks_that_would_meet_stop_and_the_others_grow_on() {
+        // The first two lie beside each other, 0.3 mm apart, and each grows by 0.2 mm.
+        let shapes = [circle(0.0, 0.0), circle(0.0, 8.3), circle(50.0, 0.0)];
+        let next = advance(&shapes, &[None; 3], &[2e-6, 2e-6, 1e-6], &settings());
+        let joined = Some(TipStop::Coalescence);
+        assert_eq!((next.stop, &next.stopped[..]), (None, &[joined, joined, None][..]));
+        assert_eq!(next.shapes[..2], shapes[..2]);
+        // Now the third one sets the pace.
+        assert!((next.shapes[2].length - 4.2).abs() < 1e-9 && next.meetings.len() == 1, "{next:?}");
+        let alone = advance(&shapes[..2], &[None; 2], &[2e-6, 2e-6], &settings());
+        assert_eq!(alone.stop, Some(RunStop::NoTipGrows(TipStop::Coalescence)));
+    }
+
+    #[test]
+    fn a_crack_that_would_leave_the_rail_stops_alone() {
+        let shallow = FrontShape { dip: 0.2, ..circle(145.99, 0.0) };
+        let shapes = [shallow, circle(0.0, 0.0)];
+        let next = advance(&shapes, &[None; 2], &[3e-6, 1e-6], &settings());
+        assert_eq!((next.stop, &next.stopped[..]), (None, &[Some(TipStop::LeavesRail), None][..]));
+        assert!((next.shapes[1].length - 4.2).abs() < 1e-9, "{next:?}");
+    }
+
+    #[test]
+    fn in_the_balance_of_growth_and_wear_the_length_stays() {
+        let shapes = [FrontShape { dip: (0.6f64).asin(), ..circle(0.0, 0.0) }];
+        let maintained = |wear, grinding| {
+            let maintenance = Maintenance { wear, grinding, stress: StressMoves::WithMetal };
+            GrowthSettings { maintenance: Some(maintenance), ..settings() }
+        };
+        // w = sin(dip) dl/dN.
+        let next = advance(&shapes, &[None], &[1e-6], &maintained(0.6e-6, None));
+        let pace = next.pace.as_ref().unwrap();
+        assert!((pace.cycles - 2e5).abs() < 1e-3 && (pace.removal - 0.12).abs() < 1e-12, "{next:?}");
+        assert!((next.shapes[0].length - 4.0).abs() < 1e-9 && next.stop.is_none(), "{next:?}");
+        // A crack at rest is not stopped for good: the surface comes nearer.
+        let at_rest = advance(&shapes, &[None], &[0.0], &maintained(0.6e-6, None));
+        assert_eq!((at_rest.stop, at_rest.stopped[0]), (None, None));
+        assert!((at_rest.shapes[0].length - 3.8).abs() < 1e-9, "{at_rest:?}");
+        let deep = Grinding { depth: 2.5, interval: 1e5 };
+        let gone = advance(&shapes, &[None], &[1e-6], &maintained(0.0, Some(deep)));
+        assert_eq!(gone.stop, Some(RunStop::NoTipGrows(TipStop::WornAway)), "{gone:?}");
+    }
+}

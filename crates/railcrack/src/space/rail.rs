@@ -1,0 +1,392 @@
+//! A half-space with planar cracks, as the growth loop sees it.
+
+use super::body::{CloseCracks, SpaceBody, SpaceError, SpaceKernel};
+use super::contact::{SpaceContact, SpaceContactError};
+use super::front_advance::{FrontAdvance, Start};
+use super::front_motion::{FrontSpeeds, counts};
+use super::grid::SpaceResolution;
+use super::nuclei::Symmetric;
+use super::passage::SpaceLoad;
+use super::plane::PlaneFrame;
+use super::records::stabilised_record;
+use super::shape::{Extent, ShapeError, SpaceCrack};
+use super::stabilised::{StabilisedSpace, stabilised_space_passage};
+use super::tips::FrontLaw;
+use super::wheel::EllipticWheel;
+use crate::body::BodyError;
+use crate::crack::{Crack, CrackError};
+use crate::fatigue::RUNAWAY;
+use crate::field::StressField;
+use crate::growth::{
+    Advance, BodyReport, CrackedRail, FieldRecord, FieldSettings, FrontShape, Geometry, GrowthError,
+    GrowthSettings, GrowthState, Mover, Observer, Pace, PassageSettings, SpaceGeometry, StabilisedPassage,
+    StepStart, StressMoves, TipDemand, TipGeometry, TipRecord, TipStop, Uncovered, Warning, WarningKind,
+    WheelOfRail, compared_k1, under_each_wheel,
+};
+use crate::interruption::Interruption;
+use crate::load::Bending;
+use crate::material::IsotropicElastic;
+use crate::math::{RailBox, Vec2};
+
+/// Rates that differ from those of the ellipse by this share of the largest are worth a warning.
+const MISFIT: f64 = 0.25;
+
+/// Everything that does not change in a run with cracks in space.
+pub struct SpaceRail {
+    /// The steel.
+    pub steel: IsotropicElastic,
+    /// The wheels, at least one; faces and jumps that are recorded are those of the first one.
+    pub wheels: Vec<SpaceWheel>,
+    /// Crack-face friction coefficient of each crack.
+    pub friction: Vec<f64>,
+    /// Cells of each crack.
+    pub resolution: SpaceResolution,
+    /// Rate, limits, and the criterion of direction that is reported; the toughness is that under
+    /// the first wheel.
+    pub growth: GrowthSettings,
+    /// Weight of mode III in the range of Hourlier and Pineau; none: by its energy release rate.
+    pub mode_3_weight: Option<f64>,
+    /// Positions and steps of which jumps are written.
+    pub fields: Option<FieldSettings>,
+    /// The rail.
+    pub rail: RailBox,
+    /// Kept from step to step; none at the beginning.
+    pub kernel: Option<SpaceKernel>,
+}
+
+/// A wheel over cracks in space.
+pub struct SpaceWheel {
+    /// Its contact.
+    pub wheel: EllipticWheel,
+    /// Share of the axles.
+    pub share: f64,
+    /// Bending of the rail under the axles of its train; none without a track.
+    pub bending: Option<Bending>,
+    /// Stress of the rail that stays between passages, temperature included: of depth alone, the
+    /// same at all lateral positions.
+    pub residual: Option<Box<dyn StressField>>,
+    /// Its passages.
+    pub passages: PassageSettings,
+    /// K_Ic (MPa √mm) at its temperature; none where the rail does not break.
+    pub toughness: Option<f64>,
+}
+
+/// The cracks of a step with their body.
+pub struct CracksInSpace {
+    geometry: SpaceGeometry,
+    body: SpaceBody,
+}
+
+impl FrontShape {
+    /// The crack of this shape.
+    ///
+    /// Errors: an inadmissible shape.
+    pub fn crack(&self) -> Result<SpaceCrack, ShapeError> {
+        let extent = self.buried.map_or(Extent::SurfaceBreaking, |centre| Extent::Buried { centre });
+        let crack = SpaceCrack {
+            dip: self.dip,
+            strike: self.strike,
+            half_length: self.half_length,
+            length: self.length,
+            middle: self.middle,
+            extent,
+            deviation: Vec::new(),
+        };
+        crack.checked()
+    }
+
+    /// The line down the dip through the middle of the crack, as seen from the side of the rail:
+    /// without strike the cut of the crack along the rail.
+    ///
+    /// Errors: an inadmissible shape.
+    pub fn section(&self) -> Result<Crack, CrackError> {
+        let at = |s: f64| {
+            let [x, _, depth] = self.frame().position(s, 0.0);
+            Vec2::new(self.middle[0] + x, -depth)
+        };
+        match self.buried {
+            None if self.strike == 0.0 => Crack::surface_breaking(self.middle[0], self.length, self.dip),
+            None => Crack::polyline(vec![at(0.0), at(self.length)]),
+            Some(centre) => Crack::polyline(vec![at(centre - self.length), at(centre + self.length)]),
+        }
+    }
+
+    /// The directions of its plane.
+    #[must_use]
+    pub fn frame(&self) -> PlaneFrame {
+        PlaneFrame::turned(self.dip, self.strike)
+    }
+}
+
+impl GrowthState {
+    /// The beginning of a run with cracks in space, at least one.
+    ///
+    /// Errors: an inadmissible shape.
+    pub fn initial_in_space(shapes: Vec<FrontShape>) -> Result<Self, CrackError> {
+        let stopped = vec![None; shapes.len()];
+        Ok(Self::beginning(Geometry::Space(geometry(shapes, stopped)?)))
+    }
+}
+
+/// Cracks of `shapes` with their sections.
+fn geometry(shapes: Vec<FrontShape>, stopped: Vec<Option<TipStop>>) -> Result<SpaceGeometry, CrackError> {
+    let sections = shapes.iter().map(FrontShape::section).collect::<Result<_, _>>()?;
+    Ok(SpaceGeometry { shapes, sections, stopped })
+}
+
+fn body_error(step: usize, reason: impl std::error::Error + Send + Sync + 'static) -> GrowthError {
+    GrowthError::Body { step, source: BodyError { reason: Box::new(reason) } }
+}
+
+fn of_contact(step: usize, error: SpaceContactError) -> GrowthError {
+    match error {
+        SpaceContactError::Interrupted(_) => GrowthError::Interrupted { step },
+        other => body_error(step, other),
+    }
+}
+
+impl SpaceRail {
+    /// The output positions whose jumps are written in this step.
+    fn written(&self, passage: &StabilisedSpace, step: usize) -> Vec<usize> {
+        let wanted = self.fields.as_ref().filter(|fields| step.is_multiple_of(fields.every.get()));
+        let Some((fields, history)) = wanted.zip(passage.passages.last()) else { return Vec::new() };
+        let nearest = |at: &f64| {
+            let distance = |x: &f64| (x - at).abs();
+            let all = history.positions.iter().enumerate();
+            all.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1))).map(|(i, _)| i)
+        };
+        let mut positions: Vec<usize> = fields.positions.iter().filter_map(nearest).collect();
+        positions.sort_unstable();
+        positions.dedup();
+        positions
+    }
+
+    /// Depth (mm) by which the residual stress has come nearer to the surface.
+    fn uncovered(&self, at: &StepStart<'_>) -> f64 {
+        let moves = self.growth.maintenance.as_ref().map(|maintenance| maintenance.stress);
+        if moves == Some(StressMoves::WithMetal) { at.worn.removed } else { 0.0 }
+    }
+
+    /// The rate (mm per cycle) with which a front point moves its front: zero where it is slower
+    /// than the arrest rate.
+    fn moving_rate(&self, tip: &TipRecord) -> f64 {
+        if tip.rate >= self.growth.arrest_rate { tip.rate.min(RUNAWAY) } else { 0.0 }
+    }
+}
+
+impl CrackedRail for SpaceRail {
+    type Body = CracksInSpace;
+
+    fn settings(&self) -> &GrowthSettings {
+        &self.growth
+    }
+
+    fn wheels(&self) -> Vec<WheelOfRail<'_>> {
+        let mut wheels = Vec::with_capacity(self.wheels.len());
+        for SpaceWheel { share, toughness, passages, .. } in &self.wheels {
+            wheels.push(WheelOfRail { share: *share, toughness: *toughness, passages });
+        }
+        wheels
+    }
+
+    fn refinement(&self) -> &'static str {
+        "more cells (space_cells, space_rings)"
+    }
+
+    fn body(
+        &mut self,
+        state: &GrowthState,
+        interruption: Interruption<'_>,
+    ) -> Result<CracksInSpace, GrowthError> {
+        let step = state.step;
+        let Geometry::Space(geometry) = &state.geometry else {
+            return Err(GrowthError::Geometry { step, found: "in the plane", wanted: "in space" });
+        };
+        let cracks = geometry.shapes.iter().map(FrontShape::crack).collect::<Result<Vec<_>, _>>();
+        let cracks = cracks.map_err(|error| body_error(step, error))?;
+        let steel = self.steel;
+        let dips: Vec<f64> = cracks.iter().map(|crack| crack.dip).collect();
+        let kernel = self.kernel.get_or_insert_with(|| SpaceKernel::new(&dips, steel.poisson()));
+        let body = SpaceBody::with_kernel(&cracks, &steel, Some(kernel), self.resolution, interruption);
+        let body = body.map_err(|error| match error {
+            SpaceError::Interrupted(_) => GrowthError::Interrupted { step },
+            SpaceError::Linear(_) if interruption.check().is_err() => GrowthError::Interrupted { step },
+            other => body_error(step, other),
+        })?;
+        Ok(CracksInSpace { geometry: geometry.clone(), body })
+    }
+
+    fn report(&self, CracksInSpace { body, .. }: &CracksInSpace) -> BodyReport {
+        BodyReport { dofs: 3 * body.points().len(), ..BodyReport::default() }
+    }
+
+    fn passages(
+        &mut self,
+        CracksInSpace { body, .. }: &CracksInSpace,
+        at: &StepStart<'_>,
+        observer: &dyn Observer,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Vec<StabilisedPassage>, GrowthError> {
+        let contact = SpaceContact { body, friction: &self.friction };
+        let poisson = self.steel.poisson();
+        let removed = self.uncovered(at);
+        under_each_wheel(self.wheels.len(), observer, warnings, |number, observer, _| {
+            let SpaceWheel { wheel, bending, residual, passages, .. } = &self.wheels[number];
+            let wheel = |position: f64, point: [f64; 3]| wheel.stress(position, point, poisson);
+            let uncovered = residual.as_deref().map(|field| Uncovered { field, removed });
+            let stays = |point: [f64; 3]| residual_stress(uncovered.as_ref(), point);
+            let load = SpaceLoad {
+                wheel: &wheel,
+                bending: bending.as_ref(),
+                constant: uncovered.is_some().then_some(&stays as &super::passage::StressAt),
+            };
+            let passage = stabilised_space_passage(&contact, &load, passages, observer)
+                .map_err(|error| of_contact(at.step, error))?;
+            let written = self.written(&passage, at.step);
+            Ok(stabilised_record(body, &passage, written))
+        })
+    }
+
+    /// None: in space, jumps are recorded with the faces.
+    fn fields(
+        &mut self,
+        _: &CracksInSpace,
+        _: &StepStart<'_>,
+        _: &StabilisedPassage,
+    ) -> Result<Option<FieldRecord>, GrowthError> {
+        Ok(None)
+    }
+
+    fn demands(
+        &self,
+        CracksInSpace { geometry, body }: &CracksInSpace,
+        passages: &[StabilisedPassage],
+    ) -> Vec<TipRecord> {
+        let law = FrontLaw {
+            growth: &self.growth,
+            poisson: self.steel.poisson(),
+            mode_3_weight: self.mode_3_weight,
+        };
+        law.tips(&geometry.shapes, body, &self.wheels(), passages)
+    }
+
+    fn movers(&self, CracksInSpace { geometry, body }: &CracksInSpace, tips: &[TipRecord]) -> Vec<Mover> {
+        let rates: Vec<f64> = tips.iter().map(|tip| self.moving_rate(tip)).collect();
+        let of = |(crack, (shape, part)): (usize, (&FrontShape, &super::body::CrackPart))| {
+            let points = part.front.clone();
+            let speeds = FrontSpeeds::nearest(shape, &body.front()[points.clone()], &rates[points]);
+            speeds.movers(crack, shape.length).collect::<Vec<_>>()
+        };
+        geometry.shapes.iter().zip(body.cracks()).enumerate().flat_map(of).collect()
+    }
+
+    fn advance(
+        &self,
+        CracksInSpace { geometry: before, body }: &CracksInSpace,
+        at: &StepStart<'_>,
+        tips: &mut [TipRecord],
+        movers: &[Mover],
+    ) -> Advance {
+        let wheels = self.wheels();
+        let breaks = |tip: &TipRecord| {
+            let demand = TipDemand {
+                rate: tip.rate,
+                largest_k1: compared_k1(tip, &wheels),
+                stopped: before.stopped[tip.tip.crack],
+            };
+            tip.front().is_some_and(|front| front.counts) && demand.breaks(&self.growth)
+        };
+        let broken: Vec<bool> = tips.iter().map(breaks).collect();
+        let start = Start {
+            shapes: &before.shapes,
+            stopped: &before.stopped,
+            movers,
+            breaks: broken.contains(&true),
+            at: *at,
+        };
+        let next = FrontAdvance::new(&start, &self.growth, self.rail);
+        let cycles = next.pace.as_ref().map_or(0.0, |pace| pace.cycles);
+        for ((tip, point), broken) in tips.iter_mut().zip(body.front()).zip(broken) {
+            let (crack, rate) = (point.crack, self.moving_rate(tip));
+            tip.increment = next.increments[crack].at(&before.shapes[crack], point);
+            let grows = next.stopped[crack].is_none() && rate > 0.0 && cycles > 0.0;
+            if let TipGeometry::Space(front) = &mut tip.geometry
+                && front.counts
+                && grows
+            {
+                front.followed = Some(tip.increment / (cycles * rate));
+            }
+            let own = if rate > 0.0 { next.stopped[crack] } else { Some(TipStop::Arrest) };
+            tip.stop = if broken { Some(TipStop::Fracture) } else { own };
+        }
+        let mut warnings = misfits(tips, &start, body);
+        warnings.extend(next.meetings.iter().map(|close| meeting_warning(close, at.step)));
+        let FrontAdvance { shapes, stopped, stop, .. } = next;
+        // Shapes that advance from admissible ones are admissible.
+        let unchanged = || SpaceGeometry { stopped: stopped.clone(), ..before.clone() };
+        let geometry = geometry(shapes, stopped.clone()).unwrap_or_else(|_| unchanged());
+        let pace = next.pace.as_ref();
+        Advance {
+            geometry: Geometry::Space(geometry),
+            pieces: Vec::new(),
+            cycles,
+            interval: pace.and_then(Pace::interval),
+            removal: pace.map_or(0.0, |pace| pace.removal),
+            ground: pace.is_some_and(|pace| pace.grinds),
+            stop,
+            warnings,
+        }
+    }
+}
+
+/// The stress that stays, of the plane fields of the rail: x, lateral and depth.
+fn residual_stress(field: Option<&impl StressField>, [x, _, depth]: [f64; 3]) -> Symmetric {
+    let Some(field) = field else { return [0.0; 6] };
+    let stress = field.stress(Vec2::new(x, -depth));
+    // y points up there, the depth down here; its z is lateral.
+    [stress.xx, stress.zz, stress.yy, 0.0, -stress.xy, 0.0]
+}
+
+/// Local rates that no ellipse follows, of each crack.
+fn misfits(tips: &[TipRecord], start: &Start, body: &SpaceBody) -> Vec<Warning> {
+    let of = |(k, shape): (usize, &FrontShape)| {
+        let points = body.cracks()[k].front.clone();
+        let counted = tips[points.clone()]
+            .iter()
+            .zip(&body.front()[points])
+            .filter(|(_, point)| start.stopped[k].is_none() && counts(shape, point.phi));
+        let speeds = FrontSpeeds::of_movers(shape, k, start.movers);
+        let (mut most, mut largest) = (0.0f64, 0.0f64);
+        for (tip, point) in counted {
+            let rate = if tip.stop == Some(TipStop::Arrest) { 0.0 } else { tip.rate };
+            most = most.max((rate - speeds.at(shape, point)).abs());
+            largest = largest.max(rate);
+        }
+        let whose = if start.shapes.len() > 1 { format!(" of crack {}", k + 1) } else { String::new() };
+        (largest > 0.0 && most > MISFIT * largest).then(|| Warning {
+            step: start.at.step,
+            kind: WarningKind::Engine,
+            text: format!(
+                "the front{whose} would leave its ellipse: its rates differ from those of the nearest growing ellipse by up to \
+                 {:.0} % of the largest",
+                100.0 * most / largest
+            ),
+        })
+    };
+    start.shapes.iter().enumerate().filter_map(of).collect()
+}
+
+/// Cracks that stop before they meet.
+fn meeting_warning(close: &CloseCracks, step: usize) -> Warning {
+    let CloseCracks { first, second, distance, least } = close;
+    Warning {
+        step,
+        kind: WarningKind::Engine,
+        text: format!(
+            "cracks {} and {} stop: with the next increment they would be {distance:.3} mm apart, less than {least:.3} mm, and how \
+             cracks join in space is not modelled",
+            first + 1,
+            second + 1
+        ),
+    }
+}
