@@ -60,7 +60,7 @@ impl StepState<'_> {
         self.at.worn.longest_of(crack, self.length(crack))
     }
 
-    /// What moves at `tip`.
+    /// The mover at `tip`.
     pub(super) fn mover(&self, tip: &TipDrive) -> Mover {
         let CrackTip { crack, tip: index, .. } = tip.tip;
         Mover { crack, index, rate: tip.rate, length: self.length(crack) }

@@ -40,9 +40,9 @@ pub(super) struct FrontAdvance {
 
 impl FrontAdvance {
     /// The advance of `start`: the fastest of all cracks grows by the increment, the others as far
-    /// in the same cycles. A crack that is arrested, or would leave the rail, use up its ligament or
-    /// meet another one stops for good where it is, and the others grow on. Wear and grinding remove
-    /// the running surface meanwhile.
+    /// in the same cycles. A crack that is arrested, or would leave the rail, use up its ligament
+    /// or meet another one stops for good where it is, and the others grow on. Wear and grinding
+    /// remove the running surface meanwhile.
     pub fn new(start: &Start, growth: &GrowthSettings, rail: RailBox) -> Self {
         let speeds_of = |crack: usize| FrontSpeeds::of_movers(&start.shapes[crack], crack, start.movers);
         let grows = |crack: usize| speeds_of(crack).fastest().is_some();

@@ -2,7 +2,7 @@
 
 use crate::growth::{FrontShape, least_length, spent_ligament};
 
-/// What has become of a crack after the surface above it has been removed.
+/// Fate of a crack after the surface above it has been removed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Worn {
     /// It is left.
@@ -17,10 +17,10 @@ pub(super) enum Worn {
 /// longest that it has been, `resolution` (mm) the length that the engine resolves.
 ///
 /// The new surface cuts the plane of the crack at the distance s = depth / sin(dip) down the dip.
-/// What is left below it is less than half of the ellipse. It is replaced by the half ellipse with the
+/// The remaining part is less than half of the ellipse. It is replaced by the half ellipse with the
 /// same deepest point and the same chord: l' = l − s and c' = c √(1 − s²/l²), whose area is larger
-/// by 1.1 % for s = 0.04 l and by 7.7 % for s = l/3. Many small cuts shorten the chord less than one
-/// cut of the same depth, since each begins from a front that is normal to the surface.
+/// by 1.1 % for s = 0.04 l and by 7.7 % for s = l/3. Many small cuts shorten the chord less than
+/// one cut of the same depth, since each begins from a front that is normal to the surface.
 pub(super) fn worn(shape: &FrontShape, depth: f64, longest: f64, resolution: f64) -> (FrontShape, Worn) {
     let s = depth / shape.dip.sin();
     let [x, lateral, _] = shape.frame().position(s, 0.0);
@@ -80,7 +80,8 @@ mod tests {
         };
         let (before, after) = (deepest(&CRACK), deepest(&left));
         assert!((before[0] - after[0]).abs() < 1e-12 && (before[1] - after[1] - 1.0).abs() < 1e-12);
-        // In two cuts the length is the same; the chord shrinks less, since a half ellipse stands for the part in between.
+        // In two cuts the length is the same; the chord shrinks less, since a half ellipse stands
+        // for the part in between.
         let half = worn(&CRACK, 0.5, 6.0, 0.1).0;
         let twice = worn(&half, 0.5, 6.0, 0.1).0;
         assert!((twice.length - left.length).abs() < 1e-12 && twice.half_length > left.half_length);
