@@ -1,4 +1,4 @@
-//! The row of many cracks: a map that chooses one of them, and the table of all.
+//! The row of many cracks: a map for selecting one of them, and a table of all.
 
 use super::data::{nearest, pieces};
 use super::facts;
@@ -18,7 +18,7 @@ const MAP: &str = include_str!("../../assets/row.html");
 const MAP_SCRIPT: &str = include_str!("../../assets/row.js");
 /// The most states of cracks on a page (cracks × steps): about 15 bytes each.
 const STATES: usize = 30_000;
-/// The word of a crack that has not stopped.
+/// The word for a crack that has not stopped.
 const GROWS: &str = "grows";
 
 /// The section of the `row`, of which the `named` cracks are told from the others.
