@@ -1,4 +1,4 @@
-"""Cases, and the runs that they make."""
+"""Cases and runs."""
 
 from __future__ import annotations
 
@@ -30,26 +30,26 @@ events, both unloaded ends included."""
 
 @dataclass(frozen=True)
 class Check:
-    """What a case would compute: sizes, bounds and warnings."""
+    """Sizes, bounds and warnings of a case before it is computed."""
 
     text: str
-    """All of it, as `railcrack check` prints it."""
+    """The complete summary, as printed by `railcrack check`."""
     face_points: int
     """Points on the crack faces at the start."""
     tips: int
     """Crack tips at the start."""
     displacement_unknowns: int
-    """Unknowns of the finite elements; 0 with dislocations."""
+    """Finite-element unknowns; 0 with dislocations."""
     memory_bytes: int
-    """Estimate of the memory needed."""
+    """Estimated memory."""
     p0_over_k: float
     """Peak pressure over the shear yield stress."""
     first_yield_p0_over_k: float | None
-    """The same at first yield of the virgin rail; None where the contact has no such bound."""
+    """Its value at first yield of the virgin rail; None if the contact has no such bound."""
     shakedown_limit_p0_over_k: float | None
-    """The same at the limit of elastic shakedown; None where the contact has no such bound."""
+    """Its value at the elastic shakedown limit; None if the contact has no such bound."""
     warnings: list[str]
-    """Sentences."""
+    """Warnings, as sentences."""
 
     def __str__(self) -> str:
         return self.text
@@ -59,7 +59,7 @@ class Check:
 
 
 class Case(Sourced):
-    """A case: rail, wheel, cracks, growth, checked.
+    """A validated case: rail, wheel, cracks, growth.
 
     >>> case = Case({"contact": {"peak_pressure_mpa": 845.0, "half_width_mm": 6.75},
     ...              "crack": [{"mouth_mm": 0.0, "length_mm": 6.0, "angle_deg": 15.0}]})
@@ -74,8 +74,8 @@ class Case(Sourced):
     _parse = staticmethod(_railcrack.Case.parse)
 
     def __init__(self, sections: Mapping[str, Any] | str) -> None:
-        """A case of a dictionary of sections, or of the text of a case file. File names are
-        relative to the working folder."""
+        """A case from a dictionary of sections or from the text of a case file. File names are
+        relative to the working directory."""
         self._set(Source.of(sections, "case"))
 
     @classmethod
@@ -93,7 +93,7 @@ class Case(Sourced):
 
     @property
     def title(self) -> str:
-        """Heading of plots and reports."""
+        """Title, the heading of plots and reports."""
         return self._core.title
 
     @property
@@ -128,7 +128,7 @@ class Case(Sourced):
         law: Callable[[History], float] | None = None,
         direction: Callable[[History], float | None] | None = None,
     ) -> Run:
-        """Computes the growth of the cracks, in memory; `Run.save` writes the run folder.
+        """Computes crack growth in memory; `Run.save` writes the run folder.
 
         progress: True for a bar, or a function that is called with a `Step`.
         threads: as many as the machine has where None; results are the same bits with any.
@@ -215,11 +215,11 @@ class Run(RunResults):
 
     def __repr__(self) -> str:
         where = "in memory" if self._is_in_memory else str(self._folder)
-        return f"<railcrack.Run {self.title!r}: {self.steps} steps, {self.stop or 'can go on'}, {where}>"
+        return f"<railcrack.Run {self.title!r}: {self.steps} steps, {self.stop or 'not ended'}, {where}>"
 
 
 def _unpacked(packed: bytes) -> Run:
-    """A run from its packed folder, which lasts as long as the run."""
+    """A run from its packed folder, which is kept as long as the run."""
     folder = tempfile.TemporaryDirectory(prefix="railcrack-")
     with zipfile.ZipFile(io.BytesIO(packed)) as archive:
         archive.extractall(folder.name)
@@ -229,7 +229,7 @@ def _unpacked(packed: bytes) -> Run:
 
 
 class NotConverged(RailcrackError):
-    """No solution was found. `partial_run` has the growth steps before; None where there are none."""
+    """No solution was found. `partial_run` has the growth steps before the failure; None without any."""
 
     __module__ = PUBLIC
 
@@ -241,7 +241,7 @@ class NotConverged(RailcrackError):
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C. `partial_run` has the growth steps that were finished; go on with
+    """Interrupted by Ctrl-C. `partial_run` has the finished growth steps; continue with
     `case.run(resume=error.partial_run)`."""
 
     __module__ = PUBLIC

@@ -46,7 +46,7 @@ class FieldGrid:
         return grid
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes a file of VTK, by pyvista."""
+        """Writes a VTK file, with pyvista."""
         self.to_pyvista().save(os.fspath(path))
 
     def __repr__(self) -> str:

@@ -128,7 +128,7 @@ fn shipped_loads_run_and_say_what_came_out() {
     assert_eq!(summary["stop"], "fracture");
     let stops = common::column(&folder.join("winter-rail/growth.csv"), "stop");
     assert_eq!(stops.last().map(String::as_str), Some("fracture"));
-    assert!(read(&folder.join("winter-rail/report.html")).contains("Of the toughness"));
+    assert!(read(&folder.join("winter-rail/report.html")).contains("Fraction of the toughness"));
     let (text, summary) = run("driven-wheel");
     assert!(text.starts_with("steps-done at step 8, ") && !text.contains("warning"), "{text}");
     assert_eq!(summary["warnings"], serde_json::json!([]));

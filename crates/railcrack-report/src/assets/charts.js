@@ -75,7 +75,7 @@
     const points = () => (shown.length ? shown : curves).flatMap((curve) => curve.points);
 
     /**
-     * What the axis `name` covers of `all`; its zero counts.
+     * The domain of the axis `name` over `all`, including zero where the axis does.
      * @param {"x" | "y"} name
      * @param {ChartPoint[]} all
      */
