@@ -65,7 +65,7 @@ class Case(Sourced):
     ...              "crack": [{"mouth_mm": 0.0, "length_mm": 6.0, "angle_deg": 15.0}]})
 
     The keys are those of the case file (docs/case-file.md). A case never changes; `with_` makes
-    another one. It can be pickled, and carries the files that it names with it.
+    another one. It can be pickled together with the files that it names.
 
     Raises `CaseError` with all errors at once, each with file, line, column and key.
     """
@@ -86,8 +86,8 @@ class Case(Sourced):
     def with_(self, **sections: Mapping[str, Any] | list[Any] | str | None) -> Case:
         """The case with other values: `case.with_(growth={"steps": 5}, crack={"friction": 0.2})`.
 
-        A section changes key by key, and is there where it was not; None takes a key or a section
-        away. A dictionary for `crack` changes every crack, a list of dictionaries replaces them.
+        Sections are changed key by key and added if missing; None removes a key or a section. A
+        dictionary for `crack` changes every crack, a list of dictionaries replaces them.
         """
         return Case._of(self._source.changed(sections))
 
@@ -131,15 +131,16 @@ class Case(Sourced):
         """Computes crack growth in memory; `Run.save` writes the run folder.
 
         progress: True for a bar, or a function that is called with a `Step`.
-        threads: as many as the machine has where None; results are the same bits with any.
-        resume: a run of this case that was interrupted, to go on with.
-        law: the growth rate in mm per cycle as a function of the history of a tip, in place of the
-            case's law.
-        direction: the kink in degrees from straight ahead, counter-clockwise, as a function of the
-            same history, in place of the case's criterion; None for a tip that is not loaded.
+        threads: number of threads, None for one per processor; it does not affect the results.
+        resume: an interrupted run of this case to continue.
+        law: user-defined growth rate in mm per cycle as a function of the history of a tip,
+            replacing the law of the case.
+        direction: user-defined kink in degrees from straight ahead, counter-clockwise, as a
+            function of the same history, replacing the criterion of the case; None for an unloaded
+            tip.
 
-        Raises `NotConverged` and, on Ctrl-C, within one load step, `Interrupted`: both have
-        `partial_run` with what was computed before. Other threads of Python run meanwhile.
+        Raises `NotConverged` and, on Ctrl-C, within one load step, `Interrupted`; the finished
+        steps are in their `partial_run`. Other Python threads continue to run.
         """
         told = teller(progress, self.steps + 1)
         try:
@@ -174,10 +175,10 @@ class Case(Sourced):
         return facts(self.title, rows, text)
 
 class Run(RunResults):
-    """A run: what `Case.run` computed, or the run folder of the command (`Run.open`).
+    """A run, computed by `Case.run` or stored in a run folder (`Run.open`).
 
     The tables are those of the run folder, with the same columns (docs/file-formats.md). A run can
-    be pickled: it then takes its run folder with it, without plots and report.
+    be pickled; the pickle contains its run folder without plots and report.
     """
 
     def __init__(self, core: _railcrack.Run, *, in_memory: bool, case: Case | None = None, folder: Path | None = None) -> None:

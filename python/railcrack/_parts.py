@@ -47,9 +47,9 @@ class Body:
 
     With f the nodal forces on the + faces (N/mm; their negatives on the − faces), index 2 j along
     the crack (x1) and 2 j + 1 across it (x2) of face point j, the displacement jump is C f (slip
-    and opening, mm) and K is S f. The arrays are never copied on the way to Python; a passage takes
-    them as they are then, so that a matrix of one's own can be put in their place
-    (`body.compliance[:] = …`, with `body.stiffness` its inverse).
+    and opening, mm) and K is S f. The arrays are shared with Python without copying, and a passage
+    uses their current values, so that a matrix can be replaced (`body.compliance[:] = …`, with
+    `body.stiffness` its inverse).
     """
 
     _core: _railcrack.Body
@@ -326,8 +326,8 @@ def hourlier_pineau(
         "max-rate", "max-rate-unclipped", "max-delta-k1", "max-k1", "coplanar", "mts", "max-delta-ctd"
     ] = "max-rate",
 ) -> Kink | None:
-    """The kink that a tip takes under a history of K_I and K_II (MPa√m), shape (samples, 2); None
-    where nothing drives one.
+    """The kink of a tip under a history of K_I and K_II (MPa√m), shape (samples, 2); None for an
+    unloaded tip.
 
     The criterion is maximised over the kink angle within ±110°: by default the growth rate of the
     virtual kink by Paris' law da/dN = c ΔK_eq^m, ΔK_eq² = Δk1² + w Δk2² (Hourlier & Pineau 1982);

@@ -144,8 +144,8 @@ class RunResults:
         K along the front: a `pyvista.UnstructuredGrid` where pyvista is installed, a `FieldGrid`
         otherwise.
 
-        Of a run in memory, the step is computed again for them; a run folder has those that the
-        case asked for ([output]), and those of step 0. Dislocations in the plane have no fields.
+        For a run in memory the step is computed again; a run folder contains the fields requested
+        in [output] and those of step 0. The engine `dislocation` computes no fields.
         """
         grid = self.field_grid(step, xc_over_a, threads=threads)
         try:

@@ -31,8 +31,8 @@ Failed = tuple[int, str, str]
 class Study(Sourced):
     """A study, which is a case with lists of values, and its results.
 
-    `map` computes it, here or by several processes; `table` has a row per run. A study can be
-    pickled (what it computed stays where it is).
+    `map` computes it, in this process or in several; `table` has one row per run. A study can be
+    pickled; its results stay in their folder.
 
     Raises `CaseError` with all errors of all its cases at once.
     """
@@ -96,19 +96,19 @@ class Study(Sourced):
         threads: int | None = None,
         report: bool = False,
     ) -> Study:
-        """Computes the runs, and returns the study with its results.
+        """Computes the runs and returns the study with its results.
 
         executor: anything with `submit` (`concurrent.futures`, the client of `dask.distributed`,
-            `mpi4py.futures`) or with `map` (a pool of `multiprocessing`); None computes here, on
-            `threads` threads. Runs travel as the files of their run folders.
-        out: the folder of the study, as `railcrack sweep` writes it; None: one that lasts as long
-            as the returned study.
-        resume: go on with the study in `out`: runs that are over are not computed again.
-        threads: of each run; where there is an executor 1, all of the machine otherwise.
+            `mpi4py.futures`) or with `map` (a pool of `multiprocessing`); None computes in this
+            process, on `threads` threads. Workers return the files of the run folders.
+        out: the folder of the study, as written by `railcrack sweep`; None: a temporary folder,
+            kept as long as the returned study.
+        resume: continue the study in `out` without computing finished runs again.
+        threads: threads of each run; by default 1 with an executor, otherwise all processors.
         report: plots and report of every run too, not only of the study.
 
-        Raises `StudyIncomplete` once all that can be computed is computed, where runs failed or
-        their worker was lost; the results are in `out`. On Ctrl-C, `Interrupted`.
+        Raises `StudyIncomplete` at the end if runs failed or their workers were lost; the other
+        results are in `out`. Raises `Interrupted` on Ctrl-C.
         """
         keeps = None if out is not None else tempfile.TemporaryDirectory(prefix="railcrack-study-")
         folder = Path(out) if out is not None else Path(keeps.name if keeps else "") / "study"

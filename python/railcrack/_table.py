@@ -36,16 +36,16 @@ def unit_of(column: str) -> str:
 
 
 class Table(Mapping[str, NDArray[Any]]):
-    """A table of results: columns by name, each an array of numpy with one entry per row.
+    """A table of results: columns by name, each a NumPy array with one entry per row.
 
     `table["ki_mpa_sqrt_m"]` and `table.ki_mpa_sqrt_m` are the same array, without a copy. Numbers
-    that count are int64, others float64 with NaN where there is none, words (`status`, `stop`) an
-    array of str, empty where there is none. Columns, units and signs are those of the CSV file of
-    the same name (docs/file-formats.md); `units` and `meanings` have them by column.
+    that count are int64, others float64 with NaN for missing values; words (`status`, `stop`) are
+    arrays of str, empty for missing values. Columns, units and signs are those of the CSV file of
+    the same name (docs/file-formats.md); `units` and `meanings` list them by column.
 
     A table is a mapping, has a length in rows (`rows`), converts (`to_pandas`, `to_polars`,
     `to_xarray`), and is an Arrow stream (`__arrow_c_stream__`), so that pyarrow, polars, duckdb or
-    nanoarrow read it as it is.
+    nanoarrow can read it directly.
     """
 
     name: str

@@ -111,10 +111,16 @@ impl CaseCore {
         let (watch, told) = Watch::new();
         let own = law.is_some() || direction.is_some();
         if own && !self.case.mix.is_empty() {
-            return Err(bad_input(py, "law, direction: not supported for a mix of wheels, which has several histories"));
+            return Err(bad_input(
+                py,
+                "law, direction: not supported for a mix of wheels, which has several histories",
+            ));
         }
         if direction.is_some() && self.case.engine == Engine::Space {
-            return Err(bad_input(py, "direction: not supported with engine = \"space\", where cracks grow in their plane"));
+            return Err(bad_input(
+                py,
+                "direction: not supported with engine = \"space\", where cracks grow in their plane",
+            ));
         }
         let judge: Arc<dyn TipJudge> = Arc::new(OwnJudge { law, direction, watch: Arc::clone(&watch) });
         let before = before.and_then(RunCore::in_memory);

@@ -53,10 +53,7 @@ pub fn passage<'py>(
             Box::new(HertzWheel::new(&contact, &body.steel).map_err(|error| bad_input(py, error))?)
         }
         Load::Own(..) if body.ends.is_some() => {
-            return Err(bad_input(
-                py,
-                "a user-defined wheel requires a half-plane; this body has ends",
-            ));
+            return Err(bad_input(py, "a user-defined wheel requires a half-plane; this body has ends"));
         }
         Load::Own(stress, edges) => Box::new(OwnWheel { stress, edges, watch: Arc::clone(&watch) }),
     };
