@@ -83,7 +83,7 @@
       extent([...all.map((point) => point[name]), ...(data[name].zero ? [0] : [])], log[name]);
 
     /**
-     * Room for the ticks and the title beside them, from the usual width of digits.
+     * Space for the ticks and the title next to them, from the usual width of digits.
      * @param {ChartPoint[]} all
      */
     function room(all) {

@@ -180,8 +180,8 @@ fn depth_by_tonnage(run: &RunFolder, told: Option<&[NamedCrack]>) -> Option<Char
     })
 }
 
-/// A curve for each tip; a single one has no name, it needs no legend. Of many cracks those `told`
-/// from the others are named.
+/// A curve for each tip, unnamed for a single tip, which needs no legend. For many cracks only the
+/// `told` ones are named.
 fn curves(run: &RunFolder, told: Option<&[NamedCrack]>, point: impl Fn(&TipRow) -> [f64; 2]) -> Vec<Curve> {
     let tips = run.tips();
     let has_two = tips.iter().any(|&(_, tip)| tip > 1);
