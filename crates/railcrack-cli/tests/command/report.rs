@@ -66,7 +66,7 @@ fn runs_states_and_comparisons_are_built_again_bit_for_bit() {
     let summary: serde_json::Value =
         serde_json::from_slice(&fs::read(folder.join("state/shakedown.json")).unwrap()).unwrap();
     let margin = summary["dang_van"]["margin_mpa"].as_f64().unwrap();
-    assert!(page("state").contains(&format!("a margin of {margin:.1} MPa")));
+    assert!(page("state").contains(&format!("margin of the Dang Van criterion is {margin:.1} MPa")));
 }
 
 #[test]
