@@ -7,7 +7,7 @@
 >>> run.plot.paths()
 
 Lengths are in mm, stresses in MPa, stress intensity factors in MPa√m, angles in degrees; x is along
-the rail, y upwards, the rail is y ≤ 0. Words and signs are those of the book of railcrack.
+the rail, y upwards, the rail is y ≤ 0. Terms and sign conventions are those of the manual.
 """
 
 from . import errors

@@ -1,4 +1,4 @@
-"""Tables as streams of the Arrow C data interface, without a library of Arrow and without copies.
+"""Tables as streams of the Arrow C data interface, without an Arrow library and without copies.
 
 Source: *The Arrow C data interface* and *The Arrow C stream interface* (Apache Arrow), and the
 PyCapsule interface built on them.
@@ -27,7 +27,7 @@ class _Stream(Structure):
     pass
 
 
-# Any: ctypes has no types for functions that become C's.
+# Any: ctypes has no types for callbacks.
 _Release: Any = CFUNCTYPE(None, c_void_p)
 _GetSchema: Any = CFUNCTYPE(c_int, c_void_p, POINTER(_Schema))
 _GetNext: Any = CFUNCTYPE(c_int, c_void_p, POINTER(_Array))
@@ -66,9 +66,9 @@ _Stream._fields_ = [
 
 _NULLABLE = 2
 
-# What a structure that was handed out needs while its consumer has it: the structures below it and
-# everything else, by the number in its private_data. A structure may be moved by its consumer, so
-# its address is no key.
+# Objects kept alive while a consumer holds an exported structure: its children and buffers, by the
+# number in its private_data. The address cannot be the key, because the consumer may move the
+# structure.
 _kept: dict[int, tuple[list[Any], Any]] = {}
 _count = iter(range(1, 2**62))
 
@@ -80,7 +80,7 @@ def _keep(below: list[Any], others: Any) -> int:
 
 
 def _let_go(structure: Any) -> None:
-    """Forgets a structure and those below it that their consumer has not moved."""
+    """Releases a structure and those of its children that the consumer has not moved."""
     below, _ = _kept.pop(structure.private_data, ([], None))
     structure.release = None
     for part in below:
@@ -139,7 +139,7 @@ def _validity(valid: NDArray[np.bool_]) -> tuple[Any, int]:
 
 
 Column = tuple[NDArray[Any] | Sequence[str], Sequence[str] | None]
-"""Numbers or texts; or codes, −1 for none, with the words that they stand for."""
+"""Numbers or strings; or codes, −1 for none, with the strings that they denote."""
 
 
 def _column(name: str, column: Column, wanted: str) -> _Schema | _Array:
@@ -163,8 +163,8 @@ def _column(name: str, column: Column, wanted: str) -> _Schema | _Array:
 
 
 def stream(columns: Mapping[str, Column]) -> Any:
-    """A capsule `arrow_array_stream` with all rows in one batch. Numbers are those of the arrays,
-    which live as long as a consumer needs them; a number that is not there is null."""
+    """A capsule `arrow_array_stream` with all rows in one batch. It shares memory with the arrays,
+    which are kept alive as long as a consumer needs them; missing numbers are null."""
     length = max((len(values) for values, _ in columns.values()), default=0)
     given = False
 
@@ -193,7 +193,7 @@ def stream(columns: Mapping[str, Column]) -> Any:
 
 
 def _hand_over(structure: Any, out: Any) -> None:
-    """Moves a structure, and what it needs, to where the consumer wants it."""
+    """Moves a structure and the objects that it keeps alive to the memory of the consumer."""
     ctypes.memmove(out, ctypes.byref(structure), ctypes.sizeof(structure))
 
 
@@ -204,14 +204,14 @@ _new_capsule.argtypes = [c_void_p, c_char_p, c_void_p]
 _pointer_of = ctypes.pythonapi.PyCapsule_GetPointer
 _pointer_of.restype = c_void_p
 _pointer_of.argtypes = [c_void_p, c_char_p]
-# The streams of capsules that live, by their addresses.
+# The streams of live capsules, by address.
 _streams: dict[int, _Stream] = {}
 
 
 def _destroy(capsule: int) -> None:
     address = _pointer_of(capsule, _NAME)
     made = _streams.pop(address, None)
-    # A consumer that took the stream over has set release to null.
+    # A consumer that has taken over the stream has set release to null.
     if made is not None and made.release:
         _let_go(made)
 

@@ -1,4 +1,4 @@
-"""Cases, and the runs that they make."""
+"""Cases and runs."""
 
 from __future__ import annotations
 
@@ -30,26 +30,26 @@ events, both unloaded ends included."""
 
 @dataclass(frozen=True)
 class Check:
-    """What a case would compute: sizes, bounds and warnings."""
+    """Sizes, bounds and warnings of a case before it is computed."""
 
     text: str
-    """All of it, as `railcrack check` prints it."""
+    """The complete summary, as printed by `railcrack check`."""
     face_points: int
     """Points on the crack faces at the start."""
     tips: int
     """Crack tips at the start."""
     displacement_unknowns: int
-    """Unknowns of the finite elements; 0 with dislocations."""
+    """Finite-element unknowns; 0 with dislocations."""
     memory_bytes: int
-    """Estimate of the memory needed."""
+    """Estimated memory."""
     p0_over_k: float
     """Peak pressure over the shear yield stress."""
     first_yield_p0_over_k: float | None
-    """The same at first yield of the virgin rail; None where the contact has no such bound."""
+    """Its value at first yield of the virgin rail; None if the contact has no such bound."""
     shakedown_limit_p0_over_k: float | None
-    """The same at the limit of elastic shakedown; None where the contact has no such bound."""
+    """Its value at the elastic shakedown limit; None if the contact has no such bound."""
     warnings: list[str]
-    """Sentences."""
+    """Warnings, as sentences."""
 
     def __str__(self) -> str:
         return self.text
@@ -59,13 +59,13 @@ class Check:
 
 
 class Case(Sourced):
-    """A case: rail, wheel, cracks, growth, checked.
+    """A validated case: rail, wheel, cracks, growth.
 
     >>> case = Case({"contact": {"peak_pressure_mpa": 845.0, "half_width_mm": 6.75},
     ...              "crack": [{"mouth_mm": 0.0, "length_mm": 6.0, "angle_deg": 15.0}]})
 
     The keys are those of the case file (docs/case-file.md). A case never changes; `with_` makes
-    another one. It can be pickled, and carries the files that it names with it.
+    another one. It can be pickled together with the files that it names.
 
     Raises `CaseError` with all errors at once, each with file, line, column and key.
     """
@@ -74,8 +74,8 @@ class Case(Sourced):
     _parse = staticmethod(_railcrack.Case.parse)
 
     def __init__(self, sections: Mapping[str, Any] | str) -> None:
-        """A case of a dictionary of sections, or of the text of a case file. File names are
-        relative to the working folder."""
+        """A case from a dictionary of sections or from the text of a case file. File names are
+        relative to the working directory."""
         self._set(Source.of(sections, "case"))
 
     @classmethod
@@ -86,14 +86,14 @@ class Case(Sourced):
     def with_(self, **sections: Mapping[str, Any] | list[Any] | str | None) -> Case:
         """The case with other values: `case.with_(growth={"steps": 5}, crack={"friction": 0.2})`.
 
-        A section changes key by key, and is there where it was not; None takes a key or a section
-        away. A dictionary for `crack` changes every crack, a list of dictionaries replaces them.
+        Sections are changed key by key and added if missing; None removes a key or a section. A
+        dictionary for `crack` changes every crack, a list of dictionaries replaces them.
         """
         return Case._of(self._source.changed(sections))
 
     @property
     def title(self) -> str:
-        """Heading of plots and reports."""
+        """Title, the heading of plots and reports."""
         return self._core.title
 
     @property
@@ -128,18 +128,19 @@ class Case(Sourced):
         law: Callable[[History], float] | None = None,
         direction: Callable[[History], float | None] | None = None,
     ) -> Run:
-        """Computes the growth of the cracks, in memory; `Run.save` writes the run folder.
+        """Computes crack growth in memory; `Run.save` writes the run folder.
 
         progress: True for a bar, or a function that is called with a `Step`.
-        threads: as many as the machine has where None; results are the same bits with any.
-        resume: a run of this case that was interrupted, to go on with.
-        law: the growth rate in mm per cycle as a function of the history of a tip, in place of the
-            case's law.
-        direction: the kink in degrees from straight ahead, counter-clockwise, as a function of the
-            same history, in place of the case's criterion; None for a tip that is not loaded.
+        threads: number of threads, None for one per processor; it does not affect the results.
+        resume: an interrupted run of this case to continue.
+        law: user-defined growth rate in mm per cycle as a function of the history of a tip,
+            replacing the law of the case.
+        direction: user-defined kink in degrees from straight ahead, counter-clockwise, as a
+            function of the same history, replacing the criterion of the case; None for an unloaded
+            tip.
 
-        Raises `NotConverged` and, on Ctrl-C, within one load step, `Interrupted`: both have
-        `partial_run` with what was computed before. Other threads of Python run meanwhile.
+        Raises `NotConverged` and, on Ctrl-C, within one load step, `Interrupted`; the finished
+        steps are in their `partial_run`. Other Python threads continue to run.
         """
         told = teller(progress, self.steps + 1)
         try:
@@ -174,10 +175,10 @@ class Case(Sourced):
         return facts(self.title, rows, text)
 
 class Run(RunResults):
-    """A run: what `Case.run` computed, or the run folder of the command (`Run.open`).
+    """A run, computed by `Case.run` or stored in a run folder (`Run.open`).
 
     The tables are those of the run folder, with the same columns (docs/file-formats.md). A run can
-    be pickled: it then takes its run folder with it, without plots and report.
+    be pickled; the pickle contains its run folder without plots and report.
     """
 
     def __init__(self, core: _railcrack.Run, *, in_memory: bool, case: Case | None = None, folder: Path | None = None) -> None:
@@ -215,11 +216,11 @@ class Run(RunResults):
 
     def __repr__(self) -> str:
         where = "in memory" if self._is_in_memory else str(self._folder)
-        return f"<railcrack.Run {self.title!r}: {self.steps} steps, {self.stop or 'can go on'}, {where}>"
+        return f"<railcrack.Run {self.title!r}: {self.steps} steps, {self.stop or 'not ended'}, {where}>"
 
 
 def _unpacked(packed: bytes) -> Run:
-    """A run from its packed folder, which lasts as long as the run."""
+    """A run from its packed folder, which is kept as long as the run."""
     folder = tempfile.TemporaryDirectory(prefix="railcrack-")
     with zipfile.ZipFile(io.BytesIO(packed)) as archive:
         archive.extractall(folder.name)
@@ -229,7 +230,7 @@ def _unpacked(packed: bytes) -> Run:
 
 
 class NotConverged(RailcrackError):
-    """No solution was found. `partial_run` has the growth steps before; None where there are none."""
+    """No solution was found. `partial_run` has the growth steps before the failure; None without any."""
 
     __module__ = PUBLIC
 
@@ -241,7 +242,7 @@ class NotConverged(RailcrackError):
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C. `partial_run` has the growth steps that were finished; go on with
+    """Interrupted by Ctrl-C. `partial_run` has the finished growth steps; continue with
     `case.run(resume=error.partial_run)`."""
 
     __module__ = PUBLIC

@@ -6,5 +6,5 @@ from . import _railcrack
 
 
 def main() -> None:
-    """Does what the command line asks for, and ends with its exit code."""
+    """Executes the command line and exits with its exit code."""
     sys.exit(_railcrack.command(["railcrack", *sys.argv[1:]]))

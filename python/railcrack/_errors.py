@@ -1,4 +1,4 @@
-"""Exceptions without results. Users find them, with all others, in `railcrack.errors`."""
+"""Exceptions without results. The public names of all exceptions are in `railcrack.errors`."""
 
 from __future__ import annotations
 
@@ -6,23 +6,23 @@ from dataclasses import dataclass
 from typing import Any
 
 PUBLIC = "railcrack.errors"
-"""The module in which users and pickles find the exceptions."""
+"""The public module of the exceptions, also for pickles."""
 
 
 class RailcrackError(Exception):
-    """Base of what railcrack raises."""
+    """Base class of the exceptions of railcrack."""
 
     __module__ = PUBLIC
 
 
 class BadInput(RailcrackError, ValueError):
-    """An argument that cannot be, or a problem that has no answer."""
+    """An invalid argument, or a problem without a solution."""
 
     __module__ = PUBLIC
 
 
 class FolderError(RailcrackError, OSError):
-    """A folder that is not what it should be, or a file that the system refuses."""
+    """An unsuitable folder, or a file that cannot be read or written."""
 
     __module__ = PUBLIC
 
@@ -34,7 +34,7 @@ class Fault:
     message: str
     """Key, value given and what is accepted."""
     file: str
-    """The file, or the name of the text."""
+    """File, or name of the text."""
     line: int | None
     """Line, from 1."""
     column: int | None
@@ -44,14 +44,14 @@ class Fault:
     help: str | None
     """A remedy."""
     text: str
-    """All of it on one line."""
+    """The complete error on one line."""
 
     def __str__(self) -> str:
         return self.text
 
 
 class CaseError(BadInput):
-    """A case or study that is wrong: all its errors at once, in `errors`."""
+    """An invalid case or study; `errors` lists all its errors."""
 
     __module__ = PUBLIC
 

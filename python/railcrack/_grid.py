@@ -14,7 +14,7 @@ class FieldGrid:
     faces of the crack and its front.
 
     points: shape (n, 3), x, y and z (0 in the plane) in mm.
-    cells, cell_types: as VTK has them (number of nodes, nodes; number of the shape).
+    cells, cell_types: as in VTK (number of nodes, nodes; number of the cell type).
     point_data: `displacement_mm` (n, 3), `stress_mpa` (n, 6: xx, yy, zz, xy, yz, xz), `traction`
         (n, 3) on the faces; in space `jump_mm` (n, 3), `opening_mm`, `slip_mm`, `slip_z_mm`,
         tractions, `status` (0 open, 1 stick, 2 slip), and K along the front.
@@ -46,7 +46,7 @@ class FieldGrid:
         return grid
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes a file of VTK, by pyvista."""
+        """Writes a VTK file, with pyvista."""
         self.to_pyvista().save(os.fspath(path))
 
     def __repr__(self) -> str:

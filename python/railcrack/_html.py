@@ -1,4 +1,4 @@
-"""What notebooks show."""
+"""HTML for notebooks."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ ROWS = 10
 
 
 def table(name: str, rows: int, columns: Mapping[str, Any], meanings: Mapping[str, str]) -> str:
-    """The first and the last of the `rows` of a table, the columns with their meanings."""
+    """The first and the last `rows` of a table, with the meaning of each column."""
     shown = range(rows) if rows <= ROWS else [*range(ROWS // 2), *range(rows - ROWS // 2, rows)]
     head = "".join(f"<th title='{escape(meanings[c], quote=True)}'>{escape(c)}</th>" for c in columns)
     body = ""
@@ -25,7 +25,7 @@ def table(name: str, rows: int, columns: Mapping[str, Any], meanings: Mapping[st
 
 
 def facts(title: str, rows: list[tuple[str, Any]], below: str = "") -> str:
-    """A title with a table of names and values, and more below."""
+    """A title, a table of names and values, and further content below."""
     lines = "".join(
         f"<tr><th style='text-align:left'>{escape(name)}</th><td style='text-align:left'>{escape(str(value))}</td></tr>"
         for name, value in rows

@@ -47,16 +47,16 @@ class Body:
 
     With f the nodal forces on the + faces (N/mm; their negatives on the − faces), index 2 j along
     the crack (x1) and 2 j + 1 across it (x2) of face point j, the displacement jump is C f (slip
-    and opening, mm) and K is S f. The arrays are never copied on the way to Python; a passage takes
-    them as they are then, so that a matrix of one's own can be put in their place
-    (`body.compliance[:] = …`, with `body.stiffness` its inverse).
+    and opening, mm) and K is S f. The arrays are shared with Python without copying, and a passage
+    uses their current values, so that a matrix can be replaced (`body.compliance[:] = …`, with
+    `body.stiffness` its inverse).
     """
 
     _core: _railcrack.Body
 
     @classmethod
     def of(cls, case: Case, *, threads: int | None = None) -> Body:
-        """The body of the cracks of `case` at their start, by its engine."""
+        """The body of the initial cracks of `case`, computed by its engine."""
         body = cls.__new__(cls)
         body._core = _railcrack.case_body(case._core, threads)
         return body
@@ -94,7 +94,7 @@ class Body:
 
     @property
     def weights(self) -> Array:
-        """Length of face that each point stands for: shape (p,), mm; force / weight is traction."""
+        """Length of crack face associated with each point: shape (p,), mm; force / weight is traction."""
         return self._core.weights
 
     @property
@@ -104,8 +104,8 @@ class Body:
 
     @property
     def samples(self) -> Array:
-        """Quadrature points of the faces: shape (s, 2), x and y in mm; stress fields are asked
-        here."""
+        """Quadrature points of the faces, at which stress fields are evaluated: shape (s, 2), x and y
+        in mm."""
         return self._core.samples
 
     @property
@@ -115,7 +115,7 @@ class Body:
 
     @property
     def unknowns(self) -> int:
-        """Displacement unknowns behind the face points."""
+        """Number of displacement unknowns of the engine."""
         return self._core.unknowns
 
     @property
@@ -124,8 +124,9 @@ class Body:
         return self._core.remarks
 
     def nodal_forces(self, stress: Callable[[Array], ArrayLike]) -> Array:
-        """f, shape (2 p,), of removing the stress that is transmitted across the faces: `stress` is a
-        function of points (n, 2) in mm and returns (n, 3): sxx, syy, sxy in MPa."""
+        """Nodal forces f, shape (2 p,), equivalent to removing the stress transmitted across the
+        faces: `stress` is a function of points (n, 2) in mm and returns (n, 3): sxx, syy, sxy in
+        MPa."""
         return self._core.nodal_forces(np.ascontiguousarray(stress(self.samples), float))
 
     def sif(self, stress: Callable[[Array], ArrayLike]) -> Array:
@@ -139,7 +140,7 @@ class Body:
 
 
 class XfemBody(Body):
-    """The body of cracks in a half-plane by extended finite elements."""
+    """Body of cracks in a half-plane, computed with extended finite elements."""
 
     def __init__(
         self,
@@ -159,7 +160,7 @@ class XfemBody(Body):
 
 
 class DislocationBody(Body):
-    """The body of cracks in a half-plane by continuous distributions of dislocations."""
+    """Body of cracks in a half-plane, computed with continuous distributions of dislocations."""
 
     def __init__(
         self,
@@ -170,7 +171,7 @@ class DislocationBody(Body):
         elements: int | None = None,
         threads: int | None = None,
     ) -> None:
-        """cracks: as of `XfemBody`. elements: along each crack; None: those of a case."""
+        """cracks: as for `XfemBody`. elements: number along each crack; None: the default of cases."""
         points = _points(cracks)
         self._core = _railcrack.dislocation_body(points, young_modulus_mpa, poisson_ratio, elements, threads)
 
@@ -187,13 +188,13 @@ class Hertz:
 
 @dataclass(frozen=True)
 class OwnWheel:
-    """A wheel of one's own on the half-plane y ≤ 0: a field in equilibrium that moves with x_c."""
+    """A user-defined wheel on the half-plane y ≤ 0: a field in equilibrium that moves with x_c."""
 
     stress: Callable[[Array, float], ArrayLike]
     """The stress in MPa as a function of points (n, 2) in mm and x_c in mm: shape (n, 3), sxx, syy
     and sxy."""
     edges_mm: tuple[float, ...]
-    """Abscissae relative to x_c, increasing, where the field is not smooth on the surface: the edges
+    """Positions relative to x_c, increasing, where the field is not smooth on the surface: the edges
     of the contact."""
 
 
@@ -209,9 +210,9 @@ class Passage:
     kii_mpa_sqrt_m: Array
     """K_II of the stabilised passage: shape (q, m)."""
     earlier: list[tuple[Array, Array]]
-    """K_I and K_II of the passages before it."""
+    """K_I and K_II of the preceding passages."""
     histories: list[History]
-    """Of each tip K_I and K_II at all load steps: shape (samples, 2), MPa√m."""
+    """K_I and K_II at all load steps for each tip: shape (samples, 2), MPa√m."""
     opening_mm: Array
     """Shape (m, p)."""
     slip_mm: Array
@@ -223,11 +224,11 @@ class Passage:
     status: NDArray[np.int8]
     """0 open, 1 stick, 2 slip: shape (m, p)."""
     passages: int
-    """Passages until the history repeated."""
+    """Number of passages until the history repeated."""
     solves: int
-    """Contact solutions."""
+    """Number of contact solutions."""
     last_change: float | None
-    """Change of K between the last two passages over its peak; None after a single one."""
+    """Change of K between the last two passages relative to its peak; None after a single passage."""
 
 
 def passage(
@@ -298,7 +299,7 @@ def passage(
 
 @dataclass(frozen=True)
 class Kink:
-    """The direction that a criterion chooses."""
+    """Direction selected by a criterion."""
 
     angle_deg: float
     """From straight ahead, counter-clockwise positive."""
@@ -309,9 +310,9 @@ class Kink:
     delta_k2_mpa_sqrt_m: float
     """Range of k2 of the virtual kink."""
     rival_angle_deg: float | None
-    """The best other maximum, at least 15° away."""
+    """Angle of the largest secondary maximum, at least 15° away."""
     rival_ratio: float | None
-    """Its value over the best."""
+    """Its value relative to the main maximum."""
 
 
 def hourlier_pineau(
@@ -325,8 +326,8 @@ def hourlier_pineau(
         "max-rate", "max-rate-unclipped", "max-delta-k1", "max-k1", "coplanar", "mts", "max-delta-ctd"
     ] = "max-rate",
 ) -> Kink | None:
-    """The kink that a tip takes under a history of K_I and K_II (MPa√m), shape (samples, 2); None
-    where nothing drives one.
+    """The kink of a tip under a history of K_I and K_II (MPa√m), shape (samples, 2); None for an
+    unloaded tip.
 
     The criterion is maximised over the kink angle within ±110°: by default the growth rate of the
     virtual kink by Paris' law da/dN = c ΔK_eq^m, ΔK_eq² = Δk1² + w Δk2² (Hourlier & Pineau 1982);
@@ -378,8 +379,8 @@ def shakedown(
     progress: Progress = False,
     threads: int | None = None,
 ) -> Shakedown:
-    """The stabilised plastic state of the rail of `case`, and its Dang Van profile: what `railcrack
-    shakedown` computes; in the folder `out` too, with plots and report, where that is given."""
+    """The stabilised plastic state of the rail of `case` and its Dang Van profile, as computed by
+    `railcrack shakedown`; also written to the folder `out`, with plots and report, if given."""
     told = teller(progress, 1, "passage")
     try:
         folder = None if out is None else Path(out)

@@ -1,5 +1,5 @@
-"""Plots by matplotlib. Every function draws on `ax`, on axes of its own where none are given, and
-returns the axes."""
+"""Plots with matplotlib. Every function draws on `ax`, or on new axes by default, and returns the
+axes."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ class RunPlots:
         self._run = run
 
     def __call__(self) -> Any:
-        """All four in one figure; a run folder may have no faces."""
+        """All four plots in one figure, without the faces if the run folder has none."""
         import matplotlib.pyplot as plt
 
         figure, axes = plt.subplots(2, 2, figsize=(11, 8), layout="constrained")
@@ -121,7 +121,7 @@ class RunPlots:
         return _section(axes, "x (mm)")
 
     def length(self, *, ax: Axes | None = None) -> Axes:
-        """Length of each crack against load cycles; in space both half axes."""
+        """Length of each crack against load cycles; both half axes for cracks in space."""
         axes: Axes = _axes(ax)
         growth, last = self._run.growth, {}
         if _is_in_space(self._run):
@@ -186,7 +186,7 @@ class RunPlots:
 
 
 class StudyResults(Protocol):
-    """Results of a study that its plots show."""
+    """Results of a study for its plots."""
 
     @property
     def results(self) -> Table:
@@ -207,7 +207,7 @@ class StudyPlots:
         self._study = study
 
     def scatter(self, key: str, column: str, *, ax: Axes | None = None) -> Axes:
-        """A column of the table against a key that varies (or another column)."""
+        """A column of the table against a varying key or another column."""
         axes: Axes = _axes(ax)
         table = self._study.results
         axes.plot(table[key], table[column], "o")
@@ -216,7 +216,7 @@ class StudyPlots:
         return axes
 
     def paths(self, *, ax: Axes | None = None) -> Axes:
-        """The cracks of all runs at their end."""
+        """The final cracks of all runs."""
         axes: Axes = _axes(ax)
         for number in self._study.numbers:
             for crack in self._study.run(number).cracks():

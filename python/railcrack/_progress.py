@@ -8,12 +8,12 @@ from collections.abc import Callable
 from typing import Any, Protocol
 
 Progress = bool | Callable[["Step"], object]
-"""True: a bar (of tqdm, where it is there, or lines on standard error); or a function that is
-called with every `Step`."""
+"""True: a progress bar (with tqdm if it is installed, otherwise lines on standard error); or a
+function that is called with every `Step`."""
 
 
 class Step:
-    """Where a computation stands: `done` of `total` growth steps or runs, and what is said of it."""
+    """Progress of a computation: `done` of `total` growth steps or runs, and a message."""
 
     def __init__(self, done: float, total: int, text: str = "") -> None:
         self.done, self.total, self.text = done, total, text
@@ -23,7 +23,7 @@ class Step:
 
 
 class Teller(Protocol):
-    """Takes the events of a computation."""
+    """Receives the events of a computation."""
 
     def __call__(self, kind: str, value: Any) -> None: ...
 
@@ -47,7 +47,7 @@ class _ToFunction:
         if kind == "begins":
             self.done = value
         elif kind == "fraction":
-            # Of a passage, of which a step has several.
+            # The fraction of a passage; a step has several passages.
             self.done = max(self.done, int(self.done) + min(value, 0.999))
         elif kind in ("finished", "run"):
             self.done = value + 1
@@ -91,11 +91,11 @@ class _Bar:
 
 
 def teller(progress: Progress, total: int, unit: str = "step") -> Teller:
-    """Who is told of a computation of `total` steps or runs."""
+    """The listener for a computation of `total` steps or runs."""
     if progress is True:
         try:
             with warnings.catch_warnings():
-                # A notebook without widgets has the bar as text.
+                # A notebook without widgets shows the bar as text.
                 warnings.simplefilter("ignore")
                 from tqdm.auto import tqdm
         except ImportError:

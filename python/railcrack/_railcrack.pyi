@@ -1,4 +1,4 @@
-"""The extension module. Not for use: the package gives it names, units and defaults."""
+"""The extension module. Internal: the package adds names, units and defaults."""
 
 from collections.abc import Callable, Sequence
 from os import PathLike

@@ -21,7 +21,7 @@ from ._table import Table
 
 
 class RunResults:
-    """Results of a run: of a `railcrack.Run`, which knows its case too.
+    """Results of a run; `railcrack.Run` adds the case.
 
     The tables are those of the run folder, with the same columns (docs/file-formats.md).
     """
@@ -49,14 +49,14 @@ class RunResults:
 
     @cached_property
     def residual(self) -> Table:
-        """The residual stress that the rail carries, by depth: columns of `residual.csv`; no rows
-        where it carries none."""
+        """Residual stress in the rail by depth: columns of `residual.csv`; no rows without residual
+        stress."""
         return self._table("residual")
 
     def _table(self, name: str) -> Table:
         if not self.has(name):
             raise FolderError(
-                f"{self._folder} has no {name}.csv: [output] of its case leaves it out; "
+                f"{self._folder} has no {name}.csv: [output] of its case excludes it; "
                 f'run.case.with_(output={{"{name}": "all"}}).run() computes it'
             )
         return Table(name, self._core.columns(name))
@@ -78,12 +78,12 @@ class RunResults:
 
     @property
     def steps(self) -> int:
-        """Increments done."""
+        """Number of increments computed."""
         return int(self.summary["steps"])
 
     @property
     def stop(self) -> str | None:
-        """Why the run ended; None while it can go on."""
+        """Reason for the end of the run; None if it can continue."""
         stop = self.summary["stop"]
         return None if stop is None else str(stop)
 
@@ -112,7 +112,7 @@ class RunResults:
     def save(self, folder: str | os.PathLike[str], *, replace: bool = False, report: bool = True) -> Path:
         """Writes the run folder: the files that `railcrack run` would have written, wall times
         aside; without `report` no plots and no page. A folder that holds a run is not overwritten
-        unless `replace`."""
+        unless `replace` is set."""
         folder = Path(folder)
         if self._is_in_memory:
             self._core.save(folder, replace, report)
@@ -123,8 +123,8 @@ class RunResults:
         return folder
 
     def report(self, path: str | os.PathLike[str] | None = None) -> str:
-        """The HTML report, one self-contained page: written to `path` where that is given, and
-        returned. What a run folder does not have of it, as that of a study, is computed again."""
+        """The HTML report, one self-contained page: returned, and written to `path` if given. Data
+        missing from the run folder, as in a study, are computed again."""
         with tempfile.TemporaryDirectory(prefix="railcrack-") as scratch:
             folder = self._folder
             if folder is None or not (folder / "report.html").is_file():
@@ -144,8 +144,8 @@ class RunResults:
         K along the front: a `pyvista.UnstructuredGrid` where pyvista is installed, a `FieldGrid`
         otherwise.
 
-        Of a run in memory, the step is computed again for them; a run folder has those that the
-        case asked for ([output]), and those of step 0. Dislocations in the plane have no fields.
+        For a run in memory the step is computed again; a run folder contains the fields requested
+        in [output] and those of step 0. The engine `dislocation` computes no fields.
         """
         grid = self.field_grid(step, xc_over_a, threads=threads)
         try:
@@ -155,7 +155,7 @@ class RunResults:
         return grid.to_pyvista()
 
     def field_grid(self, step: int = 0, xc_over_a: float = 0.0, *, threads: int | None = None) -> FieldGrid:
-        """As `fields`, always a `FieldGrid`."""
+        """Like `fields`, but always returns a `FieldGrid`."""
         if not 0 <= step <= self.steps:
             raise BadInput(f"step = {step}: must be from 0 to {self.steps}")
         path = self._stored_field(step, xc_over_a)
@@ -166,8 +166,8 @@ class RunResults:
             stored = sorted({(s, p) for s, p, _ in self._core.stored_fields()})
             have = ", ".join(f"step {s} position {p}" for s, p in stored) or "none"
             raise BadInput(
-                f"no field of step {step} at x_c/a = {xc_over_a}: the engines xfem and space compute fields, and a run folder "
-                f"has those that [output] asks for ({have})"
+                f"no field of step {step} at x_c/a = {xc_over_a}: only the engines xfem and space compute fields, and a run "
+                f"folder contains those requested in [output] ({have})"
             )
         return FieldGrid(grid)
 

@@ -1,4 +1,4 @@
-"""Texts of cases and studies with the files that they name, whole without any folder."""
+"""Texts of cases and studies together with the contents of the files that they name."""
 
 from __future__ import annotations
 
@@ -22,18 +22,18 @@ class Source:
 
     @classmethod
     def of(cls, sections: Mapping[str, Any] | str, name: str) -> Source:
-        """A text, or that of a dictionary of sections, whose file names are relative to the working
-        folder."""
+        """A source from a text or from a dictionary of sections; file names are relative to the
+        working directory."""
         return cls.gathered(sections if isinstance(sections, str) else _toml.write(sections), name, Path())
 
     @classmethod
     def gathered(cls, text: str, name: str, folder: Path, under: str = "") -> Source:
-        """`text` with the files in `folder` that it names. A file that lies outside of the folder is
-        given another name, as are all where they are to lie `under` a folder of their own."""
+        """`text` with the files that it names, relative to `folder`. Files outside of the folder are
+        renamed, and so are all files if they are to be placed `under` a separate folder."""
         try:
             sections = _toml.read(text)
         except ValueError:
-            return cls(text, name)  # whose errors are reported by who reads it
+            return cls(text, name)  # the reader reports its errors
         files: dict[str, bytes] = {}
         renamed: dict[str, str] = {}
         for value in _texts({key: value for key, value in sections.items() if key != "title"}):
@@ -51,7 +51,7 @@ class Source:
         return cls(text, name, tuple(files.items()))
 
     def changed(self, changes: Mapping[str, Any]) -> Source:
-        """The source with `changes`; a file that they name is relative to the working folder."""
+        """The source with `changes`, whose file names are relative to the working directory."""
         new = Source.gathered(_toml.write(changes), self.name, Path(), f"changed-{len(self.files)}")
         text = _toml.write(_toml.changed(_toml.read(self.text), _toml.read(new.text) | _removed(changes)))
         return Source(text, self.name, (*self.files, *new.files))
@@ -61,19 +61,19 @@ Made = TypeVar("Made", bound="Sourced")
 
 
 class Sourced:
-    """What a text says, checked: a case or a study. It can be pickled, by its source."""
+    """A validated case or study, pickled by its source."""
 
     _core: Any
     _source: Source
 
     @staticmethod
     def _parse(text: str, name: str, folder: Path, files: list[tuple[str, bytes]]) -> Any:
-        """What `text` says in Rust; relative file names lead to `files`, or to `folder` without them."""
+        """The Rust object of `text`; relative file names refer to `files`, or to `folder` without them."""
         raise NotImplementedError
 
     @classmethod
     def _of(cls: type[Made], source: Source, core: Any = None) -> Made:
-        """What `source` says: `core`, where that is known."""
+        """The object of `source`, with the Rust object `core` if known."""
         made = cls.__new__(cls)
         made._set(source, core)
         return made
@@ -84,7 +84,7 @@ class Sourced:
 
     @classmethod
     def _read(cls: type[Made], path: str | os.PathLike[str]) -> Made:
-        """What the file `path` says, with the files that it names."""
+        """The object of the file `path`, with the files that it names."""
         path = Path(path)
         text = _read_text(path)
         core = cls._parse(text, str(path), path.parent, [])
@@ -92,7 +92,7 @@ class Sourced:
 
     @property
     def text(self) -> str:
-        """The text as it was given."""
+        """The original text."""
         return self._source.text
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -110,7 +110,7 @@ def _read_text(path: Path) -> str:
 
 
 def _removed(changes: Mapping[str, Any]) -> dict[str, Any]:
-    """The changes that take away, which TOML cannot say, with what stands beside them."""
+    """The changes that remove keys, which TOML cannot express, with the changes next to them."""
     return {
         name: change
         for name, change in changes.items()

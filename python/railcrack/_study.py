@@ -29,10 +29,10 @@ Failed = tuple[int, str, str]
 
 
 class Study(Sourced):
-    """A study: a case with lists in place of values, and what was computed of it.
+    """A study, which is a case with lists of values, and its results.
 
-    `map` computes it, here or by several processes; `table` has a row per run. A study can be
-    pickled (what it computed stays where it is).
+    `map` computes it, in this process or in several; `table` has one row per run. A study can be
+    pickled; its results stay in their folder.
 
     Raises `CaseError` with all errors of all its cases at once.
     """
@@ -43,8 +43,8 @@ class Study(Sourced):
     _keeps: object = None
 
     def __init__(self, sections: Mapping[str, Any] | str) -> None:
-        """A study of a dictionary of sections with lists in place of values, or of the text of a
-        study file. File names are relative to the working folder."""
+        """A study from a dictionary of sections with lists of values, or from the text of a study
+        file. File names are relative to the working directory."""
         self._set(Source.of(sections, "study"))
 
     @classmethod
@@ -54,7 +54,7 @@ class Study(Sourced):
 
     @classmethod
     def open(cls, folder: str | os.PathLike[str]) -> Study:
-        """The study in `folder`, which `railcrack sweep` or `map` computed."""
+        """The study in `folder`, computed by `railcrack sweep` or `map`."""
         text = _railcrack.Study.stored_text(Path(folder))
         study = cls._of(Source.gathered(text, "study.toml", Path(folder)))
         study._out = Path(folder)
@@ -62,7 +62,7 @@ class Study(Sourced):
 
     @property
     def title(self) -> str:
-        """Heading of its plots."""
+        """Title, the heading of its plots."""
         return self._core.title
 
     @property
@@ -72,7 +72,7 @@ class Study(Sourced):
 
     @property
     def keys(self) -> dict[str, list[str]]:
-        """Keys that vary, with their values as text."""
+        """The varying keys with their values as text."""
         return dict(self._core.keys)
 
     def __len__(self) -> int:
@@ -96,19 +96,19 @@ class Study(Sourced):
         threads: int | None = None,
         report: bool = False,
     ) -> Study:
-        """Computes the runs, and returns the study with its results.
+        """Computes the runs and returns the study with its results.
 
         executor: anything with `submit` (`concurrent.futures`, the client of `dask.distributed`,
-            `mpi4py.futures`) or with `map` (a pool of `multiprocessing`); None computes here, on
-            `threads` threads. Runs travel as the files of their run folders.
-        out: the folder of the study, as `railcrack sweep` writes it; None: one that lasts as long
-            as the returned study.
-        resume: go on with the study in `out`: runs that are over are not computed again.
-        threads: of each run; where there is an executor 1, all of the machine otherwise.
+            `mpi4py.futures`) or with `map` (a pool of `multiprocessing`); None computes in this
+            process, on `threads` threads. Workers return the files of the run folders.
+        out: the folder of the study, as written by `railcrack sweep`; None: a temporary folder,
+            kept as long as the returned study.
+        resume: continue the study in `out` without computing finished runs again.
+        threads: threads of each run; by default 1 with an executor, otherwise all processors.
         report: plots and report of every run too, not only of the study.
 
-        Raises `StudyIncomplete` once all that can be computed is computed, where runs failed or
-        their worker was lost; the results are in `out`. On Ctrl-C, `Interrupted`.
+        Raises `StudyIncomplete` at the end if runs failed or their workers were lost; the other
+        results are in `out`. Raises `Interrupted` on Ctrl-C.
         """
         keeps = None if out is not None else tempfile.TemporaryDirectory(prefix="railcrack-study-")
         folder = Path(out) if out is not None else Path(keeps.name if keeps else "") / "study"
@@ -147,7 +147,7 @@ class Study(Sourced):
         study = Study._of(self._source)
         study._out, study._keeps = folder, keeps
         if interrupted:
-            raise Interrupted(f"interrupted; the study in {folder} goes on with resume=True")
+            raise Interrupted(f"interrupted; continue the study in {folder} with resume=True")
         if failed or lost:
             raise _incomplete(failed, lost, study)
         return study
@@ -157,7 +157,7 @@ class Study(Sourced):
 
     @property
     def folder(self) -> Path:
-        """The folder with its results."""
+        """Folder of the results."""
         if self._out is None:
             raise BadInput("the study is not computed: study.map() computes it")
         return self._out
@@ -190,7 +190,7 @@ class Study(Sourced):
 
     @property
     def plot(self) -> StudyPlots:
-        """Plots by matplotlib."""
+        """Plots with matplotlib."""
         return StudyPlots(self)
 
     def __repr__(self) -> str:
@@ -219,12 +219,12 @@ class StudyIncomplete(RailcrackError):
         self.missing = missing or []
 
 
-# Runs that came from workers and are packed together, where the study keeps no run folders.
+# Maximum number of runs from workers packed together, if the study keeps no run folders.
 _PACKED_AT_ONCE = 200
 
 
 class _Counted:
-    """Counts the runs that are over."""
+    """Counts finished runs."""
 
     def __init__(self, told: Any) -> None:
         self.told, self.done = told, 0
@@ -236,7 +236,7 @@ class _Counted:
 
 
 class _Task:
-    """Computes a run of a study in a process of its own, to the files of its run folder."""
+    """Computes a run of a study in a worker process and returns the files of its run folder."""
 
     def __init__(self, source: Source, threads: int, report: bool) -> None:
         self.source, self.threads, self.report = source, threads, report
@@ -260,7 +260,7 @@ def _study_of(source: Source) -> Study:
 
 
 def _results(executor: Any, task: _Task, numbers: list[int]) -> Iterable[tuple[int, Any]]:
-    """The answers, or the exceptions of lost workers, as they come."""
+    """The results, or the exceptions of lost workers, in order of completion."""
     if not hasattr(executor, "submit"):
         mapped = getattr(executor, "imap", None) or executor.map
         yield from zip(numbers, mapped(task, numbers), strict=True)
@@ -272,7 +272,7 @@ def _results(executor: Any, task: _Task, numbers: list[int]) -> Iterable[tuple[i
             future = executor.submit(task, number)
             futures.append(future)
             future.add_done_callback(lambda done, number=number: over.put((number, done)))
-    except Exception as error:  # an executor that broke takes no more
+    except Exception as error:  # a broken executor accepts no more work
         for left in numbers[len(futures) :]:
             yield left, error
     try:
@@ -282,7 +282,7 @@ def _results(executor: Any, task: _Task, numbers: list[int]) -> Iterable[tuple[i
                 yield number, future.result()
             except (KeyboardInterrupt, RailcrackError):
                 raise
-            except BaseException as error:  # noqa: BLE001 - of the worker or of the executor
+            except BaseException as error:  # noqa: BLE001 - raised by the worker or by the executor
                 yield number, error
     except BaseException:
         for future in futures:
@@ -291,7 +291,7 @@ def _results(executor: Any, task: _Task, numbers: list[int]) -> Iterable[tuple[i
 
 
 def _next(over: queue.SimpleQueue[tuple[int, Any]]) -> tuple[int, Any]:
-    """The next that is over; waits in pieces, so that Ctrl-C is seen."""
+    """The next finished future; waits with a timeout, so that Ctrl-C is handled."""
     while True:
         try:
             return over.get(timeout=0.2)
@@ -300,7 +300,7 @@ def _next(over: queue.SimpleQueue[tuple[int, Any]]) -> tuple[int, Any]:
 
 
 def _put(study: Path, folder: str, files: Files) -> None:
-    """Puts the files of a run into its folder, those that say how it ended last."""
+    """Writes the files of a run to its folder, those that record its end last."""
     run = study / "runs" / folder
     for name in sorted(files, key=lambda name: (name in ("summary.json", "outcome.json"), name)):
         path = run / name
@@ -320,7 +320,7 @@ def _incomplete(failed: list[Failed], lost: list[int], study: Study) -> StudyInc
 
 
 def _numbers(texts: list[str]) -> Any:
-    """Numbers where all texts are numbers."""
+    """Numbers if all texts are numbers."""
     try:
         return np.array([float(text) for text in texts])
     except ValueError:

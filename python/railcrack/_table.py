@@ -29,29 +29,29 @@ _UNITS = {
 
 
 def unit_of(column: str) -> str:
-    """The unit that the name of a column ends in: `ki_mpa_sqrt_m` is in `MPa m^(1/2)`; empty where
-    it has none."""
+    """The unit given by the suffix of a column name: `ki_mpa_sqrt_m` is in `MPa m^(1/2)`; empty
+    without a unit."""
     endings = [ending for ending in _UNITS if column.endswith("_" + ending)]
     return _UNITS[max(endings, key=len)] if endings else ""
 
 
 class Table(Mapping[str, NDArray[Any]]):
-    """A table of results: columns by name, each an array of numpy with one entry per row.
+    """A table of results: columns by name, each a NumPy array with one entry per row.
 
     `table["ki_mpa_sqrt_m"]` and `table.ki_mpa_sqrt_m` are the same array, without a copy. Numbers
-    that count are int64, others float64 with NaN where there is none, words (`status`, `stop`) an
-    array of str, empty where there is none. Columns, units and signs are those of the CSV file of
-    the same name (docs/file-formats.md); `units` and `meanings` have them by column.
+    that count are int64, others float64 with NaN for missing values; words (`status`, `stop`) are
+    arrays of str, empty for missing values. Columns, units and signs are those of the CSV file of
+    the same name (docs/file-formats.md); `units` and `meanings` list them by column.
 
     A table is a mapping, has a length in rows (`rows`), converts (`to_pandas`, `to_polars`,
     `to_xarray`), and is an Arrow stream (`__arrow_c_stream__`), so that pyarrow, polars, duckdb or
-    nanoarrow read it as it is.
+    nanoarrow can read it directly.
     """
 
     name: str
     """`sif`, `growth`, `faces`, `residual`, …"""
     units: dict[str, str]
-    """Unit of each column; empty where it has none."""
+    """Unit of each column; empty without a unit."""
     meanings: dict[str, str]
     """Meaning of each column."""
 
@@ -96,7 +96,7 @@ class Table(Mapping[str, NDArray[Any]]):
         return len(self._columns)
 
     def where(self, **values: Any) -> Table:
-        """The rows in which every column named has the value given: `sif.where(step=0, crack=1)`."""
+        """The rows in which the named columns have the given values: `sif.where(step=0, crack=1)`."""
         chosen = np.ones(self.rows, bool)
         for column, value in values.items():
             chosen &= self[column] == value
@@ -114,7 +114,7 @@ class Table(Mapping[str, NDArray[Any]]):
         return Table(self.name, parts)
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A `pandas.DataFrame` on the same memory; words are categories. `attrs["units"]` has the
+        """A `pandas.DataFrame` that shares memory; words are categories. `attrs["units"]` has the
         units."""
         import pandas
 

@@ -1,4 +1,4 @@
-"""TOML read to dictionaries and written from them."""
+"""Conversion between TOML and dictionaries."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def read(text: str) -> dict[str, Any]:
 
 def write(sections: Mapping[str, Any]) -> str:
     """The text of `sections`: a dictionary of values, of dictionaries (sections) and of lists of
-    dictionaries (repeated sections), with numbers of numpy in place of Python's where there are."""
+    dictionaries (repeated sections), with NumPy or Python numbers."""
     plain = {name: value for name, value in sections.items() if value is not None and not _is_section(value)}
     values = [f"{name} = {_value(value)}\n" for name, value in plain.items()]
     text = "".join(values)
@@ -35,8 +35,8 @@ def write(sections: Mapping[str, Any]) -> str:
 
 
 def changed(sections: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
-    """`sections` with `changes`: a section changes key by key, a list of sections is replaced, or
-    changes crack by crack where the change is a dictionary; None takes away."""
+    """`sections` with `changes`: sections are changed key by key; a list of sections is replaced, or
+    changed crack by crack if the change is a dictionary; None removes a key."""
     result = dict(sections)
     for name, change in changes.items():
         old = result.get(name)
@@ -63,7 +63,7 @@ def _is_section(value: Any) -> bool:
 
 
 def _value(value: Any) -> str:
-    if hasattr(value, "tolist"):  # a number or an array of numpy
+    if hasattr(value, "tolist"):  # a NumPy number or array
         value = value.tolist()
     if isinstance(value, bool):
         return "true" if value else "false"
@@ -79,4 +79,4 @@ def _value(value: Any) -> str:
         return "[" + ", ".join(map(_value, value)) + "]"
     if hasattr(value, "__fspath__"):
         return json.dumps(str(value), ensure_ascii=False)
-    raise TypeError(f"{value!r} cannot stand in a case: must be a number, a text, true, false, a list or a section")
+    raise TypeError(f"{value!r} is not valid in a case: must be a number, a text, true, false, a list or a section")

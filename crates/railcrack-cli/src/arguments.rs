@@ -11,25 +11,25 @@ use clap::{Parser, Subcommand};
 const AFTER_HELP: &str = "\
 Exit codes:
     0  done; a physical stop such as arrest or a spall is done
-    1  compare --tolerance: the runs differ by more
-    2  bad input: the command line, the case file or a file that it names
+    1  compare --tolerance: the difference exceeds the tolerance
+    2  bad input: the command line, the case file or a file named in it
     3  not converged
     4  cannot read or write
-  130  interrupted; what was computed is kept
+  130  interrupted; finished results are kept
 
-Start:
-  railcrack init case.toml     a commented file, the reference case
-  railcrack check case.toml    what would be computed
-  railcrack run case.toml      compute it
-  railcrack compare A B        what differs between two runs
-  railcrack sweep study.toml   many cases: a case file with lists in place of values
-  railcrack show DIR           its main table, or some columns of any
-  railcrack calibrate case.toml --measured depths.csv   the growth law fitted to a rail
-  railcrack report DIR         plots and HTML report again, from the folder alone
-  railcrack view DIR           the same page in a browser, while the run computes
-  railcrack verify DIR         whether its files hold what was written
-  railcrack shakedown case.toml   the stabilised plastic state under the same wheel
-  railcrack paper              the figures and statements of Trolle et al. (2014) recomputed
+Getting started:
+  railcrack init case.toml     write a commented case file, the reference case
+  railcrack check case.toml    validate it and show what would be computed
+  railcrack run case.toml      compute crack growth
+  railcrack compare A B        compare two runs
+  railcrack sweep study.toml   compute many cases: a case file with lists of values
+  railcrack show DIR           print the main table of a folder, or columns of any table
+  railcrack calibrate case.toml --measured depths.csv   fit the growth law to measured depths
+  railcrack report DIR         rebuild plots and HTML report from the folder alone
+  railcrack view DIR           show the report in a browser while the run computes
+  railcrack verify DIR         check the files of a folder against their checksums
+  railcrack shakedown case.toml   compute the stabilised plastic state under the same wheel
+  railcrack paper              recompute the figures and statements of Trolle et al. (2014)
 ";
 
 /// Predicts the growth of rolling-contact-fatigue cracks in rails.

@@ -1,4 +1,4 @@
-//! Each command to the one who does it.
+//! Dispatch of the commands.
 
 use crate::arguments::{Arguments, Command};
 use crate::commands::{
@@ -8,7 +8,7 @@ use crate::commands::{
 use crate::exit::{Exit, Failure};
 use clap::CommandFactory;
 
-/// Does what `command` asks for.
+/// Executes `command`.
 pub fn dispatch(command: Command) -> Result<Exit, Failure> {
     match command {
         Command::Init(arguments) => init::init(&arguments),

@@ -1,4 +1,4 @@
-//! Where progress is shown: a bar on a terminal, lines elsewhere.
+//! Display of progress: a bar on a terminal, lines elsewhere.
 
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{IsTerminal, Write};
@@ -13,7 +13,7 @@ pub enum Verbosity {
     Quiet,
 }
 
-/// Standard error, as a user looks at it.
+/// Display of progress on standard error.
 #[derive(Debug)]
 pub enum Display {
     Bar(ProgressBar),
@@ -31,7 +31,7 @@ impl Display {
         }
     }
 
-    /// The bar, where there is one.
+    /// The bar, if the display has one.
     pub fn bar(&self) -> Option<&ProgressBar> {
         match self {
             Self::Bar(bar) => Some(bar),
@@ -39,7 +39,7 @@ impl Display {
         }
     }
 
-    /// A line of text; nobody is left to tell when standard error itself is gone.
+    /// Writes a line of text. A failure to write to standard error cannot be reported.
     pub fn say(&self, line: &str) {
         match self {
             Self::Bar(bar) => bar.println(line),
@@ -48,7 +48,7 @@ impl Display {
         }
     }
 
-    /// Takes the bar away.
+    /// Removes the bar.
     pub fn close(&self) {
         if let Self::Bar(bar) = self {
             bar.finish_and_clear();
@@ -56,13 +56,13 @@ impl Display {
     }
 }
 
-/// A bar of `length` parts by `template`.
+/// A bar of `length` parts in the format of `template`.
 pub fn styled_bar(length: u64, template: &str) -> ProgressBar {
     let bar = ProgressBar::new(length);
-    // A template that does not parse leaves the plain bar.
+    // An invalid template leaves the default bar.
     if let Ok(style) = ProgressStyle::with_template(template) {
         bar.set_style(style.progress_chars("=> "));
-        // Between two steps, too, a reader sees that time passes.
+        // The elapsed time is updated between steps too.
         bar.enable_steady_tick(Duration::from_millis(250));
     }
     bar

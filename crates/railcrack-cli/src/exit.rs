@@ -1,4 +1,4 @@
-//! Exit codes, and what leads to them.
+//! Exit codes and failures of commands.
 
 use railcrack::shakedown::ShakedownError;
 use railcrack_case::{CarriedStressError, CaseErrors};
@@ -10,20 +10,20 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use thiserror::Error;
 
-/// How the program ends.
+/// Outcome of the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Exit {
     /// Done.
     Done,
-    /// Two runs differ by more than the tolerance that they were asked to keep.
+    /// Two runs differ by more than the given tolerance.
     Differs,
-    /// The command line, the case file or a file that it names is wrong.
+    /// The command line, the case file or a file named in it is invalid.
     BadInput,
     /// Something cannot be read or written.
     CannotReadOrWrite,
     /// No solution was found.
     NotConverged,
-    /// The user stopped it; what was computed is kept.
+    /// Interrupted by the user; finished results are kept.
     Interrupted,
 }
 
@@ -47,16 +47,16 @@ impl From<Exit> for ExitCode {
     }
 }
 
-/// Why a command could not do its work.
+/// Failure of a command.
 #[derive(Debug, Error)]
 pub enum Failure {
-    /// A case that is wrong.
+    /// An invalid case.
     #[error("{0}")]
     Case(#[from] CaseErrors),
     /// A run that failed.
     #[error(transparent)]
     Run(#[from] RunError),
-    /// A figure that the paper does not have.
+    /// An unknown figure of the paper.
     #[error(transparent)]
     Figure(#[from] UnknownFigure),
     /// The paper could not be recomputed.
@@ -74,21 +74,21 @@ pub enum Failure {
     /// Measurements, or a case that cannot be calibrated.
     #[error("{reason}")]
     Calibration {
-        /// The fault and its place.
+        /// The fault and its location.
         reason: String,
     },
-    /// A build without PNG files.
+    /// A build without support for PNG files.
     #[cfg(not(feature = "png"))]
     #[error(
-        "this build of railcrack draws no PNG files; build it with them: \
+        "this build of railcrack cannot draw PNG files; install one that can: \
          cargo install --path crates/railcrack-cli --features png"
     )]
     NoPng,
-    /// A run that is larger than the machine.
+    /// A run that exceeds the resources of the machine.
     #[error(transparent)]
     OverBudget(#[from] OverBudget),
-    /// A file that is already there.
-    #[error("{} is already there; --force replaces it", path.display())]
+    /// An existing file.
+    #[error("{} already exists; --force replaces it", path.display())]
     Exists {
         /// The file.
         path: PathBuf,
@@ -98,7 +98,7 @@ pub enum Failure {
     CannotWrite {
         /// The file.
         path: PathBuf,
-        /// The system's reason.
+        /// Error of the operating system.
         source: std::io::Error,
     },
     /// Standard input that cannot be read.
@@ -143,7 +143,7 @@ impl Failure {
     }
 }
 
-/// The exit code of a run that failed.
+/// The exit code of a failed run.
 fn exit_of_run(error: &RunError) -> Exit {
     match error {
         RunError::Output(error) => match error {

@@ -1,4 +1,4 @@
-//! The case or study of a command: a file, or standard input.
+//! Case or study of a command, from a file or from standard input.
 
 use crate::exit::Failure;
 use clap::Args;
@@ -6,28 +6,28 @@ use railcrack_case::{Case, CaseErrors, Input, Overrides, SampleTable, Study};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// The name that stands for standard input.
+/// File name that denotes standard input.
 const STANDARD_INPUT: &str = "-";
-/// The name that errors give it.
+/// Name of standard input in error messages.
 const SHOWN: &str = "standard input";
-/// Most bytes that are read of it: as of a file.
+/// Maximum number of bytes read, the same as for a file.
 const MOST: u64 = 4 << 20;
 
-/// Values of the command line in place of the file's.
+/// Values on the command line that override the file.
 #[derive(Debug, Clone, Default, Args)]
 pub struct Set {
-    /// A value in place of the file's, checked as that: --set contact.friction=0.2, --set
-    /// crack[2].angle_deg=30.0; may be given several times
+    /// Value that overrides the file, with the same checks: --set contact.friction=0.2, --set
+    /// crack[2].angle_deg=30.0; can be repeated
     #[arg(long, value_name = "SECTION.KEY=VALUE")]
     pub set: Vec<String>,
 }
 
-/// The case in the file `path`, or in standard input.
+/// Reads the case in the file `path` or from standard input.
 pub fn case(path: &Path, overrides: &Overrides) -> Result<Case, Failure> {
     read(path, || Case::read_with(path, overrides), |text| Case::parse_with(text, SHOWN, here(), overrides))
 }
 
-/// The study in the file `path`, or in standard input.
+/// Reads the study in the file `path` or from standard input.
 pub fn study(path: &Path, overrides: &Overrides, samples: Option<&SampleTable>) -> Result<Study, Failure> {
     read(
         path,
@@ -36,13 +36,13 @@ pub fn study(path: &Path, overrides: &Overrides, samples: Option<&SampleTable>) 
     )
 }
 
-/// Either in the file `path`, or in standard input.
+/// Reads a case or a study in the file `path` or from standard input.
 pub fn either(path: &Path, overrides: &Overrides) -> Result<Input, Failure> {
     read(path, || Input::read_with(path, overrides), |text| Input::parse_with(text, SHOWN, here(), overrides))
 }
 
-/// The folder of results: the name of the case file without its ending, beside it; `case` here for
-/// standard input.
+/// Default folder of results: the path of the case file without its extension; `case` in the
+/// current directory for standard input.
 pub fn default_folder(path: &Path) -> PathBuf {
     if is_standard_input(path) { PathBuf::from("case") } else { path.with_extension("") }
 }
@@ -51,8 +51,7 @@ fn is_standard_input(path: &Path) -> bool {
     path.as_os_str() == STANDARD_INPUT
 }
 
-/// Relative file names of a case that comes by standard input are relative to where the command
-/// runs.
+/// Directory for relative file names: for a case on standard input, the current directory.
 fn here() -> &'static Path {
     Path::new("")
 }

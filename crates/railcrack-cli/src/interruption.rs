@@ -1,4 +1,4 @@
-//! Ctrl-C and the like: once to stop after saving, twice to stop at once.
+//! Interruption by signals: the first stops the computation after saving, the second at once.
 
 use crate::exit::Exit;
 use signal_hook::consts::{SIGINT, SIGTERM};
@@ -10,16 +10,16 @@ use std::time::Duration;
 /// SIGHUP is not among them: a run under `nohup` must outlive its terminal.
 const SIGNALS: [i32; 2] = [SIGINT, SIGTERM];
 
-/// Whether the user wants the run to stop.
+/// Interruption requested by a signal.
 #[derive(Debug, Clone, Default)]
 pub struct Interruption {
     asked: Arc<AtomicBool>,
-    /// The computation has stopped, and what was computed is being written.
+    /// The computation has stopped, and its results are being written.
     stopped: Arc<AtomicBool>,
 }
 
 impl Interruption {
-    /// Listens to SIGINT and SIGTERM from now on. The second signal ends the program at once.
+    /// Installs handlers of SIGINT and SIGTERM. The second signal ends the program at once.
     ///
     /// Errors: the system refuses to install the handlers.
     pub fn listen() -> std::io::Result<Self> {
@@ -28,8 +28,8 @@ impl Interruption {
         Ok(interruption)
     }
 
-    /// The computation has stopped where it was asked to: what follows is the end of the program,
-    /// and it is waited for.
+    /// Records that the computation has stopped on request, so that the time limit for writing the
+    /// results applies from now on.
     pub fn acknowledge(&self) {
         if self.asked() {
             self.stopped.store(true, Ordering::Relaxed);
@@ -39,8 +39,8 @@ impl Interruption {
     #[cfg(unix)]
     fn install(&self) -> std::io::Result<()> {
         use std::time::Instant;
-        // `timeout` and some shells send a signal to the program and again to its group: that is
-        // one wish, not two.
+        // `timeout` and some shells send a signal to the program and again to its process group,
+        // which must count as one request.
         const ONE_WISH: Duration = Duration::from_millis(500);
         let mut signals = signal_hook::iterator::Signals::new(SIGNALS)?;
         let (asked, stopped) = (Arc::clone(&self.asked), Arc::clone(&self.stopped));
@@ -65,14 +65,14 @@ impl Interruption {
         raise_on_signal(&self.asked)
     }
 
-    /// Whether a signal has come.
+    /// Whether a signal has arrived.
     pub fn asked(&self) -> bool {
         self.asked.load(Ordering::Relaxed)
     }
 }
 
-/// A flag that SIGINT and SIGTERM raise from now on, for commands that end in this way as a rule.
-/// The second signal ends the program at once.
+/// A flag set by SIGINT and SIGTERM, for commands that normally end with a signal. The second
+/// signal ends the program at once.
 ///
 /// Errors: the system refuses to install the handlers.
 pub fn end_on_signal() -> std::io::Result<Arc<AtomicBool>> {
@@ -84,23 +84,23 @@ pub fn end_on_signal() -> std::io::Result<Arc<AtomicBool>> {
 fn raise_on_signal(asked: &Arc<AtomicBool>) -> std::io::Result<()> {
     use signal_hook::flag;
     for signal in SIGNALS {
-        // In this order: the first signal finds the flag down and raises it, the second finds
-        // it up.
+        // The order matters: the first signal finds the flag unset and sets it, the second finds
+        // it set.
         flag::register_conditional_shutdown(signal, i32::from(Exit::Interrupted.code()), Arc::clone(asked))?;
         flag::register(signal, Arc::clone(asked))?;
     }
     Ok(())
 }
 
-/// How long a computation has to stop by itself, and the writing of what it has then.
+/// Time limits for the computation to stop and for its results to be written.
 #[cfg(unix)]
 const TO_STOP: Duration = Duration::from_millis(700);
 #[cfg(unix)]
 const TO_WRITE: Duration = Duration::from_secs(10);
 
-/// Ends the program where it does not end by itself: an assembly, a factorisation or a report does
-/// not look for signals. A run may be killed at any moment: its finished steps are on the disk, and
-/// `--resume` goes on behind them.
+/// Ends the program if it does not end by itself, because an assembly, a factorisation or a report
+/// does not check for signals. A run may be killed at any moment: its finished steps are on disk,
+/// and `--resume` continues after them.
 #[cfg(unix)]
 fn end_soon(stopped: &AtomicBool) {
     use std::io::Write;
@@ -108,10 +108,10 @@ fn end_soon(stopped: &AtomicBool) {
     if stopped.load(Ordering::Relaxed) {
         std::thread::sleep(TO_WRITE);
     }
-    // Nobody is left to tell when standard error itself is gone.
+    // A failure to write to standard error cannot be reported.
     let _ = writeln!(
         std::io::stderr(),
-        "interrupted; the same command with --resume goes on behind the last finished step"
+        "interrupted; repeat the command with --resume to continue after the last finished step"
     );
     std::process::exit(i32::from(Exit::Interrupted.code()));
 }

@@ -1,4 +1,4 @@
-//! Results and failures as one JSON object on standard output.
+//! Output of results and failures as one JSON object.
 
 use crate::exit::{Exit, Failure};
 use crate::print;
@@ -8,18 +8,18 @@ use serde_json::{Value, json};
 /// Whether the result is printed as JSON.
 #[derive(Debug, Clone, Copy, Default, Args)]
 pub struct Json {
-    /// Print the result as one JSON object, errors included; nothing else goes to standard output
+    /// Print the result, including errors, as one JSON object and nothing else on standard output
     #[arg(long)]
     pub json: bool,
 }
 
 impl Json {
-    /// Prints `text`, or in its place `value`.
+    /// Prints `value` if JSON is requested, otherwise `text`.
     pub fn print(self, text: impl FnOnce() -> String, value: impl FnOnce() -> Value) -> Result<(), Failure> {
         if self.json { print::stdout(&format!("{:#}\n", value())) } else { print::stdout(&text()) }
     }
 
-    /// Does `work`; where it fails and JSON is wanted, the failure is an object, too.
+    /// Executes `work`; a failure is printed as an object too if JSON is requested.
     pub fn told(self, work: impl FnOnce() -> Result<Exit, Failure>) -> Result<Exit, Failure> {
         let failure = match work() {
             Err(failure) if self.json => failure,
@@ -30,7 +30,7 @@ impl Json {
     }
 }
 
-/// `exit`, the code, and `errors`: of each `message`, `file`, `line`, `column`, `key`, `help`.
+/// The exit code `exit`, and `errors`, each with `message`, `file`, `line`, `column`, `key`, `help`.
 fn of_failure(failure: &Failure) -> Value {
     let errors: Vec<Value> = match failure {
         Failure::Case(errors) => errors

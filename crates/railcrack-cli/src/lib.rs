@@ -22,14 +22,14 @@ use railcrack_case::Case;
 use std::ffi::OsString;
 use std::path::Path;
 
-/// Does what the command line `arguments` ask for, the name of the program first, and says on
-/// standard error what went wrong: the exit code of the program. Once per process: it takes the
-/// signals and the threads.
+/// Executes the command line `arguments`, whose first entry is the name of the program, reports
+/// errors on standard error, and returns the exit code. Called once per process, because it
+/// installs signal handlers and a thread pool.
 pub fn command(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     match Arguments::try_parse_from(arguments) {
         Ok(arguments) => run(arguments).code(),
         Err(error) => {
-            // Nobody is left to tell when the stream itself is gone.
+            // A failure to write to the stream cannot be reported.
             let _ = error.print();
             u8::try_from(error.exit_code()).unwrap_or(Exit::BadInput.code())
         }
@@ -42,7 +42,7 @@ pub fn check_text(case: &Case, folder: &Path) -> String {
     commands::check::summary(case, folder)
 }
 
-/// Does what was asked for; says on stderr what went wrong.
+/// Executes the command and reports errors on standard error.
 fn run(arguments: Arguments) -> Exit {
     match dispatch::dispatch(arguments.command) {
         Ok(exit) => exit,

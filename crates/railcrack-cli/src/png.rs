@@ -1,4 +1,4 @@
-//! Plots as PNG files, from their SVG files.
+//! Conversion of plots from SVG to PNG.
 
 use railcrack_run::simulation::RunError;
 use resvg::tiny_skia::{Pixmap, Transform};
@@ -8,17 +8,17 @@ use std::path::{Path, PathBuf};
 /// Pixels per unit of a plot: 200 dpi where a unit is a point at 100 %.
 const SCALE: f32 = 2.8;
 
-/// The fonts that plots name: PNG files are the same on every machine.
+/// Fonts of the plots, embedded so that PNG files are the same on every machine.
 const FONTS: [&[u8]; 3] = [
     include_bytes!("../fonts/LiberationSans-Regular.ttf"),
     include_bytes!("../fonts/LiberationSans-Bold.ttf"),
     include_bytes!("../fonts/LiberationSans-Italic.ttf"),
 ];
 
-/// Writes a PNG file beside every SVG file in the folder of results `folder`, and in its `plots`
-/// and `figures`. How many.
+/// Writes a PNG file for every SVG file in `folder` and its subfolders `plots` and `figures`, into
+/// the same directory. Returns the number of files.
 ///
-/// Errors: a plot is no SVG; the system refuses.
+/// Errors: a plot is not an SVG file; the system refuses.
 pub fn write_beside_plots(folder: &Path) -> Result<usize, RunError> {
     let mut options = Options::default();
     for font in FONTS {
@@ -35,7 +35,7 @@ pub fn write_beside_plots(folder: &Path) -> Result<usize, RunError> {
     Ok(plots.len())
 }
 
-/// The SVG files, in order.
+/// The SVG files in alphabetical order.
 fn plots(folder: &Path) -> Result<Vec<PathBuf>, RunError> {
     let mut plots = Vec::new();
     for place in [folder.to_path_buf(), folder.join("plots"), folder.join("figures")] {

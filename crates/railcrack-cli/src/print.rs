@@ -4,7 +4,7 @@ use crate::exit::Failure;
 use miette::{GraphicalReportHandler, GraphicalTheme};
 use std::io::{ErrorKind, IsTerminal, Write};
 
-/// Writes `text` to standard output. A reader that has seen enough (`| head`) is no failure.
+/// Writes `text` to standard output. A reader that closes the pipe (`| head`) is not a failure.
 pub fn stdout(text: &str) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
@@ -13,8 +13,8 @@ pub fn stdout(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Says on standard error what went wrong: drawn with the lines of the file on a terminal;
-/// otherwise a line per error, and under it the line of the file.
+/// Reports a failure on standard error: graphically with an excerpt of the file on a terminal,
+/// otherwise with one line per error followed by the line of the file.
 pub fn failure(failure: &Failure) {
     let mut err = std::io::stderr().lock();
     let text = match failure {
@@ -39,6 +39,6 @@ pub fn failure(failure: &Failure) {
         }
         other => format!("error: {other}\n"),
     };
-    // Nobody is left to tell when standard error itself is gone.
+    // A failure to write to standard error cannot be reported.
     let _ = err.write_all(text.as_bytes());
 }

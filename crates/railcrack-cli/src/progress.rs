@@ -1,4 +1,4 @@
-//! How far a run is: a bar on a terminal, a line per step elsewhere.
+//! Progress of a run: a bar on a terminal, one line per step elsewhere.
 
 use crate::display::{Display, Verbosity, styled_bar};
 use crate::interruption::Interruption;
@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 /// Parts of a step on the bar.
 const PARTS: u64 = 1000;
 
-/// The progress of one run, told on standard error.
+/// Progress of one run, shown on standard error.
 #[derive(Debug)]
 pub struct Progress<'a> {
     display: Display,
@@ -23,14 +23,14 @@ pub struct Progress<'a> {
     step: AtomicUsize,
     begun: Instant,
     pace: Mutex<Pace>,
-    /// Million gross tonnes of a load cycle, where the case has traffic.
+    /// Million gross tonnes per load cycle, if the case has traffic.
     tonnes: Option<f64>,
 }
 
 /// Cost of the finished steps.
 #[derive(Debug)]
 struct Pace {
-    /// When the present step began.
+    /// Start of the current step.
     since: Instant,
     /// Wall times of the last steps, s.
     steps: VecDeque<f64>,
@@ -38,11 +38,11 @@ struct Pace {
     state: String,
 }
 
-/// Steps of which the cost of the next ones is judged: these grow with the cracks.
+/// Number of recent steps from which the cost of the next ones is extrapolated.
 const JUDGED: usize = 5;
 
 impl<'a> Progress<'a> {
-    /// A run of `increments` increments that `interruption` may stop.
+    /// A run of `increments` increments that `interruption` can stop.
     pub fn new(verbosity: Verbosity, increments: usize, interruption: &'a Interruption) -> Self {
         let display = Display::new(verbosity, || bar(increments));
         let now = Instant::now();
@@ -51,7 +51,7 @@ impl<'a> Progress<'a> {
         Self { display, interruption, increments, step, begun: now, pace, tonnes: None }
     }
 
-    /// Also tells million gross tonnes, by axles of `load` tonnes.
+    /// Also shows million gross tonnes, for an axle load of `load` tonnes.
     #[must_use]
     pub fn with_axle_load(self, load: Option<f64>) -> Self {
         Self { tonnes: load.map(|load| load / 1e6), ..self }
@@ -61,7 +61,7 @@ impl<'a> Progress<'a> {
         self.pace.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// State and time left, behind the bar.
+    /// State and remaining time, shown after the bar.
     fn tell(&self, bar: &ProgressBar, fraction: f64) {
         let pace = self.pace();
         let step = self.step.load(Ordering::Relaxed);
@@ -76,8 +76,8 @@ impl<'a> Progress<'a> {
     }
 }
 
-/// Seconds that `steps` steps take, `fraction` of the first of them done; none before one is
-/// finished. Each takes longer than the one before by as much as the last ones did.
+/// Estimated time, s, of `steps` steps, a `fraction` of the first of them done; none before the
+/// first step is finished. The increase from step to step is extrapolated from the last steps.
 fn time_left(finished: &VecDeque<f64>, steps: usize, fraction: f64) -> Option<f64> {
     let (first, last) = (finished.front()?, finished.back()?);
     let growth = (last - first) / (finished.len().max(2) - 1) as f64;
@@ -94,7 +94,7 @@ impl RunObserver for Progress<'_> {
             bar.set_position(first as u64 * PARTS);
             bar.set_prefix(format!("{first}/{}", self.increments));
         }
-        // Time left follows from the pace since now, not from steps that were done before.
+        // The remaining time follows from the present pace, not from steps of an earlier run.
         self.pace().since = Instant::now();
     }
 
@@ -169,12 +169,12 @@ impl RunObserver for Progress<'_> {
 }
 
 fn bar(increments: usize) -> ProgressBar {
-    // The message is cut where the terminal ends: 40 columns show the time that is left.
+    // The message is truncated at the end of the line; 40 columns still show the remaining time.
     let template = "step {prefix} [{bar:8}] {elapsed}  {wide_msg}";
     styled_bar((increments as u64 + 1) * PARTS, template)
 }
 
-/// Cracks that join others in this step, and pieces that it encloses.
+/// Cracks that join others in this step, and pieces of the rail that are enclosed.
 fn events(record: &StepRecord) -> Vec<String> {
     let joins = |tip: &&TipRecord| tip.stop == Some(TipStop::Coalescence) && tip.increment != 0.0;
     let joined = record
@@ -188,8 +188,8 @@ fn events(record: &StepRecord) -> Vec<String> {
     joined.chain(enclosed).collect()
 }
 
-/// Crack and length of the fastest tip, load cycles, million gross tonnes where one cycle has
-/// `tonnes`, and the rate: 80 columns show them behind a bar but for the rate.
+/// Crack and length of the fastest tip, load cycles, million gross tonnes at `tonnes` per cycle,
+/// and the rate. After a bar, 80 columns show all but the rate.
 fn state_of(record: &StepRecord, tonnes: Option<f64>) -> String {
     let faster = |one: &TipRecord, other: &TipRecord| one.rate.total_cmp(&other.rate);
     let fastest = record.tips.iter().max_by(|one, other| faster(one, other));
@@ -206,7 +206,7 @@ fn state_of(record: &StepRecord, tonnes: Option<f64>) -> String {
     })
 }
 
-/// A number of load cycles as people write it: whole, with spaces between thousands.
+/// A whole number of load cycles with spaces between thousands.
 pub fn cycles(cycles: f64) -> String {
     let digits = format!("{cycles:.0}");
     if digits.len() > 15 {

@@ -114,7 +114,7 @@ impl CaseRun {
         }
         for ((crack, tip), grown) in record.cracks().iter().zip(&record.tips).zip(&mut self.cracks) {
             grown.points = points(crack);
-            // A slow crack shows where it is going before it has gone a whole increment.
+            // The direction of a slow crack is known before it has grown a whole increment.
             if let Some(deferred) = tip.plane().map(|plane| plane.deferred)
                 && deferred.length > 0.0
             {

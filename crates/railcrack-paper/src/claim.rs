@@ -2,7 +2,7 @@
 
 use crate::results::SetupResults;
 
-/// A statement about results, in our words.
+/// A paraphrased statement about results.
 pub struct Claim {
     /// Its name.
     pub id: &'static str,
@@ -14,7 +14,7 @@ pub struct Claim {
     pub statement: &'static str,
     /// When it counts as true.
     pub rule: &'static str,
-    /// The rule: none where a set-up lacks a run that it needs.
+    /// The rule; none if a set-up lacks a run that it needs.
     pub decide: fn(SetupResults) -> Option<Decision>,
     /// The reason for the verdict, as far as known; empty otherwise.
     pub why: &'static str,

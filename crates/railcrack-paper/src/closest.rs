@@ -27,11 +27,11 @@ pub(super) fn closest(record: &PaperRecord) -> Option<String> {
     let all = decided.len();
     Some(if others.is_empty() {
         format!(
-            "No main set-up is closest to the paper: of the {all} statements that all of them decide, {most} hold in each."
+            "No main set-up is closest to the paper: of the {all} statements decided by all of them, {most} hold in each."
         )
     } else {
         format!(
-            "Closest to the paper is {names}: of the {all} statements that all main set-ups decide, {most} hold there, against {rest}."
+            "Closest to the paper is {names}: of the {all} statements decided by all main set-ups, {most} hold there, compared with {rest}."
         )
     })
 }
@@ -81,7 +81,7 @@ mod tests {
         };
         let text = closest(&record).unwrap();
         assert!(text.contains("\u{201c}a\u{201d}: of the 2 statements"), "{text}");
-        assert!(text.ends_with("2 hold there, against 1 in \u{201c}b\u{201d}."), "{text}");
+        assert!(text.ends_with("2 hold there, compared with 1 in \u{201c}b\u{201d}."), "{text}");
         record.statements.remove(0);
         assert!(closest(&record).unwrap().starts_with("No main set-up"));
         record.setups.truncate(1);

@@ -1,4 +1,4 @@
-//! The runs: computed in parallel, or taken over.
+//! Computation of the runs in parallel, or reuse of finished runs.
 
 use crate::case_run::{CaseRun, Effort};
 use crate::error::PaperError;
@@ -24,8 +24,7 @@ pub(super) struct Computation<'a> {
 }
 
 impl Computation<'_> {
-    /// Every run: one thread each, since runs need nothing of one another, on rails that they
-    /// share.
+    /// Computes all runs, one thread each because runs are independent, on shared rails.
     ///
     /// Errors: the system refuses threads.
     pub(super) fn run(&self) -> Result<Vec<Result<CaseRun, PaperError>>, PaperError> {
@@ -45,8 +44,8 @@ impl Computation<'_> {
         }
         let of_job = |run| WaitingRun { run, case: &self.cases[run], effort: self.jobs[run].effort };
         let queue = RunQueue::new(waiting.into_iter().map(of_job));
-        // A pool each: within a common one a thread that waits for parts of its run could begin
-        // another run, and wait there for the rail that it is about to make.
+        // A pool for each run: in a common pool a thread that waits for parts of its run could
+        // start another run and wait there for the rail that it is about to make.
         let pools = (0..rayon::current_num_threads())
             .map(|_| rayon::ThreadPoolBuilder::new().num_threads(1).build())
             .collect::<Result<Vec<_>, _>>()?;
@@ -80,7 +79,7 @@ impl Computation<'_> {
     }
 }
 
-/// Passes on whether to stop; the progress within a run is nobody's business.
+/// Forwards interruptions only; progress within a run is not shown.
 struct Silent<'a>(&'a dyn Telling);
 
 impl Observer for Silent<'_> {

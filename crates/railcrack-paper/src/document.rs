@@ -1,4 +1,4 @@
-//! `statements.json`: what `railcrack paper` decided, beside its figures and tables.
+//! `statements.json`: the decisions of `railcrack paper`.
 
 use railcrack_run::OutputError;
 use railcrack_run::disk::{Durability, read_if_there, replace_file};
@@ -8,7 +8,7 @@ use std::path::Path;
 /// Name of the file.
 pub const STATEMENTS_FILE: &str = "statements.json";
 
-/// Everything that `railcrack paper` says in words and decisions. Keys are the fields' names.
+/// All statements and decisions of `railcrack paper`. Keys are the names of the fields.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PaperRecord {
     /// Version of the program.
@@ -45,7 +45,7 @@ pub struct CurveRecord {
     pub legend: String,
 }
 
-/// One way of filling in what the paper leaves open.
+/// One choice of the inputs that the paper does not specify.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SetupRecord {
     /// Its name in the tables.

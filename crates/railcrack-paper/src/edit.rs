@@ -23,9 +23,8 @@ impl Edit {
         Self { section, key, value: format!("\"{value}\"") }
     }
 
-    /// `text` with this value, in every section of that name where it repeats. A key that is not
-    /// there is added at the top of its section, a section that is not there at the end. `text` as
-    /// it is where it is no TOML.
+    /// `text` with this value in every section of that name. A missing key is added at the top of its
+    /// section, a missing section at the end. Text that is not TOML is returned unchanged.
     pub(super) fn apply(&self, text: &str) -> String {
         let (document, _) = DeTable::parse_recoverable(text);
         let Some((name, value)) = document.get_ref().get_key_value(self.section) else {
@@ -43,7 +42,7 @@ impl Edit {
             _ => Vec::new(),
         };
         let mut out = text.to_owned();
-        // From the last to the first: what is replaced moves only what comes after it.
+        // From the last to the first, because a replacement moves the text after it.
         for (header, table) in places.into_iter().rev() {
             match table.get(self.key) {
                 Some(old) => out.replace_range(old.span(), &self.value),

@@ -14,7 +14,7 @@ use thiserror::Error;
 pub enum PaperError {
     /// The folder holds an earlier one.
     #[error(
-        "{} already holds results of the paper ({PAGE}): replace them with --force, take its runs over with --resume, or choose another folder with --out",
+        "{} already contains results of the paper ({PAGE}): replace them with --force, reuse its runs with --resume, or choose another folder with --out",
         folder.display()
     )]
     Exists {

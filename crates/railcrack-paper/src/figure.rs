@@ -79,7 +79,7 @@ impl Figure {
 
 /// A figure that the paper does not have, or that shows no results.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("`{given}` is no figure with results: must be one of {accepted}")]
+#[error("`{given}` is not a figure with results: must be one of {accepted}")]
 pub struct UnknownFigure {
     /// The name given.
     pub given: String,

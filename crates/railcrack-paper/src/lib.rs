@@ -1,5 +1,5 @@
-//! The results of Trollé et al. 2014 recomputed: every figure, and every statement of the text set
-//! against the numbers.
+//! The results of Trollé et al. 2014 recomputed: every figure, and every statement of the text
+//! compared with the numbers.
 //!
 //! [`curves`](CURVES) are the cases of the paper, [`SETUPS`] the choices that it leaves open,
 //! [`CLAIMS`] its statements, each with the rule that decides it. [`reproduce`] computes what the

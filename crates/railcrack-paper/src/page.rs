@@ -42,18 +42,18 @@ const HEAD: &str = "# The paper, recomputed
 COMMAND
 
 Trollé, Baietto, Gravouil, Mai & Prabel, *2D fatigue crack propagation in rails taking into account
-actual plastic stresses*, Eng. Fract. Mech. 123 (2014) 163\u{2013}181, leaves open what its results
-depend on: the supports of its block; whether the cracks lean along the travel or against it; the sign
-of the wheel\u{2013}rail friction (text, caption and conclusion contradict each other on Fig. 16); the
-crack-face friction in Figs 24 and 25 (0.5 in the text, 0.01 in the captions); the load steps of a
-passage; whether k1 of a closed kink counts as zero; and whether Fig. 21 is the plastic stress or the
-balanced one. Each statement of its text is therefore decided in several set-ups, by a rule that a
-program can apply. The answer is a table: statement by set-up.
+actual plastic stresses*, Eng. Fract. Mech. 123 (2014) 163\u{2013}181, does not specify several inputs
+that its results depend on: the supports of its block; whether the cracks lean along the travel or
+against it; the sign of the wheel\u{2013}rail friction (text, caption and conclusion contradict each other
+on Fig. 16); the crack-face friction in Figs 24 and 25 (0.5 in the text, 0.01 in the captions); the
+load steps of a passage; whether k1 of a closed kink counts as zero; and whether Fig. 21 is the
+plastic stress or the balanced one. Each statement of its text is therefore decided in several
+set-ups, by a rule that a program can apply. The answer is a table: statement by set-up.
 
 Statements and the few numbers in the text are compared, not the curves of the figures: these were
-not available as numbers, and none were read off pictures. The text does not give the crack-face
+not available as numbers, and none were digitised. The text does not give the crack-face
 frictions of Figs 17 and 18; those here (0.1, 0.2, 0.5, 0.8) and the borders of the layers of Fig. 21
-are chosen.
+are assumptions.
 
 ";
 
@@ -95,7 +95,7 @@ fn command(figures: &[u8]) -> String {
         format!(" --only {}", numbers.join(" "))
     };
     format!(
-        "`paper.md` in the folder that `railcrack paper{only}` writes (version {VERSION}): computed,\napart from the column *why*, which is written by hand. The folder also has the case files, the numbers\nof each figure (`figures/*.csv`) and decision (`claims.csv`), and the effort of each run (`runs.csv`)."
+        "`paper.md` in the folder that `railcrack paper{only}` writes (version {VERSION}): computed,\nexcept for the column *why*, which is written by hand. The folder also has the case files, the numbers\nof each figure (`figures/*.csv`) and decision (`claims.csv`), and the effort of each run (`runs.csv`)."
     )
 }
 
@@ -125,8 +125,8 @@ fn statements(verdicts: &[Verdict]) -> String {
 
 In the order of the paper: \u{2705} holds, \u{274c} does not hold, empty: not decided. *Along*: the cracks
 lean along the travel of the wheel, which meets the mouth first and then passes over the tip;
-*against*: they lean against it. The rule that decides each statement and its numbers are below. A
-variant is named where it differs from the set-up that it varies.
+*against*: they lean against it. The rule for each statement and its numbers are given below. A
+variant is listed if its decision differs from that of the set-up that it varies.
 
 | statement | where | half-plane, along | half-plane, against | block, along | block, against | variants that differ | verdict | why |
 |---|---|---|---|---|---|---|---|---|
@@ -211,7 +211,7 @@ fn reference_ranges(results: &Results) -> String {
         };
         let cell = |name: &str| match (range(name), off(name)) {
             (Some((ki, kii)), Some(off)) if parent != r.setup().name => {
-                // Below that it is round-off, which is not for a page.
+                // Smaller values are round-off.
                 let off = if off < 1e-3 { "0".to_owned() } else { rounded(off) };
                 format!("{} | {} | {off}", rounded(ki), rounded(kii))
             }
@@ -230,7 +230,7 @@ fn reference_ranges(results: &Results) -> String {
 
 \u{394}K_I and \u{394}K_II of the initial crack, and the largest difference of K from the set-up
 that is varied, in per cent of its peak: supports, fixed load steps, engines, Young's modulus. Fixed
-steps of 0.1 a and 0.05 a show the error without control of the load steps.
+steps of 0.1 a and 0.05 a show the error without load step control.
 
 | set-up | Table 1 \u{394}K_I | \u{394}K_II | difference % | Fig. 13 \u{394}K_I | \u{394}K_II | difference % |
 |---|---|---|---|---|---|---|
@@ -273,7 +273,7 @@ fn profile_section(profiles: &[StressProfile]) -> String {
     let mut text = "## Fig. 21
 
 The largest residual stress \u{3c3}_xx due to rolling alone under the wheel of Table 1, for steels that the
-paper might have used, beside the two readings of the figure.
+paper might have used, and for the two readings of the figure.
 
 | profile | state | largest \u{3c3}_xx, MPa | at depth, mm |
 |---|---|---|---|
@@ -286,7 +286,7 @@ paper might have used, beside the two readings of the figure.
         text.push_str(&format!("| {} | {state} | {} | {depth} |\n", profile.name, rounded(stress)));
     }
     text.push('\n');
-    text.push_str("Statements of the paper on the stabilised state, decided for each of these steels in that order:\n\n| statement | where | rule |");
+    text.push_str("Statements of the paper on the stabilised state, decided for these steels in this order:\n\n| statement | where | rule |");
     let steels = profiles.iter().filter(|profile| profile.state.is_some()).count();
     text.push_str(&format!(
         "{} verdict |\n|---|---|---|{}---|\n",

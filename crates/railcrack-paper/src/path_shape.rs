@@ -3,7 +3,7 @@
 
 use crate::case_run::CrackGrowth;
 
-/// Which way a branch turns from the line of the initial crack.
+/// Side to which a branch turns from the line of the initial crack.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
     /// Towards the running surface.
@@ -12,7 +12,7 @@ pub enum Side {
     Down,
 }
 
-/// Where and how a path leaves the line of the initial crack.
+/// Increment and side at which a path leaves the line of the initial crack.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Branch {
     /// The increment that leaves it, from 1.
@@ -36,7 +36,7 @@ pub struct PathShape {
     pub inclination: Option<f64>,
     /// The same from where it has branched.
     pub inclination_after: Option<f64>,
-    /// How far it goes towards +x from there, mm.
+    /// Extent in +x from there, mm.
     pub along_after: Option<f64>,
 }
 
@@ -81,7 +81,7 @@ impl PathShape {
         }
     }
 
-    /// Whether it keeps to the line of the initial crack.
+    /// Whether it stays on the line of the initial crack.
     pub fn is_coplanar(&self) -> bool {
         self.branch.is_none() && self.increments > 0
     }

@@ -13,7 +13,7 @@ pub(super) struct Job {
     pub name: String,
     /// Where its results belong: set-up and curve.
     pub uses: Vec<(usize, usize)>,
-    /// About how long it takes, in any unit: long runs start first.
+    /// Estimated duration, in arbitrary units: long runs start first.
     pub effort: f64,
 }
 

@@ -60,7 +60,7 @@ pub fn reproduce(
     }
     if let Some(overlay) = overlays.iter().find(|overlay| !figures.contains(&overlay.figure())) {
         let path = PathBuf::from(format!("fig{}.csv", overlay.figure()));
-        let says = "this figure is not among those that are recomputed".to_owned();
+        let says = "this figure is not among the recomputed ones".to_owned();
         return Err(PaperError::Overlay { path, says });
     }
     let jobs = plan(figures);

@@ -1,5 +1,4 @@
-//! Choices that the paper leaves open, made explicit: boundary, travel, load steps, criterion,
-//! readings.
+//! Inputs that the paper does not specify: boundary, travel, load steps, criterion, readings.
 
 use crate::curve::PaperCurve;
 use crate::edit::Edit;
@@ -16,7 +15,7 @@ pub(super) enum Travel {
     Against,
 }
 
-/// How far the runs of a set-up go.
+/// Extent of the runs of a set-up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
     /// Initial cracks and growth.
@@ -27,13 +26,13 @@ pub enum Extent {
     Initial,
 }
 
-/// One way of filling in what the paper leaves open.
+/// One choice of the inputs that the paper does not specify.
 pub struct Setup {
     /// Its name in files and tables.
     pub name: &'static str,
     /// Its description.
     pub words: &'static str,
-    /// How far its runs go.
+    /// Extent of its runs.
     pub extent: Extent,
     /// The figures that it is computed for.
     pub figures: &'static [u8],
@@ -74,7 +73,7 @@ pub(super) enum Twist {
     Young(f64),
 }
 
-/// How far one run goes.
+/// Extent of one run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Stage {
     Initial,
@@ -153,9 +152,9 @@ impl Setup {
     pub(super) fn grows(&self, curve: &PaperCurve) -> bool {
         let block = matches!(self.body, Body::Block { .. });
         match (self.extent, self.twist) {
-            // A slippery pair takes as long there as the nine cracks of all set-ups.
+            // A pair with low friction takes as long there as the nine cracks of all set-ups.
             (_, Twist::FaceFriction(_)) if block => false,
-            // Each crack alone is there for its K.
+            // The single cracks are needed for K only.
             (Extent::Growth, Twist::FaceFriction(_)) => matches!(curve.name, "pair" | "nine"),
             (Extent::Growth, _) => true,
             (Extent::ReferenceGrowth, _) => curve.name == "reference",

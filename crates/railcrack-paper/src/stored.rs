@@ -1,4 +1,4 @@
-//! Finished runs in the folder, which an interrupted command takes over.
+//! Finished runs in the folder, reused by `--resume`.
 
 use crate::case_run::CaseRun;
 use crate::files::RUNS;
@@ -12,7 +12,7 @@ fn writer() -> String {
     format!("{VERSION}, layout 3")
 }
 
-/// A run with all that it depends on.
+/// A run with everything it depends on.
 #[derive(Serialize, Deserialize)]
 struct Stored {
     /// Its [`writer`].
@@ -26,21 +26,21 @@ fn path(folder: &Path, name: &str) -> PathBuf {
     folder.join(RUNS).join(format!("{name}.run"))
 }
 
-/// All that decides the results of `case`.
+/// Everything that determines the results of `case`.
 fn identity(case: &Case) -> Vec<String> {
     let tables = case.companions();
     std::iter::once(case.to_toml()).chain(tables.iter().map(|table| table.text.to_owned())).collect()
 }
 
-/// The run called `name`, if the folder has one of this `case` by this version; what else is there
-/// is computed anew.
+/// The run called `name`, if the folder has one of this `case` by this version; any other is computed
+/// again.
 pub(super) fn stored(folder: &Path, name: &str, case: &Case) -> Option<CaseRun> {
     let bytes = std::fs::read(path(folder, name)).ok()?;
     let stored: Stored = postcard::from_bytes(&bytes).ok()?;
     (stored.program == writer() && stored.case == identity(case)).then_some(stored.run)
 }
 
-/// Keeps `run`.
+/// Stores `run`.
 ///
 /// Errors: the system refuses.
 pub(super) fn store(folder: &Path, name: &str, case: &Case, run: &CaseRun) -> Result<(), OutputError> {
@@ -48,7 +48,7 @@ pub(super) fn store(folder: &Path, name: &str, case: &Case, run: &CaseRun) -> Re
     let stored = Stored { program: writer(), case: identity(case), run: run.clone() };
     let bytes = postcard::to_stdvec(&stored)
         .map_err(|reason| OutputError::io("encode", &path)(std::io::Error::other(reason)))?;
-    // Half a file would be no run: it is moved into place when it is whole.
+    // The complete file is moved into place, so that no partial file remains.
     let partial = path.with_extension("partial");
     std::fs::write(&partial, bytes).map_err(OutputError::io("write", &partial))?;
     std::fs::rename(&partial, &path).map_err(OutputError::io("write", &path))

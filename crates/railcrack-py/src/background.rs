@@ -1,4 +1,4 @@
-//! Computations beside the interpreter, which meanwhile looks at signals and tells of progress.
+//! Computations in background threads, while the interpreter handles signals and reports progress.
 
 use crate::errors::bad_input;
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
@@ -12,16 +12,16 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-/// Something to tell of a computation.
+/// Progress event of a computation.
 #[derive(Debug)]
 pub enum Event {
-    /// The run goes on with this growth step.
+    /// The run starts this growth step.
     Begins(usize),
-    /// The fraction of the growth step that is done.
+    /// Finished fraction of the growth step.
     Fraction(f64),
     /// A growth step is finished: its number.
     Finished(usize),
-    /// A stage before the first step, or a run of a study that is over.
+    /// Text: a stage before the first step, or a finished run of a study.
     Said(String),
 }
 
@@ -30,14 +30,14 @@ pub enum Event {
 pub struct Watch {
     events: Sender<Event>,
     interrupted: AtomicBool,
-    /// Hundredths of the current step that have been told.
+    /// Hundredths of the current step reported so far.
     told: AtomicUsize,
-    /// Why a function of the user could not answer.
+    /// Exception raised by a user-defined function.
     failure: Mutex<Option<PyErr>>,
 }
 
 impl Watch {
-    /// A watch, and what it is told.
+    /// A watch, and the receiver of its events.
     pub fn new() -> (Arc<Self>, Receiver<Event>) {
         let (events, told) = channel();
         let watch = Self {
@@ -49,7 +49,7 @@ impl Watch {
         (Arc::new(watch), told)
     }
 
-    /// Ends the computation because a function of the user raised `error`.
+    /// Ends the computation because a user-defined function raised `error`.
     pub fn fail(&self, error: PyErr) {
         self.failure.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
         self.interrupted.store(true, Ordering::Relaxed);
@@ -60,7 +60,7 @@ impl Watch {
         self.interrupted.load(Ordering::Relaxed)
     }
 
-    /// Nobody listens any more once the computation is given up.
+    /// Sends an event; a receiver that no longer exists is ignored.
     fn tell(&self, event: Event) {
         let _ = self.events.send(event);
     }
@@ -105,7 +105,7 @@ impl Observer for Watch {
     }
 }
 
-/// A run of a study, observed for its interruption only.
+/// A run of a study, observed only for interruption.
 struct WatchedRun<'a>(&'a Watch);
 
 impl RunObserver for WatchedRun<'_> {
@@ -128,10 +128,10 @@ impl StudyObserver for Watch {
     }
 }
 
-/// How long Python waits for the next event before it looks at its signals.
+/// Interval at which Python checks for signals while it waits for the next event.
 const LISTEN: Duration = Duration::from_millis(50);
 
-/// A computation that is over.
+/// A finished computation.
 pub struct Over<T> {
     /// Its result.
     pub result: T,
@@ -139,7 +139,7 @@ pub struct Over<T> {
     pub signal: Option<PyErr>,
 }
 
-/// Errors: no number of threads.
+/// Errors: an invalid number of threads.
 pub fn check_threads(py: Python<'_>, threads: Option<usize>) -> PyResult<()> {
     match threads {
         Some(count) if !(1..=MOST_THREADS).contains(&count) => {
@@ -149,11 +149,11 @@ pub fn check_threads(py: Python<'_>, threads: Option<usize>) -> PyResult<()> {
     }
 }
 
-/// Has `work` done on `threads` threads of its own (none: as many as the machine has) without
-/// holding the interpreter; `tell(kind, value)` is called with every event that `told` receives.
+/// Executes `work` on a pool of `threads` threads (none: one per processor) without holding the
+/// interpreter lock; `tell(kind, value)` is called for every event that `told` receives.
 ///
-/// Errors: no number of threads; the system refuses them; `tell`, or a function that is part of the
-/// work, raises an exception.
+/// Errors: an invalid number of threads; the system refuses them; `tell` or a user-defined function
+/// raises an exception.
 pub fn compute<T: Send + 'static>(
     py: Python<'_>,
     threads: Option<usize>,
@@ -167,7 +167,7 @@ pub fn compute<T: Send + 'static>(
     let pool = pool.map_err(|reason| refused(reason.to_string()))?;
     let (over, ends) = channel::<()>();
     let working = std::thread::Builder::new().name("railcrack".into()).spawn(move || {
-        // Dropped when the work is over, by a panic too.
+        // Dropped at the end of the work, including a panic.
         let _over = over;
         pool.install(work)
     });
@@ -179,7 +179,7 @@ pub fn compute<T: Send + 'static>(
         if let Some(tell) = tell {
             for event in events {
                 match tell_event(tell, event) {
-                    // Python may raise it wherever its own code runs.
+                    // Python can raise it in any of its own code.
                     Err(error) if error.is_instance_of::<PyKeyboardInterrupt>(py) => {
                         watch.interrupted.store(true, Ordering::Relaxed);
                         signal.get_or_insert(error);
@@ -198,7 +198,7 @@ pub fn compute<T: Send + 'static>(
         }
     }
     let result = py.detach(|| working.join()).map_err(|_| {
-        PyRuntimeError::new_err("railcrack has a fault: a computation ended without a result")
+        PyRuntimeError::new_err("internal error in railcrack: a computation ended without a result")
     })?;
     match watch.failure.lock().unwrap_or_else(PoisonError::into_inner).take() {
         Some(error) => Err(error),
@@ -206,7 +206,7 @@ pub fn compute<T: Send + 'static>(
     }
 }
 
-/// The events of the next moment, and whether the work is over.
+/// Waits for events, and returns them with whether the work is finished.
 fn wait(told: Receiver<Event>, ends: Receiver<()>) -> (Receiver<Event>, Receiver<()>, Vec<Event>, bool) {
     let is_over = matches!(ends.recv_timeout(LISTEN), Err(RecvTimeoutError::Disconnected));
     let events = told.try_iter().collect();

@@ -1,4 +1,4 @@
-//! Cracked bodies: two matrices at the face points.
+//! Cracked bodies, represented by two matrices at the face points.
 
 use crate::background::{Watch, compute};
 use crate::case::CaseCore;
@@ -16,7 +16,7 @@ use railcrack::math::{Matrix, Vec2};
 use railcrack::xfem::{RailEnd, RefinedRegion, XfemEngine, XfemSettings, default_element_sizes};
 use std::sync::Arc;
 
-/// A cracked body, whose matrices are arrays of numpy.
+/// A cracked body with its matrices as NumPy arrays.
 #[pyclass(module = "railcrack._railcrack", name = "Body", frozen)]
 pub struct BodyCore {
     pub(crate) steel: IsotropicElastic,
@@ -51,14 +51,14 @@ impl BodyCore {
         })
     }
 
-    /// The body for the mechanics, with copies of the arrays as they are now.
+    /// The body for the mechanics, with copies of the current arrays.
     pub(crate) fn whole(&self, py: Python<'_>) -> PyResult<CrackedBody> {
         let matrix = |array: &Py<PyArray2<f64>>| -> PyResult<Matrix> {
             let array = array.bind(py).readonly();
             let view = array.as_array();
             let entries = view.iter().copied().collect();
             Matrix::from_entries(view.nrows(), view.ncols(), entries)
-                .ok_or_else(|| bad_input(py, "a matrix of the body has lost its shape"))
+                .ok_or_else(|| bad_input(py, "the shape of a matrix of the body has changed"))
         };
         let matrices = [matrix(&self.compliance)?, matrix(&self.stiffness)?, matrix(&self.sif_influence)?];
         let body = CrackedBody::new(self.faces.clone(), self.tips.clone(), matrices);
@@ -202,7 +202,7 @@ pub fn dislocation_body(
 pub fn case_body(py: Python<'_>, case: &CaseCore, threads: Option<usize>) -> PyResult<BodyCore> {
     let case = &case.case;
     let Some(engine) = case.body_engine() else {
-        let says = "a body is made of cracks in the plane; engine = \"space\" computes runs";
+        let says = "a body requires plane cracks; engine = \"space\" supports runs only";
         return Err(bad_input(py, says));
     };
     made(py, engine, &case.cracks, case.steel, threads)
@@ -222,7 +222,7 @@ fn steel(py: Python<'_>, young: f64, poisson: f64) -> PyResult<IsotropicElastic>
     IsotropicElastic::new(young, poisson).map_err(|error| bad_input(py, error))
 }
 
-/// The body of `network`, made without holding the interpreter; Ctrl-C gives it up.
+/// The body of `network`, computed without holding the interpreter lock; Ctrl-C abandons it.
 fn made(
     py: Python<'_>,
     mut engine: Box<dyn BodyEngine + Send>,

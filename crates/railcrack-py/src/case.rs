@@ -19,14 +19,14 @@ pub struct CaseCore {
     pub(crate) case: Arc<railcrack_case::Case>,
 }
 
-/// A run, how it came to its end (an empty text where it did by itself, `interrupted`, or the name
-/// of an exception), and the reason.
+/// A run, the kind of its end (empty for a normal end, `interrupted`, or the name of an exception),
+/// and the reason.
 type Computed = (RunCore, String, String);
 
 #[pymethods]
 impl CaseCore {
-    /// The case written in `text`, which errors call `name`; relative file names are relative to
-    /// `folder`, or to a folder that has `files`.
+    /// Parses the case in `text`, called `name` in error messages; file names are relative to
+    /// `folder`, or to a temporary folder with `files`.
     #[staticmethod]
     fn parse(
         py: Python<'_>,
@@ -63,7 +63,7 @@ impl CaseCore {
         self.case.cracks.cracks().iter().map(points).collect()
     }
 
-    /// The case with every default.
+    /// The case with all defaults filled in.
     fn to_toml(&self) -> String {
         self.case.to_toml()
     }
@@ -96,7 +96,7 @@ impl CaseCore {
         Ok(check)
     }
 
-    /// Computes the run in memory, behind the steps of `before`.
+    /// Computes the run in memory, continuing after the steps of `before`.
     #[pyo3(signature = (threads, tell, before, law, direction))]
     fn run(
         &self,
@@ -110,10 +110,16 @@ impl CaseCore {
         let (watch, told) = Watch::new();
         let own = law.is_some() || direction.is_some();
         if own && !self.case.mix.is_empty() {
-            return Err(bad_input(py, "law, direction: a mix of wheels has several histories, not one"));
+            return Err(bad_input(
+                py,
+                "law, direction: not supported for a mix of wheels, which has several histories",
+            ));
         }
         if direction.is_some() && self.case.engine.is_in_space() {
-            return Err(bad_input(py, "direction: a crack in space grows in its plane"));
+            return Err(bad_input(
+                py,
+                "direction: not supported with engine = \"space\", where cracks grow in their plane",
+            ));
         }
         let judge: Arc<dyn TipJudge> = Arc::new(OwnJudge { law, direction, watch: Arc::clone(&watch) });
         let before = before.and_then(RunCore::in_memory);

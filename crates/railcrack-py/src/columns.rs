@@ -1,12 +1,12 @@
-//! Tables as arrays of numpy.
+//! Tables as NumPy arrays.
 
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use railcrack_run::csv::{Column, ColumnValues};
 
-/// A dictionary from the name of each column to its array, the words that an array of codes stands
-/// for (none of numbers), and its meaning. The arrays own what was computed: nothing is copied.
+/// A dictionary from the name of each column to its array, the words that codes denote (none for
+/// numbers), and its meaning. The arrays take ownership of the data without copying.
 pub fn to_numpy<'py>(
     py: Python<'py>,
     columns: Vec<(&'static Column, ColumnValues)>,

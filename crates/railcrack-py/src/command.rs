@@ -1,9 +1,9 @@
-//! The command of the package.
+//! The `railcrack` command of the package.
 
 use pyo3::prelude::*;
 use std::ffi::OsString;
 
-/// Does what the command line `arguments` ask for, the name of the program first: its exit code.
+/// Executes the command line `arguments`, program name first, and returns the exit code.
 #[pyfunction]
 pub fn command(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
     py.detach(|| railcrack_cli::command(arguments))

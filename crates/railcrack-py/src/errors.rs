@@ -7,7 +7,7 @@ use railcrack_case::{CarriedStressError, CaseErrors};
 use railcrack_run::OutputError;
 use railcrack_run::simulation::RunError;
 
-/// The exception `class` of the package, made of `arguments`.
+/// The exception `class` of the package, constructed from `arguments`.
 pub fn exception<'py>(py: Python<'py>, class: &str, arguments: impl PyCallArgs<'py>) -> PyErr {
     let made = py
         .import("railcrack.errors")
@@ -16,7 +16,7 @@ pub fn exception<'py>(py: Python<'py>, class: &str, arguments: impl PyCallArgs<'
     made.map_or_else(|error| error, PyErr::from_value)
 }
 
-/// `CaseError` of all `errors`: message, file, line, column, key and help of each.
+/// `CaseError` with all `errors`, each with message, file, line, column, key and help.
 pub fn case_error(py: Python<'_>, errors: &CaseErrors) -> PyErr {
     let each = errors.errors().iter().map(|error| {
         let (line, column) = error.position().unzip();
@@ -25,7 +25,7 @@ pub fn case_error(py: Python<'_>, errors: &CaseErrors) -> PyErr {
     exception(py, "CaseError", (each.collect::<Vec<_>>(),))
 }
 
-/// `FolderError`: a folder that is not what it should be, or a file that the system refuses.
+/// `FolderError`: an unsuitable folder, or a file that cannot be read or written.
 pub fn output_error(py: Python<'_>, error: &OutputError) -> PyErr {
     exception(py, "FolderError", (error.to_string(),))
 }
@@ -48,12 +48,12 @@ pub fn run_error(py: Python<'_>, error: &RunError) -> PyErr {
     exception(py, class_of(error), (error.to_string(),))
 }
 
-/// `BadInput`, with the words of `error`.
+/// `BadInput` with the message of `error`.
 pub fn bad_input(py: Python<'_>, error: impl ToString) -> PyErr {
     exception(py, "BadInput", (error.to_string(),))
 }
 
-/// `NotConverged`, with the words of `error`.
+/// `NotConverged` with the message of `error`.
 pub fn not_converged(py: Python<'_>, error: impl ToString) -> PyErr {
     exception(py, "NotConverged", (error.to_string(),))
 }

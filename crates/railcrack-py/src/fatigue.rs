@@ -1,4 +1,4 @@
-//! Criteria on histories.
+//! Fatigue criteria evaluated on histories.
 
 use crate::errors::bad_input;
 use crate::judge::history_of;

@@ -1,4 +1,4 @@
-//! Fields on meshes as arrays of numpy.
+//! Fields on meshes as NumPy arrays.
 
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyArray2};
@@ -8,10 +8,10 @@ use pyo3::types::PyDict;
 use railcrack::mesh::{Array, UnstructuredGrid};
 use railcrack_vtu::vtk_type;
 
-/// A dictionary of points (n, 3) in mm, cells and their types as VTK has them, and the arrays at
-/// points and in cells by name.
+/// A dictionary of points (n, 3) in mm, cells and cell types as in VTK, and point and cell arrays by
+/// name.
 pub fn to_numpy<'py>(py: Python<'py>, grid: &UnstructuredGrid) -> PyResult<Bound<'py, PyDict>> {
-    // In the plane there is no z.
+    // Plane grids have no z.
     let z = grid.z.iter().copied().chain(std::iter::repeat(0.0));
     let points: Vec<f64> = grid.points.iter().zip(z).flat_map(|(p, z)| [p.x, p.y, z]).collect();
     let (mut cells, mut types): (Vec<i64>, Vec<u8>) = (Vec::new(), Vec::new());
@@ -44,7 +44,7 @@ fn arrays<'py>(py: Python<'py>, arrays: &[Array]) -> PyResult<Bound<'py, PyDict>
     Ok(dictionary)
 }
 
-/// `values`, row by row, as an array with `columns`: nothing is copied.
+/// `values`, row by row, as an array with `columns` columns, without copying.
 pub fn matrix(py: Python<'_>, values: Vec<f64>, columns: usize) -> PyResult<Bound<'_, PyArray2<f64>>> {
     let rows = values.len().checked_div(columns).unwrap_or(0);
     let array = Array2::from_shape_vec((rows, columns), values);

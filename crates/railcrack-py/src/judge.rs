@@ -1,4 +1,4 @@
-//! Growth laws and criteria of direction that are functions of the user.
+//! User-defined growth laws and direction criteria.
 
 use crate::background::Watch;
 use numpy::PyArray2;
@@ -11,14 +11,14 @@ use railcrack::growth::{TipGeometry, TipJudge, TipRecord};
 use railcrack::math::MPA_SQRT_MM;
 use std::sync::Arc;
 
-/// Functions of the history of K at a tip, in place of law and criterion of the case.
+/// Functions of the history of K at a tip that replace law and criterion of the case.
 #[derive(Debug)]
 pub struct OwnJudge {
     /// The growth rate, mm per cycle.
     pub law: Option<Py<PyAny>>,
     /// The kink, degrees from straight ahead; none for a tip that is not loaded.
     pub direction: Option<Py<PyAny>>,
-    /// Told of an exception.
+    /// Receives exceptions.
     pub watch: Arc<Watch>,
 }
 

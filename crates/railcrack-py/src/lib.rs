@@ -1,8 +1,8 @@
 //! The extension module of the Python package railcrack: cases, runs, studies and the parts of the
 //! mechanics, with arrays of numpy.
 //!
-//! Classes and functions here are as plain as they can be; the package in `python/railcrack` gives
-//! them names, units, tables and plots. No computation holds the interpreter.
+//! Classes and functions here are minimal; the package in `python/railcrack` adds names, units,
+//! tables and plots. Computations do not hold the interpreter lock.
 
 mod background;
 mod body;
@@ -20,7 +20,7 @@ mod shakedown;
 mod study;
 mod wheel;
 
-/// The contents of the module.
+/// Contents of the module.
 #[pyo3::pymodule]
 mod _railcrack {
     #[pymodule_export]

@@ -23,12 +23,12 @@ use std::sync::Arc;
 pub enum Load {
     /// Hertzian contact.
     Hertz(f64, f64, f64),
-    /// A function of the user.
+    /// A user-defined function.
     Own(Py<PyAny>, Vec<f64>),
 }
 
-/// First and last position (mm), output positions, passages at most, tolerances of passages and of
-/// load steps.
+/// First and last position (mm), number of output positions, maximum number of passages, tolerances
+/// of passages and of load steps.
 type Settings = (f64, f64, usize, usize, f64, f64);
 
 /// Arrays of the stabilised passage of `load` over the cracks of `body`.
@@ -53,10 +53,7 @@ pub fn passage<'py>(
             Box::new(HertzWheel::new(&contact, &body.steel).map_err(|error| bad_input(py, error))?)
         }
         Load::Own(..) if body.ends.is_some() => {
-            return Err(bad_input(
-                py,
-                "a wheel of one's own passes over a half-plane alone: this body has ends",
-            ));
+            return Err(bad_input(py, "a user-defined wheel requires a half-plane; this body has ends"));
         }
         Load::Own(stress, edges) => Box::new(OwnWheel { stress, edges, watch: Arc::clone(&watch) }),
     };
@@ -92,7 +89,7 @@ pub fn passage<'py>(
             Err(bad_input(py, error))
         }
         (Some(Err(error)), None) => Err(not_converged(py, error)),
-        (None, None) => Err(bad_input(py, "the friction does not fit the cracks")),
+        (None, None) => Err(bad_input(py, "the friction must be one number, or one number per crack")),
     }
 }
 

@@ -25,7 +25,7 @@ enum Source {
     Memory {
         case: Arc<railcrack_case::Case>,
         run: Arc<RunInMemory>,
-        /// Has the plastic state of a rolled rail.
+        /// Folder with the plastic state of a rolled rail.
         _scratch: Scratch,
     },
     Folder(Box<RunFolder>),
@@ -38,7 +38,7 @@ impl RunCore {
         Self { source: Source::Memory { case, run: Arc::new(run), _scratch: scratch } }
     }
 
-    /// The run to go on with; none of a folder.
+    /// The run in a form that can be continued; none for a stored run.
     pub(crate) fn in_memory(&self) -> Option<RunInMemory> {
         match &self.source {
             Source::Memory { run, .. } => Some(RunInMemory::clone(run)),
@@ -95,7 +95,7 @@ impl RunCore {
         Ok(Self { source: Source::Folder(Box::new(run)) })
     }
 
-    /// The case with every default.
+    /// The case with all defaults filled in.
     fn case_toml(&self) -> String {
         match &self.source {
             Source::Memory { case, .. } => case.to_toml(),
@@ -124,7 +124,7 @@ impl RunCore {
     /// Writes the run folder, with plots and report where `pages` are wanted.
     fn save(&self, py: Python<'_>, folder: PathBuf, replace: bool, pages: bool) -> PyResult<()> {
         let Source::Memory { run, .. } = &self.source else {
-            return Err(bad_input(py, "the run stands in a folder already"));
+            return Err(bad_input(py, "the run is already stored in a folder"));
         };
         let presentation: &dyn Presentation = if pages { &Pages } else { &TablesOnly };
         let existing = if replace { Existing::Replace } else { Existing::Refuse };
@@ -132,8 +132,8 @@ impl RunCore {
         saved.map(drop).map_err(|error| output_error(py, &error))
     }
 
-    /// Makes plots and report in `folder`: of a run in memory with its whole folder, of a stored
-    /// one in a copy of it.
+    /// Writes plots and report to `folder`: with the whole run folder for a run in memory, in a copy
+    /// of it for a stored run.
     fn report(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
         let made = py.detach(|| match &self.source {
             Source::Memory { run, .. } => run.save(&folder, Output::ALL, Existing::Replace, &Pages).map(drop),
@@ -158,8 +158,8 @@ impl RunCore {
         grid::to_numpy(py, &grid)
     }
 
-    /// The field in step `step` with the wheel at `over_a` (x_c/a), computed anew; none where the
-    /// state before that step is not there, or the engine computes no fields.
+    /// The field in step `step` with the wheel at `over_a` (x_c/a), computed again; none if the state
+    /// before that step is not available, or if the engine computes no fields.
     fn fields_at<'py>(
         &self,
         py: Python<'py>,

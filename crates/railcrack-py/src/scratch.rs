@@ -1,4 +1,4 @@
-//! Folders that last as long as what needs them.
+//! Temporary folders.
 
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{SystemTime, UNIX_EPOCH};
 
-/// A folder of its own, not there until something is written to it, and removed when dropped.
+/// A temporary folder, created at the first write and removed when dropped.
 #[derive(Debug)]
 pub struct Scratch(PathBuf);
 
 impl Scratch {
-    /// A name that no other process uses.
+    /// A name unique among processes.
     pub fn new() -> Self {
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let count = COUNT.fetch_add(1, Ordering::Relaxed);
@@ -25,7 +25,7 @@ impl Scratch {
         &self.0
     }
 
-    /// Has `read` read in `folder`, or in one that has `files` where there are any.
+    /// Calls `read` with `folder`, or with a temporary folder containing `files` if there are any.
     ///
     /// Errors: a file cannot be written.
     pub fn reading<T>(
@@ -39,7 +39,7 @@ impl Scratch {
         Ok(read(Self::with_files(files)?.path()))
     }
 
-    /// The folder with `files` in it, by their names relative to it.
+    /// The folder with `files` written to it, by their relative names.
     fn with_files(files: Vec<(String, Vec<u8>)>) -> PyResult<Self> {
         let scratch = Self::new();
         for (name, content) in files {
@@ -56,7 +56,7 @@ impl Scratch {
 
 impl Drop for Scratch {
     fn drop(&mut self) {
-        // Best effort: it lies where the system puts what is not to last.
+        // Best effort: the system cleans its directory for temporary files.
         let _ = std::fs::remove_dir_all(&self.0);
     }
 }

@@ -18,8 +18,8 @@ use std::sync::Arc;
 /// `profile.csv` and `passes.csv` by columns, and `shakedown.json`.
 type State<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, String);
 
-/// The stabilised plastic state of the rail of `case` under the repeated passage of its wheel; in
-/// `out` too, with plots and report, where that is given.
+/// The stabilised plastic state of the rail of `case` under repeated passages of its wheel; also
+/// written to `out`, with plots and report, if that is given.
 #[pyfunction]
 #[pyo3(signature = (case, out, replace, threads, tell))]
 pub fn shakedown<'py>(

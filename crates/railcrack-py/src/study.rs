@@ -26,12 +26,12 @@ pub struct StudyCore {
 /// Folder of each run; keys that vary, with the value of each run; the other columns.
 type Results<'py> = (Vec<String>, Vec<(String, Vec<String>)>, Bound<'py, PyDict>);
 
-/// Number of a run that failed, its values, and why.
+/// Number of a failed run, its values, and the reason.
 type Failed = (usize, String, String);
 
 #[pymethods]
 impl StudyCore {
-    /// The study written in `text`, as [`Case::parse`].
+    /// Parses the study in `text`, like [`Case::parse`].
     #[staticmethod]
     fn parse(
         py: Python<'_>,
@@ -71,8 +71,8 @@ impl StudyCore {
         Some(CaseCore { case: Arc::new(run.case.clone()) })
     }
 
-    /// Enters the folder `out` to compute the runs `own`: the numbers of those that are left to do,
-    /// and those that failed before for good. `entry` is begin, join, resume or replace.
+    /// Opens the folder `out` to compute the runs `own`; returns the numbers of the remaining runs
+    /// and of those that have failed permanently. `entry` is begin, join, resume or replace.
     fn enter(
         &self,
         py: Python<'_>,
@@ -97,9 +97,9 @@ impl StudyCore {
         Ok((numbers, failed))
     }
 
-    /// Computes the runs with the numbers `own` into the folder `out`, which is entered as part of
-    /// the study: those that failed, and whether it was interrupted. Where the runs `travel`, each
-    /// keeps its folder, whatever the study says.
+    /// Computes the runs `own` into the folder `out`, opened as a part of the study; returns the
+    /// failed runs and whether it was interrupted. If the runs `travel`, each keeps its folder
+    /// regardless of the study's settings.
     #[pyo3(signature = (out, own, pages, threads, tell, travel = false))]
     fn compute(
         &self,
@@ -118,7 +118,7 @@ impl StudyCore {
         let plan = StudyPlan { run_folders: plan.run_folders || travel, ..plan };
         let threads =
             threads.or_else(|| std::thread::available_parallelism().ok().map(Into::into)).unwrap_or(1);
-        // The computation has threads of its own, one pool for each run.
+        // The computation has its own threads, one pool for each run.
         let over = compute(py, Some(1), (watch, told), tell, move || {
             let presentation: &dyn Presentation = if pages { &Pages } else { &TablesOnly };
             let folder = folder_of(&study, plan, &out, &own, Entry::ResumePart)?;
@@ -139,14 +139,14 @@ impl StudyCore {
         Ok((failed, over.signal.is_some()))
     }
 
-    /// Gathers the results in the folder `out` and writes tables, plots and report of the study.
+    /// Collects the results in the folder `out` and writes tables, plots and report of the study.
     fn gather(&self, py: Python<'_>, out: PathBuf) -> PyResult<()> {
         let written = py.detach(|| StudyFolder::open(&out)?.write_results(&Pages));
         written.map(drop).map_err(|error| output_error(py, &error))
     }
 
-    /// Packs those of the runs `numbers` in the folder `out` that are done, where the study keeps
-    /// no run folders.
+    /// Packs the finished runs among `numbers` in the folder `out`, if the study keeps no run
+    /// folders.
     #[staticmethod]
     fn pack(py: Python<'_>, out: PathBuf, numbers: Vec<usize>) -> PyResult<()> {
         let packed = py.detach(|| {
@@ -164,8 +164,7 @@ impl StudyCore {
         packed.map_err(|error: OutputError| output_error(py, &error))
     }
 
-    /// The folder of run `number` in the folder `out`, made of what is packed of it where it has
-    /// none.
+    /// The folder of run `number` in the folder `out`, unpacked if necessary.
     #[staticmethod]
     fn run_folder(py: Python<'_>, out: PathBuf, number: usize) -> PyResult<PathBuf> {
         let found = py.detach(|| {
@@ -178,8 +177,8 @@ impl StudyCore {
         found.map_err(|error| output_error(py, &error))
     }
 
-    /// The results in the folder `out` by columns: folder and values (as text) of each run, and
-    /// what follows them in `summary.csv`.
+    /// The results in the folder `out` by columns: folder and values (as text) of each run, and the
+    /// remaining columns of `summary.csv`.
     #[staticmethod]
     fn results<'py>(py: Python<'py>, out: PathBuf) -> PyResult<Results<'py>> {
         let read = py.detach(|| {

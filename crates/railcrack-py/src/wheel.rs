@@ -1,4 +1,4 @@
-//! Stress fields that are functions of the user.
+//! User-defined stress fields.
 
 use crate::background::Watch;
 use crate::grid::matrix;
@@ -17,7 +17,7 @@ pub struct OwnWheel {
     pub stress: Py<PyAny>,
     /// Edges of the contact relative to x_c, mm, increasing.
     pub edges: Vec<f64>,
-    /// Told of an exception.
+    /// Receives exceptions.
     pub watch: Arc<Watch>,
 }
 
@@ -36,7 +36,7 @@ impl Wheel for OwnWheel {
         })
     }
 
-    /// Of bodies without ends alone, whose computation asks for no displacement.
+    /// Not needed: only bodies without ends are supported, and they require no displacements.
     fn displacement(&self, _: Vec2, _: f64) -> Vec2 {
         Vec2::default()
     }
@@ -46,7 +46,7 @@ impl Wheel for OwnWheel {
     }
 }
 
-/// A residual stress that is known at given points.
+/// A residual stress given at points.
 pub struct Tabulated(HashMap<[u64; 2], Stress>);
 
 impl Tabulated {

@@ -36,7 +36,7 @@ pub struct Choice {
 /// Common look of curves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ChoiceMark {
-    /// Nothing that is seen.
+    /// Nothing visible.
     None,
     /// Their colour.
     Colour(CurveColour),

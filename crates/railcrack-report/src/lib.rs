@@ -59,7 +59,7 @@ pub use chart::{
 };
 pub use choices::{AtFirst, Choice, ChoiceGroup, ChoiceMark, Choices};
 pub use now::{PageNow, page_now};
-pub use numbers::{fixed, grouped, significant, tonnage};
+pub use numbers::{fixed, formula, grouped, short, significant, tonnage};
 pub use page::{Block, Fact, Page, Section};
 pub use rebuild::{FolderKind, Pages, put, rebuild_report};
 pub use table::{Cell, CellTone, MISSING, Table};

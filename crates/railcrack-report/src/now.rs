@@ -1,4 +1,4 @@
-//! The page of a folder as it is now, while its results may still be computed.
+//! Live page of a folder whose results may still be computed.
 
 use crate::figures::{StudyRun, Styles, comparison_plots, run_plots, shakedown_plots, study_plots};
 use crate::pages::{RunFolder, comparison_page, run_page, shakedown_page, study_page};
@@ -11,22 +11,22 @@ use railcrack_run::study::{RunState, StudyResults};
 use railcrack_run::{OutputError, ShakedownFolder, StudyFolder};
 use std::path::Path;
 
-/// The page of a folder at one moment.
+/// Snapshot of the page of a folder.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PageNow {
     /// The page, as [`rebuild_report`](crate::rebuild_report) would write it.
     pub html: String,
-    /// How far the results are, a few words.
+    /// Progress of the results.
     pub progress: String,
-    /// Whether anything is still to come.
+    /// Whether all results are final.
     pub is_over: bool,
 }
 
-/// The page of the results in `folder`, of what is finished by now. Nothing is written and nothing
-/// is locked: the results may be computed meanwhile.
+/// The page of the results finished so far in `folder`. Nothing is written or locked, so that the
+/// computation can continue.
 ///
-/// Errors: the folder holds no results, or not yet; a file is damaged, or was being written; a run
-/// whose tables do not have all that its page shows.
+/// Errors: the folder holds no results yet; a file is damaged or being written; the tables of a run
+/// lack data that the page shows.
 pub fn page_now(folder: &Path) -> Result<PageNow, OutputError> {
     let whole = |html: String| PageNow { html, progress: "complete".to_owned(), is_over: true };
     Ok(match FolderKind::of(folder)? {
@@ -49,7 +49,7 @@ fn run_now(folder: &Path) -> Result<PageNow, OutputError> {
     if !run.case.output.is_whole() {
         return Err(OutputError::NotRecomputed {
             folder: folder.to_path_buf(),
-            reason: "its tables do not have all that the page shows".to_owned(),
+            reason: "its tables lack data that the page shows".to_owned(),
         });
     }
     let shown = ShownRun::read(folder, summary.steps_recorded)?;
@@ -74,7 +74,7 @@ fn study_now(folder: &StudyFolder) -> Result<PageNow, OutputError> {
     let over = results.count(|state| matches!(state, RunState::Done | RunState::Failed { .. }));
     Ok(PageNow {
         html: study_page((plan, &results.population), &runs, &styles, &folder.study_text()?, &plots).html(),
-        progress: format!("{over} of {} runs are over", runs.len()),
+        progress: format!("{over} of {} runs finished", runs.len()),
         is_over: over == runs.len(),
     })
 }

@@ -36,11 +36,15 @@ pub fn grouped(value: f64) -> String {
     text
 }
 
-/// Four significant digits: `0.1235`, `12.35`, `1234.6` (one decimal at least), `1.235e-6`.
+/// Values below this are round-off in every unit used here: mm, MPa, MPa√m, MGT, mm per cycle.
+const ROUND_OFF: f64 = 1e-12;
+
+/// Four significant digits: `0.1235`, `12.35`, `1234.6` (one decimal at least), `1.235e-6`. Values
+/// below [`ROUND_OFF`] are zero.
 pub fn significant(value: f64) -> String {
     let size = value.abs();
     match size {
-        0.0 => "0".to_owned(),
+        ..ROUND_OFF => "0".to_owned(),
         1e-3..1e6 => {
             let decimals = (3.0 - size.log10().floor()).clamp(1.0, 7.0) as usize;
             format!("{value:.decimals$}")
@@ -48,6 +52,52 @@ pub fn significant(value: f64) -> String {
         _ => format!("{value:.3e}"),
     }
     .replace('-', "\u{2212}")
+}
+
+/// Four significant digits without trailing zeros, the integer part always whole: `210000`,
+/// `8959`, `6.75`, `-692.9`, `2.08e-9`. ASCII, for terminals and formulas.
+pub fn short(value: f64) -> String {
+    if value.abs() < ROUND_OFF {
+        return "0".to_owned();
+    }
+    match value.abs() {
+        1e-4..1e4 => rounded(value, 4).to_string(),
+        1e4..1e9 => format!("{value:.0}"),
+        _ if value.is_finite() => format!("{:e}", rounded(value, 4)),
+        _ => value.to_string(),
+    }
+}
+
+/// [`short`] with a true minus sign, for the prose of pages.
+pub(crate) fn given(value: f64) -> String {
+    short(value).replace('-', "\u{2212}")
+}
+
+/// The formula of a growth law, `da/dN = 2e-9 dK^3.33`, as people read it: numbers by [`short`],
+/// ΔK, and a dot behind the coefficient.
+pub fn formula(text: &str) -> String {
+    let is_digit = |letter: char| letter.is_ascii_digit() || letter == '.';
+    let mut shown = String::new();
+    let mut rest = text;
+    while let Some(start) = rest.find(|letter: char| letter.is_ascii_digit()) {
+        let (before, from) = rest.split_at(start);
+        let mantissa = from.find(|letter| !is_digit(letter)).unwrap_or(from.len());
+        let exponent = from[mantissa..].strip_prefix('e').map_or(0, |power| {
+            let digits = power.strip_prefix('-').unwrap_or(power);
+            let length = digits.find(|letter: char| !letter.is_ascii_digit()).unwrap_or(digits.len());
+            if length == 0 { 0 } else { 1 + power.len() - digits.len() + length }
+        });
+        let (number, after) = from.split_at(mantissa + exponent);
+        shown.push_str(before);
+        shown.push_str(&number.parse().map_or_else(|_| number.to_owned(), short));
+        let is_coefficient = before.ends_with("= ");
+        rest = after.strip_prefix(' ').filter(|_| is_coefficient).map_or(after, |factors| {
+            shown.push_str(" \u{b7} ");
+            factors
+        });
+    }
+    shown.push_str(rest);
+    shown.replace("dK", "\u{394}K")
 }
 
 /// Letters of a value of a key that somebody has written; drawn ones have more.
@@ -69,9 +119,14 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     if is_zero { text.replace('-', "") } else { text.replace('-', "\u{2212}") }
 }
 
-/// Million gross tonnes: three significant digits or two decimals.
+/// Million gross tonnes: two decimals, of small values four significant digits. Below a tonne it is
+/// zero.
 pub fn tonnage(value: f64) -> String {
-    if value >= 0.1 || value == 0.0 { fixed(value, 2) } else { significant(value) }
+    match value.abs() {
+        ..1e-6 => fixed(0.0, 2),
+        ..0.1 => significant(value),
+        _ => fixed(value, 2),
+    }
 }
 
 /// `text` cut to about `letters` letters.
@@ -104,5 +159,36 @@ mod tests {
         assert_eq!(["0.29368231828", "0.123456", "60E1"].map(brief), ["0.2937", "0.123456", "60E1"]);
         assert_eq!(significant(2.5e-6), "2.500e\u{2212}6");
         assert_eq!([fixed(-0.04, 1), fixed(-1.25, 1)], ["0.0", "\u{2212}1.2"]);
+    }
+
+    #[test]
+    fn numbers_of_the_terminal_have_four_digits() {
+        let shown = [845.0, 6.75, 8_959.412_3, -692.864_247_402_077_5, 210_000.0, 2.080_080_446_913_026e-9];
+        assert_eq!(shown.map(short), ["845", "6.75", "8959", "-692.9", "210000", "2.08e-9"]);
+        assert_eq!([-0.0, 0.000_123_456, f64::INFINITY].map(short), ["0", "0.0001235", "inf"]);
+    }
+
+    /// Round-off of a sum over 20 MGT, as a passage or a tonnage that is nothing has it.
+    #[test]
+    fn residues_are_zero() {
+        let residue = 4.5e-14;
+        assert_eq!([tonnage(residue), tonnage(20.0)], ["0.00", "20.00"]);
+        assert_eq!([significant(residue), significant(-residue), short(residue)], ["0"; 3]);
+        assert_eq!(significant(1.5e-10), "1.500e\u{2212}10", "a slow rate is none");
+    }
+
+    #[test]
+    fn formulas_are_short() {
+        let law = "da/dN = 2.080080446913026e-9 dK^3.9123687897930126";
+        assert_eq!(formula(law), "da/dN = 2.08e-9 \u{b7} \u{394}K^3.912");
+        assert_eq!(
+            formula("da/dN = 1e-9 [(1-f)/(1-R) dK]^3 (1 - 5/dK)^0.5/(1 - Kmax/40)^0.5"),
+            "da/dN = 1e-9 \u{b7} [(1-f)/(1-R) \u{394}K]^3 (1 - 5/\u{394}K)^0.5/(1 - Kmax/40)^0.5"
+        );
+        assert_eq!(formula("dK^2 = dKI^2 + 0.772 dKII^2"), "\u{394}K^2 = \u{394}KI^2 + 0.772 \u{394}KII^2");
+        assert_eq!(
+            formula("da/dN = a table of 12 rows from dK = 3.5 to 40"),
+            "da/dN = a table of 12 rows from \u{394}K = 3.5 to 40"
+        );
     }
 }

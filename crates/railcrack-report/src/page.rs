@@ -22,7 +22,7 @@ pub struct Fact {
     pub name: String,
     /// Its value with unit.
     pub value: String,
-    /// A few words beside it; empty for none.
+    /// A short note; empty for none.
     pub note: String,
 }
 
@@ -43,7 +43,7 @@ pub enum Block {
     Chart(Chart),
     /// Switches for curves and rows, once on a page.
     Choices(Choices),
-    /// Parts beside each other where there is room.
+    /// Parts side by side if there is space.
     Beside(Vec<Block>),
     /// A picture with its caption.
     Picture {
@@ -52,14 +52,14 @@ pub enum Block {
         /// Its caption, a sentence.
         caption: String,
     },
-    /// A picture for readers without scripts only, in place of what these draw.
+    /// A picture shown only if scripts are disabled, instead of their drawing.
     Still {
         /// The SVG file.
         svg: String,
         /// Its caption, a sentence.
         caption: String,
     },
-    /// Text as it stands, in letters of equal width.
+    /// Preformatted text in a monospaced font.
     Verbatim(String),
     /// Parts behind a heading that opens on demand; they are printed only when open.
     Folded {
@@ -83,7 +83,7 @@ pub enum Block {
 }
 
 impl Block {
-    /// Charts beside each other where there is room.
+    /// Charts side by side if there is space.
     pub fn charts(charts: impl IntoIterator<Item = Chart>) -> Self {
         Self::Beside(charts.into_iter().map(Self::Chart).collect())
     }
@@ -107,7 +107,7 @@ pub struct Page {
     pub title: String,
     /// Kind of results: "Crack growth".
     pub kind: String,
-    /// The result in a sentence or two.
+    /// The main result in one or two sentences.
     pub verdict: String,
     /// Key figures.
     pub facts: Vec<Fact>,

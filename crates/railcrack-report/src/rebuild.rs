@@ -52,16 +52,15 @@ impl FolderKind {
     }
 }
 
-/// Builds plots and report of `folder` anew from its tables and summaries alone; of a study, also
-/// its table of runs, from the run folders in it. The files of a command are built again bit for
-/// bit.
+/// Rebuilds plots and report of `folder` from its tables and summaries alone; for a study also its
+/// table of runs, from the run folders. The result is identical to the original files.
 ///
 /// Errors: the folder holds none of these; a file of it is damaged (of a study, runs are: the
 /// others are shown before that is said), or it is being computed (of a study, runs may be); the
 /// system refuses.
 pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
     let kind = FolderKind::of(folder)?;
-    // The runs of a study may be computed while it is shown.
+    // The runs of a study may be in progress while it is shown.
     let _lock = (kind != FolderKind::Study).then(|| FolderLock::take(folder)).transpose()?;
     match kind {
         FolderKind::Run => rebuild_run(folder)?,
@@ -79,8 +78,8 @@ pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
     Ok(kind)
 }
 
-/// Plots and report of a run from its folder alone: from its files, or, where these do not have
-/// all, computed again.
+/// Plots and report of a run from its folder alone: from its files or, if these are incomplete, from
+/// a repeated computation.
 fn rebuild_run(folder: &Path) -> Result<(), OutputError> {
     let mut run = RunFolder::read(folder)?;
     if !run.case.output.is_whole() || run.lacks_samples() {
@@ -97,7 +96,7 @@ fn write_run(run: &RunFolder, shown: &ShownRun) -> Result<(), OutputError> {
     write_chosen(run, shown, Output::ALL)
 }
 
-/// Plots and page as far as `output` wants them.
+/// Plots and page, as selected by `output`.
 fn write_chosen(run: &RunFolder, shown: &ShownRun, output: Output) -> Result<(), OutputError> {
     let plots = match &run.case.space {
         Some(_) => space_plots(&run.summary, &run.growth, shown),

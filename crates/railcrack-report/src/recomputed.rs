@@ -1,5 +1,5 @@
-//! Plots and page of a run whose files do not have all that these show: the steps are computed
-//! again from the stored case.
+//! Plots and page of a run whose files lack some of the data shown: the steps are computed again
+//! from the stored case.
 
 use crate::pages::RunFolder;
 use crate::shown::{ShownRun, ShownStep};
@@ -12,7 +12,7 @@ use railcrack_run::{OutputError, Presentation, RunPresentation};
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Folder, in that of the run, in which its steps are computed again.
+/// Subfolder of the run folder in which its steps are computed again.
 const SCRATCH: &str = "again.partial";
 
 /// The shown part of `run`, computed again, with the decision block of its summary.
@@ -45,10 +45,16 @@ fn computed(case: &Case, scratch: &Path, growth: &[TipRow]) -> Result<(ShownRun,
     let again = railcrack_run::RunFolder::open(scratch).and_then(|run| run.growth());
     let again = again.map_err(|error| error.to_string())?;
     if let Some((_, row)) = again.iter().zip(growth).find(|(again, stored)| again != stored) {
-        return Err(format!("step {} comes out different: another version computed it", row.step));
+        return Err(format!(
+            "step {} differs when computed again: the run was computed by another version",
+            row.step
+        ));
     }
     if again.len() != growth.len() {
-        return Err("it takes another number of steps: another version computed it".to_owned());
+        return Err(
+            "the number of steps differs when computed again: the run was computed by another version"
+                .to_owned(),
+        );
     }
     let shown = gathering.shown.lock().unwrap_or_else(PoisonError::into_inner).take();
     Ok((shown.unwrap_or_default(), finished.summary.decision))
@@ -61,7 +67,7 @@ fn not_recomputed(folder: &Path, reason: impl Into<String>) -> OutputError {
 /// Where what is shown of a run comes when the run has ended.
 type Slot = Arc<Mutex<Option<ShownRun>>>;
 
-/// Gathers what is shown of a run, and writes nothing.
+/// Collects the data shown of a run without writing anything.
 #[derive(Debug, Default)]
 struct Gathering {
     shown: Slot,

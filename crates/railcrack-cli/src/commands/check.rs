@@ -13,15 +13,16 @@ use railcrack::plane::CrackFluid;
 use railcrack::shakedown::DepthBounds;
 use railcrack::words::Choice;
 use railcrack_case::{Case, ContactOrigin, Input, MixedWheel, Overrides, PlasticSource};
+use railcrack_report::{formula, short};
 use railcrack_run::machine::{Budget, Needs, mb};
 use railcrack_run::simulation::plastic_stress_left_out;
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
 
-/// Validate a case or study file and say what would be computed
+/// Validate a case or study file and show what would be computed
 ///
 /// Nothing is computed and nothing is written. The exit code is 0 for a valid case and 2 otherwise;
-/// every error of the file is reported at once.
+/// all errors of the file are reported at once.
 #[derive(Debug, Args)]
 pub struct CheckArguments {
     /// The case file, or a study; `-` is standard input
@@ -79,10 +80,10 @@ fn case_json(case: &Case, folder: &Path) -> Value {
     })
 }
 
-/// Name and value of a line of the summary.
+/// Name and value in one line of the summary.
 type CheckLine = (&'static str, String);
 
-/// The lines of a case.
+/// The summary of a case.
 pub fn summary(case: &Case, folder: &Path) -> String {
     let mut text = format!("{}\n", case.title);
     for (heading, rows) in parts(case, folder) {
@@ -123,11 +124,14 @@ fn rail(case: &Case) -> Vec<CheckLine> {
     let rail = &case.rail;
     let (left, right) = rail.extent.ends();
     vec![
-        ("elasticity", format!("E = {} MPa, nu = {}", case.steel.young(), case.steel.poisson())),
+        (
+            "elasticity",
+            format!("E = {} MPa, nu = {}", short(case.steel.young()), short(case.steel.poisson())),
+        ),
         ("boundary", rail.boundary.word().into()),
         (
             "cracks stay within",
-            format!("x = {} to {} mm, depth {} mm", number(left), number(right), rail.extent.depth),
+            format!("x = {} to {} mm, depth {} mm", short(left), short(right), short(rail.extent.depth)),
         ),
     ]
 }
@@ -136,46 +140,46 @@ fn contact(case: &Case) -> Vec<CheckLine> {
     let contact = case.wheel.contact();
     let mut rows = origin(case);
     rows.extend([
-        ("peak pressure p0", format!("{} MPa", number(contact.peak_pressure()))),
-        ("half width a", format!("{} mm", number(contact.half_width()))),
-        ("line load", format!("{} N/mm", number(contact.line_load()))),
+        ("peak pressure p0", format!("{} MPa", short(contact.peak_pressure()))),
+        ("half width a", format!("{} mm", short(contact.half_width()))),
+        ("line load", format!("{} N/mm", short(contact.line_load()))),
     ]);
     match contact {
-        Contact::Hertz(contact) => rows.push(("friction", contact.friction.to_string())),
+        Contact::Hertz(contact) => rows.push(("friction", short(contact.friction))),
         Contact::Carter(carter) => {
             let stick = carter.stick_half_width();
-            rows.push(("friction", format!("{} where it slips", carter.friction)));
+            rows.push(("friction", format!("{} where it slips", short(carter.friction))));
             rows.push((
                 "traction Q/(mu P)",
                 format!(
                     "{}: sticks over {} mm behind the leading edge",
-                    carter.traction,
-                    number(2.0 * stick)
+                    short(carter.traction),
+                    short(2.0 * stick)
                 ),
             ));
             if let Some(radius) = case.wheel.origin.radius() {
-                rows.push(("creepage", format!("{} %", number(100.0 * carter.creepage(radius)))));
+                rows.push(("creepage", format!("{} %", short(100.0 * carter.creepage(radius)))));
             }
         }
         Contact::Table(table) => {
             let last = table.rows().len() - 1;
             let (from, to) = (table.rows()[0].u, table.rows()[last].u);
-            rows.push(("extent", format!("u = {} to {} mm, {} rows", number(from), number(to), last + 1)));
-            rows.push(("largest |q| / p", number(table.largest_friction())));
+            rows.push(("extent", format!("u = {} to {} mm, {} rows", short(from), short(to), last + 1)));
+            rows.push(("largest |q| / p", short(table.largest_friction())));
         }
     }
     if !matches!(contact, Contact::Hertz(_)) {
-        rows.push(("shear Q/P", number(contact.adhesion())));
+        rows.push(("shear Q/P", short(contact.adhesion())));
     }
     rows
 }
 
-/// Where the numbers of the contact come from.
+/// Origin of the contact data.
 fn origin(case: &Case) -> Vec<CheckLine> {
     match &case.wheel.origin {
         ContactOrigin::Given | ContactOrigin::LineLoad { .. } => Vec::new(),
         ContactOrigin::Ellipse { wheel, ellipse, lateral } => vec![
-            ("wheel load", format!("{} kN", number(1e-3 * wheel.wheel_load))),
+            ("wheel load", format!("{} kN", short(1e-3 * wheel.wheel_load))),
             hertz_ellipse(ellipse),
             offset(case, *lateral),
         ],
@@ -187,15 +191,15 @@ fn origin(case: &Case) -> Vec<CheckLine> {
 }
 
 fn hertz_ellipse(ellipse: &HertzEllipse) -> CheckLine {
-    let [along, across, peak] = [ellipse.along, ellipse.across, ellipse.peak_pressure].map(number);
+    let [along, across, peak] = [ellipse.along, ellipse.across, ellipse.peak_pressure].map(short);
     ("Hertz ellipse", format!("a = {along} mm along, b = {across} mm across, p0 = {peak} MPa"))
 }
 
-/// The strip of an ellipse in the plane, the place of the ellipse in space.
+/// Strip of the ellipse in a plane case, lateral position of the ellipse in a space case.
 fn offset(case: &Case, lateral: f64) -> CheckLine {
     match case.space {
-        Some(_) => ("lateral", format!("middle at z = {} mm", number(lateral))),
-        None => ("strip", format!("{} mm beside its middle", number(lateral))),
+        Some(_) => ("lateral", format!("middle at z = {} mm", short(lateral))),
+        None => ("strip", format!("{} mm to the side of its middle", short(lateral))),
     }
 }
 
@@ -204,44 +208,47 @@ fn in_space(case: &Case) -> Vec<CheckLine> {
     let Some(space) = &case.space else { return Vec::new() };
     let mut rows = Vec::new();
     for shape in &space.shapes {
-        let [down, along] = [shape.length, shape.half_length].map(number);
+        let [down, along] = [shape.length, shape.half_length].map(short);
         rows.push(("half axes", format!("{down} mm down the dip, {along} mm along the surface")));
-        rows.push(("dip", format!("{} degrees", number(shape.dip.to_degrees()))));
-        rows.push(("strike", format!("{} degrees", number(shape.strike.to_degrees()))));
-        let [x, z] = shape.middle.map(number);
+        rows.push(("dip", format!("{} degrees", short(shape.dip.to_degrees()))));
+        rows.push(("strike", format!("{} degrees", short(shape.strike.to_degrees()))));
+        let [x, z] = shape.middle.map(short);
         rows.push(("middle", format!("x = {x} mm, z = {z} mm")));
         if let Some(centre) = shape.buried {
-            rows.push(("buried", format!("{} mm down the dip", number(centre))));
+            rows.push(("buried", format!("{} mm down the dip", short(centre))));
         }
     }
     let cells = case.mesh.space;
-    rows.push(("cells", format!("{} beside the middle, {} to the front", cells.block, cells.ring)));
+    rows.push(("cells", format!("{} on each side of the middle, {} to the front", cells.block, cells.ring)));
     let lateral: Vec<f64> = space.wheels.iter().map(|wheel| wheel.lateral_friction).collect();
     if lateral.iter().any(|friction| *friction != 0.0) {
-        rows.push(("lateral friction", lateral.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")));
+        rows.push((
+            "lateral friction",
+            lateral.iter().map(|friction| short(*friction)).collect::<Vec<_>>().join(", "),
+        ));
     }
     rows
 }
 
-/// The wheels of a mix; the sections around this one are about the first of them.
+/// The wheels of a mix; the other sections describe the first of them.
 fn mix(case: &Case) -> Vec<CheckLine> {
     let line = |wheel: &MixedWheel| {
         let contact = wheel.wheel.contact();
-        let load = wheel.axle_load.map_or_else(String::new, |load| format!(", {load} t"));
+        let load = wheel.axle_load.map_or_else(String::new, |load| format!(", {} t", short(load)));
         format!(
             "{}: {} % of the axles{load}, p0 = {} MPa, a = {} mm, shear Q/P = {}",
             wheel.name,
-            number(100.0 * wheel.share),
-            number(contact.peak_pressure()),
-            number(contact.half_width()),
-            number(contact.adhesion())
+            short(100.0 * wheel.share),
+            short(contact.peak_pressure()),
+            short(contact.half_width()),
+            short(contact.adhesion())
         )
     };
     let mut rows: Vec<CheckLine> = case.mix.iter().map(|wheel| ("wheel", line(wheel))).collect();
     if !rows.is_empty() {
         rows.push((
             "",
-            "run says which wheel does what share of the growth, and which turns the crack".into(),
+            "run reports the share of each wheel in the growth, and which wheel turns the crack".into(),
         ));
     }
     rows
@@ -254,7 +261,7 @@ fn track(case: &Case) -> Vec<CheckLine> {
     let axles: Vec<String> = track
         .axles
         .iter()
-        .map(|axle| format!("{} kN at {} mm", number(1e-3 * axle.wheel_load), axle.at))
+        .map(|axle| format!("{} kN at {} mm", short(1e-3 * axle.wheel_load), short(axle.at)))
         .collect();
     let length = bending.length();
     let positions = case.positions();
@@ -265,26 +272,26 @@ fn track(case: &Case) -> Vec<CheckLine> {
             "section",
             format!(
                 "I = {} mm^4, neutral axis {} mm deep",
-                number(track.section.second_moment),
-                track.section.neutral_axis_depth
+                short(track.section.second_moment),
+                short(track.section.neutral_axis_depth)
             ),
         ),
-        ("foundation", format!("{} MPa", track.foundation)),
-        ("length 1 / beta", format!("{} mm", number(length))),
+        ("foundation", format!("{} MPa", short(track.foundation))),
+        ("length 1 / beta", format!("{} mm", short(length))),
         (
             "under this wheel",
             format!(
                 "M = {} kN m, sigma_xx = {} MPa at the surface",
-                number(1e-6 * bending.moment(0.0)),
-                number(bending.stress(0.0, 0.0))
+                short(1e-6 * bending.moment(0.0)),
+                short(bending.stress(0.0, 0.0))
             ),
         ),
         (
             "passage of the beam",
             format!(
                 "x = {} to {} m, {} output positions in all",
-                number(1e-3 * first),
-                number(1e-3 * last),
+                short(1e-3 * first),
+                short(1e-3 * last),
                 positions.len()
             ),
         ),
@@ -294,32 +301,42 @@ fn track(case: &Case) -> Vec<CheckLine> {
 fn temperature(case: &Case) -> Vec<CheckLine> {
     let Some(temperature) = case.wheel.load.temperature else { return Vec::new() };
     vec![
-        ("rail, neutral", format!("{} and {} degrees C", temperature.rail, temperature.neutral)),
-        ("sigma_xx", format!("{} MPa", number(temperature.stress(&case.steel)))),
+        (
+            "rail, neutral",
+            format!("{} and {} degrees C", short(temperature.rail), short(temperature.neutral)),
+        ),
+        ("sigma_xx", format!("{} MPa", short(temperature.stress(&case.steel)))),
     ]
 }
 
 fn passage(case: &Case) -> Vec<CheckLine> {
     let (passage, settings) = (&case.passages.passage, &case.passages);
     let first_mouth = case.cracks.cracks().first().map_or(0.0, |c| c.points()[0].x);
-    let over_a = |x: f64| number((x - first_mouth) / case.half_width());
+    let over_a = |x: f64| short((x - first_mouth) / case.half_width());
     let towards = if passage.from < passage.to { "+x" } else { "-x" };
     vec![
         ("wheel runs towards", towards.into()),
-        ("from, to", format!("x = {} to {} mm", number(passage.from), number(passage.to))),
+        ("from, to", format!("x = {} to {} mm", short(passage.from), short(passage.to))),
         ("over a", format!("{} to {} from the first crack", over_a(passage.from), over_a(passage.to))),
         ("output positions", passage.positions.to_string()),
         (
             "passages",
-            format!("until K repeats to {}, at most {}", settings.passage_tolerance, settings.max_passages),
+            format!(
+                "until K repeats to {}, at most {}",
+                short(settings.passage_tolerance),
+                settings.max_passages
+            ),
         ),
         (
             "load steps",
             match settings.step_control {
                 StepControl::Adaptive => {
-                    format!("substeps until K changes by less than {} of its peak", settings.step_tolerance)
+                    format!(
+                        "substeps until K changes by less than {} of its peak",
+                        short(settings.step_tolerance)
+                    )
                 }
-                StepControl::Fixed => "one from output position to output position".into(),
+                StepControl::Fixed => "one per output position".into(),
             },
         ),
     ]
@@ -341,14 +358,15 @@ fn crack_line(count: usize, crack: &Crack, friction: f64) -> String {
         .tips()
         .into_iter()
         .map(|end| crack.tip(end))
-        .map(|tip| format!("({}, {})", number(tip.x), number(tip.y)))
+        .map(|tip| format!("({}, {})", short(tip.x), short(tip.y)))
         .collect();
     format!(
-        "{count:>4}   {:<11} {:<11} {:<11} {:<11} {friction:<10} {}",
-        number(first.x),
-        number(first.y),
-        number(crack.length()),
-        number(angle),
+        "{count:>4}   {:<11} {:<11} {:<11} {:<11} {:<10} {}",
+        short(first.x),
+        short(first.y),
+        short(crack.length()),
+        short(angle),
+        short(friction),
         tips.join(" ")
     )
 }
@@ -360,8 +378,8 @@ fn residual_stress(case: &Case) -> Vec<CheckLine> {
     let deepest = rows.last().map_or(0.0, |r| r.0);
     vec![
         ("profile", file.given_name().into()),
-        ("rows", format!("{} to depth {deepest} mm", rows.len())),
-        ("sigma_xx", format!("{} to {} MPa", extreme(f64::min), extreme(f64::max))),
+        ("rows", format!("{} to depth {} mm", rows.len(), short(deepest))),
+        ("sigma_xx", format!("{} to {} MPa", short(extreme(f64::min)), short(extreme(f64::max)))),
     ]
 }
 
@@ -373,12 +391,12 @@ fn plastic_stress(case: &Case) -> Vec<CheckLine> {
                 ("field", file.given_name().into()),
                 (
                     "extent",
-                    format!("x = {} to {} mm, to depth {} mm", number(left), number(right), number(depth)),
+                    format!("x = {} to {} mm, to depth {} mm", short(left), short(right), short(depth)),
                 ),
             ]
         }
         Some(PlasticSource::Profile(file)) => vec![("profile", file.given_name().into())],
-        Some(PlasticSource::Rolled) => vec![("stabilised state", "of [shakedown], computed first".into())],
+        Some(PlasticSource::Rolled) => vec![("stabilised state", "computed first, from [shakedown]".into())],
         None => plastic_stress_left_out(case).map(|note| ("none", note)).into_iter().collect(),
     }
 }
@@ -413,83 +431,93 @@ fn growth(case: &Case) -> Vec<CheckLine> {
     };
     let steps = match growth.steps {
         0 => "0: the initial cracks only".into(),
-        steps => format!("{steps}, each {} % of the length", number(100.0 * growth.increment)),
+        steps => format!("{steps}, each {} % of the length", short(100.0 * growth.increment)),
     };
     let mut rows = vec![
         ("increments", steps),
-        ("law", format!("{} mm/cycle, MPa sqrt(m)", law.rate.formula())),
-        ("range", law.equivalent.formula()),
+        ("law", format!("{} mm/cycle, MPa sqrt(m)", formula(&law.rate.formula()))),
+        ("range", formula(&law.equivalent.formula())),
         ("EN 13674-1", acceptance(&law.rate)),
-        ("arrest below", format!("{:e} mm/cycle", growth.arrest_rate)),
+        ("arrest below", format!("{} mm/cycle", short(growth.arrest_rate))),
         ("direction", direction.into()),
     ];
     if let Some(length) = growth.critical_length {
-        rows.push(("stops at length", format!("{length} mm")));
+        rows.push(("stops at length", format!("{} mm", short(length))));
     }
     if let Some(cycles) = growth.stop_after_cycles {
-        rows.push(("stops after", format!("{cycles:e} cycles")));
+        rows.push(("stops after", format!("{} cycles", crate::progress::cycles(cycles))));
     }
     if let Some(fluid) = &case.fluid {
         rows.push(("fluid", fluid_text(fluid)));
     }
     if let Some(fracture) = &case.fracture {
         let steel = fracture.steel.map_or(String::new(), |steel| format!(" ({steel})"));
-        rows.push(("breaks at k1", format!("{} MPa sqrt(m){steel}", number(fracture.at_rail))));
+        rows.push(("breaks at k1", format!("{} MPa sqrt(m){steel}", short(fracture.at_rail))));
     }
     if let Some(load) = case.axle_load {
-        rows.push(("axle load", format!("{} t", number(load))));
+        rows.push(("axle load", format!("{} t", short(load))));
     }
     if let Some(inspection) = &case.inspection {
         let from = match (inspection.detectable_depth, inspection.detectable_length) {
-            (Some(depth), _) => format!("from a depth of {depth} mm"),
-            (None, Some(length)) => format!("from a length of {length} mm"),
-            (None, None) => "from the beginning".to_owned(),
+            (Some(depth), _) => format!("from a depth of {} mm", short(depth)),
+            (None, Some(length)) => format!("from a length of {} mm", short(length)),
+            (None, None) => "from the start".to_owned(),
         };
-        rows.push(("inspection", format!("{from}, safety factor {}", inspection.safety_factor)));
+        rows.push(("inspection", format!("{from}, safety factor {}", short(inspection.safety_factor))));
     }
     if let Some(scatter) = &case.scatter {
-        rows.push(("scatter", format!("{} samples, ln C +- {}", scatter.samples, scatter.c_log_std)));
+        rows.push(("scatter", format!("{} samples, ln C +- {}", scatter.samples, short(scatter.c_log_std))));
     }
     rows
 }
 
-/// Rates at R = 0.5 beside those that the standard accepts of a rail.
+/// Rates at R = 0.5 and the limits of the standard.
 fn acceptance(law: &RateLaw) -> String {
     let accepted = RAIL_STEELS[0].accepted_growth;
     let of = |(range, limit): (f64, f64)| {
         // Metres in 1e9 cycles.
-        format!("{} of {limit} m/Gcycle at dK = {range}", number(1e6 * law.rate(range, 0.5)))
+        format!("{} of {limit} m/Gcycle at \u{394}K = {range}", short(1e6 * law.rate(range, 0.5)))
     };
     let [low, high] = ACCEPTANCE_RANGES;
     format!("{}, {}, R = 0.5", of((low, accepted[0])), of((high, accepted[1])))
 }
 
-/// Summary of the stabilised plastic state that `railcrack shakedown` would compute.
+/// Wear and grinding, and the growth rate that balances them.
 fn maintenance(case: &Case) -> Vec<CheckLine> {
     let Some(plan) = &case.maintenance else { return Vec::new() };
-    let mut rows = vec![("wear", format!("{} mm/MGT", number(plan.wear)))];
+    let mut rows = vec![("wear", format!("{} mm/MGT", short(plan.wear)))];
     if let Some((depth, interval)) = plan.grinding {
-        rows.push(("grinding", format!("{} mm every {} MGT", number(depth), number(interval))));
+        rows.push(("grinding", format!("{} mm every {} MGT", short(depth), short(interval))));
     }
-    rows.push(("removal", format!("{} mm/MGT in the mean", number(plan.removal()))));
+    rows.push(("removal", format!("{} mm/MGT on average", short(plan.removal()))));
     let first = case.cracks.cracks().first().filter(|crack| crack.is_surface_breaking());
     let wheels = case.axle_load.zip(first);
     rows.extend(wheels.map(|(tonnes, crack)| {
         let (mouth, next) = crack.segment(0);
         let sine = (mouth.y - next.y) / (next - mouth).length();
         let rate = 1e-6 * tonnes * plan.removal() / sine;
-        ("balance", format!("the first crack grows where its tip makes more than {rate:.3e} mm per cycle"))
+        (
+            "balance",
+            format!("the first crack grows deeper if its tip grows by more than {rate:.3e} mm per cycle"),
+        )
     }));
     rows
 }
 
+/// Summary of the stabilised plastic state that `railcrack shakedown` would compute.
 fn plastic_state(case: &Case) -> Vec<CheckLine> {
     let shakedown = &case.shakedown;
     let hardening = &shakedown.hardening;
     let mut rows = vec![
-        ("yield, hardening", format!("{} MPa, C = {} MPa", hardening.yield_stress(), hardening.modulus())),
+        (
+            "yield, hardening",
+            format!("{} MPa, C = {} MPa", short(hardening.yield_stress()), short(hardening.modulus())),
+        ),
         ("method", format!("{}, at most {} passages", shakedown.method.word(), shakedown.max_passes)),
-        ("Dang Van", format!("a = {}, b = {} MPa", shakedown.dang_van.slope, shakedown.dang_van.limit)),
+        (
+            "Dang Van",
+            format!("a = {}, b = {} MPa", short(shakedown.dang_van.slope), short(shakedown.dang_van.limit)),
+        ),
     ];
     if let Some(file) = &shakedown.initial_residual {
         rows.push(("initial residual", file.given_name().into()));
@@ -497,7 +525,7 @@ fn plastic_state(case: &Case) -> Vec<CheckLine> {
     rows
 }
 
-/// Needs of the run beside what the machine has.
+/// Needs of the run and the resources of the machine.
 fn machine(needs: &Needs, folder: &Path) -> Vec<CheckLine> {
     let budget = Budget::of(folder);
     let of = |has: Option<u64>| has.map_or_else(String::new, |has| format!(" of {} MB", mb(has)));
@@ -514,7 +542,7 @@ fn machine(needs: &Needs, folder: &Path) -> Vec<CheckLine> {
 /// Depths over the half-width of the contact at which bounds are printed.
 const BOUND_DEPTHS: [f64; 8] = [0.0, 0.125, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0];
 
-/// How the pressure compares with the yield stress.
+/// Peak pressure compared with first yield and the shakedown limit.
 fn bounds(case: &Case) -> Vec<CheckLine> {
     let shear_yield = case.shakedown.hardening.shear_yield_stress();
     let ratio = case.wheel.contact().peak_pressure() / shear_yield;
@@ -525,7 +553,7 @@ fn bounds(case: &Case) -> Vec<CheckLine> {
     let state = if ratio <= first_yield.ratio {
         "the virgin rail stays elastic"
     } else if ratio <= shakedown.ratio {
-        "the rail yields, elastic shakedown is possible"
+        "the rail yields; elastic shakedown is possible"
     } else {
         "beyond elastic shakedown: every passage yields"
     };
@@ -540,16 +568,16 @@ fn bounds(case: &Case) -> Vec<CheckLine> {
         };
         let line = format!(
             "{:>8}   {:>11.4}   {:>15.4}   {verdict}",
-            number(bounds.depth_over_a * a),
+            short(bounds.depth_over_a * a),
             bounds.first_yield,
             bounds.shakedown
         );
         ("", line)
     };
-    let at = |depth_over_a: f64| format!("depth {} mm", number(depth_over_a * a));
+    let at = |depth_over_a: f64| format!("depth {} mm", short(depth_over_a * a));
     let mut rows = vec![
-        ("shear yield stress k", format!("{} MPa", number(shear_yield))),
-        ("p0 / k", format!("{}: {state}", number(ratio))),
+        ("shear yield stress k", format!("{} MPa", short(shear_yield))),
+        ("p0 / k", format!("{}: {state}", short(ratio))),
         ("first yield", format!("p0 / k = {:.4}, {}", first_yield.ratio, at(first_yield.depth_over_a))),
         ("shakedown limit", format!("p0 / k = {:.4}, {}", shakedown.ratio, at(shakedown.depth_over_a))),
         ("", "depth mm   first yield   shakedown limit   p0 / k of the case".into()),
@@ -558,19 +586,7 @@ fn bounds(case: &Case) -> Vec<CheckLine> {
     rows
 }
 
-/// Six significant digits, without trailing zeros: enough to recognise a number, few enough to
-/// read.
-fn number(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return if value == 0.0 { "0".into() } else { value.to_string() };
-    }
-    let magnitude = value.abs().log10().floor() as i32;
-    let decimals = (5 - magnitude).clamp(0, 9) as usize;
-    let text = format!("{value:.decimals$}");
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
-}
-
-/// The fluid in the cracks in a few words.
+/// The fluid in the cracks.
 fn fluid_text(fluid: &CrackFluid) -> String {
     let cracks = fluid.cracks.as_ref().map_or_else(String::new, |cracks| {
         let numbers: Vec<String> = cracks.iter().map(|crack| (crack + 1).to_string()).collect();
@@ -578,28 +594,15 @@ fn fluid_text(fluid: &CrackFluid) -> String {
     });
     match fluid.model {
         FluidModel::Mouth { cap } => {
-            let most = if cap.is_finite() { format!(", at most {cap} MPa") } else { String::new() };
-            format!("pressure over the mouth, {} along the crack{most}{cracks}", fluid.profile.word())
+            let most = if cap.is_finite() { format!(", at most {} MPa", short(cap)) } else { String::new() };
+            format!("contact pressure at the mouth, {} along the crack{most}{cracks}", fluid.profile.word())
         }
         FluidModel::Trapped { bulk_modulus, .. } => {
             let modulus = match bulk_modulus.is_finite() {
-                true => format!("bulk modulus {bulk_modulus} MPa"),
+                true => format!("bulk modulus {} MPa", short(bulk_modulus)),
                 false => "incompressible".to_owned(),
             };
-            format!(
-                "trapped under the wheel, {modulus}{cracks}; buried cracks hold theirs from the beginning"
-            )
+            format!("trapped under the wheel, {modulus}{cracks}; buried cracks are filled from the start")
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::number;
-
-    #[test]
-    fn six_digits() {
-        let shown = [845.0, 6.75, 8959.4123, -0.125, 1e-4 / 3.0, 210_000.0, -0.0].map(number);
-        assert_eq!(shown, ["845", "6.75", "8959.41", "-0.125", "0.000033333", "210000", "0"]);
     }
 }

@@ -7,10 +7,10 @@ use serde_json::{Value, json};
 use std::collections::HashMap;
 use std::path::Path;
 
-/// Runs that are listed one by one.
+/// Maximum number of runs listed individually.
 const MOST_LISTED: usize = 50;
 
-/// The study as a few lines: what varies, what is shared, its runs.
+/// Summary of a study: the keys that vary, what the runs share, and the runs.
 pub fn study_summary(study: &Study, folder: &Path) -> String {
     let count = study.runs.len();
     let runs = if count == 1 { "1 run".to_owned() } else { format!("{count} runs") };
@@ -53,7 +53,7 @@ pub fn study_summary(study: &Study, folder: &Path) -> String {
     text
 }
 
-/// The same as one object.
+/// The study as one JSON object.
 pub fn study_json(study: &Study) -> Value {
     let varies = |axis: &Axis| -> Vec<Value> {
         let of = |variation: &Variation| {
@@ -90,7 +90,7 @@ fn axis_lines(axis: &Axis) -> String {
     text
 }
 
-/// How many rails are meshed and factored for how many runs.
+/// Number of meshes and factorisations that the runs share.
 fn shared(study: &Study) -> String {
     let mut rails: HashMap<RailKey, usize> = HashMap::new();
     for key in study.runs.iter().filter_map(|run| run.case.rail_key()) {
@@ -99,7 +99,7 @@ fn shared(study: &Study) -> String {
     let runs: usize = rails.values().sum();
     match rails.len() {
         0 => "nothing: the dislocation engine has no mesh".to_owned(),
-        1 => format!("one mesh and factor for {runs} runs"),
-        count => format!("{count} meshes and factors for {runs} runs"),
+        1 => format!("one mesh and factorisation for {runs} runs"),
+        count => format!("{count} meshes and factorisations for {runs} runs"),
     }
 }

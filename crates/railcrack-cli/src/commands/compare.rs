@@ -15,11 +15,11 @@ use railcrack_run::{Comparison, Existing, Presentation};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
-/// Set two runs against each other: SIF histories, paths, cycles
+/// Compare two runs: SIF histories, crack paths, load cycles
 ///
-/// Compares two run folders, or with --engines computes one case with both engines of the plane and
-/// compares their runs. Of each step the stabilised passage counts. The differences are printed,
-/// and written with plots to a folder of their own.
+/// Compares two run folders, or with --engines computes one case with both plane engines and
+/// compares the two runs. The stabilised passage of each step is compared. The differences are
+/// printed, and written with plots to a separate folder.
 #[derive(Debug, Args)]
 pub struct CompareArguments {
     /// The first run folder; with --engines the case file
@@ -28,27 +28,27 @@ pub struct CompareArguments {
     /// The second run folder
     #[arg(value_name = "DIR", required_unless_present = "engines", conflicts_with = "engines")]
     second: Option<PathBuf>,
-    /// Compute the case with both engines of the plane and compare their runs
+    /// Compute the case with both plane engines and compare the two runs
     #[arg(long)]
     engines: bool,
-    /// Folder of the comparison [default: the name of the first run or of the case with -compare,
-    /// beside it]
+    /// Folder of the comparison [default: name of the first run or of the case followed by
+    /// -compare, in the same directory]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Say whether K differs by more than this, in per cent of the largest |K| of the case; the
-    /// exit code is 1 where it does, or where the runs have nothing in common
+    /// Largest accepted difference of K, in per cent of the largest |K| of the case; the exit code
+    /// is 1 if it is exceeded, or if the runs have no step, tip or wheel position in common
     #[arg(long, value_name = "P", value_parser = percent, allow_negative_numbers = true)]
     tolerance: Option<f64>,
-    /// With --engines: number of increments, in place of the case's
+    /// With --engines: number of increments, overriding the case
     #[arg(long, value_name = "N", requires = "engines")]
     steps: Option<u64>,
-    /// With --engines: say nothing while computing
+    /// With --engines: suppress progress output
     #[arg(long, requires = "engines")]
     quiet: bool,
-    /// Replace the comparison in the folder, with --engines its runs too
+    /// Replace an existing comparison in the folder, with --engines also its runs
     #[arg(long)]
     force: bool,
-    /// With --engines: compute what needs more memory or disk than there is
+    /// With --engines: run even if the estimate exceeds the available memory or disk space
     #[arg(long, requires = "engines")]
     no_limits: bool,
     #[command(flatten)]
@@ -57,10 +57,10 @@ pub struct CompareArguments {
 
 fn percent(text: &str) -> Result<f64, String> {
     let value = text.parse().ok().filter(|value: &f64| value.is_finite() && *value >= 0.0);
-    value.ok_or_else(|| "must be a number of per cent, at least 0".to_owned())
+    value.ok_or_else(|| "must be a percentage of at least 0".to_owned())
 }
 
-/// Compares two runs, computed here or before.
+/// Compares two stored runs, or two runs computed for the comparison.
 pub fn compare(arguments: &CompareArguments) -> Result<Exit, Failure> {
     let out = match &arguments.out {
         Some(folder) => folder.clone(),
@@ -72,9 +72,9 @@ pub fn compare(arguments: &CompareArguments) -> Result<Exit, Failure> {
     })
 }
 
-/// The name of the first run or of the case without its ending, with `-compare`, beside it.
+/// Name of the first run or of the case without its extension, followed by `-compare`.
 fn beside(first: &Path) -> PathBuf {
-    // `.` and `..` have no name of their own.
+    // `.` and `..` do not end in a name.
     let named = match first.file_name() {
         Some(_) => first.to_path_buf(),
         None => first.canonicalize().unwrap_or_else(|_| first.join("run")),
@@ -102,8 +102,8 @@ fn compare_folders(arguments: &CompareArguments, runs: [&PathBuf; 2], out: &Path
     Ok(exit)
 }
 
-/// Runs the case with both engines of the plane, each into a folder of its name in `out`, and
-/// compares them.
+/// Runs the case with both plane engines, each into a folder named after it in `out`, and compares
+/// the runs.
 fn compare_engines(arguments: &CompareArguments, out: &Path) -> Result<Exit, Failure> {
     run::use_threads(None)?;
     Case::read(&arguments.first)?;
@@ -120,7 +120,7 @@ fn compare_engines(arguments: &CompareArguments, out: &Path) -> Result<Exit, Fai
     compare_folders(arguments, [&folders[0], &folders[1]], out)
 }
 
-/// `railcrack run` of the case with one engine.
+/// Runs the case with one engine.
 fn run_with(arguments: &CompareArguments, engine: &str, out: &Path) -> RunArguments {
     RunArguments {
         case: arguments.first.clone(),
@@ -144,7 +144,11 @@ mod tests {
 
     #[test]
     fn the_default_folder_is_beside_the_first_run() {
-        assert_eq!(beside(Path::new("runs/a.b/")), Path::new("runs/a-compare"), "not there: like a case");
+        assert_eq!(
+            beside(Path::new("runs/a.b/")),
+            Path::new("runs/a-compare"),
+            "a missing path is treated as a case file"
+        );
         assert_eq!(beside(Path::new("cases/rail.toml")), Path::new("cases/rail-compare"));
         let here = std::env::current_dir().unwrap();
         let name = format!("{}-compare", here.file_name().unwrap().to_string_lossy());

@@ -6,7 +6,7 @@ use clap::{Args, Command};
 use clap_complete::Shell;
 use std::path::PathBuf;
 
-/// Print the completions of a shell
+/// Print the completion script of a shell
 ///
 /// For bash: railcrack completions bash > ~/.local/share/bash-completion/completions/railcrack
 #[derive(Debug, Args)]
@@ -16,15 +16,15 @@ pub struct CompletionsArguments {
     shell: Shell,
 }
 
-/// Print the manual page, or write those of all commands into a folder
+/// Print the manual page, or write the pages of all commands to a folder
 #[derive(Debug, Args)]
 pub struct ManArguments {
-    /// The folder: railcrack.1, railcrack-run.1, …
+    /// Folder for the pages railcrack.1, railcrack-run.1, …
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
 
-/// Prints the completions of `command`.
+/// Prints the completion script of `command`.
 pub fn completions(arguments: &CompletionsArguments, mut command: Command) -> Result<Exit, Failure> {
     let mut script = Vec::new();
     clap_complete::generate(arguments.shell, &mut command, "railcrack", &mut script);
@@ -32,7 +32,7 @@ pub fn completions(arguments: &CompletionsArguments, mut command: Command) -> Re
     Ok(Exit::Done)
 }
 
-/// Prints or writes the manual pages of `command`.
+/// Prints the manual page of `command`, or writes the pages of all commands.
 pub fn man(arguments: &ManArguments, command: Command) -> Result<Exit, Failure> {
     match &arguments.out {
         None => {

@@ -8,24 +8,25 @@ use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-/// Write a commented case file to start from
+/// Write a commented case file as a starting point
 ///
-/// The file holds the reference case (one 6 mm crack at 15 degrees under a wheel of 845 MPa), ready
-/// to run, with a comment on every key; with --template a shorter one of that kind.
+/// The file contains the reference case (one 6 mm crack at 15 degrees under a wheel with a peak
+/// pressure of 845 MPa), ready to run, with a comment on every key; with --template, a shorter file
+/// for that kind of case.
 #[derive(Debug, Args)]
 pub struct InitArguments {
-    /// The file to write; `-` is standard output [default: case.toml, or the name of the template]
+    /// File to write; `-` is standard output [default: case.toml, or the name of the template]
     #[arg(value_name = "FILE")]
     file: Option<PathBuf>,
-    /// A kind of case in place of the reference case
+    /// Kind of case to write instead of the reference case
     #[arg(long, value_name = "NAME")]
     template: Option<Template>,
-    /// Replace a file that is already there
+    /// Replace an existing file
     #[arg(long)]
     force: bool,
 }
 
-/// Writes the case file and what it names.
+/// Writes the case file and the files that it names.
 pub fn init(arguments: &InitArguments) -> Result<Exit, Failure> {
     let template = arguments.template;
     let text = template.map_or_else(railcrack_case::init_text, |template| template.text().to_owned());

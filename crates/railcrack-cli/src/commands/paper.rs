@@ -14,33 +14,32 @@ use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
 use std::sync::Mutex;
 
-/// Recompute the figures of Trolle et al. (2014), and set every statement of its text against the
-/// numbers
+/// Recompute the figures of Trolle et al. (2014) and check every statement of its text
 ///
-/// Figs 13 to 25 and 27 to 30 in the set-ups that the paper leaves open: half-plane and block,
-/// travel, friction, load steps, criterion. The folder gets the case files that were run (cases/),
-/// a picture and a table of each figure (figures/), the numbers that decide each statement
-/// (claims.csv), and the page (paper.md).
+/// Recomputes Figs 13 to 25 and 27 to 30 for each choice that the paper leaves open: half-plane or
+/// block, direction of travel, friction, load steps, criterion. Written to the folder: the case
+/// files (cases/), a plot and a table of each figure (figures/), the numbers that decide each
+/// statement (claims.csv), and the page (paper.md).
 #[derive(Debug, Args)]
 pub struct PaperArguments {
-    /// The folder for the results
+    /// Folder for the results
     #[arg(long, value_name = "DIR", default_value = "paper")]
     out: PathBuf,
-    /// These figures only, 13 to 25 and 27 to 30, and the statements that they decide
+    /// Recompute only these figures (13 to 25 and 27 to 30) and the statements they decide
     #[arg(long, value_name = "FIG", num_args = 1..)]
     only: Vec<String>,
     /// Curves digitised from a figure of the paper, in a file named after it (fig18.csv): drawn
-    /// with ours, and their distance is told
+    /// over the computed curves, with their distances in overlays.csv
     #[arg(long, value_name = "FILE", num_args = 1..)]
     overlay: Vec<PathBuf>,
-    /// Say nothing while computing
+    /// Suppress progress output
     #[arg(long)]
     quiet: bool,
-    /// Replace the results in the folder
+    /// Replace existing results in the folder
     #[arg(long, conflicts_with = "resume")]
     force: bool,
-    /// Take over the runs in the folder that are of the same cases and version, and compute the
-    /// rest
+    /// Reuse the finished runs in the folder that have the same case and version, and compute the
+    /// others
     #[arg(long)]
     resume: bool,
 }
@@ -67,7 +66,9 @@ pub fn paper(arguments: &PaperArguments) -> Result<Exit, Failure> {
             Ok(if reproduction.failures.is_empty() { Exit::Done } else { Exit::NotConverged })
         }
         Err(PaperError::Interrupted) => {
-            print::stdout("interrupted: no figure is written, finished runs are kept; --resume goes on\n")?;
+            print::stdout(
+                "interrupted: no figure was written, finished runs are kept; --resume continues\n",
+            )?;
             Ok(Exit::Interrupted)
         }
         Err(error) => Err(error.into()),
@@ -117,11 +118,11 @@ impl Display {
     }
 }
 
-/// Says on standard error which runs are done.
+/// Reports finished runs on standard error.
 struct Told {
     interruption: Interruption,
     display: Display,
-    /// Runs done and planned.
+    /// Numbers of finished and of planned runs.
     done: Mutex<(usize, usize)>,
 }
 

@@ -9,20 +9,19 @@ use railcrack_run::StudyFolder;
 use railcrack_run::simulation::RunError;
 use std::path::{Path, PathBuf};
 
-/// Build plots and HTML report of a folder again, from its files alone
+/// Rebuild plots and HTML report of a folder from its files alone
 ///
-/// The folder is that of a run, of a plastic state, of a comparison, of a study or of the paper.
-/// What these commands wrote is built again bit for bit; of a run that was interrupted, the
-/// finished steps are shown, and of a study the runs that are there.
+/// The folder is that of a run, a plastic state, a comparison, a study or the paper. The rebuilt
+/// files are identical to the original ones, byte for byte. For an interrupted run the finished
+/// steps are shown, for an interrupted study the finished runs.
 #[derive(Debug, Args)]
 pub struct ReportArguments {
-    /// The folder
-    #[arg(value_name = "DIR")]
+    /// Folder of results    #[arg(value_name = "DIR")]
     pub folder: PathBuf,
-    /// Of a study: make plots and report of run N, in its folder
+    /// For a study: build plots and report of run N, in the folder of that run
     #[arg(long, value_name = "N")]
     pub run: Option<usize>,
-    /// Draw every plot as a PNG file, too (in builds with the feature png)
+    /// Also draw every plot as a PNG file (in builds with the feature png)
     #[arg(long)]
     pub png: bool,
 }
@@ -41,7 +40,7 @@ fn folder_of_run(folder: &Path, number: usize) -> Result<PathBuf, Failure> {
     Ok(study.unpacked(run).map_err(RunError::from)?)
 }
 
-/// Builds the report and says where it is.
+/// Builds the report and prints its location.
 pub fn report(arguments: &ReportArguments) -> Result<Exit, Failure> {
     let folder = &match arguments.run {
         Some(number) => folder_of_run(&arguments.folder, number)?,
@@ -66,7 +65,7 @@ pub fn report(arguments: &ReportArguments) -> Result<Exit, Failure> {
     #[cfg(feature = "png")]
     if arguments.png {
         let plots = crate::png::write_beside_plots(folder)?;
-        print::stdout(&format!("{plots} plots as PNG beside their SVG files\n"))?;
+        print::stdout(&format!("{plots} plots also written as PNG\n"))?;
     }
     Ok(Exit::Done)
 }

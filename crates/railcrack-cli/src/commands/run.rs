@@ -19,47 +19,47 @@ use std::path::{Path, PathBuf};
 
 /// Compute the growth of the cracks of a case
 ///
-/// Results go to the run folder as steps finish. An interrupted run keeps what was computed;
-/// --resume goes on with it.
+/// Results are written to the run folder as steps finish. An interrupted run keeps its finished
+/// steps, and --resume continues after the last of them.
 #[derive(Debug, Args)]
 pub struct RunArguments {
-    /// The case file; `-` is standard input
+    /// Case file; `-` is standard input
     #[arg(value_name = "CASE")]
     pub case: PathBuf,
-    /// The run folder [default: the case's name beside it]
+    /// Run folder [default: name of the case file without its extension, in the same directory]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Engine in place of the case's: xfem or dislocation
+    /// Engine, overriding the case: xfem or dislocation
     #[arg(long, value_name = "ENGINE")]
     pub engine: Option<String>,
-    /// Contact solver in place of the case's: latin or newton
+    /// Contact solver, overriding the case: latin or newton
     #[arg(long, value_name = "SOLVER")]
     pub contact: Option<String>,
-    /// Number of increments, in place of the case's
+    /// Number of increments, overriding the case
     #[arg(long, value_name = "N")]
     pub steps: Option<u64>,
     #[command(flatten)]
     pub set: Set,
-    /// Number of threads [default: all]; results are the same with any
+    /// Number of threads [default: all]; it does not affect the results
     #[arg(long, value_name = "N", value_parser = threads)]
     pub threads: Option<NonZeroUsize>,
-    /// Say nothing while computing
+    /// Suppress progress output
     #[arg(long)]
     pub quiet: bool,
-    /// Go on with the run in the folder after its last finished step
+    /// Continue the run in the folder after its last finished step
     #[arg(long, conflicts_with = "force")]
     pub resume: bool,
-    /// Replace the run in the folder
+    /// Replace an existing run in the folder
     #[arg(long)]
     pub force: bool,
-    /// Compute what needs more memory or disk than there is
+    /// Run even if the estimate exceeds the available memory or disk space
     #[arg(long)]
     pub no_limits: bool,
     #[command(flatten)]
     pub json: Json,
 }
 
-/// Runs the case and prints the result.
+/// Runs the case and prints a summary.
 pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
     arguments.json.told(|| {
         use_threads(arguments.threads)?;
@@ -74,18 +74,18 @@ pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
     })
 }
 
-/// A word on the place of the results, where that is neither what was asked for nor the current
-/// folder.
+/// Note on the location of the results, where it was not given with `--out` and is not the current
+/// directory.
 fn beside_case(arguments: &RunArguments, folder: &Path) -> &'static str {
     let is_here = folder.parent().is_none_or(|parent| parent == Path::new("") || parent == Path::new("."));
     if arguments.out.is_some() || is_here {
         ""
     } else {
-        "(beside the case file, not in this folder; --out DIR puts them elsewhere)\n"
+        "(next to the case file, not in the current directory; --out DIR chooses another folder)\n"
     }
 }
 
-/// The result as one object: exit code, folder, `summary.json`.
+/// The result as one JSON object: exit code, folder, `summary.json`.
 fn result_json(finished: &Finished, exit: Exit) -> Value {
     json!({
         "exit": exit.code(),
@@ -95,7 +95,7 @@ fn result_json(finished: &Finished, exit: Exit) -> Value {
     })
 }
 
-/// Listens to the signals by which a user stops a run.
+/// Installs the handlers of the signals that interrupt a run.
 ///
 /// Errors: the system refuses.
 pub fn listen() -> Result<Interruption, RunError> {
@@ -105,7 +105,7 @@ pub fn listen() -> Result<Interruption, RunError> {
 
 /// Runs the case until it ends or is interrupted.
 ///
-/// Errors: the case is wrong; the run fails.
+/// Errors: the case is invalid; the run fails.
 pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<Finished, Failure> {
     let overrides = Overrides {
         steps: arguments.steps,
@@ -139,11 +139,11 @@ impl RunArguments {
     }
 }
 
-/// Most threads: as many as the processors of the largest machines; each has a stack and waits for
-/// work by turning.
+/// Maximum number of threads, the processor count of the largest machines. Each thread has a stack
+/// and waits for work in a busy loop.
 pub const MOST_THREADS: usize = 1024;
 
-/// A number of threads on the command line.
+/// Parses the number of threads.
 pub fn threads(given: &str) -> Result<NonZeroUsize, String> {
     match given.parse::<NonZeroUsize>() {
         Ok(count) if count.get() <= MOST_THREADS => Ok(count),
@@ -151,22 +151,21 @@ pub fn threads(given: &str) -> Result<NonZeroUsize, String> {
     }
 }
 
-/// Has all parallel parts use `threads` threads; all of the machine where none are given. The
-/// calling thread is one of them, so that what it computes between two parallel parts stays in its
-/// caches and in its memory. A thread beside it, like the one that writes steps, must not have
-/// parallel parts: it might wait for a caller that waits for it. Once per program, before any
-/// parallel part.
+/// Sets up the thread pool with `threads` threads, by default one per processor. The calling thread
+/// is one of them, so that its data stay in its caches between two parallel sections. Other
+/// threads, such as the one that writes steps, must not contain parallel sections, because they
+/// could deadlock with the calling thread. Called once per process, before any parallel section.
 ///
 /// Errors: the system refuses.
 pub fn use_threads(threads: Option<NonZeroUsize>) -> Result<(), RunError> {
-    // None is the default of the pool: as many as the machine has.
+    // Zero selects the default of the pool, one thread per processor.
     let count = threads.map_or(0, NonZeroUsize::get);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(count).use_current_thread();
     pool.build_global()
         .map_err(|reason| RunError::System { action: "start threads".to_owned(), reason: reason.to_string() })
 }
 
-/// Whether both paths lead to one file.
+/// Whether both paths refer to the same file.
 pub fn is_same_file(one: &Path, other: &Path) -> bool {
     match (one.canonicalize(), other.canonicalize()) {
         (Ok(one), Ok(other)) => one == other,
@@ -174,14 +173,14 @@ pub fn is_same_file(one: &Path, other: &Path) -> bool {
     }
 }
 
-/// Wheels of a mix and the inspection interval, a line each.
+/// One line for each wheel of a mix, and one for the inspection interval.
 fn decision(summary: &Summary) -> String {
     let Some(decision) = &summary.decision else { return String::new() };
     let mut text = String::new();
     for wheel in &decision.wheels {
         let turns = match wheel.turns_in_steps {
             0 => String::new(),
-            steps => format!(", turns the crack in {steps} of {} steps", summary.steps_recorded),
+            steps => format!(", changes the crack direction in {steps} of {} steps", summary.steps_recorded),
         };
         text.push_str(&format!(
             "{}: {:.1} % of the axles, {:.1} % of the growth{turns}\n",
@@ -196,11 +195,11 @@ fn decision(summary: &Summary) -> String {
     text
 }
 
-/// The result as a few lines for standard output.
+/// Summary of the result for standard output.
 pub fn result_text(finished: &Finished) -> String {
     let Finished { ending, summary, .. } = finished;
     if summary.steps_recorded == 0 {
-        return format!("interrupted before the first step was finished\n{}", where_and_on(finished));
+        return format!("interrupted before the end of the first step\n{}", where_and_on(finished));
     }
     let how = match (ending, &summary.stop) {
         (Ending::Ended, Some(stop)) => format!("{} at", stop.word()),
@@ -224,7 +223,7 @@ pub fn result_text(finished: &Finished) -> String {
             front.depth_mm
         ));
     }
-    // A front has many points: its half axes stand for them.
+    // A front has many points and is summarised by its half axes.
     for tip in summary.tips.iter().filter(|_| summary.front.is_none()) {
         let stop = tip.stop.map_or_else(String::new, |stop| format!(", {}", stop.word()));
         let waits = tip.waiting_mm > 0.0;
@@ -268,10 +267,10 @@ pub fn result_text(finished: &Finished) -> String {
     text
 }
 
-/// Warnings that are told; summary.json has all.
+/// Maximum number of warnings printed; summary.json lists all.
 const WARNINGS: usize = 8;
 
-/// A line for each warning, those that say the same once.
+/// One line for each distinct warning.
 fn warnings(summary: &Summary) -> String {
     let mut texts: Vec<String> = Vec::new();
     for warning in &summary.warnings {
@@ -289,11 +288,11 @@ fn warnings(summary: &Summary) -> String {
     text
 }
 
-/// Where the results are, and how to go on.
+/// Location of the results, and how to continue an interrupted run.
 fn where_and_on(finished: &Finished) -> String {
     let mut text = format!("results in {}\n", finished.folder.display());
     if finished.ending == Ending::Interrupted {
-        text.push_str("the same command with --resume goes on from here\n");
+        text.push_str("repeat the command with --resume to continue\n");
     }
     text
 }

@@ -7,11 +7,11 @@ use railcrack_case::{json_schema, study_schema};
 
 /// Print the JSON Schema of the case file
 ///
-/// Editors with a TOML language server use it to complete keys, to show what they mean and to mark
-/// errors.
+/// Editors with a TOML language server use it to complete keys, to show their descriptions and to
+/// mark errors.
 #[derive(Debug, Args)]
 pub struct SchemaArguments {
-    /// That of a study: lists in place of values, and [study]
+    /// Print the schema of a study file: lists of values, and [study]
     #[arg(long)]
     study: bool,
 }

@@ -15,29 +15,28 @@ use railcrack_run::{Existing, ShakedownSummary};
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Compute the stabilised plastic state under the repeated passage, and where a crack starts
+/// Compute the stabilised plastic state under repeated passages, and the risk of crack initiation
 ///
-/// The cracks of the case play no part in it. The folder gets the residual state by depth
-/// (profile.csv, plastic.vtu), what every passage changed (passes.csv), the state with its bounds
+/// The cracks of the case are ignored. Written to the folder: the residual state by depth
+/// (profile.csv, plastic.vtu), the change in each passage (passes.csv), the state with its bounds
 /// and the Dang Van criterion (shakedown.json), stress and strain around the contact (cycle.vtu),
 /// plots and a report.
 #[derive(Debug, Args)]
 pub struct ShakedownArguments {
-    /// The case file
-    #[arg(value_name = "CASE")]
+    /// Case file    #[arg(value_name = "CASE")]
     pub case: PathBuf,
-    /// The folder for the results [default: the name of the case, beside it]
+    /// Folder for the results [default: name of the case file without its extension, next to it]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Say nothing while computing
+    /// Suppress progress output
     #[arg(long)]
     pub quiet: bool,
-    /// Replace the run in the folder
+    /// Replace existing results in the folder
     #[arg(long)]
     pub force: bool,
 }
 
-/// Computes the state, writes the folder and prints the result.
+/// Computes the state, writes the folder and prints a summary.
 pub fn shakedown(arguments: &ShakedownArguments) -> Result<Exit, Failure> {
     let case = Case::read(&arguments.case)?;
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));
@@ -47,13 +46,13 @@ pub fn shakedown(arguments: &ShakedownArguments) -> Result<Exit, Failure> {
     let existing = if arguments.force { Existing::Replace } else { Existing::Refuse };
     let summary = roll(&case, &folder, existing, &Pages, Interruption::NEVER, |pass| {
         if !arguments.quiet {
-            // Nobody is left to tell when standard error itself is gone.
+            // A failure to write to standard error cannot be reported.
             let _ = writeln!(std::io::stderr().lock(), "{}", pass_text(pass));
         }
     })?;
     print::stdout(&result_text(&summary))?;
     print::stdout(&format!("results in {}\n", folder.display()))?;
-    // An answer of its own, but not the one that was asked for.
+    // The result is valid, but it is not the stabilised state that was requested.
     let stabilised = summary.state != RailState::NotStabilised;
     Ok(if stabilised { Exit::Done } else { Exit::NotConverged })
 }
@@ -78,11 +77,11 @@ fn result_text(summary: &ShakedownSummary) -> String {
     ));
     if let Some(zone) = summary.alternating_zone {
         text.push_str(&format!(
-            "plastic strain alternates from depth {:.3} to {:.3} mm, up to {:.3e} per passage\n",
+            "alternating plastic strain from depth {:.3} to {:.3} mm, up to {:.3e} per passage\n",
             zone.from_depth_mm, zone.to_depth_mm, zone.plastic_strain_per_pass
         ));
     }
-    let verdict = if dang_van.margin_mpa < 0.0 { "a crack starts" } else { "no crack starts" };
+    let verdict = if dang_van.margin_mpa < 0.0 { "crack initiation" } else { "no crack initiation" };
     text.push_str(&format!(
         "Dang Van: {:.1} MPa at depth {:.3} mm, margin to b {:.1} MPa: {verdict}\n",
         dang_van.critical_value_mpa, dang_van.critical_depth_mm, dang_van.margin_mpa

@@ -8,26 +8,25 @@ use railcrack_run::csv::{line_field, line_fields};
 use railcrack_run::simulation::RunError;
 use std::path::{Path, PathBuf};
 
-/// Show a table of a folder of results, or some of its columns
+/// Print a table of results, or some of its columns
 ///
-/// The folder is that of a run, of a plastic state, of a comparison or of a study. Without --table
-/// the main table: growth, profile, compare, summary. Numbers have six significant digits unless
-/// --exact asks for all.
+/// The folder is that of a run, a plastic state, a comparison or a study. Without --table its main
+/// table is printed: growth, profile, compare or summary. Numbers have six significant digits,
+/// with --exact all digits.
 #[derive(Debug, Args)]
 pub struct ShowArguments {
-    /// The folder
-    #[arg(value_name = "DIR")]
+    /// Folder of results    #[arg(value_name = "DIR")]
     folder: PathBuf,
-    /// The table: growth, sif, faces, residual, summary, times, … [default: the main one]
+    /// Table: growth, sif, faces, residual, summary, times, … [default: the main table]
     #[arg(long, value_name = "NAME")]
     table: Option<String>,
-    /// Its columns, with commas between them, in this order [default: all]
+    /// Columns, separated by commas, in the order of the output [default: all]
     #[arg(long, value_name = "COLUMN,…", value_delimiter = ',')]
     columns: Vec<String>,
-    /// The last N rows only
+    /// Print only the last N rows
     #[arg(long, value_name = "N")]
     last: Option<usize>,
-    /// All digits, with commas between the fields: for other programs
+    /// Print all digits as comma-separated values, for other programs
     #[arg(long)]
     exact: bool,
 }
@@ -42,7 +41,10 @@ pub fn show(arguments: &ShowArguments) -> Result<Exit, Failure> {
     let path = folder.join(format!("{name}.csv"));
     if name.contains(['/', '\\']) || !path.is_file() {
         let there = tables(folder).join(", ");
-        return Err(Failure::Show(format!("{} has no table `{name}`: it has {there}", folder.display())));
+        return Err(Failure::Show(format!(
+            "{} has no table `{name}`: the tables are {there}",
+            folder.display()
+        )));
     }
     let text = std::fs::read_to_string(&path).map_err(|reason| RunError::System {
         action: format!("read {}", path.display()),
@@ -78,14 +80,14 @@ fn tables(folder: &Path) -> Vec<String> {
     if names.is_empty() { vec!["none".to_owned()] } else { names }
 }
 
-/// Places of the wanted columns; all where none is named. A key of a study has its name with its
-/// section, or as far as it is the only one, without.
+/// Indices of the requested columns; all if none is named. A key of a study is named with its
+/// section, or without it if that is unambiguous.
 fn chosen(headings: &[String], wanted: &[String]) -> Result<Vec<usize>, Failure> {
     if wanted.is_empty() {
         return Ok((0..headings.len()).collect());
     }
     let refused = |name: &str, there: &[String]| {
-        Failure::Show(format!("there is no column `{name}`: there are {}", there.join(", ")))
+        Failure::Show(format!("no column `{name}`: the columns are {}", there.join(", ")))
     };
     let place = |name: &String| {
         let name = name.trim();
@@ -113,7 +115,7 @@ fn exact(headings: &[String], rows: &[Vec<String>]) -> String {
     std::iter::once(line(headings)).chain(rows.iter().map(|row| line(row))).collect()
 }
 
-/// Columns below their headings: numbers to the right, words to the left.
+/// Columns with their headings: numbers aligned to the right, words to the left.
 fn aligned(headings: &[String], rows: &[Vec<String>]) -> String {
     let shown: Vec<Vec<String>> =
         rows.iter().map(|row| row.iter().map(|field| short(field)).collect()).collect();
@@ -134,7 +136,7 @@ fn aligned(headings: &[String], rows: &[Vec<String>]) -> String {
     std::iter::once(line(headings)).chain(shown.iter().map(|row| line(row))).collect()
 }
 
-/// A number with six significant digits; anything else as it is.
+/// Formats numbers with six significant digits and leaves other text unchanged.
 fn short(field: &str) -> String {
     let is_whole = field.bytes().all(|byte| byte.is_ascii_digit() || byte == b'-');
     let Some(value) = field.parse::<f64>().ok().filter(|value| value.is_finite() && !is_whole) else {
@@ -177,7 +179,7 @@ mod tests {
             Err(Failure::Show(told)) => told,
             _ => String::new(),
         };
-        assert!(told(&["friction"]).ends_with("there are contact.friction, crack[1].friction"));
-        assert!(told(&["angle"]).contains("there are run, contact.friction"));
+        assert!(told(&["friction"]).ends_with("the columns are contact.friction, crack[1].friction"));
+        assert!(told(&["angle"]).contains("the columns are run, contact.friction"));
     }
 }

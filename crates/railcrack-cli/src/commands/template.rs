@@ -1,4 +1,4 @@
-//! Case files to start from.
+//! Templates of case files.
 
 use clap::ValueEnum;
 
@@ -7,7 +7,7 @@ use clap::ValueEnum;
 pub enum Template {
     /// A head check under a braking wheel
     HeadCheck,
-    /// Two cracks that lean away from each other
+    /// Two cracks inclined away from each other
     Squat,
     /// Head checks in a curve under driven wheels
     Curve,
@@ -32,7 +32,7 @@ impl Template {
         }
     }
 
-    /// Names and texts of the files that it names, which stand beside it.
+    /// Names and texts of the files that it names, written next to it.
     pub fn beside(self) -> &'static [(&'static str, &'static str)] {
         match self {
             Self::ResidualStress => {

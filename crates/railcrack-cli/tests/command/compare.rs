@@ -115,7 +115,7 @@ fn refusals_name_what_is_wrong_and_write_nothing() {
         (&["absent", "one"], 2, "absent is not a run folder"),
         (&["one"], 2, "<DIR>"),
         (&["one.toml", "one", "--engines"], 2, "cannot be used with"),
-        (&["one", "one", "--tolerance", "-1"], 2, "per cent"),
+        (&["one", "one", "--tolerance", "-1"], 2, "percentage"),
     ];
     for (arguments, code, says) in refusals {
         let (found, out, err) = compare(&folder, arguments);

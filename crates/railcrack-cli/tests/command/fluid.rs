@@ -52,7 +52,7 @@ fn the_models_of_the_fluid_stand_beside_each_other() {
     let volumes = numbers(&folder.join("trapped/sif.csv"), "fluid_mm2");
     assert!(volumes.iter().all(|volume| *volume > -1e-6) && largest(&volumes) > 1e-4);
     let page = read(&folder.join("trapped/report.html"));
-    assert!(page.contains("a bound from above") && page.contains("Water in the cracks"));
+    assert!(page.contains("an upper bound") && page.contains("Fluid in the cracks"));
     assert!(folder.join("trapped/plots/fluid.svg").exists() && !folder.join("dry/plots/fluid.svg").exists());
 }
 
@@ -65,7 +65,7 @@ fn a_buried_crack_says_that_its_fluid_was_there_from_the_beginning() {
     );
     std::fs::write(folder.join("buried.toml"), format!("{buried}[fluid]\nmodel = \"trapped\"\n")).unwrap();
     let told = done(&folder, &["check", "buried.toml"]);
-    assert!(told.contains("buried cracks hold theirs from the beginning"), "{told}");
+    assert!(told.contains("buried cracks are filled from the start"), "{told}");
 }
 
 const LEAKING: &str = "[fluid]\nmodel = \"trapped\"\nbulk_modulus_mpa = 2200\n";

@@ -128,8 +128,8 @@ fn a_table_is_shown_by_its_columns() {
     assert!(lines.len() == 2 && lines[0] == "step,length_mm" && (length - 6.24f64).abs() < 1e-12, "{exact}");
     assert!(done(&folder, &["show", "run", "--table", "sif", "--last", "2"]).lines().count() == 3);
     for (arguments, says) in [
-        (&["show", "run", "--table", "growt"][..], "it has faces, growth, sif"),
-        (&["show", "run", "--columns", "lenght_mm"], "no column `lenght_mm`: there are step, crack"),
+        (&["show", "run", "--table", "growt"][..], "the tables are faces, growth, sif"),
+        (&["show", "run", "--columns", "lenght_mm"], "no column `lenght_mm`: the columns are step, crack"),
         (&["show", "run", "--table", "../case"], "has no table"),
         (&["show", "nothing"], "there is no such folder"),
     ] {

@@ -74,9 +74,9 @@ fn a_digitised_curve_is_drawn_and_measured() {
         stderr(&refused)
     };
     let said = refused("fig14.csv", "curve,xc_over_a,kii_mpa_sqrt_m\nfig13,0,1\n");
-    assert!(said.contains("`fig13` is no curve of Fig. 14: must be one of reference"), "{said}");
+    assert!(said.contains("`fig13` is not a curve of Fig. 14: must be one of reference"), "{said}");
     let said = refused("fig13.csv", "curve,xc_over_a,kii_mpa_sqrt_m\nfig13,0,1\n");
-    assert!(said.contains("not among those that are recomputed"), "{said}");
+    assert!(said.contains("not among the recomputed ones"), "{said}");
 }
 
 #[test]

@@ -71,7 +71,7 @@ fn samples_between_runs_are_log_normal_where_the_coefficient_is() {
         assert!((share["share"].as_f64().unwrap() - exact).abs() < 0.02, "{shares:?}");
     }
     let page = read(&folder.join("one/report.html"));
-    assert!(page.contains("Paths are interpolated between 12 runs"), "the page says how");
+    assert!(page.contains("Results are interpolated between 12 runs"), "the page says how");
 }
 
 #[test]
@@ -98,7 +98,7 @@ fn runs_of_such_a_study_leave_the_samples_to_it() {
         let alone: Value = serde_json::from_str(&read(&folder.join(alone).join("summary.json"))).unwrap();
         assert_eq!(alone["decision"]["scatter"]["samples"], 2000);
         done(&folder, &["report", run.to_str().unwrap()]);
-        assert!(read(&run.join("report.html")).contains("in the median of 2\u{a0}000 samples"));
+        assert!(read(&run.join("report.html")).contains("MGT of 2\u{a0}000 samples"));
     }
 
     // A study of lists has no samples between its runs.
@@ -118,7 +118,7 @@ fn cracks_that_do_not_grow_are_told_and_not_sampled() {
         .replace("friction = 0.3", "friction = { uniform = [0.2, 0.4] }");
     fs::write(folder.join("study.toml"), study).unwrap();
     let told = done(&folder, &["sweep", "study.toml", "--out", "s", "--quiet"]);
-    assert!(told.contains("no samples between the runs: 12 of 12 cracks do not grow"), "{told}");
+    assert!(told.contains("no samples interpolated between the runs: 12 of 12 cracks do not grow"), "{told}");
     assert!(read(&folder.join("s/report.html")).contains("12 of 12 cracks do not grow"));
     let shown = done(&folder, &["show", "s", "--columns", "run,friction"]);
     assert!(shown.starts_with("run  crack[1].friction\n"), "{shown}");

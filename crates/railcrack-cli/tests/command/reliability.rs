@@ -65,7 +65,7 @@ fn a_turned_bit_is_found() {
     let folder = workplace("bits");
     done(&folder, &["run", "case.toml", "--out", "run", "--quiet"]);
     let told = done(&folder, &["verify", "run"]);
-    assert!(told.ends_with("files hold what was written\n") && !told.contains("damaged"), "{told}");
+    assert!(told.ends_with("files are intact\n") && !told.contains("damaged"), "{told}");
     for file in
         ["sif.csv", "growth.csv", "faces.csv", "case.toml", "summary.json", "run-log.bin", "checkpoint.bin"]
     {

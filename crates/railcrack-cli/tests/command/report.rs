@@ -66,7 +66,7 @@ fn runs_states_and_comparisons_are_built_again_bit_for_bit() {
     let summary: serde_json::Value =
         serde_json::from_slice(&fs::read(folder.join("state/shakedown.json")).unwrap()).unwrap();
     let margin = summary["dang_van"]["margin_mpa"].as_f64().unwrap();
-    assert!(page("state").contains(&format!("a margin of {margin:.1} MPa")));
+    assert!(page("state").contains(&format!("margin of the Dang Van criterion is {margin:.1} MPa")));
 }
 
 #[test]
@@ -91,7 +91,7 @@ fn a_study_is_built_again_bit_for_bit() {
     fs::remove_dir_all(folder.join("study/runs/002")).unwrap();
     done(&folder, &["report", "study"]);
     let page = fs::read_to_string(folder.join("study/report.html")).unwrap();
-    assert!(page.contains("Not computed yet, or in another folder: run 2."), "nothing said of run 2");
+    assert!(page.contains("Not computed yet, or stored in another folder: run 2."), "nothing said of run 2");
 }
 
 #[cfg(not(feature = "png"))]
@@ -113,7 +113,7 @@ fn plots_are_drawn_as_png() {
     done(&folder, &["run", "case.toml", "--out", "run", "--steps", "0", "--quiet"]);
     let said = done(&folder, &["report", "run", "--png"]);
     let svg = shown(&folder.join("run")).keys().filter(|path| path.extension().unwrap() == "svg").count();
-    assert!(said.ends_with(&format!("{svg} plots as PNG beside their SVG files\n")) && svg > 3, "{said}");
+    assert!(said.ends_with(&format!("{svg} plots also written as PNG\n")) && svg > 3, "{said}");
     let bytes = fs::read(folder.join("run/plots/kii.png")).unwrap();
     assert_eq!(&bytes[..8], b"\x89PNG\r\n\x1a\n");
     // 2.8 pixels for a unit of the SVG file.

@@ -214,7 +214,7 @@ fn an_interrupted_study_says_so_and_goes_on() {
     let output = child.wait_with_output().unwrap();
     let told = String::from_utf8(output.stdout).unwrap();
     assert_eq!(output.status.code(), Some(130), "{told}");
-    assert!(told.contains("--resume goes on from here"), "{told}");
+    assert!(told.contains("repeat the command with --resume"), "{told}");
     // Table and plots have what was computed.
     assert_eq!(column(&folder.join("cut"), "state")[0], "done");
     assert!(column(&folder.join("cut"), "state").contains(&"missing".to_owned()));
@@ -304,7 +304,7 @@ fn runs_that_share_a_rail_are_those_that_do_not() {
         let folder = workplace(name, study);
         fs::write(folder.join("plastic.csv"), PLASTIC).unwrap();
         let (_, told, _) = railcrack(&folder, &["check", "study.toml"]);
-        assert!(told.contains("2 meshes and factors for 4 runs"), "{told}");
+        assert!(told.contains("2 meshes and factorisations for 4 runs"), "{told}");
         assert_eq!(sweep(&folder, &[]).0, Some(0));
         for run in column(&folder.join("study"), "folder") {
             let of_study = folder.join("study/runs").join(&run);

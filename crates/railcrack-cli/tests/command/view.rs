@@ -93,7 +93,7 @@ fn a_page_follows_its_study() {
     std::fs::write(place.join("study.toml"), study).unwrap();
     common::done(&place, &["sweep", "study.toml", "--out", "study", "--quiet"]);
     let viewer = Viewer::of(&place, "study");
-    let state = viewer.until("/", "2 of 2 runs are over");
+    let state = viewer.until("/", "2 of 2 runs finished");
     assert!(state.contains("\"over\":true"), "{state}");
     assert!(viewer.get("/").1.contains("All runs"));
     // Runs have pages of their own.

@@ -5,7 +5,7 @@ use crate::claim::{Claim, Decision, falls, rises};
 use crate::path_shape::{PathShape, Side};
 use crate::results::SetupResults;
 
-/// From slippery to rough; the paper's text does not give the values of its Figs 17 and 18.
+/// In increasing order; the paper's text does not give the values of its Figs 17 and 18.
 const CURVES: [&str; 4] = ["faces-0.1", "faces-0.2", "reference", "faces-0.8"];
 const SIZES: [&str; 4] = ["0.1", "0.2", "0.5", "0.8"];
 
@@ -48,7 +48,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let (low, high) = ranges.iter().fold((f64::INFINITY, 0.0_f64), |(l, h), &k| (l.min(k), h.max(k)));
             Some(Decision::of(high - low <= 0.05 * high).with_all("\u{394}K_I at", &SIZES, &ranges))
         },
-        why: "In the block the statement holds for friction from 0.2 on, where the crack opens most while the wheel is far away. At 0.1 the crack opens by slip of its faces under the wheel, near |x_c| = 0.5 a, by an amount that depends on friction; in the half-plane this is nearly all of the opening.",
+        why: "In the block the statement holds for friction from 0.2 on, where the crack opens most while the wheel is far away. At 0.1 the crack opens through slip of its faces under the wheel, near |x_c| = 0.5 a, by an amount that depends on friction; in the half-plane this is nearly all of the opening.",
     },
     Claim {
         id: "5.2-antagonists",
@@ -80,7 +80,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let holds = paths.iter().all(|path| path.coplanar_increments() > 3);
             Some(with_branches(Decision::of(holds), &paths))
         },
-        why: "Cracks that lean against the travel turn up in the first increment from the crack-face friction 0.2 on.",
+        why: "Cracks that lean against the travel turn upwards in the first increment from the crack-face friction 0.2 on.",
     },
     Claim {
         id: "5.2-paths-differ",
@@ -112,7 +112,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let holds = first[3] < first[0] && first.windows(2).all(|pair| pair[1] <= pair[0]);
             Some(with_branches(Decision::of(holds), &paths))
         },
-        why: "In the block with cracks that lean along the travel it holds from 0.2 to 0.8, where all paths branch down; only the path at 0.1 branches earlier than that at 0.2.",
+        why: "In the block with cracks that lean along the travel it holds from 0.2 to 0.8, where all paths branch down; but the path at 0.1 branches earlier than that at 0.2.",
     },
     Claim {
         id: "5.2-sides",

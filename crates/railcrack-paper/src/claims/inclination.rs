@@ -46,7 +46,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let ranges = over(r, CrackGrowth::delta_ki)?;
             Some(Decision::of(falls(&ranges)).with_all("\u{394}K_I at", &ANGLES, &ranges))
         },
-        why: "In the half-plane these cracks are closed, with \u{394}K_I below 0.1 MPa\u{221a}m. In the block they open most with the wheel at the ends of its passage, and steeper cracks open more.",
+        why: "In the half-plane these cracks are closed, with \u{394}K_I below 0.1 MPa\u{221a}m. In the block they open most with the wheel at the ends of the passage, and steeper cracks open more.",
     },
     Claim {
         id: "5.3-down",
@@ -59,14 +59,14 @@ pub(super) const CLAIMS: &[Claim] = &[
             let holds = paths[..4].iter().all(|path| path.branches(Side::Down));
             Some(with_paths(Decision::of(holds), &paths[..4]))
         },
-        why: "One path of the sixteen branches down: that of 15\u{b0} in the block, along the travel, at increment 18.",
+        why: "One of the sixteen paths branches down: that of 15\u{b0} in the block, along the travel, at increment 18.",
     },
     Claim {
         id: "5.3-coplanar-75",
         place: "5.3, Fig. 20",
         figures: &[20],
         statement: "The crack of 75\u{b0} grows co-planar.",
-        rule: "no increment > 20\u{b0} off the initial line (given beside it: the secondary maximum of the direction criterion in the first increment, and its ratio to the chosen one)",
+        rule: "no increment > 20\u{b0} off the initial line (listed with it: the secondary maximum of the direction criterion in the first increment, and its ratio to the main maximum)",
         decide: |r| {
             let crack = r.grown("angle-75")?.crack();
             let path = PathShape::of(crack);
@@ -80,14 +80,14 @@ pub(super) const CLAIMS: &[Claim] = &[
                 _ => decision,
             })
         },
-        why: "In the half-plane along the travel it is a near tie of the direction criterion (ratio above 0.99), so that the path depends on differences below the accuracy of the model.",
+        why: "In the half-plane along the travel it is a near tie of the direction criterion (ratio above 0.99), so that the path is sensitive to differences below the accuracy of the model.",
     },
     Claim {
         id: "6-same-direction",
         place: "6",
         figures: &[20],
         statement: "After branching down, cracks of all inclinations grow in the same direction.",
-        rule: "of the paths that branch down (two at least), inclinations from the branch to the end within 15\u{b0}",
+        rule: "for the paths that branch down (at least two), inclinations from the branch to the end within 15\u{b0}",
         decide: |r| {
             let paths = paths(r)?;
             let down = paths.iter().filter(|path| path.branches(Side::Down));

@@ -1,4 +1,4 @@
-//! The statements of the paper's sections 4 to 6 about its results, each beside its rule.
+//! The statements of sections 4 to 6 of the paper about its results, each with its rule.
 
 mod faces;
 mod inclination;

@@ -36,13 +36,13 @@ pub(super) const NINE: &[Claim] = &[
         place: "5.5.2, Fig. 27a; 6",
         figures: &[27],
         statement: "Every crack of the network of nine opens more than a single crack.",
-        rule: "\u{394}K_I of each of the nine larger than that of the crack alone",
+        rule: "\u{394}K_I of each of the nine larger than that of the single crack",
         decide: |r| {
             let changes = changes(r, "nine", "wheel+0.1", CrackGrowth::delta_ki)?;
             let holds = changes.iter().all(|change| *change > 0.0);
             Some(Decision::of(holds).with_all("\u{394}K_I %, crack", &NAMES, &changes))
         },
-        why: "The crack-face friction decides. At 0.01, as in the captions of Figs 24 and 25, all nine cracks open more where they lean against the travel, by 39 % to 104 %, and \u{394}K_II of cracks 1 to 8 is 18 % to 20 % smaller: both statements on Fig. 27, nearly. At 0.5 neighbours hold the cracks closed. Labels of K_I and K_II exchanged would not explain it: \u{394}K_II grows by 30 % at most, not by 150 %.",
+        why: "The crack-face friction decides. At 0.01, as in the captions of Figs 24 and 25, all nine cracks open more where they lean against the travel, by 39 % to 104 %, and \u{394}K_II of cracks 1 to 8 is 18 % to 20 % smaller: nearly both statements on Fig. 27. At 0.5 neighbours keep the cracks closed. Interchanged labels of K_I and K_II would not explain it: \u{394}K_II grows by 30 % at most, not by 150 %.",
     },
     Claim {
         id: "5.5.2-opening-150",
@@ -56,7 +56,7 @@ pub(super) const NINE: &[Claim] = &[
             let holds = (100.0..=200.0).contains(most);
             Some(Decision::of(holds).with("largest %", *most).with("crack", (i + 1) as f64))
         },
-        why: "At the crack-face friction 0.5 only the crack that the wheel meets first gains, by 111 % in the half-plane; at 0.01 the others gain 89 % to 146 %.",
+        why: "At the crack-face friction 0.5 only the crack that the wheel meets first has a larger value, by 111 % in the half-plane; at 0.01 the others have values larger by 89 % to 146 %.",
     },
     Claim {
         id: "5.5.2-shielding",
@@ -97,14 +97,14 @@ pub(super) const NINE: &[Claim] = &[
             let holds = path.coplanar_increments() > 3 && path.branches(Side::Down);
             Some(Decision::of(holds).with(format!("{}, depth", path.words()), path.depth))
         },
-        why: "A crack that leans against the travel turns up in the first increment.",
+        why: "A crack that leans against the travel turns upwards in the first increment.",
     },
     Claim {
         id: "5.5.2-outer",
         place: "5.5.2, Fig. 28",
         figures: &[28],
         statement: "Cracks 1, 2, 8 and 9 of the network grow as a single crack does.",
-        rule: "within five increments each of the four branches to the same side as the crack alone, or like it not at all",
+        rule: "within five increments each of the four branches to the same side as the single crack, or does not branch if the single crack does not",
         decide: |r| {
             let paths = paths(r, "nine")?;
             let alone = PathShape::of(r.grown("wheel+0.1")?.crack());
@@ -121,27 +121,27 @@ pub(super) const NINE: &[Claim] = &[
         place: "5.5.2, Fig. 28; 6",
         figures: &[28],
         statement: "Cracks 3, 4, 5 and 7 of the network branch and then grow parallel to the running surface.",
-        rule: "the four paths branch, and from there run within 10\u{b0} of the surface's direction",
+        rule: "the four paths branch and then run within 10\u{b0} of the direction of the surface",
         decide: |r| {
             let paths = paths(r, "nine")?;
             let holds = [3, 4, 5, 7].iter().all(|&i| paths[i - 1].runs_parallel());
             Some(with_paths(Decision::of(holds), &paths))
         },
-        why: "No crack turns to the direction of the surface: along the travel all stay within 20\u{b0} of their line at the friction 0.5 and turn down, if at all, at 0.01; against it the first kink is 72\u{b0} to 75\u{b0} upwards, to the surface and not along it.",
+        why: "No crack turns parallel to the surface: along the travel all stay within 20\u{b0} of their line at the friction 0.5 and turn down, if at all, at 0.01; against it the first kink is 72\u{b0} to 75\u{b0} upwards, towards the surface rather than along it.",
     },
     Claim {
         id: "5.5.2-both",
         place: "5.5.2, Fig. 28; 6",
         figures: &[28],
         statement: "Some cracks of the network are about to form a spall, others grow into the rail.",
-        rule: "one path at least branches up or parallel, one at least is co-planar or branches down",
+        rule: "at least one path branches up or runs parallel, at least one is co-planar or branches down",
         decide: |r| {
             let paths = paths(r, "nine")?;
             let up = paths.iter().any(|path| path.branches(Side::Up) || path.runs_parallel());
             let down = paths.iter().any(|path| path.is_coplanar() || path.branches(Side::Down));
             Some(with_paths(Decision::of(up && down), &paths))
         },
-        why: "At the friction 0.5 the nine cracks do the same: along the travel none turns up, against it all of them do.",
+        why: "At the friction 0.5 the nine cracks do the same: along the travel none turns upwards, against it all do.",
     },
 ];
 
@@ -169,7 +169,7 @@ pub(super) const NINE_WITH_STRESS: &[Claim] = &[
             let top = top(&r.run("nine-stress")?.cracks[8]);
             Some(Decision::of(top > 0.1).with("max K_I", top))
         },
-        why: "Where the cracks lean against the travel, crack 9 is the first under the wheel.",
+        why: "If the cracks lean against the travel, the wheel meets crack 9 first.",
     },
     Claim {
         id: "5.5.3-range",
@@ -191,7 +191,7 @@ pub(super) const NINE_WITH_STRESS: &[Claim] = &[
         place: "5.5.3, Fig. 30",
         figures: &[30],
         statement: "With the residual stress of Fig. 21, all cracks of the network branch and then grow parallel to the running surface, in the direction of the moving load.",
-        rule: "all nine paths branch, and from there run within 10\u{b0} of the surface's direction, along the travel",
+        rule: "all nine paths branch and then run within 10\u{b0} of the direction of the surface, along the travel",
         decide: |r| {
             let paths = paths(r, "nine-stress")?;
             let travel = if r.setup().travel == Travel::Along { 1.0 } else { -1.0 };
@@ -199,7 +199,7 @@ pub(super) const NINE_WITH_STRESS: &[Claim] = &[
             let holds = paths.iter().all(|path| path.runs_parallel() && along(path));
             Some(with_paths(Decision::of(holds), &paths))
         },
-        why: "The paths that branch rise at 61\u{b0} to 69\u{b0} to the surface. Along the travel cracks 1 to 8 are held closed by the residual stress and go on in their planes.",
+        why: "The paths that branch rise at 61\u{b0} to 69\u{b0} to the surface. Along the travel cracks 1 to 8 are kept closed by the residual stress and continue in their planes.",
     },
     Claim {
         id: "5.5.3-crack-9-path",
@@ -213,6 +213,6 @@ pub(super) const NINE_WITH_STRESS: &[Claim] = &[
             let same = paths[..8].iter().filter(|path| side(path) == side(&paths[8])).count();
             Some(with_paths(Decision::of(same < 4), &paths))
         },
-        why: "Against the travel all nine cracks turn up.",
+        why: "Against the travel all nine cracks turn upwards.",
     },
 ];

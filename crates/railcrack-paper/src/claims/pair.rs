@@ -27,7 +27,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         place: "5.5.1, Fig. 24b",
         figures: &[24],
         statement: "The neighbouring crack hardly changes K_II.",
-        rule: "\u{394}K_II of each crack of the pair within 10 % of that of the crack alone",
+        rule: "\u{394}K_II of each crack of the pair within 10 % of that of the single crack",
         decide: |r| {
             let (pair, alone) = cracks(r)?;
             let change = [0, 1].map(|i| 100.0 * (pair[i].delta_kii() / alone[i].delta_kii() - 1.0));
@@ -57,35 +57,35 @@ pub(super) const CLAIMS: &[Claim] = &[
         place: "5.5.1, Fig. 24a",
         figures: &[24],
         statement: "Crack 2 increases the opening of crack 1 while the wheel is at x_c/a < \u{2212}2.",
-        rule: "the largest gain of K_I of crack 1 is at x_c/a < \u{2212}2 and >= 10 % of the largest K_I of the crack alone",
+        rule: "the largest gain of K_I of crack 1 is at x_c/a < \u{2212}2 and >= 10 % of the largest K_I of the single crack",
         decide: |r| {
             let (pair, alone) = cracks(r)?;
             let (at, gain) = gain(&pair[0].sif, &alone[0].sif);
             let enough = 0.1 * alone[0].sif.ki.iter().copied().fold(0.0, f64::max);
             Some(Decision::of(at < -2.0 && gain >= enough).with("gain of K_I", gain).with("at x_c/a", at))
         },
-        why: "Crack 2 opens crack 1 further before the wheel has passed it, as the statement says, but within 2 a of its mouth; beyond, both cracks are closed in the half-plane.",
+        why: "Crack 2 opens crack 1 further before the wheel has passed it, as stated, but within 2 a of its mouth; farther away both cracks are closed in the half-plane.",
     },
     Claim {
         id: "5.5.1-opening-2",
         place: "5.5.1, Fig. 24a",
         figures: &[24],
         statement: "Crack 1 increases the opening of crack 2 while the wheel is at x_c/a > 2.",
-        rule: "the largest gain of K_I of crack 2 is at x_c/a > 2 and >= 10 % of the largest K_I of the crack alone",
+        rule: "the largest gain of K_I of crack 2 is at x_c/a > 2 and >= 10 % of the largest K_I of the single crack",
         decide: |r| {
             let (pair, alone) = cracks(r)?;
             let (at, gain) = gain(&pair[1].sif, &alone[1].sif);
             let enough = 0.1 * alone[1].sif.ki.iter().copied().fold(0.0, f64::max);
             Some(Decision::of(at > 2.0 && gain >= enough).with("gain of K_I", gain).with("at x_c/a", at))
         },
-        why: "The gain comes behind the wheel, as the statement says; at the crack-face friction 0.01 and 0.2 it is largest somewhat before x_c/a = 2.",
+        why: "The increase occurs behind the wheel, as stated; at the crack-face friction 0.01 and 0.2 it is largest slightly before x_c/a = 2.",
     },
     Claim {
         id: "5.5.1-parallel",
         place: "5.5.1, Fig. 25",
         figures: &[25],
         statement: "Crack 1 of the pair branches and then grows parallel to the running surface.",
-        rule: "the path of crack 1 branches, and from there to its end within 10\u{b0} of the surface's direction",
+        rule: "the path of crack 1 branches and then runs within 10\u{b0} of the direction of the surface",
         decide: |r| {
             let path = PathShape::of(grown(r)?[0]);
             let decision =
@@ -95,7 +95,7 @@ pub(super) const CLAIMS: &[Claim] = &[
                 None => decision,
             })
         },
-        why: "The direction criterion has two maxima, near the plane of the crack and about 75\u{b0} above it: a crack of 15\u{b0} goes on in its plane or turns to 60\u{b0} upwards, never along the surface.",
+        why: "The direction criterion has two maxima, near the plane of the crack and about 75\u{b0} above it: a crack of 15\u{b0} continues in its plane or turns to 60\u{b0} upwards, never along the surface.",
     },
     Claim {
         id: "5.5.1-coplanar",
@@ -107,7 +107,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let path = PathShape::of(grown(r)?[1]);
             Some(Decision::of(path.is_coplanar()).with(format!("{}, depth", path.words()), path.depth))
         },
-        why: "Of the two cracks one leans along the travel and one against it. The one that leans against it turns up at once, and that is crack 2 where crack 1 leans along the travel.",
+        why: "Of the two cracks one leans along the travel and one against it. The one that leans against it turns upwards at once; this is crack 2 if crack 1 leans along the travel.",
     },
     Claim {
         id: "5.5.1-slower",

@@ -121,7 +121,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "With higher friction of a driven wheel the crack branches earlier.",
         rule: "first increment > 20\u{b0} off the initial line: not later from \u{2212}0.025 to \u{2212}0.1 to \u{2212}0.4, and earlier at \u{2212}0.4",
         decide: |r| branches_earlier(r, DRIVING),
-        why: "At \u{2212}0.4 the crack branches earlier than at \u{2212}0.1 in every main set-up; from \u{2212}0.025 to \u{2212}0.1 it branches later, except along the travel in the half-plane, where neither branches.",
+        why: "At \u{2212}0.4 the crack branches earlier than at \u{2212}0.1 in every main set-up; from \u{2212}0.025 to \u{2212}0.1 it branches later, except along the travel in the half-plane, where neither path branches.",
     },
     Claim {
         id: "5.1-sides-caption",
@@ -130,7 +130,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Under a braking wheel the crack branches up, under a driven wheel down (caption and text of Fig. 16 read together).",
         rule: "at +0.4 the path branches up, at \u{2212}0.4 down",
         decide: |r| sides(r, Side::Up, Side::Down),
-        why: "For cracks that lean against the travel the caption holds, and with the drag reversed the conclusion: the two differ by the sign of the friction. For cracks that lean along the travel both paths branch down.",
+        why: "For cracks that lean against the travel the caption holds; with the drag reversed the conclusion holds: the two differ by the sign of the friction. For cracks that lean along the travel both paths branch down.",
     },
     Claim {
         id: "5.1-sides-conclusion",
@@ -139,6 +139,6 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Under a driven wheel the crack branches up, under a braking wheel down.",
         rule: "at \u{2212}0.4 the path branches up, at +0.4 down",
         decide: |r| sides(r, Side::Down, Side::Up),
-        why: "The caption of Fig. 16 says the contrary. For cracks that lean against the travel the caption holds, and with the drag reversed this statement: the two differ by the sign of the friction.",
+        why: "The caption of Fig. 16 states the opposite. For cracks that lean against the travel the caption holds; with the drag reversed this statement holds: the two differ by the sign of the friction.",
     },
 ];

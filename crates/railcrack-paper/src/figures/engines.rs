@@ -4,8 +4,7 @@ use crate::case_run::CrackGrowth;
 use crate::results::Results;
 use railcrack_report::{Chart, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour, CurveLook, CurveWidth};
 
-/// K of both engines and, beside it, their difference in per cent of the peak; none where a run is
-/// missing.
+/// K of both engines and their difference in per cent of the peak; none if a run is missing.
 pub(crate) fn engines(results: &Results) -> Option<ChartSheet> {
     let first = results.setup("half-plane, along")?.run("fig13")?.crack();
     let second = results.setup("half-plane xfem, along")?.run("fig13")?.crack();

@@ -1,4 +1,4 @@
-//! Digitised curves of a figure of the paper, drawn with ours, and their distance from these.
+//! Digitised curves of a figure of the paper, shown with the computed ones, and their distance.
 
 use super::charts::{Quantity, TableCurve};
 use super::tables::{DIGITISED, FigureTable};
@@ -20,7 +20,7 @@ pub struct Overlay {
     text: String,
 }
 
-/// Distance of ours from a digitised curve, at its points.
+/// Distance of a computed curve from a digitised one, at the digitised points.
 pub(crate) struct Distance {
     pub(crate) curve: String,
     pub(crate) crack: String,
@@ -42,19 +42,19 @@ impl Overlay {
         let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         let numbers = parse_figures(&[stem]).map_err(|unknown| refused(unknown.to_string()))?;
         let figure = FIGURES.iter().find(|figure| numbers.contains(&figure.number));
-        let figure = figure.ok_or_else(|| refused("no such figure".to_owned()))?;
+        let figure = figure.ok_or_else(|| refused("unknown figure".to_owned()))?;
         let text = std::fs::read_to_string(path).map_err(OutputError::io("read", path))?;
         let table = FigureTable::parse(&text).map_err(refused)?;
         let quantities = Quantity::of(figure);
         let mut count = 0;
         for quantity in quantities {
             let curves =
-                quantity.curves(&table).map_err(|value| refused(format!("`{value}` is no number")))?;
+                quantity.curves(&table).map_err(|value| refused(format!("`{value}` is not a number")))?;
             for curve in curves.unwrap_or_default() {
                 let known = figure.curves;
                 if !known.is_empty() && !known.contains(&curve.name.as_str()) {
                     return Err(refused(format!(
-                        "`{}` is no curve of Fig. {}: must be one of {}",
+                        "`{}` is not a curve of Fig. {}: must be one of {}",
                         curve.name,
                         figure.number,
                         known.join(", ")
@@ -76,12 +76,12 @@ impl Overlay {
         self.figure.number
     }
 
-    /// Where it is kept in `folder`.
+    /// Its path in `folder`.
     fn place(folder: &Path, figure: &Figure) -> PathBuf {
         folder.join(OVERLAYS).join(format!("{}.csv", figure.file_stem()))
     }
 
-    /// Keeps it in `folder`, so that pages can be rebuilt.
+    /// Stores it in `folder`, so that pages can be rebuilt.
     ///
     /// Errors: the system refuses.
     pub(crate) fn keep(&self, folder: &Path) -> Result<(), OutputError> {
@@ -92,7 +92,7 @@ impl Overlay {
     }
 }
 
-/// Forgets the digitised curves in `folder`.
+/// Deletes the digitised curves in `folder`.
 ///
 /// Errors: the system refuses.
 pub(crate) fn forget_overlays(folder: &Path) -> Result<(), OutputError> {
@@ -120,10 +120,10 @@ pub(crate) fn kept(
     let text = std::fs::read_to_string(&path).map_err(OutputError::io("read", &path))?;
     let damaged = |reason| OutputError::damaged(&path, reason);
     let table = FigureTable::parse(&text).map_err(damaged)?;
-    let curves = quantity.curves(&table).map_err(|text| damaged(format!("\"{text}\" is no number")))?;
+    let curves = quantity.curves(&table).map_err(|text| damaged(format!("\"{text}\" is not a number")))?;
     let digitised = |curve: TableCurve| TableCurve {
         setup: DIGITISED.to_owned(),
-        // A figure of one crack need not say which.
+        // A figure with one crack has no crack numbers.
         crack: if curve.crack.is_empty() && quantity != Quantity::Profile { "1".into() } else { curve.crack },
         ..curve
     };
@@ -196,7 +196,7 @@ mod tests {
         let of =
             |quantity| distances(quantity, std::slice::from_ref(&path), std::slice::from_ref(&digitised));
         let on_paths = of(Quantity::Paths).remove(0);
-        // One beside the first part, one beside the second, one beyond the end: 3, 4, 5.
+        // One point next to the first part, one next to the second, one beyond the end: 3, 4, 5.
         assert_eq!((on_paths.points, on_paths.largest), (3, 5.0));
         assert!((on_paths.mean - 7.0 / 3.0).abs() < 1e-12, "{}", on_paths.mean);
         // Of K the value at the same position counts: one of the points is within the curve.

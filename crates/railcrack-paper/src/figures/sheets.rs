@@ -25,7 +25,7 @@ pub(crate) fn sheet(figure: &Figure, quantities: &[(Quantity, Vec<TableCurve>)])
         Kind::Paths => {
             let all = quantities.iter().flat_map(|(quantity, curves)| path_panels(figure, *quantity, curves));
             let panels: Vec<Chart> = all.collect();
-            // Long rows of cracks have the whole width: beside each other their growth is not seen.
+            // Long rows of cracks need the whole width for their growth to be visible.
             let columns = if panels.iter().any(is_long) { 1 } else { 2 };
             panels.chunks(columns).map(<[Chart]>::to_vec).collect()
         }
@@ -57,8 +57,7 @@ fn is_long(panel: &Chart) -> bool {
     extent(0) > LONG * extent(1)
 }
 
-/// K for cracks that lean along the travel and, beside it, against it: half-plane solid, block
-/// dashed.
+/// K for cracks that lean along the travel and against it: half-plane solid, block dashed.
 fn sif_row(figure: &Figure, quantity: Quantity, curves: &[TableCurve]) -> Vec<Chart> {
     let column = |(way, words): (&str, &str)| {
         let [half_plane, block] = ["half-plane", "block"].map(|body| format!("{body}, {way}"));
@@ -118,8 +117,8 @@ fn path_panels(figure: &Figure, quantity: Quantity, curves: &[TableCurve]) -> Ve
     panels.filter(|chart| chart.curves.iter().any(|curve| curve.look != CurveLook::Dots)).collect()
 }
 
-/// One of more paths than there are colours: those of a curve of the paper have one colour, and the
-/// first curve is seen below the others.
+/// A path among more paths than colours: all paths of a curve of the paper have the same colour, and
+/// the first curve is visible below the others.
 fn by_curve(figure: &Figure, table: &TableCurve, curve: Curve, place: usize) -> Curve {
     let width = if place == 0 { CurveWidth::Wide } else { CurveWidth::Usual };
     let colour = Some(CurveColour::Category(place));

@@ -9,7 +9,7 @@ use railcrack_run::OutputError;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-/// The most points in the page: 14 bytes each. Main set-ups go first, variants while there is room.
+/// Maximum number of points on the page, of 14 bytes each. Main set-ups come first, then variants.
 const POINTS: usize = 180_000;
 
 /// The figures one below the other, then their files.
@@ -25,7 +25,7 @@ pub(super) fn blocks(folder: &Path, record: &PaperRecord) -> Result<Vec<Block>, 
         let table = FigureTable::parse(&text).map_err(damaged)?;
         for &quantity in Quantity::of(figure) {
             let curves = quantity.curves(&table);
-            let curves = curves.map_err(|text| damaged(format!("\"{text}\" is no number")))?;
+            let curves = curves.map_err(|text| damaged(format!("\"{text}\" is not a number")))?;
             let mut curves = curves.unwrap_or_default();
             let digitised = kept(folder, figure, quantity)?;
             overlays.extend(distances(quantity, &curves, &digitised).into_iter().map(|d| (figure.number, d)));
@@ -36,7 +36,7 @@ pub(super) fn blocks(folder: &Path, record: &PaperRecord) -> Result<Vec<Block>, 
     }
     let mut blocks = Vec::new();
     if leave_out(charts.iter_mut().map(|(_, chart)| chart)) == Whole::No {
-        let text = "The charts of this page leave out some variants; the tables have all.";
+        let text = "The charts on this page omit some variants; the tables have all.";
         blocks.push(Block::Text(text.to_owned()));
     }
     let mut files = Table::new(["Figure", "Shows", "Picture", "Numbers"]);
@@ -61,13 +61,13 @@ pub(super) fn blocks(folder: &Path, record: &PaperRecord) -> Result<Vec<Block>, 
     if folder.join("figures").join("engines.svg").is_file() {
         files.row([
             Cell::from("Fig. 13"),
-            "Both engines on the case of this figure, and their difference".into(),
+            "Both engines on the case of this figure, with their difference".into(),
             Cell::linked("SVG", "figures/engines.svg"),
             "".into(),
         ]);
     }
     blocks.push(Block::Heading("Files".to_owned()));
-    let cases = "The folder cases/ has every case, ready to be run or changed.";
+    let cases = "The folder cases/ contains every case file, ready to run or modify.";
     blocks.push(Block::Text(cases.to_owned()));
     blocks.push(Block::Table(files));
     Ok(blocks)
@@ -78,7 +78,7 @@ fn distance_table(distances: &[&Distance]) -> Table {
     let mut table =
         Table::new(["Digitised curve", "Crack", "Quantity", "Set-up", "Points", "Largest", "Mean", "Unit"]);
     table.caption =
-        "Distance from the digitised curves: of paths to the nearest place, else at the same position"
+        "Distance from the digitised curves: to the nearest point for paths, otherwise at the same position"
             .to_owned();
     for d in distances {
         table.row([
@@ -117,8 +117,7 @@ enum Whole {
     No,
 }
 
-/// Leaves out the curves that find no room on the page: those of the first set-ups go first, on all
-/// charts.
+/// Omits curves that exceed the limit of the page. Set-ups are kept in their order, on all charts.
 fn leave_out<'a>(charts: impl Iterator<Item = &'a mut Chart>) -> Whole {
     let mut charts: Vec<&mut Chart> = charts.collect();
     let mut sizes: BTreeMap<Vec<usize>, usize> = BTreeMap::new();
@@ -129,7 +128,7 @@ fn leave_out<'a>(charts: impl Iterator<Item = &'a mut Chart>) -> Whole {
     let mut shown = BTreeSet::new();
     for (setup, size) in sizes {
         taken += size;
-        // The first ones are there whatever they take.
+        // The first set-up is kept regardless of its size.
         if taken > POINTS && !shown.is_empty() {
             break;
         }
@@ -168,7 +167,7 @@ mod tests {
         let mut charts = [chart(&[0, 1, 2], 10)];
         assert_eq!(leave_out(charts.iter_mut()), Whole::Yes);
         assert_eq!(shown(&charts), [vec![0, 1, 2]]);
-        // The first set-up is there whatever it takes.
+        // The first set-up is kept regardless of its size.
         let mut charts = [chart(&[0, 1], 2 * POINTS)];
         leave_out(charts.iter_mut());
         assert_eq!(shown(&charts), [vec![0]]);

@@ -25,7 +25,7 @@ pub(crate) fn paper_page(folder: &Path) -> Result<Page, OutputError> {
         lead.push(Block::Warnings(record.failures.iter().map(text).collect()));
     }
     lead.push(Block::Text(
-        "The paper leaves open what its results depend on: the supports of its block, whether the cracks lean along the travel or \
+        "The paper does not specify several inputs that its results depend on: the supports of its block, whether the cracks lean along the travel or \
          against it, the sign of the wheel–rail friction, the load steps. Each statement of its text is therefore decided in several \
          set-ups, by a rule. Statements and the few numbers in the text are compared, not the curves of its figures."
             .to_owned(),
@@ -69,7 +69,7 @@ fn facts(record: &PaperRecord) -> Vec<Fact> {
         fact("Hold", everywhere, "in all main set-ups that decide them"),
         fact("Hold in some", somewhere, "main set-ups, or in variants only"),
         fact("Do not hold", nowhere, "in any set-up"),
-        fact("Figures", record.figures.len(), "with their numbers as tables"),
+        fact("Figures", record.figures.len(), "with tables of their numbers"),
         fact("Runs", record.runs, &format!("in {} set-ups", record.setups.len())),
     ]
 }

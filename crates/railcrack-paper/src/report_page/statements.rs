@@ -28,7 +28,7 @@ pub(super) fn counts(record: &PaperRecord) -> [usize; 3] {
 /// The result in a sentence.
 pub(super) fn verdict(record: &PaperRecord) -> String {
     if record.statements.is_empty() {
-        return "The chosen figures decide no statement of the paper by themselves.".to_owned();
+        return "The selected figures alone decide no statement of the paper.".to_owned();
     }
     let [everywhere, somewhere, nowhere] = counts(record);
     format!(
@@ -42,11 +42,12 @@ pub(super) fn verdict(record: &PaperRecord) -> String {
 /// rule and its numbers.
 pub(super) fn blocks(record: &PaperRecord) -> Vec<Block> {
     let main: Vec<&SetupRecord> = record.main_setups().collect();
-    let mut table = matrix(record, &main, &["Statement", "Where"], &["Why not everywhere"], |statement| {
-        (vec![symbols(&statement.statement), place(statement)], vec![symbols(&statement.why)])
-    });
+    let mut table =
+        matrix(record, &main, &["Statement", "Where"], &["Reason for differences"], |statement| {
+            (vec![symbols(&statement.statement), place(statement)], vec![symbols(&statement.why)])
+        });
     table.caption = "In the order of the paper. Along: the cracks lean along the travel of the wheel; against: they lean against it. \
-                     *: a run behind it has warnings"
+                     *: a contributing run has warnings"
         .to_owned();
     let all: Vec<&SetupRecord> = record.setups.iter().collect();
     let variants = matrix(record, &all, &["Statement"], &[], |statement| {
@@ -56,7 +57,7 @@ pub(super) fn blocks(record: &PaperRecord) -> Vec<Block> {
         Block::Table(table),
         Block::Folded { heading: "All set-ups".to_owned(), blocks: vec![Block::Table(variants)] },
         Block::Heading("Rules and numbers".to_owned()),
-        Block::Text("K in MPa√m, depths in mm; unrounded in claims.csv.".to_owned()),
+        Block::Text("K in MPa√m, depths in mm; unrounded values are in claims.csv.".to_owned()),
     ];
     blocks.extend(record.statements.iter().map(|statement| {
         let mut parts = vec![
@@ -76,7 +77,7 @@ pub(super) fn blocks(record: &PaperRecord) -> Vec<Block> {
     blocks
 }
 
-/// Statements by `setups`, with the cells that `beside` gives before and after the decisions.
+/// Statements by `setups`, with the cells that `beside` returns before and after the decisions.
 fn matrix(
     record: &PaperRecord,
     setups: &[&SetupRecord],

@@ -75,7 +75,7 @@
     const points = () => (shown.length ? shown : curves).flatMap((curve) => curve.points);
 
     /**
-     * What the axis `name` covers of `all`; its zero counts.
+     * The domain of the axis `name` over `all`, including zero where the axis does.
      * @param {"x" | "y"} name
      * @param {ChartPoint[]} all
      */
@@ -83,7 +83,7 @@
       extent([...all.map((point) => point[name]), ...(data[name].zero ? [0] : [])], log[name]);
 
     /**
-     * Room for the ticks and the title beside them, from the usual width of digits.
+     * Space for the ticks and the title next to them, from the usual width of digits.
      * @param {ChartPoint[]} all
      */
     function room(all) {

@@ -139,7 +139,7 @@ railcrack.viewer("neighbourhood", "The fields", "ParaView shows the files in fie
     magnification.show(state.magnification, magnified ? `magnified ${words(magnified)} times` : "none");
     field.caption(
       `Step ${state.choice.step}, x_c/a = ${signed(state.choice.xcOverA, 3)}: displacement relative to its mean over ` +
-        "the picture, and von Mises stress of the total stress, which exceeds the scale at the tips. " +
+        "the picture, and von Mises stress of the total stress; values at the tips exceed the scale. " +
         "Source: the files in fields/.",
     );
   }

@@ -10,11 +10,13 @@ const railcrack = (() => {
 
   const fourDigits = d3.format(".4~g");
 
-  /** A number as people read it: 1 197 467, 0.0464, 2.47e−6. @param {number} value */
+  /** A number for display: 1 197 467, 0.0464, 2.47e−6. @param {number} value */
   function words(value) {
     const size = Math.abs(value);
     if (size >= 1e4 && size < 1e15) return d3.format(",.0f")(value).replaceAll(",", "\u00a0");
-    if (value === 0 || (size >= 1e-3 && size < 1e4)) return minus(fourDigits(value));
+    // Below that a value is round-off in every unit of a page.
+    if (size < 1e-12) return "0";
+    if (size >= 1e-3 && size < 1e4) return minus(fourDigits(value));
     return minus(d3.format(".3~e")(value));
   }
 
@@ -26,7 +28,7 @@ const railcrack = (() => {
   const signed = (value, digits) => minus(value.toFixed(digits).replace(/^-(?=[0.]*$)/, ""));
 
   /**
-   * The tonnage of `cycles`, to go on a sentence; empty without an axle load (t).
+   * The tonnage of `cycles`, appended to a sentence; empty without an axle load (t).
    * @param {number} cycles
    * @param {number | null} axleLoad
    */
@@ -39,7 +41,7 @@ const railcrack = (() => {
   const short = (value) => minus((value >= 1e-2 && value < 1e4 ? fourDigits : d3.format(".2~e"))(value));
 
   /**
-   * `text` without its marks of indices and powers: for places that take plain text only.
+   * `text` without its marks of indices and powers, for plain text.
    * @param {string} text
    */
   const plain = (text) => text.replace(/[_^]\{([^}]*)\}/g, "$1");
@@ -50,7 +52,7 @@ const railcrack = (() => {
   // ---- Elements ---------------------------------------------------------------------------------
 
   /**
-   * The element called `id`, which the page must have.
+   * The element with this `id`, which the page must have.
    * @template {HTMLElement} [T=HTMLElement]
    * @param {string} id
    * @param {new () => T} [kind]
@@ -62,7 +64,7 @@ const railcrack = (() => {
   }
 
   /**
-   * The first element within `place` that `selector` describes, which must be there.
+   * The first element within `place` that matches `selector`, which must exist.
    * @param {Element} place
    * @param {string} selector
    */
@@ -92,7 +94,7 @@ const railcrack = (() => {
   }
 
   /**
-   * Puts `text` into `place`; a long name may be broken into lines after its dots and underscores.
+   * Puts `text` into `place`; long names can break after dots and underscores.
    * @template {Element} E
    * @param {E} place
    * @param {string} text
@@ -202,7 +204,7 @@ const railcrack = (() => {
   const TIP = { fill: "var(--ground)", fontSize: 12 };
 
   /**
-   * `count` colours of a quantity from nothing (light) to its largest value (dark).
+   * `count` colours of a quantity from zero (light) to its largest value (dark).
    * @param {number} count
    */
   const shades = (count) => d3.range(count).map((i) => d3.interpolateViridis(1 - i / (count - 1)));
@@ -338,7 +340,7 @@ const railcrack = (() => {
   }
 
   /**
-   * What an axis covers: `values`, widened where they are one and the same, so that it has more
+   * The domain of an axis: `values`, widened where they are all equal, so that it has more
    * than one tick.
    * @param {number[]} values
    * @param {boolean} [isLog]
@@ -354,7 +356,7 @@ const railcrack = (() => {
   }
 
   /**
-   * What `values` span, with some air at both ends.
+   * The range of `values` with a margin at both ends.
    * @param {Iterable<number>} values
    * @returns {Pair}
    */
@@ -528,7 +530,7 @@ const railcrack = (() => {
       (reason) => {
         const note = document.createElement("p");
         note.className = "failure";
-        note.textContent = `${name} cannot be shown: ${reason.message}. It needs a browser of 2023 or later; ${advice}.`;
+        note.textContent = `${name} cannot be shown: ${reason.message}. A browser of 2023 or later is required; ${advice}.`;
         place.before(note);
         console.error(reason);
       },
@@ -575,7 +577,7 @@ const railcrack = (() => {
 
   /**
    * The controls of a passage: sliders for growth step and wheel position, a button that plays the
-   * passage, and the arrow keys. They read `state`, and ask `moveTo` for what the reader wants.
+   * passage, and the arrow keys. They read `state` and call `moveTo` with the requested state.
    * @param {object} passage
    * @param {number} passage.steps
    * @param {number} passage.positions
@@ -749,7 +751,7 @@ const railcrack = (() => {
   };
 
   /**
-   * Brings out the curves called `name` on all charts that have several; none: all alike.
+   * Highlights the curves called `name` on all charts with several curves; none: no highlight.
    * @param {string} [name]
    */
   function bringOut(name) {
@@ -831,7 +833,7 @@ const railcrack = (() => {
 
   // ---- The page itself --------------------------------------------------------------------------
 
-  /** The button that changes between the system's theme, light and dark. */
+  /** The button that switches between the system's theme, light and dark. */
   function theme() {
     const change = element("theme", HTMLButtonElement);
     const root = document.documentElement;

@@ -222,7 +222,7 @@ railcrack.viewer("row-map", "The map", "plots/row.svg has a picture", async () =
       .attr("width", width)
       .attr("height", height)
       .attr("viewBox", `0 0 ${width} ${height}`);
-    svg.attr("role", "img").attr("aria-label", "The cracks by their place along the rail");
+    svg.attr("role", "img").attr("aria-label", "The cracks by position along the rail");
     svg.attr("font-size", 12).attr("fill", "currentColor").style("display", "block");
     /** @type {Target[]} */
     const targets = [];
@@ -457,7 +457,7 @@ railcrack.viewer("row-map", "The map", "plots/row.svg has a picture", async () =
     const toScale = times === 1 ? " To scale." : ` Depth is exaggerated ${words(times)} times.`;
     const depths = quantity ? "" : toScale;
     const initial = quantity && state.step > 0 ? " Rings: step 0." : "";
-    const folded = lines > 1 ? ` The row is drawn in ${lines} lines.` : "";
+    const folded = lines > 1 ? ` The row is split into ${lines} lines.` : "";
     figure.caption(
       `${count} cracks in growth step ${data.steps[state.step]}; crack ${crack.now} is highlighted, and numbers mark ` +
         `the cracks named in the curves.${depths}${initial}${folded}`,

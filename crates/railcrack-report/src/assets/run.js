@@ -748,15 +748,15 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
       { name: "undeformed", colour: "var(--quiet)", dashes: "6 4" },
       { name: "stick", colour: STATUS_COLOURS[1], dots: "only" },
       { name: "slip", colour: STATUS_COLOURS[2], dots: "only" },
-      ...(fluid ? [{ name: "fluid, the stronger the higher its pressure", colour: "var(--c5)" }] : []),
+      ...(fluid ? [{ name: "fluid, darker at higher pressure", colour: "var(--c5)" }] : []),
     ]);
     const opening = microns(d3.max(stations, ({ opening }) => opening) ?? 0);
     const slip = microns(d3.max(stations, ({ slip }) => Math.abs(slip)) ?? 0);
     const where = data.fluid_falls ? " at the mouth" : "";
-    const wet = fluid ? `, and the pressure of the fluid is ${signed(fluid.pressure, 1)} MPa${where}` : "";
+    const wet = fluid ? `, and the fluid pressure is ${signed(fluid.pressure, 1)} MPa${where}` : "";
     figure.caption(
-      `Crack ${faces.crack}. The displacement jump is magnified ${words(magnified)} times, and half of it drawn on each ` +
-        `face. At this position the largest opening is ${opening}, the largest slip ${slip}${wet}.`,
+      `Crack ${faces.crack}. The displacement jump is magnified ${words(magnified)} times; each face shows half of it. ` +
+        `At this position the largest opening is ${opening}, the largest slip ${slip}${wet}.`,
     );
   }
 
@@ -777,11 +777,11 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
 
   /** What the page says where it has no faces. */
   function withoutFaces() {
-    if (!data.named) return "There are no data of the crack faces for this step.";
+    if (!data.named) return "No crack-face data for this step.";
     const known = steps.filter((step) => step.faces).map(({ step }) => step);
     return (
-      "There are no data of the faces of this crack for this step. This page has those of cracks " +
-      `${d3.sort(data.named).join(", ")} in growth steps ${known.join(" and ")}; faces.csv has more.`
+      "No face data for this crack in this step. This page includes cracks " +
+      `${d3.sort(data.named).join(", ")} in growth steps ${known.join(" and ")}; faces.csv has all.`
     );
   }
 
@@ -956,7 +956,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const tip = steps[state.step].tips[i];
     const { ki, kii } = histories[state.step][i];
     const name = nameIfSeveral(tip);
-    if (Number.isNaN(ki[state.position])) return `${name}: the wheel is too far away for K`;
+    if (Number.isNaN(ki[state.position])) return `${name}: no K at this distance of the wheel`;
     const fluid = fluidOf(tip.crack);
     const wet = fluid
       ? `, fluid p = ${signed(fluid.pressure, 1)} MPa, V = ${words(fluid.volume)} mm\u00b2`
@@ -969,11 +969,11 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   function kinkText(tip) {
     const name = nameIfSeveral(tip) || "the crack";
     const whose = `${name[0].toUpperCase()}${name.slice(1)}`;
-    if (tip.kink === null) return `${whose} is not loaded and does not kink`;
+    if (tip.kink === null) return `${whose} is unloaded and does not kink`;
     const kink = `${whose} kinks by ${signed(tip.kink, 1)}\u00b0 at the end of the step`;
     if (tip.rival === null) return kink;
     const share = signed(tip.ratio ?? 0, 3);
-    return `${kink} (secondary maximum at ${signed(tip.rival, 1)}\u00b0, ${share} times the chosen one)`;
+    return `${kink} (secondary maximum at ${signed(tip.rival, 1)}\u00b0, ${share} times the selected one)`;
   }
 
   /** What has become of the chosen crack where it has no tip any more. */
@@ -1049,7 +1049,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
 
   if (isWet) {
     const caption = railcrack.within(element("scene"), "figcaption");
-    caption.append(" Blue bands: fluid in the cracks, the wider the higher its pressure.");
+    caption.append(" Blue bands: fluid in the cracks, wider at higher pressure.");
   }
   element("residual").hidden = !data.residual;
   await stepChanged();

@@ -336,7 +336,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const wanted =
       point.wanted === null
         ? ""
-        : ` The direction criterion asks for a kink of ${signed(point.wanted, 0)}\u00b0 there.`;
+        : ` The direction criterion predicts a kink of ${signed(point.wanted, 0)}\u00b0 there.`;
     railcrack.say(
       element("readout"),
       `${whose} axes ${words(crack.depth)} mm down the dip and ${words(crack.half_length)} mm along the surface, after ` +

@@ -377,7 +377,7 @@ railcrack.viewer("study-table", "The runs", "summary.csv has them", async () => 
     const number = runs.text(i);
     within(one, "h3").textContent = `Run ${number}`;
     const values = columns.slice(1).map((column) => `${column.plainTitle}: ${column.text(i)}`);
-    within(one, "p").textContent = `${values.join("; ")}. Its report: railcrack report DIR --run ${number}`;
+    within(one, "p").textContent = `${values.join("; ")}. For its report: railcrack report DIR --run ${number}`;
     life(Math.floor(figures.life.drawing.clientWidth));
     list();
     redraw();
@@ -393,7 +393,7 @@ railcrack.viewer("study-table", "The runs", "summary.csv has them", async () => 
   figures.scatter.follow(scatter);
   figures.heat.follow(heat);
   bars("rank", "Rank correlation", "Rank correlation (Spearman)", [-1, 1]);
-  const share = "First-order Sobol index, the share of the variance that the key explains by itself,";
+  const share = "First-order Sobol index, the share of the variance explained by the key alone,";
   bars("sobol", "First-order index", share, [0, 1]);
   figures.life.follow(life);
 });

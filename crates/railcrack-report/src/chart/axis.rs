@@ -1,6 +1,6 @@
 //! Axes of charts.
 
-/// How values are laid out along an axis.
+/// Scale of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ChartScale {
     /// Evenly.
@@ -15,12 +15,12 @@ pub enum ChartScale {
 /// Values that an axis covers.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum ChartRange {
-    /// Those of the curves, with some air at both ends.
+    /// The values of the curves with a margin at both ends.
     #[default]
     Around,
-    /// The same, zero included.
+    /// The values of the curves and zero, with a margin.
     AroundZero,
-    /// Those of the curves.
+    /// Exactly the range of the curves.
     Tight,
     /// From the first to the second.
     Exact([f64; 2]),

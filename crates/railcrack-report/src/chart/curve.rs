@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// Number of colours of things without order.
+/// Number of categorical colours.
 pub(crate) const CATEGORIES: usize = 9;
 /// The last colour of the ordered scale of a page, from 0.
 const ORDERED: f64 = 20.0;
@@ -30,34 +30,34 @@ pub enum CurveDots {
     None,
     /// All.
     All,
-    /// The last one: it finds the end of a curve among others.
+    /// The last one, which marks the end of a curve among others.
     Last,
-    /// All but these: those of an initial crack.
+    /// All except the given number of first points, which belong to an initial crack.
     AllBut(Range<usize>),
 }
 
 /// Width of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum CurveWidth {
-    /// As most.
+    /// Normal.
     #[default]
     Usual,
-    /// Seen below another curve.
+    /// Wide, visible below another curve.
     Wide,
-    /// One of many that only their bundle matters of.
+    /// Thin, one of many curves shown as a bundle.
     Fine,
 }
 
 /// Colour of a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CurveColour {
-    /// A number in the palette of things without order; it repeats after 9.
+    /// An index in the categorical palette, which repeats after 9.
     Category(usize),
-    /// A place, 0 to 1, along the palette of an ordered scale.
+    /// A position from 0 to 1 on the sequential palette.
     Along(f64),
-    /// That of text: initial cracks.
+    /// The text colour, for initial cracks.
     Ink,
-    /// That of quiet text: dashes explained in a legend.
+    /// The colour of secondary text, for dashes explained in a legend.
     Quiet,
 }
 
@@ -111,10 +111,10 @@ pub struct Curve {
     pub width: CurveWidth,
     /// Its colour; that of its place among the curves where none.
     pub colour: Option<CurveColour>,
-    /// Words under the pointer beside its values; empty for none.
+    /// Text in the tooltip in addition to the values; empty for none.
     pub note: String,
-    /// Of each group of the page's `Choices` the value that it belongs to; empty: it is always
-    /// shown.
+    /// The value of the curve in each group of the page's `Choices`; empty for a curve that is
+    /// always shown.
     pub choices: Vec<usize>,
 }
 

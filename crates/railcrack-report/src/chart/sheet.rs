@@ -16,7 +16,7 @@ const SIZES: [[f64; 2]; 2] = [[600.0, 360.0], [420.0, 230.0]];
 const LONG: f64 = 920.0;
 /// Height of a long chart that is not to scale.
 const LONG_HEIGHT: f64 = 200.0;
-/// Room above the surface of a strip, for the numbers of its cracks, and below its deepest point.
+/// Space above the surface of a strip, for crack labels, and below its deepest point.
 const STRIP: [f64; 2] = [20.0, 24.0];
 /// Heights of a chart to scale.
 const TO_SCALE: [f64; 2] = [150.0, 560.0];
@@ -30,14 +30,14 @@ const BELOW: [f64; 2] = [56.0, 24.0];
 /// Height of the heading of a sheet, and of that of a chart.
 pub(crate) const HEADING: f64 = 58.0;
 const CHART_HEADING: f64 = 20.0;
-/// The most entries of a legend that has no entries of its own: of more, evenly chosen ones.
+/// Maximum number of entries of an automatic legend; of more, evenly spaced ones are chosen.
 const LEGEND: usize = 18;
-/// Letters of a line of the legend.
+/// Maximum number of letters in a line of the legend.
 const LEGEND_LETTERS: f64 = 60.0;
 /// Fill of areas and of the rail.
 const AREA: &str = "#fbe8c6";
 const RAIL: &str = "#f6f5f2";
-/// A quiet curve of many.
+/// Colour of a background curve.
 const FINE: &str = "#bdbdbd";
 
 /// Title and subtitle of a picture, the title cut to `room` pixels.
@@ -168,7 +168,7 @@ impl ChartSheet {
 fn equal([left, right]: [f64; 2], [_, deep]: [f64; 2], width: f64) -> (Axis, Axis, f64) {
     let (across, deep) = ((right - left).max(1e-6), deep.max(1e-6));
     let air = 0.12 * across.max(deep);
-    // Rows of cracks over the whole width of a page: what grows is a small part of them.
+    // Rows of cracks need the whole width of a page, because growth is small compared with it.
     let is_row = width >= LONG && across > ROW * deep;
     let (air, least) = if is_row { (0.25 * air, TO_SCALE_ROW) } else { (air, TO_SCALE[0]) };
     // The room above the surface takes notes.

@@ -6,12 +6,12 @@ use super::curve::{Curve, CurveColour, CurveDots, CurveLook, CurveWidth};
 /// Whether a chart has the same scale in both directions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ChartAspect {
-    /// Each axis fills its side.
+    /// Independent scales.
     #[default]
     Free,
     /// To scale: crack paths. With an exact range of x it is a strip of a longer picture.
     Equal,
-    /// Each axis fills its side, and the file is as long as a page is wide: rows of many cracks.
+    /// Independent scales, with the file as wide as a page: rows of many cracks.
     Long,
 }
 
@@ -21,7 +21,7 @@ pub enum ChartLegend {
     /// In a legend above the chart.
     #[default]
     Names,
-    /// Under the pointer only: the page's choices tell the colours apart.
+    /// In tooltips only; the page's choices explain the colours.
     Pointer,
 }
 
@@ -34,7 +34,7 @@ pub struct ChartArea {
     pub outline: Vec<[f64; 2]>,
 }
 
-/// Words at a point of a chart.
+/// A label at a point of a chart.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ChartNote {
     /// The point above which they stand, in the units of the axes.
@@ -71,9 +71,9 @@ pub struct Chart {
 /// A mark in the legend of an SVG file.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LegendMark {
-    /// None: the words head the entries below.
+    /// None: the text is a heading of the entries below.
     Heading,
-    /// None: the words stand for themselves.
+    /// None: the text is a note.
     Note,
     /// A filled area.
     Area,

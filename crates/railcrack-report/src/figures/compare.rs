@@ -13,7 +13,7 @@ use railcrack_run::compare::{self, Aligned};
 /// A tip of both runs with K at common positions.
 type Tip<'a> = (&'a TipComparison, &'a Aligned);
 
-/// The plots of a comparison; none where the runs have no common step.
+/// The plots of a comparison; none if the runs have no common step.
 pub(crate) fn comparison_plots(comparison: &Comparison) -> Vec<Plot> {
     if comparison.common_steps == 0 {
         return Vec::new();
@@ -33,7 +33,7 @@ pub(crate) fn steps_of_both(comparison: &Comparison) -> Vec<usize> {
     steps
 }
 
-/// K of both runs, and its difference beside it, in `step`.
+/// K of both runs and its difference in `step`.
 fn sifs(comparison: &Comparison, step: usize) -> ChartSheet {
     let names = comparison.names();
     let all = comparison.tips.iter().zip(&comparison.aligned);
@@ -43,7 +43,7 @@ fn sifs(comparison: &Comparison, step: usize) -> ChartSheet {
         let both = sif::chart(
             &format!("{}-{step}", mode.id()),
             symbol,
-            format!("{symbol} of both runs; the second one dashed."),
+            format!("{symbol} of both runs; second run dashed."),
             tips.iter().enumerate().flat_map(|tip| both_runs(&names, mode, tip, tips.len())).collect(),
         );
         let difference = sif::chart(
@@ -83,7 +83,7 @@ fn tip_name(tip: &TipComparison) -> String {
     format!("crack {}, tip {}", tip.crack, tip.tip)
 }
 
-/// K of a tip in both runs. A single tip has a colour for each run; of several each has its colour.
+/// K of a tip in both runs. Colours denote the runs for a single tip, the tips for several.
 fn both_runs(
     names: &[String; 2],
     mode: Mode,
@@ -99,7 +99,7 @@ fn both_runs(
     [curve(0), curve(1)]
 }
 
-/// `curve` of the first or the second run: the first is seen below the second where they agree.
+/// `curve` of the first or the second run; the first is wider, so that it is visible below the second.
 fn of_run(run: usize, curve: Curve) -> Curve {
     let curve = curve.with_colour(CurveColour::Category(run));
     if run == 0 { curve.with_width(CurveWidth::Wide) } else { curve.with_look(CurveLook::Dashed) }
@@ -124,14 +124,11 @@ fn paths_of_both(comparison: &Comparison) -> ChartSheet {
             .map(move |crack| of_run(run, paths::path(name, crack)).with_dots(paths::increments(crack)))
     };
     let curves = (0..2).flat_map(curve).collect();
-    let chart = paths::chart(
-        "Crack paths to scale; the second run dashed.",
-        curves,
-        comparison.cracks.iter().flatten(),
-    );
+    let chart =
+        paths::chart("Crack paths to scale; second run dashed.", curves, comparison.cracks.iter().flatten());
     ChartSheet::of(
         &format!("{} and {}", names[0], names[1]),
-        "Crack paths to scale, a dot at the end of each increment",
+        "Crack paths to scale, dots mark the ends of the increments",
         chart,
     )
 }
@@ -150,7 +147,7 @@ pub(crate) fn lengths_of_both(comparison: &Comparison) -> Chart {
     };
     let curves = (0..2).flat_map(|run| cracks.iter().map(move |&crack| (run, crack)));
     cycles::chart(
-        "Crack length against load cycles in the common steps; the second run dashed.",
+        "Crack length against load cycles in the common steps; second run dashed.",
         curves.map(|(run, crack)| curve(run, crack)).collect(),
     )
 }

@@ -19,10 +19,9 @@ pub(super) fn chart(caption: &str, curves: Vec<Curve>) -> Chart {
     }
 }
 
-/// The lengths in a run on the model `model`; of many cracks the `named` ones are told from the
-/// others.
+/// The lengths in a run on the model `model`; for many cracks the `named` ones are highlighted.
 pub(super) fn plot(summary: &Summary, growth: &[TipRow], named: Option<&[NamedCrack]>, model: &str) -> Plot {
-    // Both tips of a buried crack share its length: the first one stands for the crack.
+    // Both tips of a buried crack have the same length, so the first represents the crack.
     let cracks: Vec<usize> =
         growth.iter().filter(|row| row.step == 0 && row.tip == 1).map(|row| row.crack).collect();
     let curve = |(place, &crack): (usize, &usize)| {
@@ -37,7 +36,7 @@ pub(super) fn plot(summary: &Summary, growth: &[TipRow], named: Option<&[NamedCr
         Some(named) => bundle(named, cracks.into_iter().zip(curves).collect()),
         None => curves,
     };
-    let caption = "Crack length against load cycles (axles); a dot for each growth step.";
-    let subtitle = format!("Crack length, a dot for each growth step · {model}");
+    let caption = "Crack length against load cycles (axles); dots mark the growth steps.";
+    let subtitle = format!("Crack length, dots mark the growth steps · {model}");
     Plot::sheet("length-cycles.svg", ChartSheet::of(&summary.title, &subtitle, chart(caption, curves)))
 }

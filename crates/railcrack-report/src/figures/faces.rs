@@ -10,9 +10,9 @@ use crate::svg::{
 use railcrack::contact::FaceStatus;
 use std::ops::Range;
 
-/// The most cracks on one picture.
+/// Maximum number of cracks in one picture.
 const SHOWN_CRACKS: usize = 9;
-/// The most classes of pressure.
+/// Maximum number of pressure classes.
 const LEVELS: usize = 8;
 const OPEN: &str = "#f0f0f0";
 
@@ -21,7 +21,7 @@ pub(super) struct FaceMap<'a> {
     pub step: usize,
     /// x_c/a by position.
     pub xc_over_a: &'a [f64],
-    /// The positions that are drawn.
+    /// The positions shown.
     pub near: Range<usize>,
     /// Number of cracks in the rail.
     pub of: usize,
@@ -144,7 +144,7 @@ fn draw_cells(
 }
 
 /// Borders of the cells around `centres`: halfway between neighbours; the outer ones at `ends`, or
-/// as far out as the nearest inner one is in.
+/// at the same distance as the nearest inner border.
 fn borders(centres: &[f64], ends: Option<(f64, f64)>) -> Vec<f64> {
     let n = centres.len();
     if n == 0 {

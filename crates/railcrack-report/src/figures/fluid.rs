@@ -9,8 +9,8 @@ use crate::row::NamedCrack;
 use railcrack_run::Summary;
 use railcrack_run::run_folder::History;
 
-/// The plot for the run with this `summary` on the model `model`; none of dry cracks. Of many
-/// cracks those of the last step, the `named` ones told from the others.
+/// The plot for the run with this `summary` on the model `model`; none for dry cracks. For many
+/// cracks only the last step is shown, with the `named` cracks highlighted.
 pub(super) fn plot(
     summary: &Summary,
     model: &str,
@@ -51,8 +51,8 @@ pub(super) fn plot(
         chart
     };
     let words = "Fluid in the cracks over the stabilised passage";
-    let pressure = of("fluid-pressure", "p", "MPa", "Pressure of the fluid in the cracks.", |h| &h.pressure);
-    let volume = of("fluid-volume", "V", "mm²", "Volume of the cracks per width.", |h| &h.volume);
+    let pressure = of("fluid-pressure", "p", "MPa", "Fluid pressure in the cracks.", |h| &h.pressure);
+    let volume = of("fluid-volume", "V", "mm²", "Crack volume per unit width.", |h| &h.volume);
     let mut sheet = ChartSheet::of(&summary.title, &format!("{words} · {model}"), pressure);
     sheet.rows.push(vec![volume]);
     Some(Plot::sheet("fluid.svg", sheet))

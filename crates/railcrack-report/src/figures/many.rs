@@ -1,17 +1,17 @@
-//! Charts of many cracks: the bundle in grey, and above it the few that are told from the others.
+//! Charts of many cracks: all in grey, with a few highlighted cracks above them.
 
 use crate::chart::{Curve, CurveColour, CurveDots, CurveLook, CurveWidth, LegendEntry};
 use crate::row::NamedCrack;
 
-/// The most curves of a bundle; of more, evenly chosen ones.
+/// Maximum number of grey curves; of more, evenly spaced ones are chosen.
 const BUNDLE: usize = 150;
-/// Name of the bundle in a legend.
+/// Name of the grey curves in a legend.
 const OTHERS: &str = "other cracks";
 /// Steps of a colour bar.
 const BAR: usize = 5;
 
-/// The `curves` of cracks by number, each called by its crack or tip: those of the `named` cracks
-/// in colours of their own above the others, thin and grey. The note of a curve is its crack.
+/// The `curves` of cracks by number, named after their crack or tip: the `named` cracks in colour,
+/// above the others, which are thin and grey. The note of a curve is its crack.
 pub(crate) fn bundle(named: &[NamedCrack], curves: Vec<(usize, Curve)>) -> Vec<Curve> {
     let (told, others): (Vec<_>, Vec<_>) =
         curves.into_iter().partition(|(crack, _)| named.iter().any(|named| named.crack == *crack));
@@ -38,7 +38,7 @@ pub(crate) fn bundle(named: &[NamedCrack], curves: Vec<(usize, Curve)>) -> Vec<C
     drawn
 }
 
-/// A legend of colours from 0 to `most` of a quantity: round values, the largest first.
+/// A legend of colours from 0 to `most` of a quantity, with round values, the largest first.
 pub(super) fn colour_bar(heading: &str, most: f64) -> Vec<LegendEntry> {
     let step = crate::svg::round_step(most, BAR);
     let decimals = crate::svg::decimals_of(step);

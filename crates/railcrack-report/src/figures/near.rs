@@ -6,7 +6,7 @@ use std::ops::Range;
 /// Round-off of a position that is an end of the passage, over a.
 const ROUND_OFF: f64 = 1e-6;
 
-/// Of output positions `xc_over_a`, those within `[passage]` of the case: all, but where the rail
+/// Output positions among `xc_over_a` within `[passage]` of the case; all of them unless the rail
 /// bends.
 pub(crate) fn near(summary: &Summary, xc_over_a: &[f64]) -> Range<usize> {
     let all = 0..xc_over_a.len();
@@ -20,19 +20,19 @@ pub(crate) fn near(summary: &Summary, xc_over_a: &[f64]) -> Range<usize> {
     }
 }
 
-/// Where x/a counts from, mm.
+/// Origin of x/a, mm.
 pub(crate) fn origin(summary: &Summary) -> f64 {
     summary.cracks.first().and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |point| point[0])
 }
 
-/// Where `crack` (from 1) begins, x/a: its mouth, or the first end of a buried one.
+/// Start of `crack` (from 1) in x/a: its mouth, or the first end of a buried crack.
 pub(crate) fn mouth_over_a(summary: &Summary, crack: usize) -> f64 {
     let crack = crack.checked_sub(1).and_then(|place| summary.cracks.get(place));
     crack.and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |mouth| over_a(summary, mouth[0]))
 }
 
-/// Of output positions `xc_over_a`, those as near to `crack` (from 1), one of many in a row, as the
-/// passage is to the whole row.
+/// Output positions among `xc_over_a` that are as close to `crack` (from 1), one of many in a row,
+/// as the passage extends beyond the whole row.
 pub(crate) fn window(summary: &Summary, crack: usize, xc_over_a: &[f64]) -> Range<usize> {
     let near = near(summary, xc_over_a);
     let mouths = (1..=summary.cracks.len()).map(|crack| mouth_over_a(summary, crack));

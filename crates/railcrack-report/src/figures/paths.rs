@@ -12,11 +12,11 @@ use crate::svg::ends;
 use railcrack::words::Choice;
 use railcrack_run::{CrackSummary, PieceSummary, Summary};
 
-/// Numbers of cracks on a chart; of more, evenly chosen ones.
+/// Maximum number of crack labels on a chart; of more, evenly spaced ones are chosen.
 const NUMBERS: usize = 20;
-/// Cracks on a strip, about.
+/// Approximate number of cracks per strip.
 const STRIP: usize = 25;
-/// How far the middle of a number stays from the ends of a strip, of its length.
+/// Smallest distance of a label from the ends of a strip, as a fraction of its length.
 const EDGE: f64 = 0.013;
 
 /// Points (x, depth) of points (x, y).
@@ -24,12 +24,12 @@ pub(super) fn by_depth(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     points.iter().map(|&[x, y]| [x, -y]).collect()
 }
 
-/// The path of `crack`: `name` and other looks are given afterwards.
+/// The path of `crack`; the caller sets name and appearance.
 pub(super) fn path(name: &str, crack: &CrackSummary) -> Curve {
     Curve::line(name, by_depth(whole(crack)))
 }
 
-/// The whole path of `crack`, in the coordinates of the surface that it began at.
+/// The whole path of `crack`, in the coordinates of the initial surface.
 pub(super) fn whole(crack: &CrackSummary) -> &[[f64; 2]] {
     crack.path_mm.as_deref().unwrap_or(&crack.points_mm)
 }
@@ -93,12 +93,12 @@ pub(super) fn plot(summary: &Summary, model: &str) -> Plot {
             Some(ChartNote { at: [x, 0.0], words: (i + 1).to_string() })
         }));
     }
-    let subtitle = format!("Crack paths to scale, a dot at the end of each increment · {model}");
+    let subtitle = format!("Crack paths to scale, dots mark the ends of the increments · {model}");
     Plot::sheet("paths.svg", ChartSheet::of(&summary.title, &subtitle, chart))
 }
 
-/// The paths of the many cracks of `row` in strips, one below the other at one scale: what has
-/// grown in the colour of the growth.
+/// The paths of the many cracks of `row` in strips, one below the other at the same scale, coloured
+/// by growth.
 pub(super) fn strips(summary: &Summary, row: &CrackRow, model: &str) -> Plot {
     let cracks = &summary.cracks;
     let [left, right] = ends(cracks.iter().flat_map(whole).map(|point| point[0]));
@@ -124,7 +124,7 @@ pub(super) fn strips(summary: &Summary, row: &CrackRow, model: &str) -> Plot {
         chart.areas.extend(summary.pieces.iter().filter(|piece| is_there(&piece.outline_mm)).map(area));
         let mouths = there.iter().filter_map(|&i| Some((i, cracks[i].initial_points_mm.first()?[0])));
         let inside = mouths.filter(|(_, x)| (from..from + length).contains(x));
-        // A number at an end of the strip stands within it.
+        // A label at an end of the strip is moved inside.
         let within = |x: f64| x.clamp(from + EDGE * length, from + (1.0 - EDGE) * length);
         let note = |(i, x): (usize, f64)| ChartNote { at: [within(x), 0.0], words: (i + 1).to_string() };
         chart.notes.extend(inside.map(note));
@@ -138,10 +138,10 @@ pub(super) fn strips(summary: &Summary, row: &CrackRow, model: &str) -> Plot {
         entries.extend(colour_bar("Growth (mm)", most));
     }
     if !summary.pieces.is_empty() {
-        entries.push(LegendEntry { mark: LegendMark::Area, words: "piece cut off".to_owned() });
+        entries.push(LegendEntry { mark: LegendMark::Area, words: "detached piece".to_owned() });
     }
     let subtitle =
-        format!("Paths of {} cracks to scale, a dot at the end of each increment · {model}", cracks.len());
+        format!("Paths of {} cracks to scale, dots mark the ends of the increments · {model}", cracks.len());
     let sheet = ChartSheet {
         title: summary.title.clone(),
         subtitle,

@@ -12,7 +12,7 @@ use std::ops::Range;
 const AROUND: f64 = 2.5;
 /// Depth over the half-width.
 const DEPTH: f64 = 2.5;
-/// The most classes of a panel.
+/// Maximum number of classes of a panel.
 const LEVELS: usize = 9;
 
 /// One panel: a value of every column and layer.

@@ -1,5 +1,5 @@
-//! A row of many cracks by their place along the rail: length, ΔK_eq and rate in the first and the
-//! last step.
+//! A row of many cracks by position along the rail: length, ΔK_eq and rate in the first and the last
+//! step.
 
 use super::many::colour_bar;
 use super::plot::Plot;
@@ -11,7 +11,7 @@ use crate::row::{CrackRow, CrackState, NamedCrack};
 use crate::svg::ends;
 use railcrack_run::Summary;
 
-/// The largest growth of a crack of the row, mm; a least one where none grows.
+/// The largest growth of a crack of the row, mm, with a lower bound if none grows.
 pub(super) fn most_growth(row: &CrackRow) -> f64 {
     row.cracks.iter().map(|crack| crack.growth()).fold(1e-6, f64::max)
 }
@@ -21,8 +21,8 @@ pub(super) fn plot(summary: &Summary, row: &CrackRow, named: &[NamedCrack], mode
     let of = |id: &str, words: &str, y: ChartAxis, value: fn(&CrackState) -> f64| -> Chart {
         let mut chart = Chart {
             id: id.to_owned(),
-            caption: format!("{words} of the cracks by their place along the rail."),
-            x: ChartAxis::linear("Place of the mouth along the rail", "mm"),
+            caption: format!("{words} of the cracks by position along the rail."),
+            x: ChartAxis::linear("Position of the mouth along the rail", "mm"),
             y: y.clone().over(room(row, y.scale, value)),
             curves: curves(row, value),
             aspect: ChartAspect::Long,
@@ -54,7 +54,7 @@ pub(super) fn plot(summary: &Summary, row: &CrackRow, named: &[NamedCrack], mode
     }
     let sheet = ChartSheet {
         title: summary.title.clone(),
-        subtitle: format!("{} cracks, each in step 0 and in step {last} · {model}", row.cracks.len()),
+        subtitle: format!("{} cracks in step 0 and in step {last} · {model}", row.cracks.len()),
         rows,
         legend: SheetLegend::Entries(entries),
     };
@@ -72,8 +72,8 @@ fn room(row: &CrackRow, scale: ChartScale, value: fn(&CrackState) -> f64) -> Cha
     ChartRange::Exact(if is_logarithmic { [low.exp(), high.exp()] } else { [low, high] })
 }
 
-/// Of each crack a dot for its first state, one for its last in the colour of its growth, and the
-/// way between.
+/// For each crack a dot for its first state, a dot for its last state in the colour of its growth,
+/// and a line between them.
 fn curves(row: &CrackRow, value: fn(&CrackState) -> f64) -> Vec<Curve> {
     let most = most_growth(row);
     let mut curves = Vec::new();

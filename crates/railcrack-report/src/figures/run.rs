@@ -12,12 +12,12 @@ use railcrack_run::Summary;
 use railcrack_run::csv::{TipRow, deferred_growth};
 use railcrack_run::run_folder::History;
 
-/// Steps in which the histories of a single tip are drawn, at most; of several tips the first and
-/// the last step.
+/// Maximum number of steps shown for a single tip; for several tips only the first and the last
+/// step are shown.
 const DRAWN_STEPS: usize = 5;
 
-/// The plots of a run: its `summary`, the rows of `growth.csv`, and of the rest what is `shown`. A
-/// run without a finished step has none.
+/// The plots of a run from its `summary`, the rows of `growth.csv` and the `shown` part of the other
+/// tables. A run without a finished step has none.
 pub(crate) fn run_plots(summary: &Summary, growth: &[TipRow], shown: &ShownRun) -> Vec<Plot> {
     if summary.steps_recorded == 0 {
         return Vec::new();
@@ -53,7 +53,7 @@ pub(crate) fn run_plots(summary: &Summary, growth: &[TipRow], shown: &ShownRun) 
     plots
 }
 
-/// Of the steps `shown`, evenly spaced ones for a single tip, first and last for several.
+/// Selection of the steps `shown`: evenly spaced for a single tip, first and last for several.
 fn chosen_steps(shown: &[usize], tips: usize) -> Vec<usize> {
     let last = shown.len().saturating_sub(1);
     let count = if tips > 1 { 2 } else { DRAWN_STEPS };
@@ -75,8 +75,8 @@ fn map<'a>(
     let of_crack = |faces: &'a CrackFaces| {
         let rows = || growth.iter().filter(|row| row.step == step && row.crack == faces.crack);
         let deferred: f64 = rows().map(|row| deferred_growth(growth, row)).sum();
-        // A crack that has joined others at all its ends has no row: it reaches to a little beyond
-        // its last point.
+        // A crack that has joined others at all its ends has no row; its extent is slightly more
+        // than its last point.
         let last = || faces.s.last().copied().unwrap_or(0.0);
         CrackMap { length: rows().next().map_or_else(last, |row| row.length - deferred), faces }
     };

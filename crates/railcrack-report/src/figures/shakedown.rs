@@ -32,7 +32,7 @@ pub(crate) fn shakedown_plots(state: &ShakedownFolder) -> Vec<Plot> {
         ("residual-stress.svg", "Residual stress by depth", residual_stress(state)),
         ("plastic-strain.svg", "Plastic strain by depth", plastic_strain(state)),
         ("dang-van.svg", "Dang Van criterion by depth", dang_van(state)),
-        ("passes.svg", "Plastic strain after each passage, largest over depth", strain_over_passes),
+        ("passes.svg", "Plastic strain after each passage, maximum over depth", strain_over_passes),
         ("passes-change.svg", "Largest change of the residual stress in each passage", change_over_passes),
         ("bounds.svg", "Peak pressure at first yield and at the shakedown limit, by depth", bounds(state)),
         ("shakedown-map.svg", "Shakedown map", map(state)),
@@ -53,7 +53,7 @@ fn dashed(points: Vec<[f64; 2]>, colour: usize, words: &str) -> Curve {
     line(points, colour, words).with_look(CurveLook::Dashed)
 }
 
-/// How far down plots go: a little below the plastic layers.
+/// Depth range of the plots: slightly more than the plastic layers.
 fn shown_depth(state: &ShakedownFolder) -> f64 {
     let flown = |layer: &&LayerRow| layer.strain.equivalent() > 0.0;
     let deepest = state.profile.iter().rfind(flown).map_or(0.0, |layer| layer.depth);
@@ -115,13 +115,13 @@ fn over_passes(state: &ShakedownFolder, y: ChartAxis, named: &[Named]) -> Chart 
     Chart { x, y, curves: named.iter().enumerate().map(of).collect(), ..Chart::default() }
 }
 
-/// The smallest change shown, MPa: smaller ones are round-off.
+/// Smallest change shown, MPa; smaller ones are round-off.
 const SMALLEST: f64 = 1e-6;
 
 fn bounds(state: &ShakedownFolder) -> Chart {
     let rows = &state.summary.bounds_by_depth;
     let ratio = state.summary.p0_over_k;
-    // The limits grow without bound with depth: only as much of them as leaves the scale readable.
+    // The limits grow without bound with depth and are cut off where the scale stays readable.
     let most = 2.5 * ratio.max(3.0);
     let curve = |value: fn(&BoundsRow) -> f64| -> Vec<[f64; 2]> {
         cut_at(most, rows.iter().map(|row| [value(row), row.depth_mm]))
@@ -182,8 +182,8 @@ fn dang_van(state: &ShakedownFolder) -> Chart {
     let surface = [state.summary.dang_van.surface.value_mpa, 0.0];
     let layers = state.profile.iter().map(|layer| [layer.dang_van, layer.depth]);
     let curves = vec![
-        line(std::iter::once(surface).chain(layers).collect(), 0, "largest over the cycle"),
-        dashed(vec![[limit, 0.0], [limit, shown_depth(state)]], 1, "b: crack initiation beyond"),
+        line(std::iter::once(surface).chain(layers).collect(), 0, "maximum over the cycle"),
+        dashed(vec![[limit, 0.0], [limit, shown_depth(state)]], 1, "b: initiation limit"),
     ];
     by_depth(state, ChartAxis::linear("τ + a p_{h}", "MPa"), curves)
 }

@@ -77,7 +77,7 @@ pub(super) fn chart(id: &str, quantity: &str, caption: String, curves: Vec<Curve
     }
 }
 
-/// [`chart`] over the wheel position in metres, where the rail bends.
+/// [`chart`] over the wheel position in metres, for a rail that bends.
 pub(crate) fn far_chart(id: &str, quantity: &str, caption: String, curves: Vec<Curve>) -> Chart {
     Chart {
         x: ChartAxis::linear("Wheel position x_{c}", "metres").over(ChartRange::Tight),
@@ -85,10 +85,10 @@ pub(crate) fn far_chart(id: &str, quantity: &str, caption: String, curves: Vec<C
     }
 }
 
-/// The plot of one mode for the run with this `summary` on the model `model`: of a single tip one
-/// colour per step, of several tips one colour per tip, the last step dashed. A rail that bends has
-/// a second chart over the whole passage in metres. Of many cracks the `named` ones are told from
-/// the others, by the place of the wheel with respect to each crack.
+/// The plot of one mode for the run with this `summary` on the model `model`: for a single tip one
+/// colour per step, for several tips one colour per tip with the last step dashed. With bending of
+/// the rail a second chart shows the whole passage in metres. For many cracks the `named` ones are
+/// highlighted, and the wheel position is relative to each crack.
 pub(super) fn plot(
     summary: &Summary,
     model: &str,
@@ -141,8 +141,8 @@ pub(super) fn plot(
     Plot::sheet(mode.file(), sheet)
 }
 
-/// The plot of one mode for many cracks: the initial ones and, on a chart below, those of the last
-/// step, each by the place of the wheel from its own mouth.
+/// The plot of one mode for many cracks: initial cracks and, in a chart below, the last step, with
+/// the wheel position relative to the mouth of each crack.
 fn many(summary: &Summary, model: &str, histories: &[&History], named: &[NamedCrack], mode: Mode) -> Plot {
     let words = format!("{} over the stabilised passage", mode.symbol());
     let mut rows = Vec::new();
@@ -157,7 +157,7 @@ fn many(summary: &Summary, model: &str, histories: &[&History], named: &[NamedCr
         let curves = bundle(named, histories.iter().map(curve).collect());
         let id = if rows.is_empty() { mode.id().to_owned() } else { format!("{}-last", mode.id()) };
         let chart = chart(&id, mode.symbol(), format!("{words}, step {step}."), curves);
-        let x = ChartAxis::linear("Wheel position from the mouth of each crack, over a", "");
+        let x = ChartAxis::linear("Wheel position relative to the mouth of each crack, over a", "");
         rows.push(vec![Chart { heading: format!("Step {step}"), x: x.over(ChartRange::Tight), ..chart }]);
     }
     let title = summary.title.clone();

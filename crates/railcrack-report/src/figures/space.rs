@@ -13,12 +13,12 @@ use railcrack_run::Summary;
 use railcrack_run::csv::TipRow;
 use railcrack_run::run_folder::History;
 
-/// Points of the front whose histories are drawn, degrees: the last two where the two sides differ.
-/// Of several cracks it is the deepest point of each.
+/// Points of the front whose histories are shown, degrees; the last two only if the two sides
+/// differ. For several cracks the deepest point of each is shown.
 const DRAWN: [f64; 5] = [90.0, 60.0, 30.0, 120.0, 150.0];
-/// Sides whose ranges differ by less of the largest are the same.
+/// Relative difference of the ranges below which both sides count as equal.
 const MIRRORED: f64 = 1e-3;
-/// Fronts that are drawn, at most.
+/// Maximum number of fronts shown.
 const FRONTS: usize = 9;
 
 /// The plots of the run with this `summary`, the rows of `growth.csv` and what is `shown`. A run
@@ -54,19 +54,19 @@ fn rows_of(growth: &[TipRow], step: usize) -> impl Iterator<Item = &TipRow> {
     growth.iter().filter(move |row| row.step == step)
 }
 
-/// How many cracks there are.
+/// Number of cracks.
 fn cracks(growth: &[TipRow]) -> usize {
     growth.iter().map(|row| row.crack).max().unwrap_or(0)
 }
 
-/// A point of a front whose history is drawn, and its name.
+/// A point of a front whose history is shown, and its name.
 struct Drawn {
     crack: usize,
     tip: usize,
     name: String,
 }
 
-/// The points of the front nearest to the drawn angles, each once; of several cracks the deepest
+/// The points of the front nearest to the angles shown, each once; for several cracks the deepest
 /// point of each.
 fn drawn_points(growth: &[TipRow]) -> Vec<Drawn> {
     let nearest = |crack: usize, wanted: f64| {
@@ -94,7 +94,7 @@ fn drawn_points(growth: &[TipRow]) -> Vec<Drawn> {
     points
 }
 
-/// Whether both sides of the front are loaded alike.
+/// Whether both sides of the front have the same loading.
 fn is_mirrored(growth: &[TipRow]) -> bool {
     let ranges: Vec<f64> = rows_of(growth, 0).map(|row| row.delta_keq).collect();
     let largest = ranges.iter().copied().fold(0.0, f64::max);
@@ -191,7 +191,7 @@ fn ranges(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     let chart = Chart {
         id: "along-front".to_owned(),
         caption: format!(
-            "{words}; φ = 90° is the deepest point. Next to the surface the numbers depend on the cells."
+            "{words}; φ = 90° is the deepest point. Near the surface the values depend on the discretisation."
         ),
         x: ChartAxis::linear("φ", "°").over(ChartRange::Tight),
         y: ChartAxis::linear("Range", "MPa√m").over(ChartRange::AroundZero),
@@ -237,7 +237,7 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     let above = Chart {
         id: "from-above".to_owned(),
         heading: "From above".to_owned(),
-        caption: "The fronts from above, to scale.".to_owned(),
+        caption: "Crack fronts from above, to scale.".to_owned(),
         x: ChartAxis::linear("z, across the rail", "mm"),
         y: ChartAxis::linear("x, along the rail", "mm"),
         curves: curves(&|row| Some([row.lateral?, row.place[0]]), true),
@@ -247,7 +247,7 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     let side = Chart {
         id: "from-the-front".to_owned(),
         heading: "Along the rail".to_owned(),
-        caption: "The fronts as seen along the rail, to scale.".to_owned(),
+        caption: "Crack fronts viewed along the rail, to scale.".to_owned(),
         x: ChartAxis::linear("z, across the rail", "mm"),
         y: ChartAxis::depth(),
         curves: curves(&|row| Some([row.lateral?, -row.place[1]]), true),
@@ -286,9 +286,9 @@ fn half_axes(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
             })
             .collect(),
     };
-    let caption = "Half axes of the cracks against load cycles (axles); a dot for each growth step.";
+    let caption = "Half axes of the cracks against load cycles (axles); dots mark the growth steps.";
     let chart = Chart { curves, ..super::cycles::chart(caption, Vec::new()) };
-    let subtitle = format!("Half axes of the cracks, a dot for each growth step · {model}");
+    let subtitle = format!("Half axes of the cracks, dots mark the growth steps · {model}");
     let mut sheet = ChartSheet::of(&summary.title, &subtitle, chart);
     if count > 1 {
         let axes = ["down the dip", "along the surface"];

@@ -2,16 +2,16 @@
 
 use crate::chart::Chart;
 use crate::figures::{Plot, chart, lengths_of_both, steps_of_both};
-use crate::numbers::{fixed, grouped, significant};
+use crate::numbers::{fixed, given, grouped, significant};
 use crate::page::{Block, Fact, Page, Section};
 use crate::table::Table;
 use railcrack::growth::RunStop;
 use railcrack::words::Choice;
 use railcrack_run::Comparison;
 
-/// Rows of the table of tips; `compare.csv` has all.
+/// Maximum number of rows of the table of tips; `compare.csv` has all.
 const TABLE_ROWS: usize = 500;
-/// Curves on a chart of the page: of further tips, the SVG files.
+/// Maximum number of curves on a chart of the page; the SVG files show all tips.
 const CURVES: usize = 24;
 
 /// The page of `comparison` with its `plots`, judged by `tolerance` (per cent of the largest |K|)
@@ -68,8 +68,10 @@ fn verdict(comparison: &Comparison, tolerance: Option<f64>) -> String {
         return "The runs have no step, tip or wheel position in common, so K cannot be compared.".to_owned();
     };
     let judged = match tolerance {
-        Some(tolerance) if largest <= tolerance => format!(", within the tolerance of {tolerance} %"),
-        Some(tolerance) => format!(", NOT within the tolerance of {tolerance} %"),
+        Some(tolerance) if largest <= tolerance => {
+            format!(", within the tolerance of {} %", given(tolerance))
+        }
+        Some(tolerance) => format!(", NOT within the tolerance of {} %", given(tolerance)),
         None => String::new(),
     };
     let parting = match &comparison.parting {
@@ -82,8 +84,8 @@ fn verdict(comparison: &Comparison, tolerance: Option<f64>) -> String {
         ),
     };
     format!(
-        "K differs by at most {} % of the largest |K| in the {} common steps{judged}; the tips are at most {} \
-         mm apart, and {parting}.",
+        "K differs by at most {} % of the largest |K| in the {} common steps{judged}. The tips are at most {} mm apart, and \
+         {parting}.",
         significant(largest),
         comparison.common_steps,
         significant(farthest.distance)
@@ -112,7 +114,7 @@ fn facts(comparison: &Comparison, tolerance: Option<f64>) -> Vec<Fact> {
     }
     if let Some(tip) = comparison.farthest() {
         facts.push(fact(
-            "Distance of tips",
+            "Distance between tips",
             format!("{} mm", significant(tip.distance)),
             format!("step {}, crack {}", tip.step, tip.crack),
         ));
@@ -133,7 +135,7 @@ fn facts(comparison: &Comparison, tolerance: Option<f64>) -> Vec<Fact> {
         let within = comparison.largest_percent().is_some_and(|largest| largest <= tolerance);
         facts.push(fact(
             "Tolerance",
-            format!("{tolerance} %"),
+            format!("{} %", given(tolerance)),
             if within { "met".to_owned() } else { "not met".to_owned() },
         ));
     }
@@ -193,7 +195,7 @@ fn tips(comparison: &Comparison) -> Table {
         "%",
         "Difference of K_{II} (MPa√m)",
         "%",
-        "Distance of tips (mm)",
+        "Distance between tips (mm)",
         "Length, first (mm)",
         "Length, second (mm)",
         "Kink, first (°)",

@@ -3,7 +3,7 @@
 use crate::figures::{Plot, chart};
 use crate::page::Block;
 
-/// The charts called `ids` beside each other where there is room.
+/// The charts called `ids`, side by side if there is space.
 pub(super) fn charts(plots: &[Plot], ids: &[&str]) -> Block {
     Block::charts(ids.iter().filter_map(|id| chart(plots, id)))
 }

@@ -63,7 +63,7 @@ pub(crate) fn shakedown_page(state: &ShakedownFolder, plots: &[Plot]) -> Page {
     }
 }
 
-/// `text` as a sentence of its own.
+/// `text` as a complete sentence.
 fn sentence(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().map_or_else(String::new, |letter| letter.to_uppercase().collect());
@@ -89,7 +89,7 @@ fn verdict(summary: &ShakedownSummary) -> String {
         )
     } else {
         format!(
-            "No crack initiation is predicted: the Dang Van criterion has a margin of {} MPa, smallest {place}.",
+            "No crack initiation is predicted: the smallest margin of the Dang Van criterion is {} MPa, {place}.",
             fixed(dang_van.margin_mpa, 1)
         )
     };
@@ -102,7 +102,7 @@ fn verdict(summary: &ShakedownSummary) -> String {
             || "Plastic strain alternates in every passage.".to_owned(),
             |zone| {
                 format!(
-                    "Plastic strain alternates in every passage, from {} to {} mm of depth, by {} at most.",
+                    "Plastic strain alternates in every passage between depths of {} and {} mm, by at most {}.",
                     fixed(zone.from_depth_mm, 2),
                     fixed(zone.to_depth_mm, 2),
                     significant(zone.plastic_strain_per_pass)
@@ -137,7 +137,7 @@ fn facts(summary: &ShakedownSummary) -> Vec<Fact> {
             "Largest residual stress",
             format!("{} MPa", fixed(peak.stress_mpa, 1)),
             format!(
-                "σ{} at {} mm of depth",
+                "σ{} at a depth of {} mm",
                 peak.component.name().trim_start_matches('s'),
                 fixed(peak.depth_mm, 2)
             ),
@@ -146,7 +146,7 @@ fn facts(summary: &ShakedownSummary) -> Vec<Fact> {
             "Dang Van margin",
             format!("{} MPa", fixed(summary.dang_van.margin_mpa, 1)),
             format!(
-                "{} of b = {} MPa at {} mm of depth",
+                "{} of b = {} MPa at a depth of {} mm",
                 fixed(summary.dang_van.critical_value_mpa, 1),
                 significant(summary.dang_van.b_mpa),
                 fixed(summary.dang_van.critical_depth_mm, 2)
@@ -164,19 +164,19 @@ fn assumptions(summary: &ShakedownSummary) -> Vec<String> {
     let kind = ContactKind::of_word(&summary.contact).unwrap_or(ContactKind::Hertz);
     vec![
         format!(
-            "Wheel: {}, p_{{0}} = {} MPa, half-width a = {} mm, {} {}; the same in every passage, on a rail that is \
-             virgin at first.",
+            "Wheel: {}, p_{{0}} = {} MPa, half-width a = {} mm, {} {}; the same in every passage, on a rail without \
+             initial plastic strain.",
             kind.described(),
             fixed(summary.peak_pressure_mpa, 0),
             fixed(summary.half_width_mm, 2),
             if kind == ContactKind::Hertz { "wheel–rail friction" } else { "Q/P" },
             summary.friction.to_string().replace('-', "\u{2212}")
         ),
-        "Steel: linear kinematic hardening without bound, which leads to shakedown, elastic or plastic, and \
-         never to ratchetting. Plane strain, half-plane."
+        "Steel: unbounded linear kinematic hardening, which leads to elastic or plastic shakedown, never to \
+         ratchetting. Plane strain, half-plane."
             .to_owned(),
         format!(
-            "The stabilised state was computed {}; under elastic shakedown the residual stress depends on the \
+            "The stabilised state was computed {}; in elastic shakedown the residual stress depends on the \
              first passages.",
             if summary.method == Method::Direct {
                 "by the direct method, which does not follow the passages"
@@ -207,10 +207,14 @@ fn numbers(summary: &ShakedownSummary) -> Table {
         fixed(summary.shakedown_limit.p0_over_k, 4),
         at(summary.shakedown_limit.depth_mm),
     ]);
-    table.row(["Dang Van, surface (MPa)".to_owned(), fixed(dang_van.surface.value_mpa, 1), at(0.0)]);
+    table.row([
+        "Dang Van value at the surface (MPa)".to_owned(),
+        fixed(dang_van.surface.value_mpa, 1),
+        at(0.0),
+    ]);
     if let Some(below) = dang_van.subsurface {
         table.row([
-            "Dang Van, largest below the surface (MPa)".to_owned(),
+            "Largest Dang Van value below the surface (MPa)".to_owned(),
             fixed(below.value_mpa, 1),
             at(below.depth_mm),
         ]);
@@ -221,7 +225,7 @@ fn numbers(summary: &ShakedownSummary) -> Table {
         "whole cycle".to_owned(),
     ]);
     table.row([
-        "Drift of the plastic strain over a passage".to_owned(),
+        "Drift of the plastic strain in a passage".to_owned(),
         significant(summary.admissibility.drift),
         String::new(),
     ]);
@@ -237,7 +241,7 @@ fn numbers(summary: &ShakedownSummary) -> Table {
     ]);
     if let Some(other) = &summary.direct_against_pass_by_pass {
         table.row([
-            "Largest difference from pass by pass (MPa)".to_owned(),
+            "Largest difference from the pass-by-pass method (MPa)".to_owned(),
             fixed(other.stress_difference_mpa, 1),
             format!("{}, {}", other.state.word(), passages(other.passes)),
         ]);

@@ -5,7 +5,7 @@ use railcrack_run::CrackSummary;
 use railcrack_run::csv::TipRow;
 use std::collections::BTreeMap;
 
-/// A crack in a step; of several tips the largest values.
+/// State of a crack in a step, with the largest values of its tips.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct CrackState {
     /// Length along its path, mm.
@@ -16,7 +16,7 @@ pub(crate) struct CrackState {
     pub(crate) delta_keq: f64,
     /// Growth rate, mm per load cycle.
     pub(crate) rate: f64,
-    /// Why it has stopped: why the last of its tips has; none while one of them grows.
+    /// Reason why its last tip has stopped; none while a tip grows.
     pub(crate) stop: Option<TipStop>,
 }
 
@@ -25,9 +25,9 @@ pub(crate) struct CrackState {
 pub(crate) struct CrackHistory {
     /// Number of the crack, from 1.
     pub(crate) crack: usize,
-    /// Where it begins along the rail, mm: its mouth, or the first end of a buried one.
+    /// Start along the rail, mm: its mouth, or the first end of a buried crack.
     pub(crate) mouth: f64,
-    /// By place among [`CrackRow::steps`].
+    /// States in the order of [`CrackRow::steps`].
     pub(crate) states: Vec<CrackState>,
     /// The first step in which it has stopped.
     pub(crate) stopped: Option<usize>,
@@ -53,7 +53,7 @@ impl CrackHistory {
 /// A row of cracks, with at least one step.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct CrackRow {
-    /// The steps that it has.
+    /// Step numbers.
     pub(crate) steps: Vec<usize>,
     /// Load cycles at their start.
     pub(crate) cycles: Vec<f64>,
@@ -61,7 +61,7 @@ pub(crate) struct CrackRow {
     pub(crate) cracks: Vec<CrackHistory>,
 }
 
-/// A crack as far as it is followed.
+/// A crack under construction.
 struct Followed {
     history: CrackHistory,
     /// By number of the tip.
@@ -69,8 +69,8 @@ struct Followed {
 }
 
 impl CrackRow {
-    /// The cracks of a run in all its steps; none without a finished step. A crack without a tip
-    /// left, one that has joined others, keeps its last length and no longer grows.
+    /// The cracks of a run in all its steps; none without a finished step. A crack that has joined
+    /// others with all its tips keeps its last length.
     pub(crate) fn of(cracks: &[CrackSummary], growth: &[TipRow]) -> Option<Self> {
         let begin = |(place, crack): (usize, &CrackSummary)| Followed {
             history: CrackHistory {
@@ -102,14 +102,14 @@ impl CrackRow {
 }
 
 impl Followed {
-    /// Takes up the next step with the rows of the `tips` in it.
+    /// Adds the next step with the rows of its `tips`.
     fn take(&mut self, step: usize, tips: &[&TipRow], initial: &[[f64; 2]]) {
         for tip in tips {
             let stop = match tip.stop {
                 Some(RunStop::NoTipGrows(stop)) => Some(stop),
                 _ => None,
             };
-            // What has stopped does not begin again.
+            // A stopped crack does not restart.
             let known = self.stops.entry(tip.tip).or_default();
             *known = known.or(stop);
         }

@@ -1,4 +1,4 @@
-//! Rows of many cracks: what every crack is in every step, and which of them have names.
+//! Rows of many cracks: the state of every crack in every step, and the highlighted cracks.
 
 mod history;
 mod named;
@@ -8,7 +8,7 @@ pub(crate) use named::{NamedCrack, named};
 
 use crate::chart::CATEGORIES;
 
-/// Whether there are more `cracks` than colours that people tell apart.
+/// Whether there are more `cracks` than distinguishable colours.
 pub(crate) fn is_many(cracks: usize) -> bool {
     cracks > CATEGORIES
 }

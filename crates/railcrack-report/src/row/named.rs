@@ -1,8 +1,8 @@
-//! The few cracks of a row that are told from the others.
+//! The few highlighted cracks of a row.
 
 use super::history::{CrackHistory, CrackRow};
 
-/// A crack with what it is known for.
+/// A highlighted crack and the reason.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct NamedCrack {
     /// Its number, from 1.

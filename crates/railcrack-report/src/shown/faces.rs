@@ -1,5 +1,5 @@
-//! The crack faces: all of what is shown of a step packed, the first and the last step also as they
-//! are. Of many cracks only these two, of which a page takes some cracks.
+//! The crack faces: all steps shown in packed form, the first and the last step also unpacked. For
+//! many cracks only these two are kept, and a page shows some of the cracks.
 
 use super::of_steps::OfSteps;
 use super::pack::{Deflated, Quantised, every, every_count};
@@ -13,10 +13,10 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// The most face states that are shown (points × positions × steps): about two bytes each in a
+/// Maximum number of face states shown (points × positions × steps), of about two bytes each in a
 /// page.
 const STATES: usize = 1_000_000;
-/// Faces are given at this many positions at least before steps are left out.
+/// Minimum number of positions kept before steps are omitted.
 const POSITIONS: usize = 61;
 
 /// The faces of one crack; what has a value per position and point is in that order.
@@ -183,7 +183,7 @@ impl PackedFaces {
         Self(faces.cracks.iter().map(|crack| PackedCrack::of(crack, stride)).collect())
     }
 
-    /// Of many cracks those of `windows`, by number, at the positions in these.
+    /// For many cracks, those in `windows`, by number, at the positions given there.
     fn near(faces: &StepFaces, windows: &[(usize, Range<usize>)]) -> Self {
         let of = |(crack, window): &(usize, Range<usize>)| {
             let faces = faces.cracks.iter().find(|faces| faces.crack == *crack)?;
@@ -192,7 +192,7 @@ impl PackedFaces {
         Self(windows.iter().filter_map(of).collect())
     }
 
-    /// Leaves out every other position.
+    /// Omits every other position.
     fn halve(&mut self) {
         self.0.iter_mut().for_each(|crack| *crack = crack.halved());
     }
@@ -222,7 +222,7 @@ fn by_point<T: Copy>(values: &[T], points: usize) -> Vec<T> {
     (0..points).flat_map(|point| values.iter().skip(point).step_by(points.max(1)).copied()).collect()
 }
 
-/// The faces of a step, before it is known how long the step is shown.
+/// The faces of a step, packed when needed.
 #[derive(Debug)]
 pub(crate) struct FacesOfStep {
     faces: StepFaces,
@@ -230,15 +230,15 @@ pub(crate) struct FacesOfStep {
     stride: usize,
 }
 
-/// The faces of the steps that are shown: as much as fits. All steps and positions where they do,
-/// else every 2ⁿ-th position, then every 2ⁿ-th step.
+/// The faces of the steps shown, within the size limit: all steps and positions if possible,
+/// otherwise every 2ⁿ-th position, then every 2ⁿ-th step.
 #[derive(Debug, Clone)]
 pub(crate) struct ShownFaces {
     pub steps: Thinned<PackedFaces>,
-    /// Every how many positions the faces are packed.
+    /// Stride of the packed positions.
     pub stride: usize,
-    /// Of the first step, and of the last where it is another one: status and pressure for face
-    /// maps, of many cracks everything.
+    /// The first step, and the last if different: status and pressure for face maps, everything for
+    /// many cracks.
     pub ends: Vec<(usize, StepFaces)>,
     most: usize,
 }
@@ -261,13 +261,13 @@ impl ShownFaces {
         FacesOfStep { packed: PackedFaces::of(&faces, self.stride), faces, stride: self.stride }
     }
 
-    /// Of many cracks the faces in `step`, the first or the last, of those of `windows`.
+    /// For many cracks, the faces of the cracks in `windows` in `step`, the first or the last.
     pub(crate) fn near(&self, step: usize, windows: &[(usize, Range<usize>)]) -> Option<PackedFaces> {
         let (_, faces) = self.ends.iter().find(|(at, _)| *at == step)?;
         Some(PackedFaces::near(faces, windows))
     }
 
-    /// Leaves out every other position; false where too few would be left.
+    /// Omits every other position; false if too few would remain.
     fn halve(&mut self) -> bool {
         let positions = self.steps.iter().next().map_or(0, |(_, faces)| faces.positions());
         if every_count(2, positions) < POSITIONS {

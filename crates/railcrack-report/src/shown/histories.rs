@@ -7,12 +7,12 @@ use railcrack_run::OutputError;
 use railcrack_run::csv::{SifRow, StepBlock};
 use railcrack_run::run_folder::History;
 
-/// The most values of K that are shown (tips × positions × steps). A page then stays below 3 MB.
+/// Maximum number of values of K shown (tips × positions × steps), for a page below 3 MB.
 const VALUES: usize = 300_000;
-/// The same of many tips, whose page has the part of them near to each crack.
+/// The same for many tips, of which the page shows the part near each crack.
 const OF_MANY: usize = 4 * VALUES;
 
-/// The histories of the steps that are shown.
+/// The histories of the steps shown.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ShownHistories {
     pub steps: Thinned<Vec<History>>,

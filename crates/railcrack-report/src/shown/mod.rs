@@ -1,7 +1,7 @@
-//! Histories of K, crack faces and fields as plots and page show them, beyond the short tables of a
-//! run. They are gathered step by step, from the records of a run that is being computed or from
-//! the files of one that was, no more than is shown. Both give the same numbers, since the tables
-//! hold every number to its last bit.
+//! Histories of K, crack faces and fields for plots and page, in addition to the short tables of a
+//! run. They are collected step by step from the records of a run in progress or from the files of a
+//! finished run, limited to what is shown. Both sources give the same numbers, because the tables
+//! have full precision.
 
 mod faces;
 mod histories;

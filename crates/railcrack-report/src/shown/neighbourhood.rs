@@ -1,5 +1,4 @@
-//! The deformed neighbourhood of the cracks: the fields of the first and the last step that have
-//! any.
+//! The deformed neighbourhood of the cracks: the fields of the first and the last step with fields.
 
 use super::pack::{Deflated, Quantised};
 use railcrack::growth::StepRecord;
@@ -11,10 +10,10 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// The most cells of a grid in the page: about eight bytes each, and as many for each wheel
-/// position.
+/// Maximum number of cells of a grid in the page, of about eight bytes each, plus as many for each
+/// wheel position.
 const CELLS: usize = 20_000;
-/// The most wheel positions of a step.
+/// Maximum number of wheel positions of a step.
 const POSITIONS: usize = 5;
 
 /// Cells by their corners, and the points that are one.
@@ -31,8 +30,7 @@ pub(crate) struct PackedFields {
     step: usize,
     /// Wheel positions that have a file, from 1.
     positions: Vec<usize>,
-    /// Cells and what they hold at the first positions; none where there are more cells than a page
-    /// takes.
+    /// Cells and their values at the first positions; none if there are too many cells for a page.
     cells: Option<Value>,
 }
 
@@ -77,7 +75,7 @@ impl ShownFields {
         Ok(shown)
     }
 
-    /// Takes up those of a step after the last one.
+    /// Adds the fields of a step after the last one.
     pub(crate) fn push(&mut self, fields: PackedFields) {
         self.ends.truncate(1);
         self.ends.push(fields);
@@ -93,7 +91,7 @@ impl ShownFields {
         self.ends.iter().flat_map(|end| end.positions.iter().map(|&position| (end.step, position)))
     }
 
-    /// For the page; none where nothing can be shown.
+    /// Data for the page; none if nothing can be shown.
     pub(crate) fn data(&self) -> Option<Value> {
         let steps: Vec<&Value> = self.ends.iter().filter_map(|end| end.cells.as_ref()).collect();
         (!steps.is_empty()).then(|| json!({ "steps": steps }))

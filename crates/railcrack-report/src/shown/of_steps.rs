@@ -1,14 +1,14 @@
-//! Parts of a table of the run folder, gathered step by step.
+//! Parts of a table of the run folder, collected step by step.
 
 use railcrack_run::OutputError;
 use railcrack_run::csv::{StepBlock, StepBlocks, Table};
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Steps of a table that are read at once: as many as may stand in memory.
+/// Number of steps of a table read at once, limited by memory.
 const AT_ONCE: usize = 4;
 
-/// Parts of a table, gathered step by step.
+/// Parts of a table, collected step by step.
 pub(super) trait OfSteps: Sync {
     /// The part of one step.
     type OfStep: Send;
@@ -21,7 +21,7 @@ pub(super) trait OfSteps: Sync {
     /// Errors: the table is damaged.
     fn read(&self, block: &StepBlock<Self::TableRow>) -> Result<Self::OfStep, OutputError>;
 
-    /// Takes up the step after the last one. Steps that are not kept may be left out.
+    /// Adds the step after the last one. Steps that are not kept may be omitted.
     fn push(&mut self, step: usize, part: Self::OfStep);
 }
 

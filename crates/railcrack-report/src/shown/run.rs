@@ -40,7 +40,7 @@ impl ShownRun {
             || read_table(folder, steps),
             || (read_table(folder, steps), ShownFields::read(folder, steps)),
         );
-        // In the order in which a reader of the folder would meet what is wrong.
+        // In the order of the files, so that the first error is reported.
         Ok(Self { histories: histories?, faces: faces?, fields: fields? })
     }
 
@@ -56,7 +56,7 @@ impl ShownRun {
         })
     }
 
-    /// Takes up the step after the last one.
+    /// Adds the step after the last one.
     pub(crate) fn push(&mut self, step: ShownStep) {
         self.histories.push(step.step, step.histories);
         self.faces.push(step.step, step.faces);
@@ -86,7 +86,7 @@ impl ShownRun {
         self.faces.near(step, windows)
     }
 
-    /// Every how many positions [`ShownRun::faces`] has.
+    /// Stride of the positions in [`ShownRun::faces`].
     pub(crate) fn face_stride(&self) -> usize {
         self.faces.stride
     }

@@ -1,4 +1,4 @@
-//! Steps of a run as they come, thinned out so that they stay few.
+//! Steps of a run in progress, thinned out to a limited number.
 
 /// Of the steps of a run, every 2ⁿ-th and the newest one. Whatever step it is at, n follows from
 /// the steps before alone.
@@ -7,7 +7,7 @@ pub(crate) struct Thinned<T> {
     every: usize,
     /// Every `every`-th step.
     kept: Vec<(usize, T)>,
-    /// The newest step, where it is none of them.
+    /// The newest step, if it is not one of them.
     newest: Option<(usize, T)>,
 }
 
@@ -18,7 +18,7 @@ impl<T> Default for Thinned<T> {
 }
 
 impl<T> Thinned<T> {
-    /// Takes up the step after the last one.
+    /// Adds the step after the last one.
     pub(crate) fn push(&mut self, step: usize, item: T) {
         self.newest = None;
         if self.is_kept(step) {
@@ -50,12 +50,12 @@ impl<T> Thinned<T> {
         self.kept.iter().map(|(_, item)| weight(item)).sum()
     }
 
-    /// All that are there, by step.
+    /// All items, by step.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (usize, &T)> {
         self.kept.iter().chain(&self.newest).map(|(step, item)| (*step, item))
     }
 
-    /// All that are there, by step.
+    /// All items, by step.
     pub(crate) fn values_mut(&mut self) -> impl Iterator<Item = &mut T> {
         self.kept.iter_mut().chain(&mut self.newest).map(|(_, item)| item)
     }

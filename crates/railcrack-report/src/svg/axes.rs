@@ -27,7 +27,7 @@ impl Frame {
     }
 }
 
-/// How values are laid out.
+/// Layout of values along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Layout {
     Linear,
@@ -46,8 +46,7 @@ pub(crate) struct Axis {
 }
 
 impl Axis {
-    /// Exactly from `from` to `to`, with at most `most` ticks or so; a range without extent is
-    /// widened.
+    /// Exactly from `from` to `to`, with about `most` ticks at most; an empty range is widened.
     pub(crate) fn exact(from: f64, to: f64, most: usize) -> Self {
         let (from, to) = if from == to {
             let half = 0.5 * from.abs().max(1.0);
@@ -98,7 +97,7 @@ impl Axis {
     }
 }
 
-/// The ends of `values` with 6 % of air; zero twice where there are none.
+/// The range of `values` with a margin of 6 %; zeros without values.
 pub(crate) fn around(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
     let [low, high] = ends(values);
     // Round-off is not a range.
@@ -109,7 +108,7 @@ pub(crate) fn around(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
     [low - air, high + air]
 }
 
-/// The smallest and the largest of `values`; zero twice where there are none.
+/// The smallest and the largest of `values`; zeros without values.
 pub(crate) fn ends(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
     let ends = values
         .into_iter()
@@ -126,7 +125,7 @@ pub(crate) struct Axes {
 }
 
 impl Axes {
-    /// Where the point (x, y) is on the picture.
+    /// Position of the point (x, y) on the picture.
     pub(crate) fn at(&self, x: f64, y: f64) -> [f64; 2] {
         [
             self.frame.left + self.x.place(x) * self.frame.width,
@@ -148,7 +147,7 @@ impl Axes {
         }
     }
 
-    /// Begins the data: what leaves the frame is cut off.
+    /// Begins the data, which are clipped at the frame.
     pub(crate) fn clip(&self, svg: &mut Svg) {
         svg.clip(self.frame.rectangle());
     }

@@ -25,7 +25,7 @@ impl Stroke {
     }
 }
 
-/// Where a text stands with respect to its point.
+/// Position of a text relative to its point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Anchor {
     Start,
@@ -35,7 +35,7 @@ pub(crate) enum Anchor {
     Upwards,
 }
 
-/// How a text looks.
+/// Style of a text.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct TextStyle {
     pub(crate) size: f64,
@@ -48,7 +48,7 @@ pub(crate) struct TextStyle {
 /// A piece of a text.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Span {
-    /// As it stands.
+    /// Plain.
     Plain(String),
     /// The symbol of a quantity.
     Italic(String),
@@ -117,7 +117,7 @@ impl Svg {
         ));
     }
 
-    /// Areas given by the path `outline`, filled without softened edges so that neighbours leave no
+    /// Areas given by the path `outline`, filled without anti-aliasing so that neighbours leave no
     /// gap.
     pub(crate) fn area(&mut self, name: &str, outline: &str, fill: &str) {
         self.push(format_args!(

@@ -1,4 +1,4 @@
-//! Legends: a column of marks and words beside the axes.
+//! Legends: a column of marks and labels next to the axes.
 
 use super::element::{Anchor, Stroke, Svg, TextStyle};
 use super::palette::INK;
@@ -16,9 +16,9 @@ pub(crate) enum Mark {
     Dot(String),
     /// A filled box.
     Box(String),
-    /// None: the words head the entries below.
+    /// None: the text is a heading of the entries below.
     Heading,
-    /// None: the words stand for themselves.
+    /// None: the text is a note.
     Note,
 }
 

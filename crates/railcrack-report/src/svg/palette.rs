@@ -1,4 +1,4 @@
-//! Colours that people with any colour vision tell apart.
+//! Colours distinguishable with any colour vision.
 
 /// Text and frames.
 pub(crate) const INK: &str = "#222222";
@@ -11,7 +11,7 @@ pub(crate) const BLUE: &str = "#0072b2";
 /// Orange of [`CATEGORIES`].
 pub(crate) const ORANGE: &str = "#e69f00";
 
-/// Colours for things without order: those of Okabe and Ito (2008) without yellow, which is too
+/// Categorical colours: those of Okabe and Ito (2008) without yellow, which is too
 /// light on white, with violet and brown.
 pub(crate) const CATEGORIES: [&str; 9] =
     [BLUE, "#d55e00", "#009e73", "#cc79a7", ORANGE, "#56b4e9", "#000000", "#6f43cf", "#8a4b2f"];

@@ -175,9 +175,9 @@ fn the_first_lines_say_cycles_tonnes_direction_stop_and_warnings() {
         "<dt>Million gross tonnes</dt><dd>2.82",
         "<dt>Direction</dt><dd>downward",
         "<dt>Ended by</dt><dd>steps done<small>after step 4 of 4",
-        "Near ties of the direction criterion, so that the path is one of several. Step 1: ",
+        "Near ties of the direction criterion: the path is sensitive to this choice. Step 1: ",
         "<th scope=\"row\">6.80</th>",
-        "Crack faces: no initial gap, unilateral contact, Coulomb friction with the coefficient 0.5; virgin at the start",
+        "Crack faces: no initial gap, unilateral contact, Coulomb friction with coefficient 0.5; the friction state is reset at",
     ] {
         assert!(result.contains(words), "no \"{words}\" in {result}");
     }

@@ -123,7 +123,7 @@ fn colours_are_those_of_the_named_and_the_others_are_grey() {
         assert!(notes.len() == 12 && notes.contains("crack 7"), "{id}: {notes:?}");
     }
     let plot = |file: &str| fs::read_to_string(scratch.path().join("plots").join(file)).unwrap();
-    assert!(plot("row.svg").contains("12 cracks, each in step 0 and in step 4"));
+    assert!(plot("row.svg").contains("12 cracks in step 0 and in step 4"));
     assert!(plot("kii.svg").contains("other cracks") && plot("kii.svg").contains("crack 12: grew least"));
     assert!(plot("paths.svg").contains(">12<"));
 }

@@ -26,7 +26,7 @@ pub(super) fn notes(runs: [&StoredRun; 2], tips: &[TipComparison], aligned: &[Al
     notes.extend(positions(runs, tips, aligned));
     let [first, second] = runs.map(|run| run.summary().half_width_mm);
     if first != second {
-        notes.push(format!("K is compared at equal x_c/a, with a = {first} mm and {second} mm"));
+        notes.push(format!("K is compared at equal x_c/a, with a = {first:.3} mm and {second:.3} mm"));
     }
     notes
 }

@@ -1,4 +1,4 @@
-//! The command: what is computed, by how many threads, and how it ends.
+//! Arguments and execution of `railcrack sweep`.
 
 use super::progress::StudyProgress;
 use super::shard::Shard;
@@ -19,51 +19,51 @@ use railcrack_run::summary::RunEnd;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-/// Compute the runs of a study: a case file with lists in place of values
+/// Compute the runs of a study, which is a case file with lists of values
 ///
-/// Every run has a run folder of its own; summary.csv has a row per run, plots/ and report.html
-/// show all runs together. Runs are computed on all cores; a run that fails is reported, and the
-/// others go on. An interrupted study keeps what was computed.
+/// Every run has its own run folder; summary.csv has one row per run, plots/ and report.html show
+/// all runs together. Runs are computed on all cores; a failed run is reported and the others
+/// continue. An interrupted study keeps its finished results.
 #[derive(Debug, Args)]
 pub struct SweepArguments {
-    /// The study file; `-` is standard input
+    /// Study file; `-` is standard input
     #[arg(value_name = "STUDY")]
     study: PathBuf,
-    /// The folder of the study [default: the study's name beside it]
+    /// Folder of the study [default: name of the study file without its extension, next to it]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Compute runs I, I + N, I + 2 N, … only; other processes compute the others, into the same
-    /// folder or others
+    /// Compute only runs I, I + N, I + 2 N, …; other processes compute the others, in the same
+    /// folder or in other folders
     #[arg(long, value_name = "I/N")]
     shard: Option<Shard>,
-    /// A table of samples: a column for each key that varies (contact.friction,
-    /// crack[1].angle_deg), a row for each run; the file is then a case or a study
+    /// Table of samples with one column for each key that varies (contact.friction,
+    /// crack[1].angle_deg) and one row for each run; STUDY can then be a case file
     #[arg(long, value_name = "FILE")]
     table: Option<PathBuf>,
-    /// Engine in place of the study's: xfem or dislocation
+    /// Engine, overriding the study: xfem or dislocation
     #[arg(long, value_name = "ENGINE")]
     engine: Option<String>,
-    /// Contact solver in place of the study's: latin or newton
+    /// Contact solver, overriding the study: latin or newton
     #[arg(long, value_name = "SOLVER")]
     contact: Option<String>,
-    /// Number of increments of every run, in place of the study's
+    /// Number of increments of every run, overriding the study
     #[arg(long, value_name = "N")]
     steps: Option<u64>,
     #[command(flatten)]
     set: Set,
-    /// Number of threads [default: all]; results are the same with any
+    /// Number of threads [default: all]; it does not affect the results
     #[arg(long, value_name = "N", value_parser = crate::commands::run::threads)]
     threads: Option<NonZeroUsize>,
-    /// Say nothing while computing
+    /// Suppress progress output
     #[arg(long)]
     quiet: bool,
-    /// Compute what is missing of the study in the folder, and gather its results anew
+    /// Compute the missing runs of the study in the folder and collect its results again
     #[arg(long, conflicts_with = "force")]
     resume: bool,
-    /// Replace the study in the folder; with --shard, this part of it
+    /// Replace an existing study in the folder; with --shard, only this part of it
     #[arg(long)]
     force: bool,
-    /// Compute what needs more memory or disk than there is
+    /// Run even if the estimate exceeds the available memory or disk space
     #[arg(long)]
     no_limits: bool,
     #[command(flatten)]
@@ -92,7 +92,7 @@ impl SweepArguments {
     }
 }
 
-/// Computes the study, or a part of it, and gathers the results.
+/// Computes the study or a part of it, and collects the results.
 pub fn sweep(arguments: &SweepArguments) -> Result<Exit, Failure> {
     arguments.json.told(|| compute(arguments))
 }
@@ -147,7 +147,7 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
             });
         }
     }
-    // The others have been told as they failed.
+    // The other failures have been reported when they occurred.
     tell_failed(&failed);
     if arguments.quiet {
         tell_failed(&computed);
@@ -163,7 +163,7 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
     Ok(exit)
 }
 
-/// Whether the runs `own` fit, the largest ones side by side.
+/// Checks that the runs `own` fit into the machine with the largest ones running at the same time.
 fn within_budget(study: &Study, own: &[usize], threads: usize, budget: &Budget) -> Result<(), OverBudget> {
     let needs = study.runs.iter().filter(|run| own.contains(&run.number)).map(|run| Needs::of(&run.case));
     let largest = needs.reduce(|a, b| Needs { memory: a.memory.max(b.memory), disk: a.disk.max(b.disk) });

@@ -1,4 +1,4 @@
-//! How far a study is: one bar for all runs on a terminal, a line per finished run elsewhere.
+//! Progress of a study: one bar for all runs on a terminal, one line per finished run elsewhere.
 
 use crate::display::{Display, Verbosity, styled_bar};
 use crate::interruption::Interruption;
@@ -11,24 +11,24 @@ use std::sync::atomic::{AtomicI64, AtomicUsize, Ordering};
 /// Parts of a step on the bar.
 const PARTS: i64 = 1000;
 
-/// The progress of a study, told on standard error.
+/// Progress of a study, shown on standard error.
 pub struct StudyProgress<'a> {
     display: Display,
     interruption: &'a Interruption,
-    /// Parts of all runs that are done.
+    /// Number of finished parts of all runs.
     done: AtomicI64,
     runs: usize,
     over: AtomicUsize,
 }
 
 impl<'a> StudyProgress<'a> {
-    /// `runs` runs of `steps` steps altogether, which `interruption` may stop.
+    /// `runs` runs with `steps` steps in total, which `interruption` can stop.
     pub fn new(verbosity: Verbosity, runs: usize, steps: usize, interruption: &'a Interruption) -> Self {
         let display = Display::new(verbosity, || bar(runs, steps));
         Self { display, interruption, done: AtomicI64::new(0), runs, over: AtomicUsize::new(0) }
     }
 
-    /// Takes the bar away.
+    /// Removes the bar.
     pub fn close(&self) {
         self.display.close();
     }
@@ -71,12 +71,12 @@ fn bar(runs: usize, steps: usize) -> ProgressBar {
     bar
 }
 
-/// The progress of one run of a study.
+/// Progress of one run of a study.
 struct RunProgress<'a> {
     study: &'a StudyProgress<'a>,
     steps: i64,
     step: AtomicI64,
-    /// Parts of it that the study counts.
+    /// Number of its parts counted by the study so far.
     done: AtomicI64,
 }
 
@@ -106,7 +106,7 @@ impl RunObserver for RunProgress<'_> {
         self.reach(record.step as i64 + 1, 0);
     }
 
-    /// A run that ends early has all its steps behind it.
+    /// A run that ends early counts as complete.
     fn close(&self) {
         self.count(self.steps * PARTS);
     }
@@ -130,7 +130,7 @@ mod tests {
         assert_eq!(done(), 2 * PARTS);
         one.fraction(0.25);
         other.fraction(0.5);
-        // Every passage of a step begins at zero again.
+        // The fraction restarts at zero with every passage of a step.
         one.fraction(0.125);
         assert_eq!(done(), 2 * PARTS + 625);
         one.close();

@@ -1,8 +1,8 @@
-//! A part of a study, for several processes.
+//! Shards: parts of a study for several processes.
 
 use std::str::FromStr;
 
-/// Every so-many-th run of a study.
+/// Every `count`-th run of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
     /// From 1 to `count`.

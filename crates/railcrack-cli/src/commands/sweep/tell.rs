@@ -9,10 +9,10 @@ use railcrack_run::study::{RunState, StudyResults};
 use serde_json::{Value, json};
 use std::io::Write;
 
-/// Failed runs that are told one by one.
+/// Maximum number of failed runs listed individually.
 const MOST_TOLD: usize = 20;
 
-/// The result as a few lines for standard output.
+/// Summary of the result for standard output.
 pub fn result_text(
     folder: &StudyFolder,
     results: &StudyResults,
@@ -34,15 +34,15 @@ pub fn result_text(
     text.extend(results.population.iter().filter_map(population));
     text.push_str(&format!("results in {}\n", folder.path().display()));
     if ending == Ending::Interrupted {
-        text.push_str("the same command with --resume goes on from here\n");
+        text.push_str("repeat the command with --resume to continue\n");
     }
     text
 }
 
-/// Result of the samples between the runs, in a line or two; none where none are made.
+/// Result of the interpolated samples in one or two lines; none for a study without samples.
 fn population(of: &Population) -> Option<String> {
     let Some(scatter) = &of.scatter else {
-        return Some(format!("no samples between the runs: {}\n", of.reason.as_deref()?));
+        return Some(format!("no samples interpolated between the runs: {}\n", of.reason.as_deref()?));
     };
     let whose = if of.choice.is_empty() { String::new() } else { format!("{}: ", of.choice) };
     let Quantiles { p05, p50, p95 } = scatter.mgt_detectable_to_critical;
@@ -50,7 +50,7 @@ fn population(of: &Population) -> Option<String> {
         |mgt: Option<f64>| mgt.map_or_else(|| "beyond the runs".to_owned(), |mgt| format!("{mgt:.3}"));
     let error = of.error.map_or_else(String::new, |error| {
         format!(
-            "interpolated between {} runs: error {:.2} % (root mean square), {:.2} % at most\n",
+            "interpolation between {} runs: error {:.2} % (root mean square), at most {:.2} %\n",
             of.runs, error.rms_percent, error.worst_percent
         )
     });
@@ -63,7 +63,7 @@ fn population(of: &Population) -> Option<String> {
     ))
 }
 
-/// The same as one object.
+/// The result as one JSON object.
 pub fn result_json(folder: &StudyFolder, results: &StudyResults, failed: &[FailedRun], exit: Exit) -> Value {
     let failed: Vec<Value> = failed
         .iter()
@@ -82,9 +82,9 @@ pub fn result_json(folder: &StudyFolder, results: &StudyResults, failed: &[Faile
     })
 }
 
-/// The failed runs on standard error, whoever reads the result: with `--quiet`, too.
+/// Lists the failed runs on standard error, also with `--quiet` and `--json`.
 pub fn tell_failed(failed: &[FailedRun]) {
-    // Nobody is left to tell when standard error itself is gone.
+    // A failure to write to standard error cannot be reported.
     let _ = write!(std::io::stderr().lock(), "{}", failed_text(failed));
 }
 

@@ -1,8 +1,8 @@
-//! Answers.
+//! HTTP responses.
 
 use std::path::Path;
 
-/// The answer to a request: status, kind of content, content.
+/// Response to a request: status, media type, content.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Answer {
     status: &'static str,
@@ -39,11 +39,11 @@ impl Answer {
     }
 
     pub(super) fn not_found() -> Self {
-        Self::refused("404 Not Found", "there is no such file in the folder")
+        Self::refused("404 Not Found", "no such file in the folder")
     }
 
-    /// Everything before the body. Results change, so that nothing is kept; other sites may not put
-    /// them into their pages.
+    /// Header of the response. Caching is disabled because results change, and other sites may not
+    /// embed them.
     pub(super) fn head(&self) -> String {
         let Self { status, media, body } = self;
         format!(

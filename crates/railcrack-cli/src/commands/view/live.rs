@@ -1,4 +1,4 @@
-//! The page of a folder that follows its results.
+//! Live page of a folder of results.
 
 use super::answer::Answer;
 use railcrack_report::{Page, PageNow, page_now};
@@ -10,25 +10,25 @@ use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// The script that follows.
+/// The script that polls for new results.
 const SCRIPT: &str = include_str!("live.js");
-/// The results are read again after this time at the soonest, and after so many times what reading
-/// them took: a viewer must not slow down what it looks at.
+/// Shortest time between two reads of the results, and the same as a multiple of the time that a
+/// read takes, so that the viewer does not slow down the computation.
 const REST: Duration = Duration::from_millis(500);
 const SHARE: u32 = 8;
 
-/// The page of a folder, read again as asked for.
+/// The page of a folder, refreshed on request.
 #[derive(Debug)]
 pub(super) struct LivePage {
     folder: PathBuf,
     last: Mutex<Option<Reading>>,
 }
 
-/// The page as it was read at one time.
+/// A snapshot of the page.
 #[derive(Debug, Clone)]
 struct Reading {
     page: PageNow,
-    /// Of the page: another one has another number.
+    /// Number of the page, different for each version.
     stamp: String,
     at: Instant,
     took: Duration,
@@ -39,7 +39,7 @@ impl LivePage {
         Self { folder, last: Mutex::new(None) }
     }
 
-    /// The page, with the script that follows it.
+    /// The page with the polling script.
     pub(super) fn answer(&self) -> Answer {
         let Reading { page, stamp, .. } = self.reading();
         let script = format!("<script data-stamp=\"{stamp}\">\n{SCRIPT}</script>\n</body>");
@@ -47,13 +47,13 @@ impl LivePage {
         Answer::page(format!("{before}{script}{after}"))
     }
 
-    /// How far it is.
+    /// Progress of the results.
     pub(super) fn state(&self) -> Answer {
         let Reading { page, stamp, .. } = self.reading();
         Answer::json(&json!({ "stamp": stamp, "progress": page.progress, "over": page.is_over }))
     }
 
-    /// The results as they are now, or were a moment ago.
+    /// The current results, or a recent snapshot.
     fn reading(&self) -> Reading {
         let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
         let is_fresh = |reading: &&Reading| {
@@ -65,7 +65,7 @@ impl LivePage {
         let begun = Instant::now();
         let page = match (page_now(&self.folder), &*last) {
             (Ok(page), _) => page,
-            // What is just being written is whole the next time.
+            // A file that is being written is complete at the next read.
             (Err(_), Some(before)) => before.page.clone(),
             (Err(error), None) => self.stand_in(&error),
         };
@@ -77,11 +77,10 @@ impl LivePage {
         reading
     }
 
-    /// The page where there are no results to read yet: `report.html`, if it is there, or a word of
-    /// why not.
+    /// The page shown before results can be read: an existing `report.html`, or the reason.
     fn stand_in(&self, error: &OutputError) -> PageNow {
         if let Ok(html) = std::fs::read_to_string(self.folder.join(REPORT_FILE)) {
-            return PageNow { html, progress: "as report.html has it".to_owned(), is_over: false };
+            return PageNow { html, progress: "as stored in report.html".to_owned(), is_over: false };
         }
         let is_empty = matches!(error, OutputError::NothingToReport { .. });
         let (verdict, progress) = match is_empty {
@@ -90,7 +89,7 @@ impl LivePage {
         };
         let page = Page {
             title: self.folder.display().to_string(),
-            kind: "Results to come".to_owned(),
+            kind: "Results pending".to_owned(),
             verdict,
             ..Page::default()
         };

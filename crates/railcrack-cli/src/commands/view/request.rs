@@ -1,27 +1,27 @@
-//! Requests.
+//! HTTP requests.
 
 use super::answer::Answer;
 
-/// Headers of a request; a browser sends about twenty.
+/// Maximum number of headers; a browser sends about twenty.
 const HEADERS: usize = 64;
 
-/// The request of a browser for a file.
+/// A request for a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Request {
-    /// The names from the folder to the file: none for the folder itself. None of them leaves it.
+    /// Path components from the folder to the file; empty for the folder itself. None leads out of it.
     pub(super) names: Vec<String>,
     /// Whether the path ends in `/`.
     pub(super) is_folder: bool,
-    /// Whether it wants more than the head.
+    /// Whether the body is requested too.
     pub(super) wants_body: bool,
 }
 
 impl Request {
-    /// The request of the text `head`.
+    /// Parses the request header `head`.
     ///
-    /// Errors: the answer to what is no request for a file of this server.
+    /// Errors: the response to an invalid request.
     pub(super) fn of(head: &[u8]) -> Result<Self, Answer> {
-        let bad = || Answer::refused("400 Bad Request", "this is not a request");
+        let bad = || Answer::refused("400 Bad Request", "invalid request");
         let mut headers = [httparse::EMPTY_HEADER; HEADERS];
         let mut request = httparse::Request::new(&mut headers);
         match request.parse(head) {
@@ -31,12 +31,12 @@ impl Request {
         let wants_body = match request.method {
             Some("GET") => true,
             Some("HEAD") => false,
-            _ => return Err(Answer::refused("405 Method Not Allowed", "this server only shows")),
+            _ => return Err(Answer::refused("405 Method Not Allowed", "only GET and HEAD are supported")),
         };
         let host = request.headers.iter().find(|header| header.name.eq_ignore_ascii_case("host"));
         if !host.is_some_and(|host| is_local(host.value)) {
-            // A foreign name that was made to lead here.
-            return Err(Answer::refused("403 Forbidden", "this server answers to 127.0.0.1 and localhost"));
+            // Guards against DNS rebinding.
+            return Err(Answer::refused("403 Forbidden", "the host must be 127.0.0.1 or localhost"));
         }
         let path = request.path.ok_or_else(bad)?;
         let path = path.split(['?', '#']).next().unwrap_or_default();
@@ -51,7 +51,7 @@ impl Request {
     }
 }
 
-/// Whether a host is this machine, with or without a port.
+/// Whether `host` is the local machine, with or without a port.
 fn is_local(host: &[u8]) -> bool {
     let Ok(host) = std::str::from_utf8(host) else { return false };
     let name = match host.rsplit_once(':') {
@@ -61,7 +61,7 @@ fn is_local(host: &[u8]) -> bool {
     name == "127.0.0.1" || name.eq_ignore_ascii_case("localhost")
 }
 
-/// `name` with its `%20` and the like as letters; none where these are no text.
+/// `name` with percent-encoded bytes decoded; none if the result is not UTF-8.
 fn decoded(name: &str) -> Option<String> {
     let mut bytes = Vec::with_capacity(name.len());
     let mut rest = name.as_bytes();

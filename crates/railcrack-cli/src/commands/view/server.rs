@@ -1,4 +1,4 @@
-//! Connections: each has one request and one answer.
+//! Connections, each with one request and one response.
 
 use super::answer::Answer;
 use super::request::Request;
@@ -8,16 +8,16 @@ use std::net::{TcpListener, TcpStream};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
-/// How often a thread that waits looks whether the end is wanted.
+/// Interval at which waiting threads check for the end.
 const LOOK: Duration = Duration::from_millis(50);
-/// How long a request may take to come, and an answer to be taken.
+/// Timeout for reading a request and for writing a response.
 const PATIENCE: Duration = Duration::from_secs(5);
-/// The longest request: a browser's has some hundred bytes.
+/// Maximum length of a request header; browsers send some hundred bytes.
 const LONGEST: usize = 16 * 1024;
-/// Connections at a time; a browser has six.
+/// Maximum number of simultaneous connections; a browser opens six.
 const MOST: usize = 32;
 
-/// Answers what comes to `listener` until `end` is set; every thread has ended then.
+/// Serves requests from `listener` until `end` is set and all threads have ended.
 ///
 /// Errors: the system refuses to listen.
 pub(super) fn serve(listener: &TcpListener, site: &Site, end: &AtomicBool) -> std::io::Result<()> {
@@ -26,18 +26,18 @@ pub(super) fn serve(listener: &TcpListener, site: &Site, end: &AtomicBool) -> st
     std::thread::scope(|threads| {
         while !end.load(Ordering::Relaxed) {
             match listener.accept() {
-                // More than a browser opens: the connection is closed.
+                // More connections than a browser opens are closed.
                 Ok(_) if busy.load(Ordering::Relaxed) >= MOST => {}
                 Ok((stream, _)) => {
                     busy.fetch_add(1, Ordering::Relaxed);
                     let busy = &busy;
                     threads.spawn(move || {
-                        // Whoever has gone away needs no answer.
+                        // A client that has disconnected needs no response.
                         let _ = converse(stream, site, end);
                         busy.fetch_sub(1, Ordering::Relaxed);
                     });
                 }
-                // Nobody is there, or somebody has gone away before being let in.
+                // No client is waiting, or it has disconnected before being accepted.
                 Err(_) => std::thread::sleep(LOOK),
             }
         }
@@ -47,7 +47,7 @@ pub(super) fn serve(listener: &TcpListener, site: &Site, end: &AtomicBool) -> st
 
 /// Errors: the connection breaks.
 fn converse(mut stream: TcpStream, site: &Site, end: &AtomicBool) -> std::io::Result<()> {
-    // On some systems it is as its listener.
+    // On some systems the stream inherits the non-blocking mode of its listener.
     stream.set_nonblocking(false)?;
     stream.set_read_timeout(Some(LOOK))?;
     stream.set_write_timeout(Some(PATIENCE))?;
@@ -59,7 +59,7 @@ fn converse(mut stream: TcpStream, site: &Site, end: &AtomicBool) -> std::io::Re
     write(&mut stream, &answer, with_body)
 }
 
-/// The head of a request, to its empty line; none where it does not come, or is too long.
+/// The request header up to its empty line; none if it does not arrive or is too long.
 fn head_of(stream: &mut TcpStream, end: &AtomicBool) -> std::io::Result<Option<Vec<u8>>> {
     let (begun, mut head, mut part) = (Instant::now(), Vec::new(), [0; 2048]);
     while !end.load(Ordering::Relaxed) && begun.elapsed() < PATIENCE && head.len() < LONGEST {

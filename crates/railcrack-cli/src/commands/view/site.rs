@@ -1,4 +1,4 @@
-//! A folder as a site: its page as it is now, and its files.
+//! Site of a folder: its live page and its files.
 
 use super::answer::Answer;
 use super::live::LivePage;
@@ -8,15 +8,15 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// The name under which a page asks how far its results are.
+/// Path under which a page polls for progress.
 const STATE: &str = "state";
 
 /// A folder and its pages.
 #[derive(Debug)]
 pub(super) struct Site {
-    /// Without links in its path.
+    /// Canonical path, without symbolic links.
     root: PathBuf,
-    /// By folder: the runs of a study have pages of their own.
+    /// Pages by folder; the runs of a study have their own pages.
     pages: Mutex<BTreeMap<PathBuf, Arc<LivePage>>>,
 }
 
@@ -30,7 +30,7 @@ impl Site {
         Ok(Self { root, pages: Mutex::default() })
     }
 
-    /// The answer to `request`.
+    /// The response to `request`.
     pub(super) fn answer(&self, request: &Request) -> Answer {
         let (last, folders) = match request.names.split_last() {
             Some((last, folders)) if !request.is_folder => (last.as_str(), folders),
@@ -46,7 +46,7 @@ impl Site {
         }
     }
 
-    /// The path of `names`; none where it does not exist, or a link leads out of the folder.
+    /// The path of `names`; none if it does not exist, or if a link leads out of the folder.
     fn inside<T: AsRef<Path>>(&self, names: &[T]) -> Option<PathBuf> {
         let path = names.iter().fold(self.root.clone(), |path, name| path.join(name));
         path.canonicalize().ok().filter(|path| path.starts_with(&self.root))

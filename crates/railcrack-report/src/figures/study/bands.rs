@@ -1,4 +1,4 @@
-//! Quantile bands in place of the curves of many runs.
+//! Quantile bands for studies with many runs.
 
 use super::run::StudyRun;
 use crate::chart::{Chart, ChartArea, ChartAxis, ChartScale, Curve, CurveColour, CurveLook, CurveWidth};
@@ -6,16 +6,16 @@ use crate::figures::sif::Mode;
 use crate::figures::{cycles, sif};
 use railcrack_run::run_folder::{RepresentativeTip, cycles_to};
 
-/// Runs above which a study is drawn as bands, and its page is that of many runs.
+/// Number of runs above which a study is shown as bands.
 pub(crate) const MANY: usize = 50;
 
-/// Shares of the runs below each curve, with their names.
+/// Quantiles and their names.
 const SHARES: [(f64, &str); 5] =
-    [(0.05, "5 % of the runs"), (0.25, "25 %"), (0.5, "median"), (0.75, "75 %"), (0.95, "95 %")];
-/// Lengths at which lives are taken.
+    [(0.05, "5 %"), (0.25, "25 %"), (0.5, "median"), (0.75, "75 %"), (0.95, "95 %")];
+/// Number of lengths at which lives are evaluated.
 const LENGTHS: usize = 41;
 
-/// K of the initial cracks, and growth of `runs`; none where no run has a step.
+/// K of the initial cracks and growth of `runs`; none if no run has a finished step.
 pub(crate) fn band_charts(runs: &[StudyRun]) -> Vec<Chart> {
     let tips: Vec<&RepresentativeTip> = runs.iter().filter_map(StudyRun::tip).collect();
     let mut charts: Vec<Chart> =
@@ -48,8 +48,7 @@ fn over_passage(mode: Mode, tips: &[&RepresentativeTip]) -> Option<Chart> {
         let at_x = all.iter().map(|points| between(points, x)).collect();
         Some((x, quantiles(at_x)?))
     });
-    let caption =
-        format!("{} of the initial cracks over the passage: quantiles over the runs.", mode.symbol());
+    let caption = format!("{} of the initial cracks over the passage: quantiles of the runs.", mode.symbol());
     let rows: Vec<(f64, [f64; 5])> = rows.collect();
     let chart = sif::chart(mode.id(), mode.symbol(), caption, Vec::new());
     Some(banded(chart, &rows, |x, y| [x, y]))
@@ -78,7 +77,7 @@ fn lengths(tips: &[&RepresentativeTip]) -> Vec<f64> {
     (1..=LENGTHS).map(|i| begin + (end - begin) * i as f64 / LENGTHS as f64).collect()
 }
 
-/// Load cycles to each length; a run that does not reach it has none, and counts as longer.
+/// Load cycles to each length; a run that does not reach it counts as infinite life.
 fn lives(tips: &[&RepresentativeTip]) -> Option<Chart> {
     let rows: Vec<(f64, [f64; 5])> = lengths(tips)
         .into_iter()
@@ -90,13 +89,13 @@ fn lives(tips: &[&RepresentativeTip]) -> Option<Chart> {
     if rows.is_empty() {
         return None;
     }
-    let caption = "Load cycles to a crack length: quantiles over all runs; a run that does not reach the length counts as longer.";
+    let caption = "Load cycles to reach a crack length: quantiles of all runs; a run that does not reach the length counts as infinite life.";
     let chart = cycles::chart(caption, Vec::new());
     let chart = Chart { x: ChartAxis::logarithmic(&chart.x.label, &chart.x.unit), ..chart };
     Some(banded(chart, &rows, |length, cycles| [cycles, length]))
 }
 
-/// Growth rates at each length, of the runs that pass it.
+/// Growth rates at each length, for the runs that reach it.
 fn rates(tips: &[&RepresentativeTip]) -> Option<Chart> {
     let rows: Vec<(f64, [f64; 5])> = lengths(tips)
         .into_iter()
@@ -106,7 +105,7 @@ fn rates(tips: &[&RepresentativeTip]) -> Option<Chart> {
                 between(&points, length)
             };
             let rates: Vec<f64> = tips.iter().map(rate).collect();
-            // Quantiles over the few longest cracks would be those of another study.
+            // Quantiles of the few longest cracks would not represent the study.
             let reached = rates.iter().filter(|rate| rate.is_finite()).count();
             if 2 * reached < rates.len() {
                 return None;
@@ -116,7 +115,7 @@ fn rates(tips: &[&RepresentativeTip]) -> Option<Chart> {
         .collect();
     let chart = Chart {
         id: "rate-length".to_owned(),
-        caption: "Growth rate against crack length: quantiles over the runs that reach the length, where half of them do."
+        caption: "Growth rate against crack length: quantiles of the runs that reach the length, up to the length that half of the runs reach."
             .to_owned(),
         x: ChartAxis::linear("Crack length", "mm"),
         y: ChartAxis::logarithmic("da/dN", "mm/cycle"),
@@ -125,8 +124,8 @@ fn rates(tips: &[&RepresentativeTip]) -> Option<Chart> {
     (!rows.is_empty()).then(|| banded(chart, &rows, |x, y| [x, y]))
 }
 
-/// `chart` with the quantiles of `rows` as curves and the spaces between them as areas; `point`
-/// makes a point of the common coordinate and a value.
+/// `chart` with the quantiles of `rows` as curves and the ranges between them as areas; `point`
+/// makes a point from the common coordinate and a value.
 fn banded(chart: Chart, rows: &[(f64, [f64; 5])], point: impl Fn(f64, f64) -> [f64; 2]) -> Chart {
     let is_logarithmic = [&chart.x, &chart.y].iter().any(|axis| axis.scale == ChartScale::Logarithmic);
     let is_shown = |value: f64| value.is_finite() && (!is_logarithmic || value > 0.0);
@@ -135,7 +134,7 @@ fn banded(chart: Chart, rows: &[(f64, [f64; 5])], point: impl Fn(f64, f64) -> [f
         own.map(|(at, values)| point(*at, values[i])).collect()
     };
     let area = |name: &str, low: usize, high: usize| {
-        // Where both have a value: where only one has, there is no border on the other side.
+        // The area extends as far as both of its bounds are known.
         let both = || rows.iter().filter(|(_, values)| is_shown(values[low]) && is_shown(values[high]));
         let there = both().map(|(at, values)| point(*at, values[low]));
         let back = both().rev().map(|(at, values)| point(*at, values[high]));

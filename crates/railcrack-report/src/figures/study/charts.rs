@@ -38,7 +38,7 @@ pub(crate) fn study_charts(runs: &[&StudyRun], styles: &Styles) -> Vec<Chart> {
         let lengths = of_tip(&|tip| tip.rows.iter().map(|row| [row.load_cycles, row.length]).collect());
         let lengths = lengths.into_iter().map(|curve| curve.with_dots(CurveDots::Last)).collect();
         let chart = cycles::chart("Crack length against load cycles.", lengths);
-        // Lives differ by powers of ten: on a linear axis all curves but one stick to the other.
+        // Lives differ by powers of ten: on a linear axis most curves would coincide with the axis.
         charts.push(Chart { x: ChartAxis::logarithmic(&chart.x.label, &chart.x.unit), ..chart });
         charts.push(Chart {
             id: "rate-length".to_owned(),

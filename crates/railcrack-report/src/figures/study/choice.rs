@@ -1,15 +1,15 @@
-//! Which runs of a large study stand for all of them on a chart.
+//! Selection of the runs of a large study that a chart shows.
 
 use railcrack_run::study::PlannedRun;
 use std::cmp::Reverse;
 
-/// At most `most` of `runs`, in their order: the places `first`, and of the others those that show
-/// the values of every key as evenly as their number allows. A stride would leave values out
-/// wherever it divides the number of values behind it.
+/// At most `most` of `runs`, in their order: those at the indices `first`, and others that cover the
+/// values of every key as evenly as possible. A constant stride would omit values whenever it
+/// divides the number of values of the faster keys.
 ///
-/// Each next run is the one that brings the most values not shown yet; of equals, the one whose
-/// values are shown least; of equals, one by a fixed disorder, so that the values of two keys do
-/// not go in step.
+/// The next run is always the one that adds the most values not shown yet; among equals, the one
+/// whose values are shown least; among these, one in a fixed pseudo-random order, so that the values
+/// of two keys are not correlated.
 pub(crate) fn stratified(runs: &[&PlannedRun], first: &[usize], most: usize) -> Vec<usize> {
     if runs.len() <= most {
         return (0..runs.len()).collect();
@@ -37,7 +37,7 @@ pub(crate) fn stratified(runs: &[&PlannedRun], first: &[usize], most: usize) -> 
     (0..runs.len()).filter(|&place| taken[place]).collect()
 }
 
-/// How often each value of each axis is shown.
+/// Number of times that each value of each axis is shown.
 struct Shown {
     /// By axis and value: times shown.
     times: Vec<Vec<usize>>,
@@ -67,7 +67,7 @@ impl Shown {
         }
     }
 
-    /// How many of its values are not shown yet, and how often all of them are, as shares.
+    /// Number of its values not shown yet, and the weighted counts of all its values.
     fn rank(&self, run: &PlannedRun) -> (usize, usize) {
         let times = || self.times.iter().zip(&run.choice).map(|(times, &value)| times[value]);
         let fresh = times().filter(|times| *times == 0).count();
@@ -75,8 +75,7 @@ impl Shown {
     }
 }
 
-/// A number that has nothing to do with the order of runs (the finaliser of MurmurHash3, Appleby
-/// 2011).
+/// A hash independent of the order of the runs (the finaliser of MurmurHash3, Appleby 2011).
 fn disorder(number: usize) -> u64 {
     let mut bits = number as u64;
     bits = (bits ^ (bits >> 33)).wrapping_mul(0xff51_afd7_ed55_8ccd);

@@ -11,19 +11,19 @@ use railcrack_run::study::StudyPlan;
 /// Every plot that a study may have.
 pub(crate) const STUDY_PLOTS: [&str; 4] = ["ki.svg", "kii.svg", "paths.svg", "length-cycles.svg"];
 
-/// The plots of a study for its runs with a finished step; none where there is no such run.
+/// The plots of a study for its runs with a finished step; none without such runs.
 pub(crate) fn study_plots(plan: &StudyPlan, runs: &[StudyRun], styles: &Styles) -> Vec<Plot> {
     if runs.len() > MANY {
         return band_plots(plan, runs);
     }
     let drawn: Vec<&StudyRun> = runs.iter().filter(|run| run.tip().is_some()).collect();
     let of_all = if drawn.len() == runs.len() { String::new() } else { format!(" of {}", runs.len()) };
-    // With several tips in a run, whose K and length are shown.
+    // The subtitle says which tip is shown if a run has several.
     let several = |run: &&StudyRun| {
         run.row.summary.as_ref().is_some_and(|summary| summary.cracks.len() > 1)
             || run.tip().is_some_and(|tip| tip.first.tip > 1)
     };
-    let of_tip = if drawn.iter().any(several) { ", representative tip of each run" } else { "" };
+    let of_tip = if drawn.iter().any(several) { ", tip with the largest growth in each run" } else { "" };
     let sheet = |chart: Chart| {
         let file = STUDY_PLOTS.into_iter().find(|file| file.strip_suffix(".svg") == Some(&chart.id))?;
         let caption = chart.caption.trim_end_matches('.');
@@ -44,7 +44,7 @@ pub(crate) fn study_plots(plan: &StudyPlan, runs: &[StudyRun], styles: &Styles) 
     study_charts(&drawn, styles).into_iter().filter_map(sheet).collect()
 }
 
-/// The same of many runs: quantile bands; there are no paths.
+/// The plots of a study with many runs: quantile bands, without paths.
 fn band_plots(plan: &StudyPlan, runs: &[StudyRun]) -> Vec<Plot> {
     let sheet = |chart: Chart| {
         let file = STUDY_PLOTS.into_iter().find(|file| file.strip_suffix(".svg") == Some(&chart.id))?;

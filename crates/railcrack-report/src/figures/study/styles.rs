@@ -8,7 +8,7 @@ use railcrack_run::study::{StudyAxis, StudyPlan};
 /// Lines of the values of the second axis.
 const LOOKS: [CurveLook; 4] =
     [CurveLook::Line, CurveLook::Dashed, CurveLook::FineDashed, CurveLook::DashDotted];
-/// The most values of an axis in a legend: further ones are told by their place in the order of
+/// Maximum number of values of an axis in a legend; further ones follow from the order of the
 /// colours.
 const LEGEND_VALUES: usize = 12;
 
@@ -86,7 +86,7 @@ impl<'a> Styles<'a> {
                 legend.push(LegendEntry::heading(&axis.name()));
                 legend.extend(entries);
             } else if axis.len() > 1 {
-                legend.push(LegendEntry::heading(&format!("a curve for each {}", axis.name())));
+                legend.push(LegendEntry::heading(&format!("one curve for each {}", axis.name())));
             }
         }
         legend

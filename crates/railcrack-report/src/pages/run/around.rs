@@ -1,4 +1,4 @@
-//! The deformed surroundings of the cracks, and the files that hold them.
+//! The deformed surroundings of the cracks, and the field files.
 
 use crate::numbers::fixed;
 use crate::page::{Block, Section};
@@ -10,7 +10,7 @@ use railcrack_run::files::FIELDS_FILE;
 
 const FIELDS: &str = include_str!("../../assets/fields.html");
 const FIELDS_SCRIPT: &str = include_str!("../../assets/fields.js");
-/// Rows of the table of files; the collection lists all.
+/// Maximum number of rows of the table of files; the collection lists all.
 const ROWS: usize = 24;
 
 /// The section; none where the run has no fields.
@@ -21,22 +21,22 @@ pub(super) fn section(shown: &ShownRun) -> Option<Section> {
     }
     let picture = match fields.data() {
         None => Block::Text(format!(
-            "The fields in fields/ have too many cells for this page; open {FIELDS_FILE} in ParaView."
+            "The fields in fields/ have too many cells to be shown here; open {FIELDS_FILE} in ParaView."
         )),
         Some(data) => Block::Viewer { html: FIELDS, data_id: "field-data", data, script: FIELDS_SCRIPT },
     };
-    let (id, heading) = ("around".to_owned(), "Around the cracks, deformed".to_owned());
+    let (id, heading) = ("around".to_owned(), "Deformation around the cracks".to_owned());
     Some(Section { id, heading, blocks: vec![picture, Block::Table(files(shown))] })
 }
 
 /// The files, and where the cracks are open in them.
 fn files(shown: &ShownRun) -> Table {
     let mut table = Table::new(["File", "Step", "x_{c}/a", "Crack faces", "Largest K_{I} (MPa√m)"]);
-    table.caption = "Fields for ParaView and PyVista, and where the cracks are open: a warp of \
-                     displacement_mm opens them there and nowhere else; closed faces only move along \
-                     each other"
+    table.caption = "Field files for ParaView and PyVista, with the open length of the crack faces. \
+                     Warping by displacement_mm shows an opening only there; closed faces slide \
+                     along each other"
         .to_owned();
-    table.row([Cell::linked(FIELDS_FILE, FIELDS_FILE), "all of them".into()]);
+    table.row([Cell::linked(FIELDS_FILE, FIELDS_FILE), "all files".into()]);
     for (step, position) in shown.fields.files().take(ROWS) {
         let file = field_file(step, position);
         let histories = shown.histories(step);

@@ -1,7 +1,7 @@
 //! Assumptions behind a result: model, load, criteria, solution.
 
 use super::stored::RunFolder;
-use crate::numbers::{fixed, grouped, rounded, significant};
+use crate::numbers::{fixed, formula, given, grouped, rounded, significant};
 use railcrack::bulk::Boundary;
 use railcrack::contact::{FluidModel, StepControl};
 use railcrack::fatigue::DirectionCriterion;
@@ -10,7 +10,7 @@ use railcrack::math::RailBox;
 use railcrack::words::Choice;
 use railcrack_case::{Case, ContactOrigin, ContactSolver};
 
-/// A sentence or two each.
+/// The assumptions, one paragraph each.
 pub(super) fn assumptions(run: &RunFolder) -> Vec<String> {
     let case = &run.case;
     vec![
@@ -28,23 +28,29 @@ pub(super) fn assumptions(run: &RunFolder) -> Vec<String> {
 
 fn limits(case: &Case) -> String {
     let wear = if case.maintenance.is_some() {
-        "wear and grinding that cut the crack and leave profile and contact as they are"
+        "wear and grinding shorten the crack but leave the rail profile and the contact unchanged"
     } else {
         "no wear"
     };
     format!(
-        "Limits: two dimensions, small-scale yielding, no fluid in the crack but what the case gives, {wear}. The load cycles carry the scatter \
-         of the growth law, a factor of several."
+        "Limits: two dimensions, small-scale yielding, no fluid in the crack except as given in the case, {wear}. Load cycles are uncertain by \
+         a factor of several, the scatter of the growth law."
     )
 }
 
 fn rail(case: &Case) -> String {
-    let (young, poisson) = (case.steel.young(), case.steel.poisson());
+    let (young, poisson) = (case.steel.young(), given(case.steel.poisson()));
     let boundary = match case.rail.boundary {
         Boundary::HalfPlane => "half-plane, bounded by the running surface only".to_owned(),
         Boundary::Block { bottom, sides } => {
             let RailBox { width, depth, .. } = case.rail.extent;
-            format!("block of {width} × {depth} mm, bottom {}, sides {}", bottom.word(), sides.word())
+            format!(
+                "block of {} × {} mm, bottom {}, sides {}",
+                given(width),
+                given(depth),
+                bottom.word(),
+                sides.word()
+            )
         }
     };
     format!("Rail: linear elastic, plane strain, E = {} MPa, ν = {poisson}; {boundary}.", grouped(young))
@@ -60,27 +66,27 @@ fn wheel(case: &Case) -> String {
     let passage = &case.passages.passage;
     let travel = if passage.from > passage.to { "−x" } else { "+x" };
     let shear = match contact {
-        Contact::Hertz(contact) => format!("wheel–rail friction {} ({drags})", signed(contact.friction)),
+        Contact::Hertz(contact) => format!("wheel–rail friction {} ({drags})", given(contact.friction)),
         Contact::Carter(carter) => format!(
-            "wheel–rail friction {} where it slips, traction Q/(μP) = {} ({drags})",
-            carter.friction,
-            signed(carter.traction)
+            "wheel–rail friction {} in the slip zone, traction Q/(μP) = {} ({drags})",
+            given(carter.friction),
+            given(carter.traction)
         ),
-        Contact::Table(_) => format!("Q/P = {} ({drags})", signed(rounded(contact.adhesion(), 4))),
+        Contact::Table(_) => format!("Q/P = {} ({drags})", given(contact.adhesion())),
     };
     let pressure = contact.kind().described();
     let strip = match &case.wheel.origin {
         ContactOrigin::Ellipse { wheel, ellipse, lateral } => format!(
-            " It is the strip {} mm beside the middle of the Hertz ellipse of {} kN, semi-axes {} mm along and {} mm \
+            " The plane of the model is {} mm off the centre of the Hertz ellipse of a wheel load of {} kN, with semi-axes {} mm along and {} mm \
              across the rail.",
-            signed(*lateral),
+            given(*lateral),
             fixed(1e-3 * wheel.wheel_load, 1),
             fixed(ellipse.along, 2),
             fixed(ellipse.across, 2)
         ),
         ContactOrigin::GivenEllipse { ellipse, lateral } => format!(
-            " It is the strip {} mm beside the middle of a Hertz ellipse with semi-axes {} mm along and {} mm across the rail.",
-            signed(*lateral),
+            " The plane of the model is {} mm off the centre of a Hertz ellipse with semi-axes {} mm along and {} mm across the rail.",
+            given(*lateral),
             fixed(ellipse.along, 2),
             fixed(ellipse.across, 2)
         ),
@@ -100,18 +106,20 @@ fn fluid(case: &Case) -> String {
     match case.fluid.as_ref().map(|fluid| fluid.model) {
         None => String::new(),
         Some(FluidModel::Mouth { cap }) => {
-            let most = if cap.is_finite() { format!(", at most {cap} MPa") } else { String::new() };
+            let most = if cap.is_finite() { format!(", at most {} MPa", given(cap)) } else { String::new() };
             format!(
-                " Fluid in the cracks has the pressure of the contact over their mouths{most}: without a cap K is far above what a \
-                 wheel would let happen."
+                " The fluid pressure in a crack equals the contact pressure at its mouth{most}. Without a cap this overestimates K by far."
             )
         }
         Some(FluidModel::Trapped { bulk_modulus, .. }) => {
-            let kept =
-                if bulk_modulus.is_finite() { format!(", B = {bulk_modulus} MPa") } else { String::new() };
+            let kept = if bulk_modulus.is_finite() {
+                format!(", B = {} MPa", given(bulk_modulus))
+            } else {
+                String::new()
+            };
             format!(
-                " Fluid that is in a crack as the contact covers its mouth stays there until the contact leaves it{kept}: a bound \
-                 from above; the dry crack is one from below."
+                " Fluid in a crack is trapped while the contact covers the mouth{kept}: an upper bound of its effect; the dry crack is the \
+                 lower bound."
             )
         }
     }
@@ -128,37 +136,33 @@ pub(in crate::pages) fn long_rail(case: &Case) -> String {
         text.push_str(&format!(
             " The rail bends under {axles} as a beam on a foundation of {} MPa, σ_{{xx}} = {} MPa at the surface under the wheel; \
              1/β = {} mm.",
-            track.foundation,
-            signed(rounded(bending.stress(0.0, 0.0), 3)),
+            given(track.foundation),
+            given(rounded(bending.stress(0.0, 0.0), 3)),
             fixed(bending.length(), 0)
         ));
     }
     if let Some(temperature) = case.wheel.load.temperature {
         text.push_str(&format!(
             " The rail is at {} °C, neutral at {} °C: σ_{{xx}} = {} MPa at all times.",
-            signed(temperature.rail),
-            signed(temperature.neutral),
-            signed(rounded(temperature.stress(&case.steel), 4))
+            given(temperature.rail),
+            given(temperature.neutral),
+            given(temperature.stress(&case.steel))
         ));
     }
     text
-}
-
-fn signed(value: f64) -> String {
-    value.to_string().replace('-', "\u{2212}")
 }
 
 fn passage(run: &RunFolder) -> String {
     let settings = &run.case.passages;
     let steps = match settings.step_control {
         StepControl::Adaptive => {
-            let percent = rounded(100.0 * settings.step_tolerance, 6);
-            format!("load steps between them controlled to {percent} % of the peak of K")
+            let percent = given(100.0 * settings.step_tolerance);
+            format!("load steps in between refined until K changes by less than {percent} % of its peak")
         }
-        StepControl::Fixed => "one load step from each to the next".to_owned(),
+        StepControl::Fixed => "one load step per position".to_owned(),
     };
     format!(
-        "Passage: {} output positions, {steps}. The passage is repeated on fixed cracks until K repeats, which took \
+        "Passage: {} output positions, {steps}. The passage is repeated on fixed cracks until K repeats, after \
          {} of at most {} passages.",
         run.case.positions().len(),
         run.summary.passages,
@@ -169,11 +173,11 @@ fn passage(run: &RunFolder) -> String {
 fn faces(case: &Case) -> String {
     let mut frictions = case.crack_friction.clone();
     frictions.dedup();
-    let list: Vec<String> = frictions.iter().map(f64::to_string).collect();
+    let list: Vec<String> = frictions.iter().copied().map(given).collect();
     let order = if list.len() > 1 { " in the order of the cracks" } else { "" };
     format!(
-        "Crack faces: no initial gap, unilateral contact, Coulomb friction with the coefficient {}{order}; virgin at the \
-         start of each growth step.",
+        "Crack faces: no initial gap, unilateral contact, Coulomb friction with coefficient {}{order}; the friction state is reset at \
+         the start of each growth step.",
         list.join(", ")
     )
 }
@@ -186,7 +190,7 @@ fn residual(run: &RunFolder) -> String {
     let (least, most) =
         run.residual.iter().fold((0.0f64, 0.0f64), |(l, m), row| (l.min(row[1]), m.max(row[1])));
     let mut text = format!(
-        "Residual stress: σ_{{xx}} from {} to {} MPa on the middle line; it does not relax as the cracks grow.",
+        "Residual stress: σ_{{xx}} from {} to {} MPa on the vertical centre line; it does not relax as the cracks grow.",
         fixed(least, 0),
         fixed(most, 0)
     );
@@ -217,33 +221,34 @@ fn residual(run: &RunFolder) -> String {
 
 fn rate(case: &Case) -> String {
     let law = &case.growth.law;
-    let shown = |formula: String| {
-        let formula = formula.replace("dKII", "ΔK_{II}").replace("dKI", "ΔK_{I}");
-        raised(&formula.replace("dK", "ΔK_{eq}").replace("Kmax", "K_{max}"))
+    let shown = |text: &str| {
+        // The rest of ΔKI and ΔKII is set first, so that what is left is ΔK_eq.
+        let text = formula(text).replace("ΔKII", "Δ\u{0}_{II}").replace("ΔKI", "Δ\u{0}_{I}");
+        raised(&text.replace("ΔK", "ΔK_{eq}").replace('\u{0}', "K").replace("Kmax", "K_{max}"))
     };
     format!(
-        "Growth rate: {}, mm per load cycle and MPa√m, with {}.",
-        shown(law.rate.formula()),
-        shown(law.equivalent.formula())
+        "Growth rate: {}, in mm per load cycle and MPa√m, with {}.",
+        shown(&law.rate.formula()),
+        shown(&law.equivalent.formula())
     )
 }
 
-/// `formula` with the numbers after `^` as powers.
-fn raised(formula: &str) -> String {
-    let mut parts = formula.split('^');
-    let mut text = parts.next().unwrap_or_default().to_owned();
+/// `text` with the numbers after `^` as powers.
+fn raised(text: &str) -> String {
+    let mut parts = text.split('^');
+    let mut raised = parts.next().unwrap_or_default().to_owned();
     for part in parts {
         let end = part.find(|letter: char| !letter.is_ascii_digit() && letter != '.').unwrap_or(part.len());
-        // A full stop belongs to the sentence.
+        // A full stop after the number is punctuation.
         let power = part[..end].trim_end_matches('.');
         if power.is_empty() {
-            text.push('^');
+            raised.push('^');
         } else {
-            text.push_str(&format!("^{{{power}}}"));
+            raised.push_str(&format!("^{{{power}}}"));
         }
-        text.push_str(&part[power.len()..]);
+        raised.push_str(&part[power.len()..]);
     }
-    text
+    raised
 }
 
 fn direction(case: &Case) -> String {
@@ -254,14 +259,18 @@ fn direction(case: &Case) -> String {
         }
         DirectionCriterion::MaxDeltaK1 => "the range of k_{1}",
         DirectionCriterion::MaxK1 => "k_{1}",
-        DirectionCriterion::Coplanar => "nothing (straight ahead)",
         DirectionCriterion::MaxTangentialStress => "the tangential stress ahead of the tip",
         DirectionCriterion::MaxDeltaCtd => "the range of the displacement vector at its tip",
+        DirectionCriterion::Coplanar => "",
+    };
+    let direction = match case.growth.criterion {
+        DirectionCriterion::Coplanar => "straight ahead".to_owned(),
+        _ => format!("the kink that maximises {criterion} over the passage"),
     };
     format!(
-        "Direction: the kink that maximises {criterion} over the passage. The increment of the fastest tip is {} % of the \
-         length of its crack; its load cycles are those of the mean of the inverse rates at its two ends.",
-        rounded(100.0 * case.growth.increment, 6)
+        "Direction: {direction}. The increment of the fastest tip is {} % of the length of its crack; its load cycles follow from \
+         the mean of the inverse growth rates at the start and the end of the increment.",
+        given(100.0 * case.growth.increment)
     )
 }
 

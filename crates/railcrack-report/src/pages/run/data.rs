@@ -14,11 +14,11 @@ use railcrack_run::run_folder::History;
 use serde_json::{Value, json};
 use std::ops::Range;
 
-/// The most values of K of many cracks on a page (tips × positions × steps): about three bytes
-/// each.
+/// Maximum number of values of K of many cracks on a page (tips × positions × steps), of about three
+/// bytes each.
 const VALUES: usize = 200_000;
 
-/// The data of the explorer. Of many cracks, K while the wheel is near each of them, and the faces
+/// The data of the explorer. For many cracks, K at wheel positions near each of them, and the faces
 /// of the `named` ones.
 pub(super) fn explorer(run: &RunFolder, shown: &ShownRun, named: Option<&[NamedCrack]>) -> Value {
     let summary = &run.summary;
@@ -71,7 +71,7 @@ pub(super) fn explorer(run: &RunFolder, shown: &ShownRun, named: Option<&[NamedC
     })
 }
 
-/// Of every crack of a row the positions that are near to it.
+/// Wheel positions near each crack of a row.
 fn windows(run: &RunFolder, shown: &ShownRun) -> Vec<Range<usize>> {
     let xc_over_a: &[f64] = shown.histories(0).first().map_or(&[], |history| &history.xc_over_a);
     (1..=run.summary.cracks.len()).map(|crack| window(&run.summary, crack, xc_over_a)).collect()
@@ -83,7 +83,7 @@ fn told_windows(named: &[NamedCrack], windows: &[Range<usize>]) -> Vec<(usize, R
     named.iter().filter_map(of).collect()
 }
 
-/// The steps of the explorer: those `shown`; of many cracks as many of these as fit.
+/// The steps of the explorer: those `shown`, or as many of them as fit for many cracks.
 pub(super) fn explored_steps(run: &RunFolder, shown: &ShownRun, named: Option<&[NamedCrack]>) -> Vec<usize> {
     let steps = shown.steps();
     if named.is_none() {
@@ -128,7 +128,7 @@ fn polylines(run: &RunFolder, step: usize) -> Value {
     run.summary.cracks.iter().enumerate().map(of_crack).map(|ends| json!(ends)).collect()
 }
 
-/// How far a path is shown.
+/// Extent of a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Until {
     /// To its tip in the step.
@@ -137,7 +137,7 @@ enum Until {
     Last,
 }
 
-/// Every crack below the surface of `step`, which has come down; null where it has not.
+/// Every crack below the worn surface of `step`; null without wear.
 fn worn(run: &RunFolder, step: usize, until: Until) -> Option<Vec<Vec<Value>>> {
     let removed = run.growth.iter().find(|row| row.step == step)?.removed?;
     run.summary.cracks.iter().any(|crack| crack.path_mm.is_some()).then_some(())?;
@@ -165,8 +165,8 @@ fn worn(run: &RunFolder, step: usize, until: Until) -> Option<Vec<Vec<Value>>> {
     Some(run.summary.cracks.iter().enumerate().map(of_crack).collect())
 }
 
-/// The pieces that are enclosed and the cracks that have joined others, with the first step that
-/// has them.
+/// The enclosed pieces and the cracks that have joined others, with the first step in which they
+/// occur.
 pub(super) fn pieces(run: &RunFolder) -> Value {
     let piece = |piece: &railcrack_run::PieceSummary| {
         json!({

@@ -1,7 +1,7 @@
 //! The decision block of a run: depth over traffic, wheels, interval, scatter.
 
 use super::stored::RunFolder;
-use crate::numbers::{fixed, significant, tonnage};
+use crate::numbers::{fixed, given, significant, tonnage};
 use crate::page::Block;
 use crate::pages::ways::ways;
 use crate::table::{MISSING, Table};
@@ -9,7 +9,7 @@ use railcrack_run::decision::{
     CriticalBy, Decision, InspectionSummary, MaintenanceSummary, ScatterSummary, WheelSummary,
 };
 
-/// Rows of the table of depths, about; `summary.json` has all.
+/// Approximate number of rows in the table of depths; `summary.json` has all.
 const ROWS: usize = 9;
 
 /// The first blocks of the page; none without axle loads.
@@ -32,16 +32,20 @@ pub(super) fn decision(run: &RunFolder) -> Vec<Block> {
     if blocks.len() > 1 { blocks } else { Vec::new() }
 }
 
-/// The inspection interval in a sentence.
+/// The inspection interval.
 fn interval(inspection: &InspectionSummary) -> String {
     let found = match (inspection.detectable_depth_mm, inspection.mgt_to_detectable) {
         (Some(depth), Some(mgt)) => {
-            format!("The crack is found from a depth of {} mm, after {} MGT", fixed(depth, 2), tonnage(mgt))
+            format!(
+                "The crack reaches the detectable depth of {} mm after {} MGT",
+                fixed(depth, 2),
+                tonnage(mgt)
+            )
         }
         (Some(depth), None) => {
-            format!("The crack does not reach the depth of {} mm from which it is found", fixed(depth, 2))
+            format!("The crack does not reach the detectable depth of {} mm", fixed(depth, 2))
         }
-        (None, _) => "The crack is not found within the run".to_owned(),
+        (None, _) => "The crack does not become detectable within the run".to_owned(),
     };
     let by = |by: CriticalBy| match by {
         CriticalBy::Depth => "the critical depth",
@@ -50,48 +54,45 @@ fn interval(inspection: &InspectionSummary) -> String {
     };
     let critical = match (inspection.critical_by, inspection.mgt_to_critical) {
         (Some(what), Some(mgt)) => format!("{} is reached after {} MGT", by(what), tonnage(mgt)),
-        _ => "the run reaches nothing that is critical".to_owned(),
+        _ => "no critical state is reached within the run".to_owned(),
     };
     let interval = inspection.interval_mgt.map_or_else(String::new, |mgt| {
         format!(
-            " With a safety factor of {} the inspection interval is {} MGT.",
-            inspection.safety_factor,
+            " With a safety factor of {}, the inspection interval is {} MGT.",
+            given(inspection.safety_factor),
             tonnage(mgt)
         )
     });
     format!("{found}; {critical}.{interval}")
 }
 
-/// Growth against wear and grinding in a few sentences.
+/// Growth compared with wear and grinding.
 fn maintenance(maintenance: &MaintenanceSummary) -> String {
     let mut text = format!(
-        "Wear and grinding remove {} mm of the surface per MGT in the mean, {} mm so far.",
+        "Wear and grinding remove on average {} mm of the surface per MGT, {} mm in total so far.",
         significant(maintenance.removal_mm_per_mgt),
         fixed(maintenance.removed_mm, 2)
     );
     if let Some([first, last]) = maintenance.growth_over_removal {
         text.push_str(&format!(
-            " Growth into the depth is {} times that at the beginning and {} times in the last step.",
+            " The crack grows in depth at {} times this rate in the first step and {} times in the last.",
             significant(first),
             significant(last)
         ));
     }
     if let Some(depth) = maintenance.balance_depth_mm {
-        text.push_str(&format!(" They are in balance at a depth of {} mm.", fixed(depth, 2)));
+        text.push_str(&format!(" Growth and removal balance at a depth of {} mm.", fixed(depth, 2)));
     }
     if let Some(mgt) = maintenance.mgt_to_worn_away {
-        text.push_str(&format!(" After {} MGT nothing of the crack is left.", tonnage(mgt)));
+        text.push_str(&format!(" The crack is worn away completely after {} MGT.", tonnage(mgt)));
     }
     text
 }
 
-/// Scatter in a sentence; none where no sample gets to an end.
+/// Results of the scatter; none if no sample reaches a critical state.
 fn scatter(scatter: &ScatterSummary) -> Option<String> {
     let growing = scatter.probability_growing.map(|probability| {
-        format!(
-            "The crack grows faster at first than wear and grinding take it away with a probability of {}.",
-            significant(probability)
-        )
+        format!("Probability that growth initially outpaces wear and grinding: {}.", significant(probability))
     });
     let ways = ways(scatter);
     let sentences: Vec<String> = ways.into_iter().chain(growing).collect();
@@ -103,12 +104,11 @@ fn depths(decision: &Decision) -> Table {
         "Depth (mm)",
         "Length (mm)",
         "Million gross tonnes",
-        "Depth growth (mm/MGT)",
-        "Removal in balance (mm/MGT)",
+        "Growth in depth (mm/MGT)",
+        "Balancing removal (mm/MGT)",
     ];
     let mut table = Table::new(headings);
-    table.caption =
-        "Growth, and the removal by wear or grinding that takes as much from the mouth".to_owned();
+    table.caption = "Growth, and the rate of removal by wear and grinding that would balance it".to_owned();
     let last = decision.rows.len() - 1;
     let mut places: Vec<usize> = (0..ROWS).map(|i| (i * last + (ROWS - 1) / 2) / (ROWS - 1)).collect();
     places.dedup();
@@ -126,11 +126,16 @@ fn depths(decision: &Decision) -> Table {
 }
 
 fn wheels(wheels: &[WheelSummary]) -> Table {
-    let mut table =
-        Table::new(["Wheel", "Share of the axles (%)", "Share of the growth (%)", "Turns the crack"]);
-    table.caption = "Shares of the growth of the deepest tip, and in how many steps the crack would go \
-                     elsewhere without a wheel, most so without this one"
-        .to_owned();
+    let mut table = Table::new([
+        "Wheel",
+        "Share of the axles (%)",
+        "Share of the growth (%)",
+        "Determines the direction",
+    ]);
+    table.caption =
+        "Shares of the growth of the deepest tip, and the number of steps in which omitting this wheel \
+                     would change the crack direction most"
+            .to_owned();
     for wheel in wheels {
         let turns = match wheel.turns_in_steps {
             0 => "no".to_owned(),

@@ -1,4 +1,4 @@
-//! Cracks that join others, and pieces of the rail that cracks enclose.
+//! Coalescence of cracks, and pieces of the rail that cracks enclose.
 
 use super::stored::RunFolder;
 use crate::numbers::{fixed, grouped, significant, tonnage};
@@ -8,10 +8,10 @@ use railcrack::growth::{PieceKind, RunStop, TipStop};
 use railcrack::words::Choice;
 use railcrack_run::{JunctionSummary, PieceSummary};
 
-/// Sentences about events of a kind before the others are counted.
+/// Maximum number of sentences per kind of event; further events are counted.
 const OF_A_KIND: usize = 3;
 
-/// The piece in a rail: its extent, and when a tip closed its outline.
+/// An enclosed piece: its extent, and the time at which a tip closed its outline.
 struct Enclosed<'a> {
     piece: &'a PieceSummary,
     /// Number of the tip within its crack.
@@ -47,7 +47,7 @@ impl<'a> Enclosed<'a> {
     }
 }
 
-/// The events, a sentence each.
+/// The events, one sentence each.
 pub(super) fn sentences(run: &RunFolder) -> Vec<String> {
     let mut texts = Vec::new();
     let (pieces, junctions) = (&run.summary.pieces, &run.summary.junctions);
@@ -73,7 +73,7 @@ pub(super) fn sentences(run: &RunFolder) -> Vec<String> {
     }
     let more = pieces.len().saturating_sub(OF_A_KIND) + junctions.len().saturating_sub(OF_A_KIND);
     if more > 0 {
-        texts.push(format!("{more} more pieces and junctions are in the table below."));
+        texts.push(format!("{more} more pieces and junctions are listed in the table below."));
     }
     texts
 }
@@ -98,7 +98,7 @@ pub(super) fn fact(run: &RunFolder) -> Option<Fact> {
     })
 }
 
-/// All pieces and junctions; none where there are none.
+/// Table of all pieces and junctions; none without any.
 pub(super) fn table(run: &RunFolder) -> Option<Table> {
     let (pieces, junctions) = (&run.summary.pieces, &run.summary.junctions);
     if pieces.is_empty() && junctions.is_empty() {
@@ -155,7 +155,7 @@ pub(super) fn table(run: &RunFolder) -> Option<Table> {
         let cycles = after.map_or(run.summary.load_cycles, |row| row.load_cycles);
         let mut cells = vec![
             format!("joins crack {}", junction.onto),
-            format!("crack {}, its {} end", junction.crack, junction.end.word()),
+            format!("crack {}, {} end", junction.crack, junction.end.word()),
             step.map_or_else(|| "from the start".to_owned(), |step| step.to_string()),
             step.map_or_else(String::new, |_| grouped(cycles)),
             fixed(junction.x_mm, 2),

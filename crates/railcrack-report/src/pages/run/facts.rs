@@ -4,7 +4,7 @@
 use super::events;
 use super::stored::RunFolder;
 use crate::direction::Heading;
-use crate::numbers::{fixed, grouped, significant, tonnage};
+use crate::numbers::{fixed, given, grouped, significant, tonnage};
 use crate::page::Fact;
 use crate::table::Table;
 use railcrack::growth::{RunStop, TipStop};
@@ -23,7 +23,7 @@ fn crack_name(run: &RunFolder, crack: usize) -> String {
     if run.summary.cracks.len() == 1 { "the crack".to_owned() } else { format!("crack {crack}") }
 }
 
-/// The result in a sentence or two.
+/// The main result.
 pub(super) fn verdict(run: &RunFolder) -> String {
     let Some((first, last)) = representative_tip(run) else {
         return "No step is finished yet.".to_owned();
@@ -36,18 +36,22 @@ pub(super) fn verdict(run: &RunFolder) -> String {
     };
     let mut text = if last.length > first.length {
         let tonnes = run.case.axle_load.map_or_else(String::new, |load| {
-            format!(" ({} million gross tonnes at {load} t per axle)", tonnage(last.load_cycles * load / 1e6))
+            format!(
+                " ({} million gross tonnes at {} t per axle)",
+                tonnage(last.load_cycles * load / 1e6),
+                given(load)
+            )
         });
         format!(
             "{name} grows from {} to {} mm in {} load cycles{tonnes}, {}.",
             fixed(first.length, 2),
             fixed(last.length, 2),
             grouped(last.load_cycles),
-            run.heading(last).map_or_else(|| "with no direction yet".to_owned(), |h| h.sentence())
+            run.heading(last).map_or_else(|| "direction not yet determined".to_owned(), |h| h.sentence())
         )
     } else if last.removed.is_some_and(|removed| removed > 0.0) {
         format!(
-            "{name} is worn from {} to {} mm in {} load cycles: wear and grinding take more than grows.",
+            "{name} is worn from {} to {} mm in {} load cycles: wear and grinding exceed growth.",
             fixed(first.length, 2),
             fixed(last.length, 2),
             grouped(last.load_cycles),
@@ -56,7 +60,7 @@ pub(super) fn verdict(run: &RunFolder) -> String {
         format!("{name} of {} mm does not grow.", fixed(first.length, 2))
     } else {
         format!(
-            "{name} of {} mm is at ΔK_{{eq}} = {} MPa√m and grows by {} mm per load cycle at first; no increment was computed.",
+            "{name} of {} mm has ΔK_{{eq}} = {} MPa√m and an initial growth rate of {} mm per load cycle; no increment was computed.",
             fixed(first.length, 2),
             significant(first.delta_keq),
             significant(first.rate)
@@ -71,35 +75,36 @@ pub(super) fn verdict(run: &RunFolder) -> String {
     text
 }
 
-/// Why the run ended, in a sentence.
+/// Reason for the end of the run.
 pub(in crate::pages) fn stop_sentence(run: &RunFolder) -> String {
     let steps = run.summary.steps;
     match run.summary.stop.map(RunStop::word) {
         None => format!("The run has not ended: step {steps} is the last finished one."),
-        Some("steps-done") if steps == 0 => "The case asks for the initial geometry only.".to_owned(),
+        Some("steps-done") if steps == 0 => "The case requests the initial geometry only.".to_owned(),
         Some("steps-done") => {
             let increments = if steps == 1 { "increment".to_owned() } else { format!("{steps} increments") };
-            format!("The run ended after the {increments} of the case; growth would continue.")
+            format!("The run ended after the {increments} requested; growth would continue.")
         }
-        Some("cycles") => "The run ended at the load cycles of the case; growth would continue.".to_owned(),
+        Some("cycles") => {
+            "The run ended at the load cycles given in the case; growth would continue.".to_owned()
+        }
         Some("critical-length") => {
             let length = run.case.growth.critical_length;
             format!(
                 "The run ended at the critical length{}.",
-                length.map_or_else(String::new, |l| format!(" of {l} mm"))
+                length.map_or_else(String::new, |l| format!(" of {} mm", given(l)))
             )
         }
         Some("arrest") => "The run ended with the arrest of all tips.".to_owned(),
         Some("break-out") => {
-            "The run ended with a break-out: the ligament to the running surface is lost, and a spall forms."
+            "The run ended with a break-out: the crack reached the running surface, and a spall forms."
                 .to_owned()
         }
-        Some("fracture") => "The run ended with brittle fracture: the largest k_{1} of a passage reaches the toughness, and the \
-             rail breaks."
-            .to_owned(),
-        Some("worn-away") => {
-            "The run ended because wear and grinding have taken the whole crack.".to_owned()
+        Some("fracture") => {
+            "The run ended with brittle fracture: the largest k_{1} of a passage reached the toughness."
+                .to_owned()
         }
+        Some("worn-away") => "The run ended because the crack was worn away completely.".to_owned(),
         Some("meets-crack") => "The run ended because the last growing tip reached another crack.".to_owned(),
         Some("leaves-rail") => "The run ended because the last growing tip would leave the rail.".to_owned(),
         Some(other) => format!("The run ended: {}.", other.replace('-', " ")),
@@ -120,12 +125,12 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
         Some(load) => fact(
             "Million gross tonnes",
             tonnage(last.load_cycles * load / 1e6),
-            format!("at {load} t per axle"),
+            format!("at {} t per axle", given(load)),
         ),
         None => fact(
             "Million gross tonnes",
             "not given".to_owned(),
-            "needs axle_load_t in [traffic] of the case".to_owned(),
+            "requires axle_load_t in [traffic]".to_owned(),
         ),
     });
     facts.push(fact(
@@ -142,7 +147,7 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
     facts
 }
 
-/// How the run ended, and its `warnings`.
+/// End of the run, and number of `warnings`.
 pub(in crate::pages) fn ending(run: &RunFolder, warnings: usize) -> [Fact; 2] {
     let stop = run.summary.stop.map_or("not ended", RunStop::word).replace('-', " ");
     [
@@ -159,7 +164,7 @@ pub(in crate::pages) fn ending(run: &RunFolder, warnings: usize) -> [Fact; 2] {
     ]
 }
 
-/// How far the passages are from breaking the rail, where its toughness is given.
+/// Largest k1 in relation to the toughness, if that is given.
 fn fracture(run: &RunFolder) -> Option<Fact> {
     let fracture = run.summary.fracture?;
     let (toughness, share) = fracture.toughness_mpa_sqrt_m.zip(fracture.of_toughness)?;
@@ -169,10 +174,10 @@ fn fracture(run: &RunFolder) -> Option<Fact> {
         None => String::new(),
     };
     Some(Fact {
-        name: "Of the toughness".to_owned(),
+        name: "Fraction of the toughness".to_owned(),
         value: format!("{} %", fixed(100.0 * share, 0)),
         note: format!(
-            "largest k_{{1}} = {} of {} MPa√m, in step {}{at}",
+            "largest k_{{1}} = {} MPa√m, toughness {} MPa√m, in step {}{at}",
             fixed(fracture.largest_k1_mpa_sqrt_m, 1),
             fixed(toughness, 1),
             fracture.step
@@ -180,7 +185,7 @@ fn fracture(run: &RunFolder) -> Option<Fact> {
     })
 }
 
-/// State of every tip in the last step; none for a single one.
+/// State of every tip in the last step; none for a single tip.
 pub(super) fn cracks(run: &RunFolder) -> Option<Table> {
     if run.tips().len() < 2 {
         return None;

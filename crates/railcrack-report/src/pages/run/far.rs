@@ -10,8 +10,8 @@ use railcrack::dislocation::DislocationEngine;
 use railcrack::field::{BendingWheel, StressField, Wheel};
 use railcrack::math::{MPA_SQRT_MM, Stress};
 
-/// K over the whole passage, and the stress of bending and temperature alone; none where the rail
-/// does not bend.
+/// K over the whole passage, and the stress due to bending and temperature only; none for a rail
+/// without bending.
 pub(super) fn section(run: &RunFolder, plots: &[Plot]) -> Option<Section> {
     let bending = run.case.wheel.bending(&run.case.steel)?;
     let thermal =
@@ -22,22 +22,22 @@ pub(super) fn section(run: &RunFolder, plots: &[Plot]) -> Option<Section> {
     let points: Vec<[f64; 2]> = positions.iter().map(|xc| [1e-3 * xc, stress(xc)]).collect();
     let most = points.iter().copied().reduce(|most, next| if next[1] > most[1] { next } else { most })?;
     let least = points.iter().map(|point| point[1]).fold(f64::INFINITY, f64::min);
-    let curve = Curve::line("bending and temperature alone", points);
-    let caption = "\u{3c3}_{xx} at the surface over the first crack, of bending and temperature alone.";
+    let curve = Curve::line("bending and temperature only", points);
+    let caption = "\u{3c3}_{xx} at the surface over the first crack, due to bending and temperature only.";
     let mut alone = far_chart("stress-far", "\u{3c3}_{xx}", caption.to_owned(), vec![curve]);
     alone.y.unit = "MPa".to_owned();
     let alone_k = k_alone(run, &positions);
     let mut k_charts: Vec<Chart> =
         ["ki-far", "kii-far"].into_iter().filter_map(|id| chart(plots, id)).collect();
     for (chart, points) in k_charts.iter_mut().zip(&alone_k) {
-        let curve = Curve::line("bending and temperature alone, initial crack", points.clone());
+        let curve = Curve::line("bending and temperature only, initial crack", points.clone());
         chart.curves.push(curve.with_look(CurveLook::Dashed));
     }
     let most_k = alone_k.first().into_iter().flatten().fold(0.0, |most: f64, point| most.max(point[1]));
     let text = format!(
-        "The rail bends over metres, and the passage goes as far. Bending and temperature alone put the surface over the crack \
-         under {} to {} MPa, the most with the wheel at x_{{c}} = {} m. Alone, and with the faces free, they give the initial crack K_{{I}} up to {} \
-         MPa√m; below zero it is closed.",
+        "The rail bends over several metres, and the passage covers this length. Bending and temperature alone cause σ_{{xx}} from \
+         {} to {} MPa at the surface above the crack, with the maximum for the wheel at x_{{c}} = {} m. For the initial crack with traction-free faces \
+         they cause K_{{I}} up to {} MPa√m; negative values mean that the crack is closed.",
         fixed(least, 1),
         fixed(most[1], 1),
         fixed(most[0], 2),

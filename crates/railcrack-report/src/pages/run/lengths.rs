@@ -1,21 +1,21 @@
 //! Lengths of the cracks against load cycles, at round values of the one or the other.
 
 use super::stored::RunFolder;
-use crate::numbers::{fixed, grouped, tonnage};
+use crate::numbers::{fixed, given, grouped, tonnage};
 use crate::row::NamedCrack;
 use crate::svg::round_step;
 use crate::table::{MISSING, Table};
 use railcrack_run::csv::TipRow;
 use railcrack_run::run_folder::cycles_to;
 
-/// Rows of the table of lengths, about.
+/// Approximate number of rows in the table of lengths.
 const LENGTHS: usize = 8;
-/// Cracks in the table of lengths.
+/// Maximum number of cracks in the table of lengths.
 const LENGTH_CRACKS: usize = 9;
 
-/// How far the cracks have grown: of a single one the load cycles to each of some round lengths, of
-/// several their lengths after some round numbers of load cycles, with the tonnage; of many, of
-/// those `told` from the others. None without growth.
+/// Growth as a table with the tonnage: for a single crack, load cycles to round lengths; for several
+/// cracks, lengths after round numbers of load cycles; for many, only the `told` ones. None without
+/// growth.
 pub(super) fn lengths(run: &RunFolder, told: Option<&[NamedCrack]>) -> Option<Table> {
     let is_told = |crack: usize| told.is_none_or(|told| told.iter().any(|named| named.crack == crack));
     let tips: Vec<(usize, usize)> = run
@@ -32,7 +32,7 @@ pub(super) fn lengths(run: &RunFolder, told: Option<&[NamedCrack]>) -> Option<Ta
     }
 }
 
-/// Between two steps cycles are taken as linear in the length.
+/// Cycles are interpolated linearly in the length between two steps.
 fn cycles_to_lengths(rows: &[&TipRow], load: Option<f64>) -> Option<Table> {
     let milestones = milestones(rows.first()?.length, rows.last()?.length);
     if milestones.is_empty() {
@@ -40,7 +40,7 @@ fn cycles_to_lengths(rows: &[&TipRow], load: Option<f64>) -> Option<Table> {
     }
     let headings = ["Length (mm)", "Load cycles"].into_iter().chain(load.map(|_| "Million gross tonnes"));
     let mut table = Table::new(headings);
-    table.caption = "Load cycles to each length; one cycle is one axle".to_owned();
+    table.caption = "Load cycles to reach a given length; one cycle is one axle".to_owned();
     for length in milestones {
         let cycles = cycles_to(rows, length);
         let mut cells = vec![fixed(length, 2), cycles.map_or_else(|| MISSING.to_owned(), grouped)];
@@ -52,8 +52,8 @@ fn cycles_to_lengths(rows: &[&TipRow], load: Option<f64>) -> Option<Table> {
     Some(table)
 }
 
-/// Between two steps lengths are taken as linear in the cycles; a crack that has joined another one
-/// keeps its last length.
+/// Lengths are interpolated linearly in the cycles between two steps; a crack that has joined
+/// another one keeps its last length.
 fn lengths_after_cycles(cracks: &[(usize, Vec<&TipRow>)], load: Option<f64>) -> Option<Table> {
     let last = cracks.iter().filter_map(|(_, rows)| Some(rows.last()?.load_cycles)).reduce(f64::max)?;
     let milestones = milestones(0.0, last);
@@ -65,8 +65,10 @@ fn lengths_after_cycles(cracks: &[(usize, Vec<&TipRow>)], load: Option<f64>) -> 
     headings.extend(cracks.iter().map(|(crack, _)| format!("Crack {crack} (mm)")));
     let mut table = Table::new(headings);
     table.caption = match load {
-        Some(load) => format!("Lengths after load cycles; one cycle is one axle of {load} t"),
-        None => "Lengths after load cycles; one cycle is one axle".to_owned(),
+        Some(load) => {
+            format!("Crack lengths against load cycles; one cycle is one axle of {} t", given(load))
+        }
+        None => "Crack lengths against load cycles; one cycle is one axle".to_owned(),
     };
     for cycles in milestones {
         let mut cells = vec![grouped(cycles)];

@@ -15,7 +15,7 @@ mod warnings;
 use super::pictures::still;
 use crate::chart::{Chart, ChartAxis, Curve, CurveColour, CurveDots};
 use crate::figures::{Plot, bundle, chart};
-use crate::numbers::{fixed, grouped, significant, tonnage};
+use crate::numbers::{fixed, given, grouped, significant, tonnage};
 use crate::page::{Block, Page, Section};
 use crate::row::{CrackRow, NamedCrack, is_many, named};
 use crate::shown::ShownRun;
@@ -32,9 +32,9 @@ pub(super) use warnings::warnings;
 
 const EXPLORER: &str = include_str!("../../assets/run.html");
 const EXPLORER_SCRIPT: &str = include_str!("../../assets/run.js");
-/// Columns of a table that leave room for a chart beside it, on paper too.
+/// Maximum number of columns of a table with a chart to its right, also in print.
 const BESIDE_COLUMNS: usize = 5;
-/// Rows of the table of steps; `growth.csv` has all.
+/// Maximum number of rows of the table of steps; `growth.csv` has all.
 const TABLE_ROWS: usize = 500;
 
 /// The page of a run with its long tables `shown` and its `plots`.
@@ -59,7 +59,7 @@ pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, plots: &[Plot]) -> Pag
     page.lead.extend(decision::decision(run));
     if let Some(table) = lengths::lengths(run, told) {
         let chart = Block::charts(chart(plots, "length-cycles"));
-        // A table of many cracks takes the whole width.
+        // A table of many cracks needs the whole width.
         if table.headings.len() <= BESIDE_COLUMNS {
             page.lead.push(Block::Beside(vec![Block::Table(table), chart]));
         } else {
@@ -102,7 +102,7 @@ pub(super) fn case_section(run: &RunFolder) -> Section {
 fn explorer(data: Value, told: Option<&[NamedCrack]>, plots: &[Plot]) -> Section {
     let mut blocks =
         vec![Block::Viewer { html: EXPLORER, data_id: "run-data", data, script: EXPLORER_SCRIPT }];
-    // Of many cracks the largest pictures are left to their files.
+    // For many cracks the largest pictures are available as files only.
     let files: &[&str] =
         if told.is_some() { &["kii.svg", "paths.svg"] } else { &["ki.svg", "kii.svg", "paths.svg"] };
     blocks.extend(files.iter().filter_map(|file| still(plots, file, "")));
@@ -118,7 +118,7 @@ fn water(plots: &[Plot]) -> Option<Section> {
         ["fluid-pressure", "fluid-volume"].into_iter().filter_map(|id| chart(plots, id)).collect();
     (!charts.is_empty()).then(|| Section {
         id: "water".to_owned(),
-        heading: "Water in the cracks".to_owned(),
+        heading: "Fluid in the cracks".to_owned(),
         blocks: vec![Block::charts(charts)],
     })
 }
@@ -156,8 +156,8 @@ fn quantiles(run: &RunFolder) -> Vec<Curve> {
         Curve::line(name, points.collect())
     };
     vec![
-        of("5 % of the samples are shallower", |depth| depth.p05),
-        of("5 % of the samples are deeper", |depth| depth.p95),
+        of("5 % quantile of the samples", |depth| depth.p05),
+        of("95 % quantile of the samples", |depth| depth.p95),
     ]
 }
 
@@ -166,7 +166,10 @@ fn depth_by_tonnage(run: &RunFolder, told: Option<&[NamedCrack]>) -> Option<Char
     let load = run.case.axle_load.filter(|_| run.summary.steps_recorded > 1)?;
     Some(Chart {
         id: "depth-mgt".to_owned(),
-        caption: format!("Depth of the tip below the running surface against traffic of {load} t per axle."),
+        caption: format!(
+            "Depth of the tip below the running surface against traffic, at {} t per axle.",
+            given(load)
+        ),
         x: ChartAxis::linear("Traffic", "million gross tonnes"),
         y: ChartAxis::linear("Depth", "mm"),
         curves: curves(run, told, |row| [1e-6 * load * row.load_cycles, -row.place[1]])
@@ -177,8 +180,8 @@ fn depth_by_tonnage(run: &RunFolder, told: Option<&[NamedCrack]>) -> Option<Char
     })
 }
 
-/// A curve for each tip; a single one has no name, it needs no legend. Of many cracks those `told`
-/// from the others are named.
+/// A curve for each tip, unnamed for a single tip, which needs no legend. For many cracks only the
+/// `told` ones are named.
 fn curves(run: &RunFolder, told: Option<&[NamedCrack]>, point: impl Fn(&TipRow) -> [f64; 2]) -> Vec<Curve> {
     let tips = run.tips();
     let has_two = tips.iter().any(|&(_, tip)| tip > 1);
@@ -213,7 +216,7 @@ fn steps(run: &RunFolder) -> Section {
         "ΔK_{eq} (MPa√m)",
         "Kink (°)",
         "Secondary maximum (°)",
-        "Its ratio to the chosen one",
+        "Ratio to the main maximum",
         "Rate (mm/cycle)",
         "Load cycles",
     ];

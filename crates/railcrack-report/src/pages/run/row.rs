@@ -1,4 +1,4 @@
-//! The row of many cracks: a map that chooses one of them, and the table of all.
+//! The row of many cracks: a map for selecting one of them, and a table of all.
 
 use super::data::{nearest, pieces};
 use super::facts;
@@ -16,12 +16,12 @@ use std::collections::BTreeMap;
 
 const MAP: &str = include_str!("../../assets/row.html");
 const MAP_SCRIPT: &str = include_str!("../../assets/row.js");
-/// The most states of cracks on a page (cracks × steps): about 15 bytes each.
+/// Maximum number of crack states on a page (cracks × steps), of about 15 bytes each.
 const STATES: usize = 30_000;
-/// The word of a crack that has not stopped.
+/// The word for a crack that has not stopped.
 const GROWS: &str = "grows";
 
-/// The section of the `row`, of which the `named` cracks are told from the others.
+/// The section of the `row`, with the `named` cracks highlighted.
 pub(super) fn section(run: &RunFolder, row: &CrackRow, named: &[NamedCrack], plots: &[Plot]) -> Section {
     let data = data(run, row, named);
     let mut blocks = vec![Block::Viewer { html: MAP, data_id: "row-data", data, script: MAP_SCRIPT }];
@@ -78,14 +78,14 @@ fn data(run: &RunFolder, row: &CrackRow, named: &[NamedCrack]) -> Value {
         "stops": words.iter().map(|word| stop_words(word)).collect::<Vec<_>>(),
         "ends": Deflated::levels(&ends, ends.len()),
         "removed": numbers(removed),
-        // Of rails that nothing is removed of, the explorer has the paths.
+        // Without removal of the surface, the explorer has the paths.
         "paths": worn.then(|| run.summary.cracks.iter().map(path).collect::<Vec<_>>()),
         "pieces": pieces(run),
         "named": named.iter().map(|named| json!([named.crack, named.words])).collect::<Vec<_>>(),
     })
 }
 
-/// How a state is called.
+/// Words for a state.
 fn stop_words(word: &str) -> String {
     match word {
         "meets-crack" => "has joined another crack".to_owned(),

@@ -9,22 +9,20 @@ use railcrack::bulk::Boundary;
 use railcrack::growth::{Warning, WarningKind};
 use std::fmt::Write;
 
-/// Warnings of a kind that are shown before the others are counted.
+/// Maximum number of warnings of a kind shown; the others are counted.
 const OF_A_KIND: usize = 3;
 
-/// A sentence each: those of the run, grouped by kind, the boundary of a block, a run that has not
-/// ended.
+/// Warnings of the run grouped by kind, a note on the boundary of a block, and a note on a run that
+/// has not ended.
 pub(in crate::pages) fn warnings(run: &RunFolder) -> Vec<String> {
     let mut texts = Vec::new();
     if !run.summary.complete {
-        texts.push(
-            "The run has not ended; the command that started it continues it with --resume.".to_owned(),
-        );
+        texts.push("The run has not ended; repeat its command with --resume to continue it.".to_owned());
     }
     if run.case.rail.boundary != Boundary::HalfPlane {
         texts.push(
-            "Boundary: block on supports. Its bending opens cracks that stay closed in a half-plane; compare only with \
-             results of the same boundary."
+            "Boundary: block on supports. Bending of the block opens cracks that stay closed in a half-plane; compare only with \
+             results for the same boundary."
                 .to_owned(),
         );
     }
@@ -44,12 +42,12 @@ pub(in crate::pages) fn warnings(run: &RunFolder) -> Vec<String> {
 
 fn grouped_text(kind: WarningKind, warnings: &[&Warning]) -> String {
     let heading = match kind {
-        WarningKind::NearTie => "Near ties of the direction criterion, so that the path is one of several",
+        WarningKind::NearTie => "Near ties of the direction criterion: the path is sensitive to this choice",
         WarningKind::Passages => "Passages not stabilised within the limit",
-        WarningKind::ContactFallback => "Contact solved by the other solver",
+        WarningKind::ContactFallback => "Contact solved by the alternative solver",
         WarningKind::Engine => "Remarks of the engine",
         WarningKind::ResidualStress => "Residual stress",
-        WarningKind::Validity => "Outside of what the model describes",
+        WarningKind::Validity => "Outside the validity of the model",
     };
     let mut text = format!("{heading}. ");
     let several =
@@ -87,8 +85,8 @@ pub(super) fn remarks(run: &RunFolder, shown: &ShownRun, told: Option<&[NamedCra
     {
         let kink = row.kink_deg.unwrap_or(0.0);
         texts.push(format!(
-            "Largest secondary maximum of the direction criterion: in step {}, crack {}, at a kink of {}°, it is {} times \
-             that at the chosen kink of {}°. Above 0.98 this counts as a near tie.",
+            "Largest secondary maximum of the direction criterion: step {}, crack {}, kink of {}°, {} times the maximum at the \
+             selected kink of {}°. A ratio above 0.98 is a near tie.",
             row.step,
             row.crack,
             fixed(angle, 0),
@@ -99,7 +97,7 @@ pub(super) fn remarks(run: &RunFolder, shown: &ShownRun, told: Option<&[NamedCra
     let steps = explored_steps(run, shown, told).len();
     if steps < run.summary.steps_recorded {
         texts.push(format!(
-            "To keep this file small, the passage explorer has {} of {} growth steps; the charts of growth have all.",
+            "To limit the file size, the passage explorer shows {} of {} growth steps; the growth charts show all.",
             steps, run.summary.steps_recorded
         ));
     }
@@ -108,14 +106,14 @@ pub(super) fn remarks(run: &RunFolder, shown: &ShownRun, told: Option<&[NamedCra
         numbers.sort_unstable();
         let numbers: Vec<String> = numbers.iter().map(usize::to_string).collect();
         texts.push(format!(
-            "To keep this file small, K of a crack is given while the wheel is as near to it as the passage is to the row, \
-             and faces of cracks {} in the first and the last growth step; sif.csv and faces.csv have more.",
+            "To limit the file size, K of each crack is shown only for wheel positions near it, and the faces of cracks {} only in \
+             the first and the last growth step; sif.csv and faces.csv have all.",
             numbers.join(", ")
         ));
     }
     if shown.face_stride() > 1 {
         texts.push(format!(
-            "To keep this file small, faces are shown at one in {} wheel positions; faces.csv has all.",
+            "To limit the file size, crack faces are shown at one in {} wheel positions; faces.csv has all.",
             shown.face_stride()
         ));
     }

@@ -3,7 +3,7 @@
 use super::pictures::{charts, still};
 use super::run::{RunFolder, case_section, ending, long_rail, stop_sentence, warnings};
 use crate::figures::{Plot, near};
-use crate::numbers::{fixed, grouped, number, numbers, significant, tonnage};
+use crate::numbers::{fixed, formula, given, grouped, number, numbers, significant, tonnage};
 use crate::page::{Block, Fact, Page, Section};
 use crate::shown::{Deflated, ShownRun};
 use crate::table::Table;
@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 
 const EXPLORER: &str = include_str!("../../assets/space.html");
 const EXPLORER_SCRIPT: &str = include_str!("../../assets/space.js");
-/// Rows of the table of steps; `growth.csv` has all.
+/// Maximum number of rows of the table of steps; `growth.csv` has all.
 const TABLE_ROWS: usize = 500;
 
 /// The page of a run with its histories `shown` and its `plots`.
@@ -61,7 +61,7 @@ fn deepest_of(run: &RunFolder, crack: usize) -> Option<(&TipRow, &TipRow)> {
     Some((first, run.history(first.crack, first.tip).last()?))
 }
 
-/// The same of the crack that has grown furthest down the dip, or is loaded most where none grows.
+/// The same for the crack with the largest growth down the dip, or with the largest load if none grows.
 fn deepest(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
     let all = (1..=cracks(run)).filter_map(|crack| deepest_of(run, crack));
     let rank = |(first, last): &(&TipRow, &TipRow)| (last.length - first.length, first.delta_keq);
@@ -69,7 +69,7 @@ fn deepest(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
     all.reduce(|best, next| if is_ahead(rank(&next), rank(&best)) { next } else { best })
 }
 
-/// How many cracks there are.
+/// Number of cracks.
 fn cracks(run: &RunFolder) -> usize {
     run.summary.cracks.len()
 }
@@ -79,16 +79,20 @@ fn verdict(run: &RunFolder) -> String {
     let axes =
         |row: &TipRow| format!("{} by {} mm", fixed(row.length, 2), fixed(row.half_length.unwrap_or(0.0), 2));
     let grown = last.length > first.length || last.half_length > first.half_length;
-    let (which, whose) = match cracks(run) {
+    let (which, rank) = match cracks(run) {
         1 => ("The crack".to_owned(), String::new()),
-        count => (format!("Crack {}", first.crack), format!("Of {count} cracks: ")),
+        count => (format!("Crack {}", first.crack), format!(", the fastest of {count} cracks,")),
     };
     let text = if grown {
         let tonnes = run.case.axle_load.map_or_else(String::new, |load| {
-            format!(" ({} million gross tonnes at {load} t per axle)", tonnage(last.load_cycles * load / 1e6))
+            format!(
+                " ({} million gross tonnes at {} t per axle)",
+                tonnage(last.load_cycles * load / 1e6),
+                given(load)
+            )
         });
         format!(
-            "{whose}{which} with half axes of {} (down the dip, along the surface) grows to {} in {} load cycles{tonnes}.",
+            "{which}{rank} grows from half axes of {} (down the dip, along the surface) to {} in {} load cycles{tonnes}.",
             axes(first),
             axes(last),
             grouped(last.load_cycles)
@@ -97,8 +101,8 @@ fn verdict(run: &RunFolder) -> String {
         format!("{which} with half axes of {} does not grow.", axes(first))
     } else {
         format!(
-            "{which} with half axes of {} is at ΔK_{{eq}} = {} MPa√m at its deepest point and grows there by {} mm per \
-             load cycle at first; no increment was computed.",
+            "{which} with half axes of {} has ΔK_{{eq}} = {} MPa√m and an initial growth rate of {} mm per load cycle at its \
+             deepest point; no increment was computed.",
             axes(first),
             significant(first.delta_keq),
             significant(first.rate)
@@ -115,7 +119,7 @@ fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
     let mut facts = vec![fact("Load cycles", grouped(last.load_cycles), "axles".to_owned())];
     if let Some(load) = run.case.axle_load {
         let tonnes = tonnage(last.load_cycles * load / 1e6);
-        facts.push(fact("Million gross tonnes", tonnes, format!("at {load} t per axle")));
+        facts.push(fact("Million gross tonnes", tonnes, format!("at {} t per axle", given(load))));
     }
     let depth = from_to(-first.place[1], -last.place[1]);
     facts.push(fact(
@@ -126,22 +130,22 @@ fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
     facts.push(fact(
         "On the surface",
         from_to(2.0 * sides(first), 2.0 * sides(last)),
-        "length of the mouth; of a buried crack, its width".to_owned(),
+        "length of the mouth, or width of a buried crack".to_owned(),
     ));
     facts.push(fact(
         "ΔK_{eq}",
         format!("{} MPa√m", significant(first.delta_keq)),
         match cracks(run) {
             1 => "at the deepest point of the initial crack".to_owned(),
-            _ => format!("at the deepest point of crack {} at first", first.crack),
+            _ => format!("at the deepest point of the initial crack {}", first.crack),
         },
     ));
     if let Some((angle, ratio)) = first.wanted_kink_deg.zip(first.wanted_ratio) {
         facts.push(fact(
-            "Wanted kink",
+            "Preferred kink",
             format!("{}°", fixed(angle, 0)),
             format!(
-                "at the deepest point, {} times as fast as straight ahead; growth stays in the plane",
+                "at the deepest point, where growth would be {} times as fast as straight ahead; the model grows the crack in its plane",
                 fixed(ratio, 2)
             ),
         ));
@@ -162,7 +166,7 @@ fn front_table(run: &RunFolder) -> Table {
         "ΔK_{III}",
         "ΔK_{eq} (MPa√m)",
         "Rate (mm/cycle)",
-        "Wanted kink (°)",
+        "Preferred kink (°)",
     ];
     let mut table = Table::new(headings);
     table.caption = format!("The front in the last finished step, {}; K in MPa√m", run.summary.steps);
@@ -192,41 +196,41 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
         (false, false) => "",
     };
     let mut lines = vec![format!(
-        "Rail: linear elastic half-space, E = {} MPa, ν = {}; no curvature of its head and no edge.{stays}{other}",
+        "Rail: linear elastic half-space, E = {} MPa, ν = {}; no curvature of the rail head and no gauge corner.{stays}{other}",
         grouped(case.steel.young()),
-        case.steel.poisson()
+        given(case.steel.poisson())
     )];
     lines.extend(space.wheels.iter().enumerate().map(|(i, wheel)| wheel_line(case, i, wheel)));
     if case.growth.maintenance.is_some() {
         lines.push(
-            "Wear and grinding: the running surface is removed, and with it the mouths of the cracks. What is left of a front is \
+            "Wear and grinding: the running surface is removed, and with it the mouths of the cracks. The remaining part of a front is \
              replaced by the half ellipse with the same deepest point and the same chord."
                 .to_owned(),
         );
     }
     lines.extend([
         format!(
-            "Crack faces: unilateral contact with Coulomb friction {} in two directions, slip by backward differences of second order in load steps until K \
+            "Crack faces: unilateral contact with Coulomb friction {} in two directions; slip by second-order backward differences, with load steps refined until K \
              changes by less than {} of its peak.",
             frictions(&case.crack_friction),
-            case.passages.step_tolerance
+            given(case.passages.step_tolerance)
         ),
         format!(
-            "Growth: {} mm per cycle at each point of the front, with K_{{III}} in the equivalent range. The front stays an ellipse in its \
-             plane: of all ellipses the one is taken that grows nearest to the local rates. Points within {:.0}° of the surface do not count: \
-             K has a layer there that no cell resolves.",
-            case.growth.law.rate.formula(),
+            "Growth: {} mm per cycle at each point of the front, with K_{{III}} in the equivalent range. The front remains an ellipse in its \
+             plane, fitted to the local growth rates. Points within {:.0}° of the surface are excluded from the fit, because the cells do not \
+             resolve the surface layer of K.",
+            formula(&case.growth.law.rate.formula()),
             VERTEX_LAYER.to_degrees()
         ),
         format!(
-            "Solution: Galerkin boundary elements, {} points of the faces; contact solved {} times, with a relative violation of its \
+            "Solution: Galerkin boundary elements, {} face points; contact solved {} times, with a relative violation of its \
              conditions of at most {:.0e}.",
             run.summary.face_points,
             grouped(run.summary.contact_solves as f64),
             run.summary.complementarity_max
         ),
-        "Limits: plane cracks, growth in their planes; cracks that would meet stop. Small-scale yielding, no fluid. The load \
-         cycles carry the scatter of the growth law, a factor of several."
+        "Limits: plane cracks, growth in their planes; cracks stop before they meet. Small-scale yielding, no fluid. Load \
+         cycles are uncertain by a factor of several, the scatter of the growth law."
             .to_owned(),
     ]);
     lines
@@ -243,22 +247,22 @@ fn wheel_line(case: &Case, i: usize, wheel: &EllipticWheel) -> String {
     let shown =
         if case.mix.len() > 1 && i == 0 { " The passages shown are those of this wheel." } else { "" };
     format!(
-        "{name}: elliptical Hertzian contact in full sliding, p_{{0}} = {} MPa, semi-axes {} mm along and {} mm across the rail, middle \
-         at z = {} mm, shear over pressure {} along x and {} along z. The contact is not affected by the crack.{shown}",
+        "{name}: elliptical Hertzian contact in full sliding, p_{{0}} = {} MPa, semi-axes {} mm along and {} mm across the rail, centre \
+         at z = {} mm, ratio of shear to pressure {} along x and {} along z. The contact is not affected by the crack.{shown}",
         fixed(wheel.peak_pressure, 0),
         fixed(wheel.half_width, 2),
         fixed(wheel.lateral_half_width, 2),
         fixed(wheel.lateral, 2),
-        wheel.friction,
-        wheel.lateral_friction
+        given(wheel.friction),
+        given(wheel.lateral_friction)
     )
 }
 
-/// The friction coefficients of the cracks: one where all are the same.
+/// The friction coefficients of the cracks; a single one if all are equal.
 fn frictions(of_cracks: &[f64]) -> String {
     let mut different = of_cracks.to_vec();
     different.dedup();
-    different.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
+    different.iter().copied().map(given).collect::<Vec<_>>().join(", ")
 }
 
 fn explorer(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, plots: &[Plot]) -> Section {
@@ -270,10 +274,10 @@ fn explorer(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, plots: &[Plot]
     Section { id: "passage".to_owned(), heading: "Passage of the wheel".to_owned(), blocks }
 }
 
-/// K over the whole passage; none where the rail does not bend.
+/// K over the whole passage; none for a rail without bending.
 fn whole_passage(run: &RunFolder, plots: &[Plot]) -> Option<Section> {
     run.case.wheel.load.track.as_ref()?;
-    let text = "The rail bends over metres, and the passage goes as far. Its bending is the same at all lateral positions.";
+    let text = "The rail bends over several metres, and the passage covers this length. Bending is the same at all lateral positions.";
     Some(Section {
         id: "far".to_owned(),
         heading: "The whole passage, in metres".to_owned(),
@@ -303,7 +307,7 @@ fn data(run: &RunFolder, space: &SpaceCase, shown: &ShownRun) -> Value {
             "buried": shape.buried.is_some(),
         })).collect::<Vec<_>>(),
         "layer": VERTEX_LAYER.to_degrees(),
-        // A rail that bends has positions far beyond, of which the far charts have K.
+        // With bending the passage has distant positions, which the charts in metres show.
         "positions": numbers(xc_over_a[near(&run.summary, xc_over_a)].iter().copied()),
         "last_step": run.summary.steps_recorded.saturating_sub(1),
         "steps": steps,
@@ -356,7 +360,7 @@ fn steps(run: &RunFolder) -> Section {
         "ΔK_{eq} (MPa√m)",
         "Rate (mm/cycle)",
         "Increment (mm)",
-        "Of its own rate",
+        "Relative to the local rate",
         "Load cycles",
         "Stop",
     ]);

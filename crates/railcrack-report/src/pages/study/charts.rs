@@ -8,14 +8,14 @@ use railcrack_run::run_folder::RepresentativeTip;
 use railcrack_run::study::{StudyAxis, StudyPlan};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Runs on the charts; of more, chosen ones that show every value.
+/// Maximum number of runs on the charts; of more runs, a selection that shows every value.
 const MOST_SHOWN: usize = 150;
-/// Choices of keys that vary together on the chart of the effect of an axis: samples are no curve.
+/// Maximum number of combinations of coupled keys on that chart; random samples do not form curves.
 const MOST_TOGETHER: usize = 12;
-/// Curves on the chart of the effect of an axis.
+/// Maximum number of curves on the chart of the effect of an axis.
 const MOST_COMBINATIONS: usize = 9;
 
-/// The charts; none where no run has a step.
+/// The charts; none if no run has a finished step.
 pub(super) fn charts(plan: &StudyPlan, runs: &[StudyRun], styles: &Styles, plots: &[Plot]) -> Vec<Block> {
     let with_tip: Vec<&StudyRun> = runs.iter().filter(|run| run.tip().is_some()).collect();
     let planned: Vec<_> = with_tip.iter().map(|run| run.planned).collect();
@@ -34,8 +34,8 @@ pub(super) fn charts(plan: &StudyPlan, runs: &[StudyRun], styles: &Styles, plots
     blocks
 }
 
-/// Places of the runs that end the axes of the charts: the fewest and the most load cycles, the
-/// slowest and the fastest initial crack, the shortest and the longest final one.
+/// Indices of the extreme runs: fewest and most load cycles, slowest and fastest initial crack,
+/// shortest and longest final crack.
 fn extremes(runs: &[&StudyRun]) -> Vec<usize> {
     let quantities: [fn(&RepresentativeTip) -> f64; 3] =
         [|tip| tip.last().load_cycles, |tip| tip.first.rate, |tip| tip.last().length];
@@ -49,29 +49,29 @@ fn extremes(runs: &[&StudyRun]) -> Vec<usize> {
     places
 }
 
-/// Runs and values that the charts leave out, a sentence or two.
+/// Note on runs and values that the charts omit.
 fn left_out(plan: &StudyPlan, all: &[&StudyRun], shown: &[&StudyRun]) -> String {
     let values = |runs: &[&StudyRun], axis: usize| {
         runs.iter().filter_map(|run| run.planned.choice.get(axis)).collect::<BTreeSet<_>>().len()
     };
     let mut text = format!(
-        "The charts show {} of {} runs, chosen so that all values of every key are shown as evenly as that \
-         number allows, the extreme runs among them; summary.csv has all.",
+        "The charts show {} of {} runs, selected to cover the values of every key as evenly as possible and to include the \
+         extreme runs; summary.csv has all.",
         shown.len(),
         all.len()
     );
     for (i, axis) in plan.axes.iter().enumerate() {
         let (there, drawn) = (values(all, i), values(shown, i));
         if drawn < there {
-            text.push_str(&format!(" Of {} they show {drawn} of {there} values.", axis.name()));
+            text.push_str(&format!(" They show {drawn} of {there} values of {}.", axis.name()));
         }
     }
     text
 }
 
-/// Growth rate of the initial cracks against the values of the axis with the colours, a curve for
-/// each choice of the others; none where these values are no numbers, where many keys that vary
-/// together have each its part in it, or where there are too many curves.
+/// Growth rate of the initial cracks against the values of the coloured axis, one curve for each
+/// combination of the others; none if these values are not numbers, if many coupled keys affect the
+/// rate, or if there are too many curves.
 fn effect(plan: &StudyPlan, runs: &[&StudyRun]) -> Option<Chart> {
     let axis: &StudyAxis = plan.axes.get(plan.colour_axis)?;
     let numbers = axis.numbers().filter(|numbers| numbers.len() > 1)?;
@@ -101,7 +101,7 @@ fn effect(plan: &StudyPlan, runs: &[&StudyRun]) -> Option<Chart> {
     Some(Chart {
         id: "effect".to_owned(),
         caption: format!(
-            "Growth rate of the initial cracks against {}; a rate of zero is left out.",
+            "Growth rate of the initial cracks against {}; zero rates are omitted.",
             axis.name()
         ),
         x: ChartAxis::linear(&axis.name(), ""),

@@ -12,9 +12,9 @@ use railcrack_run::run_folder::cycles_to;
 use railcrack_run::study::{RunState, StudyPlan};
 use std::collections::BTreeMap;
 
-/// Failed runs that are told one by one.
+/// Maximum number of failed runs listed individually.
 const MOST_TOLD: usize = 20;
-/// Runs that are listed by number.
+/// Maximum number of runs listed by number.
 const MOST_LISTED: usize = 12;
 
 /// The runs with the most and the least of a quantity.
@@ -35,8 +35,7 @@ impl<'a, 'b> Span<'a, 'b> {
     }
 }
 
-/// Load cycles to the longest length that all runs with growth reach; none where they have none in
-/// common.
+/// Load cycles to the largest length that all runs with growth reach; none without a common length.
 struct Race<'a, 'b> {
     length: f64,
     /// Runs that reach it.
@@ -52,7 +51,7 @@ impl<'a, 'b> Race<'a, 'b> {
         };
         let length = grown().map(|(_, tip)| tip.last().length).reduce(f64::min)?;
         let begun = grown().map(|(_, tip)| tip.first.length).reduce(f64::max)?;
-        // Shorter than a crack is at its beginning, there is nothing to compare.
+        // Below the initial length there is nothing to compare.
         if length <= begun {
             return None;
         }
@@ -66,7 +65,7 @@ fn rates<'a, 'b>(all: &'b [StudyRun<'a>]) -> Option<Span<'a, 'b>> {
     Span::of(all.iter().filter_map(|run| Some((run.tip()?.first.rate, run))))
 }
 
-/// The result in a sentence or two.
+/// The main result.
 pub(super) fn verdict(plan: &StudyPlan, all: &[StudyRun]) -> String {
     let run = |run: &StudyRun| format!("run {} ({})", run.number(), values(plan, run.planned));
     let mut text = match (Race::of(all), rates(all)) {
@@ -77,7 +76,7 @@ pub(super) fn verdict(plan: &StudyPlan, all: &[StudyRun]) -> String {
             grouped(cycles.most.0)
         ),
         (Some(Race { length, runs, cycles }), _) => format!(
-            "The life to a length of {} mm, reached in {}, is shortest with {} load cycles in {} and longest with {} in {}.",
+            "The life to a length of {} mm, reached in {}, ranges from {} load cycles in {} to {} in {}.",
             fixed(length, 2),
             if runs == all.len() { format!("all {runs} runs") } else { format!("{runs} runs") },
             grouped(cycles.least.0),
@@ -86,7 +85,7 @@ pub(super) fn verdict(plan: &StudyPlan, all: &[StudyRun]) -> String {
             run(cycles.most.1)
         ),
         (None, Some(rates)) => format!(
-            "The initial cracks grow by {} mm per load cycle in {}, and by {} in {}.",
+            "The initial cracks grow fastest, by {} mm per load cycle, in {} and slowest, by {} mm, in {}.",
             significant(rates.most.0),
             run(rates.most.1),
             significant(rates.least.0),
@@ -101,7 +100,7 @@ pub(super) fn verdict(plan: &StudyPlan, all: &[StudyRun]) -> String {
         })
         .count();
     if still > 0 {
-        text.push_str(&format!(" In {still} of {} runs growth ends in arrest.", all.len()));
+        text.push_str(&format!(" Growth ends in arrest in {still} of {} runs.", all.len()));
     }
     text
 }
@@ -181,7 +180,7 @@ pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
         texts.push(format!("{} failed: {reason}{dot}", run.name.replacen("run", "Run", 1)));
     }
     if failed.len() > MOST_TOLD {
-        texts.push(format!("{} more runs failed: summary.csv has the reasons.", failed.len() - MOST_TOLD));
+        texts.push(format!("{} more runs failed; summary.csv gives the reasons.", failed.len() - MOST_TOLD));
     }
     let mut list = |heading: &str, runs: Vec<usize>| {
         if !runs.is_empty() {
@@ -191,8 +190,8 @@ pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
     let in_state = |state: &RunState| -> Vec<usize> {
         all.iter().filter(|run| run.row.state == *state).map(StudyRun::number).collect()
     };
-    list("Not computed yet, or in another folder", in_state(&RunState::Missing));
-    list("Not ended; --resume continues them", in_state(&RunState::Unfinished));
+    list("Not computed yet, or stored in another folder", in_state(&RunState::Missing));
+    list("Not ended; continue with --resume", in_state(&RunState::Unfinished));
     let with = |is_so: &dyn Fn(&StudyRun) -> bool| -> Vec<usize> {
         all.iter().filter(|run| is_so(run)).map(StudyRun::number).collect()
     };
@@ -208,18 +207,18 @@ pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
         };
         let heading = match kind {
             WarningKind::NearTie => {
-                "Near ties of the direction criterion, so that the path is one of several"
+                "Near ties of the direction criterion: the path is sensitive to this choice"
             }
             WarningKind::Passages => "Passages not stabilised within the limit",
-            WarningKind::ContactFallback => "Contact solved by the other solver",
+            WarningKind::ContactFallback => "Contact solved by the alternative solver",
             WarningKind::Engine => "Remarks of the engine",
             WarningKind::ResidualStress => "Remarks on the residual stress",
-            WarningKind::Validity => "Outside of what the model describes",
+            WarningKind::Validity => "Outside the validity of the model",
         };
         list(heading, with(&has));
     }
     let block = |run: &StudyRun| run.row.summary.as_ref().is_some_and(|s| s.boundary != Boundary::HalfPlane);
-    list("Block on supports, whose bending opens cracks that stay closed in a half-plane", with(&block));
+    list("Block on supports: its bending opens cracks that stay closed in a half-plane", with(&block));
     texts
 }
 

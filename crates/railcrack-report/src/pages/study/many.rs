@@ -1,5 +1,5 @@
-//! The page of a study with more runs than curves can show: bands, keys against each other, what
-//! results depend on, a table that sorts.
+//! The page of a study with too many runs for individual curves: quantile bands, scatter plots,
+//! sensitivities, a sortable table.
 
 use crate::figures::{StudyRun, band_charts};
 use crate::page::Block;
@@ -10,7 +10,7 @@ use railcrack_run::run_folder::{RepresentativeTip, cycles_to};
 use railcrack_run::study::StudyPlan;
 use serde_json::{Value, json};
 
-/// A column of the table, and a choice of what is drawn.
+/// A column of the table, also available as an axis of the charts.
 struct Column {
     /// Its name: a key, or a column of `summary.csv`.
     name: String,
@@ -20,7 +20,7 @@ struct Column {
     is_key: bool,
     /// Whether it is laid out by its logarithm.
     is_logarithmic: bool,
-    /// By run; NaN where there is none. Of words, their places.
+    /// Values by run, NaN where missing; for words, their indices.
     values: Vec<f64>,
     words: Vec<String>,
 }
@@ -140,7 +140,7 @@ fn columns(plan: &StudyPlan, runs: &[StudyRun]) -> Vec<Column> {
     columns
 }
 
-/// A length that most runs reach: nine tenths of them.
+/// The length that nine tenths of the runs reach.
 fn common_length(runs: &[StudyRun]) -> Option<f64> {
     let tips: Vec<&RepresentativeTip> = runs.iter().filter_map(StudyRun::tip).collect();
     let begun = tips.iter().map(|tip| tip.first.length).reduce(f64::max)?;

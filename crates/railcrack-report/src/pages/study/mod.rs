@@ -10,7 +10,7 @@ use crate::figures::{MANY, Plot, StudyRun, Styles};
 use crate::page::{Block, Page, Section};
 use railcrack_run::study::{Population, StudyPlan};
 
-/// Runs up to which the table stands above the charts.
+/// Maximum number of runs for which the table precedes the charts.
 const SHORT_TABLE: usize = 12;
 
 /// The page of the study `plan` with the samples between its `runs`; `study` is the text of its

@@ -1,4 +1,4 @@
-//! Samples between the runs of a study.
+//! Samples interpolated between the runs of a study.
 
 use crate::chart::{Chart, ChartAxis, ChartRange, Curve, CurveLook};
 use crate::numbers::{fixed, significant, tonnage};
@@ -8,7 +8,7 @@ use crate::table::Table;
 use railcrack_run::decision::{DepthQuantiles, Quantiles, ScatterSummary};
 use railcrack_run::study::Population;
 
-/// The first blocks of the page of a study: the result of its samples; none without any.
+/// The first blocks of the page of a study, with the results of its samples; none without samples.
 pub(super) fn blocks(populations: &[Population]) -> Vec<Block> {
     let mut blocks = Vec::new();
     for (place, population) in populations.iter().enumerate() {
@@ -20,8 +20,8 @@ pub(super) fn blocks(populations: &[Population]) -> Vec<Block> {
         match (&population.scatter, &population.reason) {
             (Some(scatter), _) => blocks.extend(of(place, population, scatter)),
             (None, reason) => {
-                let reason = reason.as_deref().unwrap_or("no run is done");
-                blocks.push(Block::Text(format!("No samples are made between the runs: {reason}.")));
+                let reason = reason.as_deref().unwrap_or("no run is finished");
+                blocks.push(Block::Text(format!("No samples were interpolated between the runs: {reason}.")));
             }
         }
     }
@@ -32,28 +32,28 @@ fn of(place: usize, population: &Population, scatter: &ScatterSummary) -> Vec<Bl
     let mut sentences: Vec<String> = ways(scatter).into_iter().collect();
     if let Some(interval) = population.interval_mgt {
         let mgt = tonnage(interval);
-        sentences.push(format!("With all keys at their means the inspection interval is {mgt} MGT."));
+        sentences.push(format!("With all keys at their means, the inspection interval is {mgt} MGT."));
     }
     let left_out = match population.left_out {
         0 => String::new(),
-        count => format!("; {count} whose crack does not grow are left out"),
+        count => format!("; {count} runs without growth are excluded"),
     };
     let error = population.error.map_or_else(String::new, |error| {
         format!(
-            " The error of an interpolated way is {} % (root mean square; at most {} %), over {} runs that \
-             were left out one by one or lie beyond these.",
+            " The interpolation error is {} % (root mean square; at most {} %), from {} runs that were left out one by one or \
+             not used for interpolation.",
             significant(error.rms_percent),
             significant(error.worst_percent),
             error.runs
         )
     });
-    sentences.push(format!("Paths are interpolated between {} runs{left_out}.{error}", population.runs));
+    sentences.push(format!("Results are interpolated between {} runs{left_out}.{error}", population.runs));
     let mut blocks = vec![Block::List(sentences)];
     blocks.extend(depths(place, &scatter.depth).map(Block::Chart));
     if !scatter.sensitivities.is_empty() {
         let mut table = Table::new(["Quantity", "Share of the scatter (%)"]);
-        table.caption = "Squared correlation of each quantity with the logarithm of the way from detectable \
-                         to critical"
+        table.caption = "Squared correlation of each quantity with the logarithm of the traffic from the \
+                         detectable to the critical crack"
             .to_owned();
         for sensitivity in &scatter.sensitivities {
             table.row([sensitivity.key.clone(), fixed(100.0 * sensitivity.share, 1)]);
@@ -63,7 +63,7 @@ fn of(place: usize, population: &Population, scatter: &ScatterSummary) -> Vec<Bl
     blocks
 }
 
-/// Depth over traffic in the median and at 5 and 95 %.
+/// Median, 5 % and 95 % quantiles of the depth against traffic.
 fn depths(place: usize, depths: &[DepthQuantiles]) -> Option<Chart> {
     type OfShare = fn(&Quantiles) -> Option<f64>;
     let shares: [(&str, OfShare, CurveLook); 3] = [
@@ -80,8 +80,8 @@ fn depths(place: usize, depths: &[DepthQuantiles]) -> Option<Chart> {
     (!curves.is_empty()).then(|| Chart {
         id: format!("population-{}", place + 1),
         caption:
-            "Depth of the crack against traffic: the median of the samples, and the depths that 5 % and \
-                  95 % of them stay below, as far as they are within the computed paths."
+            "Depth of the crack against traffic: median, 5 % and 95 % quantiles of the samples, as far as \
+                  the computed runs extend."
                 .to_owned(),
         x: ChartAxis::linear("Million gross tonnes", "").over(ChartRange::AroundZero),
         y: ChartAxis::depth(),

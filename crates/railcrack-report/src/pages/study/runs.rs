@@ -7,7 +7,7 @@ use railcrack::growth::RunStop;
 use railcrack::words::Choice;
 use railcrack_run::study::{RunState, StudyPlan};
 
-/// Rows of the table; `summary.csv` has all.
+/// Maximum number of rows of the table; `summary.csv` has all.
 const TABLE_ROWS: usize = 500;
 
 /// A row per run, with a link to its report.
@@ -27,8 +27,8 @@ pub(super) fn table(plan: &StudyPlan, all: &[StudyRun]) -> Table {
     );
     let mut table = Table::new(headings);
     table.caption =
-        "The tip of the crack that grew most, of each run. The number of a run leads to its page, which \
-         railcrack report makes of its folder"
+        "Tip of the crack with the largest growth in each run. The run number links to the report of the run, which \
+         railcrack report builds from its folder"
             .to_owned();
     if all.len() > TABLE_ROWS {
         table.caption.push_str(&format!("; the first {TABLE_ROWS} rows of summary.csv"));
