@@ -230,7 +230,8 @@ def _unpacked(packed: bytes) -> Run:
 
 
 class NotConverged(RailcrackError):
-    """No solution was found. `partial_run` has the growth steps before the failure; None without any."""
+    """No solution was found. `partial_run` has the growth steps before the failure; None without
+    any."""
 
     __module__ = PUBLIC
 

@@ -94,7 +94,8 @@ class Body:
 
     @property
     def weights(self) -> Array:
-        """Length of crack face associated with each point: shape (p,), mm; force / weight is traction."""
+        """Length of crack face associated with each point: shape (p,), mm; force / weight is
+        traction."""
         return self._core.weights
 
     @property
@@ -104,8 +105,8 @@ class Body:
 
     @property
     def samples(self) -> Array:
-        """Quadrature points of the faces, at which stress fields are evaluated: shape (s, 2), x and y
-        in mm."""
+        """Quadrature points of the faces, at which stress fields are evaluated: shape (s, 2), x and
+        y in mm."""
         return self._core.samples
 
     @property
@@ -151,9 +152,9 @@ class XfemBody(Body):
         element_size_mm: float | None = None,
         threads: int | None = None,
     ) -> None:
-        """cracks: each of the shape (points, 2), x and y in mm, y ≤ 0, the first point on the surface
-        or below it (`crack(0.0, 6.0, 15.0)` makes one); or one such array.
-        element_size_mm: at the cracks; None: that of a case.
+        """cracks: each of the shape (points, 2), x and y in mm, y ≤ 0, the first point on the
+        surface or below it (`crack(0.0, 6.0, 15.0)` makes one); or one such array.
+        element_size_mm: at the cracks; None: the default of a case.
         """
         points = _points(cracks)
         self._core = _railcrack.xfem_body(points, young_modulus_mpa, poisson_ratio, element_size_mm, threads)
@@ -171,7 +172,8 @@ class DislocationBody(Body):
         elements: int | None = None,
         threads: int | None = None,
     ) -> None:
-        """cracks: as for `XfemBody`. elements: number along each crack; None: the default of cases."""
+        """cracks: as for `XfemBody`. elements: number along each crack; None: the default of
+        cases."""
         points = _points(cracks)
         self._core = _railcrack.dislocation_body(points, young_modulus_mpa, poisson_ratio, elements, threads)
 
@@ -194,8 +196,8 @@ class OwnWheel:
     """The stress in MPa as a function of points (n, 2) in mm and x_c in mm: shape (n, 3), sxx, syy
     and sxy."""
     edges_mm: tuple[float, ...]
-    """Positions relative to x_c, increasing, where the field is not smooth on the surface: the edges
-    of the contact."""
+    """Positions relative to x_c, increasing, where the field is not smooth on the surface: the
+    edges of the contact."""
 
 
 @dataclass(frozen=True)
@@ -228,7 +230,8 @@ class Passage:
     solves: int
     """Number of contact solutions."""
     last_change: float | None
-    """Change of K between the last two passages relative to its peak; None after a single passage."""
+    """Change of K between the last two passages relative to its peak; None after a single
+    passage."""
 
 
 def passage(

@@ -28,8 +28,8 @@ class Source:
 
     @classmethod
     def gathered(cls, text: str, name: str, folder: Path, under: str = "") -> Source:
-        """`text` with the files that it names, relative to `folder`. Files outside of the folder are
-        renamed, and so are all files if they are to be placed `under` a separate folder."""
+        """`text` with the files that it names, relative to `folder`. Files outside of the folder
+        are renamed, and so are all files if they are to be placed `under` a separate folder."""
         try:
             sections = _toml.read(text)
         except ValueError:
@@ -68,7 +68,8 @@ class Sourced:
 
     @staticmethod
     def _parse(text: str, name: str, folder: Path, files: list[tuple[str, bytes]]) -> Any:
-        """The Rust object of `text`; relative file names refer to `files`, or to `folder` without them."""
+        """The Rust object of `text`; relative file names refer to `files`, or to `folder` without
+        them."""
         raise NotImplementedError
 
     @classmethod

@@ -96,7 +96,7 @@ class Table(Mapping[str, NDArray[Any]]):
         return len(self._columns)
 
     def where(self, **values: Any) -> Table:
-        """The rows in which the named columns have the given values: `sif.where(step=0, crack=1)`."""
+        """Rows in which the named columns have the given values: `sif.where(step=0, crack=1)`."""
         chosen = np.ones(self.rows, bool)
         for column, value in values.items():
             chosen &= self[column] == value

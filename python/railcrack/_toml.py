@@ -35,8 +35,8 @@ def write(sections: Mapping[str, Any]) -> str:
 
 
 def changed(sections: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
-    """`sections` with `changes`: sections are changed key by key; a list of sections is replaced, or
-    changed crack by crack if the change is a dictionary; None removes a key."""
+    """`sections` with `changes`: sections are changed key by key; a list of sections is replaced,
+    or changed crack by crack if the change is a dictionary; None removes a key."""
     result = dict(sections)
     for name, change in changes.items():
         old = result.get(name)

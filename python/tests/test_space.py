@@ -66,5 +66,5 @@ def test_plots(run: rc.Run) -> None:
 def test_a_law_of_ones_own_and_no_direction(case: rc.Case) -> None:
     run = case.run(law=lambda history: 1e-7)
     assert (run.growth["rate_mm_per_cycle"] == 1e-7).all()
-    with pytest.raises(rc.BadInput, match="in its plane"):
+    with pytest.raises(rc.BadInput, match="in their plane"):
         case.run(direction=lambda history: 0.0)

@@ -30,7 +30,8 @@ impl Json {
     }
 }
 
-/// The exit code `exit`, and `errors`, each with `message`, `file`, `line`, `column`, `key`, `help`.
+/// The exit code `exit`, and `errors`, each with `message`, `file`, `line`, `column`, `key`,
+/// `help`.
 fn of_failure(failure: &Failure) -> Value {
     let errors: Vec<Value> = match failure {
         Failure::Case(errors) => errors

@@ -23,8 +23,8 @@ impl Edit {
         Self { section, key, value: format!("\"{value}\"") }
     }
 
-    /// `text` with this value in every section of that name. A missing key is added at the top of its
-    /// section, a missing section at the end. Text that is not TOML is returned unchanged.
+    /// `text` with this value in every section of that name. A missing key is added at the top of
+    /// its section, a missing section at the end. Text that is not TOML is returned unchanged.
     pub(super) fn apply(&self, text: &str) -> String {
         let (document, _) = DeTable::parse_recoverable(text);
         let Some((name, value)) = document.get_ref().get_key_value(self.section) else {

@@ -32,8 +32,8 @@ fn identity(case: &Case) -> Vec<String> {
     std::iter::once(case.to_toml()).chain(tables.iter().map(|table| table.text.to_owned())).collect()
 }
 
-/// The run called `name`, if the folder has one of this `case` by this version; any other is computed
-/// again.
+/// The run called `name`, if the folder has one of this `case` by this version; any other is
+/// computed again.
 pub(super) fn stored(folder: &Path, name: &str, case: &Case) -> Option<CaseRun> {
     let bytes = std::fs::read(path(folder, name)).ok()?;
     let stored: Stored = postcard::from_bytes(&bytes).ok()?;

@@ -18,8 +18,8 @@ pub struct Verdict {
 impl Verdict {
     /// The verdict of `results` on `claim`; none where they lack its runs.
     pub fn of(claim: &'static Claim, results: &Results) -> Option<Self> {
-        // Runs that a set-up needs only for other figures do not count, so that the verdict does not
-        // depend on the selected figures.
+        // Runs that a set-up needs only for other figures do not count, so that the verdict does
+        // not depend on the selected figures.
         let concerned =
             |r: &SetupResults| claim.figures.iter().all(|figure| r.setup().figures.contains(figure));
         let decisions: Vec<(usize, Decision)> =

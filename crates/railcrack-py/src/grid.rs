@@ -8,8 +8,8 @@ use pyo3::types::PyDict;
 use railcrack::mesh::{Array, UnstructuredGrid};
 use railcrack_vtu::vtk_type;
 
-/// A dictionary of points (n, 3) in mm, cells and cell types as in VTK, and point and cell arrays by
-/// name.
+/// A dictionary of points (n, 3) in mm, cells and cell types as in VTK, and point and cell arrays
+/// by name.
 pub fn to_numpy<'py>(py: Python<'py>, grid: &UnstructuredGrid) -> PyResult<Bound<'py, PyDict>> {
     // Plane grids have no z.
     let z = grid.z.iter().copied().chain(std::iter::repeat(0.0));

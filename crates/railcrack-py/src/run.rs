@@ -132,8 +132,8 @@ impl RunCore {
         saved.map(drop).map_err(|error| output_error(py, &error))
     }
 
-    /// Writes plots and report to `folder`: with the whole run folder for a run in memory, in a copy
-    /// of it for a stored run.
+    /// Writes plots and report to `folder`: with the whole run folder for a run in memory, in a
+    /// copy of it for a stored run.
     fn report(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
         let made = py.detach(|| match &self.source {
             Source::Memory { run, .. } => run.save(&folder, Output::ALL, Existing::Replace, &Pages).map(drop),
@@ -158,8 +158,8 @@ impl RunCore {
         grid::to_numpy(py, &grid)
     }
 
-    /// The field in step `step` with the wheel at `over_a` (x_c/a), computed again; none if the state
-    /// before that step is not available, or if the engine computes no fields.
+    /// The field in step `step` with the wheel at `over_a` (x_c/a), computed again; none if the
+    /// state before that step is not available, or if the engine computes no fields.
     fn fields_at<'py>(
         &self,
         py: Python<'py>,

@@ -76,28 +76,39 @@ pub(crate) fn given(value: f64) -> String {
 /// The formula of a growth law, `da/dN = 2e-9 dK^3.33`, as people read it: numbers by [`short`],
 /// ΔK, and a dot behind the coefficient.
 pub fn formula(text: &str) -> String {
-    let is_digit = |letter: char| letter.is_ascii_digit() || letter == '.';
     let mut shown = String::new();
     let mut rest = text;
     while let Some(start) = rest.find(|letter: char| letter.is_ascii_digit()) {
         let (before, from) = rest.split_at(start);
-        let mantissa = from.find(|letter| !is_digit(letter)).unwrap_or(from.len());
-        let exponent = from[mantissa..].strip_prefix('e').map_or(0, |power| {
-            let digits = power.strip_prefix('-').unwrap_or(power);
-            let length = digits.find(|letter: char| !letter.is_ascii_digit()).unwrap_or(digits.len());
-            if length == 0 { 0 } else { 1 + power.len() - digits.len() + length }
-        });
-        let (number, after) = from.split_at(mantissa + exponent);
+        let (number, after) = from.split_at(number_length(from));
+        // `da/dN = ` is followed by the coefficient and its factors.
+        let is_coefficient = shown.is_empty() && before.ends_with("= ");
         shown.push_str(before);
         shown.push_str(&number.parse().map_or_else(|_| number.to_owned(), short));
-        let is_coefficient = before.ends_with("= ");
-        rest = after.strip_prefix(' ').filter(|_| is_coefficient).map_or(after, |factors| {
+        let factors = after.strip_prefix(' ').filter(|_| is_coefficient);
+        if factors.is_some() {
             shown.push_str(" \u{b7} ");
-            factors
-        });
+        }
+        rest = factors.unwrap_or(after);
     }
     shown.push_str(rest);
     shown.replace("dK", "\u{394}K")
+}
+
+/// Bytes of the number at the start of `text`, with its exponent.
+fn number_length(text: &str) -> usize {
+    let digits = |text: &str, dot: bool| {
+        text.find(|letter: char| !(letter.is_ascii_digit() || dot && letter == '.')).unwrap_or(text.len())
+    };
+    let mantissa = digits(text, true);
+    let exponent = text[mantissa..].strip_prefix('e').map_or(0, |power| {
+        let sign = usize::from(power.starts_with('-'));
+        match digits(&power[sign..], false) {
+            0 => 0,
+            length => 1 + sign + length,
+        }
+    });
+    mantissa + exponent
 }
 
 /// Letters of a value of a key that somebody has written; drawn ones have more.

@@ -78,8 +78,8 @@ pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
     Ok(kind)
 }
 
-/// Plots and report of a run from its folder alone: from its files or, if these are incomplete, from
-/// a repeated computation.
+/// Plots and report of a run from its folder alone: from its files or, if these are incomplete,
+/// from a repeated computation.
 fn rebuild_run(folder: &Path) -> Result<(), OutputError> {
     let mut run = RunFolder::read(folder)?;
     if !run.case.output.is_whole() || run.lacks_samples() {

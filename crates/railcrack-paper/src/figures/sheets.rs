@@ -117,8 +117,8 @@ fn path_panels(figure: &Figure, quantity: Quantity, curves: &[TableCurve]) -> Ve
     panels.filter(|chart| chart.curves.iter().any(|curve| curve.look != CurveLook::Dots)).collect()
 }
 
-/// A path among more paths than colours: all paths of a curve of the paper have the same colour, and
-/// the first curve is visible below the others.
+/// A path among more paths than colours: all paths of a curve of the paper have the same colour,
+/// and the first curve is visible below the others.
 fn by_curve(figure: &Figure, table: &TableCurve, curve: Curve, place: usize) -> Curve {
     let width = if place == 0 { CurveWidth::Wide } else { CurveWidth::Usual };
     let colour = Some(CurveColour::Category(place));

@@ -99,7 +99,8 @@ fn both_runs(
     [curve(0), curve(1)]
 }
 
-/// `curve` of the first or the second run; the first is wider, so that it is visible below the second.
+/// `curve` of the first or the second run; the first is wider, so that it is visible below the
+/// second.
 fn of_run(run: usize, curve: Curve) -> Curve {
     let curve = curve.with_colour(CurveColour::Category(run));
     if run == 0 { curve.with_width(CurveWidth::Wide) } else { curve.with_look(CurveLook::Dashed) }

@@ -1,5 +1,5 @@
-//! A row of many cracks by position along the rail: length, ΔK_eq and rate in the first and the last
-//! step.
+//! A row of many cracks by position along the rail: length, ΔK_eq and rate in the first and the
+//! last step.
 
 use super::many::colour_bar;
 use super::plot::Plot;

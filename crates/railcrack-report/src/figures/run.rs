@@ -16,8 +16,8 @@ use railcrack_run::run_folder::History;
 /// step are shown.
 const DRAWN_STEPS: usize = 5;
 
-/// The plots of a run from its `summary`, the rows of `growth.csv` and the `shown` part of the other
-/// tables. A run without a finished step has none.
+/// The plots of a run from its `summary`, the rows of `growth.csv` and the `shown` part of the
+/// other tables. A run without a finished step has none.
 pub(crate) fn run_plots(summary: &Summary, growth: &[TipRow], shown: &ShownRun) -> Vec<Plot> {
     if summary.steps_recorded == 0 {
         return Vec::new();

@@ -1,6 +1,6 @@
 //! Traffic from the detectable to the critical crack.
 
-use crate::numbers::{grouped, significant, tonnage};
+use crate::numbers::{given, grouped, tonnage};
 use railcrack_run::decision::{Quantiles, ScatterSummary};
 
 /// Traffic from detectable to critical in the samples; none if fewer than half become critical.
@@ -17,7 +17,7 @@ pub(super) fn ways(scatter: &ScatterSummary) -> Option<String> {
     if let Some(probability) = scatter.probability_critical_before_inspection {
         text.push_str(&format!(
             " Probability that a crack just missed by an inspection becomes critical before the next one: {}.",
-            significant(probability)
+            given(probability)
         ));
     }
     Some(text)

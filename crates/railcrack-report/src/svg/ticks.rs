@@ -19,8 +19,8 @@ pub(crate) fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
     (first..=last).map(|i| i as f64 * step).collect()
 }
 
-/// The power of ten, a multiple of three, that scales values up to `largest` to between 1 and 10⁴; 0
-/// for values that need no scaling.
+/// The power of ten, a multiple of three, that scales values up to `largest` to between 1 and 10⁴;
+/// 0 for values that need no scaling.
 pub(crate) fn scale_exponent(largest: f64) -> i32 {
     if !(largest > 0.0 && largest.is_finite()) || (1e-2..1e4).contains(&largest) {
         return 0;

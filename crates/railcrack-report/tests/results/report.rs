@@ -341,7 +341,7 @@ fn what_is_left_out_is_the_same_in_one_go_resumed_and_rebuilt() {
     let second = Size { positions: 61, face_points: 330, cracks: 2, ..first };
     for (size, says) in [
         (first, "faces are shown at one in 2 wheel positions"),
-        (second, "the passage explorer has 14 of 26 growth steps"),
+        (second, "the passage explorer shows 14 of 26 growth steps"),
     ] {
         let (whole, cut) = (Scratch::new("report-whole"), Scratch::new("report-cut"));
         run(whole.path(), size);

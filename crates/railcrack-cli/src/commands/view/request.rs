@@ -8,7 +8,8 @@ const HEADERS: usize = 64;
 /// A request for a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Request {
-    /// Path components from the folder to the file; empty for the folder itself. None leads out of it.
+    /// Path components from the folder to the file; empty for the folder itself. None leads out of
+    /// it.
     pub(super) names: Vec<String>,
     /// Whether the path ends in `/`.
     pub(super) is_folder: bool,

@@ -3,13 +3,13 @@
 use railcrack_run::study::PlannedRun;
 use std::cmp::Reverse;
 
-/// At most `most` of `runs`, in their order: those at the indices `first`, and others that cover the
-/// values of every key as evenly as possible. A constant stride would omit values whenever it
+/// At most `most` of `runs`, in their order: those at the indices `first`, and others that cover
+/// the values of every key as evenly as possible. A constant stride would omit values whenever it
 /// divides the number of values of the faster keys.
 ///
 /// The next run is always the one that adds the most values not shown yet; among equals, the one
-/// whose values are shown least; among these, one in a fixed pseudo-random order, so that the values
-/// of two keys are not correlated.
+/// whose values are shown least; among these, one in a fixed pseudo-random order, so that the
+/// values of two keys are not correlated.
 pub(crate) fn stratified(runs: &[&PlannedRun], first: &[usize], most: usize) -> Vec<usize> {
     if runs.len() <= most {
         return (0..runs.len()).collect();

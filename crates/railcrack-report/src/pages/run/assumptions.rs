@@ -33,7 +33,7 @@ fn limits(case: &Case) -> String {
         "no wear"
     };
     format!(
-        "Limits: two dimensions, small-scale yielding, no fluid in the crack except as given in the case, {wear}. Load cycles are uncertain by \
+        "Limits: two dimensions, small-scale yielding, no fluid in the crack except as given in the case; {wear}. Load cycles are uncertain by \
          a factor of several, the scatter of the growth law."
     )
 }

@@ -14,8 +14,8 @@ use railcrack_run::run_folder::History;
 use serde_json::{Value, json};
 use std::ops::Range;
 
-/// Maximum number of values of K of many cracks on a page (tips × positions × steps), of about three
-/// bytes each.
+/// Maximum number of values of K of many cracks on a page (tips × positions × steps), of about
+/// three bytes each.
 const VALUES: usize = 200_000;
 
 /// The data of the explorer. For many cracks, K at wheel positions near each of them, and the faces

@@ -70,14 +70,14 @@ fn interval(inspection: &InspectionSummary) -> String {
 fn maintenance(maintenance: &MaintenanceSummary) -> String {
     let mut text = format!(
         "Wear and grinding remove on average {} mm of the surface per MGT, {} mm in total so far.",
-        significant(maintenance.removal_mm_per_mgt),
+        given(maintenance.removal_mm_per_mgt),
         fixed(maintenance.removed_mm, 2)
     );
     if let Some([first, last]) = maintenance.growth_over_removal {
         text.push_str(&format!(
-            " The crack grows in depth at {} times this rate in the first step and {} times in the last.",
-            significant(first),
-            significant(last)
+            " Growth deepens the crack at {} times this rate in the first step and {} times in the last.",
+            given(first),
+            given(last)
         ));
     }
     if let Some(depth) = maintenance.balance_depth_mm {
@@ -92,7 +92,7 @@ fn maintenance(maintenance: &MaintenanceSummary) -> String {
 /// Results of the scatter; none if no sample reaches a critical state.
 fn scatter(scatter: &ScatterSummary) -> Option<String> {
     let growing = scatter.probability_growing.map(|probability| {
-        format!("Probability that growth initially outpaces wear and grinding: {}.", significant(probability))
+        format!("Probability that growth initially outpaces wear and grinding: {}.", given(probability))
     });
     let ways = ways(scatter);
     let sentences: Vec<String> = ways.into_iter().chain(growing).collect();

@@ -13,9 +13,9 @@ const LENGTHS: usize = 8;
 /// Maximum number of cracks in the table of lengths.
 const LENGTH_CRACKS: usize = 9;
 
-/// Growth as a table with the tonnage: for a single crack, load cycles to round lengths; for several
-/// cracks, lengths after round numbers of load cycles; for many, only the `told` ones. None without
-/// growth.
+/// Growth as a table with the tonnage: for a single crack, load cycles to round lengths; for
+/// several cracks, lengths after round numbers of load cycles; for many, only the `told` ones. None
+/// without growth.
 pub(super) fn lengths(run: &RunFolder, told: Option<&[NamedCrack]>) -> Option<Table> {
     let is_told = |crack: usize| told.is_none_or(|told| told.iter().any(|named| named.crack == crack));
     let tips: Vec<(usize, usize)> = run

@@ -61,7 +61,8 @@ fn deepest_of(run: &RunFolder, crack: usize) -> Option<(&TipRow, &TipRow)> {
     Some((first, run.history(first.crack, first.tip).last()?))
 }
 
-/// The same for the crack with the largest growth down the dip, or with the largest load if none grows.
+/// The same for the crack with the largest growth down the dip, or with the largest load if none
+/// grows.
 fn deepest(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
     let all = (1..=cracks(run)).filter_map(|crack| deepest_of(run, crack));
     let rank = |(first, last): &(&TipRow, &TipRow)| (last.length - first.length, first.delta_keq);
