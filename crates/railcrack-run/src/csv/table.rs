@@ -12,7 +12,7 @@ use railcrack::math::Stress;
 use railcrack::shakedown::PlasticStrain;
 use railcrack::words::Choice;
 
-/// A row of a table; [`table!`](super::table) declares its struct, columns, writer and reader
+/// A row of a table; `table!` declares its struct, columns, writer and reader
 /// together.
 pub trait Table: Sized {
     /// File of the table.

@@ -16,7 +16,7 @@ pub enum EquivalentRange {
     /// ΔK_I/2 + ½ √(ΔK_I² + 4 (1.155 ΔK_II)²). Source: Richard, Fulland & Sander 2005, Fatigue
     /// Fract. Eng. Mater. Struct. 28, 3–12.
     Richard,
-    /// The equivalent range in the law of Bold, Brown and Allen ([`Bold`]).
+    /// The equivalent range in the law of Bold, Brown and Allen ([`Bold`](super::Bold)).
     Bold,
 }
 
