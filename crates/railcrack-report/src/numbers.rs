@@ -40,7 +40,7 @@ pub fn grouped(value: f64) -> String {
 const ROUND_OFF: f64 = 1e-12;
 
 /// Four significant digits: `0.1235`, `12.35`, `1234.6` (one decimal at least), `1.235e-6`. Values
-/// below [`ROUND_OFF`] are zero.
+/// below `ROUND_OFF` are zero.
 pub fn significant(value: f64) -> String {
     let size = value.abs();
     match size {
