@@ -33,7 +33,7 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
     let rail_section = sections.one(&RAIL);
     let steel = rail_section.and_then(|s| read_steel(s, report));
     let mix = if sections.all(&WHEEL).next().is_some() {
-        read_mix(&sections, steel.as_ref(), folder, report).map(Some)
+        read_mix(&sections, steel.as_ref(), contact_extent(&sections), folder, report).map(Some)
     } else {
         Some(None)
     };
@@ -116,7 +116,13 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
     };
     let scatter = scatter.map(|s| read_scatter(s, scattering, report));
     let space = match is_in_space(&sections) {
-        true => read_space(&sections, placed.as_ref(), wheel.as_ref(), rail.as_ref(), report).map(Some),
+        true => {
+            let wheels: Option<Vec<&GivenWheel>> = match &mix {
+                Some(mix) if !mix.is_empty() => Some(mix.iter().map(|mixed| &mixed.wheel).collect()),
+                _ => wheel.as_ref().map(|wheel| vec![wheel]),
+            };
+            read_space(&sections, placed.as_ref(), wheels.as_deref(), rail.as_ref(), report).map(Some)
+        }
         false => {
             refuse_strike(&sections, report);
             Some(None)
@@ -195,6 +201,11 @@ fn is_in_space(sections: &Sections) -> bool {
     engine.is_some_and(Engine::is_in_space)
 }
 
+/// How far the engine needs to know contacts.
+fn contact_extent(sections: &Sections) -> ContactExtent {
+    if is_in_space(sections) { ContactExtent::Ellipse } else { ContactExtent::Strip }
+}
+
 /// The one wheel of the case.
 fn read_wheel(
     sections: &Sections,
@@ -206,7 +217,7 @@ fn read_wheel(
         contact: sections.one(&CONTACT)?,
         track: sections.one(&TRACK),
         temperature: sections.one(&TEMPERATURE),
-        extent: if is_in_space(sections) { ContactExtent::Ellipse } else { ContactExtent::Strip },
+        extent: contact_extent(sections),
     };
     let travel = sections.one(&PASSAGE).and_then(read_travel)?;
     GivenWheel::read(of_wheel, steel?, travel, folder, report)

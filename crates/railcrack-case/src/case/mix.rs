@@ -37,10 +37,11 @@ const SUM: f64 = 1e-6;
 
 /// The wheels of `[[wheel]]`, shares adding up to 1; none where there are none or something is
 /// wrong, which `report` then says. Track and temperature of the case are those of every wheel that
-/// has none of its own.
+/// has none of its own. Contacts are read as far as `extent` asks.
 pub(super) fn read_mix(
     sections: &Sections,
     steel: Option<&IsotropicElastic>,
+    extent: ContactExtent,
     folder: &Path,
     report: &mut Report,
 ) -> Option<Vec<ReadWheel>> {
@@ -61,7 +62,7 @@ pub(super) fn read_mix(
             contact: sections.part(given, &WHEEL_CONTACT)?,
             track: sections.part(given, &WHEEL_TRACK).or_else(|| sections.one(&TRACK)),
             temperature: sections.part(given, &WHEEL_TEMPERATURE).or_else(|| sections.one(&TEMPERATURE)),
-            extent: ContactExtent::Strip,
+            extent,
         };
         let wheel = GivenWheel::read(of_wheel, steel?, travel, folder, report)?;
         Some(ReadWheel {

@@ -141,16 +141,25 @@ fn with_temperature(
     }
 }
 
-/// A wheel of a mix beside the first one.
-fn beside(case: &Case, other: &MixedWheel, residual: Option<&Arc<dyn StressField>>) -> plane::MixedWheel {
-    let rail = other.wheel.load.temperature.map_or(ROOM_TEMPERATURE, |temperature| temperature.rail);
+/// A wheel of a mix other than the first one.
+fn other_wheel(
+    case: &Case,
+    other: &MixedWheel,
+    residual: Option<&Arc<dyn StressField>>,
+) -> plane::MixedWheel {
     plane::MixedWheel {
         wheel: other.wheel.field(&case.steel).expect("the case is checked"),
         share: other.share,
         residual: with_temperature(case, &other.wheel, residual),
         passages: other.passages,
-        toughness: case.fracture.as_ref().map(|fracture| MPA_SQRT_MM * fracture.toughness.at(rail)),
+        toughness: toughness_under(case, &other.wheel),
     }
+}
+
+/// K_Ic (MPa √mm) at the temperature of the rail under `wheel`; none where the rail does not break.
+fn toughness_under(case: &Case, wheel: &GivenWheel) -> Option<f64> {
+    let rail = wheel.load.temperature.map_or(ROOM_TEMPERATURE, |temperature| temperature.rail);
+    case.fracture.as_ref().map(|fracture| MPA_SQRT_MM * fracture.toughness.at(rail))
 }
 
 /// Temperature (°C) of a rail of which none is given.
@@ -231,7 +240,7 @@ impl Case {
             network: case.network,
             share: case.mix.first().map_or(1.0, |first| first.share),
             fluid: case.fluid.clone(),
-            others: others.map(|other| beside(case, other, residual)).collect(),
+            others: others.map(|other| other_wheel(case, other, residual)).collect(),
             residual: with_temperature(case, &case.wheel, residual),
             passages: case.passages,
             fields: case.field_settings(),
@@ -256,17 +265,25 @@ impl Case {
             Some(state) => state,
             None => GrowthState::initial_in_space(space.shapes.clone()).ok()?,
         };
-        let wheel = SpaceWheel {
-            wheel: space.wheel,
-            share: 1.0,
+        let first = SpaceWheel {
+            wheel: *space.wheels.first()?,
+            share: self.mix.first().map_or(1.0, |first| first.share),
             bending: self.wheel.bending(&self.steel),
             residual: with_temperature(self, &self.wheel, residual),
             passages: self.passages,
             toughness: self.growth.toughness,
         };
+        let others = self.mix.iter().zip(&space.wheels).skip(1).map(|(mixed, wheel)| SpaceWheel {
+            wheel: *wheel,
+            share: mixed.share,
+            bending: mixed.wheel.bending(&self.steel),
+            residual: with_temperature(self, &mixed.wheel, residual),
+            passages: mixed.passages,
+            toughness: toughness_under(self, &mixed.wheel),
+        });
         let rail = SpaceRail {
             steel: self.steel,
-            wheels: vec![wheel],
+            wheels: std::iter::once(first).chain(others).collect(),
             friction: self.crack_friction.clone(),
             resolution: self.mesh.space,
             growth: self.growth.clone(),

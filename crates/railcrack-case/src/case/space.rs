@@ -5,8 +5,8 @@ use super::space_case::SpaceCase;
 use crate::schema::{Fault, Report, Section, SectionValues, Sections};
 use crate::tables::{
     CONTACT, CRACK, CRACK_LATERAL, ContactOrigin, ContactSolver, FLUID, FRICTION, GROWTH, GivenWheel, KIND,
-    LATERAL_FRICTION, LATERAL_HALF_WIDTH, LAW, MAINTENANCE, MODE_3_WEIGHT, PLASTIC_STRESS, Rail, SOLVER,
-    SOLVER_CONTACT, SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL,
+    LATERAL_FRICTION, LATERAL_HALF_WIDTH, LAW, MODE_3_WEIGHT, PLASTIC_STRESS, Rail, SOLVER, SOLVER_CONTACT,
+    SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL, WHEEL_CONTACT,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::Crack;
@@ -16,11 +16,9 @@ use railcrack::space::{CloseCracks, EllipticWheel, SpaceCrack};
 use std::f64::consts::PI;
 
 /// Sections of which the engine knows nothing, and why.
-const REFUSED: [(Section, &str); 4] = [
-    (WHEEL, "computes one wheel"),
+const REFUSED: [(Section, &str); 2] = [
     (FLUID, "computes dry cracks"),
     (PLASTIC_STRESS, "takes residual stress as a balanced profile ([residual_stress]) only"),
-    (MAINTENANCE, "has no mouth that wear and grinding could cut"),
 ];
 
 /// The cracks, the wheel and the law of the engine in space; none where something is wrong or
@@ -28,7 +26,7 @@ const REFUSED: [(Section, &str); 4] = [
 pub(super) fn read_space(
     sections: &Sections,
     placed: Option<&PlacedCracks>,
-    wheel: Option<&GivenWheel>,
+    wheels: Option<&[&GivenWheel]>,
     rail: Option<&Rail>,
     report: &mut Report,
 ) -> Option<SpaceCase> {
@@ -66,8 +64,16 @@ pub(super) fn read_space(
         }
     }
     let shapes = placed.and_then(|placed| read_shapes(placed, &given, report));
-    let wheel = read_wheel(sections, wheel, report);
-    Some(SpaceCase { shapes: shapes?, wheel: wheel?, mode_3_weight: growth.get(MODE_3_WEIGHT) })
+    // Of a mix, the contact within each of the wheels.
+    let mut contacts: Vec<&SectionValues> =
+        sections.all(&WHEEL).filter_map(|wheel| sections.part(wheel, &WHEEL_CONTACT)).collect();
+    if contacts.is_empty() {
+        contacts.extend(sections.one(&CONTACT));
+    }
+    let read = |(section, wheel): (&&SectionValues, &&GivenWheel)| read_wheel(section, wheel, report);
+    let wheels: Vec<Option<EllipticWheel>> = contacts.iter().zip(wheels?).map(read).collect();
+    let wheels = wheels.into_iter().collect::<Option<Vec<_>>>()?;
+    Some(SpaceCase { shapes: shapes?, wheels, mode_3_weight: growth.get(MODE_3_WEIGHT) })
 }
 
 /// The cracks, none of which meets another.
@@ -159,14 +165,13 @@ fn read_shape(
 /// Half axes of a crack that its grid resolves.
 const LARGEST_ASPECT: f64 = 25.0;
 
-fn read_wheel(sections: &Sections, wheel: Option<&GivenWheel>, report: &mut Report) -> Option<EllipticWheel> {
-    let section = sections.one(&CONTACT)?;
-    if wheel.is_some_and(|wheel| wheel.contact().sliding().is_none()) {
+fn read_wheel(section: &SectionValues, wheel: &GivenWheel, report: &mut Report) -> Option<EllipticWheel> {
+    if wheel.contact().sliding().is_none() {
         let says = "the engine space has the ellipse of Hertz in full sliding";
         report.add(section.fault(KIND, says).help("kind = \"hertz\""));
         return None;
     }
-    let (ellipse, lateral): (HertzEllipse, f64) = match &wheel?.origin {
+    let (ellipse, lateral): (HertzEllipse, f64) = match &wheel.origin {
         ContactOrigin::Ellipse { ellipse, lateral, .. }
         | ContactOrigin::GivenEllipse { ellipse, lateral } => (*ellipse, *lateral),
         _ => {

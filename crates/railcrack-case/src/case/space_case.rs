@@ -8,8 +8,8 @@ use railcrack::space::{EllipticWheel, SpaceResolution};
 pub struct SpaceCase {
     /// The cracks at the beginning, in the order of those of the case.
     pub shapes: Vec<FrontShape>,
-    /// The wheel.
-    pub wheel: EllipticWheel,
+    /// The wheels, of a mix in its order.
+    pub wheels: Vec<EllipticWheel>,
     /// Weight of mode III in the range of Hourlier and Pineau, where it is given.
     pub mode_3_weight: Option<f64>,
 }

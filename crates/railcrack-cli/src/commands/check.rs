@@ -216,8 +216,9 @@ fn in_space(case: &Case) -> Vec<CheckLine> {
     }
     let cells = case.mesh.space;
     rows.push(("cells", format!("{} beside the middle, {} to the front", cells.block, cells.ring)));
-    if space.wheel.lateral_friction != 0.0 {
-        rows.push(("lateral friction", space.wheel.lateral_friction.to_string()));
+    let lateral: Vec<f64> = space.wheels.iter().map(|wheel| wheel.lateral_friction).collect();
+    if lateral.iter().any(|friction| *friction != 0.0) {
+        rows.push(("lateral friction", lateral.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")));
     }
     rows
 }

@@ -62,10 +62,15 @@ impl StabilisedPassage {
     /// faces do not overlap, a negative value shows the error of the engine at a closed tip.
     #[must_use]
     pub fn lowest_opening(&self) -> Option<(usize, f64)> {
+        self.lowest_opening_where(|_| true)
+    }
+
+    /// [`StabilisedPassage::lowest_opening`] of the tips that `counts`.
+    pub(super) fn lowest_opening_where(&self, counts: impl Fn(usize) -> bool) -> Option<(usize, f64)> {
         let peak = self.peak();
         let lowest = |history: &SifHistory| history.samples.iter().map(|k| k.ki).fold(0.0, f64::min);
         let tips = self.histories.iter().map(|history| lowest(history) / peak).enumerate();
-        tips.filter(|_| peak > 0.0).min_by(|a, b| a.1.total_cmp(&b.1))
+        tips.filter(|(tip, _)| peak > 0.0 && counts(*tip)).min_by(|a, b| a.1.total_cmp(&b.1))
     }
 }
 

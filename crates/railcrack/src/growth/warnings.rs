@@ -95,7 +95,11 @@ impl Warnings<'_> {
     }
 
     fn overlap(&self, tips: &[TipRecord], passage: &StabilisedPassage) -> Option<Warning> {
-        let (tip, share) = passage.lowest_opening().filter(|(_, share)| *share < -OVERLAP)?;
+        // No cell resolves K where a front meets the surface.
+        let counts =
+            |tip: usize| tips.get(tip).is_some_and(|tip| tip.front().is_none_or(|front| front.counts));
+        let lowest = passage.lowest_opening_where(counts);
+        let (tip, share) = lowest.filter(|(_, share)| *share < -OVERLAP)?;
         let text = format!(
             "{}: K_I falls to {:.1} % of the largest K of the step, as if the faces overlapped ahead of the tip; K is known to that \
              accuracy, and {} resolve it better",

@@ -64,7 +64,9 @@ pub struct PlaneRail {
 
 /// The ends of the rail in the last step, and the fields that they add under each wheel.
 #[derive(Default)]
-pub struct KnownEnds(Option<(Arc<dyn RailEnds>, Vec<Arc<dyn EndField>>)>);
+pub struct KnownEnds(Option<EndsUnderWheels>);
+
+type EndsUnderWheels = (Arc<dyn RailEnds>, Vec<Arc<dyn EndField>>);
 
 /// The cracks of a step with their body.
 pub struct PlaneBody {

@@ -53,10 +53,17 @@ fn a_tip_just_below_the_surface() {
 #[test]
 fn thin_flaps() {
     let steep = [surface_crack(0.0, 6.0, 2.0)];
-    close(misfit(&steep, 96, 0.5, 0.1), 0.0, Of(1.2e-2, 1.0), "without graded elements 3 %");
-    assert!(sifs(&steep, 48, 0.5, 0.1).1.is_empty());
-    let shallow = sifs(&[surface_crack(0.0, 6.0, 1.0)], 24, 0.5, 0.1).1;
+    close(misfit(&steep, 56, 0.5, 0.1), 0.0, Of(1.2e-2, 1.0), "without graded elements 3 %");
+    assert!(body(&steep, 48).remarks.is_empty());
+    let shallow = body(&[surface_crack(0.0, 6.0, 1.0)], 24).remarks;
     assert!(shallow.iter().any(|remark| remark.contains("thin flap")), "{shallow:?}");
+}
+
+#[test]
+#[ignore = "extra: minutes; the flap of 2° against elements that are finer still"]
+fn thin_flaps_in_full() {
+    let steep = [surface_crack(0.0, 6.0, 2.0)];
+    close(misfit(&steep, 96, 0.5, 0.1), 0.0, Of(1.2e-2, 1.0), "without graded elements 3 %");
 }
 
 #[test]

@@ -386,8 +386,18 @@ fn a_leak_by_small_fixed_steps() {
 
 #[test]
 fn trapped_fluid_in_both_engines_and_by_both_solvers() {
+    trapped_fluid(&HISTORIES[..1]);
+}
+
+#[test]
+#[ignore = "extra: a minute; other angles and frictions"]
+fn trapped_fluid_in_both_engines_and_by_both_solvers_in_full() {
+    trapped_fluid(&HISTORIES[1..]);
+}
+
+fn trapped_fluid(histories: &[(f64, f64, f64)]) {
     let mut errors = Vec::new();
-    for (degrees, wheel_friction, crack_friction) in HISTORIES {
+    for &(degrees, wheel_friction, crack_friction) in histories {
         for (bulk_modulus, leak) in [(f64::INFINITY, false), (f64::INFINITY, true), (2200.0, true)] {
             let cracks = vec![surface_crack(0.0, LENGTH, degrees)];
             let fluid = trapped(bulk_modulus, leak);

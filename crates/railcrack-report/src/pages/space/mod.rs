@@ -8,8 +8,8 @@ use crate::page::{Block, Fact, Page, Section};
 use crate::shown::{Deflated, ShownRun};
 use crate::table::Table;
 use railcrack::growth::RunStop;
-use railcrack::space::VERTEX_LAYER;
-use railcrack_case::SpaceCase;
+use railcrack::space::{EllipticWheel, VERTEX_LAYER};
+use railcrack_case::{Case, SpaceCase};
 use railcrack_run::csv::TipRow;
 use railcrack_run::run_folder::History;
 use serde_json::{Value, json};
@@ -185,29 +185,26 @@ fn front_table(run: &RunFolder) -> Table {
 
 fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
     let case = &run.case;
-    let wheel = &space.wheel;
     let other = long_rail(case);
     let stays = match (case.residual_stress.is_some(), other.is_empty()) {
         (false, true) => " The rail carries no other stress.",
         (true, _) => " The rail carries the residual stress of the case, the same at all lateral positions.",
         (false, false) => "",
     };
-    vec![
-        format!(
-            "Rail: linear elastic half-space, E = {} MPa, ν = {}; no curvature of its head and no edge.{stays}{other}",
-            grouped(case.steel.young()),
-            case.steel.poisson()
-        ),
-        format!(
-            "Wheel: elliptical Hertzian contact in full sliding, p_{{0}} = {} MPa, semi-axes {} mm along and {} mm across the rail, middle \
-             at z = {} mm, shear over pressure {} along x and {} along z. The contact is not affected by the crack.",
-            fixed(wheel.peak_pressure, 0),
-            fixed(wheel.half_width, 2),
-            fixed(wheel.lateral_half_width, 2),
-            fixed(wheel.lateral, 2),
-            wheel.friction,
-            wheel.lateral_friction
-        ),
+    let mut lines = vec![format!(
+        "Rail: linear elastic half-space, E = {} MPa, ν = {}; no curvature of its head and no edge.{stays}{other}",
+        grouped(case.steel.young()),
+        case.steel.poisson()
+    )];
+    lines.extend(space.wheels.iter().enumerate().map(|(i, wheel)| wheel_line(case, i, wheel)));
+    if case.growth.maintenance.is_some() {
+        lines.push(
+            "Wear and grinding: the running surface is removed, and with it the mouths of the cracks. What is left of a front is \
+             replaced by the half ellipse with the same deepest point and the same chord."
+                .to_owned(),
+        );
+    }
+    lines.extend([
         format!(
             "Crack faces: unilateral contact with Coulomb friction {} in two directions, slip by backward differences of second order in load steps until K \
              changes by less than {} of its peak.",
@@ -228,10 +225,33 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
             grouped(run.summary.contact_solves as f64),
             run.summary.complementarity_max
         ),
-        "Limits: plane cracks, growth in their planes; cracks that would meet stop. Small-scale yielding, no fluid, no wear. The load \
+        "Limits: plane cracks, growth in their planes; cracks that would meet stop. Small-scale yielding, no fluid. The load \
          cycles carry the scatter of the growth law, a factor of several."
             .to_owned(),
-    ]
+    ]);
+    lines
+}
+
+/// The contact of wheel `i` (from 0), with its share where there are several.
+fn wheel_line(case: &Case, i: usize, wheel: &EllipticWheel) -> String {
+    let name = match case.mix.get(i) {
+        Some(mixed) => {
+            format!("Wheel {} ({}, {} % of the axles)", i + 1, mixed.name, fixed(100.0 * mixed.share, 1))
+        }
+        None => "Wheel".to_owned(),
+    };
+    let shown =
+        if case.mix.len() > 1 && i == 0 { " The passages shown are those of this wheel." } else { "" };
+    format!(
+        "{name}: elliptical Hertzian contact in full sliding, p_{{0}} = {} MPa, semi-axes {} mm along and {} mm across the rail, middle \
+         at z = {} mm, shear over pressure {} along x and {} along z. The contact is not affected by the crack.{shown}",
+        fixed(wheel.peak_pressure, 0),
+        fixed(wheel.half_width, 2),
+        fixed(wheel.lateral_half_width, 2),
+        fixed(wheel.lateral, 2),
+        wheel.friction,
+        wheel.lateral_friction
+    )
 }
 
 /// The friction coefficients of the cracks: one where all are the same.
@@ -266,12 +286,15 @@ fn data(run: &RunFolder, space: &SpaceCase, shown: &ShownRun) -> Value {
     let xc_over_a: &[f64] = shown.histories(0).first().map_or(&[], |history| &history.xc_over_a);
     let cracks = run.summary.cracks.first();
     let origin = cracks.and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |p| p[0]);
+    let wheel = space.wheels.first().map(|wheel| {
+        json!({
+            "half_width": number(wheel.half_width),
+            "lateral_half_width": number(wheel.lateral_half_width),
+            "lateral": number(wheel.lateral),
+        })
+    });
     json!({
-        "wheel": {
-            "half_width": number(space.wheel.half_width),
-            "lateral_half_width": number(space.wheel.lateral_half_width),
-            "lateral": number(space.wheel.lateral),
-        },
+        "wheel": wheel,
         "origin": origin,
         "cracks": space.shapes.iter().map(|shape| json!({
             "dip": shape.dip,

@@ -3,6 +3,7 @@
 
 mod contact;
 mod fronts;
+mod growth;
 mod kernel;
 mod several;
 mod stiffness;

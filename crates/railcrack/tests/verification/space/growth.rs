@@ -1,0 +1,145 @@
+//! Growth in space by the loop of the plane: mixes of wheels, wear, resumed runs.
+
+use crate::common::{Relative, close, steel};
+use railcrack::growth::{
+    FrontShape, Growth, GrowthError, GrowthSettings, GrowthState, Maintenance, PassageSettings, StepRecord,
+    StressMoves, Unobserved,
+};
+use railcrack::load::Passage;
+use railcrack::math::RailBox;
+use railcrack::space::{EllipticWheel, SpaceRail, SpaceResolution, SpaceWheel};
+
+fn shape() -> FrontShape {
+    FrontShape {
+        dip: 30f64.to_radians(),
+        strike: 0.0,
+        length: 4.0,
+        half_length: 5.0,
+        middle: [0.0, 0.0],
+        buried: None,
+    }
+}
+
+/// A wheel at `lateral` (mm) with a `share` of the axles.
+fn wheel(lateral: f64, share: f64) -> SpaceWheel {
+    SpaceWheel {
+        wheel: EllipticWheel {
+            peak_pressure: 845.0,
+            half_width: 6.0,
+            lateral_half_width: 5.0,
+            lateral,
+            friction: -0.3,
+            lateral_friction: 0.0,
+        },
+        share,
+        bending: None,
+        residual: None,
+        passages: PassageSettings {
+            passage: Passage { from: -18.0, to: 18.0, positions: 21 },
+            ..PassageSettings::default()
+        },
+        toughness: None,
+    }
+}
+
+fn rail(wheels: Vec<SpaceWheel>, friction: f64, wear: f64) -> SpaceRail {
+    let maintenance = Maintenance { wear, grinding: None, stress: StressMoves::WithSurface };
+    SpaceRail {
+        steel: steel(),
+        wheels,
+        friction: vec![friction],
+        resolution: SpaceResolution { block: 2, ring: 2 },
+        growth: GrowthSettings { steps: 2, maintenance: Some(maintenance), ..GrowthSettings::default() },
+        mode_3_weight: None,
+        fields: None,
+        rail: RailBox::default(),
+        kernel: None,
+    }
+}
+
+fn run(rail: SpaceRail) -> Vec<StepRecord> {
+    let mut growth = Growth::new(rail, GrowthState::initial_in_space(vec![shape()]).unwrap());
+    std::iter::from_fn(|| growth.next_step(&Unobserved).unwrap()).collect()
+}
+
+fn lengths(steps: &[StepRecord]) -> Vec<f64> {
+    steps.iter().flat_map(|step| step.geometry.lengths()).collect()
+}
+
+#[test]
+fn a_mix_of_equal_wheels_is_the_wheel() {
+    let one = run(rail(vec![wheel(1.0, 1.0)], 0.2, 0.0));
+    let two = run(rail(vec![wheel(1.0, 0.3), wheel(1.0, 0.7)], 0.2, 0.0));
+    assert_eq!((one.len(), two.len()), (3, 3));
+    for (a, b) in one.iter().zip(&two) {
+        close(b.load_cycles, a.load_cycles, Relative(1e-12), "0.3 r + 0.7 r but for round-off");
+        for (a, b) in a.tips.iter().zip(&b.tips) {
+            close(b.rate, a.rate, Relative(1e-12), "0.3 r + 0.7 r but for round-off");
+        }
+        assert_eq!(b.other_wheels.len(), 1);
+    }
+    for (a, b) in lengths(&one).into_iter().zip(lengths(&two)) {
+        close(b, a, Relative(1e-12), "the same path");
+    }
+}
+
+#[test]
+fn wheels_on_both_sides_of_the_crack_grow_it_alike() {
+    // One is the mirror image of the other, and so are their parts of the front.
+    let steps = run(rail(vec![wheel(2.0, 0.5), wheel(-2.0, 0.5)], 0.2, 0.0));
+    let tips = &steps[0].tips;
+    for (left, right) in tips.iter().zip(tips.iter().rev()) {
+        close(left.rate, right.rate, Relative(1e-6), "mirrored passages, tolerance of the contact 1e-8");
+        let shares = [left.shares.values()[0], right.shares.values()[1]];
+        close(shares[0], shares[1], Relative(1e-6), "mirrored passages");
+    }
+    // Each grows the part of the front that is nearer to it, the first the end of larger z.
+    assert!(tips[1].shares.values()[0] != tips[1].shares.values()[1]);
+}
+
+#[test]
+fn without_friction_one_passage_is_enough() {
+    let steps = run(rail(vec![wheel(0.0, 1.0)], 0.0, 0.0));
+    assert!(steps.iter().all(|step| step.passages.len() == 1 && step.counts.passages == 1));
+    let steps = run(rail(vec![wheel(0.0, 1.0)], 0.2, 0.0));
+    assert!(steps.iter().all(|step| step.passages.len() > 1));
+}
+
+#[test]
+fn wear_takes_from_the_mouth_what_it_takes_from_the_surface() {
+    let free = run(rail(vec![wheel(0.0, 1.0)], 0.2, 0.0));
+    let wear = 1e-7;
+    let worn = run(rail(vec![wheel(0.0, 1.0)], 0.2, wear));
+    // Growth sets the pace in both: the first step has the same increment and the same cycles by
+    // the rate at its start.
+    assert!(free[1].removed == 0.0 && worn[1].removed > 0.0);
+    let taken = lengths(&free)[1] - lengths(&worn)[1];
+    close(taken, worn[1].removed / 30f64.to_radians().sin(), Relative(1e-9), "w/sin(dip)");
+}
+
+#[test]
+fn a_resumed_run_goes_on_with_the_same_bits() {
+    let mix = || rail(vec![wheel(1.0, 0.6), wheel(-1.0, 0.4)], 0.2, 1e-7);
+    let whole = run(mix());
+    let mut state = GrowthState::initial_in_space(vec![shape()]).unwrap();
+    for want in &whole {
+        let mut growth = Growth::new(mix(), state);
+        let got = growth.next_step(&Unobserved).unwrap().unwrap();
+        assert_eq!(
+            (&got.tips, &got.geometry, got.load_cycles),
+            (&want.tips, &want.geometry, want.load_cycles)
+        );
+        // Through the bytes of a checkpoint.
+        let stored = postcard::to_stdvec(growth.state()).unwrap();
+        state = postcard::from_bytes(&stored).unwrap();
+    }
+    assert!(state.ended.is_some());
+}
+
+#[test]
+fn a_state_in_the_plane_is_refused() {
+    let plane = GrowthState::initial(&crate::common::surface_crack(0.0, 4.0, 30.0).into());
+    let mut growth = Growth::new(rail(vec![wheel(0.0, 1.0)], 0.2, 0.0), plane);
+    let error = growth.next_step(&Unobserved).unwrap_err();
+    assert!(matches!(error, GrowthError::Geometry { step: 0, .. }), "{error}");
+}
