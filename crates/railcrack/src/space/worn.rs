@@ -17,7 +17,7 @@ pub(super) enum Worn {
 /// greatest length so far, `resolution` (mm) the length that the engine resolves.
 ///
 /// The new surface cuts the plane of the crack at the distance s = depth / sin(dip) down the dip.
-/// The part below it is less than half of the ellipse. It is replaced by the half-ellipse with the
+/// The remaining part is less than half of the ellipse. It is replaced by the half-ellipse with the
 /// same deepest point and the same chord: l' = l − s and c' = c √(1 − s²/l²), whose area is larger
 /// by 1.1 % for s = 0.04 l and by 7.7 % for s = l/3. Many small cuts shorten the chord less than
 /// one cut of the same depth, since each begins from a front that is normal to the surface.
