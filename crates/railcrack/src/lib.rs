@@ -33,7 +33,7 @@
 //! gives the stress of the uncracked rail, [`body`] the cracked body as two matrices, [`contact`]
 //! closes the crack faces, [`fatigue`] and [`growth`] turn stress intensity factors into a path and
 //! a number of cycles. [`prelude`] has the names of a whole program. The `examples` show one
-//! passage, growth, a network, a stress field of one's own and a direction criterion of one's own.
+//! passage, growth, a network, a user-defined stress field and a user-defined direction criterion.
 //!
 //! Stable are the names in [`prelude`], the traits [`body::BodyEngine`],
 //! [`contact::ContactSolver`], [`field::Wheel`] and [`field::StressField`], and the meaning and

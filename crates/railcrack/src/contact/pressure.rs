@@ -15,7 +15,7 @@ const MOST_EXPONENT: f64 = 50.0;
 /// Largest number of Newton iterations for a compressible fluid; two or three suffice.
 const ITERATIONS: usize = 40;
 /// Largest decrease of a pressure in one iteration, over B. Below the solution the iterations
-/// converge from any distance, but e^(-p/B) must not overflow on the way.
+/// converge from any distance, but e^(-p/B) must not overflow during the iteration.
 const LARGEST_FALL: f64 = 2.0;
 /// Relative change of the pressure at which the iterations end.
 const SETTLED: f64 = 1e-13;

@@ -1,42 +1,43 @@
-//! Coalescence: where increments meet cracks, and each other.
+//! Coalescence of increments with cracks and with each other.
 //!
-//! All tips of a growth step advance at the same time, each on a straight line and at its own
-//! constant speed, from the end of its deferred growth to the end of its increment. A tip that
-//! comes closer than the resolution to another crack, or to the path that another tip has left
-//! behind by then, coalesces with it; the others go on. Coalescences are settled in the order of
-//! time, so that neither the order of the cracks nor a mirror image changes the result.
+//! All tips of a growth step advance simultaneously, each along a straight line at its own constant
+//! speed, from the end of its deferred growth to the end of its increment. A tip that comes closer
+//! than the resolution to another crack, or to the path that another tip has covered by then,
+//! coalesces with it; the others continue. Coalescences are handled in chronological order, so that
+//! neither the order of the cracks nor a mirror image changes the result.
 
 use super::step_state::Step;
 use crate::crack::{Crack, End, point_to_segment};
 use crate::math::{Vec2, segments_touch};
 
-/// Own faces this many resolved lengths behind the tip, along the crack, count as another crack:
-/// nearer ones are the neighbourhood of the tip itself, short increments included.
+/// Faces of the same crack count as another crack from this many resolved lengths behind the tip,
+/// along the crack: nearer faces, including those of short increments, belong to the neighbourhood
+/// of the tip itself.
 const OWN_FACES_FROM: f64 = 3.0;
-/// A crack is crossed where the increment crosses it within this many resolved lengths of coming
-/// close; at a smaller angle than that allows, the tip turns to the nearest point, and no thin
-/// wedge is left.
+/// An increment ends where it crosses a crack if it does so within this many resolved lengths of
+/// coming close; at shallower angles the tip turns to the nearest point, so that no thin wedge is
+/// left.
 const CROSSING_REACH: f64 = 4.0;
-/// Times, and distances over the resolution, that differ by less are equal: round-off of their
-/// calculation.
+/// Times, and distances relative to the resolution, that differ by less are equal to within
+/// round-off.
 const SAME: f64 = 1e-9;
-/// Halvings of a fraction of the increment: to round-off.
+/// Bisections of a fraction of the increment, down to round-off.
 const HALVINGS: usize = 60;
-/// Steps of the golden section: to the root of round-off.
+/// Golden-section steps, down to the square root of round-off.
 const SECTIONS: usize = 48;
 
-/// Where the increment of a tip ends on a crack.
+/// The coalescence of a tip with a crack.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Coalescence {
     /// The end of the increment, mm.
     pub at: Vec2,
-    /// Index of the crack that is met, from 0; the tip's own where it closes a loop.
+    /// Index (from 0) of the crack that is met; that of the tip itself where it closes a loop.
     pub onto: usize,
-    /// Index of the step of the tip that is met there, where tip meets tip.
+    /// Where two tips meet, the index of the other tip's step.
     pub with: Option<usize>,
 }
 
-/// The coalescences of `steps`, none for a tip that meets nothing or does not grow; `resolution`
+/// The coalescences of `steps`, `None` for a tip that meets nothing or does not grow; `resolution`
 /// (mm) is the length that the engine resolves.
 pub(super) fn coalescences(
     steps: &[Option<Step>],
@@ -73,11 +74,11 @@ pub(super) fn coalescences(
     all
 }
 
-/// A tip on its way; times run from 0 to 1 over the step.
+/// A tip in motion; time runs from 0 to 1 over the step.
 #[derive(Debug, Clone, Copy)]
 struct Moving {
     step: Step,
-    /// Where and when it ended, if it has.
+    /// The point and time at which it ended, if it has.
     end: Option<(Vec2, f64)>,
 }
 
@@ -89,7 +90,8 @@ impl Moving {
         }
     }
 
-    /// The share of its way that it has made at `time`; a part may have been made before the step.
+    /// The share of its increment that it has covered at `time`, including any part covered before
+    /// the step.
     fn share(&self, time: f64) -> f64 {
         self.step.deferred + (1.0 - self.step.deferred) * time
     }
@@ -99,22 +101,22 @@ impl Moving {
 struct Event {
     tip: usize,
     time: f64,
-    /// How far the obstacle is then, mm: the resolution, or less where the tip was that near
-    /// before.
+    /// Distance to the obstacle at that time, mm: the resolution, or less where the tip was already
+    /// closer.
     distance: f64,
     obstacle: Obstacle,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Obstacle {
-    /// The faces of a crack, what has grown in this step counted.
+    /// The faces of a crack, including its growth in this step.
     Faces(usize),
-    /// Another tip that grows.
+    /// Another growing tip.
     Tip(usize),
 }
 
-/// The first event ahead of the tips that still grow; of events at the same time the nearest, and
-/// of these one between two tips, so that neither of them is preferred.
+/// The first event of the tips that still grow. Of simultaneous events the nearest is taken, and of
+/// equally near ones a meeting of two tips, so that neither tip is preferred.
 fn first_event(tips: &[Moving], cracks: &[Crack], resolution: f64) -> Option<Event> {
     let mut first: Option<Event> = None;
     let is_before = |one: &Event, other: &Event| {
@@ -148,7 +150,7 @@ fn first_event(tips: &[Moving], cracks: &[Crack], resolution: f64) -> Option<Eve
                 point_to_segment(tips[tip].position(time), tips[other].step.from, tips[other].position(time))
             };
             let Some(time) = first_within(to_path, resolution) else { continue };
-            // Before the other tip ended it was met as a growing one.
+            // Up to the end of the other tip, an encounter with it was one with a growing tip.
             let time = tips[other].end.map_or(time, |(_, end)| time.max(end));
             let apart = (tips[tip].position(time) - tips[other].position(time)).length();
             let is_head_on = apart < HEAD_ON * resolution;
@@ -163,11 +165,11 @@ fn first_event(tips: &[Moving], cracks: &[Crack], resolution: f64) -> Option<Eve
     first
 }
 
-/// Tips nearer than this many resolved lengths when one comes within one of the other's way meet
-/// each other.
+/// Two tips meet each other if they are closer than this many resolved lengths when one of them
+/// comes within one resolved length of the other's path.
 const HEAD_ON: f64 = 1.5;
 
-/// The segments of `crack`, number `index`, that the tip of `step` may meet.
+/// The segments of `crack`, with index `index`, that the tip of `step` may meet.
 fn static_faces(crack: &Crack, step: &Step, index: usize, resolution: f64) -> Vec<(Vec2, Vec2)> {
     if index == step.tip.crack {
         return faces_behind(crack, step.tip.end, OWN_FACES_FROM * resolution);
@@ -175,8 +177,8 @@ fn static_faces(crack: &Crack, step: &Step, index: usize, resolution: f64) -> Ve
     crack.points().windows(2).map(|p| (p[0], p[1])).collect()
 }
 
-/// The segments of `crack` at least `distance` (mm, along the walk) behind the tip at `end`; the
-/// nearest is cut.
+/// The segments of `crack` at least `distance` (mm, along the crack) behind the tip at `end`; the
+/// nearest one is cut off at that distance.
 fn faces_behind(crack: &Crack, end: End, distance: f64) -> Vec<(Vec2, Vec2)> {
     let mut points = crack.points().to_vec();
     if end == End::Last {
@@ -195,8 +197,8 @@ fn faces_behind(crack: &Crack, end: End, distance: f64) -> Vec<(Vec2, Vec2)> {
     segments
 }
 
-/// The first time in [0, 1] at which `distance`, a convex function of it, falls to `limit`; none
-/// where it does not, or where the tip only moves away.
+/// The first time in [0, 1] at which `distance`, a convex function of time, falls to `limit`;
+/// `None` where it does not, or where the tip only moves away.
 fn first_within(distance: impl Fn(f64) -> f64, limit: f64) -> Option<f64> {
     let nearest = argmin(&distance, 0.0, 1.0);
     let start = distance(0.0);
@@ -218,7 +220,7 @@ fn first_within(distance: impl Fn(f64) -> f64, limit: f64) -> Option<f64> {
     Some(inside)
 }
 
-/// Where a convex function is least on [a, b], ends included.
+/// The argument at which a convex function is smallest on [a, b], including the ends.
 fn argmin(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
     let ratio = 0.5 * (5f64.sqrt() - 1.0);
     let (mut low, mut high) = (a, b);
@@ -234,8 +236,9 @@ fn argmin(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
     [a, middle].into_iter().fold(b, |best, t| if f(t) < f(best) { t } else { best })
 }
 
-/// Where `tip`, close to `crack` at `time`, ends on it: where its increment crosses it soon, else
-/// at the nearest point; at a vertex of the crack that is nearer than the resolution.
+/// The point at which `tip`, close to `crack` at `time`, ends on it: the crossing with its
+/// increment if that is near enough, otherwise the nearest point. A vertex of the crack within the
+/// resolution of that point takes its place.
 fn landing(tips: &[Moving], tip: usize, time: f64, crack: usize, cracks: &[Crack], resolution: f64) -> Vec2 {
     let Moving { step, .. } = tips[tip];
     let now = tips[tip].share(time);
@@ -267,7 +270,7 @@ fn landing(tips: &[Moving], tip: usize, time: f64, crack: usize, cracks: &[Crack
     near.filter(|v| (*v - at).length() < resolution).unwrap_or(at)
 }
 
-/// The fraction of the step at which it crosses a–b; none where they are parallel.
+/// The fraction of the step at which it crosses a–b; `None` where they are parallel.
 fn crossing(step: &Step, a: Vec2, b: Vec2) -> Option<f64> {
     let (increment, face) = (step.to - step.from, b - a);
     let determinant = increment.cross(face);
@@ -278,7 +281,7 @@ fn crossing(step: &Step, a: Vec2, b: Vec2) -> Option<f64> {
 fn nearest_point(p: Vec2, faces: &[(Vec2, Vec2)]) -> Vec2 {
     let foot = |&(a, b): &(Vec2, Vec2)| {
         let t = (p - a).dot(b - a) / (b - a).dot(b - a);
-        // A tip that has not moved yet has a way without length.
+        // The path of a tip that has not moved yet has zero length.
         if t <= 0.0 || a == b {
             a
         } else if t >= 1.0 {

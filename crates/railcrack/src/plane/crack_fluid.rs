@@ -1,4 +1,4 @@
-//! Fluid in the cracks of a network: which of them it fills, and how its pressure falls along them.
+//! Fluid in the cracks of a network: the cracks that it fills and the pressure along them.
 
 use crate::body::FaceMesh;
 use crate::contact::{FaceFluid, FluidModel, Pocket, PocketMouth};
@@ -6,7 +6,7 @@ use crate::crack::{Crack, CrackNetwork, End, JunctionPoint};
 use crate::math::{Stress, Vec2};
 use crate::words::{Choice, Word};
 
-/// The pressure along a crack whose mouth is under the contact.
+/// Pressure profile along a crack whose mouth is under the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum PressureProfile {
     /// p(s) = p(mouth) (1 − s/l), s along the faces from the mouth, l the farthest tip.
@@ -26,15 +26,16 @@ impl Choice for PressureProfile {
 /// Fluid in the cracks of a rail.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CrackFluid {
-    /// How its pressure comes about.
+    /// The model of its pressure.
     pub model: FluidModel,
-    /// The pressure along a crack, where it is that over the mouth.
+    /// The profile along a crack, for a model with the pressure over the mouth.
     pub profile: PressureProfile,
-    /// Cracks with fluid, by index from 0; all for none. Cracks that are joined share it.
+    /// Indices (from 0) of the cracks with fluid; `None` for all cracks. Joined cracks share the
+    /// fluid.
     pub cracks: Option<Vec<usize>>,
 }
 
-/// A crack of a pocket: where it is entered from the mouth.
+/// A crack of a pocket, with the point at which the path from the mouth enters it.
 #[derive(Debug, Clone, Copy)]
 struct Entered {
     /// Arc length of the entry, mm.
@@ -55,7 +56,8 @@ impl CrackFluid {
         let count = network.cracks().len();
         let mut taken = vec![false; count];
         let mut pockets = Vec::new();
-        // From mouths first: a buried crack that has joined is entered from there.
+        // Mouths come first, so that a joined buried crack is entered from the crack with the
+        // mouth.
         let breaks_surface = |crack: &usize| network.cracks()[*crack].is_surface_breaking();
         let order =
             (0..count).filter(breaks_surface).chain((0..count).filter(|crack| !breaks_surface(crack)));
@@ -104,7 +106,7 @@ impl CrackFluid {
         };
         let shares: Vec<[f64; 2]> =
             faces.samples.iter().enumerate().map(|(k, sample)| share(k, sample.point)).collect();
-        // A tension across the crack line pushes the + face as a pressure in the crack does.
+        // Tension across the crack line pushes on the + face like pressure in the crack.
         let forces = |which: usize| {
             faces.nodal_forces_of_samples(|k, _| Stress {
                 xx: shares[k][which],
@@ -129,7 +131,7 @@ impl CrackFluid {
     }
 }
 
-/// How each crack that is connected with crack `first` is entered from its first point.
+/// The entries of all cracks connected to crack `first`, seen from its first point.
 fn connected(network: &CrackNetwork, first: usize) -> Vec<Option<Entered>> {
     let mut entered = vec![None; network.cracks().len()];
     entered[first] = Some(Entered { at: 0.0, distance: 0.0 });
@@ -152,7 +154,7 @@ fn connected(network: &CrackNetwork, first: usize) -> Vec<Option<Entered>> {
     }
 }
 
-/// The cracks at a junction, with the arc length (mm) at which each is there.
+/// The cracks at a junction, each with its arc length (mm) there.
 fn arms(network: &CrackNetwork, point: &JunctionPoint) -> Vec<(usize, f64)> {
     let end = |end: &crate::crack::CrackEnd| {
         let s = if end.end == End::First { 0.0 } else { network.cracks()[end.crack].length() };
@@ -162,7 +164,7 @@ fn arms(network: &CrackNetwork, point: &JunctionPoint) -> Vec<(usize, f64)> {
     point.ends.iter().map(end).chain(through).collect()
 }
 
-/// Arc length (mm) of the place on `crack` nearest to `point`.
+/// Arc length (mm) of the point on `crack` nearest to `point`.
 fn arc_length(crack: &Crack, point: Vec2) -> f64 {
     let (mut before, mut best) = (0.0, (f64::INFINITY, 0.0));
     for i in 0..crack.segment_count() {
@@ -178,7 +180,7 @@ fn arc_length(crack: &Crack, point: Vec2) -> f64 {
     best.1
 }
 
-/// Pairs of face points beside each other, across junctions too.
+/// Pairs of adjacent face points, including those across junctions.
 fn neighbours(
     network: &CrackNetwork,
     faces: &FaceMesh,

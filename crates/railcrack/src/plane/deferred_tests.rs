@@ -1,4 +1,4 @@
-//! Growth of slow tips, which is deferred until it makes a segment.
+//! Growth of slow tips, deferred until it makes a segment.
 
 use super::*;
 use crate::crack::{CrackTip, End};
@@ -59,21 +59,21 @@ impl Run {
         self.cracks[crack].length() + self.deferred[crack].length
     }
 
-    /// Where the tip of crack `crack` is, with what deferred.
+    /// Position of the tip of crack `crack`, including its deferred growth.
     fn tip(&self, crack: usize) -> Vec2 {
         self.cracks[crack].tip(End::Last) + self.deferred[crack].direction * self.deferred[crack].length
     }
 }
 
-/// However little it makes in a step, a tip grows by its rate times the cycles, in segments that
-/// are resolved.
+/// However small its growth per step, a tip grows by its rate times the cycles, in resolved
+/// segments.
 #[test]
 fn a_slow_tip_grows_by_its_rate() {
     for ratio in [0.013, 0.05, 0.1, 0.2] {
         let mut run = Run::new(pair(), SETTINGS);
         let (mut grown, mut waited) = (0.0, 0);
         for step in 0..25 {
-            // It gets faster by half, and turns a little.
+            // It becomes faster by half and turns slightly.
             let rate = 1e-6 * ratio * (1.0 + f64::from(step) / 120.0);
             let next = run.grow([0.0, 0.01], [1e-6, rate]);
             grown += rate * next.cycles;
@@ -83,7 +83,7 @@ fn a_slow_tip_grows_by_its_rate() {
         assert!(waited > 2, "{ratio}: {waited}");
         let points = &run.cracks[1].points()[1..];
         for segment in points.windows(2).map(|p| (p[1] - p[0]).length()) {
-            // Towards the end the faster ones keep pace. The crack is at least as long as at the
+            // Towards the end the faster tips keep pace. The crack is at least as long as at the
             // beginning.
             assert!(
                 segment > DeferredGrowth::KEEPS_PACE * SETTINGS.increment * 2.0 - ROUNDING,
@@ -93,8 +93,8 @@ fn a_slow_tip_grows_by_its_rate() {
     }
 }
 
-/// The fastest tip and those that are nearly as fast, in relation to their cracks, make each
-/// increment at once.
+/// The fastest tip, and those that are nearly as fast relative to the length of their cracks, make
+/// each increment at once.
 #[test]
 fn fast_tips_are_not_deferred() {
     for [first, second] in [[1.0, 0.67 / 3.0], [0.5, 0.2], [0.3, 1.0]] {
@@ -112,8 +112,8 @@ fn fast_tips_are_not_deferred() {
 }
 
 /// A slow tip whose path bends and whose rate rises with its length: position and length after the
-/// same cycles converge to those of the closed form, to first order in the increment, as steps
-/// without deferred do.
+/// same cycles converge to those of the closed form, to first order in the increment, like steps
+/// without deferred growth.
 #[test]
 fn paths_converge_with_the_increment() {
     // dL/dN = r (1 + g (L − 2)); the direction turns by L − 2 over a radius of 3 mm.
@@ -128,7 +128,7 @@ fn paths_converge_with_the_increment() {
         let settings = GrowthSettings { increment, stop_after_cycles: Some(CYCLES), ..SETTINGS };
         let mut run = Run::new(pair(), settings);
         while run.stop.is_none() {
-            // What the passage tells is the state of the crack without what deferred.
+            // The passage sees the crack without its deferred growth.
             let length = run.cracks[1].length() - 2.0;
             let heading = run.cracks[1].ahead(End::Last).angle() + std::f64::consts::FRAC_PI_2;
             let first = 1e-6 * run.cracks[0].length() / 6.0;
@@ -146,7 +146,7 @@ fn paths_converge_with_the_increment() {
     }
 }
 
-/// Deferred growth keeps to the branch that it has begun, and its length counts whatever the
+/// Deferred growth keeps to the branch on which it began, and its length counts irrespective of
 /// direction.
 #[test]
 fn a_tip_between_two_branches_takes_the_first() {
@@ -185,7 +185,7 @@ fn next(mut cracks: Vec<Crack>, mut tips: Vec<TipDrive>) -> PlaneAdvance {
     advance(&state, &SETTINGS)
 }
 
-/// 5.5 mm to a tip at (0, −4), to the right. It makes 0.02 mm, and 0.22 mm are a whole increment.
+/// 5.5 mm to a tip at (0, −4), to the right. It grows by 0.02 mm; a full increment is 0.22 mm.
 fn shelf() -> Crack {
     crack(&[(-1.5, 0.0), (-1.5, -4.0), (0.0, -4.0)])
 }
@@ -207,7 +207,7 @@ fn deferred_growth_joins_a_crack() {
             vec![slow(0, 0.0, SLOW, deferred), still(End::First, 0), still(End::Last, 1)],
         )
     };
-    // 0.12 mm of way, and the resolution.
+    // 0.12 mm of growth plus the resolution.
     let joined = to(0.13, RIGHT);
     assert_eq!(joined.junctions.len(), 1);
     assert!((joined.cracks[0].tip(End::Last) - Vec2::new(0.13, -4.0)).length() < ROUNDING, "{joined:?}");
@@ -216,7 +216,7 @@ fn deferred_growth_joins_a_crack() {
         (joined.tips[0].deferred, joined.tips[0].stop),
         (DeferredGrowth::default(), Some(TipStop::Coalescence))
     );
-    // Farther away, or with less that deferred, it deferred on.
+    // Farther away, or with less deferred growth, its growth is deferred further.
     for deferred in [to(0.15, RIGHT), to(0.13, DeferredGrowth { length: 0.05, ..RIGHT })] {
         assert_eq!((deferred.junctions.len(), deferred.tips[0].stop), (0, None));
         assert_eq!(deferred.cracks[0], shelf());
@@ -225,7 +225,7 @@ fn deferred_growth_joins_a_crack() {
 
 #[test]
 fn another_tip_joins_deferred_growth() {
-    // Comes from below, 0.06 mm ahead of the tip.
+    // This tip approaches from below, 0.06 mm ahead of the other one.
     let below = crack(&[(6.0, -8.0), (0.06, -8.0), (0.06, -4.15)]);
     let still = TipDrive {
         tip: CrackTip { crack: 1, tip: 0, end: End::First },
@@ -240,7 +240,7 @@ fn another_tip_joins_deferred_growth() {
     let at = met.cracks[1].tip(End::Last);
     assert!((at - Vec2::new(0.06, -4.0)).length() < ROUNDING, "{at:?}");
     assert_eq!(met.junctions.len(), 1);
-    // The segment that it joins is there now, and the tip goes on.
+    // The segment that it joins exists now, and the tip continues.
     assert_eq!(met.cracks[0].vertex_at(at), Some(3));
     assert!((met.cracks[0].tip(End::Last) - Vec2::new(0.12, -4.0)).length() < ROUNDING, "{met:?}");
     assert_eq!((met.tips[0].deferred, met.tips[0].stop), (DeferredGrowth::default(), None));

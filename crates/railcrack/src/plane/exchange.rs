@@ -1,4 +1,4 @@
-//! Forces that cracks exert on those that are followed apart from them.
+//! Forces between cracks that are followed in separate groups.
 
 use super::face_load::LoadPhase;
 use super::groups::Group;
@@ -8,23 +8,23 @@ use crate::linear::{LinearError, add_product, product};
 use crate::math::Matrix;
 use rayon::prelude::*;
 
-/// The jumps of the faces of a unit (mm) on each part of the way.
+/// The jumps of the faces of a unit (mm) in each phase of the load path.
 pub(super) type History = Vec<(LoadPhase, Track)>;
 
-/// The jumps of all units on their way through a leg, and the forces of those that are far away.
+/// The jumps of all units during a leg, and the forces of the distant ones.
 pub(super) struct Exchange<'a> {
     blocks: &'a BlockStiffness,
     groups: &'a [Group],
     histories: &'a [History],
-    /// Forces (N/mm) on each unit of all that are not near to it.
+    /// Forces (N/mm) on each unit from all units that are not near it.
     far: Vec<History>,
 }
 
 impl<'a> Exchange<'a> {
-    /// Of units with these `histories`; far forces at the coordinates `nodes(unit)` of each part of
-    /// the way.
+    /// The exchange between units with these `histories`; far forces are given at the coordinates
+    /// `nodes(unit)` of each phase.
     ///
-    /// Errors: none.
+    /// Errors: matrices whose shapes do not match.
     pub fn new(
         blocks: &'a BlockStiffness,
         groups: &'a [Group],
@@ -46,17 +46,17 @@ impl<'a> Exchange<'a> {
         Ok(Self { blocks, groups, histories, far })
     }
 
-    /// The forces (N/mm) on group `k` of the jumps of all units that are not among its members, at
-    /// the coordinates `nodes` of each part of the way, and where the nearest of them keep their
-    /// jumps.
+    /// The forces (N/mm) on group `k` due to the jumps of all units that are not its members, at
+    /// the coordinates `nodes` of each phase and at those at which the nearest of these units store
+    /// their jumps.
     ///
-    /// Errors: none.
+    /// Errors: matrices whose shapes do not match.
     pub fn forces_on(&self, k: usize, nodes: Vec<Vec<f64>>) -> Result<History, LinearError> {
         let nodes = self.with_kept(k, nodes);
         forces_on(self.blocks, &self.groups[k], (self.histories, &self.far), &nodes)
     }
 
-    /// The forces of far units on group `k` at the coordinates `nodes` of each part of the way.
+    /// The forces of distant units on group `k` at the coordinates `nodes` of each phase.
     pub fn far_forces_on(&self, k: usize, nodes: &[Vec<f64>]) -> Vec<Matrix> {
         let members = &self.groups[k].members;
         let on_part = |(i, nodes): (usize, &Vec<f64>)| {
@@ -65,8 +65,8 @@ impl<'a> Exchange<'a> {
         nodes.iter().enumerate().map(on_part).collect()
     }
 
-    /// The coordinates `nodes`, and those at which units that lean on members of group `k` keep
-    /// their jumps.
+    /// The coordinates `nodes`, together with those at which units coupled to members of group `k`
+    /// store their jumps.
     fn with_kept(&self, k: usize, mut nodes: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
         let members = &self.groups[k].members;
         let leaning = members.iter().flat_map(|&m| self.groups[m].members.iter().copied());
@@ -83,7 +83,7 @@ impl<'a> Exchange<'a> {
     }
 }
 
-/// The forces on unit `k` of all that are not near to it.
+/// The forces on unit `k` from all units that are not near it.
 fn far_forces(
     blocks: &BlockStiffness,
     amplitudes: &[History],
@@ -124,7 +124,7 @@ fn forces_on(
     parts.collect()
 }
 
-/// The columns of all `parts`, which have equally many rows.
+/// The columns of all `parts`, which have the same number of rows.
 fn side_by_side(parts: Vec<Matrix>) -> Matrix {
     let rows = parts.first().map_or(0, Matrix::rows);
     let mut all = Matrix::zeros(rows, parts.iter().map(Matrix::columns).sum());

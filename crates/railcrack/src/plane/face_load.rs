@@ -6,36 +6,38 @@ use crate::contact::{FaceProblem, FluidModel, FluidState, LoadPath, Pocket};
 use crate::field::{EndField, EndsError, StressesUnderWheel, Wheel};
 use crate::math::{Vec2, axpy};
 
-/// Nodal forces of the uncracked rail's stress.
+/// Nodal forces due to the stress of the uncracked rail.
 pub(super) struct FaceLoad<'a> {
     pub(super) problem: &'a FaceProblem<'a>,
     wheel: &'a dyn Wheel,
-    /// Stress that the ends of the rail add at these points; none for a half-plane.
+    /// Stress added by the ends of the rail at these points; `None` for a half-plane.
     ends: Option<StressesUnderWheel>,
     /// The quadrature points of the faces, mm.
     points: Vec<Vec2>,
-    /// Nodal forces of the residual stress.
+    /// Nodal forces due to the residual stress.
     residual: Vec<f64>,
-    /// The largest pressure (MPa) of the fluid in cracks that take that over their mouth; none
-    /// without such fluid.
+    /// The largest pressure (MPa) of fluid that takes the pressure over the mouth; `None` without
+    /// such fluid.
     cap: Option<f64>,
-    /// The forces of other cracks.
+    /// The forces exerted by cracks outside the problem.
     others: Vec<(LoadPhase, Track)>,
 }
 
-/// One part of the history, and what its path coordinate is.
+/// One phase of the load history, which defines the meaning of the path coordinate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum LoadPhase {
-    /// Share of the residual stress, 0 to 1; no wheel.
+    /// Share of the residual stress, 0 to 1, without the wheel.
     Ramp,
-    /// 1 / (distance of the wheel in mm from `origin` towards `side`, ±1); 0 is infinitely far.
+    /// Reciprocal of the distance (mm) of the wheel from `origin` towards `side`; 0 is infinitely
+    /// far away.
     Far {
-        /// Where distances count from, mm.
+        /// Origin of the distance, mm.
         origin: f64,
-        /// Sign of x on that side.
+        /// Sign of x on that side, ±1.
         side: f64,
     },
-    /// Share of the wheel's load, 0 to 1, at one place: where there is no far away.
+    /// Share of the load of a wheel at a fixed position, 0 to 1: for a rail with ends, where the
+    /// wheel cannot arrive from infinity.
     Load {
         /// x_c, mm.
         xc: f64,
@@ -57,9 +59,10 @@ impl LoadPhase {
 }
 
 impl<'a> FaceLoad<'a> {
-    /// The load on the faces of `problem`; `ends` is what the ends of the rail add under the wheel.
+    /// The load on the faces of `problem`; `ends` is the field that the ends of the rail add under
+    /// the wheel.
     ///
-    /// Errors: a face outside of the rail.
+    /// Errors: a face outside the rail.
     pub(super) fn new(
         problem: &'a FaceProblem<'a>,
         load: RailLoad<'a>,
@@ -86,8 +89,8 @@ impl<'a> FaceLoad<'a> {
         pockets.iter().map(|pocket| share * over(pocket)).collect()
     }
 
-    /// Adds the nodal forces of trapped fluid to `forces` (N/mm, 2p): `state` is that in the crack
-    /// of a tip.
+    /// Adds the nodal forces of trapped fluid to `forces` (N/mm, 2p); `state` is the fluid in the
+    /// crack of a tip.
     pub(super) fn press_trapped(&self, forces: &mut [f64], state: impl Fn(usize) -> Option<FluidState>) {
         let Some(fluid) = self.problem.fluid().filter(|_| self.cap.is_none()) else { return };
         for pocket in &fluid.pockets {
@@ -99,26 +102,27 @@ impl<'a> FaceLoad<'a> {
         }
     }
 
-    /// The pressure (MPa) in each pocket where it is that over the mouth; none of another fluid.
+    /// The pressure (MPa) in each pocket that takes the pressure over its mouth; empty for other
+    /// fluid models.
     pub(super) fn in_pockets(&self, xc: f64, share: f64) -> Option<Vec<f64>> {
         let cap = self.cap?;
         Some(self.over_mouths(xc, share).into_iter().map(|pressure| pressure.min(cap)).collect())
     }
 
-    /// The same with the forces (N/mm, 2p) that `others` exert, those of cracks that are not part
-    /// of the problem.
+    /// The same load with the forces (N/mm, 2p) of `others`, cracks that are not part of the
+    /// problem.
     pub(super) fn with_others(self, others: Vec<(LoadPhase, Track)>) -> Self {
         Self { others, ..self }
     }
 
-    /// The load along `part`.
+    /// The load path of the phase `part`.
     pub(super) fn along(&self, part: LoadPhase) -> PartLoad<'_> {
         let others = self.others.iter().find(|(own, _)| *own == part).map(|(_, track)| track);
         PartLoad { load: self, part, others }
     }
 
-    /// The largest slip (mm) of each point over some of the wheel positions `xc`, with the faces
-    /// free to move.
+    /// The largest slip (mm) of each point over a sample of the wheel positions `xc`, with free
+    /// faces.
     pub(super) fn expected_slip(&self, xc: &[f64]) -> Vec<f64> {
         let mut slips = vec![0.0f64; self.problem.points()];
         for &x in xc.iter().step_by((xc.len() / EXPECTED_FROM).max(1)) {
@@ -132,7 +136,7 @@ impl<'a> FaceLoad<'a> {
     }
 }
 
-/// Positions that show how far the faces would slip: it serves as a scale only.
+/// Number of positions sampled for the expected slip, which serves only as a scale.
 const EXPECTED_FROM: usize = 30;
 
 /// [`FaceLoad`] as a path.
@@ -145,7 +149,7 @@ pub(super) struct PartLoad<'a> {
 impl LoadPath for PartLoad<'_> {
     fn over_mouths(&self, at: f64) -> Vec<f64> {
         if self.load.cap.is_some() {
-            // A load like others.
+            // The forces of other cracks are loads like any other.
             return Vec::new();
         }
         match self.part {

@@ -1,5 +1,5 @@
-//! Stress and displacement around the cracks at some wheel positions: those of the uncracked rail
-//! and that of the cracked body together.
+//! Stress and displacement around the cracks at selected wheel positions: the sum of the fields of
+//! the uncracked rail and of the cracked body.
 
 use super::face_load::{FaceLoad, LoadPhase};
 use super::rail_load::RailLoad;
@@ -8,9 +8,10 @@ use crate::contact::{FaceState, LoadPath};
 use crate::growth::{FieldRecord, FieldSettings, FieldSnapshot, StabilisedPassage};
 use crate::math::Vec2;
 
-/// The fields at `positions` (mm) in the stabilised `passage`; none where the engine has none.
+/// The fields at `positions` (mm) in the stabilised `passage`; `None` where the engine provides
+/// none.
 ///
-/// Errors: the engine cannot compute them.
+/// Errors: fields that the engine cannot compute.
 pub(super) fn record_fields(
     face_load: &FaceLoad,
     load: RailLoad,
@@ -61,7 +62,8 @@ pub(super) fn record_fields(
     Ok(Some(FieldRecord { grid, snapshots }))
 }
 
-/// Indices of the members of `xc` nearest to each of `wanted`, increasing, none twice.
+/// Indices of the members of `xc` nearest to each of `wanted`, in increasing order without
+/// repetition.
 fn nearest(xc: &[f64], wanted: &[f64]) -> Vec<usize> {
     let distance = |i: usize, x: f64| (xc[i] - x).abs();
     let of = |&x: &f64| (0..xc.len()).min_by(|&i, &j| distance(i, x).total_cmp(&distance(j, x)));
@@ -71,8 +73,8 @@ fn nearest(xc: &[f64], wanted: &[f64]) -> Vec<usize> {
     chosen
 }
 
-/// Traction that the opposite face exerts at the points of the faces, MPa: the contact traction on
-/// the + face, its negative on the other.
+/// Traction exerted by the opposite face at the points of the faces, MPa: the contact traction on
+/// the + face, its negative on the − face.
 fn tractions(grid: &FieldGrid, faces: &[FacePoint], states: &[FaceState]) -> Vec<Vec2> {
     let at_face_point = |j: usize| {
         let tangent = faces[j].tangent;

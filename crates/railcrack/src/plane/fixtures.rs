@@ -13,13 +13,13 @@ pub(super) fn crack(points: &[(f64, f64)]) -> Crack {
     Crack::polyline(points.iter().map(|&(x, y)| Vec2::new(x, y)).collect()).unwrap()
 }
 
-/// Where a run stands at `step` after `load_cycles`, whose surface is as at the beginning.
+/// Start of `step` after `load_cycles`, with an unworn surface.
 pub(super) fn at(step: usize, load_cycles: f64) -> StepStart<'static> {
     StepStart { step, load_cycles, worn: &UNWORN }
 }
 
-/// The first step of `cracks` that have joined nowhere, in the rail of the paper, for an engine
-/// that resolves `resolution` (mm).
+/// The first step of `cracks` without junctions in the rail of the paper, for an engine that
+/// resolves `resolution` (mm).
 pub(super) fn state<'a>(cracks: &'a [Crack], tips: &'a [TipDrive], resolution: f64) -> StepState<'a> {
     StepState {
         at: at(0, 0.0),

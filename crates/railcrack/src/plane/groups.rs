@@ -1,4 +1,5 @@
-//! Groups of cracks that are followed together: each crack with those that it leans on.
+//! Groups of cracks that are followed together: each crack with those to which it is strongly
+//! coupled.
 
 use crate::body::{BlockStiffness, CrackedBody, RowPart, TipGain};
 use crate::contact::FaceProblem;
@@ -7,20 +8,20 @@ use crate::math::Matrix;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Coupling of two units, as the root of a sum of squared correlations of their jumps, from which
-/// on they are followed together.
+/// Coupling above which two units are followed together, as the root of the sum of squared
+/// correlations of their jumps.
 const STRONG: f64 = 0.5;
 
-/// A unit of a row together with those that it is strongly coupled to.
+/// A unit of a row together with those to which it is strongly coupled.
 pub(super) struct Group {
     /// The units, in their order along the row.
     pub members: Vec<usize>,
     pub body: CrackedBody,
     /// Friction of its cracks.
     pub friction: Vec<f64>,
-    /// Points, in the body, of the unit whose results count.
+    /// Points in the body that belong to the group's own unit, whose results count.
     pub own_points: Range<usize>,
-    /// Its tips: the number in the row, and in the body.
+    /// Tips of that unit: their numbers in the row and in the body.
     pub own_tips: Vec<(usize, usize)>,
     /// Ends of the faces of all members along the rail, mm.
     pub extent: (f64, f64),
@@ -49,8 +50,8 @@ pub(super) fn groups(problem: &FaceProblem, blocks: &BlockStiffness) -> Result<V
     (0..count).into_par_iter().map(group).collect()
 }
 
-/// √tr(C_k A_kl C_l A_lk), with C of each unit alone: the cosines of the angles between the jumps
-/// of both in the energy, squared and summed.
+/// √tr(C_k A_kl C_l A_lk), with C of each unit alone: the root of the sum of squared cosines of the
+/// angles between the jumps of both units in the energy norm.
 fn coupling(one: &Matrix, between: &Matrix, other: &Matrix) -> Result<f64, LinearError> {
     let (left, right) = (product(one, between)?, product(between, other)?);
     let pairs = left.entries().iter().zip(right.entries());

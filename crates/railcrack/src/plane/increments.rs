@@ -1,4 +1,4 @@
-//! Increments, load cycles and the longer cracks, from the growth rates of the tips.
+//! Increments, load cycles and extended cracks, from the growth rates of the tips.
 
 use super::coalescence::{Coalescence, coalescences};
 use super::joining::{Outcome, grow, spall};
@@ -16,66 +16,67 @@ use crate::math::Vec2;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TipAdvance {
     /// Increment, mm; 0 for a tip that does not grow and in the last step. Negative for a tip that
-    /// joins a crack which lies across what was deferred.
+    /// joins a crack lying across its deferred growth.
     pub increment: f64,
-    /// Its growth that is not in the crack of the next step.
+    /// Its growth that is not yet included in the crack of the next step.
     pub deferred: DeferredGrowth,
-    /// Why it does not grow, or not any more, if so.
+    /// Why it does not grow, or no longer grows, if so.
     pub stop: Option<TipStop>,
 }
 
 /// The transition to the next step.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct PlaneAdvance {
-    /// One per tip, in the order given.
+    /// The advances of the tips, in the given order.
     pub tips: Vec<TipAdvance>,
     /// The cracks of the next step.
     pub cracks: Vec<Crack>,
-    /// Where they have joined each other then.
+    /// Their junctions.
     pub junctions: Vec<Junction>,
-    /// All tips that have broken out.
+    /// All tips that have broken out so far.
     pub break_outs: Vec<BreakOut>,
     /// Pieces that this step encloses.
     pub pieces: Vec<Piece>,
-    /// Load cycles until then, by the rate at the start of the step: what the tips are grown by.
+    /// Load cycles until the next step, by the rates at the start of this one, which determine the
+    /// growth of the tips.
     pub cycles: f64,
     /// The increment that set the pace, from which the cycles follow once the rate at its end is
-    /// known; none where no cycles pass.
+    /// known; `None` where no cycles pass.
     pub interval: Option<Interval>,
-    /// Removed of the running surface until then, mm.
+    /// Removal of the running surface during the step, mm.
     pub removal: f64,
-    /// Whether it is ground then.
+    /// Whether the surface is ground at the end of the step.
     pub ground: bool,
-    /// Why the run ends with this step, if it does; the cracks are then unchanged and no cycles
+    /// Why the run ends with this step, if it does; the cracks then stay unchanged and no cycles
     /// pass.
     pub stop: Option<RunStop>,
 }
 
 /// The increments from one step to the next.
 ///
-/// Wear and grinding remove the running surface meanwhile, and with it the mouths of the cracks.
-/// Where they take more of a crack than its tip grows, they set the pace ([`super::Maintenance`]).
+/// Meanwhile, wear and grinding remove the running surface and with it the mouths of the cracks.
+/// Where they remove more of a crack than its tip adds, they set the pace ([`super::Maintenance`]).
 ///
-/// Δa_i = Δa_max rate_i / rate_max with Δa_max = increment × length of the fastest tip's crack, by
-/// the rates at the start of the step. The load cycles follow from the rates of the fastest tip at
-/// both ends ([`Interval`]). A step that would exceed the cycles to stop after, at the rate of its
-/// start, is shortened to end on them.
+/// Δa_i = Δa_max rate_i / rate_max with Δa_max = increment × length of the fastest tip's crack,
+/// where the rates are those at the start of the step. The load cycles follow from the rates of the
+/// fastest tip at both ends ([`Interval`]). A step that would exceed the cycle limit at its initial
+/// rate is shortened to end there.
 ///
-/// The growth of a much slower tip is deferred until it amounts to a whole increment
-/// ([`DeferredGrowth`]). Deferred growth counts in the length of the crack, and where the tip
-/// reaches the surface, the ends of the rail or another crack.
+/// The growth of a much slower tip is deferred until it amounts to a full increment
+/// ([`DeferredGrowth`]). Deferred growth counts towards the length of the crack, and in deciding
+/// whether the tip reaches the surface, the ends of the rail or another crack.
 ///
-/// A tip that is arrested, or whose increment cannot be made, stops for good and has no influence
-/// on the increments of the others. A tip that comes closer than the resolution to a crack
-/// coalesces with it: its increment ends on that crack, and it ceases to be a tip. New stops are
-/// also reported in the last step.
+/// A tip that is arrested, or whose increment cannot be made, stops for good and has no effect on
+/// the increments of the others. A tip that comes closer than the resolution to a crack coalesces
+/// with it: its increment ends on that crack, and it ceases to be a tip. New stops are also
+/// reported in the last step.
 ///
 /// A tip that breaks out cuts off a spall if its crack is connected to the running surface. A tip
 /// that coalesces with a crack to which it is already connected, through cracks or the surface,
 /// detaches a piece, and the run ends.
 ///
-/// Cracks that are no network to begin with (they meet elsewhere than at junctions, or enclose a
-/// piece) are left as they are, and their tips stop.
+/// Cracks that do not form a valid network at the start (because they meet elsewhere than at
+/// junctions, or enclose a piece) are left as they are, and their tips stop.
 ///
 /// Source: Trollé et al. 2014, eq. 32.
 #[must_use]
@@ -84,7 +85,7 @@ pub(super) fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Plane
         state.tips.iter().map(|tip| tip.stopped.or_else(|| standstill(tip, settings))).collect();
     let mut break_outs = state.break_outs.to_vec();
     let mut pieces = Vec::new();
-    // Every round stops at least one tip, or is the last.
+    // Every round but the last stops at least one tip.
     let (pace, plans, met, outcome) = loop {
         let pace = pace(state, settings, &stops);
         let plans = planned(state, &pace, settings, &stops);
@@ -188,8 +189,8 @@ fn pace(state: &StepState<'_>, settings: &GrowthSettings, stops: &[Option<TipSto
     Pace::of(&moving, &state.at, settings)
 }
 
-/// Takes `removal` (mm) off the surface of `cracks`: tips of cracks that are worn away, or that the
-/// surface has come down to, stop.
+/// Removes `removal` (mm) from the surface above `cracks`: tips of cracks that are worn away, and
+/// tips that the surface has reached, stop.
 fn remove_surface(
     state: &StepState<'_>,
     removal: f64,
@@ -223,7 +224,7 @@ fn remove_surface(
     *cracks = removed.cracks;
 }
 
-/// The tips when no increment is made.
+/// The advances of the tips when no increment is made.
 fn standing_tips(state: &StepState<'_>, stops: &[Option<TipStop>]) -> Vec<TipAdvance> {
     let standing = |(tip, &stop): (&TipDrive, &Option<TipStop>)| {
         let is_away = stop == Some(TipStop::WornAway);
@@ -233,7 +234,7 @@ fn standing_tips(state: &StepState<'_>, stops: &[Option<TipStop>]) -> Vec<TipAdv
     state.tips.iter().zip(stops).map(standing).collect()
 }
 
-/// The tips when increments are made, from those without.
+/// The advances of the tips with their increments, from those without.
 fn growing_tips(
     standing: &[TipAdvance],
     plans: &[Option<PlannedAdvance>],
@@ -252,8 +253,8 @@ fn growing_tips(
     standing.iter().zip(plans.iter().zip(met)).map(growing).collect()
 }
 
-/// The steps that cannot be made, with the reason: they break out before they meet a crack, or
-/// leave the rail.
+/// The steps that cannot be made, with the reason: break-out before meeting a crack, or leaving the
+/// rail.
 fn blocked_steps(
     state: &StepState<'_>,
     steps: &[Option<Step>],
@@ -266,7 +267,7 @@ fn blocked_steps(
         let stop = stop_of_one(step, crack, state.rail, state.resolution, removal);
         let ligament = spent_ligament(crack, state.resolution);
         match met[i] {
-            // A mouth is on the surface already.
+            // A mouth already lies on the surface.
             Some(coalescence) if -coalescence.at.y >= ligament => {
                 stop.filter(|stop| *stop != TipStop::BreakOut)
             }
@@ -277,8 +278,8 @@ fn blocked_steps(
     (0..steps.len()).filter_map(|i| Some((i, blocked(i)?))).collect()
 }
 
-/// Where the ligament of a tip that breaks out ends on the running surface: where its increment
-/// passes it, else above its end.
+/// The point at which the ligament of a tip that breaks out ends on the running surface: where the
+/// increment crosses the surface, otherwise directly above its end.
 fn way_out(step: &Step) -> Vec2 {
     let rise = step.to.y - step.from.y;
     let share = if step.to.y > 0.0 && rise > 0.0 { -step.from.y / rise } else { 1.0 };
@@ -290,9 +291,9 @@ fn way_out(step: &Step) -> Vec2 {
 struct PlannedAdvance {
     /// Its own increment, mm.
     increment: f64,
-    /// All growth that is not in its crack yet, the increment included.
+    /// All growth that has not been added to its crack yet, including the increment.
     growth: DeferredGrowth,
-    /// The segment that this makes.
+    /// The segment formed by this growth.
     step: Step,
     /// Whether the segment is too short to be made.
     deferred: bool,
@@ -331,8 +332,8 @@ fn planned(
         .collect()
 }
 
-/// The plans beside `met`: a tip that joins a crack is not deferred, nor is one whose plan another
-/// tip ends on.
+/// The plans adapted to the coalescences `met`: growth is not deferred for a tip that joins a
+/// crack, nor for one on whose segment another tip ends.
 fn adapted_to_coalescences(
     state: &StepState<'_>,
     plans: Vec<Option<PlannedAdvance>>,

@@ -87,13 +87,14 @@ fn stopped_tip_stays_stopped_and_does_not_set_the_pace() {
 
 #[test]
 fn rising_tip_near_the_surface_breaks_out() {
-    // 6 mm at 5°: 0.52 mm deep. Rising by 0.24 mm leaves 0.28 mm; two elements are 0.2 mm.
+    // 6 mm at 5°: 0.52 mm deep. Rising by 0.24 mm leaves 0.28 mm, more than the 0.2 mm of two
+    // elements.
     assert_eq!(stop_of_first(&[slanted(0.0, 6.0, 5.0)], 95.0), None);
-    // At 3° 0.31 mm deep: 0.07 mm would be left.
+    // At 3° the tip is 0.31 mm deep: 0.07 mm would be left.
     assert_eq!(stop_of_first(&[slanted(0.0, 6.0, 3.0)], 93.0), Some(TipStop::BreakOut));
-    // At 1° 0.10 mm deep, but going down: not a spall.
+    // At 1° the tip is 0.10 mm deep, but descends: no spall.
     assert_eq!(stop_of_first(&[slanted(0.0, 6.0, 1.0)], -20.0), None);
-    // A step through the surface, and 1 % of a long crack.
+    // A step through the surface, and a ligament of 1 % of a long crack.
     let shallow = [polyline(&[(0.0, 0.0), (1.0, -2.0), (60.0, -2.0)])];
     assert_eq!(stop_of_first(&shallow, 90.0), Some(TipStop::BreakOut));
     let long = [polyline(&[(0.0, 0.0), (1.0, -2.0), (60.0, -0.7)])];
@@ -102,7 +103,7 @@ fn rising_tip_near_the_surface_breaks_out() {
 
 #[test]
 fn tip_that_would_meet_another_crack_or_itself_stops() {
-    // The horizontal tip ends 0.3 mm before the vertical crack; its increment is 0.2 mm and more.
+    // The horizontal tip ends 0.3 mm before the vertical crack; its increment exceeds 0.2 mm.
     let wall = slanted(4.45, 6.0, 90.0);
     let near = polyline(&[(0.0, 0.0), (0.5, -2.0), (4.15, -2.0)]);
     assert_eq!(stop_of_first(&[near.clone(), wall.clone()], 0.0), Some(TipStop::Coalescence));
@@ -111,7 +112,7 @@ fn tip_that_would_meet_another_crack_or_itself_stops() {
     // does not.
     let hook = polyline(&[(0.0, 0.0), (0.0, -4.0), (3.0, -4.0), (3.0, -3.0), (0.2, -3.0)]);
     assert_eq!(stop_of_first(&[hook], 0.0), Some(TipStop::Coalescence));
-    // Faces crossed 0.15 mm behind the tip.
+    // Crossing of the own faces 0.15 mm behind the tip.
     let curl = polyline(&[(0.0, 0.0), (0.0, -4.0), (2.0, -4.0), (2.0, -3.95), (1.95, -3.95)]);
     assert_eq!(stop_of_first(std::slice::from_ref(&curl), 90.0), Some(TipStop::Coalescence));
     let short: Vec<(f64, f64)> = (0..=100).map(|i| (0.02 * f64::from(i), -0.02 * f64::from(i))).collect();
@@ -135,7 +136,7 @@ fn run_ends_on_steps_length_and_exactly_on_its_cycles() {
     let critical = GrowthSettings { critical_length: Some(6.0), ..SETTINGS };
     assert_eq!(advance(&step, &critical).stop, Some(RunStop::CriticalLength));
 
-    // 0.24 mm take 240 000 cycles; 100 000 are left.
+    // Growth of 0.24 mm takes 240 000 cycles; 100 000 remain.
     let limited = GrowthSettings { stop_after_cycles: Some(350e3), ..SETTINGS };
     let before = StepState { at: fixtures::at(0, 250e3), ..state(&cracks, &tips) };
     let shortened = advance(&before, &limited);

@@ -1,4 +1,4 @@
-//! The cracks of the next step: longer by the increments, with new junctions.
+//! The cracks of the next step, extended by the increments and with new junctions.
 
 use super::coalescence::Coalescence;
 use super::pieces::CrackGraph;
@@ -14,17 +14,17 @@ pub(super) enum Outcome {
     Grown {
         /// The cracks.
         cracks: Vec<Crack>,
-        /// All junctions.
+        /// All their junctions.
         junctions: Vec<Junction>,
     },
-    /// Pieces are detached.
+    /// Pieces of the rail become detached.
     Detached(Vec<Piece>),
-    /// These steps (indices) make no cracks.
+    /// The steps with these indices lead to no valid network.
     Impossible(Vec<usize>),
 }
 
-/// Grows the cracks by `steps`, each up to its coalescence where it has one. Without any step they
-/// stay as they are, even where they are no network: there is nothing to blame then.
+/// Extends the cracks by `steps`, each up to its coalescence if it has one. Without any step the
+/// cracks stay as they are, even if they form no valid network, since no step is then to blame.
 pub(super) fn grow(
     state: &StepState<'_>,
     steps: &[Option<Step>],
@@ -83,12 +83,12 @@ fn impossible(
     Outcome::Impossible(if blamed.is_empty() { made } else { blamed })
 }
 
-/// Fate of the point that was the tip.
+/// Fate of the former tip point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Last {
-    /// It is a vertex of the longer crack.
+    /// It becomes a vertex of the extended crack.
     Stays,
-    /// The end moves: no segment shorter than the resolution is left at a junction.
+    /// It moves with the end, so that no segment shorter than the resolution remains at a junction.
     Moves,
 }
 
@@ -102,8 +102,8 @@ fn lengthen(path: &mut Vec<Vec2>, end: End, to: Vec2, last: Last) {
     }
 }
 
-/// Makes `at` a vertex of `path`, on the segment that it lies on; where the end `own` of the path
-/// itself is there, once more.
+/// Makes `at` a vertex of `path` on the segment that contains it; if the end `own` of the path lies
+/// there, the vertex is inserted in addition to it.
 fn insert(path: &mut Vec<Vec2>, at: Vec2, own: Option<End>) {
     let (mut first, mut last) = (0, path.len() - 1);
     match own {
@@ -121,7 +121,8 @@ fn insert(path: &mut Vec<Vec2>, at: Vec2, own: Option<End>) {
     }
 }
 
-/// The junctions so far and those of `coalescences`: where tip meets tip, that of the earlier one.
+/// The existing junctions and those of `coalescences`; where two tips meet, the junction of the
+/// earlier one is kept.
 fn junctions(
     state: &StepState<'_>,
     steps: &[Option<Step>],
@@ -139,7 +140,7 @@ fn junctions(
     junctions
 }
 
-/// The pieces that the last segments before `coalescences` close off.
+/// The pieces enclosed by the last segments before `coalescences`.
 fn detached(
     state: &StepState<'_>,
     steps: &[Option<Step>],
@@ -177,8 +178,8 @@ fn detached(
     closing.into_iter().filter_map(outline).collect()
 }
 
-/// The spall that a tip at `from`, which breaks out at the point `surface` of the running surface,
-/// cuts off; none where the crack is not yet connected to the surface. The break-outs `before`
+/// The spall cut off by a tip at `from` that breaks out at the point `surface` of the running
+/// surface; `None` where the crack is not yet connected to the surface. The break-outs `before`
 /// count as connections.
 pub(super) fn spall(state: &StepState<'_>, before: &[BreakOut], new: BreakOut) -> Option<Piece> {
     let mut graph = CrackGraph::default();

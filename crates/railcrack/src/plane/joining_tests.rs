@@ -1,4 +1,5 @@
-//! Tips that meet cracks, each other, themselves and the surface; what they cut off.
+//! Tips that meet cracks, each other, their own faces and the surface, and the pieces that they cut
+//! off.
 
 use super::*;
 use crate::crack::{CrackEnd, CrackNetwork, CrackTip, End, segment_distance};
@@ -108,8 +109,8 @@ fn no_segment_shorter_than_the_resolution_is_left() {
 
 #[test]
 fn tips_that_come_together_meet_where_they_are_at_the_same_time() {
-    // 0.3 mm apart and 0.24 mm of way, the second half as fast: they are one resolution apart after
-    // 0.25 mm of it.
+    // The tips are 0.3 mm apart; the first grows by 0.24 mm, the second at half the speed. They
+    // come within one resolved length after 0.25 mm of combined growth.
     let other = crack(&[(4.0, -9.0), (4.0, -4.0), (0.3, -4.0)]);
     let cracks = [coming(0.0), other];
     let next = next(&cracks, &[ahead(0, 2e-6), TipDrive { rate: 1e-6, ..drive(1, End::Last, 1, 0.0, 1e-6) }]);
@@ -122,8 +123,8 @@ fn tips_that_come_together_meet_where_they_are_at_the_same_time() {
 
 #[test]
 fn later_tip_joins_what_the_earlier_one_left_behind() {
-    // The second rises through (0.06, −4) when 5/6 of its way are done; the first passes there
-    // after a quarter.
+    // The second tip rises through (0.06, −4) after 5/6 of its increment; the first one passes
+    // there after a quarter.
     let rising = crack(&[(0.06, -10.2), (0.06, -4.2)]);
     let tips = [ahead(0, 1e-6), drive(1, End::Last, 1, 0.0, 1e-6)];
     let next = next(&[coming(0.0), rising], &tips);
@@ -144,7 +145,7 @@ fn piece_between_two_surface_cracks_is_detached() {
     assert_eq!((piece.kind, piece.step, piece.crack), (PieceKind::Detached, 3, 0));
     assert!((piece.area - 2.2 * 4.0).abs() < ROUNDING, "{piece:?}");
     assert_eq!(piece.outline.len(), 5, "mouth, corner, tip, junction, mouth: {piece:?}");
-    // Tip to tip as well.
+    // The same for tip to tip.
     let both = next(
         &[coming(0.0), crack(&[(2.3, 0.0), (2.3, -4.0), (0.3, -4.0)])],
         &[ahead(0, 1e-6), ahead(1, 1e-6)],
@@ -193,7 +194,7 @@ fn tip_that_breaks_out_leaves_a_spall_and_the_others_go_on() {
     assert_eq!(next.cracks[0], rising);
     let [spall] = &next.pieces[..] else { panic!("{:?}", next.pieces) };
     assert_eq!((spall.kind, spall.crack), (PieceKind::Spall, 0));
-    // The way out ends above the end of the increment.
+    // The ligament ends on the surface directly above the end of the increment.
     let step = 0.04 * rising.length() * rising.ahead(End::Last).x;
     let outline = [(0.0, 0.0), (1.0, -2.0), (4.0, -0.15), (4.0 + step, 0.0)];
     let shoelace: f64 = (0..4)
@@ -288,8 +289,8 @@ fn mirrored_crack(crack: &Crack) -> Crack {
 /// Increments of a fifth of the length, so that many tips meet something.
 const LARGE: GrowthSettings = GrowthSettings { increment: 0.2, ..SETTINGS };
 
-/// Whatever the cracks, the next ones are a network; its mirror image and another order of the
-/// cracks give the same.
+/// For arbitrary cracks, the cracks of the next step form a network; a mirror image and a different
+/// order of the cracks give the same result.
 #[test]
 fn any_step_makes_a_network_and_knows_neither_order_nor_hand() {
     let config = ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() };
@@ -330,7 +331,7 @@ fn any_step_makes_a_network_and_knows_neither_order_nor_hand() {
     held.unwrap();
 }
 
-/// Cracks that no network can have: two that cross, and two joined at both ends around a piece.
+/// Cracks that cannot form a network: two that cross, and two joined at both ends around a piece.
 #[test]
 fn no_network_does_not_grow() {
     let crossing = [crack(&[(-2.0, -4.0), (2.0, -4.0)]), crack(&[(0.0, -2.0), (0.0, -6.0)])];

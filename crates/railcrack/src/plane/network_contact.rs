@@ -1,16 +1,16 @@
-//! How the contact of many cracks is followed.
+//! Treatment of the contact of many cracks.
 
 use crate::words::{Choice, Word};
 
-/// How the contact of many cracks is followed.
+/// Treatment of the contact of many cracks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum NetworkContact {
-    /// All cracks together, event by event.
+    /// All cracks are followed together, event by event.
     #[default]
     Whole,
-    /// Each crack with its neighbours, event by event, under the forces of all others: in sweeps
-    /// until they agree. For dry cracks and an engine that makes bodies by groups; others are
-    /// followed as a whole.
+    /// Each crack is followed with its neighbours, event by event, under the forces of all others,
+    /// in sweeps until they agree. For dry cracks and engines that build bodies by groups; other
+    /// cracks are followed together.
     Groups,
 }
 

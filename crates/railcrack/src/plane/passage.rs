@@ -14,7 +14,7 @@ use crate::growth::{
     Repeats, SolverCounts, StabilisedPassage, output_positions, until_repeated,
 };
 
-/// [`super::stabilised_passage`] of all faces together, under a load that is known there.
+/// [`super::stabilised_passage`] of all faces together, under a known load on the faces.
 pub(super) fn passages_of_all(
     face_load: &FaceLoad,
     load: RailLoad,
@@ -42,8 +42,8 @@ pub(super) fn passages_of_all(
     Ok(stabilised(passed, wheel.stepper.counts(), wheel.edge_steps, problem, None))
 }
 
-/// The stabilised passage of `passed`, with the `effort` that it took without `edge_steps`, and the
-/// error of groups.
+/// The stabilised passage of `passed`, with the `effort` of the solver, from which `edge_steps` are
+/// excluded, and the error of groups.
 pub(super) fn stabilised(
     passed: Repeated<Pass>,
     effort: SteppingCounts,
@@ -70,7 +70,7 @@ pub(super) fn stabilised(
     }
 }
 
-/// Whether the faces of `problem` remember a passage.
+/// The memory of the faces of `problem`.
 pub(super) fn memory(problem: &FaceProblem) -> Memory {
     if problem.has_friction() { Memory::Friction } else { Memory::None }
 }
@@ -91,14 +91,14 @@ impl Repeats for Pass {
     }
 }
 
-/// Stations of the approach from infinity and of the departure to it, evenly spaced in 1/distance:
-/// the load grows about linearly from station to station.
+/// Number of stations of the approach from infinity and of the departure to infinity, evenly spaced
+/// in 1/distance, over which the load grows about linearly.
 const FAR_STATIONS: usize = 8;
-/// Stations of the ramp of residual stress, and of the wheel's load where it cannot come from far
-/// away.
+/// Number of stations of the ramp of residual stress, and of the wheel load where the wheel cannot
+/// arrive from infinity.
 const RAMP_STATIONS: usize = 8;
 
-/// Shares of residual stress, the last one all of it.
+/// Shares of residual stress, the last one 1.
 pub(super) fn ramp_stations() -> impl DoubleEndedIterator<Item = f64> {
     (1..=RAMP_STATIONS).map(|k| k as f64 / RAMP_STATIONS as f64)
 }
@@ -108,10 +108,11 @@ pub(super) fn far_stations(near: f64) -> impl DoubleEndedIterator<Item = f64> {
     (1..=FAR_STATIONS).map(move |k| k as f64 / FAR_STATIONS as f64 / near)
 }
 
-/// Distance ahead of the contact, over a, in which a mouth is covered or left.
+/// Distance from a contact edge, relative to a, within which stations resolve how it covers or
+/// leaves a mouth.
 const AHEAD: f64 = 1e-6;
-/// Stations around the passage of a contact edge over a mouth, over a: the stress there goes like
-/// the root of the distance.
+/// Stations around the passage of a contact edge over a mouth, relative to a: the stress there
+/// varies as the square root of the distance.
 const EDGE_STATIONS: [f64; 7] = [-0.03, -0.015, -0.004, 0.0, 0.004, 0.015, 0.03];
 
 /// The passages of the wheel over fixed cracks.
@@ -124,15 +125,15 @@ pub(super) struct Rolling<'a> {
     half_width: f64,
     /// Output positions, mm.
     xc: &'a [f64],
-    /// Distances (mm) within which the wheel is not far away at the first and the last of them.
+    /// Length scales (mm) of the approach to the first and of the departure from the last of them.
     near: [f64; 2],
     /// Abscissae of the mouths, mm.
     mouths: Vec<f64>,
     control: StepControl,
-    /// Whether the contact covers the mouth of each pocket whose fluid it traps.
+    /// Whether the contact currently covers the mouth of each pocket whose fluid it can trap.
     covered: Vec<bool>,
     pub stepper: Stepper<'a>,
-    /// Steps to positions of [`EDGE_STATIONS`].
+    /// Number of load steps to positions of [`EDGE_STATIONS`].
     pub edge_steps: usize,
 }
 
@@ -141,9 +142,9 @@ pub(super) struct Pass {
     pub record: PassageRecord,
     pub histories: Vec<SifHistory>,
     pub states: Vec<Vec<FaceState>>,
-    /// At each output position.
+    /// State of the faces at each output position.
     pub marks: Vec<Mark>,
-    /// Whether it coincides with the passage before from some position on.
+    /// Whether it coincides with the previous passage from some position on.
     pub joins: bool,
 }
 
@@ -154,7 +155,7 @@ pub(super) struct Mark {
 }
 
 impl Pass {
-    /// Continues from its last position as `other`, which had the same state there.
+    /// Continues from its last position like `other`, which had the same state there.
     pub fn join(&mut self, other: &Self) {
         let from = self.marks.len();
         for (own, sifs) in self.record.sifs.iter_mut().zip(&other.record.sifs) {
@@ -173,8 +174,8 @@ impl Pass {
 }
 
 impl<'a> Rolling<'a> {
-    /// The passages of the wheel of `load` over faces that are at its `stepper`: output positions,
-    /// and the distances from the cracks at the first and the last of them.
+    /// The passages of the wheel of `load` over the faces followed by `stepper`, with the output
+    /// positions and the distances from the cracks at the first and the last of them.
     pub fn new(
         face_load: &'a FaceLoad<'a>,
         load: RailLoad<'a>,
@@ -204,11 +205,11 @@ impl<'a> Rolling<'a> {
         self.follow(LoadPhase::Ramp, 0.0, ramp_stations(), &mut take).map_err(failure(0, "residual stress"))
     }
 
-    /// One passage, approach and departure included. `number` counts from 1.
+    /// One passage, including approach and departure; `number` counts from 1.
     ///
-    /// The memory of the faces fades: a point that sticks was stopped by events of this passage, or
-    /// has stuck all along. Sooner or later the faces reach the state that they had at the same
-    /// position in the passage `before`, and the rest of the passage is then known.
+    /// The memory of the faces fades: a sticking point was stopped by events of this passage, or
+    /// has stuck from the start. At some position the faces reach the same state as in the passage
+    /// `before`, from which on the rest of the passage is known.
     pub fn pass(
         &mut self,
         number: usize,
@@ -285,7 +286,7 @@ impl<'a> Rolling<'a> {
         Ok(pass)
     }
 
-    /// Traps the fluid of buried cracks, for ever.
+    /// Traps the fluid of buried cracks permanently.
     fn seal_buried(&mut self) {
         for (k, pocket) in trapped(self.problem).iter().enumerate() {
             if pocket.mouth.is_none() {
@@ -294,7 +295,7 @@ impl<'a> Rolling<'a> {
         }
     }
 
-    /// Traps the fluid of cracks whose mouths the contact covers from `xc` (mm) on, and lets go
+    /// Traps the fluid of cracks whose mouths the contact covers from `xc` (mm) on, and releases
     /// that of cracks whose mouths it leaves.
     fn cover(&mut self, xc: f64, travel: f64, tips: &mut TipSifs) -> Result<(), SteppingError> {
         if self.covered.is_empty() {
@@ -313,7 +314,7 @@ impl<'a> Rolling<'a> {
         Ok(())
     }
 
-    /// Lets all fluid go that the contact traps.
+    /// Releases all fluid trapped by the contact.
     fn uncover(&mut self, tips: &mut TipSifs) -> Result<(), SteppingError> {
         for k in 0..self.covered.len() {
             if std::mem::take(&mut self.covered[k]) {
@@ -348,9 +349,9 @@ impl<'a> Rolling<'a> {
         self.problem.body().tips.iter().map(|tip| in_crack(tip.crack)).collect()
     }
 
-    /// Wheel positions between two output positions at which an edge of the contact is at a mouth
-    /// or close to it, in the order of travel: the stress at the mouth varies there too fast to be
-    /// seen from the neighbouring positions.
+    /// Wheel positions between two output positions at which an edge of the contact is at or near a
+    /// mouth, in the order of travel: the stress at the mouth varies too rapidly there to be
+    /// resolved by the adjacent output positions.
     fn edges_between(&self, from: f64, to: f64) -> impl Iterator<Item = f64> + use<> {
         let travel = (to - from).signum();
         let within = |x: &f64| (x - from) * travel > 0.0 && (to - x) * travel > 0.0;
@@ -389,15 +390,15 @@ fn trapped<'a>(problem: &'a FaceProblem) -> &'a [Pocket] {
     }
 }
 
-/// Wheel positions (mm) at which an edge of the contact, `edges` from its middle, is at one of
-/// `mouths` or close to it.
+/// Wheel positions (mm) at which an edge of the contact, at `edges` from its middle, is at or near
+/// one of `mouths`.
 pub(super) fn edge_stations(mouths: &[f64], edges: &[f64], half_width: f64) -> impl Iterator<Item = f64> {
     let at = mouths.iter().flat_map(move |mouth| edges.iter().map(move |edge| mouth - edge));
     at.flat_map(move |edge| EDGE_STATIONS.map(|share| edge + share * half_width))
 }
 
 /// Distances (mm) along the rail from the first and the last of the positions `xc` to the nearest
-/// face, at least a: the length scales of the stress there.
+/// face, at least a; they are the length scales of the stress on the faces.
 pub(super) fn distances(problem: &FaceProblem, half_width: f64, xc: &[f64]) -> [f64; 2] {
     let samples = &problem.body().faces.samples;
     let nearest = |x: f64| samples.iter().map(|s| (s.point.x - x).abs()).fold(f64::INFINITY, f64::min);
@@ -410,7 +411,8 @@ pub(super) fn mouths(problem: &FaceProblem) -> Vec<f64> {
     points.filter(|point| point.position.y == 0.0).map(|point| point.position.x).collect()
 }
 
-/// Where bending matters along the rail, mm: the mouths, or else the middle of the faces.
+/// Places along the rail at which bending matters, mm: the mouths, or the middle of the faces if
+/// there are none.
 pub(super) fn places(problem: &FaceProblem) -> Vec<f64> {
     let mouths = mouths(problem);
     if !mouths.is_empty() {

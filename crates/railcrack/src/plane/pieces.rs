@@ -2,8 +2,8 @@
 
 use crate::math::Vec2;
 
-/// Cracks and the running surface as a graph: points that are equal bit for bit are one node, and
-/// all points of the surface are connected. It has no loops: an edge that would close one gives the
+/// Graph of cracks and the running surface: points with identical bits are one node, and all points
+/// of the surface are connected. It contains no loops: an edge that would close a loop yields its
 /// outline instead.
 #[derive(Debug, Clone, Default)]
 pub(super) struct CrackGraph {
@@ -12,7 +12,7 @@ pub(super) struct CrackGraph {
 }
 
 impl CrackGraph {
-    /// Adds the edges along `points`. They close no loop.
+    /// Adds the edges along `points`, which must close no loop.
     pub fn add_line(&mut self, points: &[Vec2]) {
         for pair in points.windows(2) {
             let edge = (self.node(pair[0]), self.node(pair[1]));
@@ -20,7 +20,7 @@ impl CrackGraph {
         }
     }
 
-    /// Adds the edge from `from` to `to`, or gives the outline that it closes, which begins with
+    /// Adds the edge from `from` to `to`, or returns the outline that it closes, which begins with
     /// `to` and ends with `from`.
     pub fn close(&mut self, from: Vec2, to: Vec2) -> Option<Vec<Vec2>> {
         let (start, goal) = (self.node(from), self.node(to));
@@ -29,7 +29,7 @@ impl CrackGraph {
             self.edges.push((start, goal));
         }
         let outline: Vec<Vec2> = path?.into_iter().map(|node| self.points[node]).collect();
-        // Of a way along the surface only the ends are corners.
+        // Of a path along the surface, only the ends are corners.
         let surface = |i: usize| outline.get(i).is_some_and(|p| p.y == 0.0);
         let corner = |i: &usize| *i == 0 || !(surface(i - 1) && surface(*i) && surface(i + 1));
         Some((0..outline.len()).filter(corner).map(|i| outline[i]).collect())
@@ -42,7 +42,7 @@ impl CrackGraph {
         self.points.push(point);
         let node = self.points.len() - 1;
         if point.y == 0.0 {
-            // The surface is one: its points are strung one after the other.
+            // The surface is continuous: its points are chained to each other.
             if let Some(other) = self.points[..node].iter().position(|p| p.y == 0.0) {
                 self.edges.push((other, node));
             }
@@ -50,7 +50,7 @@ impl CrackGraph {
         node
     }
 
-    /// The nodes from `start` to `goal`, both counted, where they are connected.
+    /// The nodes from `start` to `goal`, both included, if they are connected.
     fn path(&self, start: usize, goal: usize) -> Option<Vec<usize>> {
         let mut before: Vec<Option<usize>> = vec![None; self.points.len()];
         before[start] = Some(start);

@@ -29,24 +29,24 @@ use std::sync::Arc;
 
 /// Everything that does not change in a run with cracks in the plane.
 pub struct PlaneRail {
-    /// Turns cracks into a body.
+    /// Engine that computes the body with the cracks.
     pub engine: Box<dyn BodyEngine>,
-    /// Solves contact on the faces.
+    /// Contact solver for the faces.
     pub solver: Box<dyn ContactSolver>,
-    /// Takes over for a step that `solver` cannot do.
+    /// Contact solver that takes over where `solver` fails.
     pub fallback: Box<dyn ContactSolver>,
-    /// How the contact of many cracks is followed.
+    /// Treatment of the contact of many cracks.
     pub network: NetworkContact,
-    /// μ_c of each crack.
+    /// Crack-face friction coefficient μ_c of each crack.
     pub crack_friction: Vec<f64>,
-    /// The wheel; the first one of a mix.
+    /// The wheel; in a mix, the first one.
     pub wheel: Box<dyn Wheel>,
-    /// Its share of the axles: 1 without a mix.
+    /// Its share of the axles; 1 without a mix.
     pub share: f64,
-    /// Fluid in the cracks; none for dry ones.
+    /// Fluid in the cracks; `None` for dry cracks.
     pub fluid: Option<CrackFluid>,
-    /// The other wheels of a mix. Shares of all wheels add up to 1; faces and fields that are
-    /// recorded are those of the first wheel.
+    /// The other wheels of a mix. The shares of all wheels add up to 1; recorded faces and fields
+    /// are those under the first wheel.
     pub others: Vec<MixedWheel>,
     /// Balanced residual stress, under the first wheel.
     pub residual: Option<Box<dyn StressField>>,
@@ -54,15 +54,15 @@ pub struct PlaneRail {
     pub passages: PassageSettings,
     /// Fields to record, if any.
     pub fields: Option<FieldSettings>,
-    /// Growth law, increments, stops; the toughness is that under the first wheel.
+    /// Growth law, increments and stops, with the toughness under the first wheel.
     pub growth: GrowthSettings,
     /// The rail.
     pub rail: RailBox,
-    /// Kept from step to step; the default at the beginning.
+    /// Fields kept from step to step; initially the default.
     pub ends: KnownEnds,
 }
 
-/// The ends of the rail of the last step, and what they add under each wheel.
+/// The ends of the rail in the last step, and the fields that they add under each wheel.
 #[derive(Default)]
 pub struct KnownEnds(Option<EndsUnderWheels>);
 
@@ -76,8 +76,8 @@ pub struct PlaneBody {
 }
 
 impl PlaneRail {
-    /// Cracks with `crack_friction` under `wheel`, by `engine`: everything else as in a case file
-    /// that leaves out the rest.
+    /// Cracks with `crack_friction` under `wheel`, computed by `engine`; everything else has the
+    /// defaults of a case file.
     pub fn new(
         engine: impl BodyEngine + 'static,
         wheel: impl Wheel + 'static,
@@ -86,7 +86,7 @@ impl PlaneRail {
         Self::with(Box::new(engine), Box::new(wheel), crack_friction)
     }
 
-    /// [`PlaneRail::new`] with engine and wheel of kinds that are chosen at run time.
+    /// [`PlaneRail::new`] with an engine and a wheel whose types are chosen at run time.
     #[must_use]
     pub fn with(engine: Box<dyn BodyEngine>, wheel: Box<dyn Wheel>, crack_friction: Vec<f64>) -> Self {
         Self {
@@ -108,8 +108,8 @@ impl PlaneRail {
         }
     }
 
-    /// The fields that the ends of the rail add under each wheel, none for a half-plane: kept for
-    /// as long as the engine keeps the rail.
+    /// The fields that the ends of the rail add under each wheel, empty for a half-plane. They are
+    /// kept as long as the engine keeps the rail.
     fn ends_under_wheels(
         &mut self,
         body: &CrackedBody,
@@ -128,8 +128,8 @@ impl PlaneRail {
         Ok(fields)
     }
 
-    /// The residual stress under each wheel below a surface that has come down; empty where it has
-    /// not, or where the stress has come down with it.
+    /// The residual stress under each wheel, relative to a worn surface; empty where the surface is
+    /// unworn or the stress moves with it.
     fn uncovered(&self, worn: &WornSurface) -> Vec<Option<Uncovered<'_>>> {
         let moves = self.growth.maintenance.as_ref().map(|maintenance| maintenance.stress);
         if worn.removed == 0.0 || moves != Some(StressMoves::WithMetal) {
@@ -142,8 +142,8 @@ impl PlaneRail {
             .collect()
     }
 
-    /// The load and the passages of every wheel, with the residual stress below a surface that has
-    /// come down where it is `uncovered`.
+    /// The load and the passages of every wheel; where the stress relative to a worn surface is
+    /// given in `uncovered`, it applies.
     fn loads<'a>(
         &'a self,
         uncovered: &'a [Option<Uncovered<'a>>],
@@ -198,7 +198,7 @@ impl CrackedRail for PlaneRail {
         "smaller elements (element_size_mm, interface_elements)"
     }
 
-    /// The body of all cracks, or crack by crack where contact is followed in groups.
+    /// The body with all cracks, built crack by crack where contact is followed in groups.
     fn body(
         &mut self,
         state: &GrowthState,

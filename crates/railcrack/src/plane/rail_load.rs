@@ -5,7 +5,7 @@ use crate::growth::PassageSettings;
 use crate::load::Passage;
 use std::sync::Arc;
 
-/// Load of the uncracked rail: a wheel that passes, and residual stress.
+/// Load of the uncracked rail: a passing wheel and residual stress.
 #[derive(Clone, Copy)]
 pub struct RailLoad<'a> {
     /// The wheel.
@@ -17,7 +17,7 @@ pub struct RailLoad<'a> {
 impl RailLoad<'_> {
     /// The field that the ends of a `rail` add to that of the wheel during its passage.
     ///
-    /// Errors: the wheel leaves the rail, or comes too close to an end.
+    /// Errors: a wheel that leaves the rail or comes too close to an end.
     pub(super) fn at_ends(
         &self,
         rail: &Arc<dyn RailEnds>,

@@ -1,4 +1,4 @@
-//! The passages of one wheel by the contact solvers.
+//! Computation of the passages of one wheel by the contact solvers.
 
 use super::face_load::FaceLoad;
 use super::rail_load::RailLoad;
@@ -12,7 +12,7 @@ use crate::growth::{
 #[derive(Clone, Copy)]
 pub(super) struct Solvers<'a> {
     pub first: &'a dyn ContactSolver,
-    /// Takes over where the first one fails.
+    /// Solver that takes over where the first one fails.
     pub second: &'a dyn ContactSolver,
     pub step: usize,
 }
@@ -21,7 +21,7 @@ pub(super) struct Solvers<'a> {
 type Load<'a> = (RailLoad<'a>, &'a PassageSettings);
 
 impl Solvers<'_> {
-    /// The passages, by the first solver or, where it fails, by the other one.
+    /// The passages, computed by the first solver or, where it fails, by the second one.
     pub fn stabilise(
         &self,
         face_load: &FaceLoad,
@@ -33,11 +33,13 @@ impl Solvers<'_> {
         let by = |solver: &dyn ContactSolver| passages_under(face_load, load, solver, settings, observer);
         let first = by(self.first);
         let result = match first {
-            // Groups are for Newton's method alone.
+            // Only Newton's method supports groups.
             Err(PassageError::NotConverged { .. }) if face_load.problem.body().blocks.is_none() => {
                 let second = by(self.second);
                 if let (Err(failure), Ok(_)) = (&first, &second) {
-                    let text = format!("the other contact solver did this step, since: {failure}");
+                    let text = format!(
+                        "the other contact solver computed this step, because the first one failed: {failure}"
+                    );
                     warnings.push(Warning { step, kind: WarningKind::ContactFallback, text });
                 }
                 if matches!(second, Err(PassageError::NotConverged { .. })) { first } else { second }

@@ -12,14 +12,14 @@ use crate::growth::{Observer, PassageError, PassageSettings, StabilisedPassage};
 /// have no memory, and one passage is enough. The wheel arrives from infinity and leaves to
 /// infinity; in a rail with ends, its load is ramped up at the first position and down at the last.
 ///
-/// Where the wheel bends the rail, the passage reaches as far as the beam does, and the output
-/// positions with it.
+/// Where the wheel bends the rail, the passage and its output positions extend as far as the
+/// deflection of the beam.
 ///
-/// A body by groups is followed crack by crack with its neighbours, in sweeps until K is within
-/// `network_tolerance`; its cracks are dry.
+/// In a body built by groups, each crack is followed with its neighbours, in sweeps until K is
+/// within `network_tolerance`; the cracks of such a body are dry.
 ///
-/// Errors: settings under which nothing can be computed; a wheel that leaves the rail; contact does
-/// not converge; `observer` asks to stop.
+/// Errors: inadmissible settings; a wheel that leaves the rail; contact that does not converge; an
+/// interruption by `observer`.
 pub fn stabilised_passage(
     problem: &FaceProblem,
     solver: &dyn ContactSolver,
@@ -33,7 +33,7 @@ pub fn stabilised_passage(
     passages_under(&face_load, load, solver, settings, observer)
 }
 
-/// [`stabilised_passage`] under a load that is known at the faces.
+/// [`stabilised_passage`] under a known load on the faces.
 pub(super) fn passages_under(
     face_load: &FaceLoad,
     load: RailLoad,

@@ -1,18 +1,19 @@
 //! Wheel positions at which a group of cracks of a long row is followed.
 
-/// Distance of the wheel from a group, over a, up to which it is followed in short steps and to
-/// every output position.
+/// Distance of the wheel from a group, relative to a, up to which the group is followed in short
+/// steps and to every output position.
 const REACH: f64 = 4.0;
-/// Step there, over a: twice as long, K of scattered rows is 0.2 to 0.5 instead of 0.06 % off.
+/// Length of these steps, relative to a. With twice this length, the error of K in rows at random
+/// spacing is 0.2 to 0.5 % instead of 0.06 %.
 const STEP: f64 = 0.03;
-/// Farther away steps grow by this share of the distance.
+/// Beyond that distance, steps grow by this share of the distance.
 const GRADING: f64 = 0.07;
-/// Share of a step below which two positions are one.
+/// Positions closer than this share of a step are merged.
 const CLOSE: f64 = 0.2;
 
 /// Positions (mm) between the first and the last of `outputs` for faces from `extent.0` to
-/// `extent.1` under a contact of `half_width`, in the order of travel: those at which forces are
-/// exchanged, `edges` among them, and all.
+/// `extent.1` under a contact of `half_width`, in the order of travel: first those at which forces
+/// are exchanged, including `edges`, then all positions.
 pub(super) fn stations(
     outputs: &[f64],
     edges: &[f64],
@@ -50,8 +51,8 @@ pub(super) fn stations(
     (nodes, all)
 }
 
-/// The weights of values at `stations` in that at `x`: a cubic through the four around it, or the
-/// value there.
+/// Interpolation weights of the values at `stations` for the position `x`: a cubic through the four
+/// stations around it, or the single station at `x`.
 pub(super) fn weights(stations: &[f64], x: f64) -> Vec<(usize, f64)> {
     if let Some(hit) = stations.iter().position(|&station| station == x) {
         return vec![(hit, 1.0)];

@@ -1,28 +1,28 @@
-//! The state of the cracks at the start of a step, and the increments that they would make.
+//! The state of the cracks at the start of a step, and their prospective increments.
 
 use crate::crack::{Crack, CrackTip, Junction};
 use crate::growth::{BreakOut, DeferredGrowth, Mover, StepStart, TipDemand, TipStop};
 use crate::math::{RailBox, Vec2};
 
-/// Direction and rate of growth of one tip, with its state.
+/// Direction and rate of growth of a tip, with its state.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TipDrive {
-    /// Which tip.
+    /// The tip.
     pub tip: CrackTip,
-    /// The chosen kink, radians, counter-clockwise; none for a tip that does not load.
+    /// The chosen kink, radians, counter-clockwise; `None` for a tip without any loading.
     pub kink: Option<f64>,
     /// da/dN of the actual tip, mm per cycle: zero at or below the threshold.
     pub rate: f64,
-    /// The largest k1 of a virtual kink through the passage, MPa √mm; 0 where none opens.
+    /// The largest k1 of a virtual kink during the passage, MPa √mm; 0 where none opens.
     pub largest_k1: f64,
-    /// Its growth of earlier steps that is not in the crack yet.
+    /// Its growth in earlier steps that has not been added to the crack yet.
     pub deferred: DeferredGrowth,
     /// Why it stopped in an earlier step, if it did.
     pub stopped: Option<TipStop>,
 }
 
 impl TipDrive {
-    /// Its demand, as far as stops depend on it.
+    /// Its loading, as far as stops depend on it.
     pub fn demand(&self) -> TipDemand {
         let Self { rate, largest_k1, stopped, .. } = *self;
         TipDemand { rate, largest_k1, stopped }
@@ -32,15 +32,15 @@ impl TipDrive {
 /// The state of a run at the start of a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StepState<'a> {
-    /// Where the run stands.
+    /// Progress of the run.
     pub at: StepStart<'a>,
     /// The cracks.
     pub cracks: &'a [Crack],
-    /// Where they have joined each other.
+    /// Junctions between the cracks.
     pub junctions: &'a [Junction],
     /// Tips that broke out in earlier steps.
     pub break_outs: &'a [BreakOut],
-    /// All their tips.
+    /// All tips of the cracks.
     pub tips: &'a [TipDrive],
     /// The rail.
     pub rail: RailBox,
@@ -49,13 +49,13 @@ pub(super) struct StepState<'a> {
 }
 
 impl StepState<'_> {
-    /// The length of crack `crack` (from 0), with the deferred growth of its tips, mm.
+    /// The length of crack `crack` (from 0), including the deferred growth of its tips, mm.
     pub fn length(&self, crack: usize) -> f64 {
         let own = self.tips.iter().filter(|tip| tip.tip.crack == crack);
         self.cracks[crack].length() + own.map(|tip| tip.deferred.length).sum::<f64>()
     }
 
-    /// The longest that crack `crack` (from 0) has been, mm.
+    /// The greatest length that crack `crack` (from 0) has had, mm.
     pub(super) fn longest(&self, crack: usize) -> f64 {
         self.at.worn.longest_of(crack, self.length(crack))
     }
@@ -66,21 +66,21 @@ impl StepState<'_> {
         Mover { crack, index, rate: tip.rate, length: self.length(crack) }
     }
 
-    /// Whether nothing of crack `crack` (from 0) is left.
+    /// Whether crack `crack` (from 0) is worn away completely.
     pub(super) fn is_worn_away(&self, crack: usize) -> bool {
         self.tips.iter().any(|tip| tip.tip.crack == crack && tip.stopped == Some(TipStop::WornAway))
     }
 }
 
-/// A straight increment that a tip would make.
+/// A prospective straight increment of a tip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Step {
     /// The tip.
     pub tip: CrackTip,
-    /// Where it is.
+    /// Its present position.
     pub from: Vec2,
-    /// Where it would be.
+    /// Its position after the increment.
     pub to: Vec2,
-    /// The share of it that was made in earlier steps.
+    /// The share of the increment that was deferred in earlier steps.
     pub deferred: f64,
 }

@@ -5,17 +5,17 @@ use crate::crack::Crack;
 use crate::growth::{self, GrowthSettings, TipStop};
 use crate::math::RailBox;
 
-/// The ligament to the running surface (mm) that a tip of `crack` may still leave; `resolution`
+/// The smallest ligament to the running surface (mm) that a tip of `crack` may leave; `resolution`
 /// (mm) is the length that the engine resolves.
 pub(super) fn spent_ligament(crack: &Crack, resolution: f64) -> f64 {
     growth::spent_ligament(crack.length(), resolution)
 }
 
-/// Stop of a tip whatever the other cracks do: its increment would leave the rail, or use up the
+/// Stop of a tip independent of other cracks: its increment would leave the rail, or use up the
 /// ligament to the running surface.
 ///
-/// The ligament is the depth of the new tip below the surface, of which `removal` (mm) is taken off
-/// meanwhile; it is spent only by a tip that rises.
+/// The ligament is the depth of the new tip below the surface after the removal of `removal` (mm);
+/// only a rising tip can use it up.
 pub(super) fn stop_of_one(
     step: &Step,
     crack: &Crack,
@@ -33,12 +33,12 @@ pub(super) fn stop_of_one(
     (!inside).then_some(TipStop::LeavesRail)
 }
 
-/// Whether a tip loads and is not slower than the arrest rate.
+/// Whether a tip is loaded and not slower than the arrest rate.
 pub(super) fn grows(tip: &TipDrive, settings: &GrowthSettings) -> bool {
     tip.kink.is_some() && tip.rate > 0.0 && tip.rate >= settings.arrest_rate
 }
 
-/// Stop of a tip that runs away or stands still.
+/// Stop of a tip that runs away or no longer grows.
 pub(super) fn standstill(tip: &TipDrive, settings: &GrowthSettings) -> Option<TipStop> {
     growth::standstill(tip.demand().runs_away(), grows(tip, settings), settings)
 }

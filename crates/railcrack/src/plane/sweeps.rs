@@ -1,4 +1,4 @@
-//! Passages of the wheel over many cracks, group by group, in sweeps until they agree.
+//! Passages of the wheel over many cracks, group by group, in sweeps until the groups agree.
 
 use super::exchange::{Exchange, History};
 use super::face_load::{FaceLoad, LoadPhase};
@@ -9,7 +9,7 @@ use super::passage::{
 use super::rail_load::RailLoad;
 use super::stations::{stations, weights};
 use super::tip_sifs::TipSifs;
-use super::track::{Track, every_other};
+use super::track::{Track, every_second};
 use crate::body::BlockStiffness;
 use crate::contact::{
     ContactSolver, FaceHistory, FaceProblem, FaceState, NotConverged, Stepper, SteppingCounts, SteppingError,
@@ -24,13 +24,13 @@ use crate::math::Matrix;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Error of the jumps that are handed over between the places where they are kept, over the largest
-/// of them: with 3e-3 the sweeps no longer come to an end.
+/// Interpolation error of the stored jumps between their coordinates, relative to the largest jump:
+/// with 3e-3 the sweeps no longer terminate.
 const KEPT: f64 = 3e-4;
-/// Sweeps over a passage at most.
+/// Largest number of sweeps over a passage.
 const MOST_SWEEPS: usize = 12;
 
-/// [`super::stabilised_passage`] of a body by groups.
+/// [`super::stabilised_passage`] of a body built by groups.
 pub(super) fn passages_by_groups(
     face_load: &FaceLoad,
     blocks: &BlockStiffness,
@@ -43,7 +43,7 @@ pub(super) fn passages_by_groups(
     let xc = output_positions(&settings.passage, load.wheel.bending(), &places(problem));
     let half_width = load.wheel.half_width();
     let groups = groups(problem, blocks).map_err(unsolvable)?;
-    // Jumps change fast where an edge of the contact passes a mouth.
+    // Jumps change rapidly where an edge of the contact passes a mouth.
     let points = &problem.body().faces.points;
     let is_mouth = |&p: &usize| points[p].position.y == 0.0;
     let mouths = |k: usize| -> Vec<f64> {
@@ -85,10 +85,10 @@ pub(super) fn passages_by_groups(
 fn unsolvable(_: LinearError) -> PassageError {
     let failure = NotConverged { iterations: 0, indicator: f64::INFINITY, tolerance: 0.0 };
     let source = SteppingError::NotConverged { at: 0.0, failure };
-    PassageError::NotConverged { passage: 0, phase: "cracks that cannot be told apart", source }
+    PassageError::NotConverged { passage: 0, phase: "cracks that are indistinguishable", source }
 }
 
-/// A part of the history that begins and ends with a state of all faces.
+/// A part of the history between two states of all faces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Leg {
     Residual,
@@ -103,12 +103,12 @@ struct GroupState {
     tips: TipSifs,
 }
 
-/// Results of a group over a leg, for its own unit.
+/// Results of a group over a leg, for the group's own unit.
 struct LegOfGroup {
     history: History,
-    /// K of its tips at its stations, or at the end.
+    /// K of its tips at the stations of the group, or at the end.
     sifs: Vec<Vec<Sif>>,
-    /// Its faces there.
+    /// Its faces at the same places.
     faces: Vec<Vec<FaceState>>,
     histories: Vec<SifHistory>,
     end: GroupState,
@@ -119,9 +119,9 @@ struct LegOfGroup {
 /// All groups of a row.
 ///
 /// Each group is followed event by event under the wheel and the forces of all units that are not
-/// among its members, whose jumps are those of the sweep before, in groups of their own. That is a
-/// waveform relaxation by overlapping blocks (Schwarz): what a sweep leaves of the error is the
-/// coupling beyond the members of a group.
+/// among its members, with the jumps that these units had in the previous sweep, each in its own
+/// group. This is a waveform relaxation with overlapping blocks (Schwarz): the remaining error
+/// after a sweep is due to the coupling beyond the members of a group.
 struct GroupRow<'a> {
     blocks: &'a BlockStiffness,
     load: RailLoad<'a>,
@@ -130,19 +130,21 @@ struct GroupRow<'a> {
     xc: &'a [f64],
     near: [f64; 2],
     groups: Vec<Group>,
-    /// Of each group the positions at which it takes up forces, and all to which it is followed.
+    /// For each group, the positions at which it receives forces, and all positions to which it is
+    /// followed.
     stations: Vec<(Vec<f64>, Vec<f64>)>,
-    /// Of each group at the end of the last leg.
+    /// State of each group at the end of the last leg.
     states: Vec<GroupState>,
-    /// Of each unit in the last sweep.
+    /// History of each unit in the last sweep.
     histories: Vec<History>,
     /// K of the last sweep of the last passage.
     last: Vec<Vec<Vec<Sif>>>,
     /// The largest |K| of each tip so far.
     peaks: Vec<f64>,
-    /// The change of K in a sweep over that in the sweep before, when it was last seen.
+    /// The last known ratio of the change of K in a sweep to that in the previous sweep.
     contraction: f64,
-    /// The largest estimate of what sweeps left at the end of a leg, over the peak of K.
+    /// The largest estimated error left by the sweeps at the end of a leg, relative to the peak of
+    /// K.
     error: f64,
     counts: SteppingCounts,
     edge_steps: usize,
@@ -159,7 +161,8 @@ impl GroupRow<'_> {
         self.groups.par_iter().zip(&self.stations).map(state).collect()
     }
 
-    /// The parts of `leg` with their coordinates, over the cracks those of `over`.
+    /// The phases of `leg` with their coordinates; while the wheel is over the cracks, the
+    /// coordinates are those in `over`.
     fn parts(&self, leg: Leg, over: &[f64]) -> Vec<(LoadPhase, Vec<f64>)> {
         let from_zero =
             |stations: &mut dyn Iterator<Item = f64>| std::iter::once(0.0).chain(stations).collect();
@@ -193,7 +196,7 @@ impl GroupRow<'_> {
             let change = self.change(&runs);
             self.last = runs.iter().map(|run| run.sifs.clone()).collect();
             self.histories = runs.iter().map(|run| run.history.clone()).collect();
-            // Below that, changes are those of load steps.
+            // Changes below that are due to the load steps.
             if before > self.settings.step_tolerance {
                 self.contraction = (change / before).min(1.0);
             }
@@ -210,7 +213,7 @@ impl GroupRow<'_> {
         }
     }
 
-    /// The largest change of K since the last sweep, over its peak.
+    /// The largest change of K since the last sweep, relative to its peak.
     fn change(&mut self, runs: &[LegOfGroup]) -> f64 {
         let mut largest = 0.0f64;
         for (k, (run, group)) in runs.iter().zip(&self.groups).enumerate() {
@@ -228,11 +231,11 @@ impl GroupRow<'_> {
                 }
             }
         }
-        // Before the first sweep nothing is known.
+        // Before the first sweep there is nothing to compare with.
         if self.last.is_empty() { 1.0 } else { largest }
     }
 
-    /// The jumps that unit `k` has at the end of the last leg, as a history of `leg`.
+    /// The jumps of unit `k` at the end of the last leg, as a constant history over `leg`.
     fn at_rest(&self, k: usize, leg: Leg) -> History {
         let own = self.groups[k].own_points.clone();
         let jumps = &self.states[k].faces.solution.jump[2 * own.start..2 * own.end];
@@ -244,17 +247,17 @@ impl GroupRow<'_> {
         parts.into_iter().map(constant).collect()
     }
 
-    /// The estimated errors of K in the last passage, over its peak, from the places at which jumps
-    /// are handed over and from the expansion of far forces, as if faces were free.
+    /// The estimated errors of K in the last passage, relative to its peak, due to the
+    /// interpolation of stored jumps and due to the expansion of far forces, as if faces were free.
     ///
-    /// Jumps are linear between these places; so with every other of them the error is four times
-    /// as large.
+    /// Jumps are interpolated linearly, so that with half of the coordinates the error is four
+    /// times as large.
     fn interpolation_and_far(&self) -> Result<[f64; 2], PassageError> {
         let nodes = |k: usize| -> Vec<Vec<f64>> {
             self.parts(Leg::Passage(1), &self.stations[k].0).into_iter().map(|(_, at)| at).collect()
         };
         let fewer_nodes = |k: usize| -> Vec<Vec<f64>> {
-            nodes(k).into_iter().map(|at| every_other(at.len()).map(|i| at[i]).collect()).collect()
+            nodes(k).into_iter().map(|at| every_second(at.len()).map(|i| at[i]).collect()).collect()
         };
         let halved: Vec<History> = self
             .histories
@@ -289,7 +292,8 @@ impl GroupRow<'_> {
         Ok(of_groups.into_iter().fold([0.0; 2], |all, one| [all[0].max(one[0]), all[1].max(one[1])]))
     }
 
-    /// The largest K of the own tips of `group` under `forces` (N/mm) on free faces, over its peak.
+    /// The largest K of the own tips of `group` under `forces` (N/mm) on free faces, relative to
+    /// its peak.
     fn share_of_peak(&self, group: &Group, forces: &[f64]) -> f64 {
         let influence = &group.body.sif_influence;
         let of_tip = |&(number, tip): &(usize, usize)| {
@@ -312,7 +316,7 @@ impl GroupRow<'_> {
         };
         let exchange =
             Exchange::new(self.blocks, &self.groups, &self.histories, &nodes).map_err(unsolvable)?;
-        // Half of what is left of the passage, for all that is known.
+        // The number of sweeps is unknown: each one is reported as half of the remaining progress.
         let done = AtomicUsize::new(0);
         let left = 0.5f64.powi(number as i32 - 1);
         let run = |k: usize| {
@@ -334,7 +338,7 @@ impl GroupRow<'_> {
         Ok(runs)
     }
 
-    /// Group `k` through `leg` under the wheel and `forces`.
+    /// Follows group `k` through `leg` under the wheel and `forces`.
     fn run(
         &self,
         leg: Leg,
@@ -420,8 +424,8 @@ impl GroupRow<'_> {
     }
 }
 
-/// The state of face point `point` between stations; its status is that where the weight is
-/// largest.
+/// The state of face point `point` between stations; the status is that at the station of largest
+/// weight.
 fn between(faces: &[Vec<FaceState>], point: usize, weights: &[(usize, f64)]) -> FaceState {
     let largest = weights.iter().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |weight| weight.0);
     let nearest = faces[largest][point];

@@ -1,8 +1,8 @@
-//! Histories of jumps and forces along the way of the wheel.
+//! Histories of jumps and forces along the path of the wheel.
 
 use crate::math::{Matrix, axpy};
 
-/// Values at coordinates of a path, linear between them.
+/// Values at coordinates of a load path, with linear interpolation between them.
 #[derive(Debug, Clone)]
 pub(super) struct Track {
     /// The coordinates, in the order of travel.
@@ -17,8 +17,8 @@ impl Track {
         Self { at, values }
     }
 
-    /// The values at so few of the coordinates of `samples` that those at all others are within
-    /// `tolerance` of what is linear between them.
+    /// A thinned selection of `samples`, such that linear interpolation reproduces all others to
+    /// within `tolerance`.
     pub fn thinned(samples: &[(f64, Vec<f64>)], tolerance: f64) -> Self {
         let mut keeps = vec![false; samples.len()];
         let mut spans = vec![(0, samples.len() - 1)];
@@ -37,9 +37,9 @@ impl Track {
         Self { at: kept.iter().map(|(at, _)| *at).collect(), values }
     }
 
-    /// Every other of the values.
+    /// Every second row of the values.
     pub fn halved(&self) -> Self {
-        let kept: Vec<usize> = every_other(self.at.len()).collect();
+        let kept: Vec<usize> = every_second(self.at.len()).collect();
         let values = Matrix::from_fn(kept.len(), self.values.columns(), |i, c| self.values[(kept[i], c)]);
         Self { at: kept.iter().map(|&i| self.at[i]).collect(), values }
     }
@@ -54,7 +54,7 @@ impl Track {
         &self.values
     }
 
-    /// The rows before and after `at` with their weights.
+    /// The rows adjacent to `at` with their interpolation weights.
     fn adjacent_rows(&self, at: f64) -> [(usize, f64); 2] {
         let last = self.at.len() - 1;
         let travel = self.at[last] - self.at[0];
@@ -74,7 +74,7 @@ impl Track {
         }
     }
 
-    /// The values at other coordinates, a row for each.
+    /// The values interpolated at other coordinates, a row for each.
     pub fn resampled(&self, at: &[f64]) -> Matrix {
         let mut values = Matrix::zeros(at.len(), self.values.columns());
         for (i, &x) in at.iter().enumerate() {
@@ -84,12 +84,12 @@ impl Track {
     }
 }
 
-/// Every other of `count` places, and the last one.
-pub(super) fn every_other(count: usize) -> impl Iterator<Item = usize> {
+/// Every second of `count` indices, and the last one.
+pub(super) fn every_second(count: usize) -> impl Iterator<Item = usize> {
     (0..count).filter(move |&i| i % 2 == 0 || i + 1 == count)
 }
 
-/// The largest difference of value `i` of `samples` from the line between two others.
+/// The largest deviation of sample `i` from the straight line between two others.
 fn off_line(samples: &[(f64, Vec<f64>)], (first, last): (usize, usize), i: usize) -> f64 {
     let ((from, before), (to, after)) = (&samples[first], &samples[last]);
     let (at, values) = &samples[i];
@@ -104,7 +104,8 @@ mod tests {
 
     #[test]
     fn few_values_are_kept_and_all_others_lie_near_the_lines_between_them() {
-        // None of the deviations of the parabola from its chords, (0.05 k)², is just that.
+        // A tolerance that equals none of the deviations of the parabola from its chords, (0.05
+        // k)².
         const TOLERANCE: f64 = 0.012;
         let kink = |x: f64| if x < 3.7 { vec![0.2 * x, 0.0] } else { vec![0.74, (x - 3.7).powi(2)] };
         let samples: Vec<(f64, Vec<f64>)> =

@@ -3,11 +3,11 @@
 use crate::fatigue::{HourlierPineau, WheelHistory};
 use crate::fracture::SifHistory;
 
-/// Directions that differ by less (radians) are taken as the same.
+/// Directions that differ by less than this (radians) count as equal.
 const TURNED: f64 = std::f64::consts::PI / 180.0;
 
-/// The wheel (from 0) without which the crack would kink most differently from `angle` (radians);
-/// none where none changes the direction by a degree.
+/// The wheel (from 0) whose removal would change the kink from `angle` (radians) most; `None` where
+/// no removal changes the direction by a degree.
 pub(super) fn turned_by(direction: &HourlierPineau, wheels: &[WheelHistory], angle: f64) -> Option<usize> {
     let without = |i: usize| {
         let others: Vec<WheelHistory> =

@@ -4,17 +4,17 @@ use super::rail_load::RailLoad;
 use crate::field::{StressField, Wheel};
 use crate::growth::PassageSettings;
 
-/// A wheel of a mix other than the first one, with what may be its own.
+/// A wheel of a mix other than the first one, with its own stress state, passages and toughness.
 pub struct MixedWheel {
     /// Its field.
     pub wheel: Box<dyn Wheel>,
     /// Share of the axles.
     pub share: f64,
-    /// Stress of the rail while it passes that stays between passages, temperature included.
+    /// Stress of the rail that is present with and without the wheel, including thermal stress.
     pub residual: Option<Box<dyn StressField>>,
     /// Its passages.
     pub passages: PassageSettings,
-    /// K_Ic (MPa √mm) at its temperature; none where the rail does not break.
+    /// K_Ic (MPa √mm) at its temperature; `None` where fracture is not considered.
     pub toughness: Option<f64>,
 }
 

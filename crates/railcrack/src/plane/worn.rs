@@ -1,4 +1,4 @@
-//! Cracks cut at their mouths by wear and grinding.
+//! Cracks shortened at their mouths by wear and grinding.
 
 use super::stops::spent_ligament;
 use crate::crack::{Crack, Junction};
@@ -8,21 +8,21 @@ use crate::math::Vec2;
 /// A crack after the surface above it has been removed.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Worn {
-    /// It is left, its mouth further down; its first and its last end have come to the surface but
-    /// for a ligament where that is said.
+    /// It remains, with its mouth further down. Ends that only a spent ligament separates from the
+    /// surface are marked as broken out.
     Left {
         /// The crack.
         crack: Crack,
-        /// Of the first and the last end; a mouth is none.
+        /// Whether the first and the last end have broken out; a mouth does not count.
         broken_out: [bool; 2],
     },
-    /// Nothing of it is left but the stub of a body that holds other cracks.
+    /// It is worn away; only a stub remains, since the body still contains it.
     Away(Crack),
 }
 
-/// `crack` after `depth` (mm) of the surface has been removed. `deferred` (mm) is the growth of its
-/// tips that is not in it, `longest` (mm) the longest that it has been, `resolution` (mm) the
-/// length that the engine resolves.
+/// `crack` after `depth` (mm) of the surface has been removed. `deferred` (mm) is the deferred
+/// growth of its tips, `longest` (mm) its greatest length so far, `resolution` (mm) the length that
+/// the engine resolves.
 pub(super) fn worn(crack: &Crack, depth: f64, deferred: f64, longest: f64, resolution: f64) -> Worn {
     let lifted: Vec<Vec2> = crack.points().iter().map(|p| Vec2::new(p.x, p.y + depth)).collect();
     let ligament = spent_ligament(crack, resolution);
@@ -48,8 +48,9 @@ pub(super) fn worn(crack: &Crack, depth: f64, deferred: f64, longest: f64, resol
     }
 }
 
-/// The points of `walk`, which begins at the deepest one, below `limit` (mm), and the point at
-/// which it comes up to it; whether it does before its end. An end that lies on the surface stays.
+/// The points of `walk`, which begins at the deepest one, as far as they lie below `limit` (mm),
+/// with the point at which it rises to the limit, and whether it does so. An end that lies on the
+/// surface is kept.
 fn up_to<'a>(walk: impl Iterator<Item = &'a Vec2>, limit: f64) -> (Vec<Vec2>, bool) {
     let mut below: Vec<Vec2> = Vec::new();
     for &point in walk {
@@ -66,14 +67,15 @@ fn up_to<'a>(walk: impl Iterator<Item = &'a Vec2>, limit: f64) -> (Vec<Vec2>, bo
     (below, false)
 }
 
-/// No first segment shorter than the resolution.
+/// Removes a first segment that is shorter than the resolution.
 fn settle_mouth(points: &mut Vec<Vec2>, resolution: f64) {
     if points.len() > 2 && (points[1] - points[0]).length() < resolution {
         points.remove(1);
     }
 }
 
-/// The beginning of a crack that is worn away, `length` (mm) long: a body has no place for none.
+/// The first `length` (mm) of a crack that is worn away, since a body cannot contain a crack of
+/// zero length.
 fn stub(crack: &Crack, length: f64) -> Crack {
     let (from, to) = crack.segment(0);
     let segment = to - from;
@@ -81,8 +83,8 @@ fn stub(crack: &Crack, length: f64) -> Crack {
     Crack::polyline(vec![from, end]).unwrap_or_else(|_| crack.clone())
 }
 
-/// Whether a junction of `cracks` is above the surface, or as good as that, once `depth` (mm) is
-/// removed.
+/// Whether the removal of `depth` (mm) takes a junction of `cracks` to the surface, or so close to
+/// it that the ligament is spent.
 pub(super) fn reaches_junction(
     cracks: &[Crack],
     junctions: &[Junction],
@@ -95,7 +97,7 @@ pub(super) fn reaches_junction(
     })
 }
 
-/// Sine of the angle of `crack` at its mouth; none for a buried one.
+/// Sine of the angle of `crack` at its mouth; `None` for a buried crack.
 pub(super) fn mouth_sine(crack: &Crack) -> Option<f64> {
     let (mouth, next) = crack.segment(0);
     let segment = next - mouth;
@@ -105,15 +107,16 @@ pub(super) fn mouth_sine(crack: &Crack) -> Option<f64> {
 /// The cracks of a step after the surface has been removed.
 pub(super) struct Removal {
     pub cracks: Vec<Crack>,
-    /// Ends of each crack that have come to the surface: the first and the last one.
+    /// For each crack, whether its first and its last end have broken out.
     pub broken_out: Vec<[bool; 2]>,
     /// Which cracks are worn away.
     pub away: Vec<bool>,
 }
 
 impl Removal {
-    /// Of `depth` (mm) from `cracks`, those that are `gone` already left out. `left_out` (mm) is
-    /// the growth of each that is not in it, `longest` (mm) the longest that each has been.
+    /// Removal of `depth` (mm) from the surface above `cracks`, except those already `gone`.
+    /// `left_out` (mm) is the deferred growth of each crack, `longest` (mm) its greatest length so
+    /// far.
     pub fn of(
         (cracks, gone): (Vec<Crack>, &[bool]),
         depth: f64,

@@ -1,4 +1,4 @@
-//! Cracks cut at their mouths.
+//! Cracks shortened at their mouths.
 
 use super::*;
 use crate::crack::{CrackTip, End};
@@ -21,7 +21,8 @@ fn left(worn: Worn) -> (Crack, [bool; 2]) {
 
 #[test]
 fn the_mouth_moves_down_along_the_path() {
-    // 3-4-5 twice: 2 mm of depth take all of the first segment and 5/16 of the second.
+    // Two segments in the ratio 3-4-5: a depth of 2 mm removes all of the first segment and 5/16 of
+    // the second.
     let bent = crack(&[(0.0, 0.0), (4.0, -1.5), (7.0, -5.5)]);
     let (cut, broken) = left(worn(&bent, 2.0, 0.0, 10.0, 0.01));
     let want = [(4.375, 0.0), (7.0, -3.5)];
@@ -31,7 +32,7 @@ fn the_mouth_moves_down_along_the_path() {
     }
     assert!(cut.is_surface_breaking() && broken == [false, false]);
     assert!((mouth_sine(&cut).unwrap() - 0.8).abs() < ROUNDING);
-    // A rest of the first segment that no engine resolves is left out.
+    // A remainder of the first segment that no engine resolves is dropped.
     let (cut, _) = left(worn(&bent, 1.499, 0.0, 10.0, 0.01));
     assert_eq!(cut.points().len(), 2);
 }
@@ -89,7 +90,7 @@ fn in_the_balance_the_length_stays() {
     assert!((next.cracks[0].length() - 5.0).abs() < ROUNDING, "{next:?}");
     assert!((next.cycles - 2e5).abs() < 1e-8 && (next.removal - 0.12).abs() < ROUNDING);
     assert!((next.tips[0].increment - 0.2).abs() < ROUNDING);
-    // Half of it: the crack grows by half as much.
+    // At half the wear, the crack grows by half as much.
     let next = advance(&state(&cracks, &tips, 0.01), &maintained(0.3e-6, None));
     assert!((next.cracks[0].length() - 5.1).abs() < ROUNDING, "{next:?}");
 }
@@ -100,14 +101,14 @@ fn wear_that_takes_more_than_grows_sets_the_pace() {
     let next = advance(&state(&cracks, &tips, 0.01), &maintained(2.4e-6, None));
     assert!((next.removal - 0.12).abs() < ROUNDING && (next.cycles - 5e4).abs() < 1e-8, "{next:?}");
     assert!(next.interval.unwrap().is_settled && (next.tips[0].increment - 0.05).abs() < ROUNDING);
-    // The growth is too short for a segment, and waits.
+    // The growth is too short for a segment and is deferred.
     let length = next.cracks[0].length() + next.tips[0].deferred.length;
     assert!((length - (5.0 - 0.2 + 0.05)).abs() < ROUNDING, "{next:?}");
-    // A tip at rest is not stopped for good: the surface comes nearer.
+    // A tip at rest is not stopped for good, since the surface comes closer.
     let at_rest = advance(&state(&cracks, &[drive(0.0)], 0.01), &maintained(2.4e-6, None));
     assert!(at_rest.stop.is_none() && at_rest.tips[0].stop.is_none());
     assert!((at_rest.removal - 0.12).abs() < ROUNDING && at_rest.interval.unwrap().cycles == next.cycles);
-    // Increments from cycles follow the line through two rates.
+    // Increments that follow from cycles use the line through two rates.
     let before =
         EarlierRates { movers: vec![Mover { crack: 0, index: 0, rate: 1.2e-6, length: 5.0 }], cycles: 5e4 };
     let surface = WornSurface { before: Some(before), longest: vec![5.0], ..WornSurface::default() };
@@ -128,7 +129,7 @@ fn grinding_takes_its_depth_at_its_interval() {
     assert!(second.ground && (second.cycles - 5e4).abs() < 1e-8 && (second.removal - 0.3).abs() < ROUNDING);
     let length = second.cracks[0].length() + second.tips[0].deferred.length;
     assert!((length - (5.0 - 0.5 + 0.05)).abs() < ROUNDING, "{second:?}");
-    // The next one counts from there.
+    // The next grinding counts from there.
     let surface = WornSurface { removed: 0.3, grindings: 1, ..surface };
     let third = StepState { at: StepStart { worn: &surface, ..at(0, 2.5e5) }, ..state(&cracks, &tips, 0.01) };
     let third = advance(&third, &settings);

@@ -17,28 +17,28 @@ use std::ops::Range;
 use std::sync::Arc;
 use thiserror::Error;
 
-/// Points per cell and direction at which the stress of the uncracked rail is taken.
+/// Points per cell and direction at which the stress of the uncracked rail is evaluated.
 const LOAD_POINTS: usize = 4;
 
-/// Distance of two cracks over their smallest half-axis that is allowed at least: so far the
-/// integrals between them are verified, and cells resolve what lies between them.
+/// Smallest admissible distance of two cracks, relative to their smallest half-axis: down to this
+/// distance the integrals between them are verified, and cells resolve the ligament.
 pub(super) const LEAST_DISTANCE: f64 = 0.05;
 
-/// A body in space that cannot be made.
+/// Reasons why a body in space cannot be built.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SpaceError {
     /// The stiffness of the cracks is not positive definite, or not finite.
     #[error(transparent)]
     Linear(#[from] LinearError),
-    /// Given up on request.
+    /// Interrupted on request.
     #[error("{0}")]
     Interrupted(#[from] Interrupted),
-    /// Cracks that meet, or nearly so.
+    /// Cracks that meet, or nearly meet.
     #[error(transparent)]
     Close(#[from] CloseCracks),
 }
 
-/// Two cracks in space that meet, or nearly so.
+/// Two cracks in space that meet, or nearly meet.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error(
     "cracks {} and {} in space are {distance:.3e} mm apart: must be at least {least:.3e} mm, {LEAST_DISTANCE} of the smallest \
@@ -51,7 +51,7 @@ pub struct CloseCracks {
     pub second: usize,
     /// Their distance, mm.
     pub distance: f64,
-    /// The distance allowed, mm.
+    /// The smallest admissible distance, mm.
     pub least: f64,
 }
 
@@ -69,7 +69,8 @@ impl CloseCracks {
     }
 }
 
-/// The half-space seen from planes of some dips: what cracks that grow in their planes share.
+/// The images in the surface for the planes of some dips, shared by all cracks that grow in such
+/// planes.
 #[derive(Debug, Clone)]
 pub struct SpaceKernel {
     poisson: f64,
@@ -77,7 +78,8 @@ pub struct SpaceKernel {
 }
 
 impl SpaceKernel {
-    /// For planes that go down at `dips` (radians) in steel of Poisson's ratio `poisson`.
+    /// The kernel for planes that descend at `dips` (radians) in steel of Poisson's ratio
+    /// `poisson`.
     pub fn new(dips: &[f64], poisson: f64) -> Self {
         let mut tables: Vec<(f64, Arc<ImageTable>)> = Vec::new();
         for &dip in dips {
@@ -88,7 +90,7 @@ impl SpaceKernel {
         Self { poisson, tables }
     }
 
-    /// The image seen from planes of a dip, computed where it is not one of the given ones.
+    /// The image for planes of a given dip, computed anew unless the dip is one of those prepared.
     fn image(&self, dip: f64) -> ImagePart {
         let known = self.tables.iter().find(|(known, _)| *known == dip).map(|(_, table)| Arc::clone(table));
         ImagePart { table: known.unwrap_or_else(|| Arc::new(ImageTable::new(dip, self.poisson))), dip }
@@ -109,7 +111,7 @@ pub struct FrontPoint {
 }
 
 /// Stress intensity factors of a point of the front, MPa √mm. At the deepest point K_II slides
-/// along the dip and K_III along the lateral axis; elsewhere both directions turn with the front.
+/// along the dip and K_III along the lateral axis; elsewhere both directions rotate with the front.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
 pub struct FrontSif {
     /// Opening.
@@ -129,14 +131,15 @@ impl FrontSif {
     }
 }
 
-/// Where the stress of the uncracked rail is taken, and its part in the nodal forces.
+/// A point at which the stress of the uncracked rail is evaluated, with its contribution to the
+/// nodal forces.
 #[derive(Debug, Clone)]
 pub(super) struct LoadPoint {
     /// Its crack, from 0.
     pub crack: usize,
     /// x, lateral and depth, mm.
     pub position: [f64; 3],
-    /// Points of the crack and the integrals of their hats, mm².
+    /// Points of the crack and the integrals of their hat functions, mm².
     pub hats: [(usize, f64); 4],
 }
 
@@ -152,7 +155,7 @@ pub struct CrackPart {
 }
 
 /// Planar cracks in the half-space as matrices: with f the nodal forces on their faces, ⟦w⟧ = C f
-/// and K = S f. Points and points of fronts are those of the first crack, then of the next.
+/// and K = S f. Points of cracks and of fronts are numbered crack by crack.
 #[derive(Debug, Clone)]
 pub struct SpaceBody {
     cracks: Vec<CrackPart>,
@@ -182,8 +185,8 @@ impl SpaceBody {
         Self::with_kernel(cracks, steel, kernel.as_ref(), resolution, Interruption::NEVER)
     }
 
-    /// The body with `cracks` in the half-space of `kernel`, or in the full space without one.
-    /// Given up on an `interruption`.
+    /// The body with `cracks` in the half-space of `kernel`, or in the full space without one. An
+    /// `interruption` ends the computation.
     ///
     /// Errors: cracks that are too close to each other; a stiffness that is not positive definite;
     /// the interruption.
@@ -223,7 +226,7 @@ impl SpaceBody {
         Ok(body)
     }
 
-    /// Appends the points of a crack, of `total` in all.
+    /// Appends the points of a crack; all cracks together have `total` points.
     fn append(&mut self, placed: &Placed, steel: &IsotropicElastic, total: usize) {
         let (crack, grid) = (self.cracks.len(), placed.grid);
         let (first, first_of_front) = (self.points.len(), self.front.len());
@@ -274,7 +277,7 @@ impl SpaceBody {
         &self.points
     }
 
-    /// The area (mm²) that each point stands for: ∫ of its hat.
+    /// The area (mm²) that each point represents: the integral of its hat function.
     pub(super) fn areas(&self) -> Vec<f64> {
         let mut areas = vec![0.0; self.points.len()];
         for (point, weight) in self.loads.iter().flat_map(|load| load.hats) {
@@ -283,8 +286,8 @@ impl SpaceBody {
         areas
     }
 
-    /// Where along the rail the cracks are, mm: the middles of their mouths; where none breaks the
-    /// surface, that of the first.
+    /// Positions of the cracks along the rail, mm: the middles of their mouths; if no crack breaks
+    /// the surface, that of the first crack.
     pub(super) fn places(&self) -> Vec<f64> {
         let mean = |points: Vec<&[f64; 3]>| {
             let sum = points.iter().map(|point| point[0]).sum::<f64>();
@@ -299,7 +302,7 @@ impl SpaceBody {
         self.cracks.first().and_then(|crack| mean(of(crack).collect())).into_iter().collect()
     }
 
-    /// Points of the fronts, of each by growing φ.
+    /// Points of the fronts, crack by crack in the order of increasing φ.
     pub fn front(&self) -> &[FrontPoint] {
         &self.front
     }
@@ -324,7 +327,8 @@ impl SpaceBody {
         &self.sif_influence
     }
 
-    /// Nodal forces (N), 3p, of a stress field of the uncracked rail given at x, lateral and depth.
+    /// Nodal forces (N), 3p, due to a stress field of the uncracked rail, given as a function of x,
+    /// lateral and depth.
     pub fn nodal_forces(&self, stress: impl Fn([f64; 3]) -> Symmetric + Sync) -> Vec<f64> {
         let tractions: Vec<_> =
             self.loads.par_iter().map(|p| self.cracks[p.crack].frame.traction(&stress(p.position))).collect();
@@ -337,12 +341,12 @@ impl SpaceBody {
         forces
     }
 
-    /// K along the front of jumps ⟦w⟧ (mm), 3p.
+    /// K along the front due to jumps ⟦w⟧ (mm), 3p.
     pub fn sifs_of_jumps(&self, jumps: &[f64]) -> Vec<FrontSif> {
         sifs(&self.sif_of_jumps.times(jumps))
     }
 
-    /// K along the front of nodal forces (N), 3p, on faces that nothing holds.
+    /// K along the front due to nodal forces (N), 3p, on free faces.
     pub fn sifs(&self, forces: &[f64]) -> Vec<FrontSif> {
         sifs(&self.sif_influence.times(forces))
     }
@@ -376,7 +380,7 @@ fn stiffness_of(
     let mu = steel.shear_modulus();
     for (k, (crack, &start)) in placed.iter().zip(&starts).enumerate() {
         let size = 3 * crack.grid.free;
-        // Copies have the same own stiffness, wherever they are.
+        // Copies of a crack have the same self-stiffness, wherever they lie.
         if let Some(copied) = (0..k).find(|&other| cracks[k].is_copy_of(&cracks[other])) {
             let from = starts[copied];
             for i in 0..size {
@@ -404,8 +408,8 @@ fn stiffness_of(
     Ok(stiffness)
 }
 
-/// K from the jumps of the first two rows: w = α η + β η³ along a column, α √(distance) near the
-/// front, and K_I = μ α √(2π) / (4 (1 − ν)), the same for K_II, without (1 − ν) for K_III.
+/// K from the jumps of the first two rows: w = α η + β η³ along a column, or α √(distance) near the
+/// front, and K_I = μ α √(2π) / (4 (1 − ν)); K_II is similar, and K_III lacks the factor (1 − ν).
 /// The rows begin at `start` in `rows`.
 fn front_rows(grid: &Grid, steel: &IsotropicElastic, start: [usize; 2], rows: &mut Matrix) {
     let [first, left] = start;
@@ -450,7 +454,7 @@ mod tests {
         let mut jumps = spd_inverse(&stiffness).unwrap().times(&forces);
         jumps.iter_mut().for_each(|jump| *jump /= steel.shear_modulus());
         let (sifs, finer) = (body.sifs(&forces), body.sifs_of_jumps(&jumps));
-        // The front without the layer next to the surface.
+        // The front without the layer at the surface.
         for (k, fine) in sifs.iter().zip(&finer).skip(2).take(sifs.len() - 4) {
             assert!((k.ki / fine.ki - 1.0).abs() < 0.0015, "{} {}", k.ki, fine.ki);
         }

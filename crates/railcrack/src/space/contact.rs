@@ -5,10 +5,10 @@
 //!   ⟦w_n⟧ ≥ 0, r_n ≥ 0, r_n ⟦w_n⟧ = 0,   |r_t| ≤ μ r_n, and slip increments against r_t.
 //!
 //! The augmented equations of Alart & Curnier (1991) are solved by semismooth Newton iterations:
-//! each point is open, sticks or slips. The unknowns are the jumps that are not held, or the forces
-//! between faces that touch, ⟦w⟧ = C (f + r), whichever are fewer. Their linear systems are solved
-//! by minimal residuals, preconditioned by the factor of an earlier one. From where slip counts is
-//! the business of the passage, and with it the error of the load step.
+//! each point is open, sticks or slips. The unknowns are either the jumps that are not held or,
+//! with ⟦w⟧ = C (f + r), the forces between touching faces, whichever are fewer. The linear systems
+//! are solved by minimal residuals, preconditioned with the factor of an earlier system. The origin
+//! of slip, and with it the error of the load step, is left to the passage.
 
 use super::body::SpaceBody;
 use super::linearised::{Change, Form, LaggedFactor, Linearised, size, times_sparse};
@@ -17,43 +17,43 @@ use crate::interruption::Interrupted;
 use crate::linear::LinearError;
 use thiserror::Error;
 
-/// Iterations of a step, at most.
+/// Largest number of iterations of a step.
 const ITERATIONS: usize = 60;
-/// Largest change of a jump, over the largest jump before or after it, of a converged step.
+/// Largest change of a jump in a converged step, relative to the largest jump before or after it.
 const TOLERANCE: f64 = 1e-9;
-/// Residuals of the linear systems, over their right-hand sides: where points change their state,
-/// and where none does at the end.
+/// Residuals of the linear systems, relative to their right-hand sides: while points still change
+/// their state, and at the end when none does.
 const COARSEST: f64 = 1e-2;
 const FINEST: f64 = 1e-9;
-/// Residual of the conditions, over the forces of the faces, of a converged step.
+/// Residual of the conditions in a converged step, relative to the forces on the faces.
 const CONVERGED: f64 = 1e-13;
-/// A residual this small over the forces of the faces is round-off.
+/// A residual this small relative to the forces on the faces is round-off.
 const ROUNDING: f64 = 1e-13;
 
-/// A step of the contact that fails.
+/// Reasons why a contact step fails.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SpaceContactError {
-    /// The iterations do not end.
+    /// The iterations do not converge.
     #[error(
         "contact of the faces of a crack in space: change {change:e} after {iterations} iterations, allowed {tolerance:e}"
     )]
     NotConverged {
-        /// Iterations made.
+        /// Number of iterations made.
         iterations: usize,
-        /// Last change of a jump over the largest.
+        /// Last change of a jump, relative to the largest jump.
         change: f64,
-        /// The change allowed.
+        /// The admissible change.
         tolerance: f64,
     },
-    /// A linear system without a solution.
+    /// A linear system that has no solution.
     #[error(transparent)]
     Linear(#[from] LinearError),
-    /// Given up on request.
+    /// Interrupted on request.
     #[error("{0}")]
     Interrupted(#[from] Interrupted),
 }
 
-/// The faces of a crack at one moment.
+/// The faces of a crack at one instant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpaceFaces {
     /// ⟦w⟧ (mm), 3p: opening, slip along the dip and along the trace.
@@ -65,21 +65,21 @@ pub struct SpaceFaces {
 }
 
 impl SpaceFaces {
-    /// Whether every point is open, sticks or slips as it does there.
+    /// Whether every point has the same state as in the other faces: open, sticking or slipping.
     pub(super) fn keeps_states_of(&self, other: &Self) -> bool {
         let kind = |status: &SpaceStatus| std::mem::discriminant(status);
         self.status.iter().zip(&other.status).all(|(one, other)| kind(one) == kind(other))
     }
 }
 
-/// The numbers of a step.
+/// Solver effort and accuracy of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct StepReport {
     /// Newton iterations.
     pub iterations: usize,
     /// Largest violation of the contact conditions: penetration over the largest jump, tension and
-    /// friction beyond the cone over the largest force, r_n ⟦w_n⟧ over both. The jumps before the
-    /// step and the forces that they need count.
+    /// friction beyond the cone over the largest force, r_n ⟦w_n⟧ over both. The reference values
+    /// include the jumps before the step and the forces required for them.
     pub violation: f64,
 }
 
@@ -105,7 +105,7 @@ impl SpaceContact<'_> {
 
     /// The faces under the nodal forces `forces` (N), after `before`.
     ///
-    /// Errors: iterations that do not end; a singular system.
+    /// Errors: iterations that do not converge; a singular system.
     pub fn step(
         &self,
         before: &SpaceFaces,
@@ -114,11 +114,11 @@ impl SpaceContact<'_> {
         self.step_from(&before.jumps, &mut LaggedFactor::default(), &before.jumps, forces)
     }
 
-    /// The faces under `forces` (N) whose slip opposes friction from the jumps `origin` (mm) on, by
-    /// iterations that begin with the jumps `guess` (mm), and with those of `origin` where they do
-    /// not end; `factor` is that of a similar step, and of this one after it.
+    /// The faces under `forces` (N), with slip that is measured from the jumps `origin` (mm). The
+    /// iterations begin with the jumps `guess` (mm) and, if they fail to converge, again with
+    /// `origin`. On entry `factor` is that of a similar step, on return that of this one.
     ///
-    /// Errors: iterations that do not end; a singular system.
+    /// Errors: iterations that do not converge; a singular system.
     pub(super) fn step_from(
         &self,
         guess: &[f64],
@@ -160,7 +160,7 @@ impl SpaceContact<'_> {
             if kinds == last.0 && size(&right) <= CONVERGED * whole {
                 return Ok(self.converged(jumps, &states, origin, forces, iteration - 1));
             }
-            // Without slip the conditions are linear; where no point changes its state the error
+            // Without slip the conditions are linear; if no point changes its state, the error
             // falls as the square of the change.
             let is_linear = states.iter().all(|state| state.turning == 0.0);
             let wanted = if is_linear {
@@ -175,12 +175,13 @@ impl SpaceContact<'_> {
             factor.solve(&conditions, &right, wanted.max(rounding.min(0.5)), &mut change)?;
             jumps = sum(&jumps, &change.jumps);
             reactions = sum(&reactions, &change.forces);
-            // What is not unknown is there exactly, after a sum that rounds.
+            // Prescribed components are set to their exact values after a sum with round-off.
             match form {
                 Form::Jumps => hold(&mut jumps, &states, origin),
                 Form::Forces => let_go(&mut reactions, &states),
             }
-            // Jumps that were there before count: those of faces that come to rest may all vanish.
+            // Earlier jumps count as well, since the jumps of faces that come to rest may all
+            // vanish.
             let scale = largest(&jumps).max(largest(origin)).max(f64::MIN_POSITIVE);
             last = (kinds, largest(&change.jumps) / scale);
             if last.1 <= TOLERANCE {
@@ -201,7 +202,7 @@ impl SpaceContact<'_> {
     ) -> (SpaceFaces, StepReport) {
         hold(&mut jumps, states, origin);
         let mut reactions = self.reactions(&jumps, forces);
-        // What is left on open faces is round-off.
+        // Remaining forces on open faces are round-off.
         let_go(&mut reactions, states);
         let status = states.iter().map(|state| state.status).collect();
         let faces = SpaceFaces { jumps, reactions, status };
@@ -214,7 +215,7 @@ impl SpaceContact<'_> {
         resisted.iter().zip(forces).map(|(resisted, force)| resisted - force).collect()
     }
 
-    /// The state of point a. α is the stiffness of its augmentation.
+    /// The state of point a, where α is its augmentation stiffness.
     fn state(&self, a: usize, jumps: &[f64], reactions: &[f64], origin: &[f64]) -> PointState {
         let weight = self.body.stiffness()[(3 * a, 3 * a)];
         let normal = reactions[3 * a] - weight * jumps[3 * a];
@@ -231,13 +232,13 @@ impl SpaceContact<'_> {
         }
     }
 
-    /// μ at point a.
+    /// Friction coefficient μ at point a.
     fn friction_at(&self, a: usize) -> f64 {
         self.friction[self.body.crack_of(a)]
     }
 
-    /// The change of what is not unknown: of jumps to where they are held, or of forces on open
-    /// faces to nothing.
+    /// The change of the prescribed components: of jumps to the values at which they are held, or
+    /// of forces on open faces to zero.
     fn held(
         &self,
         form: Form,
@@ -286,7 +287,7 @@ impl SpaceContact<'_> {
     }
 }
 
-/// Puts the jumps that `states` hold where they are held.
+/// Sets the jumps that are held by `states` to the values at which they are held.
 fn hold(jumps: &mut [f64], states: &[PointState], origin: &[f64]) {
     for (a, state) in states.iter().enumerate() {
         if state.status != SpaceStatus::Open {
@@ -298,7 +299,7 @@ fn hold(jumps: &mut [f64], states: &[PointState], origin: &[f64]) {
     }
 }
 
-/// Open faces exert no force.
+/// Clears the forces on open faces.
 fn let_go(reactions: &mut [f64], states: &[PointState]) {
     for (a, state) in states.iter().enumerate() {
         if state.status == SpaceStatus::Open {

@@ -1,13 +1,14 @@
 //! Stiffness between two cracks.
 //!
-//! A jump of one crack is a sheet of double forces, whose stress loads the other one: with n and n′
-//! the normals of the two,
+//! A jump of one crack acts as a sheet of double forces, whose stress loads the other crack. With n
+//! and n′ the normals of the two cracks,
 //!
 //!   A = −∬ w_i n_k σ_kl[moment of (w′_j, n′)] dS dS′.
 //!
-//! The cracks are disjoint, so that nothing is singular, but they may be near: patches of cells are
-//! divided until product rules of Gauss resolve 1/r³ at their distance. Mouths need no more than
-//! that: the image of a point of one crack is never nearer to the other crack than the point.
+//! The cracks are disjoint, so that nothing is singular, but they may be close: patches of cells
+//! are divided until Gauss product rules resolve 1/r³ at their distance. Mouths need no special
+//! treatment, since the image of a point of one crack is never closer to the other crack than the
+//! point itself.
 
 use super::cell::Cell;
 use super::grid::Grid;
@@ -18,13 +19,13 @@ use crate::interruption::{Interrupted, Interruption};
 use crate::math::{Matrix, dot3, gauss_legendre};
 use rayon::prelude::*;
 
-/// Distance of two patches over the diameter of the larger one, and the points per direction that
-/// it takes; closer patches are divided.
+/// Distance of two patches, relative to the diameter of the larger one, and the number of points
+/// per direction that it requires; closer patches are divided.
 const ORDERS: [(f64, usize); 5] = [(4.0, 2), (2.0, 3), (1.0, 4), (0.6, 5), (0.4, 6)];
-/// Divisions of the patches of a pair of cells, at most.
+/// Largest number of divisions of the patches of a pair of cells.
 const DIVISIONS: usize = 24;
 
-/// A crack where it is in the rail.
+/// A crack at its place in the rail.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Placed<'a> {
     pub grid: &'a Grid,
@@ -54,21 +55,21 @@ impl Placed<'_> {
     }
 }
 
-/// A disc that holds a patch.
+/// A disc that contains a patch.
 #[derive(Debug, Clone, Copy)]
 struct Disc {
     centre: [f64; 3],
     radius: f64,
 }
 
-/// A point of a crack, and its hats times its area (mm²).
+/// A point of a crack, with its hat functions times its area (mm²).
 #[derive(Debug, Clone, Copy)]
 struct Sample {
     position: [f64; 3],
     hats: [f64; 4],
 }
 
-/// Whole cells of a crack at the points of all rules.
+/// Undivided cells of a crack, evaluated at the points of all rules.
 struct Sampled<'a> {
     crack: Placed<'a>,
     discs: Vec<Disc>,
@@ -87,14 +88,14 @@ impl<'a> Sampled<'a> {
     }
 }
 
-/// The stress of jumps of one crack as tractions on another.
+/// Tractions on one crack due to the jumps of another.
 #[derive(Debug, Clone)]
 struct Influence {
     surroundings: Surroundings,
     poisson: f64,
     /// Minus the traction on the first crack of each component of stress: [jump][component].
     tractions: [[f64; 6]; 3],
-    /// Moments of unit jumps of the second crack.
+    /// Double-force moments of unit jumps of the second crack.
     moments: [Symmetric; 3],
 }
 
@@ -110,8 +111,8 @@ impl Influence {
         }
     }
 
-    /// The stiffness of the jump component j at `source` felt in the component i at `point`, in
-    /// units of the shear modulus and per mm³.
+    /// The stiffness that couples jump component j at `source` to component i at `point`, in units
+    /// of the shear modulus and per mm³.
     fn between(&self, point: [f64; 3], source: [f64; 3]) -> [[f64; 3]; 3] {
         let d = std::array::from_fn(|i| point[i] - source[i]);
         let mut stresses = self.moments.map(|m| kelvin_stress(d, &m, self.poisson));
@@ -127,20 +128,21 @@ impl Influence {
     }
 }
 
-/// A block of two cells: hats of the first, components, hats of the second, components.
+/// A block of two cells: hat functions of the first, components, hat functions of the second,
+/// components.
 type Block = [[[[f64; 3]; 4]; 3]; 4];
 const EMPTY: Block = [[[[0.0; 3]; 4]; 3]; 4];
 
-/// How finely the integrals are taken.
+/// Fineness of the integration.
 #[derive(Debug, Clone, Copy)]
 struct Fineness {
-    /// Added to the points per direction.
+    /// Additional points per direction.
     more_points: usize,
-    /// Patches seem nearer by this factor.
+    /// Factor by which distances of patches are reduced when a rule is chosen.
     nearer: f64,
 }
 
-/// That of bodies; tests compare it with a finer one.
+/// Fineness for bodies; tests compare it with a finer one.
 const FINENESS: Fineness = Fineness { more_points: 0, nearer: 1.0 };
 
 /// The integrals over two cracks.
@@ -151,9 +153,9 @@ struct Cross<'a> {
     fineness: Fineness,
 }
 
-/// The stiffness between two disjoint cracks in units of the shear modulus (mm): component i of
-/// the free vertex a of the first is row 3a + i, those of the second are the columns. Given up on
-/// an `interruption`.
+/// The stiffness between two disjoint cracks in units of the shear modulus (mm): component i of the
+/// free vertex a of the first is row 3a + i, the columns are numbered likewise for the second. An
+/// `interruption` ends the computation.
 pub(super) fn cross_stiffness(
     cracks: [Placed; 2],
     surroundings: Surroundings,
@@ -186,7 +188,7 @@ impl<'a> Cross<'a> {
                 Ok((0..columns.cells.len()).map(|j| self.pair(i, j)).collect())
             })
             .collect::<Result<_, Interrupted>>()?;
-        // The sums are made in the same order by any number of threads.
+        // The order of summation does not depend on the number of threads.
         for (one, row) in rows.cells.iter().zip(&blocks) {
             for (other, block) in columns.cells.iter().zip(row) {
                 for (a, &va) in one.vertices.iter().enumerate().filter(|(_, v)| **v < rows.free) {
@@ -214,13 +216,13 @@ impl<'a> Cross<'a> {
         block
     }
 
-    /// The place of the rule that is enough for two patches.
+    /// Index of the rule that suffices for two patches.
     fn place(&self, one: &Disc, other: &Disc) -> Option<usize> {
         let ratio = self.gap(one, other) / (2.0 * self.fineness.nearer * one.radius.max(other.radius));
         ORDERS.iter().position(|&(limit, _)| ratio > limit)
     }
 
-    /// A distance that two discs in the planes of the cracks have at least.
+    /// A lower bound on the distance of two discs in the planes of the cracks.
     fn gap(&self, one: &Disc, other: &Disc) -> f64 {
         let [first, second] = [&self.cracks[0], &self.cracks[1]].map(|crack| crack.crack.frame.normal());
         let between: [f64; 3] = std::array::from_fn(|i| other.centre[i] - one.centre[i]);
@@ -293,11 +295,11 @@ mod tests {
         Placed { grid, frame: crack.frame(), middle: crack.middle }
     }
 
-    /// Two hats of one crack that do not touch: the strong form is an independent formula for what
-    /// the weakly singular integrals of the crack make of them, those of the image included.
+    /// Two hat functions of one crack that do not touch: the strong form is an independent formula
+    /// for the result of the weakly singular integrals of the crack, including those of the image.
     #[test]
     fn hats_apart_by_the_weakly_singular_form() {
-        // The weak form is the less accurate one: its image is near where the dip is small.
+        // The weak form is the less accurate one, since its image is close where the dip is small.
         for (degrees, surroundings, allowed) in [
             (40.0f64, Surroundings::FullSpace, 5e-5),
             (90.0, Surroundings::HalfSpace, 1e-4),
@@ -370,7 +372,7 @@ mod tests {
             let finer = of([one, other], Fineness { more_points: 3, nearer: 1.3 });
             let back = of([other, one], FINENESS);
             let (mut error, mut asymmetry) = (0.0f64, 0.0f64);
-            // Cells of each kind against all: at the mouth, inside, at the front.
+            // Cells of each kind (at the mouth, inside, at the front) against all cells.
             for i in [1, 5, 12, grids[0].cells.len() - 1] {
                 for j in 0..grids[1].cells.len() {
                     let blocks = [usual.pair(i, j), finer.pair(i, j), back.pair(j, i)];

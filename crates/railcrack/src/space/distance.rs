@@ -1,22 +1,21 @@
 //! Distance of two planar cracks.
 //!
-//! Ellipses and halves of them are convex: the points of one less those of the other are a convex
-//! body, of which the point nearest to zero is found by its supporting points (Gilbert, Johnson &
-//! Keerthi 1988).
+//! Ellipses and halves of them are convex: their Minkowski difference is a convex body, whose point
+//! nearest to the origin is found from support points (Gilbert, Johnson & Keerthi 1988).
 
 use super::shape::{Extent, SpaceCrack};
 use crate::math::dot3;
 
 type Vector = [f64; 3];
 
-/// Steps, at most.
+/// Largest number of steps.
 const STEPS: usize = 500;
 /// Relative error of the distance.
 const TOLERANCE: f64 = 1e-9;
 
 impl SpaceCrack {
-    /// The distance (mm) to another crack; zero where they meet. A front that leaves its ellipse
-    /// counts as the smallest ellipse of the same aspect around it.
+    /// The distance (mm) to another crack; zero where they meet. A front that deviates from its
+    /// ellipse is replaced by the smallest enclosing ellipse of the same aspect ratio.
     pub fn distance(&self, other: &Self) -> f64 {
         let reaches = [self.reach(), other.reach()];
         let corner = |one: Vector, two: Vector| -> Vector {
@@ -47,13 +46,12 @@ impl SpaceCrack {
         dot3(nearest, nearest).sqrt()
     }
 
-    /// The smallest ellipse around the front over its own.
+    /// Size of the smallest ellipse around the front, relative to its own ellipse.
     fn reach(&self) -> f64 {
         (0..360).map(|degree| self.radius_factor(f64::from(degree).to_radians())).fold(1.0, f64::max)
     }
 
-    /// The point that is farthest in a direction, of the ellipse `reach` times as large: x,
-    /// lateral, depth.
+    /// The support point in a direction of the ellipse enlarged by `reach`: x, lateral, depth.
     fn farthest(&self, direction: Vector, reach: f64) -> Vector {
         let frame = self.frame();
         let [_, ds, dz] = frame.components(direction);
@@ -70,8 +68,8 @@ impl SpaceCrack {
     }
 }
 
-/// The point nearest to zero of the hull of up to four points, and the points that span it; none
-/// where round-off leaves nothing.
+/// The point nearest to the origin of the convex hull of up to four points, and the points that
+/// span it; `None` where round-off leaves no simplex.
 fn nearest_of(corners: &[Vector]) -> Option<(Vector, Vec<Vector>)> {
     let sets = 1u32..1 << corners.len();
     let points = sets.filter_map(|set| {
@@ -82,7 +80,8 @@ fn nearest_of(corners: &[Vector]) -> Option<(Vector, Vec<Vector>)> {
     points.reduce(|a, b| if dot3(b.0, b.0) < dot3(a.0, a.0) { b } else { a })
 }
 
-/// The point nearest to zero of the flat through all of these points, if it lies between them.
+/// The point nearest to the origin of the affine hull of all of these points, if it lies between
+/// them.
 fn nearest_of_flat(corners: &[Vector]) -> Option<Vector> {
     let (first, others) = corners.split_first()?;
     let sides: Vec<Vector> = others.iter().map(|p| std::array::from_fn(|i| p[i] - first[i])).collect();
@@ -131,7 +130,7 @@ mod tests {
         let neighbour = placed(half(30.0), [0.0, 12.5]);
         assert!((half(30.0).distance(&neighbour) - 0.5).abs() < 1e-7, "along the mouth");
         assert!((neighbour.distance(&half(30.0)) - 0.5).abs() < 1e-7, "exchanged");
-        // Pennies in one plane, whose middles lie obliquely.
+        // Penny-shaped cracks in one plane, with centres offset obliquely.
         let penny = |centre: f64| SpaceCrack::buried(0.5 * PI, 1.0, 1.0, centre).unwrap();
         let distance = penny(10.0).distance(&placed(penny(13.0), [0.0, 4.0]));
         assert!((distance - 3.0).abs() < 1e-7, "{distance}");

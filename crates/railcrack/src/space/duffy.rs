@@ -1,7 +1,7 @@
 //! Quadrature of products of two cells that touch.
 //!
-//! A kernel that grows as 1/r where two points meet becomes smooth in the coordinates of Duffy
-//! (1982), used for pairs of cells as by Sauter & Schwab (2011, 5.2).
+//! In the coordinates of Duffy (1982), a kernel that grows as 1/r where two points meet becomes
+//! smooth. They are applied to pairs of cells as in Sauter & Schwab (2011, 5.2).
 
 /// Two points in their unit squares and the weight of the pair.
 #[derive(Debug, Clone, Copy)]
@@ -24,7 +24,7 @@ pub(super) struct DuffyRules {
     pub corner_line: Vec<PairPoint>,
 }
 
-/// The pyramids of the unit cube of N dimensions with their tip at zero: points and weights.
+/// Points and weights on the pyramids of the N-dimensional unit cube with apex at the origin.
 fn pyramids<const N: usize>(rule: &[(f64, f64)]) -> Vec<([f64; N], f64)> {
     let mut points = Vec::new();
     for largest in 0..N {
@@ -47,7 +47,7 @@ fn pyramids<const N: usize>(rule: &[(f64, f64)]) -> Vec<([f64; N], f64)> {
 impl DuffyRules {
     pub fn new(order: usize) -> Self {
         let rule = crate::math::gauss_legendre(order);
-        // Two points on one line at the distance t, the first before the second or after it.
+        // Two points on one line at the distance t, in either order.
         let pair = |t: f64, x: f64, after: bool| {
             let from = (1.0 - t) * x;
             if after { [from + t, from] } else { [from, from + t] }

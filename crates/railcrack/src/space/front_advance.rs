@@ -1,4 +1,4 @@
-//! The advance of cracks in space from one step to the next.
+//! Advance of cracks in space from one step to the next.
 
 use super::body::{CloseCracks, LEAST_DISTANCE};
 use super::front_motion::FrontSpeeds;
@@ -13,11 +13,11 @@ use crate::math::RailBox;
 /// Cracks at the start of a step.
 pub(super) struct Start<'a> {
     pub shapes: &'a [FrontShape],
-    /// Why each no longer grows.
+    /// Why each crack no longer grows, if it has stopped.
     pub stopped: &'a [Option<TipStop>],
     /// The motions of all fronts with their speeds.
     pub movers: &'a [Mover],
-    /// Whether the rail breaks.
+    /// Whether the rail fractures.
     pub breaks: bool,
     pub at: StepStart<'a>,
 }
@@ -27,22 +27,22 @@ pub(super) struct Start<'a> {
 pub(super) struct FrontAdvance {
     /// The shapes of the next step.
     pub shapes: Vec<FrontShape>,
-    /// Why each crack no longer grows.
+    /// Why each crack no longer grows, if it has stopped.
     pub stopped: Vec<Option<TipStop>>,
     /// The increment of each motion of each front, mm.
     pub increments: Vec<FrontSpeeds>,
-    /// Pace of the step; none where the run ends with it.
+    /// Pace of the step; `None` where the run ends with it.
     pub pace: Option<Pace>,
     pub stop: Option<RunStop>,
-    /// Cracks that would have met.
+    /// Cracks that would have met each other.
     pub meetings: Vec<CloseCracks>,
 }
 
 impl FrontAdvance {
-    /// The advance of `start`: the fastest of all cracks grows by the increment, the others as far
-    /// in the same cycles. A crack that is arrested, or would leave the rail, use up its ligament
-    /// or meet another one stops for good where it is, and the others grow on. Wear and grinding
-    /// remove the running surface meanwhile.
+    /// The advance from `start`: the fastest of all cracks grows by the increment, the others by
+    /// their growth in the same number of cycles. A crack that is arrested, or would leave the
+    /// rail, use up its ligament or meet another crack, stops for good where it is, and the others
+    /// continue to grow. Meanwhile, wear and grinding remove the running surface.
     pub fn new(start: &Start, growth: &GrowthSettings, rail: RailBox) -> Self {
         let speeds_of = |crack: usize| FrontSpeeds::of_movers(&start.shapes[crack], crack, start.movers);
         let grows = |crack: usize| speeds_of(crack).fastest().is_some();
@@ -51,7 +51,7 @@ impl FrontAdvance {
         };
         let mut stopped: Vec<Option<TipStop>> = start.stopped.iter().enumerate().map(at_rest).collect();
         let mut meetings = Vec::new();
-        // Each round stops a crack, or is the last.
+        // Every round but the last stops a crack.
         let (pace, increments, mut shapes) = loop {
             let pace = pace(start, growth, &stopped);
             let increments: Vec<FrontSpeeds> = (0..start.shapes.len())
@@ -117,8 +117,8 @@ fn pace(start: &Start, growth: &GrowthSettings, stopped: &[Option<TipStop>]) -> 
     Pace::of(&moving, &start.at, growth)
 }
 
-/// Takes `removal` (mm) off the surface of cracks of `shapes`: those that are worn away, or that
-/// the surface has come down to, stop.
+/// Removes `removal` (mm) from the surface above cracks of `shapes`: those that are worn away or
+/// that the surface has reached stop.
 fn remove_surface(start: &Start, removal: f64, shapes: &mut [FrontShape], stopped: &mut [Option<TipStop>]) {
     for (crack, (shape, stop)) in shapes.iter_mut().zip(stopped).enumerate() {
         if *stop == Some(TipStop::WornAway) {
@@ -135,13 +135,13 @@ fn remove_surface(start: &Start, removal: f64, shapes: &mut [FrontShape], stoppe
     }
 }
 
-/// The length (mm) that cells resolve in front of a crack of `shape`: twice of it is the least
-/// distance for which the integrals between cracks are verified.
+/// The length (mm) that cells resolve ahead of a crack of `shape`: half the smallest distance for
+/// which the integrals between cracks are verified.
 pub(super) fn resolution(shape: &FrontShape) -> f64 {
     0.5 * LEAST_DISTANCE * shape.length
 }
 
-/// Two cracks of these shapes that are too close to be computed.
+/// Two cracks of these shapes that are too close for the computation.
 fn meeting(shapes: &[FrontShape]) -> Option<CloseCracks> {
     let cracks: Vec<SpaceCrack> = shapes.iter().filter_map(|shape| shape.crack().ok()).collect();
     if cracks.len() < shapes.len() { None } else { CloseCracks::among(&cracks) }
@@ -224,7 +224,7 @@ mod tests {
         }
         let pace = next.pace.as_ref().unwrap();
         assert!((pace.cycles - 1e5).abs() < 1e-3 && pace.interval().unwrap().mover.crack == 1, "{next:?}");
-        // What has stopped stays stopped, whatever its rate.
+        // A stopped crack stays stopped, whatever its rate.
         let later = advance(&shapes, &[None, Some(TipStop::Arrest), None], &[1e-6, 2e-6, 1e-6], &settings());
         let pace = later.pace.as_ref().unwrap();
         assert_eq!((pace.interval().unwrap().mover.crack, later.shapes[1]), (0, shapes[1]));
@@ -234,7 +234,7 @@ mod tests {
 
     #[test]
     fn cracks_that_would_meet_stop_and_the_others_grow_on() {
-        // The first two lie beside each other, 0.3 mm apart, and each grows by 0.2 mm.
+        // The first two lie side by side, 0.3 mm apart, and each grows by 0.2 mm.
         let shapes = [circle(0.0, 0.0), circle(0.0, 8.3), circle(50.0, 0.0)];
         let next = advance(&shapes, &[None; 3], &[2e-6, 2e-6, 1e-6], &settings());
         let joined = Some(TipStop::Coalescence);
@@ -267,7 +267,7 @@ mod tests {
         let pace = next.pace.as_ref().unwrap();
         assert!((pace.cycles - 2e5).abs() < 1e-3 && (pace.removal - 0.12).abs() < 1e-12, "{next:?}");
         assert!((next.shapes[0].length - 4.0).abs() < 1e-9 && next.stop.is_none(), "{next:?}");
-        // A crack at rest is not stopped for good: the surface comes nearer.
+        // A crack at rest is not stopped for good, since the surface comes closer.
         let at_rest = advance(&shapes, &[None], &[0.0], &maintained(0.6e-6, None));
         assert_eq!((at_rest.stop, at_rest.stopped[0]), (None, None));
         assert!((at_rest.shapes[0].length - 3.8).abs() < 1e-9, "{at_rest:?}");

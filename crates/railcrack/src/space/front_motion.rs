@@ -1,14 +1,16 @@
 //! Growth of an elliptical front by the rates along it.
 //!
-//! The front stays an ellipse. Its motions are the speeds of its ends: down the dip and to both
-//! sides, and up the dip where it is buried. Of all motions without a retreating end, the one is
-//! taken whose normal speed is nearest to the local rates, in the mean square along the front.
+//! The front stays an ellipse. Its motion is described by the speeds of its ends: down the dip and
+//! to both sides, and up the dip where it is buried. Of all motions without a retreating end, the
+//! one whose normal speed is closest to the local rates in the mean square along the front is
+//! taken.
 
 use super::body::FrontPoint;
 use crate::growth::{FrontMotion, FrontShape, Mover};
 use std::f64::consts::PI;
 
-/// Half of the layer (radians of φ) in which the front meets the surface: no cell resolves it.
+/// Half-width (radians of φ) of the layer in which the front meets the surface, which no cell
+/// resolves.
 pub const VERTEX_LAYER: f64 = 15.0 * PI / 180.0;
 
 /// The speeds of the motions of an elliptical front (mm per cycle), or their increments (mm).
@@ -19,7 +21,7 @@ pub(super) struct FrontSpeeds {
 
 /// Whether the point at φ counts in the growth of `shape`.
 pub(super) fn counts(shape: &FrontShape, phi: f64) -> bool {
-    // Points at the limit itself count, whatever the round-off.
+    // Points exactly at the limit count, irrespective of round-off.
     let least = VERTEX_LAYER - 1e-9;
     shape.buried.is_some() || (phi >= least && phi <= PI - least)
 }
@@ -34,7 +36,7 @@ fn normal_speed(shape: &FrontShape, motion: FrontMotion, point: &FrontPoint) -> 
     let (sin, cos) = point.phi.sin_cos();
     let [down, along] = point.normal;
     match motion {
-        // The mouth of a crack that breaks the surface stays where it is.
+        // The mouth of a surface-breaking crack stays where it is.
         FrontMotion::Down if shape.buried.is_none() => down * sin,
         FrontMotion::Down => 0.5 * down * (sin + 1.0),
         FrontMotion::Up => 0.5 * down * (sin - 1.0),
@@ -58,7 +60,7 @@ impl FrontSpeeds {
                 (motions.iter().map(|&motion| normal_speed(shape, motion, point)).collect(), *rate, weight)
             })
             .collect();
-        // Every set of ends that move, of which there are sixteen at most.
+        // All sets of moving ends, at most sixteen.
         let sets = (0u32..1 << motions.len()).filter_map(|set| {
             let moving: Vec<usize> = (0..motions.len()).filter(|k| set >> k & 1 == 1).collect();
             let speeds = least_squares(&rows, &moving)?;
@@ -75,7 +77,7 @@ impl FrontSpeeds {
         Self { motions: motions.iter().copied().zip(speeds).collect() }
     }
 
-    /// Those of `crack` (from 0) among `movers`, whose numbers are those of the motions.
+    /// The speeds of `crack` (from 0) among `movers`, whose indices are the numbers of the motions.
     pub fn of_movers(shape: &FrontShape, crack: usize, movers: &[Mover]) -> Self {
         let speed = |index: usize| {
             movers.iter().find(|mover| (mover.crack, mover.index) == (crack, index)).map_or(0.0, |m| m.rate)
@@ -84,13 +86,13 @@ impl FrontSpeeds {
         Self { motions: motions.map(|(index, motion)| (*motion, speed(index))).collect() }
     }
 
-    /// As movers of `crack` (from 0) of `length` (mm).
+    /// The speeds as movers of `crack` (from 0) of `length` (mm).
     pub fn movers(&self, crack: usize, length: f64) -> impl Iterator<Item = Mover> + '_ {
         let all = self.motions.iter().enumerate();
         all.map(move |(index, (_, rate))| Mover { crack, index, rate: *rate, length })
     }
 
-    /// With every speed replaced by a function of the number of its motion and itself.
+    /// The same with every speed replaced by a function of the number of its motion and the speed.
     #[must_use]
     pub fn map(&self, of: impl Fn(usize, f64) -> f64) -> Self {
         let all = self.motions.iter().enumerate();
@@ -129,7 +131,7 @@ impl FrontSpeeds {
     }
 }
 
-/// The length of front that each point stands for, mm.
+/// The length of front that each point represents, mm.
 fn arc_lengths(shape: &FrontShape, front: &[FrontPoint]) -> Vec<f64> {
     let distance = |a: &FrontPoint, b: &FrontPoint| {
         let [x, y, z]: [f64; 3] = std::array::from_fn(|i| a.position[i] - b.position[i]);
@@ -147,7 +149,7 @@ fn arc_lengths(shape: &FrontShape, front: &[FrontPoint]) -> Vec<f64> {
         .collect()
 }
 
-/// The speeds of the `moving` motions; none where they are not determined.
+/// The speeds of the `moving` motions; `None` where the rates do not determine them.
 fn least_squares(rows: &[(Vec<f64>, f64, f64)], moving: &[usize]) -> Option<Vec<f64>> {
     let order = moving.len();
     let mut matrix = vec![vec![0.0; order + 1]; order];
@@ -159,7 +161,7 @@ fn least_squares(rows: &[(Vec<f64>, f64, f64)], moving: &[usize]) -> Option<Vec<
             matrix[i][order] += weight * normal[a] * rate;
         }
     }
-    // Elimination without exchange: the matrix is positive definite.
+    // Elimination without pivoting: the matrix is positive definite.
     for k in 0..order {
         let pivot = matrix[k][k];
         if pivot.is_nan() || pivot <= 0.0 {
@@ -218,7 +220,7 @@ mod tests {
                 assert!((found.of(motion) - speed).abs() < 1e-16, "{motion:?} {found:?}");
             }
             assert_eq!(found.fastest().unwrap().0, FrontMotion::Plus);
-            // Each end goes by its own speed.
+            // Each end moves at its own speed.
             let increments = found.map(|_, speed| 1e6 * speed);
             let grown = increments.moved(&shape);
             let ends = |of: &FrontShape| {
@@ -241,7 +243,7 @@ mod tests {
         let shape = shape(None);
         let front = front(&shape, 33);
         let at = |rate: fn(f64) -> f64| front.iter().map(|point| rate(point.phi)).collect::<Vec<f64>>();
-        // Fast at one side only.
+        // Fast on one side only.
         let found = FrontSpeeds::nearest(&shape, &front, &at(|phi| if phi < 0.5 * PI { 1e-6 } else { 0.0 }));
         assert!(found.motions.iter().all(|(_, speed)| *speed >= 0.0), "{found:?}");
         assert!(found.of(FrontMotion::Plus) > 1e-7 && found.of(FrontMotion::Minus) == 0.0, "{found:?}");

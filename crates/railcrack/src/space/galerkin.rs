@@ -5,12 +5,12 @@
 //!
 //!   k ∬ ∇w_n·∇′w_n′/r for opening, k ∬ [(1 − ν) ∇w_a·∇′w_a′ + ν div w div′w′]/r for the two slips.
 //!
-//! In the half-space the image is added with the help of the reflection within the plane
-//! (see `image_table`): the full space of the jump continued evenly across the mouth, and
-//! ∬ ∂_s w_i Q_ij ∂_s′w_j′ + ∬ ∂_s w_i Q_ij(s, 0) w_j′(0) + its transpose, the last two over the
-//! crack and its mouth. Where the mouth ends the integral by parts of ∂_s w_s ∂_ζ′w_ζ′, it leaves
-//! one more such term. All kernels grow as 1/r at most: the integrals are taken to the accuracy of
-//! their quadrature rules, by coordinates of Duffy where cells touch.
+//! In the half-space the image is added with the help of the reflection within the plane (see
+//! `image_table`): the full space of the jump continued evenly across the mouth, and ∬ ∂_s w_i Q_ij
+//! ∂_s′w_j′ + ∬ ∂_s w_i Q_ij(s, 0) w_j′(0) + its transpose, the last two over the crack and its
+//! mouth. Integrating ∂_s w_s ∂_ζ′w_ζ′ by parts leaves one more such term at the mouth. All kernels
+//! grow as 1/r at most, so that the integrals are as accurate as their quadrature rules, with Duffy
+//! coordinates where cells touch.
 
 use super::cell::{Cell, CellPoint};
 use super::duffy::DuffyRules;
@@ -26,26 +26,27 @@ use std::sync::Arc;
 
 /// Points per direction where cells touch.
 const DUFFY_ORDER: usize = 5;
-/// The same where a cell touches its image, at 90° and per reciprocal sine of the dip: the image of
-/// a shallow crack is near.
+/// The same where a cell touches its image, at 90° and per reciprocal sine of the dip, since the
+/// image of a shallow crack is close.
 const IMAGE_ORDER: f64 = 4.0;
 const SHALLOW_ORDER: f64 = 1.5;
-/// Share of the distance to an image that counts: the image varies faster than 1/r.
+/// Share of the distance to an image that counts, since the image varies faster than 1/r.
 const IMAGE_GAP: f64 = 0.5;
-/// Points per direction that a cell and a part of the mouth apart take beyond two cells: the kernel
-/// varies faster than 1/r, and jumps on the mouth are the largest.
+/// Additional points per direction for a cell and a separate part of the mouth, compared with two
+/// cells: the kernel varies faster than 1/r, and jumps are largest at the mouth.
 const MOUTH_MORE: usize = 2;
 /// Points per direction on the mouth.
 const MOUTH_ORDER: usize = 8;
 
-/// A block of two cells: hats of the first, components, hats of the second, components.
+/// A block of two cells: hat functions of the first, components, hat functions of the second,
+/// components.
 type Block = [[[[f64; 3]; 4]; 3]; 4];
 const EMPTY: Block = [[[[0.0; 3]; 4]; 3]; 4];
 
-/// The half-space seen from the plane of a crack.
+/// The image in the surface for the plane of a crack.
 #[derive(Debug, Clone)]
 pub(super) struct ImagePart {
-    /// Twice integrated kernel.
+    /// The twice integrated kernel.
     pub table: Arc<ImageTable>,
     /// The dip angle, radians.
     pub dip: f64,
@@ -77,7 +78,8 @@ impl<'a> Galerkin<'a> {
         Self::with_more_points(grid, poisson, image, 0)
     }
 
-    /// With `more` points per direction where cells lie apart from cells or from the mouth.
+    /// The integrals with `more` points per direction where cells are separate from each other or
+    /// from the mouth.
     pub fn with_more_points(grid: &'a Grid, poisson: f64, image: Option<&'a ImagePart>, more: usize) -> Self {
         let (apart, apart_mouth) = (ApartRules::new(more), ApartRules::new(MOUTH_MORE + more));
         let of_cell = |cell| apart.all().iter().map(|rule| Patch::WHOLE.points(cell, rule)).collect();
@@ -89,14 +91,14 @@ impl<'a> Galerkin<'a> {
         Self { grid, poisson, image, near, mouth, apart, apart_mouth, logarithmic, points, covers }
     }
 
-    /// The stiffness in units of the shear modulus (mm): component i of the free vertex a is row
-    /// 3a + i; symmetric. Given up on an `interruption`.
+    /// The stiffness in units of the shear modulus (mm): component i of the free vertex a is row 3a
+    /// + i; symmetric. An `interruption` ends the computation.
     pub fn stiffness_unless(&self, interruption: Interruption<'_>) -> Result<Matrix, Interrupted> {
         let free = self.grid.free;
         let cells = &self.grid.cells;
         let mut stiffness = Matrix::zeros(3 * free, 3 * free);
-        // Strips of some cells at a time: the sums are made in the same order by any number of
-        // threads.
+        // Cells are processed in strips, so that the order of summation does not depend on the
+        // number of threads.
         for start in (0..cells.len()).step_by(STRIP) {
             let strip = start..(start + STRIP).min(cells.len());
             let blocks: Vec<Vec<Block>> = strip
@@ -203,8 +205,8 @@ impl<'a> Galerkin<'a> {
         }
     }
 
-    /// The distance of two discs, the second reflected in the surface where it is an image: its
-    /// plane then goes up where the other goes down.
+    /// The distance of two discs, the second one reflected in the surface where it is an image: its
+    /// plane then rises where the other descends.
     fn gap(&self, one: &Cover, other: &Cover, half: Half) -> f64 {
         let radii = one.radius + other.radius;
         let (ds, tau) = (one.centre[0] - other.centre[0], one.centre[1] - other.centre[1]);
@@ -338,9 +340,9 @@ impl<'a> Galerkin<'a> {
         block
     }
 
-    /// The block of two mouth edges: what Q(0, 0, τ) leaves, which is concentrated at τ = 0 in some
-    /// components and c_ij/τ in others, one integration by parts away from −c_ij ∂_ζ w_i ln|τ|
-    /// w_j′.
+    /// The block of two mouth edges: the contribution of Q(0, 0, τ), which is concentrated at τ = 0
+    /// in some components and equals c_ij/τ in others; integration by parts turns the latter into
+    /// −c_ij ∂_ζ w_i ln|τ| w_j′.
     fn lines(&self, one: usize, other: usize) -> Block {
         let mut block = EMPTY;
         let Some(image) = self.image else { return block };
@@ -367,8 +369,8 @@ impl<'a> Galerkin<'a> {
         let ends = [first.vertices[a], first.vertices[b]];
         let others = [second.vertices[c0], second.vertices[c1]];
         let rule = &self.logarithmic;
-        // The common point of two edges, if any, is where the logarithm is singular: cubes of the
-        // points of Gauss' rule cluster there.
+        // At the common point of two edges, if any, the logarithm is singular; the cubes of the
+        // Gauss points cluster there.
         let common = (0..2).flat_map(|i| (0..2).map(move |j| (i, j))).find(|&(i, j)| ends[i] == others[j]);
         let from = |end: usize, t: f64| if end == 0 { t } else { 1.0 - t };
         for (x, wx) in rule {
@@ -390,7 +392,7 @@ impl<'a> Galerkin<'a> {
         block
     }
 
-    /// ∂_s w_i Q_ij(s, 0, τ) w_j′, and of the full space ν ∂_ζ w_ζ w_s′/r.
+    /// ∂_s w_i Q_ij(s, 0, τ) w_j′, and for the full space ν ∂_ζ w_ζ w_s′/r.
     fn add_line(&self, image: &ImagePart, x: &CellPoint, line: &LinePoint, weight: f64, block: &mut Block) {
         let nu = self.poisson;
         let k = 1.0 / (4.0 * PI * (1.0 - nu));
@@ -412,5 +414,5 @@ impl<'a> Galerkin<'a> {
     }
 }
 
-/// Cells of which blocks are kept at a time.
+/// Number of cells whose blocks are held at a time.
 const STRIP: usize = 32;

@@ -3,17 +3,17 @@
 //! A block of cells about the middle, whose rows are parallel to the mouth, and a ring of cells
 //! from the block to the front, whose columns end at the front. Along a column the distance to the
 //! front is the square of the parameter, so that bilinear hats are linear in the square root of the
-//! distance. Neither the mouth nor the middle holds a pole.
+//! distance. The grid has no pole at the mouth or in the middle.
 
 use super::cell::Cell;
 use super::shape::{Extent, SpaceCrack};
 use std::f64::consts::PI;
 
-/// Number of cells of a crack.
+/// Numbers of cells of a crack.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct SpaceResolution {
-    /// Cells from the middle of the block to its sides. Along the front are 4 times as many, 8
-    /// times where the front is closed.
+    /// Cells from the middle of the block to its sides. There are 4 times as many along the front,
+    /// or 8 times as many where the front is closed.
     pub block: usize,
     /// Cells from the block to the front.
     pub ring: usize,
@@ -25,7 +25,7 @@ impl Default for SpaceResolution {
     }
 }
 
-/// A column of the ring where it meets the front.
+/// The end of a column of the ring at the front.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FrontColumn {
     /// The parametric angle of the front.
@@ -55,7 +55,7 @@ pub(super) struct Grid {
 
 /// Half the side of the block in the unit disc.
 const BLOCK_SIDE: f64 = 0.6;
-/// How round the block is: 0 a square, 1 a disc.
+/// Roundness of the block: 0 for a square, 1 for a disc.
 const ROUNDNESS: f64 = 0.5;
 
 fn block(x: f64, y: f64) -> [f64; 2] {
@@ -78,7 +78,7 @@ fn side(t: f64) -> [f64; 2] {
 /// The point of the unit disc on column `t` at the parameter η: 0 on the front, 1 on the block.
 fn ring(t: f64, eta: f64) -> [f64; 2] {
     let (sin, cos) = (0.25 * PI * t).sin_cos();
-    // The mouth is exactly at zero.
+    // The mouth lies exactly at zero.
     let sin = if t == 0.0 || t == 4.0 { 0.0 } else { sin };
     let [x, y] = side(t);
     let inner = block(x, y);

@@ -1,21 +1,21 @@
-//! Twice integrated kernel of the image, as a table.
+//! Table of the twice integrated kernel of the image.
 //!
 //! On a plane that meets the surface, the stiffness A(s, s′, τ) of the image is homogeneous of
-//! degree −3, and a hat that does not vanish at the mouth makes its double integral diverge as the
-//! integral of the full space does; only their sum is finite. Therefore the image is compared with
-//! the full space reflected *within the plane*, s′ → −s′: in the three diagonal components
+//! degree −3, and for a hat function that does not vanish at the mouth its double integral diverges
+//! like that of the full space; only their sum is finite. Therefore the full space reflected
+//! *within the plane*, s′ → −s′, is subtracted from the image: in the three diagonal components
 //!
 //!   Δ(s, s′, τ) = A_image(s, s′, τ) − A_full(s + s′, τ),
 //!
-//! and what is subtracted belongs to the even continuation of the jump across the mouth, which has
-//! no edge there. Then
+//! The subtracted part belongs to the even continuation of the jump across the mouth, which has no
+//! edge there. Then
 //!
 //!   Q(s, s′, τ) = ∫_s^∞ ∫_s′^∞ Δ
 //!
 //! is homogeneous of degree −1 and smooth but for s = s′ = τ = 0: a function of two variables,
-//! tabulated by piecewise polynomials. A straight dislocation at the mouth is free of stress, so
-//! that Q(0, 0, τ) = 0 for τ ≠ 0 in the components that are even in τ, where it concentrates at
-//! τ = 0; the odd ones leave c/τ.
+//! tabulated by piecewise polynomials. A straight dislocation at the mouth is free of stress.
+//! Therefore, in the components even in τ, Q(0, 0, τ) vanishes for τ ≠ 0 and is concentrated at τ =
+//! 0; the odd components are c/τ.
 
 use super::plane::PlaneFrame;
 use crate::math::gauss_legendre;
@@ -32,7 +32,7 @@ const RULE: usize = 7;
 type Kernel = [[f64; 3]; 3];
 const ZERO: Kernel = [[0.0; 3]; 3];
 
-/// Q of a dip angle and Poisson's ratio, in units of the shear modulus.
+/// Q for one dip angle and Poisson's ratio, in units of the shear modulus.
 #[derive(Debug, Clone)]
 pub struct ImageTable {
     /// Q(1, b, t): b and t from 0 to 1.
@@ -42,7 +42,7 @@ pub struct ImageTable {
 }
 
 impl ImageTable {
-    /// The table for planes that go down at `dip` (radians).
+    /// The table for planes that descend at `dip` (radians).
     pub fn new(dip: f64, poisson: f64) -> Self {
         let frame = PlaneFrame::new(dip);
         let delta = |s: f64, other: f64, tau: f64| {
@@ -56,13 +56,13 @@ impl ImageTable {
         let columns: Vec<Vec<Kernel>> = nodes
             .par_iter()
             .map(|&t| {
-                // Q(1, b, t): the quadrant a ≥ 1, then cumulatively in b from 1 down.
+                // Q(1, b, t): the quadrant a ≥ 1, then accumulated in b from 1 downwards.
                 let corner = quadrant(&delta, t, &rule);
                 cumulative(|b| tail(|a| delta(a, b, t), &rule), corner)
             })
             .collect();
         let depth = transposed(columns);
-        // Q(a, b, 1), cumulatively in a from 1 down, for the points of the quadrature in b.
+        // Q(a, b, 1), accumulated in a from 1 downwards, at the quadrature points in b.
         let corner = quadrant(&delta, 1.0, &rule);
         let row = |b: f64| {
             let at_one = tail(|a| delta(a, b, 1.0), &rule);
@@ -122,7 +122,7 @@ impl ImageTable {
     }
 }
 
-/// Changes the sign of the components that are odd in τ.
+/// Changes the sign of the components odd in τ.
 fn odd(q: &mut Kernel) {
     for i in 0..2 {
         q[i][2] = -q[i][2];
@@ -199,8 +199,8 @@ fn cumulative(f: impl Fn(f64) -> Kernel, at_one: Kernel) -> Vec<Kernel> {
     cumulated(&samples, at_one)
 }
 
-/// The same from the values at the points of the quadrature: the interpolating polynomial of each
-/// panel is integrated.
+/// The same from values at the quadrature points, by integrating the interpolating polynomial of
+/// each panel.
 fn cumulated(samples: &[Kernel], at_one: Kernel) -> Vec<Kernel> {
     let rule = gauss_legendre(RULE);
     let points = chebyshev();
@@ -240,12 +240,12 @@ fn transposed(columns: Vec<Vec<Kernel>>) -> Vec<Kernel> {
     (0..NODES).flat_map(|i| columns.iter().map(move |column| column[i]).collect::<Vec<_>>()).collect()
 }
 
-/// Where `x` in [0, 1] lies: the panel and the barycentric weights of its points.
+/// The panel that contains `x` in [0, 1], and the interpolation weights of its points.
 fn locate(x: f64) -> (usize, [f64; POINTS]) {
     let scaled = x * PANELS as f64;
     let panel = (scaled as usize).min(PANELS - 1);
     let local = scaled - panel as f64;
-    // Lagrange polynomials by products: no division by a distance that may vanish.
+    // Lagrange polynomials as products, without division by a distance that may vanish.
     let points = CHEBYSHEV.get_or_init(Basis::new);
     let distance: [f64; POINTS] = std::array::from_fn(|k| local - points.points[k]);
     let mut before = [1.0; POINTS];
@@ -314,7 +314,7 @@ mod tests {
     #[test]
     fn values_by_another_quadrature() {
         let rule = gauss_legendre(60);
-        // The other rule is itself no better than this where the image is near.
+        // The reference rule is itself no more accurate than this where the image is close.
         for (dip, limit) in [(90f64, 1e-4), (30.0, 0.01)] {
             let table = ImageTable::new(dip.to_radians(), NU);
             let frame = PlaneFrame::new(dip.to_radians());
@@ -345,7 +345,7 @@ mod tests {
             for (s, other, tau) in
                 [(1.3, 0.7, 0.4), (0.7, 1.3, 0.4), (0.7, 1.3, -0.4), (0.3, 0.2, 1.0), (1.0, 0.9, 0.11)]
             {
-                // Second difference over a rectangle against the integral over it.
+                // The second difference over a rectangle is compared with the integral over it.
                 let h = 0.1;
                 let q = |a: f64, b: f64| table.kernel(s + a * h, other + b * h, tau);
                 let (pp, pm, mp, mm) = (q(1.0, 1.0), q(1.0, -1.0), q(-1.0, 1.0), q(-1.0, -1.0));

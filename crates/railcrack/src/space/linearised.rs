@@ -1,4 +1,4 @@
-//! Contact conditions of the faces in space, linearised at given states of the points.
+//! Contact conditions of faces in space, linearised for given states of the points.
 
 use super::body::SpaceBody;
 use super::states::{PointState, SpaceStatus};
@@ -6,7 +6,7 @@ use crate::linear::{LargeFactor, LinearError, least_residual};
 use crate::math::{Matrix, add_rows_to_each, axpy, dot};
 use rayon::prelude::*;
 
-/// Rows of a product that one thread computes: their sums do not depend on the thread.
+/// Number of rows of a product that one thread computes; their sums do not depend on the thread.
 const ROWS: usize = 450;
 
 /// A symmetric matrix times values of which many may be zero.
@@ -22,22 +22,22 @@ pub(super) fn times_sparse(matrix: &Matrix, values: &[f64]) -> Vec<f64> {
     product
 }
 
-/// The unknowns of the points: few jumps move where most faces touch, few forces act where most
-/// are apart.
+/// The choice of unknowns: few jumps change where most points touch, few forces act where most are
+/// open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Form {
-    /// The jumps that are not held; A makes forces of them.
+    /// The jumps that are not held; A maps them to forces.
     Jumps,
-    /// The forces of faces that touch; C makes jumps of them.
+    /// The forces between touching faces; C maps them to jumps.
     Forces,
 }
 
-/// A form is left for one of less than this share of its unknowns.
+/// The form is changed only if the other one has less than this share of its unknowns.
 const CLEARLY_LESS: f64 = 0.8;
 
 impl Form {
-    /// The form with the fewest unknowns for points in `states`; `present`, the one that there is a
-    /// factor of, unless it has many more.
+    /// The form with the fewest unknowns for points in `states`, or the form `present`, for which a
+    /// factor exists, unless it has many more.
     pub fn of(states: &[PointState], present: Option<Self>) -> Self {
         let (mut jumps, mut forces) = (0, 0);
         for state in states {
@@ -60,8 +60,8 @@ impl Form {
     }
 }
 
-/// The condition of an unknown: this combination of the unknowns at its point, and of what the
-/// matrix makes of all, is zero (N).
+/// The condition of an unknown: a linear combination (N) of the unknowns at its point and of the
+/// product of the matrix with all unknowns vanishes.
 #[derive(Debug, Clone, Copy)]
 struct Condition {
     /// The unknown, 3a + c.
@@ -74,13 +74,13 @@ struct Condition {
 #[derive(Debug, Clone)]
 pub(super) struct Linearised<'a> {
     form: Form,
-    /// Of unknown jumps A (N/mm), of unknown forces C (mm/N).
+    /// A (N/mm) for unknown jumps, C (mm/N) for unknown forces.
     matrix: &'a Matrix,
     conditions: Vec<Condition>,
 }
 
 impl<'a> Linearised<'a> {
-    /// Of points in `states` on the faces of `body`.
+    /// The conditions of points in `states` on the faces of `body`.
     pub fn new(form: Form, body: &'a SpaceBody, states: &[PointState]) -> Self {
         let mut conditions = Vec::new();
         for (a, PointState { status, friction, turning }) in states.iter().enumerate() {
@@ -128,7 +128,7 @@ impl<'a> Linearised<'a> {
         Self { form, matrix, conditions }
     }
 
-    /// The combinations of `forces` (N) and of the slip and opening `moved` (mm), both 3p.
+    /// The linear combinations of `forces` (N) with the slip and opening `moved` (mm), both 3p.
     pub fn of(&self, forces: &[f64], moved: &[f64]) -> Vec<f64> {
         match self.form {
             Form::Jumps => self.combined(forces, moved),
@@ -136,7 +136,7 @@ impl<'a> Linearised<'a> {
         }
     }
 
-    /// The combinations of unknowns and what the matrix makes of them, both 3p.
+    /// The linear combinations of the unknowns with their product with the matrix, both 3p.
     fn combined(&self, image: &[f64], own: &[f64]) -> Vec<f64> {
         let value = |condition: &Condition| {
             let at = condition.unknown / 3 * 3;
@@ -169,7 +169,7 @@ impl<'a> Linearised<'a> {
     }
 }
 
-/// A change of the jumps (mm) and of the forces between the faces (N) that goes with it.
+/// A change of the jumps (mm) with the corresponding change of the forces between the faces (N).
 #[derive(Debug, Clone)]
 pub(super) struct Change {
     pub jumps: Vec<f64>,
@@ -177,7 +177,7 @@ pub(super) struct Change {
 }
 
 impl Change {
-    /// The unknowns, and what the matrix makes of them.
+    /// The unknowns and their product with the matrix.
     fn parts_mut(&mut self, form: Form) -> [&mut [f64]; 2] {
         match form {
             Form::Jumps => [&mut self.jumps, &mut self.forces],
@@ -186,32 +186,32 @@ impl Change {
     }
 }
 
-/// Factors of conditions that are solved again and again with small changes: those of some earlier
-/// iteration precondition minimal residuals of the present one, until they no longer help.
+/// Factor of conditions that are solved repeatedly with small changes: that of an earlier iteration
+/// preconditions minimal residuals for the present one, until it no longer pays.
 #[derive(Debug, Default)]
 pub(super) struct LaggedFactor {
     factor: Option<(Form, LargeFactor)>,
-    /// The place of each component among the unknowns of the factor.
+    /// The index of each component among the unknowns of the factor.
     places: Vec<Option<usize>>,
-    /// Products that a new factor would have saved.
+    /// Number of products that a new factor would have saved.
     wasted: usize,
 }
 
-/// Wasted products after which a factor is made anew, and per unknown: what making it costs in
-/// products.
+/// Wasted products after which a new factor is made, constant and per unknown: the cost of a
+/// factorisation in products.
 const PRODUCTS: usize = 5;
 const UNKNOWNS_PER_PRODUCT: usize = 30;
-/// Products of a solution with a new factor.
+/// Number of products of a solution with a new factor.
 const NEEDED: usize = 2;
 
 impl LaggedFactor {
-    /// The form of the conditions that there is a factor of.
+    /// The form of the conditions for which a factor exists.
     pub fn form(&self) -> Option<Form> {
         self.factor.as_ref().map(|(form, _)| *form)
     }
 
-    /// Adds to `change` what makes the combinations of `conditions` change by `right`, to
-    /// `tolerance` of the size of `right`.
+    /// Adds to `change` the solution for which the combinations of `conditions` change by `right`,
+    /// to within `tolerance` relative to `right`.
     ///
     /// Errors: a singular system.
     pub fn solve(
@@ -242,8 +242,8 @@ impl LaggedFactor {
         Ok(())
     }
 
-    /// [`Self::solve`] by this factor; changes nothing, and says so, if it takes more than `most`
-    /// products.
+    /// [`Self::solve`] with this factor; if more than `most` products are required, nothing changes
+    /// and the result says so.
     fn improves(
         &mut self,
         conditions: &Linearised<'_>,
@@ -272,8 +272,8 @@ impl LaggedFactor {
         Ok(true)
     }
 
-    /// Unknowns (3p) that nearly make the combinations `values`: those that are new to the factor
-    /// move alone.
+    /// Unknowns (3p) that approximately produce the combinations `values`; unknowns that the factor
+    /// does not contain are treated as uncoupled.
     fn preconditioned(&self, conditions: &Linearised<'_>, values: &[f64]) -> Result<Vec<f64>, LinearError> {
         let mut unknowns = vec![0.0; self.places.len()];
         let Some((_, factor)) = &self.factor else { return Ok(unknowns) };

@@ -8,9 +8,9 @@ use super::patch::{ApartRules, CORNER_RATIO, Cover, DIVISIONS, EDGE_RATIO, Patch
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LinePoint {
     pub zeta: f64,
-    /// Hats times the length per unit of the segment, mm.
+    /// Hat functions times the length per unit of the segment, mm.
     pub hats: [f64; 4],
-    /// Whether ζ grows (1) or falls (−1) along the segment.
+    /// Whether ζ increases (1) or decreases (−1) along the segment.
     pub sense: f64,
 }
 
@@ -25,10 +25,10 @@ impl LinePoint {
     }
 }
 
-/// Receives a point of the cell, one of the mouth and their weight.
+/// Receives a point of the cell, a point of the mouth and their weight.
 pub(super) type VisitLine<'v> = dyn FnMut(&CellPoint, &LinePoint, f64) + 'v;
 
-/// A cell, and the cell that has the edge q = 0 of a patch on the mouth.
+/// A cell, and the cell of which the edge q = 0 of a patch lies on the mouth.
 pub(super) struct MouthPair<'a> {
     pub cells: [&'a Cell; 2],
     pub touching: &'a DuffyRules,
@@ -44,7 +44,7 @@ impl MouthPair<'_> {
         }
     }
 
-    /// A patch whose edge q = 0 is the segment, p in the same sense.
+    /// A patch whose edge q = 0 is the segment, with p in the same sense.
     pub fn own(&self, [area, line]: [Patch; 2], visit: &mut VisitLine) {
         let [p, q] = area.lengths(self.cells[0]);
         if p > EDGE_RATIO * q {

@@ -4,7 +4,7 @@
 //! the moment m = λ (w·n) I + μ (w ⊗ n + n ⊗ w) (Burridge & Knopoff 1964; Aki & Richards 2002,
 //! 3.1). Its field in the half-space is Kelvin's part and the image of Mindlin (1936).
 //!
-//! Axes here: x and y along the surface, z into the depth; the material lies in z ≥ 0.
+//! Axes in this module: x and y along the surface, z downwards; the material lies in z ≥ 0.
 
 use super::mindlin_image::mindlin_image;
 use std::f64::consts::PI;
@@ -43,19 +43,18 @@ pub fn kelvin_stress(d: [f64; 3], moment: &Symmetric, poisson: f64) -> Symmetric
     PAIRS.map(|(i, j)| scale * (gradient(i, j) + gradient(j, i) + delta(i, j) * dilatation))
 }
 
-/// The image part of the same in the half-space: the stress at `point` of a double force at
-/// `source`.
+/// The image part of that stress in the half-space, at `point` for a double force at `source`.
 pub fn image_stress(point: [f64; 3], source: [f64; 3], moment: &Symmetric, poisson: f64) -> Symmetric {
     image_matrix(point, source, poisson).map(|row| row.iter().zip(moment).map(|(a, b)| a * b).sum())
 }
 
-/// The same of all unit moments: entry `[a][b]` is stress component a of moment component b.
+/// The same for all unit moments: entry `[a][b]` is stress component a of moment component b.
 pub(super) fn image_matrix(point: [f64; 3], source: [f64; 3], poisson: f64) -> [Symmetric; 6] {
     mindlin_image(point[0] - source[0], point[1] - source[1], point[2], source[2], poisson)
 }
 
-/// The moment, in units of the shear modulus, of the jump `jump` over a unit of surface with the
-/// unit normal `normal`.
+/// The moment, in units of the shear modulus, of the jump `jump` per unit of surface with the unit
+/// normal `normal`.
 pub fn moment(jump: [f64; 3], normal: [f64; 3], poisson: f64) -> Symmetric {
     let lambda = 2.0 * poisson / (1.0 - 2.0 * poisson);
     let opening: f64 = jump.iter().zip(normal).map(|(w, n)| w * n).sum();
@@ -108,8 +107,8 @@ mod tests {
         for a in 0..6 {
             for b in 0..6 {
                 let unit = |k: usize| std::array::from_fn(|i| f64::from(u8::from(i == k)));
-                // Work of the double force a on the strain of b: the stress is conjugate to C⁻¹ of
-                // the moment.
+                // Work of the double force a on the strain of b, where the stress is conjugate to
+                // C⁻¹ of the moment.
                 let strained = |s: &Symmetric, m: &Symmetric| {
                     let trace = s[0] + s[1] + s[2];
                     let strain = |i: usize| {

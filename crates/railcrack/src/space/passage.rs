@@ -16,19 +16,19 @@ use std::rc::Rc;
 /// Stress (MPa) of the uncracked rail at x, lateral and depth (mm).
 pub(super) type StressAt<'a> = dyn Fn([f64; 3]) -> Symmetric + Sync + 'a;
 
-/// Load of the rail with a crack: a wheel that passes and bends the rail, and a stress that stays.
+/// Load of the rail with cracks: a passing wheel that may bend the rail, and a constant stress.
 pub struct SpaceLoad<'a> {
     /// Stress (MPa) of the uncracked rail with the wheel at an abscissa (mm), at x, lateral and
     /// depth (mm).
     pub wheel: &'a (dyn Fn(f64, [f64; 3]) -> Symmetric + Sync),
     /// Bending of the rail under the axles of the train, which moves with the wheel.
     pub bending: Option<&'a Bending>,
-    /// The same without the wheel: residual, thermal.
+    /// Constant stress without the wheel, residual and thermal.
     pub constant: Option<&'a StressAt<'a>>,
 }
 
 impl SpaceLoad<'_> {
-    /// Nodal forces (N) of the constant stress.
+    /// Nodal forces (N) due to the constant stress.
     fn constant_forces(&self, body: &SpaceBody) -> Vec<f64> {
         self.constant.map_or_else(|| vec![0.0; 3 * body.points().len()], |stress| body.nodal_forces(stress))
     }
@@ -44,13 +44,13 @@ impl SpaceLoad<'_> {
     }
 }
 
-/// How passages are computed.
+/// Settings of the load steps of passages.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpacePassageSettings {
     /// Largest difference of K between two steps and one of twice the length, MPa √mm.
     pub tolerance: f64,
     /// How often two intervals between positions may be halved, the first time into one step each;
-    /// with none, each is one step and nothing is compared.
+    /// with 0, each interval is one step and nothing is compared.
     pub halvings: usize,
 }
 
@@ -61,15 +61,15 @@ pub struct SpaceHistory {
     pub positions: Vec<f64>,
     /// K (MPa √mm): by position, then by front point.
     pub sifs: Vec<Vec<FrontSif>>,
-    /// K under the constant stress alone, before the wheel comes.
+    /// K under the constant stress alone, before the wheel arrives.
     pub before: Vec<FrontSif>,
     /// The faces, by position.
     pub faces: Vec<SpaceFaces>,
-    /// Load steps made, those of the step control included.
+    /// Number of load steps, including those of the step control.
     pub steps: usize,
     /// Newton iterations of all steps.
     pub iterations: usize,
-    /// The most iterations of a step.
+    /// Largest number of iterations of a step.
     pub iterations_max: usize,
     /// Largest violation of the contact conditions.
     pub violation: f64,
@@ -94,29 +94,29 @@ impl SpaceHistory {
     }
 }
 
-/// Passages of one wheel over one body. Nodal forces are never interpolated between positions: the
-/// edge of the contact leaves them no derivative where it passes the mouth, and slip forgets
-/// nothing that an interpolation overshoots.
+/// Passages of one wheel over one body. Nodal forces are never interpolated between positions: they
+/// are not differentiable where the edge of the contact passes the mouth, and an overshoot of the
+/// interpolation would leave permanent slip.
 pub struct SpacePassages<'a> {
     contact: &'a SpaceContact<'a>,
     load: &'a SpaceLoad<'a>,
     observer: &'a dyn Observer,
     constant: Vec<f64>,
     positions: Vec<f64>,
-    /// Nodal forces by the bits of their position: the next passage needs them again.
+    /// Nodal forces by the bits of their position, kept for the next passage.
     forces: RefCell<HashMap<u64, Rc<[f64]>>>,
 }
 
-/// Two steps in which no point changes its state are not compared with one, if the last ones that
-/// were differed by less than this share of what is allowed.
+/// Two steps in which no point changes its state are not compared with one step of twice the length
+/// if the last comparison differed by less than this share of the tolerance.
 const CALM: f64 = 0.1;
 /// Steps of twice the length are tried after a comparison that differed by less than this share of
-/// what is allowed: the local error grows as the cube of the step.
+/// the tolerance, since the local error grows as the cube of the step.
 const COARSER: f64 = 0.125;
 
 impl<'a> SpacePassages<'a> {
-    /// Of the wheel of `load` over the body of `contact`, with results at the positions of
-    /// `passage`, and far away where the rail bends.
+    /// Passages of the wheel of `load` over the body of `contact`, with results at the positions of
+    /// `passage` and, where the rail bends, at distant positions.
     ///
     /// Errors: an interruption.
     pub fn new(
@@ -130,7 +130,7 @@ impl<'a> SpacePassages<'a> {
         let asked = || observer.interrupted();
         let interruption = Interruption::when(&asked);
         let positions = output_positions(&passage, load.bending, &body.places());
-        // Forces do not depend on the contact: those that every passage needs, all at once.
+        // Forces do not depend on the contact: those needed in every passage are computed at once.
         let forces = positions
             .par_iter()
             .map(|&position| {
@@ -142,10 +142,10 @@ impl<'a> SpacePassages<'a> {
         Ok(Self { contact, load, observer, constant, positions, forces: RefCell::new(forces) })
     }
 
-    /// A passage over the faces `faces`, which are left as after it: with the wheel away. Virgin
-    /// faces take the constant stress first.
+    /// A passage over the faces `faces`, which are updated to their state after it, without the
+    /// wheel. Virgin faces are loaded by the constant stress first.
     ///
-    /// Errors: a contact that does not converge; an interruption.
+    /// Errors: contact that does not converge; an interruption.
     pub fn pass(
         &self,
         settings: &SpacePassageSettings,
@@ -186,7 +186,7 @@ impl<'a> SpacePassages<'a> {
             let done = passage.history.sifs.len();
             match passage.history.positions.get(done + 1) {
                 _ if settings.halvings == 0 => passage.one_step(passage.history.positions[done])?,
-                // Two intervals at once, and a last one alone.
+                // Two intervals at a time; a remaining last one alone.
                 Some(&to) => passage.interval(None, to, 0)?,
                 None => passage.interval(None, last, 1)?,
             }
@@ -209,23 +209,24 @@ impl<'a> SpacePassages<'a> {
     }
 }
 
-/// A passage on its way.
+/// A passage that is being computed.
 struct PassageInProgress<'a> {
     passages: &'a SpacePassages<'a>,
     settings: &'a SpacePassageSettings,
     history: SpaceHistory,
     factor: LaggedFactor,
-    /// The instant before the last one, if there was a wheel.
+    /// The instant before the last one, if the wheel was already present.
     earlier: Option<Rc<WheelInstant>>,
     last: Rc<WheelInstant>,
-    /// Whether the last comparison of steps with a step of twice the length was wrong by little.
+    /// Whether the last comparison of two steps with one of twice the length differed only
+    /// slightly.
     is_calm: bool,
-    /// The level that intervals are taken to need at first.
+    /// The level of division with which intervals begin.
     level: usize,
 }
 
 impl PassageInProgress<'_> {
-    /// The faces under `forces`, whose slip counts from the jumps `origin` and whose jumps are near
+    /// The faces under `forces`, with slip measured from the jumps `origin` and jumps close to
     /// `guess`.
     fn step(
         &mut self,
@@ -247,7 +248,7 @@ impl PassageInProgress<'_> {
         Ok(faces)
     }
 
-    /// The faces at the position `to`, after the instants `earlier` and `last`.
+    /// The instant with the wheel at the position `to`, after the instants `earlier` and `last`.
     fn instant(
         &mut self,
         guess: Option<&[f64]>,
@@ -264,14 +265,14 @@ impl PassageInProgress<'_> {
         Ok(Rc::new(WheelInstant { position: to, faces }))
     }
 
-    /// Goes on to the position `to` in one step.
+    /// Advances to the position `to` in one step.
     fn one_step(&mut self, to: f64) -> Result<(), SpaceContactError> {
         let instant = self.instant(None, self.earlier.clone().as_deref(), &Rc::clone(&self.last), to)?;
         self.accept(instant);
         Ok(())
     }
 
-    /// Accepts an instant: the next step begins there.
+    /// Accepts an instant, from which the next step begins.
     fn accept(&mut self, instant: Rc<WheelInstant>) {
         let history = &mut self.history;
         if history.positions.get(history.sifs.len()) == Some(&instant.position) {
@@ -282,10 +283,10 @@ impl PassageInProgress<'_> {
         self.earlier = (!before.position.is_nan()).then_some(before);
     }
 
-    /// Goes on to the position `to` in two steps; each is divided again until K at the end no
-    /// longer differs from that of one step of twice the length, which is `whole` if it is known.
-    /// At level 0 they are two intervals between positions, and are not compared where no point
-    /// changes its state and the last comparison was calm.
+    /// Advances to the position `to` in two steps. Each is divided again until K at the end agrees
+    /// with that of one step of twice the length, which is `whole` if it is known. At level 0 the
+    /// steps are two intervals between positions; they are not compared if no point changes its
+    /// state and the last comparison was calm.
     fn interval(
         &mut self,
         whole: Option<Rc<WheelInstant>>,
@@ -303,7 +304,7 @@ impl PassageInProgress<'_> {
             return self.interval(None, to, level + 1);
         }
         let one = match &whole {
-            // Half of the way.
+            // Midway between the two.
             Some(whole) => self.instant(
                 Some(&mean(&last.faces.jumps, &whole.faces.jumps)),
                 earlier.as_deref(),
@@ -376,7 +377,7 @@ fn mean(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| 0.5 * (a + b)).collect()
 }
 
-/// Jumps at the position `to` that go on as they did.
+/// Jumps extrapolated to the position `to`.
 fn extrapolated_jumps(earlier: Option<&WheelInstant>, last: &WheelInstant, to: f64) -> Vec<f64> {
     let jumps = last.faces.jumps.clone();
     let Some(earlier) = earlier else { return jumps };
@@ -384,10 +385,10 @@ fn extrapolated_jumps(earlier: Option<&WheelInstant>, last: &WheelInstant, to: f
     jumps.iter().zip(&earlier.faces.jumps).map(|(new, old)| new + ratio * (new - old)).collect()
 }
 
-/// The passage of the wheel over the faces `faces`, which are left as after it, with results at the
-/// positions of `passage`, and far away where the rail bends.
+/// The passage of the wheel over the faces `faces`, which are updated to their state after it.
+/// Results are given at the positions of `passage` and, where the rail bends, at distant positions.
 ///
-/// Errors: a contact that does not converge.
+/// Errors: contact that does not converge.
 pub fn space_passage(
     contact: &SpaceContact,
     load: &SpaceLoad,

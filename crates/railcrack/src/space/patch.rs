@@ -1,4 +1,4 @@
-//! Parts of two cells, divided until one rule is enough for each pair.
+//! Pairs of cells, divided into parts until one rule suffices for each pair of parts.
 
 use super::cell::{Cell, CellPoint};
 use super::duffy::{DuffyRules, PairPoint};
@@ -11,7 +11,7 @@ pub(super) struct Patch {
     q: [f64; 2],
 }
 
-/// One of the coordinates of a patch.
+/// Coordinate directions of a patch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Along {
     P,
@@ -30,7 +30,8 @@ impl Patch {
     /// The whole cell.
     pub const WHOLE: Self = Self { origin: [0.0; 2], p: [1.0, 0.0], q: [0.0, 1.0] };
 
-    /// The whole cell, p from the corner `from` along the edge to the corner `to`, its neighbour.
+    /// The whole cell, with p running from the corner `from` along the edge to the adjacent corner
+    /// `to`.
     pub fn along(from: usize, to: usize) -> Self {
         let (a, b) = (super::cell::CORNERS[from], super::cell::CORNERS[to]);
         let p = [b[0] - a[0], b[1] - a[1]];
@@ -39,12 +40,12 @@ impl Patch {
         Self { origin: a, p, q }
     }
 
-    /// The whole cell with p = q = 0 at `corner`.
+    /// The whole cell, with p = q = 0 at `corner`.
     pub fn around(corner: usize) -> Self {
         Self::along(corner, (corner + 1) % 4)
     }
 
-    /// (u, v) of (p, q).
+    /// The point (u, v) at (p, q).
     pub fn at(&self, [p, q]: [f64; 2]) -> [f64; 2] {
         moved(moved(self.origin, p, self.p), q, self.q)
     }
@@ -78,17 +79,17 @@ impl Patch {
         self.halves(Along::Q)
     }
 
-    /// The same patch with p from its other end.
+    /// The same patch with p reversed.
     pub fn turned(&self) -> Self {
         Self { origin: moved(self.origin, 1.0, self.p), p: scaled(-1.0, self.p), ..*self }
     }
 
-    /// The edge q = 0 in the unit square.
+    /// The direction of the edge q = 0 in the unit square.
     pub fn edge(&self) -> [f64; 2] {
         self.p
     }
 
-    /// The halves, p of both along their common edge and q away from it.
+    /// The two halves, both with p along their common edge and q away from it.
     fn back_to_back(&self, along: Along) -> [Self; 2] {
         let (across, edge) = match along {
             Along::P => (scaled(0.5, self.p), self.q),
@@ -120,7 +121,7 @@ impl Patch {
         points
     }
 
-    /// A disc that holds the patch.
+    /// A disc that contains the patch.
     pub fn cover(&self, cell: &Cell) -> Cover {
         let at = |p: f64, q: f64| {
             let [u, v] = self.at([p, q]);
@@ -143,33 +144,34 @@ pub(super) struct Cover {
     pub radius: f64,
 }
 
-/// Distance over size of two patches, and the points per direction that it takes; closer patches
-/// are divided.
+/// Distance of two patches, relative to their size, and the number of points per direction that it
+/// requires; closer patches are divided.
 const ORDERS: [(f64, usize); 4] = [(3.0, 2), (1.2, 3), (0.5, 4), (0.25, 6)];
-/// Divisions of a patch, at most.
+/// Largest number of divisions of a patch.
 pub(super) const DIVISIONS: usize = 12;
-/// Sides of a patch, of two that touch along an edge and of two that touch at a corner may differ
-/// by these factors.
+/// Factors by which sides may differ: of one patch, of two patches that touch along an edge, and of
+/// two that touch at a corner.
 pub(super) const EDGE_RATIO: f64 = 2.0;
 pub(super) const CORNER_RATIO: f64 = 3.0;
 
-/// The rules for patches apart, by order.
+/// The rules for separate patches, by order.
 #[derive(Debug, Clone)]
 pub(super) struct ApartRules(Vec<Vec<(f64, f64)>>);
 
 impl ApartRules {
-    /// With `more` points per direction than `ORDERS`.
+    /// The rules with `more` points per direction than `ORDERS`.
     pub fn new(more: usize) -> Self {
         Self(ORDERS.iter().map(|&(_, order)| crate::math::gauss_legendre(order + more)).collect())
     }
 
-    /// The place of the rule that is enough for patches with the distance `gap`.
+    /// Index of the rule that suffices for patches at the distance `gap`; `None` where they must be
+    /// divided.
     pub fn place(gap: f64, one: &Cover, other: &Cover) -> Option<usize> {
         let ratio = gap / (2.0 * one.radius.max(other.radius));
         ORDERS.iter().position(|&(limit, _)| ratio > limit)
     }
 
-    /// The rule at a place; the finest one where no rule is enough.
+    /// The rule with a given index; the finest one where no rule suffices.
     pub fn rule(&self, place: Option<usize>) -> &[(f64, f64)] {
         &self.0[place.unwrap_or(ORDERS.len() - 1)]
     }
@@ -179,8 +181,8 @@ impl ApartRules {
     }
 }
 
-/// Receives a point, of which the gradients carry its weight, and points of the other cell with
-/// their weights.
+/// Receives a point, whose gradients include its weight, and points of the other cell with their
+/// weights.
 pub(super) type Visit<'v> = dyn FnMut(&CellPoint, &[(CellPoint, f64)]) + 'v;
 
 /// Two cells whose products are integrated.
@@ -188,7 +190,7 @@ pub(super) struct CellPair<'a> {
     pub cells: [&'a Cell; 2],
     pub touching: &'a DuffyRules,
     pub apart: &'a ApartRules,
-    /// Distance of two discs, the second maybe reflected in the surface.
+    /// Distance of two discs, the second one possibly reflected in the surface.
     pub gap: &'a dyn Fn(&Cover, &Cover) -> f64,
 }
 
@@ -218,7 +220,7 @@ impl CellPair<'_> {
         self.edge([other, one], visit);
     }
 
-    /// Patches whose edges q = 0 are one.
+    /// Patches whose edges q = 0 coincide.
     pub fn edge(&self, patches: [Patch; 2], visit: &mut Visit) {
         let [[p, q], [_, r]] = self.lengths(&patches);
         let [one, other] = patches;
@@ -226,7 +228,7 @@ impl CellPair<'_> {
             let ([a, b], [c, d]) = (one.halves(Along::P), other.halves(Along::P));
             self.edge([a, c], visit);
             self.edge([b, d], visit);
-            // p and q of both begin at the common corner.
+            // In both patches, p and q begin at the common corner.
             self.corner([a.turned(), d], visit);
             self.corner([b, c.turned()], visit);
         } else if q > EDGE_RATIO * p {
@@ -242,7 +244,7 @@ impl CellPair<'_> {
         }
     }
 
-    /// Patches whose corners p = q = 0 are one.
+    /// Patches whose corners p = q = 0 coincide.
     pub fn corner(&self, patches: [Patch; 2], visit: &mut Visit) {
         let lengths = self.lengths(&patches);
         let smallest = lengths.as_flattened().iter().fold(f64::INFINITY, |m, v| m.min(*v));
@@ -279,7 +281,7 @@ impl CellPair<'_> {
     }
 }
 
-/// A point whose gradients carry its weight.
+/// A point whose gradients include its weight.
 pub(super) fn weighted(point: &CellPoint, weight: f64) -> CellPoint {
     CellPoint { gradients: point.gradients.map(|g| scaled(weight, g)), ..*point }
 }

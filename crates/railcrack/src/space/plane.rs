@@ -1,4 +1,4 @@
-//! Plane of a crack in the half-space, and the tractions of jumps on it.
+//! Plane of a crack in the half-space, and tractions on it due to jumps.
 //!
 //! A point of the plane has the coordinates s, the distance from the trace of the plane in the
 //! surface along its dip, and ζ along that trace. Components of jumps and tractions are along the
@@ -26,7 +26,7 @@ pub struct PlaneFrame {
 }
 
 impl PlaneFrame {
-    /// The plane that goes down at the angle `dip` (radians) from +x.
+    /// The plane that descends at the angle `dip` (radians) from +x.
     pub fn new(dip: f64) -> Self {
         Self::turned(dip, 0.0)
     }
@@ -73,14 +73,14 @@ impl PlaneFrame {
         self.components(traction(stress, self.normal))
     }
 
-    /// The stiffness −t_i of the jump component j, in units of the shear modulus and per mm³: minus
-    /// the traction at (s, ζ) of a unit jump at (s′, ζ′), τ = ζ − ζ′, only of the image.
+    /// The image part of the stiffness −t_i for jump component j, in units of the shear modulus and
+    /// per mm³: minus the traction at (s, ζ) due to a unit jump at (s′, ζ′), with τ = ζ − ζ′.
     pub(super) fn image_stiffness(&self, s: f64, other: f64, tau: f64, poisson: f64) -> [[f64; 3]; 3] {
         let (point, source) = (self.position(s, tau), self.position(other, 0.0));
         self.columns(|m| image_stress(point, source, m, poisson), poisson)
     }
 
-    /// The same of the full space, for points that differ.
+    /// The same for the full space, at distinct points.
     pub(super) fn kelvin_stiffness(&self, ds: f64, tau: f64, poisson: f64) -> [[f64; 3]; 3] {
         let d = self.position(ds, tau);
         self.columns(|m| kelvin_stress(d, m, poisson), poisson)

@@ -28,29 +28,31 @@ use crate::load::Bending;
 use crate::material::IsotropicElastic;
 use crate::math::{RailBox, Vec2};
 
-/// Rates that differ from those of the ellipse by this share of the largest are worth a warning.
+/// A warning is issued where rates differ from those of the ellipse by more than this share of the
+/// largest rate.
 const MISFIT: f64 = 0.25;
 
 /// Everything that does not change in a run with cracks in space.
 pub struct SpaceRail {
     /// The steel.
     pub steel: IsotropicElastic,
-    /// The wheels, at least one; faces and jumps that are recorded are those of the first one.
+    /// The wheels, at least one; recorded faces and jumps are those under the first one.
     pub wheels: Vec<SpaceWheel>,
     /// Crack-face friction coefficient of each crack.
     pub friction: Vec<f64>,
     /// Cells of each crack.
     pub resolution: SpaceResolution,
-    /// Rate, limits, and the criterion of direction that is reported; the toughness is that under
-    /// the first wheel.
+    /// Growth law, limits and the direction criterion, which is only reported; the toughness is
+    /// that under the first wheel.
     pub growth: GrowthSettings,
-    /// Weight of mode III in the range of Hourlier and Pineau; none: by its energy release rate.
+    /// Weight of mode III in the range of Hourlier and Pineau; `None` weights it by its energy
+    /// release rate.
     pub mode_3_weight: Option<f64>,
-    /// Positions and steps of which jumps are written.
+    /// Positions and steps for which jumps are written.
     pub fields: Option<FieldSettings>,
     /// The rail.
     pub rail: RailBox,
-    /// Kept from step to step; none at the beginning.
+    /// Kernel kept from step to step; `None` at the beginning.
     pub kernel: Option<SpaceKernel>,
 }
 
@@ -60,14 +62,14 @@ pub struct SpaceWheel {
     pub wheel: EllipticWheel,
     /// Share of the axles.
     pub share: f64,
-    /// Bending of the rail under the axles of its train; none without a track.
+    /// Bending of the rail under the axles of its train; `None` without a track.
     pub bending: Option<Bending>,
-    /// Stress of the rail that stays between passages, temperature included: of depth alone, the
-    /// same at all lateral positions.
+    /// Stress of the rail that is present with and without the wheel, including thermal stress: a
+    /// function of depth alone, the same at all lateral positions.
     pub residual: Option<Box<dyn StressField>>,
     /// Its passages.
     pub passages: PassageSettings,
-    /// K_Ic (MPa √mm) at its temperature; none where the rail does not break.
+    /// K_Ic (MPa √mm) at its temperature; `None` where fracture is not considered.
     pub toughness: Option<f64>,
 }
 
@@ -95,8 +97,8 @@ impl FrontShape {
         crack.checked()
     }
 
-    /// The line down the dip through the middle of the crack, as seen from the side of the rail:
-    /// without strike the cut of the crack along the rail.
+    /// The line down the dip through the middle of the crack, seen from the side of the rail;
+    /// without strike, the section of the crack along the rail.
     ///
     /// Errors: an inadmissible shape.
     pub fn section(&self) -> Result<Crack, CrackError> {
@@ -161,14 +163,13 @@ impl SpaceRail {
         positions
     }
 
-    /// Depth (mm) by which the residual stress has come nearer to the surface.
+    /// Depth (mm) by which the residual stress has come closer to the surface.
     fn uncovered(&self, at: &StepStart<'_>) -> f64 {
         let moves = self.growth.maintenance.as_ref().map(|maintenance| maintenance.stress);
         if moves == Some(StressMoves::WithMetal) { at.worn.removed } else { 0.0 }
     }
 
-    /// The rate (mm per cycle) with which a front point moves its front: zero where it is slower
-    /// than the arrest rate.
+    /// The rate (mm per cycle) at which a front point drives its front: zero below the arrest rate.
     fn moving_rate(&self, tip: &TipRecord) -> f64 {
         if tip.rate >= self.growth.arrest_rate { tip.rate.min(RUNAWAY) } else { 0.0 }
     }
@@ -247,7 +248,7 @@ impl CrackedRail for SpaceRail {
         })
     }
 
-    /// None: in space, jumps are recorded with the faces.
+    /// No fields: in space, jumps are recorded with the faces.
     fn fields(
         &mut self,
         _: &CracksInSpace,
@@ -322,7 +323,7 @@ impl CrackedRail for SpaceRail {
         let mut warnings = misfits(tips, &start, body);
         warnings.extend(next.meetings.iter().map(|close| meeting_warning(close, at.step)));
         let FrontAdvance { shapes, stopped, stop, .. } = next;
-        // Shapes that advance from admissible ones are admissible.
+        // Shapes advanced from admissible ones are admissible.
         let unchanged = || SpaceGeometry { stopped: stopped.clone(), ..before.clone() };
         let geometry = geometry(shapes, stopped.clone()).unwrap_or_else(|_| unchanged());
         let pace = next.pace.as_ref();
@@ -339,15 +340,15 @@ impl CrackedRail for SpaceRail {
     }
 }
 
-/// The stress that stays, of the plane fields of the rail: x, lateral and depth.
+/// The constant stress at x, lateral and depth, from the plane fields of the rail.
 fn residual_stress(field: Option<&impl StressField>, [x, _, depth]: [f64; 3]) -> Symmetric {
     let Some(field) = field else { return [0.0; 6] };
     let stress = field.stress(Vec2::new(x, -depth));
-    // y points up there, the depth down here; its z is lateral.
+    // In the plane fields y points upwards and z is lateral; here the depth points downwards.
     [stress.xx, stress.zz, stress.yy, 0.0, -stress.xy, 0.0]
 }
 
-/// Local rates that no ellipse follows, of each crack.
+/// Warnings of local rates that no ellipse can follow, one per crack.
 fn misfits(tips: &[TipRecord], start: &Start, body: &SpaceBody) -> Vec<Warning> {
     let of = |(k, shape): (usize, &FrontShape)| {
         let points = body.cracks()[k].front.clone();
@@ -376,7 +377,7 @@ fn misfits(tips: &[TipRecord], start: &Start, body: &SpaceBody) -> Vec<Warning> 
     start.shapes.iter().enumerate().filter_map(of).collect()
 }
 
-/// Cracks that stop before they meet.
+/// Warnings of cracks that stop before they meet.
 fn meeting_warning(close: &CloseCracks, step: usize) -> Warning {
     let CloseCracks { first, second, distance, least } = close;
     Warning {

@@ -1,4 +1,4 @@
-//! Records of passages in space, in the form of those in the plane.
+//! Records of passages in space, in the form used for the plane.
 
 use super::body::SpaceBody;
 use super::passage::SpaceHistory;
@@ -10,7 +10,7 @@ use crate::fracture::{Sif, SifHistory};
 use crate::growth::{FaceAcross, FaceRecord, PassageRecord, StabilisedPassage};
 use crate::math::Vec2;
 
-/// The stabilised passage in the form of those in the plane. `written` are the output positions
+/// The stabilised passage in the form used for the plane; `written` lists the output positions
 /// (from 0) whose jumps are written.
 pub(super) fn stabilised_record(
     body: &SpaceBody,
@@ -19,7 +19,7 @@ pub(super) fn stabilised_record(
 ) -> StabilisedPassage {
     let last = passage.passages.last();
     let of_point = |q: usize| {
-        // With the wheel away, before it comes and after it.
+        // Unloaded ends: before the wheel arrives and after it has left.
         let ends = last.map(|history| history.before[q]).into_iter().chain([passage.between[q]]);
         ends.chain(last.into_iter().flat_map(move |history| history.sifs.iter().map(move |sifs| sifs[q])))
     };
@@ -57,7 +57,7 @@ fn passage_record(history: &SpaceHistory) -> PassageRecord {
 /// The faces during the stabilised passage: stresses are nodal forces over the areas of the hats.
 fn face_record(body: &SpaceBody, passage: &StabilisedSpace, written: Vec<usize>) -> FaceRecord {
     let areas = body.areas();
-    // Down the dip, as seen from the side of the rail.
+    // Direction down the dip, seen from the side of the rail.
     let points = body.points().iter().zip(&areas).enumerate().map(|(a, ([x, _, depth], area))| {
         let crack = body.crack_of(a);
         let [along, _, down] = body.cracks()[crack].frame.position(1.0, 0.0);
@@ -79,7 +79,7 @@ fn face_record(body: &SpaceBody, passage: &StabilisedSpace, written: Vec<usize>)
             .map(|(a, status)| FaceState {
                 opening: faces.jumps[3 * a].max(0.0),
                 slip: faces.jumps[3 * a + 1],
-                // The faces transmit what they exert on each other.
+                // The transmitted stress is the force between the faces over the area.
                 s22: (-faces.reactions[3 * a] / areas[a]).min(0.0),
                 s12: -faces.reactions[3 * a + 1] / areas[a],
                 status: match status {

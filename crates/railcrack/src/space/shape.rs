@@ -3,7 +3,7 @@
 use super::plane::PlaneFrame;
 use thiserror::Error;
 
-/// Where the front of a crack ends.
+/// Extent of a crack: open to the surface or closed below it.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub enum Extent {
     /// The crack breaks the surface: its front runs from one end of the mouth to the other, and
@@ -17,21 +17,22 @@ pub enum Extent {
     },
 }
 
-/// A planar crack with a smooth front, star-shaped about the middle of its mouth or of itself.
+/// A planar crack with a smooth front, star-shaped about the middle of its mouth or, if buried,
+/// about its centre.
 ///
 /// With φ the parametric angle, the front lies at ζ = ζ₀ + c g(φ) cos φ and s = s₀ + l g(φ) sin φ;
-/// φ runs from 0 at the end of larger ζ over 90° at the deepest point to 180°, and to 360° where
-/// the front is closed. g = 1 + Σ b_k cos kφ.
+/// φ runs from 0 at the end with larger ζ through 90° at the deepest point to 180°, or to 360°
+/// where the front is closed. g = 1 + Σ b_k cos kφ.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct SpaceCrack {
-    /// Angle between the plane and +x on the way down, radians.
+    /// Angle between the plane, followed downwards, and +x, radians.
     pub dip: f64,
     /// Turn of the plane about the vertical through `middle`, from +x to the positive lateral
     /// direction, radians.
     pub strike: f64,
-    /// Half-axis along the surface c, mm.
+    /// Half-axis c along the surface, mm.
     pub half_length: f64,
-    /// Half axis down the dip l, mm.
+    /// Half-axis l down the dip, mm.
     pub length: f64,
     /// x and lateral position (mm) of the middle of the trace of the plane in the surface.
     pub middle: [f64; 2],
@@ -44,19 +45,19 @@ pub struct SpaceCrack {
 /// An inadmissible crack.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ShapeError {
-    /// A half-axis.
+    /// A half-axis that is not positive and finite.
     #[error("half-axis {value} mm of a crack: must be positive and finite")]
     HalfAxis {
         /// The given value, mm.
         value: f64,
     },
-    /// The dip angle.
+    /// A dip outside the admissible range.
     #[error("dip of {degrees}° of a crack: must lie between 5° and 175°")]
     Dip {
         /// The given value, degrees.
         degrees: f64,
     },
-    /// The strike.
+    /// A strike outside the admissible range.
     #[error("strike of {degrees}° of a crack: must lie between −180° and 180°")]
     Strike {
         /// The given value, degrees.
@@ -99,7 +100,7 @@ impl SpaceCrack {
         Self { dip, strike: 0.0, half_length, length, middle, extent, deviation: Vec::new() }.checked()
     }
 
-    /// The same crack, if it is admissible.
+    /// Returns the crack if it is admissible.
     pub fn checked(self) -> Result<Self, ShapeError> {
         for value in [self.half_length, self.length] {
             if !(value > 0.0 && value.is_finite()) {
@@ -134,7 +135,7 @@ impl SpaceCrack {
         PlaneFrame::turned(self.dip, self.strike)
     }
 
-    /// Whether the crack is the other one at another place of the surface.
+    /// Whether the crack equals the other one but for its place along the surface.
     pub(super) fn is_copy_of(&self, other: &Self) -> bool {
         let at_origin = |crack: &Self| Self { middle: [0.0; 2], ..crack.clone() };
         at_origin(self) == at_origin(other)

@@ -1,10 +1,10 @@
-//! Slip of second order in the load step.
+//! Second-order integration of slip over load steps.
 //!
-//! Slip runs against friction at the end of a step, from where? From the jumps at its start, by
-//! backward Euler, the slip of a direction that turns is wrong in the square of the step, and a
-//! point that closes is held where it was while it was open. Backward differences of second order
-//! (Gear 1971) take the slip of the step before into account; closing points are held where their
-//! jumps, gone on as before, would have met.
+//! At the end of a step, the friction force opposes slip that is measured from a reference, the
+//! origin. If the origin is the jump at the start of the step (backward Euler), the error for a
+//! turning slip direction is quadratic in the step, and a closing point is held where it was when
+//! still open. Second-order backward differences (Gear 1971) take the slip of the previous step
+//! into account; closing points are held where their extrapolated jumps would have met.
 
 use super::contact::SpaceFaces;
 use super::states::SpaceStatus;
@@ -17,12 +17,12 @@ pub(super) struct WheelInstant {
     pub faces: SpaceFaces,
 }
 
-/// Beyond this many times the length of the step before, a step begins anew. Steps of which each
-/// is longer than the last by 1 + √2 would not be stable (Grigorieff 1983); a step that is gone has
-/// at most twice the length of the last, and is compared with one of twice that.
+/// A step longer than this many times the previous step ignores its history. A sequence in which
+/// each step is longer than the last by 1 + √2 would be unstable (Grigorieff 1983); an accepted
+/// step has at most twice the length of the last, and is compared with one of twice that length.
 pub(super) const LONGEST: f64 = 4.0;
 
-/// The jumps (mm), 3p, from which the slip of the step from `before` to the position `to` counts.
+/// The jumps (mm), 3p, from which slip is measured in the step from `before` to the position `to`.
 pub(super) fn slip_origin(earlier: Option<&WheelInstant>, before: &WheelInstant, to: f64) -> Vec<f64> {
     let mut origin = before.faces.jumps.clone();
     let Some(earlier) = earlier else { return origin };
@@ -35,7 +35,7 @@ pub(super) fn slip_origin(earlier: Option<&WheelInstant>, before: &WheelInstant,
         let share = match (earlier.faces.status[a], status) {
             (_, SpaceStatus::Stick) | (SpaceStatus::Open, SpaceStatus::Slip { .. }) => 0.0,
             (_, SpaceStatus::Slip { .. }) => ratio * ratio / (1.0 + 2.0 * ratio),
-            // Until it closes, or as far as it may go.
+            // Extrapolation to the closure of the point, at most to the end of the step.
             (_, SpaceStatus::Open) if moved(0) < 0.0 => ratio.min(-before.faces.jumps[3 * a] / moved(0)),
             (_, SpaceStatus::Open) => 0.0,
         };
@@ -57,8 +57,8 @@ mod tests {
 
     #[test]
     fn slip_of_a_parabola_is_exact() {
-        // s = t²: the slip from the origin on has the direction of the rate at the end, and the
-        // size that a step of backward Euler of the formula (Gear 1971) would give it.
+        // s = t²: the slip from the origin has the direction of the rate at the end, and the
+        // magnitude given by Gear's formula (1971).
         let (h, before, step) = (0.3, 1.1, 0.5);
         let at = |t: f64| instant(t, SLIP, [0.0, t * t, -3.0 * t * t]);
         let origin = slip_origin(Some(&at(before - h)), &at(before), before + step);
@@ -74,7 +74,7 @@ mod tests {
         let earlier = instant(0.0, SpaceStatus::Open, [4.0, 1.0, 0.0]);
         let before = instant(1.0, SpaceStatus::Open, [3.0, 2.0, 1.0]);
         assert_eq!(slip_origin(Some(&earlier), &before, 2.0), [3.0, 3.0, 2.0]);
-        // Beyond the next position, and before the one after that.
+        // A point that closes within a longer step.
         let near = instant(1.0, SpaceStatus::Open, [1.0, 2.0, 1.0]);
         assert_eq!(slip_origin(Some(&earlier), &near, 3.0), [1.0, 2.0 + 1.0 / 3.0, 1.0 + 1.0 / 3.0]);
         assert_eq!(slip_origin(Some(&earlier), &before, 6.0), before.faces.jumps);

@@ -7,28 +7,28 @@ use crate::contact::StepControl;
 use crate::growth::{Memory, Observer, PassageSettings, Repeats, SolverCounts, until_repeated};
 use std::rc::Rc;
 
-/// How often two intervals between output positions may be halved.
+/// Largest number of times that two intervals between output positions are halved.
 const HALVINGS: usize = 8;
 
-/// Passages until the history repeats.
+/// Passages computed until the history repeats.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct StabilisedSpace {
     /// All passages, the stabilised one last.
     pub passages: Vec<SpaceHistory>,
-    /// K between two passages, after the last one, MPa √mm.
+    /// K after the last passage, without the wheel, MPa √mm.
     pub between: Vec<FrontSif>,
     /// Effort of all passages.
     pub counts: SolverCounts,
-    /// Change of K between the last two passages relative to its peak; none after a single one.
+    /// Change of K between the last two passages, relative to its peak; `None` after a single one.
     pub last_change: Option<f64>,
 }
 
 /// Computes passages over the faces of `contact` until K changes by less than the tolerance.
 ///
-/// Load steps are controlled by the peak of K in a first passage of one step from position to
-/// position, which is not counted.
+/// The step control is scaled by the peak of K in a trial passage with one step between positions,
+/// which is not counted.
 ///
-/// Errors: a contact that does not converge; an interruption by `observer`.
+/// Errors: contact that does not converge; an interruption by `observer`.
 pub(super) fn stabilised_space_passage(
     contact: &SpaceContact,
     load: &SpaceLoad,

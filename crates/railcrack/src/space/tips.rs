@@ -1,5 +1,5 @@
-//! Rates along fronts: ranges of K in three modes, and the kink that the direction criterion would
-//! choose.
+//! Growth rates along fronts: ranges of K in three modes, and the kink that the direction criterion
+//! would choose.
 
 use super::body::{FrontPoint, SpaceBody};
 use super::front_motion::counts;
@@ -11,7 +11,7 @@ use crate::growth::{
 };
 use crate::math::MPA_SQRT_MM;
 
-/// How K along fronts becomes growth.
+/// Settings that turn K along fronts into growth.
 pub(super) struct FrontLaw<'a> {
     pub growth: &'a GrowthSettings,
     pub poisson: f64,
@@ -19,8 +19,8 @@ pub(super) struct FrontLaw<'a> {
 }
 
 impl FrontLaw<'_> {
-    /// State and demand of every front point of `body`, whose cracks have these `shapes`, under the
-    /// passages of all `wheels`.
+    /// State and loading of every front point of `body`, whose cracks have the shapes `shapes`,
+    /// under the passages of all `wheels`.
     pub fn tips(
         &self,
         shapes: &[FrontShape],
@@ -36,7 +36,7 @@ impl FrontLaw<'_> {
         body.front().iter().enumerate().map(of).collect()
     }
 
-    /// The point `q` of all fronts.
+    /// The record of point `q` of all fronts.
     fn tip(
         &self,
         shape: &FrontShape,

@@ -7,9 +7,10 @@
 //!   w = z/R − i (x/a cos φ + y/b sin φ),
 //!
 //! the sum over k is closed, ∫ (sin κ − κ cos κ)/κ² e^(−κw) dκ = 1 − w arccot w, and the stress is
-//! an integral of it and its derivative over φ. It peaks where a line across ψ through the point
-//! touches the ellipse (w = ±i), within an angle that shrinks with the depth: hyperbolic sines
-//! stretch the surroundings of these angles, and of the bend of R of a slender ellipse.
+//! an integral of it and its derivative over φ. The integrand peaks where a line normal to ψ
+//! through the point touches the ellipse (w = ±i), within an angle that shrinks with the depth:
+//! hyperbolic sines stretch the neighbourhood of these angles, and that of the bend of R for a
+//! slender ellipse.
 
 use super::nuclei::Symmetric;
 use crate::math::gauss_legendre;
@@ -27,27 +28,28 @@ pub struct EllipticWheel {
     pub lateral_half_width: f64,
     /// Lateral position of the centre, mm.
     pub lateral: f64,
-    /// Shear along +x over pressure.
+    /// Ratio of shear along +x to pressure.
     pub friction: f64,
-    /// Shear along the lateral axis over pressure.
+    /// Ratio of shear along the lateral axis to pressure.
     pub lateral_friction: f64,
 }
 
-/// −ln of the error of a rule in its ellipse of convergence: leaves 5e-5 of p₀ next to the edge of
-/// the contact at most, 1e-6 in the mean.
+/// −ln of the error of a rule in its ellipse of convergence; the resulting error is at most 5e-5 of
+/// p₀ next to the edge of the contact, and 1e-6 on average.
 const DIGITS: f64 = 14.0;
-/// Points of a rule, at least and at most.
+/// Smallest and largest number of points of a rule.
 const POINTS: [usize; 2] = [3, 96];
-/// A point is taken to lie at least this share of a below the surface.
+/// Points are assumed to lie at least this share of a below the surface.
 const SHALLOWEST: f64 = 1e-7;
-/// A point is taken to lie at least this share of the half axes away from the middle where its
-/// tangents are sought: they are far from real there.
+/// When tangents are sought, points are assumed to lie at least this share of the half-axes away
+/// from the middle, where the tangents are far from real.
 const OFF_MIDDLE: f64 = 1e-3;
-/// Wider surroundings of an angle are as good as none.
+/// Widths of neighbourhoods are limited to this value, at which stretching has practically no
+/// effect.
 const WIDEST: f64 = 2.0;
-/// A bend of R this many of its widths from a tangent is not stretched by itself.
+/// A bend of R closer than this many of its widths to a tangent is not stretched separately.
 const APART: f64 = 1.5;
-/// |w|² from which series in 1/w replace the logarithms, and their last term.
+/// |w|² above which series in 1/w replace the logarithms, and the last term of these series.
 const FAR: f64 = 64.0;
 const LAST_TERM: u32 = 15;
 
@@ -56,7 +58,7 @@ fn rule(points: usize) -> &'static [(f64, f64)] {
     &RULES.get_or_init(|| (0..=POINTS[1]).map(gauss_legendre).collect())[points]
 }
 
-/// A real angle near singular ones, and their distance from the real axis.
+/// A real angle near singular complex angles, and their distance from the real axis.
 #[derive(Debug, Clone, Copy, Default)]
 struct Centre {
     at: f64,
@@ -89,8 +91,8 @@ impl EllipticWheel {
         centres.iter_mut().for_each(|c| c.at = c.at.rem_euclid(PI));
         centres.sort_by(|one, other| one.at.total_cmp(&other.at));
         let mut sum = [0.0; 6];
-        // What is summed has the period π. Each angle has the part up to half of the way to the
-        // next one.
+        // The integrand has the period π. The part of each angle extends to the midpoints between
+        // it and its neighbours.
         for (k, c) in centres.iter().enumerate() {
             let before = if k > 0 { centres[k - 1].at } else { centres[count - 1].at - PI };
             let after = if k + 1 < count { centres[k + 1].at } else { centres[0].at + PI };
@@ -100,8 +102,8 @@ impl EllipticWheel {
             if reach <= 0.0 {
                 continue;
             }
-            // Half the sum of the half axes of the ellipse about the interval with a singular point
-            // on it, logarithmically.
+            // Logarithm of the sum of the half-axes of the ellipse that has the interval's ends as
+            // foci and passes through a singular point.
             let decay = |[at, off_axis]: [f64; 2]| {
                 arc_cosine([(2.0 * at - from - to) / reach, 2.0 * off_axis / reach])[1]
             };
@@ -135,14 +137,14 @@ impl EllipticWheel {
         Centre { at: if b > a { FRAC_PI_2 } else { 0.0 }, width }
     }
 
-    /// The angles at which a line through the point touches the ellipse: complex below the surface
-    /// and inside.
+    /// The angles at which a line through the point touches the ellipse; they are complex below the
+    /// surface and inside the ellipse.
     fn tangents(&self, place: &Place) -> [Centre; 2] {
         let inverse = 1.0 / place.along.hypot(place.across).max(OFF_MIDDLE);
         let towards = place.across.atan2(place.along);
         [-1.0, 1.0].map(|sign| {
             let mut angle = [inverse.min(1.0).acos(), 0.0];
-            // R depends on the angle, but little.
+            // The dependence of R on the angle is weak.
             for _ in 0..2 {
                 let (sin, cos) = (towards + sign * angle[0]).sin_cos();
                 let (wave, _) = Self::wave([sin, cos], [self.half_width, self.lateral_half_width]);
@@ -152,7 +154,7 @@ impl EllipticWheel {
         })
     }
 
-    /// Adds the waves of the parametric angle `phi`.
+    /// Adds the contribution of the waves of the parametric angle `phi`.
     fn add_direction(&self, phi: f64, weight: f64, place: &Place, poisson: f64, sum: &mut Symmetric) {
         let (sin, cos) = phi.sin_cos();
         let (wave, [x, y]) = Self::wave([sin, cos], [self.half_width, self.lateral_half_width]);
@@ -191,7 +193,7 @@ fn waves_of_hertz(w: Complex) -> (Complex, Complex) {
         let (above, below) = (re * re + (1.0 - im) * (1.0 - im), re * re + (1.0 + im) * (1.0 + im));
         let arccot = [0.5 * (2.0 * re).atan2(size - 1.0), 0.25 * (above / below).ln()];
         let product = times(w, arccot);
-        // w / (1 + w²), of which the divisor has the square of its size above · below.
+        // w / (1 + w²); the squared modulus of the divisor is above · below.
         let share = 1.0 / (above * below);
         let quotient = times(w, [1.0 + re * re - im * im, -2.0 * re * im]).map(|value| share * value);
         return ([1.0 - product[0], -product[1]], [arccot[0] - quotient[0], arccot[1] - quotient[1]]);
@@ -210,7 +212,7 @@ fn waves_of_hertz(w: Complex) -> (Complex, Complex) {
     (times(one, square), times(times(two, square), inverse))
 }
 
-/// Real part of the arc cosine of a complex number, and the size of its imaginary part.
+/// Real part of the arc cosine of a complex number, and the magnitude of its imaginary part.
 fn arc_cosine([x, y]: Complex) -> [f64; 2] {
     let mirrored = x.abs();
     let (far, near) = ((mirrored + 1.0).hypot(y), (mirrored - 1.0).hypot(y));

@@ -2,29 +2,29 @@
 
 use crate::growth::{FrontShape, least_length, spent_ligament};
 
-/// Fate of a crack after the surface above it has been removed.
+/// State of a crack after the surface above it has been removed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Worn {
-    /// It is left.
+    /// The crack remains.
     Left,
-    /// A buried one, to which the surface has come down but for a ligament.
+    /// A buried crack that only a spent ligament separates from the surface.
     BrokenOut,
-    /// Nothing of it is left but the stub of a body that holds other cracks.
+    /// The crack is worn away; only a stub remains, since the body still contains it.
     Away,
 }
 
-/// A crack of `shape` after `depth` (mm) of the surface has been removed. `longest` (mm) is the
-/// longest that it has been, `resolution` (mm) the length that the engine resolves.
+/// A crack of `shape` after `depth` (mm) of the surface has been removed. `longest` (mm) is its
+/// greatest length so far, `resolution` (mm) the length that the engine resolves.
 ///
 /// The new surface cuts the plane of the crack at the distance s = depth / sin(dip) down the dip.
-/// The remaining part is less than half of the ellipse. It is replaced by the half ellipse with the
+/// The remaining part is less than half of the ellipse. It is replaced by the half-ellipse with the
 /// same deepest point and the same chord: l' = l − s and c' = c √(1 − s²/l²), whose area is larger
 /// by 1.1 % for s = 0.04 l and by 7.7 % for s = l/3. Many small cuts shorten the chord less than
 /// one cut of the same depth, since each begins from a front that is normal to the surface.
 pub(super) fn worn(shape: &FrontShape, depth: f64, longest: f64, resolution: f64) -> (FrontShape, Worn) {
     let s = depth / shape.dip.sin();
     let [x, lateral, _] = shape.frame().position(s, 0.0);
-    // The trace of the plane in the new surface, from which everything is measured.
+    // The trace of the plane in the new surface is the new origin.
     let lowered = FrontShape { middle: [shape.middle[0] + x, shape.middle[1] + lateral], ..*shape };
     let least = least_length(longest, resolution);
     let (left, fate) = match shape.buried {
@@ -80,8 +80,8 @@ mod tests {
         };
         let (before, after) = (deepest(&CRACK), deepest(&left));
         assert!((before[0] - after[0]).abs() < 1e-12 && (before[1] - after[1] - 1.0).abs() < 1e-12);
-        // In two cuts the length is the same; the chord shrinks less, since a half ellipse stands
-        // for the part in between.
+        // In two cuts the length is the same; the chord shrinks less, since a half-ellipse replaces
+        // the crack after the first cut.
         let half = worn(&CRACK, 0.5, 6.0, 0.1).0;
         let twice = worn(&half, 0.5, 6.0, 0.1).0;
         assert!((twice.length - left.length).abs() < 1e-12 && twice.half_length > left.half_length);
@@ -101,7 +101,7 @@ mod tests {
         let (left, fate) = worn(&buried, 1.0, 2.0, 0.05);
         assert_eq!((fate, left.buried), (Worn::Left, Some(3.0)), "{left:?}");
         let (left, fate) = worn(&buried, 1.6, 2.0, 0.05);
-        // Its lower end stays in the steel.
+        // The lower end keeps its place in the steel.
         let lower = left.buried.unwrap() + left.length;
         assert!(fate == Worn::BrokenOut && (lower - (7.0 - 3.2)).abs() < 1e-12, "{left:?}");
     }

@@ -31,7 +31,7 @@ pub struct Token {
 const PRINTING: [&str; 7] = ["print", "println", "eprint", "eprintln", "dbg", "stdout", "stderr"];
 
 impl SourceFile {
-    /// `path` is relative to the sources: it tells which module the file is.
+    /// `path` is relative to the sources: it determines the module.
     pub fn read(path: &Path, text: &str) -> Self {
         let tokens = tokens(&without_comments_and_texts(text));
         let depth = depth(path);

@@ -15,7 +15,7 @@ pub struct RateTable {
     rows: Arc<[(f64, f64)]>,
 }
 
-/// A table that is none.
+/// Rows that do not form a rate table.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum RateTableError {
     /// Fewer than two rows.

@@ -57,7 +57,7 @@ fn plastic_strain_per_passage() {
         result.profile.iter().map(|layer| layer.plastic_per_pass).fold(0.0, f64::max)
     };
     let (below, just_above, above) = (per_pass(3.8), per_pass(4.2), per_pass(4.5));
-    // The remainder in the last passage on the way to elastic shakedown.
+    // The remaining plastic strain in the last passage before elastic shakedown.
     assert!(below < 2e-6 && just_above > 1e-4 && above > 2.0 * just_above, "{below} {just_above} {above}");
 }
 

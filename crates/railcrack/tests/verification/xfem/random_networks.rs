@@ -113,7 +113,7 @@ impl Outcome {
     }
 }
 
-/// Difference between the engines, over the largest K of a crack, that users need not be told of.
+/// Difference between the engines, relative to the largest K of a crack, that needs no warning.
 const DIFFERENCE: f64 = 1e-2;
 /// K_I below zero, over the largest K, of which a run warns.
 const OVERLAP: f64 = 1e-2;
