@@ -377,7 +377,8 @@ railcrack.viewer("study-table", "The runs", "summary.csv has them", async () => 
     const number = runs.text(i);
     within(one, "h3").textContent = `Run ${number}`;
     const values = columns.slice(1).map((column) => `${column.plainTitle}: ${column.text(i)}`);
-    within(one, "p").textContent = `${values.join("; ")}. For its report: railcrack report DIR --run ${number}`;
+    within(one, "p").textContent =
+      `${values.join("; ")}. For its report: railcrack report DIR --run ${number}`;
     life(Math.floor(figures.life.drawing.clientWidth));
     list();
     redraw();
