@@ -132,7 +132,7 @@ fn a_turned_crack_on_a_rail_that_bends() {
     assert!(read(&run.join("plots/ki.svg")).contains("metres"));
     let plane = ["run", "case.toml", "--engine", "dislocation", "--out", "plane"];
     let refused = common::stderr(&common::ends(&folder, &plane, 2));
-    assert!(refused.contains("strike_deg") && refused.contains("takes the engine space"), "{refused}");
+    assert!(refused.contains("strike_deg") && refused.contains("requires the space engine"), "{refused}");
 }
 
 #[test]

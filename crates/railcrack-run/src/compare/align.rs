@@ -49,7 +49,7 @@ pub(super) fn align(histories: [&History; 2]) -> Aligned {
 }
 
 /// x_c/a, K_I, K_II of each position, in ascending order: a wheel that runs towards −x passes them
-/// the other way.
+/// in reverse order.
 fn rows(history: &History) -> Vec<[f64; 3]> {
     let mut rows: Vec<[f64; 3]> = (history.xc_over_a.iter())
         .zip(&history.ki)

@@ -26,7 +26,7 @@ impl Checksum {
         Self::NOTHING.with(bytes)
     }
 
-    /// Of the bytes so far and `bytes` behind them.
+    /// Of the bytes so far followed by `bytes`.
     #[must_use]
     pub(crate) fn with(self, bytes: &[u8]) -> Self {
         let add = |hash: u64, &byte: &u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
@@ -46,7 +46,7 @@ impl fmt::Display for Checksum {
     }
 }
 
-/// How much was written, and its checksum.
+/// Length and checksum of what was written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Seal {
     /// Bytes.
@@ -64,7 +64,7 @@ impl Seal {
         Self::NOTHING.with(bytes)
     }
 
-    /// Of what was written so far and `bytes` behind it.
+    /// Of what was written so far followed by `bytes`.
     #[must_use]
     pub(crate) fn with(self, bytes: &[u8]) -> Self {
         Self { length: self.length + bytes.len() as u64, checksum: self.checksum.with(bytes) }
@@ -90,7 +90,7 @@ impl Seal {
     }
 }
 
-/// Checksums of `files` in `folder`, for a document beside them.
+/// Checksums of `files` in `folder`, for a document stored with them.
 ///
 /// Errors: the system refuses.
 pub(crate) fn checksums(folder: &Path, files: &[&str]) -> Result<BTreeMap<String, String>, OutputError> {

@@ -12,7 +12,7 @@ pub struct ResidualSummary {
     pub plastic_source: Option<PlasticOrigin>,
     /// The stage that computed it.
     pub rolled: Option<RolledSummary>,
-    /// Losses on the way to the mesh of the rail.
+    /// Losses in the projection onto the mesh of the rail.
     pub projection: Option<ProjectionSummary>,
     /// Effect of the free sides of a block on the residual stress of the middle line.
     pub release: Option<ReleaseSummary>,
@@ -85,7 +85,7 @@ pub struct ReleaseSummary {
     pub held_sxx_mpa: f64,
     /// σ_xx with the sides free, MPa.
     pub free_sxx_mpa: f64,
-    /// Whether the run carries the released stress: a plastic stress is balanced on the block, a
+    /// Whether the run uses the released stress: a plastic stress is balanced on the block, a
     /// balanced stress is taken as it is.
     pub carried: bool,
 }

@@ -15,9 +15,9 @@ use railcrack::math::Matrix;
 use railcrack_case::{Distribution, Inspection, Scatter};
 use rayon::prelude::*;
 
-/// Runs between which paths are interpolated at most; those beyond measure its error.
+/// Maximum number of runs used for interpolation; further runs measure its error.
 const MOST_RUNS: usize = 200;
-/// Share of the runs that may be left out.
+/// Fraction of the runs that may be left out.
 const MOST_LEFT_OUT: f64 = 0.05;
 /// Samples of a piece that one thread makes.
 const PIECE: usize = 1000;
@@ -55,7 +55,7 @@ impl Population {
                 names.map(|(_, (axis, &index))| format!("{} = {}", axis.name(), axis.value(index))).collect();
             let made = match &distributions {
                 Some(distributions) => Self::of_runs(population, &plan.axes[drawn], distributions, &runs),
-                None => Err("a key is drawn that is no number".to_owned()),
+                None => Err("one of the sampled keys is not a number".to_owned()),
             };
             let made = made.unwrap_or_else(Self::none);
             Self { choice: choice.join(", "), ..made }
@@ -143,7 +143,7 @@ impl Point {
 }
 
 impl InterpolationError {
-    /// Of pairs of ways: exact and interpolated. None without any.
+    /// Errors of pairs of exact and interpolated tonnages. None without pairs.
     fn of(ways: &[(f64, f64)]) -> Option<Self> {
         if ways.is_empty() {
             return None;

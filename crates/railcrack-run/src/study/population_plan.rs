@@ -35,7 +35,7 @@ const OF_ALL_RUNS: [&str; 5] = ["scatter.", "inspection.", "maintenance.", "traf
 
 impl PopulationPlan {
     /// Of `study`; none where no value is drawn, its cases have no `[scatter]`, or the surface is
-    /// removed, so that each run has its own way.
+    /// removed, so that each run has its own path.
     pub fn of(study: &Study) -> Option<Self> {
         let variations = || study.axes.iter().flat_map(|axis| &axis.variations);
         let is_one_for_all =

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// Wall time by phase, of the run and its resumptions, seconds.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct PhaseSeconds {
-    /// The residual stress: the plastic state of the rolled rail where it is wanted, projection and
+    /// The residual stress: the plastic state of the rolled rail if required, projection and
     /// balance.
     pub residual: f64,
     /// The cracked body.
@@ -115,7 +115,7 @@ pub struct JunctionSummary {
     pub y_mm: f64,
 }
 
-/// How far the run is from brittle fracture: the largest k1 of its stabilised passages, over all
+/// Margin against brittle fracture: the largest k1 of its stabilised passages, over all
 /// kink angles.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FractureSummary {

@@ -1,8 +1,8 @@
-//! How the contact of many cracks is followed.
+//! How the contact conditions of many cracks are solved.
 
 use crate::words::{Choice, Word};
 
-/// How the contact of many cracks is followed.
+/// How the contact conditions of many cracks are solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum NetworkContact {
     /// All cracks together, event by event.
@@ -16,12 +16,15 @@ pub enum NetworkContact {
 
 impl Choice for NetworkContact {
     const WORDS: &'static [(Self, Word)] = &[
-        (Self::Whole, Word::now("whole", "all cracks together, the cost grows with their number squared")),
+        (
+            Self::Whole,
+            Word::now("whole", "all cracks together; the cost grows with the square of their number"),
+        ),
         (
             Self::Groups,
             Word::now(
                 "groups",
-                "each crack with its neighbours, in sweeps until they agree within network_tolerance, for dozens of cracks in a half-plane: newton, no fluid, and no fields are written",
+                "each crack with its neighbours, in sweeps until they agree within network_tolerance; for dozens of cracks in a half-plane, with the newton solver, without fluid and without fields",
             ),
         ),
     ];

@@ -35,7 +35,7 @@ pub struct PlaneRail {
     pub solver: Box<dyn ContactSolver>,
     /// Takes over for a step that `solver` cannot do.
     pub fallback: Box<dyn ContactSolver>,
-    /// How the contact of many cracks is followed.
+    /// How the contact conditions of many cracks are solved.
     pub network: NetworkContact,
     /// μ_c of each crack.
     pub crack_friction: Vec<f64>,
