@@ -28,11 +28,11 @@ pub(super) struct RowScatter {
 
 /// Deviations of one copy from the values of its section.
 pub(super) struct CopyDeviation {
-    /// Of its length, mm.
+    /// Deviation of its length, mm.
     pub length: f64,
-    /// Of its angle, degrees.
+    /// Deviation of its angle, degrees.
     pub angle: f64,
-    /// Of the distance to the next copy, mm.
+    /// Deviation of the distance to the next copy, mm.
     pub spacing: f64,
 }
 

@@ -52,7 +52,7 @@ impl Reading<'_> {
 pub(crate) struct Override {
     pub section: &'static str,
     pub key: &'static str,
-    /// Which table of a section that repeats, from 1; none for all.
+    /// Number of the table of a repeated section, from 1; none for all tables.
     pub number: Option<usize>,
     /// The option with which it was given, with its value as written.
     pub shown: String,

@@ -63,7 +63,7 @@ pub enum CalibrationError {
     },
     /// No measurement within the sizes of the run.
     #[error(
-        "no measurement is within the sizes of the run, above {from:.3} and up to {to:.3} mm, at a tonnage above 0 MGT"
+        "no measurement lies within the sizes of the run, from {from:.3} to {to:.3} mm (the first excluded), at a tonnage above 0 MGT"
     )]
     NothingToCompare {
         /// The smallest and the largest size of the run, mm.
@@ -225,7 +225,7 @@ mod tests {
             (
                 "mgt,depth_mm,length_mm\n1,2,3\n",
                 1,
-                "column `depth_mm` or `length_mm` is wanted, and no other",
+                "column `depth_mm` or `length_mm` must be given, and only one of them",
             ),
             ("mgt,depth_mm\n1,2\n3,x\n", 3, "`depth_mm = x`: must be a number in [-1e6, 1e6]"),
             ("mgt,depth_mm\n1,2,3\n", 2, "3 values in a row of 2 columns"),
@@ -252,6 +252,6 @@ mod tests {
     fn measurements_beyond_the_run_are_refused() {
         let far = [Measured { mgt: 1.0, size: 50.0 }];
         let refused = calibrate(&rows(), 20.0, Measure::Depth, &far).unwrap_err().to_string();
-        assert!(refused.contains("2.000 to 6.000"), "{refused}");
+        assert!(refused.contains("from 2.000 to 6.000"), "{refused}");
     }
 }

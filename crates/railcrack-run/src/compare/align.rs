@@ -11,7 +11,7 @@ pub struct Aligned {
     pub ki: [Vec<f64>; 2],
     /// `kii[run][position]`, MPa √m.
     pub kii: [Vec<f64>; 2],
-    /// Which run (0 or 1) was interpolated at the positions of the other, if any.
+    /// The run (0 or 1) that was interpolated at the positions of the other, if any.
     pub interpolated: Option<usize>,
 }
 

@@ -14,9 +14,9 @@ const PARTED_DEG: f64 = 5.0;
 pub struct Parting {
     /// The step.
     pub step: usize,
-    /// Crack and tip.
+    /// The crack.
     pub crack: usize,
-    /// Which tip of the crack.
+    /// The tip of the crack.
     pub tip: usize,
     /// Difference of the kinks, degrees.
     pub apart_deg: f64,

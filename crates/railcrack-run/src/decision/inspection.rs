@@ -57,7 +57,7 @@ impl CriticalBy {
 }
 
 impl InspectionSummary {
-    /// Of `path` under axles of `tonnes`.
+    /// The inspection of `path` under axles of `tonnes`.
     pub fn of(path: &GrowthPath, inspection: &Inspection, critical_length: Option<f64>, tonnes: f64) -> Self {
         let axles = path.axles();
         let mgt = |place: Place| 1e-6 * tonnes * GrowthPath::at(place, &axles);

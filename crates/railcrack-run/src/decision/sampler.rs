@@ -67,9 +67,9 @@ impl Deviates {
 /// Standard normal deviates of one sample.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Draw {
-    /// Of [`KEYS`].
+    /// Deviates of [`KEYS`].
     pub deviates: [f64; KEYS.len()],
-    /// Of the share of each wheel.
+    /// Deviate of the share of each wheel.
     pub shares: [f64; MOST_WHEELS],
 }
 
@@ -82,7 +82,7 @@ pub(crate) struct Draws {
 }
 
 impl Draws {
-    /// Of the quantities that `scatter`, with the wheels of `mix`.
+    /// Draws of the quantities that `scatter`, with the wheels of `mix`.
     pub fn of(scatter: &Scatter, mix: &[MixInfo]) -> Self {
         Self {
             first: Deviates::new(scatter.seed),

@@ -9,11 +9,11 @@ use serde::{Deserialize, Serialize};
 /// Quantiles over all samples; null if the run does not reach that far.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Quantiles {
-    /// Of 5 %.
+    /// The quantile of 5 %.
     pub p05: Option<f64>,
     /// The median.
     pub p50: Option<f64>,
-    /// Of 95 %.
+    /// The quantile of 95 %.
     pub p95: Option<f64>,
 }
 
@@ -55,7 +55,7 @@ pub struct ScatterSummary {
     pub probability_growing: Option<f64>,
     /// Depth over traffic.
     pub depth: Vec<DepthQuantiles>,
-    /// Of each quantity that scatters, the largest first.
+    /// Contribution of each quantity that scatters, the largest first.
     pub sensitivities: Vec<Sensitivity>,
 }
 

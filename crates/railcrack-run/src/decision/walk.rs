@@ -39,8 +39,8 @@ pub(super) struct SampledShares {
 }
 
 impl SampledShares {
-    /// Of `mix`, each share times its member of `factors` before they are made to add up to 1;
-    /// `tonnes` is the mean load of an axle in the case.
+    /// The shares of `mix`, each multiplied by its member of `factors` and then normalised to a sum
+    /// of 1; `tonnes` is the mean load of an axle in the case.
     pub fn of(mix: &[MixInfo], factors: [f64; MOST_WHEELS], tonnes: f64) -> Self {
         let sum: f64 = mix.iter().zip(factors).map(|(wheel, factor)| wheel.share * factor).sum();
         let factors = factors.map(|factor| if sum > 0.0 { factor / sum } else { 1.0 });

@@ -62,12 +62,12 @@ pub struct RolledSummary {
 /// Norms are √∫ p:p dA of the plastic stress p.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ProjectionSummary {
-    /// Of the values at nodes that were fitted to values on cells: their norm over that of the
+    /// Values at nodes that were fitted to values on cells: ratio of their norm to that of the
     /// cells. Null where values were given at nodes.
     pub nodes_norm_ratio: Option<f64>,
     /// Norm of their difference, over it.
     pub nodes_difference: Option<f64>,
-    /// Of what the mesh of the rail interpolates, within width and depth of the rail: its norm over
+    /// Interpolation by the mesh of the rail, within width and depth of the rail: its norm over
     /// that of the field.
     pub mesh_norm_ratio: f64,
     /// Norm of their difference, over it.

@@ -19,7 +19,7 @@ pub struct Needs {
 }
 
 impl Needs {
-    /// Of the run of `case`.
+    /// The needs of the run of `case`.
     pub fn of(case: &Case) -> Self {
         let size = case.size();
         let count = |n: usize| u64::try_from(n).unwrap_or(u64::MAX);

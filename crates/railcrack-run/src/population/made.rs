@@ -34,7 +34,8 @@ struct Point {
 }
 
 impl Population {
-    /// Of the runs of a study that are done; empty where `plan` has no samples between them.
+    /// Populations from the finished runs of a study; empty where `plan` has no samples between
+    /// them.
     pub fn of(plan: &StudyPlan, results: &StudyResults) -> Vec<Self> {
         let Some(population) = &plan.population else { return Vec::new() };
         let Some(drawn) = plan.axes.iter().position(StudyAxis::is_drawn) else { return Vec::new() };
@@ -129,8 +130,8 @@ impl Population {
 }
 
 impl Point {
-    /// Of a run that is done, which has the values at `index` of the drawn keys; none where its
-    /// crack does not grow.
+    /// The point of a finished run, which has the values at `index` of the drawn keys; none where
+    /// its crack does not grow.
     fn of(axis: &StudyAxis, index: usize, distributions: &[Distribution], row: &StudyRow) -> Option<Self> {
         let values = axis.keys.iter().zip(distributions);
         let inputs: Option<Vec<f64>> =

@@ -27,7 +27,7 @@ pub struct History {
 }
 
 impl History {
-    /// Of every tip in the rows of one growth step, in their order.
+    /// Histories of every tip in the rows of one growth step, in their order.
     ///
     /// Errors: the first row that is one.
     pub fn of_step(

@@ -37,7 +37,7 @@ pub(crate) fn check_numbers(folder: &Path) -> Result<(), OutputError> {
     }
 }
 
-/// Which files of a run are verified.
+/// Selection of the files of a run to be verified.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Extent {
     All,

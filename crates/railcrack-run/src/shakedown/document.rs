@@ -159,7 +159,7 @@ impl StressComponent {
 /// A largest residual stress.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PeakStress {
-    /// Which stress.
+    /// Component of the stress.
     pub component: StressComponent,
     /// MPa.
     pub stress_mpa: f64,

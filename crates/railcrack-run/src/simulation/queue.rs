@@ -1,4 +1,4 @@
-//! Which of several runs is computed next, and on which rail.
+//! Order of the runs of a study, and the rails that they share.
 
 use railcrack_case::{Case, RailKey, SharedRail};
 use std::collections::{HashMap, VecDeque};

@@ -260,7 +260,7 @@ impl Recorder {
         };
     }
 
-    /// Of the files that `verify` reads, for `summary.json`.
+    /// Checksums of the files that `verify` reads, for `summary.json`.
     fn checksums(&self) -> BTreeMap<String, String> {
         let seals = self.seals();
         let tables = seals.tables().map(|(file, seal)| -> (&str, Seal) { (file, seal) });

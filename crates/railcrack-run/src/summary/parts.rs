@@ -13,15 +13,15 @@ pub struct PhaseSeconds {
     pub residual: f64,
     /// The cracked body.
     pub body: f64,
-    /// Of it: the mesh without cracks and its factor.
+    /// Part of it spent on the mesh without cracks and its factor.
     pub body_mesh: f64,
-    /// Of it: cutting elements, choosing functions and face points.
+    /// Part of it spent on cutting elements and choosing functions and face points.
     pub body_enrichment: f64,
-    /// Of it: the stiffness of the enriched functions.
+    /// Part of it spent on the stiffness of the enriched functions.
     pub body_border: f64,
-    /// Of it: stress intensity factors as functionals.
+    /// Part of it spent on stress intensity factors as functionals.
     pub body_sif: f64,
-    /// Of it: the elimination of the unknowns behind the faces.
+    /// Part of it spent on eliminating the unknowns behind the faces.
     pub body_condensation: f64,
     /// Loads on the faces and contact.
     pub contact: f64,
@@ -104,7 +104,7 @@ pub struct PieceSummary {
 pub struct JunctionSummary {
     /// Number of the joining crack, from 1.
     pub crack: usize,
-    /// Which of its ends.
+    /// The end of the crack that has joined.
     #[serde(with = "words")]
     pub end: End,
     /// Number of the crack that it has joined, from 1.

@@ -11,7 +11,7 @@ use toml::de::{DeArray, DeTable, DeValue};
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::study) struct Substitute {
     pub section: &'static str,
-    /// Which table of a section that repeats, from 1.
+    /// Number of the table of a repeated section, from 1.
     pub number: usize,
     pub key: &'static str,
     /// As TOML.
