@@ -392,7 +392,7 @@ def check_space(browser, checks, name, folder):
         for mode, column in [("KI", "ki_mpa_sqrt_m"), ("KII", "kii_mpa_sqrt_m"), ("KIII", "kiii_mpa_sqrt_m")]:
             checks.near(number(text.split(f"{mode} = ")[1]), float(row[column]), f"{what}, {mode}", absolute=0.0051)
         checks.near(number(text.split("\u0394Keq = ")[1]), float(state["delta_keq_mpa_sqrt_m"]), f"{what}, range", relative=1e-3)
-        checks.near(number(text.split("alf axes ")[1]), float(state["length_mm"]), f"{what}, half axis", relative=1e-3)
+        checks.near(number(text.split("alf axes ")[1]), float(state["length_mm"]), f"{what}, semi-axis", relative=1e-3)
         checks.near(number(text.split("At \u03c6 = ")[1]), float(state["phi_deg"]), f"{what}, angle", relative=1e-3)
         checks.near(browser.run("document.querySelector('#above svg').dataset.centre"), float(row["xc_mm"]), f"{what}, the wheel")
         wheel = browser.run("document.getElementById('wheel-value').textContent")

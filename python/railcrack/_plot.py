@@ -121,7 +121,7 @@ class RunPlots:
         return _section(axes, "x (mm)")
 
     def length(self, *, ax: Axes | None = None) -> Axes:
-        """Length of each crack against load cycles; both half axes for cracks in space."""
+        """Length of each crack against load cycles; both semi-axes for cracks in space."""
         axes: Axes = _axes(ax)
         growth, last = self._run.growth, {}
         if _is_in_space(self._run):
@@ -132,7 +132,7 @@ class RunPlots:
                 axes.plot(rows["load_cycles"], rows["length_mm"], ".-", label=f"{whose}down the dip")
                 axes.plot(rows["load_cycles"], rows["surface_half_length_mm"], ".-", label=f"{whose}along the surface")
             axes.set_xlabel("load cycles")
-            axes.set_ylabel("half axis (mm)")
+            axes.set_ylabel("semi-axis (mm)")
             axes.legend()
             return axes
         for crack, tip in _tips(self._run):

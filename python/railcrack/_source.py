@@ -105,8 +105,8 @@ def _read_text(path: Path) -> str:
     try:
         return path.read_bytes().decode("utf-8")
     except UnicodeDecodeError as error:
-        message = f"not UTF-8 text: byte {error.start + 1} is not part of a character"
-        fault = (message, str(path), None, None, None, "store the file as UTF-8", f"{path}: {message}")
+        message = f"not UTF-8 text: byte {error.start + 1} is not part of a valid character"
+        fault = (message, str(path), None, None, None, "save the file as UTF-8", f"{path}: {message}")
         raise CaseError([fault]) from None
 
 

@@ -31,7 +31,7 @@ def test_the_same_bits_as_the_command(case: rc.Case, run: rc.Run, command: Calla
     command("run", tmp_path / "case.toml", "--out", tmp_path / "run", "--quiet")
     for file, table in zip(TABLES, (run.sif, run.growth, run.faces), strict=True):
         assert_same_bits(table, tmp_path / "run" / file)
-    assert "half axes" in str(case.check())
+    assert "semi-axes" in str(case.check())
     assert "along the front" in run.report()
     opened = rc.Run.open(tmp_path / "run")
     assert np.array_equal(opened.sif["kiii_mpa_sqrt_m"], run.sif["kiii_mpa_sqrt_m"])
@@ -39,7 +39,7 @@ def test_the_same_bits_as_the_command(case: rc.Case, run: rc.Run, command: Calla
 
 def test_fields_are_on_the_faces_and_along_the_front(run: rc.Run) -> None:
     grid = run.field_grid(0, 0.0)
-    # Half axes 4 mm at 30° and 6 mm: the deepest point, and the ends of the front.
+    # Semi-axes 4 mm at 30° and 6 mm: the deepest point, and the ends of the front.
     assert np.allclose(grid.points.min(axis=0), [0.0, -2.0, -6.0], atol=1e-12)
     assert np.allclose(grid.points.max(axis=0), [4.0 * np.cos(np.radians(30.0)), 0.0, 6.0], atol=1e-12)
     deepest = int(np.argmin(grid.points[:, 1]))

@@ -3,8 +3,8 @@
 //!
 //! [`Case::read`] takes the file of a user as well as `case.toml` of a run folder;
 //! [`Case::prepare`] makes a run of it. `tables` declares every section and key once, and `schema`,
-//! which knows no rails, derives from it reading, defaults, the JSON Schema, the commented first
-//! file, the page of documentation and the stored case.
+//! which does not depend on rails, derives from it the reader, the defaults, the JSON Schema, the
+//! commented first file, the page of documentation and the stored case.
 
 mod case;
 mod files;

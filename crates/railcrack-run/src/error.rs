@@ -4,10 +4,10 @@ use railcrack_vtu::VtuError;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// A run folder that cannot be written, read or taken up again.
+/// A run folder that cannot be written, read or resumed.
 #[derive(Debug, Error)]
 pub enum OutputError {
-    /// The folder already holds a run, and nobody allowed to replace it.
+    /// The folder already holds a run, and replacing it was not requested.
     #[error(
         "{} already holds a run ({file}): take it up again with --resume, replace it with --force, or choose another folder with --out",
         folder.display()
@@ -15,7 +15,7 @@ pub enum OutputError {
     HoldsRun {
         /// The folder.
         folder: PathBuf,
-        /// A file of the run that is there.
+        /// A file of the existing run.
         file: &'static str,
     },
     /// A folder that is not that of a run.
@@ -26,16 +26,16 @@ pub enum OutputError {
         /// A file that every run has.
         file: &'static str,
     },
-    /// A folder that holds nothing that a report shows.
+    /// A folder without results to report on.
     #[error(
-        "{} holds nothing to report on: the folder of a run has summary.json, that of a plastic state shakedown.json, that of a comparison compare.json",
+        "{} holds no results to report on: a run folder has summary.json, a plastic state shakedown.json, a comparison compare.json",
         folder.display()
     )]
     NothingToReport {
         /// The folder.
         folder: PathBuf,
     },
-    /// The folder already holds a comparison, and nobody allowed to replace it.
+    /// The folder already holds a comparison, and replacing it was not requested.
     #[error(
         "{} already holds a comparison ({file}): replace it with --force, or choose another folder with --out",
         folder.display()
@@ -43,10 +43,10 @@ pub enum OutputError {
     HoldsComparison {
         /// The folder.
         folder: PathBuf,
-        /// A file of it that is there.
+        /// A file of it that exists.
         file: &'static str,
     },
-    /// The folder already holds a study, and nobody allowed to go on with it or to replace it.
+    /// The folder already holds a study, and neither resuming nor replacing it was requested.
     #[error(
         "{} already holds a study ({file}): go on with it with --resume, replace it with --force, or choose another folder with --out",
         folder.display()
@@ -54,18 +54,18 @@ pub enum OutputError {
     HoldsStudy {
         /// The folder.
         folder: PathBuf,
-        /// A file of it that is there.
+        /// A file of it that exists.
         file: String,
     },
-    /// There is no study to go on with.
+    /// There is no study to resume.
     #[error("{} holds no study to resume: start one without --resume, or name its folder with --out", folder.display())]
     NoStudy {
         /// The folder.
         folder: PathBuf,
     },
-    /// The study is not the one that the folder holds.
+    /// The study differs from the one in the folder.
     #[error(
-        "the study in {} is another one ({difference}): use the study and options it was begun with, replace it with --force, or choose another folder with --out",
+        "the study in {} differs ({difference}): use the study and options it was started with, replace it with --force, or choose another folder with --out",
         folder.display()
     )]
     StudyChanged {
@@ -74,15 +74,15 @@ pub enum OutputError {
         /// The first difference.
         difference: String,
     },
-    /// There is no run to take up again.
+    /// There is no run to resume.
     #[error("{} holds no run to resume: start one without --resume, or name its folder with --out", folder.display())]
     NoRun {
         /// The folder.
         folder: PathBuf,
     },
-    /// The case is not the one that the folder's run computes.
+    /// The case differs from that of the run in the folder.
     #[error(
-        "the run in {} computes another case (line {line} of its {file} differs: \"{stored}\" there, \"{given}\" now): resume with the case and options it was started with, or start afresh with --force",
+        "the run in {} computes a different case (line {line} of its {file} differs: \"{stored}\" there, \"{given}\" now): resume with the case and options it was started with, or start again with --force",
         folder.display()
     )]
     CaseChanged {
@@ -99,7 +99,7 @@ pub enum OutputError {
     },
     /// The run was written by another version of the program.
     #[error(
-        "the run in {} was written by railcrack {written_by}, this is {this}: resume it with that version, or start afresh with --force",
+        "the run in {} was written by railcrack {written_by}, this is {this}: resume it with that version, or start again with --force",
         folder.display()
     )]
     OtherVersion {
@@ -111,7 +111,7 @@ pub enum OutputError {
         this: String,
     },
     /// A file of the run does not hold what a run writes.
-    #[error("{}: {reason}; start the run afresh with --force", path.display())]
+    #[error("{}: {reason}; start the run again with --force", path.display())]
     Damaged {
         /// The file.
         path: PathBuf,
@@ -127,12 +127,12 @@ pub enum OutputError {
     InUse {
         /// The folder.
         folder: PathBuf,
-        /// Number of the process, where the system tells.
+        /// Number of the process, if the system provides it.
         process: Option<u32>,
     },
     /// Runs of a study whose files are damaged; its results were gathered without them.
     #[error(
-        "{}: the results are without {} ({})",
+        "{}: the results leave out {} ({})",
         folder.display(),
         if *runs == 1 { "a damaged run".to_owned() } else { format!("{runs} damaged runs") },
         first
@@ -153,7 +153,7 @@ pub enum OutputError {
     },
     /// A file names something outside its folder.
     #[error(
-        "{} names {name:?}, which leads out of its folder: the names in it are plain ones; the file has been changed",
+        "{} names {name:?}, which is outside its folder: the program writes plain names only, so the file has been changed",
         file.display()
     )]
     NameLeaves {
@@ -162,9 +162,9 @@ pub enum OutputError {
         /// The name in it.
         name: String,
     },
-    /// Plots and page that need what a run did not store.
+    /// Plots and page that need results that the run did not store.
     #[error(
-        "plots and page of {} show more than its tables have ([output]), and it cannot be computed again: {reason}",
+        "plots and page of {} need more than its tables contain ([output]), and the run cannot be computed again: {reason}",
         folder.display()
     )]
     NotRecomputed {

@@ -2,7 +2,7 @@
 //! folder with its tables, checkpoint and summary, and how results are read back.
 //!
 //! Every file, column, unit and sign is described in `docs/file-formats.md`. Plots and pages are
-//! made by someone above this crate ([`Presentation`]).
+//! made by a crate above this one ([`Presentation`]).
 
 pub mod calibration;
 pub mod compare;

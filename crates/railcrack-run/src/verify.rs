@@ -1,4 +1,4 @@
-//! Verification of a folder, of whatever kind, and of a study with all its runs.
+//! Verification of a folder of any kind, and of a study with all its runs.
 
 use crate::csv::Table;
 use crate::disk::FolderLock;
@@ -14,7 +14,7 @@ use std::path::Path;
 /// stabilised plastic state, a comparison, or a study with all its runs. Plots and reports are not
 /// among them: `railcrack report` builds these anew.
 ///
-/// Errors: the folder holds nothing of that, or is being computed; the system refuses.
+/// Errors: the folder holds no such results, or is being computed; the system refuses.
 pub fn verify(folder: &Path) -> Result<Verification, OutputError> {
     let mut found = Verification::default();
     let has = |file: &str| folder.join(file).is_file();
@@ -45,7 +45,7 @@ fn verify_study(found: &mut Verification, folder: &Path) -> Result<(), OutputErr
     let mut over = true;
     let packed = study.packed()?;
     for run in &study.plan().runs {
-        // A record that does not hold what was written is none.
+        // A damaged record counts as missing.
         if packed.has(run.number) {
             found.files += 1;
             continue;

@@ -21,7 +21,7 @@ use std::process::Command;
 use std::time::Instant;
 
 const THREADS: usize = 2;
-/// The half axes of the crack and of the contact, mm.
+/// The semi-axes of the crack and of the contact, mm.
 const DEPTH: f64 = 4.0;
 const HALF_LENGTH: f64 = 6.0;
 const CONTACT: f64 = 6.0;

@@ -25,8 +25,8 @@ use railcrack::math::MPA_SQRT_MM;
 use railcrack::plane::NetworkContact;
 use std::path::Path;
 
-/// The case that `sections` describe; none where something is wrong or missing, which `report` then
-/// says.
+/// The case that `sections` describe; none if something is wrong or missing; errors are added to
+/// `report`.
 ///
 /// Every part is built, even where another is wrong, so that all errors are found at once.
 pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) -> Option<Case> {
@@ -81,8 +81,8 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
     if let (Some(PlasticSource::Rolled), Some(section), true) =
         (&plastic_stress, plastic_section, mix.as_ref().is_some_and(|mix| !mix.is_empty()))
     {
-        let says = "without a field, this is the stress left by rolling under one wheel, and [[wheel]] gives several";
-        report.add(section.fault_of_all(says).help("a field or profile in [plastic_stress]"));
+        let says = "without a field, this is the stress left by rolling under a single wheel, but [[wheel]] gives several";
+        report.add(section.fault_of_all(says).help("give a field or profile in [plastic_stress]"));
     }
     let shakedown = sections.one(&SHAKEDOWN).and_then(|s| ShakedownSettings::read(s, folder, report));
     let growth = sections.one(&GROWTH).and_then(|s| read_growth(s, folder, report));
@@ -133,7 +133,7 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         Some(read) => Some(read?),
         None => None,
     };
-    // A stored case says where the middle of the rail was.
+    // A stored case records the middle of the rail.
     sections.settle(&RAIL, CENTRE, Value::Number(rail.extent.centre));
     let is_block = matches!(rail.boundary, Boundary::Block { .. });
     check_network(&sections, (fluid.as_ref().is_some_and(Option::is_some), is_block), report);
@@ -201,7 +201,7 @@ fn is_in_space(sections: &Sections) -> bool {
     engine.is_some_and(Engine::is_in_space)
 }
 
-/// How far the engine needs to know contacts.
+/// The part of the contacts that the engine needs.
 fn contact_extent(sections: &Sections) -> ContactExtent {
     if is_in_space(sections) { ContactExtent::Ellipse } else { ContactExtent::Strip }
 }
@@ -242,20 +242,21 @@ fn read_fracture(
 
 /// The plastic state is that of the contact alone.
 fn check_rolled(sections: &Sections, report: &mut Report) {
-    let help = "a field or profile in [plastic_stress], of the same rail without this section";
+    let help = "give a field or profile in [plastic_stress], computed for the same rail without this section";
     if let Some(track) = sections.one(&TRACK) {
         let says =
-            "bends the rail, and the plastic state that [plastic_stress] wants is that of the contact alone";
+            "bends the rail, but the plastic state of [plastic_stress] is computed for the contact alone";
         report.add(track.fault(FOUNDATION, says).help(help));
     }
     if let Some(temperature) = sections.one(&TEMPERATURE) {
-        let says = "stresses the rail, and the plastic state that [plastic_stress] wants is that of the contact alone";
+        let says =
+            "stresses the rail, but the plastic state of [plastic_stress] is computed for the contact alone";
         report.add(temperature.fault(RAIL_TEMPERATURE, says).help(help));
     }
 }
 
-/// Smallest gap between the contact and the side of a block, over the half-width: closer, the sides
-/// bear a part of the contact.
+/// Smallest gap between the contact and the side of a block, over the half-width: if it is closer,
+/// the sides carry part of the contact load.
 const SIDE_GAP: f64 = 1.0;
 
 /// Groups are for dry cracks in a half-plane and Newton's method.
@@ -264,19 +265,19 @@ fn check_network(sections: &Sections, (has_fluid, is_block): (bool, bool), repor
     if solver.get(NETWORK) != Some(NetworkContact::Groups) {
         return;
     }
-    let help = "network = \"whole\" follows all cracks together, in either engine";
+    let help = "network = \"whole\" solves all cracks together, with either plane engine";
     let mut refuse = |says: &str| report.add(solver.fault(NETWORK, says).help(help));
     if solver.get(ENGINE).is_some_and(Engine::is_in_space) {
-        refuse("is \"groups\", which is for many cracks, and solver.engine is \"space\"");
+        refuse("is \"groups\", which is not available with solver.engine = \"space\"");
     }
     if is_block {
-        refuse("is \"groups\", for which rail.boundary must be \"half-plane\"");
+        refuse("is \"groups\", which requires rail.boundary = \"half-plane\"");
     }
     if solver.get(SOLVER_CONTACT) == Some(ContactSolver::Latin) {
-        refuse("is \"groups\", for which solver.contact must be \"newton\"");
+        refuse("is \"groups\", which requires solver.contact = \"newton\"");
     }
     if has_fluid {
-        refuse("is \"groups\", in which cracks are dry, and there is a section [fluid]");
+        refuse("is \"groups\", which requires dry cracks, and there is a section [fluid]");
     }
 }
 
@@ -290,18 +291,18 @@ fn check_block(
     if let Some(solver) = sections.one(&SOLVER)
         && solver.get(ENGINE).is_some_and(|engine| engine.domain() == EngineDomain::HalfPlane)
     {
-        let says = "knows the half-plane only, and rail.boundary is \"block\"";
+        let says = "computes a half-plane only, and rail.boundary is \"block\"";
         let help = "engine = \"xfem\" computes a block; boundary = \"half-plane\" suits both engines";
         report.add(solver.fault(ENGINE, says).help(help));
     }
     if let Some(track) = sections.one(&TRACK) {
-        let says = "bends a rail of some metres, and a block of rail.width_mm bends on its own supports";
-        let help = "rail.boundary = \"half-plane\", or no [track]";
+        let says = "bends a rail over several metres, but a block of rail.width_mm bends on its own supports";
+        let help = "use rail.boundary = \"half-plane\", or leave [track] out";
         report.add(track.fault(FOUNDATION, says).help(help));
     }
     if let Some(temperature) = sections.one(&TEMPERATURE) {
-        let says = "is that of a long rail that cannot lengthen, and the sides of a block would move";
-        let help = "rail.boundary = \"half-plane\", or no [temperature]";
+        let says = "describes a long rail that is restrained lengthwise, but the sides of a block would move";
+        let help = "use rail.boundary = \"half-plane\", or leave [temperature] out";
         report.add(temperature.fault(RAIL_TEMPERATURE, says).help(help));
     }
     let (Some((wheel, passage)), Some(section)) = (wheel, sections.one(&PASSAGE)) else { return };
@@ -312,9 +313,11 @@ fn check_block(
         if (at - rail.extent.centre).abs() > reach {
             let [at, left, right] = [at, left, right].map(short);
             let says = format!(
-                "puts the wheel at x = {at} mm; on the top of the block it can be from {left} to {right} mm"
+                "puts the wheel at x = {at} mm; on top of the block it must stay between {left} and {right} mm"
             );
-            report.add(section.fault(key, says).help("a wider block ([rail] width_mm) or a shorter passage"));
+            report.add(
+                section.fault(key, says).help("use a wider block ([rail] width_mm) or a shorter passage"),
+            );
         }
     }
 }
@@ -323,7 +326,7 @@ fn check_block(
 /// own.
 fn refuse_counting_twice(plastic: &SectionValues, report: &mut Report) {
     let says =
-        "without a field, this is the stress left by rolling, and `[residual_stress]` is a total already";
-    let help = "a stress that was there before the first passage is `initial_residual` of [shakedown]";
+        "without a field, this is the stress left by rolling, but `[residual_stress]` is already the total";
+    let help = "give a stress that was present before the first passage as `initial_residual` of [shakedown]";
     report.add(plastic.fault_of_all(says).help(help));
 }

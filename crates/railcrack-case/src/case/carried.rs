@@ -14,19 +14,19 @@ use railcrack::xfem::{XfemEngine, XfemError};
 use std::sync::Arc;
 use thiserror::Error;
 
-/// A residual stress that cannot be made.
+/// A residual stress that cannot be computed.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum CarriedStressError {
-    /// Its mesh cannot be made.
+    /// Its mesh cannot be generated.
     #[error("the plastic stress cannot be balanced: {0}")]
     Mesh(#[from] XfemError),
     /// It cannot be balanced.
     #[error("the plastic stress cannot be balanced: {0}")]
     Balance(#[from] BulkError),
-    /// It cannot be brought onto a mesh.
+    /// It cannot be projected onto a mesh.
     #[error("the plastic stress cannot be used: {0}")]
     Field(#[from] PlasticFieldError),
-    /// The stabilised state of the rail is wanted and was not computed.
+    /// The stabilised state of the rail is required but was not computed.
     #[error("the plastic stress of the rolled rail was not computed")]
     NotRolled,
 }
@@ -36,15 +36,15 @@ pub enum CarriedStressError {
 pub struct CarriedStress {
     /// Their sum; none where the rail carries nothing.
     pub field: Option<Box<dyn StressField>>,
-    /// Depths at which it is shown, increasing, mm.
+    /// Depths at which it is reported, increasing, mm.
     pub depths: Vec<f64>,
-    /// Losses of a plastic stress on its way to the mesh.
+    /// Losses of a plastic stress in its projection onto the mesh.
     pub projection: Option<Projection>,
     /// Its release by the free sides of a block.
     pub release: Option<Release>,
 }
 
-/// Losses of a plastic stress on its way to the mesh of the rail.
+/// Losses of a plastic stress in its projection onto the mesh of the rail.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Projection {
     /// From cells to nodes of its own mesh; none where it was given at nodes.
@@ -64,7 +64,7 @@ pub struct Release {
     pub held: f64,
     /// σ_xx with the sides free, MPa.
     pub free: f64,
-    /// Whether the run carries the released stress, or the held one.
+    /// Whether the run uses the released stress, or the held one.
     pub carried: bool,
 }
 
@@ -86,7 +86,7 @@ impl ElasticField for Cut<'_> {
 }
 
 impl Case {
-    /// The plastic stress that the case wants. `rolled` is that of the stabilised state.
+    /// The plastic stress of the case. `rolled` is that of the stabilised state.
     ///
     /// Errors: it cannot be made; it is that of the stabilised state, which was not computed.
     pub fn plastic_field(
@@ -152,7 +152,7 @@ impl Case {
         Ok(CarriedStress { field, depths, projection, release })
     }
 
-    /// A balanced stress is taken as it is; its release by the sides is only reported.
+    /// A balanced stress is used unchanged; its release by the sides is only reported.
     fn release_of_profile(&self, rail: &BulkRail, profile: &DepthProfile) -> Result<Release, BulkError> {
         let displacements = rail.cancel(&[&Cut(profile)])?;
         let points: Vec<Vec2> = profile

@@ -59,7 +59,7 @@ pub struct Case {
     pub engine: Engine,
     /// Solver of the contact conditions on the crack faces.
     pub contact_solver: ContactSolver,
-    /// How the contact of many cracks is followed.
+    /// How the contact conditions of many cracks are solved.
     pub network: NetworkContact,
     /// Fields that are written.
     pub fields: FieldOutput,
@@ -82,8 +82,7 @@ pub struct Case {
 /// A load under which no plastic state is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 #[error(
-    "[{section}]: the plastic state is that of the contact alone, whose stress passes and leaves; {reason}. Without \
-     [{section}] it is computed"
+    "[{section}]: the plastic state is computed for the contact alone, whose stress passes and leaves; {reason}. Leave [{section}] out to compute it"
 )]
 pub struct RolledRailError {
     /// The section that gives it.
@@ -98,11 +97,11 @@ impl Case {
     /// Errors: a rail that bends, or that is not at its neutral temperature.
     pub fn rolled_rail(&self) -> Result<RolledRail, RolledRailError> {
         if self.wheel.load.track.is_some() {
-            let reason = "bending is no field of the half-plane that yields, and reaches metres beyond it";
+            let reason = "bending is not a field of the yielding half-plane, and it reaches metres beyond it";
             return Err(RolledRailError { section: "track", reason });
         }
         if self.wheel.load.temperature.is_some() {
-            let reason = "years of rolling see all temperatures, not the one of this section";
+            let reason = "years of rolling cover all temperatures, not only the one of this section";
             return Err(RolledRailError { section: "temperature", reason });
         }
         Ok(RolledRail {
@@ -138,7 +137,7 @@ impl Case {
         self.wheel.positions(&self.passages.passage, &places, &self.steel)
     }
 
-    /// Settings of the way to its stabilised state.
+    /// Settings of the computation of its stabilised state.
     #[must_use]
     pub fn stabilisation(&self) -> Stabilisation {
         let ShakedownSettings { method, max_passes, .. } = self.shakedown;

@@ -7,7 +7,8 @@ use crate::tables::{ANGLE, ANGLES, COUNT, CRACK_FRICTION, LENGTH, MOUTH, POINTS,
 use railcrack::crack::{Crack, CrackError, CrackNetwork, segment_distance};
 use railcrack::math::Vec2;
 
-/// Most cracks of a case, copies included: in groups, the cost was measured up to half of them.
+/// Maximum number of cracks of a case, copies included: in groups, the cost was measured up to half
+/// of it.
 const MOST_CRACKS: usize = 256;
 
 /// All cracks of a case, copies written out.
@@ -19,12 +20,12 @@ pub(super) struct PlacedCracks {
     pub owner: Vec<usize>,
 }
 
-/// Where cracks may not meet.
+/// Domain in which cracks are checked for meeting.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Meetings {
     /// In the plane.
     InThePlane,
-    /// In space, where they may lie beside each other: their own reader looks for meetings.
+    /// In space, where they may be offset laterally: their own reader checks whether they meet.
     InSpace,
 }
 
@@ -123,8 +124,8 @@ fn straight(
         .ok()
 }
 
-/// Reports a segment or a depth below the surface that no engine resolves, and a flatter way into
-/// the rail than `angle_deg` accepts; whether there is none.
+/// Reports a segment or a depth below the surface that no engine resolves, and a crack that enters
+/// the rail at a flatter angle than `angle_deg` accepts; returns whether there is none.
 fn is_resolved(crack: &Crack, section: &SectionValues, report: &mut Report) -> bool {
     let least = RESOLVED * crack.length();
     let says = |i: usize, point: Vec2| {
@@ -135,7 +136,7 @@ fn is_resolved(crack: &Crack, section: &SectionValues, report: &mut Report) -> b
                 Some(format!("is {:e} mm from the point before it, {}", step.length(), too_close(least)))
             }
             Some(step) if i == 1 && crack.is_surface_breaking() && !accepts_angle(step) => Some(format!(
-                "leads into the rail at {:e} degrees: must be in {}",
+                "makes the crack enter the rail at {:e} degrees, which must be in {}",
                 -step.angle().to_degrees(),
                 ANGLES
             )),
@@ -162,7 +163,7 @@ fn too_close(least: f64) -> String {
     format!("less than {least:e} mm, a thousandth of the crack")
 }
 
-const TOO_CLOSE: &str = "no engine resolves cracks, points and surface that are closer";
+const TOO_CLOSE: &str = "no engine resolves cracks, points and surfaces that are closer together";
 
 /// Whether two cracks that do not meet are closer than an engine resolves.
 fn are_too_close(one: &Crack, other: &Crack) -> bool {
@@ -201,14 +202,11 @@ fn report_meetings(
                 continue;
             }
             reported.push(owners);
-            let what = if meet {
-                "cross, touch or overlap"
-            } else {
-                "stand closer than a thousandth of their length"
-            };
+            let what =
+                if meet { "cross, touch or overlap" } else { "are closer than a thousandth of their length" };
             let (first, second) = (sections[owners.0], sections[owners.1]);
-            let must = if meet { "must not meet" } else { "must stand further apart" };
-            let help = format!("cracks {} and {} of the network, copies counted, {must}", i + 1, j + 1);
+            let must = if meet { "must not meet" } else { "must be further apart" };
+            let help = format!("cracks {} and {} of the network (counting copies) {must}", i + 1, j + 1);
             let fault = if owners.0 == owners.1 {
                 let key = first.dotted(SPACING.key.name);
                 let message = format!("`{}`: its copies {what}", first.path);
@@ -243,7 +241,7 @@ pub(super) fn check_fit(
         let span = if section.entry(row).is_some() { section.span_of(row) } else { section.span_of(POINTS) };
         let key = section.dotted(name);
         let message = format!("`{key} = {}`: {says}", report.shown(&span));
-        let help = "[rail] width_mm, depth_mm and centre_mm say how far the rail reaches";
+        let help = "[rail] width_mm, depth_mm and centre_mm define the extent of the rail";
         report.add(Fault::of(key, span, message).help(help));
     }
 }

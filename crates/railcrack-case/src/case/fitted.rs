@@ -15,15 +15,14 @@ pub struct Coefficient {
     pub key: &'static str,
     /// Its value in the case.
     pub value: f64,
-    /// Settings that another coefficient needs beside it.
+    /// Settings that another coefficient requires as well.
     beside: Overrides,
 }
 
 /// A growth law without a coefficient.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error(
-    "`growth.law = \"{law}\"`: the rates of `{file}` have no coefficient to fit; give a law with constants, such as \
-     law = \"paris\""
+    "`growth.law = \"{law}\"`: the rates of `{file}` have no coefficient to fit; use a law with constants, such as law = \"paris\""
 )]
 pub struct NoCoefficient {
     /// The name of the law.
@@ -32,7 +31,7 @@ pub struct NoCoefficient {
     pub file: String,
 }
 
-/// A key that gives no number.
+/// A key whose value is not a number.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("`{key}`: {reason}; {help}")]
 pub struct NoNumber {
@@ -55,8 +54,8 @@ impl Coefficient {
 }
 
 impl Case {
-    /// The coefficient of the growth law. With a steel it is that of its law, which takes the place
-    /// of the steel where another coefficient is given.
+    /// The coefficient of the growth law. With a steel it is that of its law, which replaces the
+    /// steel if another coefficient is given.
     ///
     /// Errors: a table of rates has none.
     pub fn coefficient(&self) -> Result<Coefficient, NoCoefficient> {
@@ -93,18 +92,20 @@ impl Case {
     /// The number that the case has at `key`, `section.key` or `section[2].key`; of a section that
     /// repeats that of the first one.
     ///
-    /// Errors: there is no such key; it takes no number; the case gives it none.
+    /// Errors: there is no such key; it does not take a number; the case gives no value for it.
     pub fn number(&self, key: &str) -> Result<f64, NoNumber> {
         let refuse =
             |reason: String, help: &str| NoNumber { key: key.to_owned(), reason, help: help.to_owned() };
         let (section, number, found) = place_of(key).map_err(|(reason, help)| refuse(reason, &help))?;
         if !matches!(found.kind, Kind::Number { .. }) {
-            let reason = format!("is no number but {}", found.kind.accepted());
+            let reason = format!("is not a number but {}", found.kind.accepted());
             return Err(refuse(reason, "contact.friction and crack[1].angle_deg are numbers"));
         }
         match self.written.value(&section.path(number.unwrap_or(1)), found.name) {
             Some(Value::Number(value)) => Ok(*value),
-            _ => Err(refuse("the case gives it no value".to_owned(), "give one in the case, to begin with")),
+            _ => {
+                Err(refuse("the case gives no value for it".to_owned(), "give a starting value in the case"))
+            }
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Largest sizes of a run, computed before anything is made.
+//! Limits of the size of a run, checked before anything is computed.
 
 use super::case::Case;
 use super::engines;
@@ -6,7 +6,8 @@ use crate::schema::{Report, SectionValues, Sections};
 use crate::tables::{ELEMENT_SIZE, EngineDomain, INTERFACE_SPACING, MESH, PASSAGE, POSITIONS};
 use railcrack::xfem::MOST_MESH_UNKNOWNS;
 
-/// Most rows of `faces.csv`, one for each position, growth step and face point: a terabyte of text.
+/// Maximum number of rows of `faces.csv`, one for each position, growth step and face point: a
+/// terabyte of text.
 const MOST_ROWS: f64 = 1e10;
 
 /// Least distance between two cracks, least depth of a buried point and least segment, over the
@@ -26,25 +27,24 @@ fn check_face_points(case: &Case, mesh: &SectionValues, report: &mut Report) -> 
     let close = spacing.filter(|spacing| *spacing < CLOSE_POINTS * largest);
     if close.is_some() {
         let says = format!(
-            "must be at least {CLOSE_POINTS} of the element size at each crack, which is {largest} mm at most: the jump in \
-             an element cannot follow closer face points"
+            "must be at least {CLOSE_POINTS} of the element size at each crack, which is at most {largest} mm: the jump within an element cannot resolve closer face points"
         );
-        let help = "a smaller [mesh] element_size_mm, or none of the two, makes face points as close as the elements";
+        let help = "reduce [mesh] element_size_mm, or leave both keys out: face points are then as close as the elements";
         report.add(mesh.fault(INTERFACE_SPACING, says).help(help));
     }
     close.is_none()
 }
 
-/// Reports a run that is larger than any machine computes, and the key that makes it so; whether
-/// there is none.
+/// Reports a run that is too large for any machine, and the key responsible; returns whether the
+/// size is acceptable.
 pub(super) fn check_size(case: &Case, sections: &Sections, report: &mut Report) -> bool {
     let (Some(mesh), Some(passage)) = (sections.one(&MESH), sections.one(&PASSAGE)) else { return false };
     // The rail of the finite elements also carries the residual stress of the other engine.
     let makes_mesh = case.engine.domain() == EngineDomain::Rail || case.plastic_stress.is_some();
     let unknowns = if makes_mesh { case.wanted_mesh_unknowns() } else { 0.0 };
     if unknowns.is_nan() || unknowns > MOST_MESH_UNKNOWNS {
-        let says = format!("{unknowns:.2e} displacement unknowns; there can be {MOST_MESH_UNKNOWNS:e}");
-        let help = "a larger [mesh] element_size_mm makes fewer";
+        let says = format!("{unknowns:.2e} displacement unknowns; the limit is {MOST_MESH_UNKNOWNS:e}");
+        let help = "a larger [mesh] element_size_mm reduces their number";
         report.add(mesh.fault(ELEMENT_SIZE, says).help(help));
         return false;
     }
@@ -61,8 +61,8 @@ pub(super) fn check_size(case: &Case, sections: &Sections, report: &mut Report) 
     let rows = case.positions().len() as f64 * (case.growth.steps as f64 + 1.0) * points;
     if rows > MOST_ROWS {
         let says =
-            format!("with [growth] steps, up to {rows:.2e} rows of results; there can be {MOST_ROWS:e}");
-        let help = "fewer [passage] positions or fewer [growth] steps write fewer";
+            format!("with [growth] steps, up to {rows:.2e} rows of results; the limit is {MOST_ROWS:e}");
+        let help = "reduce [passage] positions or [growth] steps";
         report.add(passage.fault(POSITIONS, says).help(help));
         return false;
     }

@@ -35,9 +35,9 @@ pub(super) struct ReadWheel {
 /// Shares whose sum differs from 1 by less add up to 1: they were rounded to six digits.
 const SUM: f64 = 1e-6;
 
-/// The wheels of `[[wheel]]`, shares adding up to 1; none where there are none or something is
-/// wrong, which `report` then says. Track and temperature of the case are those of every wheel that
-/// has none of its own. Contacts are read as far as `extent` asks.
+/// The wheels of `[[wheel]]`, shares adding up to 1; none if there are none or there is an error,
+/// which is added to `report`. Track and temperature of the case apply to every wheel that does not
+/// define its own. `extent` selects the part of the contacts that is read.
 pub(super) fn read_mix(
     sections: &Sections,
     steel: Option<&IsotropicElastic>,
@@ -48,11 +48,11 @@ pub(super) fn read_mix(
     let given: Vec<&SectionValues> = sections.all(&WHEEL).collect();
     let last = given.last()?;
     if let Some(contact) = sections.one(&CONTACT) {
-        let says = "says the same thing as `[[wheel]]`, whose wheels have contacts of their own: give one or the other";
+        let says = "says the same thing as `[[wheel]]`, whose wheels define their own contacts: give one or the other";
         report.add(contact.fault_of_all(says));
     }
     if given.len() > MOST_WHEELS {
-        let says = format!("is wheel {} of a mix; there can be {MOST_WHEELS}", given.len());
+        let says = format!("is wheel {} of a mix; the limit is {MOST_WHEELS}", given.len());
         report.add(last.fault(SHARE, says));
     }
     let travel = sections.one(&PASSAGE).and_then(read_travel)?;
@@ -78,7 +78,9 @@ pub(super) fn read_mix(
     let sum: f64 = wheels.iter().map(|wheel| wheel.share).sum();
     if (sum - 1.0).abs() > SUM {
         let says = format!("the shares of all wheels add up to {sum}; they must add up to 1");
-        report.add(last.fault(SHARE, says).help("shares are fractions of the axles, not of the tonnes"));
+        report.add(
+            last.fault(SHARE, says).help("shares are fractions of the number of axles, not of the tonnes"),
+        );
         return None;
     }
     check_axle_loads(&given, &wheels, report)?;
@@ -93,9 +95,11 @@ fn check_axle_loads(given: &[&SectionValues], wheels: &[ReadWheel], report: &mut
         return Some(());
     };
     let dotted = given[without].dotted(WHEEL_AXLE_LOAD.key.name);
-    let message =
-        format!("`{dotted}` is missing: other wheels have it, and tonnes need the load of every axle");
-    let help = "axle_load_t of every wheel or of none; [traffic] axle_load_t is that of wheels without one";
+    let message = format!(
+        "`{dotted}` is missing: other wheels have it, and counting tonnes requires the load of every axle"
+    );
+    let help =
+        "give axle_load_t to every wheel or to none; [traffic] axle_load_t applies to wheels without one";
     report.add(Fault::of(dotted, given[without].span.clone(), message).help(help));
     None
 }
@@ -105,7 +109,7 @@ fn check_files(given: &[&SectionValues], wheels: &[ReadWheel], report: &mut Repo
     let texts: Vec<(usize, &str)> =
         wheels.iter().enumerate().filter_map(|(i, wheel)| Some((i, wheel.wheel.companion()?.text))).collect();
     let Some(&(other, _)) = texts.iter().find(|(_, text)| *text != texts[0].1) else { return Some(()) };
-    let says = "the tables of contacts in a mix must be one file, scaled where wheels differ";
-    report.add(given[other].fault_of_all(says).help("kind = \"hertz\" or \"carter\" for the others"));
+    let says = "all contact tables of a mix must be the same file, with different scales where wheels differ";
+    report.add(given[other].fault_of_all(says).help("use kind = \"hertz\" or \"carter\" for the others"));
     None
 }

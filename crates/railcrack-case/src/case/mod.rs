@@ -1,4 +1,4 @@
-//! The case: read, checked, and made into a run.
+//! The case: reading, checking, and preparation of a run.
 
 mod build;
 mod carried;

@@ -1,10 +1,10 @@
-//! Values of the command line that take the place of the file's.
+//! Values of the command line that replace those of the file.
 
 use super::setting::{leaving_out, setting};
 use crate::schema::{KeyRow, Override, Raw, Report, Section};
 use crate::tables::{ENGINE, GROWTH, SOLVER, SOLVER_CONTACT, STEPS};
 
-/// Values that take the place of those in the case file, checked as those are.
+/// Values that replace those in the case file and are checked in the same manner.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Overrides {
     /// `[growth] steps`.
@@ -14,15 +14,15 @@ pub struct Overrides {
     /// `[solver] contact`.
     pub contact: Option<String>,
     /// Any keys, each `section.key=value`, the value as in the file: `contact.friction=0.2`,
-    /// `crack[2].angle_deg=30.0`. Of several of one key the last one counts. Text may stand without
-    /// quotes.
+    /// `crack[2].angle_deg=30.0`. If a key is given several times, the last one counts. Text may be
+    /// given without quotes.
     pub settings: Vec<String>,
     /// Keys that are left out of the file, each `section.key`.
     pub left_out: Vec<String>,
 }
 
 impl Overrides {
-    /// Those that are given; what is wrong with the settings, `report` then says.
+    /// Those that are given; errors of the settings are added to `report`.
     pub(crate) fn list(&self, report: &mut Report) -> Vec<Override> {
         let count = |n: u64| i64::try_from(n).map_or(Raw::TooLarge, Raw::Integer);
         let given = [

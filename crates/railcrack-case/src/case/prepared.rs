@@ -1,4 +1,4 @@
-//! Engine, contact solver and residual stress of a run, made of its case.
+//! Engine, contact solver and residual stress of a run, built from its case.
 
 use super::carried::{CarriedStress, CarriedStressError};
 use super::case::Case;
@@ -22,8 +22,8 @@ use railcrack::xfem::{
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
-/// Growth of the length that the refined region makes room for, at most: a crack that grows on has
-/// it enlarged.
+/// Maximum growth of the length that the refined region allows for: it is enlarged for a crack that
+/// grows further.
 const LARGEST_WINDOW: f64 = 3.0;
 
 /// Elements over the depth of the plastic stress, at least.
@@ -47,8 +47,8 @@ impl Case {
         }
     }
 
-    /// Displacement unknowns of the mesh that the finite-element engine wants, computed without
-    /// making it; those of layers of a given plastic stress included.
+    /// Displacement unknowns of the mesh of the finite-element engine, computed without generating
+    /// it; those of layers of a given plastic stress included.
     pub(super) fn wanted_mesh_unknowns(&self) -> f64 {
         self.finite_elements(self.given_plastic().as_ref()).mesh_unknowns()
     }
@@ -73,7 +73,7 @@ impl Case {
         XfemEngine::with_region(refined, self.steel, end, settings)
     }
 
-    /// The fields to be computed; none where none are asked for.
+    /// The fields to be computed; none if none are requested.
     fn field_settings(&self) -> Option<FieldSettings> {
         let every = NonZeroUsize::new(self.fields.every)?;
         let mouth = self.cracks.cracks().first()?.points()[0].x;
@@ -93,7 +93,7 @@ impl Case {
         }
     }
 
-    /// The engine that makes bodies of the cracks of this case, without a plastic stress; none
+    /// The engine that builds bodies from the cracks of this case, without a plastic stress; none
     /// where they are in space.
     #[must_use]
     pub fn body_engine(&self) -> Option<Box<dyn BodyEngine + Send>> {
@@ -101,10 +101,10 @@ impl Case {
     }
 
     /// Everything that is made once for the run of this case. `rolled` is the plastic stress of the
-    /// stabilised state, for a case that wants it
+    /// stabilised state, for a case that requires it
     /// ([`PlasticSource::Rolled`](crate::PlasticSource)).
     ///
-    /// Errors: the residual stress cannot be made.
+    /// Errors: the residual stress cannot be computed.
     pub fn prepare(&self, rolled: Option<&PlasticField>) -> Result<PreparedRun<'_>, CarriedStressError> {
         self.prepare_sharing(rolled, None)
     }
@@ -162,13 +162,13 @@ fn toughness_under(case: &Case, wheel: &GivenWheel) -> Option<f64> {
     case.fracture.as_ref().map(|fracture| MPA_SQRT_MM * fracture.toughness.at(rail))
 }
 
-/// Temperature (°C) of a rail of which none is given.
+/// Temperature (°C) of a rail if none is given.
 const ROOM_TEMPERATURE: f64 = 20.0;
 
 /// A run before its first step.
 pub struct PreparedRun<'a> {
     case: &'a Case,
-    /// None of a run in space.
+    /// None for a run in space.
     engine: Option<Box<dyn BodyEngine>>,
     residual: CarriedStress,
 }
@@ -203,7 +203,7 @@ impl PreparedRun<'_> {
     }
 }
 
-/// The growth of `rail` from `state` on, judged by `judge` where there is one.
+/// The growth of `rail` from `state` on, with directions and rates from `judge` if there is one.
 fn boxed<R: CrackedRail + 'static>(
     rail: R,
     state: GrowthState,

@@ -12,15 +12,15 @@ use std::sync::Arc;
 use toml::de::DeTable;
 
 impl Case {
-    /// The case in the file `path`, be it of a user or `case.toml` of a run folder. Relative file
-    /// names in it are relative to its folder.
+    /// The case in the file `path`, written by a user or the `case.toml` of a run folder. Relative
+    /// file names in it are relative to its folder.
     ///
     /// Errors: all of the file, a file that cannot be read included.
     pub fn read(path: &Path) -> Result<Self, CaseErrors> {
         Self::read_with(path, &Overrides::default())
     }
 
-    /// As [`Case::read`], with `overrides` in place of the values in the file.
+    /// As [`Case::read`], with `overrides` replacing values of the file.
     pub fn read_with(path: &Path, overrides: &Overrides) -> Result<Self, CaseErrors> {
         from_file(path, |text, name, folder| Self::parse_with(text, name, folder, overrides))
     }
@@ -31,7 +31,7 @@ impl Case {
         Self::parse_with(text, name, folder, &Overrides::default())
     }
 
-    /// As [`Case::parse`], with `overrides` in place of the values in the text.
+    /// As [`Case::parse`], with `overrides` replacing values of the text.
     pub fn parse_with(
         text: &str,
         name: &str,
@@ -63,18 +63,19 @@ impl Case {
 /// A single run is its folder.
 fn refuse_no_folder(sections: &Sections, report: &mut Report) {
     if let Some(output) = sections.one(&OUTPUT).filter(|output| output.get(RUN_FOLDERS) == Some(false)) {
-        let help = "`railcrack sweep` computes studies; a single run writes little with faces, sif, plots and \
-                    report = false";
-        report.add(output.fault(RUN_FOLDERS, "only a study can do without run folders").help(help));
+        let help = "`railcrack sweep` computes studies; a single run writes less with faces, sif, plots and report = false";
+        report.add(output.fault(RUN_FOLDERS, "only a study can be stored without run folders").help(help));
     }
 }
 
-/// A study is no case: an error that says how it is computed.
+/// A study is not a case: an error that explains how it is computed.
 fn is_no_study(root: &DeTable, report: &mut Report) -> bool {
     let Some((name, _)) = root.get_key_value(STUDY.name) else { return true };
     let (file, header) = (&report.source.name, STUDY.header());
     let help = format!("`railcrack sweep {file}` computes it, `railcrack check {file}` lists its cases");
-    let message = format!("`{header}`: this file is a study, which is many cases, where one is wanted");
+    let message = format!(
+        "`{header}`: this file is a study, which describes many cases, but a single case is expected"
+    );
     report.add(Fault::of(STUDY.name, name.span(), message).help(help));
     false
 }

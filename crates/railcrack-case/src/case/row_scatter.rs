@@ -8,7 +8,7 @@ use crate::tables::{
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
-/// Standard deviations beyond which nothing is drawn.
+/// Number of standard deviations at which the distribution is truncated.
 const CUT: f64 = 3.0;
 /// The share of a normal distribution below minus [`CUT`].
 const BELOW: f64 = 1.349_898_031_630_094_6e-3;
@@ -28,11 +28,11 @@ pub(super) struct RowScatter {
 
 /// Deviations of one copy from the values of its section.
 pub(super) struct CopyDeviation {
-    /// Of its length, mm.
+    /// Deviation of its length, mm.
     pub length: f64,
-    /// Of its angle, degrees.
+    /// Deviation of its angle, degrees.
     pub angle: f64,
-    /// Of the distance to the next copy, mm.
+    /// Deviation of the distance to the next copy, mm.
     pub spacing: f64,
 }
 
@@ -55,20 +55,20 @@ impl RowScatter {
         if section.get(COUNT)? == 1 {
             refuse(
                 key,
-                "is for the copies of a row, and count is 1".into(),
-                "a row has a count and a spacing_mm",
+                "applies to the copies of a row, but count is 1".into(),
+                "a row is defined by count and spacing_mm",
             );
             return None;
         }
         if given.is_none() {
-            let help = "length_sd_mm, angle_sd_deg and spacing_sd_mm make the copies of a row scatter";
-            refuse(key, "is for a row that scatters, and nothing does".into(), help);
+            let help = "length_sd_mm, angle_sd_deg and spacing_sd_mm define the scatter of the copies";
+            refuse(key, "applies to a row with scatter, but no standard deviation is given".into(), help);
             return None;
         }
         for row in [LENGTH_SD, ANGLE_SD] {
             if section.get(row).is_some() && section.get(POINTS).is_some() {
-                let help = "of a polyline, spacing_sd_mm alone scatters";
-                refuse(row.key.name, "is for straight cracks".into(), help);
+                let help = "the copies of a polyline can have a spacing_sd_mm only";
+                refuse(row.key.name, "applies to straight cracks".into(), help);
                 return None;
             }
         }
@@ -79,17 +79,17 @@ impl RowScatter {
             if let Some(mean) = section.get(of)
                 && !(fits(mean - most) && fits(mean + most))
             {
-                let says = format!("three times it, {most}, leads from {mean} out of {within}");
+                let says = format!("three standard deviations, {most}, lead from {mean} out of {within}");
                 refuse(row.key.name, says, "copies are drawn up to three standard deviations from the mean");
                 sound = false;
             }
             deviation
         };
-        let length = scatter(LENGTH_SD, LENGTH, &|x| x >= SHORTEST, "the lengths that a crack can have");
-        let angle = scatter(ANGLE_SD, ANGLE, &|x| ANGLES.contains(x), "the angles that engines resolve");
-        let spacing = scatter(SPACING_SD, SPACING, &|x| x > 0.0, "the distances that copies can have");
+        let length = scatter(LENGTH_SD, LENGTH, &|x| x >= SHORTEST, "the possible lengths of a crack");
+        let angle = scatter(ANGLE_SD, ANGLE, &|x| ANGLES.contains(x), "the angles that the engines resolve");
+        let spacing = scatter(SPACING_SD, SPACING, &|x| x > 0.0, "the possible distances between copies");
         let random = Pcg64::new(seed.unwrap_or(1) as u128, STREAM);
-        // Without any deviation the copies are those of a row that gives none.
+        // Without any deviation the copies are those of a row without scatter.
         let scatters = [length, angle, spacing] != [0.0; 3];
         sound.then_some(scatters.then_some(Self { random, length, angle, spacing }))
     }
@@ -127,7 +127,7 @@ mod tests {
             mixed += one.length * one.angle;
         }
         let count = drawn.len() as f64;
-        // Of a normal distribution that is cut at three deviations, variance 0.9733.
+        // For a normal distribution truncated at three deviations, variance 0.9733.
         let deviation = (lengths.1 / count).sqrt();
         assert!((lengths.0 / count).abs() < 0.015 && (deviation - 0.4933).abs() < 0.01, "{deviation}");
         assert!((mixed / count).abs() < 0.03, "lengths and angles are drawn on their own");

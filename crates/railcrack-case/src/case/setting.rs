@@ -6,8 +6,8 @@ use toml::de::DeTable;
 
 const EXAMPLE: &str = "such as contact.friction=0.2 or crack[1].angle_deg=30.0";
 
-/// The value that `given`, `section.key=value`, puts in place of the file's; none where it is
-/// wrong, which `report` then says.
+/// The value that `given`, `section.key=value`, sets instead of the value in the file; none if it
+/// is wrong; errors are added to `report`.
 pub(super) fn setting(given: &str, report: &mut Report) -> Option<Override> {
     let shown = format!("--set {given}");
     let mut refuse = |says: String, help: String| {
@@ -25,7 +25,10 @@ pub(super) fn setting(given: &str, report: &mut Report) -> Option<Override> {
         Some(value) => {
             Some(Override { section: section.name, key: key.name, number, shown, value: Some(value) })
         }
-        None => refuse("the value is no TOML".into(), "numbers without, text with quotes".into()),
+        None => refuse(
+            "the value is not valid TOML".into(),
+            "write numbers without quotes and text with quotes".into(),
+        ),
     }
 }
 
@@ -78,10 +81,11 @@ fn numbered(table: &str) -> Option<(String, Option<usize>)> {
 fn known(section: &Section, name: &str) -> String {
     let known: Vec<&str> = section.keys.iter().map(|key| key.name).collect();
     let near = nearest(name, known.iter().copied()).unwrap_or_default();
-    format!("nearest known key: `{near}`; {} knows {}", section.header(), known.join(", "))
+    format!("nearest known key: `{near}`; {} has {}", section.header(), known.join(", "))
 }
 
-/// The value as TOML has it; a word that is none stands for itself where the key takes words.
+/// The value as read by TOML; where the key takes words, a bare word that is not TOML is taken
+/// literally.
 fn raw(written: &str, key: &Key) -> Option<Raw> {
     let text = format!("value = {written}");
     if let Ok(table) = DeTable::parse(&text) {

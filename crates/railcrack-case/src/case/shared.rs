@@ -13,7 +13,7 @@ pub struct SharedRail {
     engine: XfemEngine,
 }
 
-/// A rail that cannot be made.
+/// A rail that cannot be built.
 #[derive(Debug, Error)]
 pub enum SharedRailError {
     /// The plastic stress that its mesh is to resolve.
@@ -32,7 +32,7 @@ impl SharedRail {
     /// plastic stress where another engine computes the cracks. None where there are none, or where
     /// they are not known before the run ([`Case::rail_key`]).
     ///
-    /// Errors: the rail cannot be made.
+    /// Errors: the rail cannot be built.
     pub fn of(case: &Case) -> Result<Option<Self>, SharedRailError> {
         let Some(mut engine) = case.shareable_elements()? else { return Ok(None) };
         match case.engine.domain() {
@@ -44,7 +44,7 @@ impl SharedRail {
         Ok(Some(Self { engine }))
     }
 
-    /// Gives them to `engine`, which would make the same.
+    /// Passes them to `engine`, which would compute the same.
     pub(crate) fn give_to(&self, engine: &mut XfemEngine) {
         engine.take_over(&self.engine);
     }

@@ -1,4 +1,4 @@
-//! Cases for the engine in space: what they need, and what they cannot have.
+//! Cases for the space engine: required and excluded sections.
 
 use super::cracks::PlacedCracks;
 use super::space_case::SpaceCase;
@@ -15,14 +15,14 @@ use railcrack::load::HertzEllipse;
 use railcrack::space::{CloseCracks, EllipticWheel, SpaceCrack};
 use std::f64::consts::PI;
 
-/// Sections of which the engine knows nothing, and why.
+/// Sections that the engine does not support, with reasons.
 const REFUSED: [(Section, &str); 2] = [
     (FLUID, "computes dry cracks"),
-    (PLASTIC_STRESS, "takes residual stress as a balanced profile ([residual_stress]) only"),
+    (PLASTIC_STRESS, "accepts residual stress only as a balanced profile ([residual_stress])"),
 ];
 
-/// The cracks, the wheel and the law of the engine in space; none where something is wrong or
-/// missing, which `report` then says.
+/// The cracks, the wheel and the law of the engine in space; none if something is wrong or missing;
+/// errors are added to `report`.
 pub(super) fn read_space(
     sections: &Sections,
     placed: Option<&PlacedCracks>,
@@ -32,39 +32,41 @@ pub(super) fn read_space(
 ) -> Option<SpaceCase> {
     for (section, why) in &REFUSED {
         if let Some(given) = sections.all(section).next() {
-            let says = format!("the engine space {why}");
+            let says = format!("the space engine {why}");
             report.add(
-                given.fault_of_all(says).help("engine = \"dislocation\" or \"xfem\", or no such section"),
+                given
+                    .fault_of_all(says)
+                    .help("use engine = \"dislocation\" or \"xfem\", or leave the section out"),
             );
         }
     }
     let solver = sections.one(&SOLVER)?;
     if solver.get(SOLVER_CONTACT) == Some(ContactSolver::Latin) {
-        let says = "the engine space solves its contact by Newton's method";
-        report.add(solver.fault(SOLVER_CONTACT, says).help("contact = \"newton\""));
+        let says = "the space engine solves the contact conditions by Newton's method only";
+        report.add(solver.fault(SOLVER_CONTACT, says).help("use contact = \"newton\""));
     }
     if rail.is_some_and(|rail| rail.boundary != Boundary::HalfPlane) {
-        let says = "the engine space knows the half-space only";
+        let says = "the space engine computes a half-space only";
         let rail = sections.one(&crate::tables::RAIL)?;
-        report.add(rail.fault_of_name("boundary", says).help("boundary = \"half-plane\""));
+        report.add(rail.fault_of_name("boundary", says).help("use boundary = \"half-plane\""));
     }
     let growth = sections.one(&GROWTH)?;
     if growth.get(LAW).is_some_and(|law| law.own_range.is_some()) {
-        let says = "has no mode III, which cracks in space have";
-        report.add(growth.fault(LAW, says).help("another law, such as law = \"paris\""));
+        let says = "does not include mode III, which occurs in space";
+        report.add(growth.fault(LAW, says).help("use another law, such as law = \"paris\""));
     }
     let given: Vec<&SectionValues> = sections.all(&CRACK).collect();
     for section in &given {
         if section.get(SURFACE_HALF_LENGTH).is_none() && !section.is_refused(SURFACE_HALF_LENGTH) {
             let key = section.dotted(SURFACE_HALF_LENGTH.key.name);
             let message = format!(
-                "`{key}` is missing: the engine space needs the half axis of the crack along the surface, in mm"
+                "`{key}` is missing: the space engine needs the semi-axis of the crack along the surface, in mm"
             );
             report.add(Fault::of(key, section.span.clone(), message));
         }
     }
     let shapes = placed.and_then(|placed| read_shapes(placed, &given, report));
-    // Of a mix, the contact within each of the wheels.
+    // For a mix, the contact section of each wheel.
     let mut contacts: Vec<&SectionValues> =
         sections.all(&WHEEL).filter_map(|wheel| sections.part(wheel, &WHEEL_CONTACT)).collect();
     if contacts.is_empty() {
@@ -90,7 +92,7 @@ fn read_shapes(
     let cracks: Vec<SpaceCrack> = shapes.iter().filter_map(|shape| shape.crack().ok()).collect();
     let Some(close) = CloseCracks::among(&cracks) else { return Some(shapes) };
     let [first, second] = [close.first, close.second].map(|k| given[placed.owner[k]]);
-    let help = "copies counted; cracks that join in space are not modelled";
+    let help = "counting copies; cracks that join in space are not modelled";
     let fault = if placed.owner[close.first] == placed.owner[close.second] {
         Fault::of(first.dotted(SPACING.key.name), first.span_of(SPACING), close.to_string())
     } else {
@@ -101,12 +103,12 @@ fn read_shapes(
     None
 }
 
-/// Reports cracks that the plane engines cannot turn.
+/// Reports rotated cracks, which the plane engines cannot compute.
 pub(super) fn refuse_strike(sections: &Sections, report: &mut Report) {
     let turned = |section: &&SectionValues| section.get(STRIKE).is_some_and(|strike| strike != 0.0);
     for section in sections.all(&CRACK).filter(turned) {
-        let says = "turns the crack about the vertical, which takes the engine space; in the plane its mouth is across the rail";
-        report.add(section.fault(STRIKE, says).help("engine = \"space\", or strike_deg = 0"));
+        let says = "rotates the crack about the vertical, which requires the space engine; in the plane its mouth lies across the rail";
+        report.add(section.fault(STRIKE, says).help("use engine = \"space\" or strike_deg = 0"));
     }
 }
 
@@ -118,7 +120,7 @@ fn read_shape(
 ) -> Option<FrontShape> {
     let points = crack.points();
     let &[mut top, mut bottom] = points else {
-        let says = "the engine space computes plane cracks: two points";
+        let says = "the space engine computes planar cracks, which have two points";
         report.add(section.fault_of_name("points_mm", says));
         return None;
     };
@@ -127,7 +129,8 @@ fn read_shape(
     }
     let dip = -(bottom - top).angle();
     let length = crack.length();
-    // Where the plane meets the surface; of a crack parallel to it nowhere, which is refused below.
+    // Intersection of the plane with the surface; a crack parallel to it has none and is refused
+    // below.
     let to_surface = -top.y / dip.sin();
     let buried = (!crack.is_surface_breaking()).then_some(to_surface + 0.5 * length);
     let lateral = section.get(CRACK_LATERAL).unwrap_or(0.0);
@@ -145,30 +148,32 @@ fn read_shape(
     };
     if let Err(error) = shape.crack() {
         let name = if section.is_given_name("angle_deg") { "angle_deg" } else { "points_mm" };
-        report.add(section.fault_of_name(name, format!("the engine space has no such crack: {error}")));
+        report
+            .add(section.fault_of_name(name, format!("the space engine cannot compute this crack: {error}")));
         return None;
     }
     let aspect = half_length / shape.length;
     if !(1.0 / LARGEST_ASPECT..=LARGEST_ASPECT).contains(&aspect) {
         let says = format!(
-            "the half axes of the crack are in the ratio {aspect:.3}; the cells of the engine space take 1/{LARGEST_ASPECT} to \
-             {LARGEST_ASPECT}"
+            "the semi-axes of the crack have the ratio {aspect:.3}; the cells of the space engine resolve 1/{LARGEST_ASPECT} to {LARGEST_ASPECT}"
         );
         report.add(
-            section.fault(SURFACE_HALF_LENGTH, says).help("a plane engine computes the limit of wide cracks"),
+            section
+                .fault(SURFACE_HALF_LENGTH, says)
+                .help("a plane engine computes the limit of very wide cracks"),
         );
         return None;
     }
     Some(shape)
 }
 
-/// Half axes of a crack that its grid resolves.
+/// Semi-axes of a crack that its grid resolves.
 const LARGEST_ASPECT: f64 = 25.0;
 
 fn read_wheel(section: &SectionValues, wheel: &GivenWheel, report: &mut Report) -> Option<EllipticWheel> {
     if wheel.contact().sliding().is_none() {
-        let says = "the engine space has the ellipse of Hertz in full sliding";
-        report.add(section.fault(KIND, says).help("kind = \"hertz\""));
+        let says = "the space engine computes the Hertz ellipse in full sliding only";
+        report.add(section.fault(KIND, says).help("use kind = \"hertz\""));
         return None;
     }
     let (ellipse, lateral): (HertzEllipse, f64) = match &wheel.origin {
@@ -177,9 +182,9 @@ fn read_wheel(section: &SectionValues, wheel: &GivenWheel, report: &mut Report) 
         _ => {
             let key = section.dotted(LATERAL_HALF_WIDTH.key.name);
             let message = format!(
-                "`{key}` is missing: the engine space needs the semi-axis of the contact ellipse across the rail, in mm"
+                "`{key}` is missing: the space engine needs the lateral semi-axis of the contact ellipse, in mm"
             );
-            let help = "beside peak_pressure_mpa and half_width_mm; or wheel_load_kn with the radii of wheel and rail";
+            let help = "give it with peak_pressure_mpa and half_width_mm, or give wheel_load_kn with the radii of wheel and rail";
             report.add(Fault::of(key, section.span.clone(), message).help(help));
             return None;
         }

@@ -14,7 +14,7 @@ pub struct SpaceCase {
     pub mode_3_weight: Option<f64>,
 }
 
-/// Most points of the faces: three unknowns at each make dense matrices of 300 MB.
+/// Maximum number of face points: three unknowns at each make dense matrices of 300 MB.
 pub(super) const MOST_SPACE_POINTS: usize = 2000;
 
 impl SpaceCase {

@@ -7,13 +7,13 @@ use std::path::Path;
 /// A column of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Column {
-    /// Must be there.
+    /// Required.
     Needed(&'static str),
-    /// Of all alternatives exactly one must be there.
+    /// Exactly one of all alternatives is required.
     Alternative(&'static str),
-    /// May be there; its values are 0 where it is not.
+    /// Optional; its values are 0 if it is missing.
     Optional(&'static str),
-    /// May be there, with whatever text, and is not read: its values are 0.
+    /// Optional, with any text, and not read: its values are 0.
     PassedOver(&'static str),
 }
 
@@ -22,7 +22,7 @@ pub enum Column {
 pub struct Columns {
     /// The columns.
     pub columns: &'static [Column],
-    /// No number is larger: beyond, a unit is wrong.
+    /// Upper limit of all numbers: a larger one is in the wrong unit.
     pub largest: f64,
     /// Description of the file, with its header and rows: help.
     pub help: &'static str,
@@ -33,14 +33,14 @@ pub struct Columns {
 pub struct Columned {
     /// `rows[row][column]`, columns in the order of [`Columns::columns`].
     pub rows: Vec<Vec<f64>>,
-    /// Whether each column is there.
+    /// Whether each column is present.
     pub is_given: Vec<bool>,
     /// Where the header and each row stand.
     header: Range<usize>,
     spans: Vec<Range<usize>>,
 }
 
-/// The largest number of most tables.
+/// Limit of the numbers in most tables.
 pub(super) const LARGEST: f64 = 1e6;
 
 impl Column {
@@ -54,10 +54,10 @@ impl Column {
 }
 
 impl Columns {
-    /// The table in the file `path`; lines that begin with # and empty lines are passed over.
+    /// The table in the file `path`; lines that begin with # and empty lines are ignored.
     ///
-    /// Errors: the file cannot be read; a column is unknown, missing or given twice; a row has
-    /// another number of fields; a field is no number.
+    /// Errors: the file cannot be read; a column is unknown, missing or given twice; a row has a
+    /// different number of fields; a field is not a number.
     pub fn read_file(&self, path: &Path) -> Result<Columned, CaseErrors> {
         let source = read_file(path)?;
         self.read(&source).map_err(|fault| {
@@ -101,7 +101,7 @@ impl Columns {
         Ok(read)
     }
 
-    /// Of each column of the file, which of the declared ones it is.
+    /// For each column of the file, the declared column that it corresponds to.
     fn order(&self, header: &str, span: &Range<usize>) -> Result<Vec<usize>, Box<Fault>> {
         let names: Vec<&str> = header.split(',').map(str::trim).collect();
         let mut order = Vec::with_capacity(names.len());
@@ -128,7 +128,7 @@ impl Columns {
         if given != 1 && !alternatives.is_empty() {
             let named: Vec<String> =
                 alternatives.iter().map(|column| format!("`{}`", column.name())).collect();
-            let says = if given == 0 { "is missing" } else { "is wanted, and no other one of them" };
+            let says = if given == 0 { "is missing" } else { "must be given, and only one of them" };
             return Err(self.fault(format!("column {} {says}", named.join(" or ")), span));
         }
         Ok(order)

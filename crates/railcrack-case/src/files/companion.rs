@@ -1,4 +1,4 @@
-//! Files that a case names, and how they are kept beside a stored case.
+//! Files that a case names, and how they are stored with it.
 
 use crate::schema::{Fault, KeyRow, Kind, Report, SectionValues, Source, read_text};
 use railcrack::fatigue::{RateTable, Toughness};
@@ -7,8 +7,8 @@ use railcrack::load::TableContact;
 use railcrack::residual::PlasticField;
 use std::path::Path;
 
-/// A file that belongs beside the text of [`Case::to_toml`](crate::Case::to_toml), under the name
-/// by which that text calls it.
+/// A file that belongs to the text of [`Case::to_toml`](crate::Case::to_toml), under the name used
+/// in that text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Companion<'a> {
     /// Its name, relative to the folder of the case file, with `/`.
@@ -75,7 +75,7 @@ impl<T> CaseFile<T> {
         &self.given
     }
 
-    /// The file beside a stored case.
+    /// The file stored with a case.
     pub(crate) fn companion(&self) -> Companion<'_> {
         Companion { name: self.kept_as, text: &self.text }
     }
@@ -84,8 +84,8 @@ impl<T> CaseFile<T> {
 /// Help where a file cannot be found.
 pub(super) const RELATIVE: &str = "file names are relative to the folder of the case file";
 
-/// The text file that a key names, relative to `folder`, with what `parse` makes of it; none where
-/// the key names none or the file is refused, which `report` then says.
+/// The text file that a key names, relative to `folder`, with what `parse` makes of it; none if no
+/// file is named or it is refused; errors are added to `report`.
 pub(super) fn read_named<T>(
     section: &SectionValues,
     row: KeyRow<String>,

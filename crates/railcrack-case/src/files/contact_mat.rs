@@ -30,7 +30,7 @@ struct Elements {
     place: Range<usize>,
 }
 
-/// Most elements of a grid.
+/// Maximum number of elements of a grid.
 const MOST_ELEMENTS: f64 = 1e7;
 
 /// Whether a text is such a file: it begins with a comment of Matlab.
@@ -43,7 +43,7 @@ pub(super) fn is_contact_output(text: &str) -> bool {
 /// at the middle of the first element outside at either end. The strip then has the load of its
 /// elements.
 ///
-/// Errors: no such file; another direction of rolling than x; a strip beside the contact.
+/// Errors: no such file; a direction of rolling other than x; a strip outside the contact.
 pub(super) fn strip(source: &Source, lateral: f64, travel: Travel) -> Result<Vec<ContactRow>, Box<Fault>> {
     let elements = Elements::read(source)?;
     let Grid { columns, rows, left, bottom, dx, dy, .. } = elements.grid;
@@ -56,11 +56,12 @@ pub(super) fn strip(source: &Source, lateral: f64, travel: Travel) -> Result<Vec
     };
     let (low, high) = (middle(first) - 0.5 * dy, middle(last) + 0.5 * dy);
     if !(low..=high).contains(&lateral) {
-        let message =
-            format!("the contact reaches from y = {low} to {high} mm, and strip_mm = {lateral} is beside it");
+        let message = format!(
+            "the contact reaches from y = {low} to {high} mm, but strip_mm = {lateral} is outside it"
+        );
         return Err(fault(message, &elements.place));
     }
-    // Beyond the middle of the outermost row its own traction counts.
+    // Beyond the middle of the outermost row, the traction of that row applies.
     let at = ((lateral - middle(0)) / dy).clamp(first as f64, last as f64);
     let (below, share) = (at.floor() as usize, at.fract());
     let above = (below + 1).min(rows - 1);
@@ -74,7 +75,7 @@ pub(super) fn strip(source: &Source, lateral: f64, travel: Travel) -> Result<Vec
     let end = |i: f64| ContactRow { u: x(i), pressure: 0.0, shear: 0.0 };
     let mut table = vec![end(from as f64 - 1.0)];
     for (i, &[pressure, shear]) in strip.iter().enumerate().take(to + 1).skip(from) {
-        // An element outside of the contact has no shear either.
+        // An element outside the contact has no shear either.
         let shear = if pressure > 0.0 { shear } else { 0.0 };
         table.push(ContactRow { u: x(i as f64), pressure: pressure.max(0.0), shear });
     }
@@ -138,7 +139,7 @@ impl Elements {
                     .then_some(number as usize - 1)
                     .and_then(|i| traction.get_mut(i));
                 let Some(element) = element else {
-                    return Err(fault(format!("`I = {number}`: is no element of the grid"), &span));
+                    return Err(fault(format!("`I = {number}`: is not an element of the grid"), &span));
                 };
                 *element = [value("PN")?, value("PX")?];
             }
@@ -154,7 +155,7 @@ fn checked(grid: Grid, columns: f64, rows: f64, span: &Range<usize>) -> Result<G
     let whole = |count: f64| count >= 1.0 && count.fract() == 0.0;
     if !whole(columns) || !whole(rows) || columns * rows > MOST_ELEMENTS {
         return Err(fault(
-            format!("`MX = {columns}`, `MY = {rows}`: must be integers, 1e7 elements at most"),
+            format!("`MX = {columns}`, `MY = {rows}`: must be integers, with at most 1e7 elements"),
             span,
         ));
     }
@@ -169,7 +170,7 @@ fn checked(grid: Grid, columns: f64, rows: f64, span: &Range<usize>) -> Result<G
 }
 
 fn fault(message: String, span: &Range<usize>) -> Box<Fault> {
-    let help = "a file <experiment>.<case>.mat of CONTACT, with its comments";
+    let help = "expected a file <experiment>.<case>.mat of CONTACT, with its comments";
     Box::new(Fault { span: Some(span.clone()), ..Fault::new(message).help(help) })
 }
 
@@ -212,10 +213,11 @@ mod tests {
     #[test]
     fn refused_with_what_is_wrong() {
         let refused = |text: &str, lateral| rows(text, lateral, Travel::Forward).unwrap_err();
-        assert!(refused(FILE, 2.5).contains("from y = -3 to 1 mm, and strip_mm = 2.5"));
+        assert!(refused(FILE, 2.5).contains("from y = -3 to 1 mm, but strip_mm = 2.5"));
         assert!(refused("% nothing\n", 0.0).contains("the grid is missing"));
         assert!(
-            refused(&FILE.replace("      7    2", "     13    2"), 0.0).contains("`I = 13`: is no element")
+            refused(&FILE.replace("      7    2", "     13    2"), 0.0)
+                .contains("`I = 13`: is not an element")
         );
         assert!(refused(&FILE.replace("300.0", "3OO.0"), 0.0).contains("`PN = 3OO.0`: must be a number"));
         assert!(

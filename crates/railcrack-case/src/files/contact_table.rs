@@ -10,24 +10,23 @@ use std::path::Path;
 const COLUMNS: Columns = Columns {
     columns: &[Column::Needed("u_mm"), Column::Needed("p_mpa"), Column::Needed("q_mpa")],
     largest: LARGEST,
-    help: "a contact begins with the header u_mm,p_mpa,q_mpa and has a row per place from -x to +x, u from the wheel's \
-           centre, pressure and shear zero in the first and the last",
+    help: "a contact table begins with the header u_mm,p_mpa,q_mpa and has a row per position from -x to +x; u is measured from the wheel centre, and pressure and shear are zero in the first and last rows",
 };
 
-/// How a contact is taken from its file.
+/// Options for reading a contact from its file.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ContactReading {
     /// |q| ≤ μ p is required where μ is given.
     pub friction: Option<f64>,
-    /// Which strip of a file with many is wanted, mm from the middle of the contact; none where the
-    /// case does not say.
+    /// The strip to read from a file with several, in mm from the middle of the contact; none if
+    /// not given.
     pub lateral: Option<f64>,
-    /// Which way the wheel runs: the x of such a file is the direction of rolling.
+    /// Direction of travel of the wheel: x in such a file is the direction of rolling.
     pub travel: Travel,
 }
 
-/// The contact in the file that a key names, relative to `folder`; none where it names none or it
-/// cannot be read, which `report` then says.
+/// The contact in the file that a key names, relative to `folder`; none if no file is named or it
+/// cannot be read; errors are added to `report`.
 pub(crate) fn read_contact_table(
     section: &SectionValues,
     row: KeyRow<String>,
@@ -43,12 +42,15 @@ fn parse(source: &Source, reading: ContactReading) -> Result<TableContact, Box<F
     if is_contact_output(&source.text) {
         let rows = strip(source, lateral.unwrap_or(0.0), travel)?;
         return TableContact::new(rows, friction).map_err(|error| {
-            Box::new(Fault { span: Some(0..0), ..Fault::new(format!("the strip is no contact: {error}")) })
+            Box::new(Fault {
+                span: Some(0..0),
+                ..Fault::new(format!("the strip is not a valid contact: {error}"))
+            })
         });
     }
     if let Some(lateral) = lateral {
         let message = format!(
-            "a CSV file is one strip, and strip_mm = {lateral} chooses among those of a .mat file of CONTACT"
+            "a CSV file holds a single strip, but strip_mm = {lateral} chooses among those of a .mat file of CONTACT"
         );
         return Err(COLUMNS.fault(message, &(0..0)));
     }

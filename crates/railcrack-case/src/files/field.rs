@@ -7,8 +7,8 @@ use railcrack::residual::{PLASTIC_STRESS_ARRAY, PlasticField};
 use railcrack_vtu::{VtuError, read_vtu_bytes, vtu_text};
 use std::path::Path;
 
-/// The field in the file that a key names, relative to `folder`; none where it names none or it
-/// cannot be read, which `report` then says.
+/// The field in the file that a key names, relative to `folder`; none if no file is named or it
+/// cannot be read; errors are added to `report`.
 pub(crate) fn read_field(
     section: &SectionValues,
     row: KeyRow<String>,
@@ -27,9 +27,10 @@ pub(crate) fn read_field(
 
 /// Help where the file is not such a field.
 const EXPECTED: &str =
-    "a VTU file with `plastic_stress_mpa` on points or cells, as `railcrack shakedown` writes it";
+    "expected a VTU file with `plastic_stress_mpa` at points or cells, as written by `railcrack shakedown`";
 
-/// Most bytes of a field: a million cells, tenfold what `railcrack shakedown` writes.
+/// Maximum size (bytes) of a field: a million cells, ten times as many as `railcrack shakedown`
+/// writes.
 const MOST_FIELD: u64 = 256 << 20;
 
 fn read(path: &Path) -> Result<(String, PlasticField), (String, &'static str)> {
@@ -45,7 +46,7 @@ fn read(path: &Path) -> Result<(String, PlasticField), (String, &'static str)> {
     let used = |arrays: &[Array]| -> Vec<Array> {
         arrays.iter().filter(|array| array.name == PLASTIC_STRESS_ARRAY).cloned().collect()
     };
-    // Data on points are taken where both are there.
+    // Data at points are preferred if both are present.
     let point_data = used(&grid.point_data);
     let cell_data = if point_data.is_empty() { used(&grid.cell_data) } else { Vec::new() };
     let kept = UnstructuredGrid { points: grid.points, z: grid.z, cells: grid.cells, point_data, cell_data };

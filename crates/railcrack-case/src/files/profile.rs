@@ -6,8 +6,8 @@ use crate::schema::{Fault, KeyRow, Report, SectionValues, Source};
 use railcrack::field::{DepthProfile, ProfileError};
 use std::path::Path;
 
-/// The columns that are read, those of our own result files that must vanish, since a balanced
-/// profile has no such stress, and those that say nothing new about it.
+/// The columns that are read, those of railcrack's own result files that must vanish, since a
+/// balanced profile has no such stress, and those that are redundant.
 const COLUMNS: Columns = Columns {
     columns: &[
         Column::Needed("depth_mm"),
@@ -24,7 +24,7 @@ const COLUMNS: Columns = Columns {
     ],
     // No residual stress of steel is larger than this, MPa.
     largest: 1e4,
-    help: "a profile begins with the header depth_mm,sxx_mpa[,szz_mpa] and has a row per depth, downwards",
+    help: "a profile begins with the header depth_mm,sxx_mpa[,szz_mpa] and has a row per depth, from the surface down",
 };
 
 /// Places of the stresses among the columns, and those that must vanish.
@@ -35,8 +35,8 @@ const VANISHING: [(usize, &str); 2] = [(3, "syy_mpa"), (4, "sxy_mpa")];
 /// truncation of a computed profile, far below the scatter of a measured one.
 const VANISHED: f64 = 0.01;
 
-/// The profile in the file that a key names, relative to `folder`; none where it names none or it
-/// cannot be read, which `report` then says.
+/// The profile in the file that a key names, relative to `folder`; none if no file is named or it
+/// cannot be read; errors are added to `report`.
 pub(crate) fn read_profile(
     section: &SectionValues,
     row: KeyRow<String>,

@@ -9,12 +9,11 @@ use std::path::Path;
 const COLUMNS: Columns = Columns {
     columns: &[Column::Needed("delta_keq_mpa_sqrt_m"), Column::Needed("rate_mm_per_cycle")],
     largest: LARGEST,
-    help: "rates begin with the header delta_keq_mpa_sqrt_m,rate_mm_per_cycle and have a row per range, the smallest \
-           first: log-log linear between rows, no growth below the first",
+    help: "a table of rates begins with the header delta_keq_mpa_sqrt_m,rate_mm_per_cycle and has a row per range, the smallest first; interpolation is linear in log-log scale, with no growth below the first row",
 };
 
-/// The rates in the file that a key names, relative to `folder`; none where it names none or it
-/// cannot be read, which `report` then says.
+/// The rates in the file that a key names, relative to `folder`; none if no file is named or it
+/// cannot be read; errors are added to `report`.
 pub(crate) fn read_rates(
     section: &SectionValues,
     row: KeyRow<String>,

@@ -9,12 +9,11 @@ use std::path::Path;
 const COLUMNS: Columns = Columns {
     columns: &[Column::Needed("temperature_c"), Column::Needed("toughness_mpa_sqrt_m")],
     largest: LARGEST,
-    help: "a toughness begins with the header temperature_c,toughness_mpa_sqrt_m and has a row per temperature, the \
-           coldest first: linear between rows, constant beyond",
+    help: "a toughness table begins with the header temperature_c,toughness_mpa_sqrt_m and has a row per temperature, the lowest first; interpolation is linear, with constant values beyond the ends",
 };
 
-/// The toughness in the file that a key names, relative to `folder`; none where it names none or it
-/// cannot be read, which `report` then says.
+/// The toughness in the file that a key names, relative to `folder`; none if no file is named or it
+/// cannot be read; errors are added to `report`.
 pub(crate) fn read_toughness(
     section: &SectionValues,
     row: KeyRow<String>,

@@ -28,7 +28,7 @@ impl Raw {
                 i64::from_str_radix(n.as_str(), n.radix()).map_or(Self::TooLarge, Self::Integer)
             }
             DeValue::Float(x) => match x.as_str().parse::<f64>() {
-                // 1e400 is not a way to write infinity.
+                // 1e400 does not stand for infinity.
                 Ok(value) if value.is_infinite() && !x.as_str().contains("inf") => Self::TooLarge,
                 Ok(value) => Self::Float(value),
                 Err(_) => Self::TooLarge,
@@ -87,8 +87,8 @@ impl Refusal {
 }
 
 impl Kind {
-    /// The value that `raw` gives, or why it is refused; `list` is the help where a list stands in
-    /// place of a value.
+    /// The value that `raw` gives, or why it is refused; `list` is the help where a list is given
+    /// instead of a value.
     pub(crate) fn accept(&self, raw: &Raw, list: &'static str) -> Result<Value, Refusal> {
         match self {
             Self::Number { range, .. } => match (raw.number(), raw) {

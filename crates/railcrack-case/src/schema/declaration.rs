@@ -9,7 +9,7 @@ pub struct FileSchema {
     pub title: &'static str,
     /// Its sections, in the order in which they are written.
     pub sections: &'static [Section],
-    /// Sections of other kinds of file, which the reader of this one passes over.
+    /// Sections of other kinds of file, which the reader of this one ignores.
     pub beside: &'static [Section],
     /// Beginning of its page of documentation.
     pub introduction: &'static str,
@@ -17,7 +17,7 @@ pub struct FileSchema {
     pub preamble: &'static str,
     /// Help where a section is missing.
     pub start: &'static str,
-    /// Help where a list stands in place of a value.
+    /// Help where a list is given instead of a value.
     pub list: &'static str,
 }
 
@@ -32,12 +32,11 @@ pub struct Section {
     pub presence: SectionPresence,
     /// Its keys in the order in which they are written.
     pub keys: &'static [Key],
-    /// Ways of saying the same thing, of which exactly one is chosen; empty where there is only
-    /// one.
+    /// Alternative forms, exactly one of which is chosen; empty where there is only one.
     pub forms: &'static [Form],
     /// Sections within this one, named with it: `outer.inner`.
     pub parts: &'static [Section],
-    /// The section that may stand in its place.
+    /// The section that may replace it.
     pub instead: Option<&'static str>,
 }
 
@@ -56,8 +55,7 @@ pub enum SectionPresence {
     Several,
 }
 
-/// One of several ways of saying the same thing. Those of its keys that have no default must all be
-/// given.
+/// One of several alternative forms. All of its keys without a default must be given.
 #[derive(Debug, Clone, Copy)]
 pub struct Form {
     /// Names of its keys.
@@ -79,7 +77,7 @@ pub struct Key {
     pub only_with: Option<OnlyWith>,
     /// The choice of another key with which this one, otherwise required, need not be given.
     pub excused: Option<OnlyWith>,
-    /// The other key of the same section that goes with this one.
+    /// The other key of the same section that must be given with this one.
     pub pair: Option<Pair>,
     /// The value in the first file of a user, where it is not the default.
     pub reference: Option<Preset>,
@@ -92,7 +90,7 @@ pub struct OnlyWith {
     pub key: &'static str,
     /// Its value.
     pub choice: &'static str,
-    /// Other values that do as well.
+    /// Other accepted values.
     pub also: &'static [&'static str],
     /// Why the key means nothing with the other values; help, followed by what to do.
     pub otherwise: &'static str,
@@ -120,7 +118,7 @@ impl OnlyWith {
 pub struct Pair {
     /// The integer key.
     pub key: &'static str,
-    /// How the two go together; help where one of them is missing.
+    /// How the two keys are related; help where one of them is missing.
     pub help: &'static str,
 }
 
@@ -378,7 +376,7 @@ impl Section {
         matches!(self.presence, SectionPresence::Required | SectionPresence::Repeated)
     }
 
-    /// Whether `key` belongs to one of several ways of saying the same thing.
+    /// Whether `key` belongs to one of several alternative forms.
     #[must_use]
     pub fn is_in_a_form(&self, key: &Key) -> bool {
         self.forms.iter().any(|form| form.keys.contains(&key.name))

@@ -14,7 +14,7 @@ use toml::de::{DeTable, DeValue};
 
 /// The text of the file `path`.
 ///
-/// Errors: it cannot be read, or is no text.
+/// Errors: it cannot be read, or is not text.
 pub(crate) fn read_file(path: &Path) -> Result<Source, CaseErrors> {
     read_text(path, &path.display().to_string()).map_err(|unreadable| {
         let (source, fault) = *unreadable;
@@ -24,10 +24,10 @@ pub(crate) fn read_file(path: &Path) -> Result<Source, CaseErrors> {
     })
 }
 
-/// Has `parse(text, name, folder)` read the file `path`: errors call it by its path, relative file
-/// names in it are relative to its folder.
+/// Reads the file `path` with `parse(text, name, folder)`: errors name it by its path, and relative
+/// file names in it are relative to its folder.
 ///
-/// Errors: the file cannot be read, or is no text; those of `parse`.
+/// Errors: the file cannot be read, or is not text; those of `parse`.
 pub(crate) fn from_file<T>(
     path: &Path,
     parse: impl FnOnce(&str, &str, &Path) -> Result<T, CaseErrors>,
@@ -36,17 +36,19 @@ pub(crate) fn from_file<T>(
     parse(&source.text, &source.name, path.parent().unwrap_or(Path::new("")))
 }
 
-/// Most bytes of a case, a study or a profile: a hundred thousand rows of a profile fit.
+/// Maximum size (bytes) of a case, a study or a profile: enough for a hundred thousand rows of a
+/// profile.
 pub(crate) const MOST_TEXT: u64 = 4 << 20;
 
-/// The bytes of a file of at most `most`; one without an end is read no further.
+/// The bytes of a file of at most `most` bytes; reading stops there, so that an endless file does
+/// no harm.
 ///
 /// Errors: those of the system; a file that is larger.
 pub(crate) fn read_bytes(path: &Path, most: u64) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     std::fs::File::open(path)?.take(most + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > most {
-        let says = format!("it has more than {} MB, the most that such a file may have", most >> 20);
+        let says = format!("it is larger than {} MB, the limit for such a file", most >> 20);
         return Err(std::io::Error::other(says));
     }
     Ok(bytes)
@@ -70,9 +72,12 @@ pub(crate) fn read_text(path: &Path, name: &str) -> Result<Source, Box<(Source, 
             let start = error.utf8_error().valid_up_to();
             let shown = String::from_utf8_lossy(error.as_bytes());
             let fault = Fault {
-                message: format!("`{name}` is not UTF-8 text: byte {} is not part of a character", start + 1),
+                message: format!(
+                    "`{name}` is not UTF-8 text: byte {} is not part of a valid character",
+                    start + 1
+                ),
                 span: Some(start..start),
-                help: Some("store the file as UTF-8".into()),
+                help: Some("save the file as UTF-8".into()),
                 ..Fault::default()
             };
             Err(Box::new((source(&shown), fault)))
@@ -80,15 +85,15 @@ pub(crate) fn read_text(path: &Path, name: &str) -> Result<Source, Box<(Source, 
     }
 }
 
-/// Most places that are looked at in a file that is not TOML: the first few say why.
+/// Maximum number of reported places in a file that is not TOML: the first few show the cause.
 const MOST_SYNTAX_ERRORS: usize = 1000;
 
-/// The document; none where it is not TOML, which `report` then says.
+/// The document; none if it is not TOML; errors are added to `report`.
 pub(crate) fn parse_document<'i>(text: &'i str, report: &mut Report) -> Option<Spanned<DeTable<'i>>> {
     let (document, errors) = DeTable::parse_recoverable(text);
     let mut places = Vec::new();
     for error in errors.iter().take(MOST_SYNTAX_ERRORS) {
-        // Brackets that are never closed are all missed at one place.
+        // All unclosed brackets are reported at the same place.
         if places.contains(&error.span()) {
             continue;
         }
@@ -185,7 +190,7 @@ fn syntax_fault(text: &str, message: &str, span: Option<Range<usize>>) -> Fault 
         };
     }
     let help = "see https://toml.io for how values, lists and sections are written";
-    Fault { span, ..Fault::new(format!("not TOML: {message}")).help(help) }
+    Fault { span, ..Fault::new(format!("invalid TOML: {message}")).help(help) }
 }
 
 /// The tables of a section with their places; an error where it is written as something else.

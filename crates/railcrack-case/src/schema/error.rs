@@ -102,7 +102,7 @@ impl CaseError {
     }
 }
 
-/// The most characters of a line that are shown, and those of them before the marked place.
+/// Maximum number of characters shown of a line, and how many of them precede the marked place.
 const MOST_SHOWN: usize = 100;
 const BEFORE: usize = 40;
 
@@ -140,14 +140,14 @@ impl fmt::Display for CaseErrors {
     }
 }
 
-/// A text and the name under which errors speak of it.
+/// A text and its name in error messages.
 #[derive(Debug, Clone)]
 pub(crate) struct Source {
     pub name: String,
     pub text: Arc<str>,
 }
 
-/// An error in the making.
+/// An error under construction.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Fault {
     pub message: String,
@@ -185,14 +185,15 @@ impl Fault {
 pub(crate) struct Report {
     pub source: Source,
     errors: Vec<CaseError>,
-    /// Errors found, those included that are not kept.
+    /// Number of errors found, including those that are not kept.
     found: usize,
 }
 
-/// Most errors of a file that are kept: nobody mends more at once.
+/// Maximum number of errors kept for a file: nobody corrects more at once.
 const MOST_ERRORS: usize = 50;
 
-/// `text` with its control characters written out, so that a file cannot speak to the terminal.
+/// `text` with its control characters written out, so that a file cannot send commands to the
+/// terminal.
 pub(crate) fn escaped(text: &str) -> String {
     let written = |c: char| match c {
         c if c.is_control() || is_invisible(c) => c.escape_default().collect(),
@@ -201,8 +202,8 @@ pub(crate) fn escaped(text: &str) -> String {
     text.chars().map(written).collect()
 }
 
-/// `text` with question marks in place of control characters, byte for byte, so that places in it
-/// stay where they are.
+/// `text` with its control characters replaced by question marks, byte for byte, so that positions
+/// in it do not change.
 fn blanked(text: &Arc<str>) -> Arc<str> {
     let is_unsafe = |c: char| (c.is_control() && !matches!(c, '\n' | '\r' | '\t')) || is_invisible(c);
     if !text.contains(is_unsafe) {
@@ -215,7 +216,7 @@ fn blanked(text: &Arc<str>) -> Arc<str> {
     shown.into()
 }
 
-/// Characters that turn the direction of the text around them.
+/// Characters that change the direction of the surrounding text.
 fn is_invisible(c: char) -> bool {
     matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
@@ -263,7 +264,7 @@ impl Report {
         });
     }
 
-    /// Takes up an error that another report found in the same file or in one that it names.
+    /// Adds an error that another report found in the same file or in one that it names.
     pub fn absorb(&mut self, error: CaseError) {
         self.found += 1;
         if self.errors.len() < MOST_ERRORS {
@@ -276,7 +277,7 @@ impl Report {
         self.errors.is_empty()
     }
 
-    /// The errors as they came.
+    /// The errors in the order in which they were found.
     pub fn into_list(self) -> Vec<CaseError> {
         self.errors
     }

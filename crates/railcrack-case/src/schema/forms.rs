@@ -1,4 +1,4 @@
-//! Keys that go together, and keys that say the same thing.
+//! Keys that belong together, and keys that exclude each other.
 
 use super::declaration::{Form, Key, Presence, Preset, Section};
 use super::error::{Fault, Report};
@@ -6,7 +6,7 @@ use super::sections::SectionValues;
 use super::value::Value;
 use std::ops::Range;
 
-/// A key as given, and where.
+/// A key as given, and its place.
 type Given = (&'static Key, Range<usize>);
 
 /// The one form that the given keys belong to; an error where they belong to two or none. Forms
@@ -87,8 +87,8 @@ fn required_keys(section: &Section, form: &Form) -> String {
     }
 }
 
-/// Reports a key without the one that goes with it ([`Pair`](super::Pair)), of which `is_given`
-/// knows whether it is given.
+/// Reports a key without its counterpart ([`Pair`](super::Pair)); `is_given` tests whether a key is
+/// given.
 pub(super) fn check_pairs(read: &SectionValues, is_given: impl Fn(&str) -> bool, report: &mut Report) {
     for (key, pair) in read.section.keys.iter().filter_map(|key| Some((key, key.pair?))) {
         let default = read.section.key(pair.key).map(|other| other.presence.preset());

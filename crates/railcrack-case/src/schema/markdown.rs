@@ -16,7 +16,7 @@ pub(crate) fn page(file: &FileSchema) -> String {
             SectionPresence::Optional => " Optional.\n",
             SectionPresence::Required => " Required.\n",
             SectionPresence::Repeated => " At least one is required.\n",
-            SectionPresence::Several => " Optional, several.\n",
+            SectionPresence::Several => " Optional, may be repeated.\n",
         });
         page.push_str(&forms(section));
         page.push_str("\n| key | accepted | default | meaning |\n|---|---|---|---|\n");
@@ -54,7 +54,7 @@ fn row(section: &Section, key: &Key) -> String {
         Presence::Required(_) => "required".into(),
     };
     let default = match key.excused {
-        Some(with) => format!("{default}, but with `{}`", with.shown()),
+        Some(with) => format!("{default}, except with `{}`", with.shown()),
         None => default,
     };
     let mut meaning = key.doc.to_string();
@@ -62,7 +62,7 @@ fn row(section: &Section, key: &Key) -> String {
         meaning.push_str(&format!(" Only with `{}`.", with.shown()));
     }
     if !section.offers(key) {
-        meaning.push_str(" Refused for now.");
+        meaning.push_str(" Not available yet.");
     }
     format!("| `{}` | {accepted} | {default} | {meaning} |\n", key.name)
 }
@@ -73,6 +73,6 @@ fn choice(choice: &Word) -> String {
             let also = choice.switch.map_or_else(String::new, |value| format!(" or `{value}`"));
             format!("`\"{}\"`{also}: {}", choice.name, choice.doc)
         }
-        Availability::Later { .. } => format!("`\"{}\"`: {}, refused for now", choice.name, choice.doc),
+        Availability::Later { .. } => format!("`\"{}\"`: {}, not available yet", choice.name, choice.doc),
     }
 }

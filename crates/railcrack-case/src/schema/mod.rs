@@ -1,6 +1,6 @@
-//! Declared text files: sections, keys, ranges and words as data, from which reading with all
-//! errors at once, defaults, JSON Schema, documentation and writing back derive. What is declared,
-//! it does not know: it imports nothing else of this crate.
+//! Declared text files: sections, keys, ranges and words as data, from which the reader (all errors
+//! at once), defaults, JSON Schema, documentation and writer are derived. The module does not
+//! depend on what is declared: it imports nothing else of this crate.
 
 mod accept;
 mod declaration;

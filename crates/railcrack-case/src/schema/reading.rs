@@ -1,4 +1,4 @@
-//! The way in which one of several sets of values is read from a document.
+//! Reading one of several sets of values from a document.
 
 use super::accept::Raw;
 use super::declaration::{FileSchema, Preset};
@@ -11,7 +11,7 @@ pub(crate) struct Reading<'a> {
     pub file: &'static FileSchema,
     pub overrides: &'a [Override],
     pub chosen: &'a Chosen,
-    /// Defaults in place of those of the declaration.
+    /// Defaults that replace those of the declaration.
     pub defaults: Defaults,
 }
 
@@ -19,7 +19,7 @@ pub(crate) struct Reading<'a> {
 pub(crate) type Defaults = &'static [(&'static str, &'static str, Preset)];
 
 impl Reading<'_> {
-    /// The default of a key in place of that of the declaration, where there is one.
+    /// The default that replaces that of the declaration, if there is one.
     pub fn default_of(&self, section: &str, key: &str) -> Option<Preset> {
         self.defaults.iter().find(|(s, k, _)| (*s, *k) == (section, key)).map(|(_, _, preset)| *preset)
     }
@@ -37,8 +37,8 @@ impl Reading<'_> {
         self.overrides.iter().any(|given| given.section == section)
     }
 
-    /// The values from elsewhere for tables of `section`, or of a part of it, that a file with
-    /// `count` of them has not.
+    /// The values from elsewhere for tables of `section`, or of a part of it, that are missing from
+    /// a file with `count` of them.
     pub fn overrides_beyond(&self, section: &str, count: usize) -> impl Iterator<Item = &Override> {
         self.overrides.iter().filter(move |given| {
             let outer = given.section.split('.').next();
@@ -47,12 +47,12 @@ impl Reading<'_> {
     }
 }
 
-/// A value from elsewhere that takes the place of the file's.
+/// A value from elsewhere that replaces the one in the file.
 #[derive(Debug, Clone)]
 pub(crate) struct Override {
     pub section: &'static str,
     pub key: &'static str,
-    /// Which table of a section that repeats, from 1; none for all.
+    /// Number of the table of a repeated section, from 1; none for all tables.
     pub number: Option<usize>,
     /// The option with which it was given, with its value as written.
     pub shown: String,
@@ -60,7 +60,7 @@ pub(crate) struct Override {
     pub value: Option<Raw>,
 }
 
-/// The elements taken of lists that stand in place of values; none where no list does.
+/// The elements chosen from lists given instead of values; none without lists.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Chosen {
     /// Where a list begins in the text, and the index of its element.
@@ -72,8 +72,8 @@ impl Chosen {
         Self { elements }
     }
 
-    /// The value itself, or of a list in its place the chosen element: errors then point to that
-    /// element.
+    /// The value itself, or the chosen element if a list is given instead: errors then point to
+    /// that element.
     pub fn of<'d, 'i>(&self, value: &'d Spanned<DeValue<'i>>) -> &'d Spanned<DeValue<'i>> {
         let start = value.span().start;
         let index = self.elements.iter().find(|(list, _)| *list == start).map(|(_, index)| *index);

@@ -43,18 +43,18 @@ impl<T> KeyRow<T> {
         self.with(Key { presence, ..self.key })
     }
 
-    /// With another value in the first file of a user than the default.
+    /// With a value other than the default in the first file of a user.
     pub const fn first(self, value: Preset) -> Self {
         self.with(Key { reference: Some(value), ..self.key })
     }
 
-    /// Only with the word `choice` of another key; `otherwise` says why.
+    /// Only with the word `choice` of another key; `otherwise` gives the reason.
     pub const fn only_with<U>(self, other: KeyRow<U>, choice: &'static str, otherwise: &'static str) -> Self {
         self.only_with_any(other, choice, &[], otherwise)
     }
 
-    /// Only with one of `words` of another key, of which there is at least one; `otherwise` says
-    /// why.
+    /// Only with one of `words` of another key, of which there is at least one; `otherwise` gives
+    /// the reason.
     pub const fn only_with_words<U>(
         self,
         other: KeyRow<U>,
@@ -67,8 +67,8 @@ impl<T> KeyRow<T> {
         }
     }
 
-    /// Only with the word `choice` of another key, or one of the words `also`; `otherwise` says
-    /// why.
+    /// Only with the word `choice` of another key, or one of the words `also`; `otherwise` gives
+    /// the reason.
     pub const fn only_with_any<U>(
         self,
         other: KeyRow<U>,
@@ -80,8 +80,8 @@ impl<T> KeyRow<T> {
         self.with(Key { only_with: Some(only_with), ..self.key })
     }
 
-    /// Without a default, and required but with the word `choice` of another key; `because` says
-    /// why not there.
+    /// Without a default, and required but with the word `choice` of another key; `because` gives
+    /// the reason for the exception.
     pub const fn required_but_with<U>(
         self,
         other: KeyRow<U>,

@@ -42,7 +42,7 @@ pub(crate) fn read_section(
                 read_value(&mut read, key, chosen, file.list, report);
             }
             Some(key) => {
-                // An option takes its place, but what stands here is checked like any other value.
+                // An option replaces this value, but it is checked like any other.
                 let mut replaced = SectionValues { entries: Vec::new(), refused: Vec::new(), ..read.clone() };
                 read_value(&mut replaced, key, reading.chosen.of(value), file.list, report);
             }
@@ -79,8 +79,8 @@ fn words<'d>(value: &'d Spanned<DeValue>) -> Vec<&'d str> {
     items.into_iter().flat_map(|items| items.iter()).filter_map(|item| item.get_ref().as_str()).collect()
 }
 
-/// Takes out what goes with another word of a list than the chosen one: in a study that varies this
-/// word it is for other runs. `varied` are the keys with lists of words.
+/// Removes keys that belong to a word of a list other than the chosen one: in a study that varies
+/// this word they apply to other runs. `varied` are the keys with lists of words.
 fn leave_out_of_runs(
     read: &mut SectionValues,
     given: &mut Vec<(&'static Key, Range<usize>)>,
@@ -161,15 +161,14 @@ fn unknown_key(
     } else {
         let known: Vec<&str> = section.keys.iter().map(|k| k.name).collect();
         let near = nearest(given, known.iter().copied()).unwrap_or_default();
-        format!("nearest known key: `{near}`; {} knows {}", section.header(), known.join(", "))
+        format!("nearest known key: `{near}`; {} has {}", section.header(), known.join(", "))
     };
     let dotted = read.dotted(given);
     let message = format!("`{dotted} = {shown}`: unknown key");
     Fault::of(dotted, name.span(), message).help(help)
 }
 
-/// Chooses the form, refuses keys that do not go together, fills in the defaults, names missing
-/// keys.
+/// Chooses the form, refuses conflicting keys, fills in the defaults and reports missing keys.
 fn fill(
     read: &mut SectionValues,
     given: &[(&'static Key, Range<usize>)],

@@ -33,14 +33,14 @@ impl Sections {
         self.0.iter().find(|read| read.section.name == part.name && read.path == path)
     }
 
-    /// Leaves out the values that keys `of` a section have by default.
+    /// Removes the default values of the keys `of` a section.
     pub fn leave_out(&mut self, section: &Section, of: impl Fn(&Key) -> bool) {
         for read in self.0.iter_mut().filter(|read| read.section.name == section.name) {
             read.entries.retain(|entry| entry.is_given || !of(entry.key));
         }
     }
 
-    /// Gives `value` to a key that has none.
+    /// Sets a key without a value to `value`.
     pub fn settle<T>(&mut self, section: &Section, row: KeyRow<T>, value: Value) {
         let Some(key) = section.key(row.key.name) else { return };
         for read in self.0.iter_mut().filter(|read| read.section.name == section.name) {
@@ -109,7 +109,7 @@ impl SectionValues {
         self.named(name).is_some_and(|entry| entry.is_given)
     }
 
-    /// Whether a key was given a value that was not accepted: nothing more can be said about it.
+    /// Whether a key was given a value that was not accepted, so that it cannot be checked further.
     pub fn is_refused<T>(&self, row: KeyRow<T>) -> bool {
         self.has_refused(&row.key)
     }
@@ -118,7 +118,7 @@ impl SectionValues {
         self.refused.contains(&key.name)
     }
 
-    /// Where a key stands, or the section where it does not.
+    /// The place of a key, or that of the section if the key is not given.
     pub fn span_of<T>(&self, row: KeyRow<T>) -> Range<usize> {
         self.entry(row).and_then(|e| e.span.clone()).unwrap_or(self.span.clone())
     }

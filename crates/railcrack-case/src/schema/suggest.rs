@@ -1,6 +1,6 @@
 //! The nearest known name.
 
-/// The name among `names` that is most like `given`; ties go to the first.
+/// The name among `names` that is most similar to `given`; the first one in a tie.
 pub(crate) fn nearest<'a>(given: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let given = given.to_lowercase();
     let mut best: Option<(f64, &str)> = None;

@@ -1,4 +1,4 @@
-//! A file about ovens: the reader needs no other words than those of its declaration.
+//! A file about ovens: the reader depends on nothing but the declaration.
 
 use super::{
     Choice, Chosen, FileSchema, Reading, Report, Sections, Source, Word, choice, file_schema, first_file,

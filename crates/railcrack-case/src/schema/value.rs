@@ -1,4 +1,4 @@
-//! Accepted values, and the types as which they are read.
+//! Accepted values, and the types that they are read as.
 
 use super::declaration::Preset;
 use std::fmt;
@@ -49,7 +49,7 @@ impl fmt::Display for Value {
     }
 }
 
-/// A type as which a value is read.
+/// A type that a value can be read as.
 pub(crate) trait FromValue: Sized {
     /// The value; none where it is of another kind.
     fn from_value(value: &Value) -> Option<Self>;

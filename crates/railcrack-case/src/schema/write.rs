@@ -35,7 +35,7 @@ impl Written {
         section.values.iter().find(|(name, _)| *name == key).map(|(_, value)| value)
     }
 
-    /// Puts `value` in place of that of a key.
+    /// Replaces the value of a key by `value`.
     pub fn replace<T>(&mut self, section: &Section, row: KeyRow<T>, value: &Value) {
         for written in self.0.iter_mut().filter(|written| written.header == section.header()) {
             for (_, old) in written.values.iter_mut().filter(|(key, _)| *key == row.key.name) {
@@ -59,7 +59,7 @@ impl Written {
     }
 }
 
-/// The first file of a user: every key with its meaning, those commented out that may be left out.
+/// The first file of a user: every key with its meaning, optional keys being commented out.
 pub(crate) fn first_file(file: &FileSchema) -> String {
     let mut text = String::from(file.preamble);
     for section in file.sections {
@@ -74,7 +74,7 @@ pub(crate) fn first_file(file: &FileSchema) -> String {
     text
 }
 
-/// Whether the first file of a user has it as a comment.
+/// Whether it is commented out in the first file of a user.
 fn left_out(section: &Section) -> bool {
     matches!(section.presence, SectionPresence::Optional | SectionPresence::Several)
 }
@@ -82,7 +82,7 @@ fn left_out(section: &Section) -> bool {
 /// Column at which comments begin.
 const COMMENT_COLUMN: usize = 33;
 
-/// Longer lines put the comment above the key.
+/// In longer lines the comment goes above the key.
 const LINE_WIDTH: usize = 120;
 
 fn init_line(section: &Section, key: &Key) -> String {
@@ -114,12 +114,12 @@ fn init_line(section: &Section, key: &Key) -> String {
     if beside.chars().count() <= LINE_WIDTH { beside } else { format!("# {comment}\n{assignment}\n") }
 }
 
-/// Whether another key, which is not given, goes with this one.
+/// Whether this key belongs to another one that is not given.
 fn means_nothing_alone(section: &Section, key: &Key) -> bool {
     section.keys.iter().any(|other| other.pair.is_some_and(|pair| pair.key == key.name))
 }
 
-/// Whether a key that needs another one's choice has it by default.
+/// Whether a key that requires a choice of another key has it by default.
 fn goes_with_the_defaults(section: &Section, key: &Key) -> bool {
     let Some(with) = key.only_with else { return true };
     let default = section.key(with.key).map(|other| other.presence.preset());

@@ -20,7 +20,7 @@ impl Axis {
         self.variations.first().map_or(0, |variation| variation.values.len())
     }
 
-    /// Whether it has no value, which no axis of a study is.
+    /// Whether it has no value, which does not occur in a study.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
@@ -31,7 +31,7 @@ impl Axis {
 pub(super) struct Settings<'a> {
     section: &'a SectionValues,
     pub combine: Combine,
-    /// Keys whose values are drawn: they go together.
+    /// Keys whose values are sampled, as one axis.
     drawn: Vec<String>,
 }
 
@@ -45,8 +45,8 @@ impl<'a> Settings<'a> {
         Self { drawn, ..self }
     }
 
-    /// The axes of a study, in the order of the file; none where something is wrong with them,
-    /// which `report` then says.
+    /// The axes of a study, in the order of the file; none if there is an error, which is added to
+    /// `report`.
     pub fn axes(&self, variations: Vec<Variation>, report: &mut Report) -> Option<Vec<Axis>> {
         let groups = self.groups(&variations, report)?;
         let mut axes: Vec<(usize, Axis)> = Vec::new();
@@ -65,17 +65,16 @@ impl<'a> Settings<'a> {
         equal.then(|| axes.into_iter().map(|(_, axis)| axis).collect())
     }
 
-    /// Indices of the variations that go together.
+    /// Indices of the variations that are combined element by element.
     fn groups(&self, variations: &[Variation], report: &mut Report) -> Option<Vec<Vec<usize>>> {
         let entry = self.section.entry(TOGETHER);
         let written = self.section.get(TOGETHER).unwrap_or_default();
         let span = self.section.span_of(TOGETHER);
         if self.combine == Combine::Zip {
             if entry.is_some() {
-                let says = "in a zip all lists go together";
-                report.add(
-                    self.fault(TOGETHER, span, says).help("leave it out, or write combine = \"product\""),
-                );
+                let says = "in a zip, all lists are combined element by element";
+                report
+                    .add(self.fault(TOGETHER, span, says).help("leave it out, or use combine = \"product\""));
                 return None;
             }
             return Some(vec![(0..variations.len()).collect()]);
@@ -114,7 +113,7 @@ impl<'a> Settings<'a> {
         axes.iter().position(|axis| axis.variations.iter().any(|v| v.key == *key)).unwrap_or(0)
     }
 
-    /// The variation that a key of `[study]` names; where only one crack is written, `crack.` is
+    /// The variation that a key of `[study]` names; if there is only one crack, `crack.` refers to
     /// it.
     fn find<T>(
         &self,
@@ -143,7 +142,7 @@ impl<'a> Settings<'a> {
         for other in others.iter().filter(|other| other.values.len() != first.values.len()) {
             equal = false;
             let message = format!(
-                "`{}` has {} values and `{}` has {}: lists that go together must be of one length",
+                "`{}` has {} values and `{}` has {}: lists that are combined element by element must have the same length",
                 other.key,
                 other.values.len(),
                 first.key,
@@ -151,7 +150,7 @@ impl<'a> Settings<'a> {
             );
             let help = match self.combine {
                 Combine::Zip => "[study] combine = \"product\" combines lists of any length",
-                Combine::Product => "[study] together says which lists go together",
+                Combine::Product => "[study] together lists the keys to be combined element by element",
             };
             let fault = Fault::of(other.key.clone(), other.span.clone(), message).help(help);
             report.add(fault.also(first.span.clone(), "the other list"));

@@ -4,7 +4,7 @@ use super::axes::Axis;
 use crate::case::Case;
 use crate::tables::Combine;
 
-/// A case file with lists in place of values, and the cases that it makes.
+/// A case file with lists instead of values, and the cases that it defines.
 #[derive(Debug, Clone)]
 pub struct Study {
     /// Heading of its plots.
@@ -47,7 +47,8 @@ pub struct StudyRun {
     pub case: Case,
 }
 
-/// The most runs of a study: beyond, a list is a slip of the pen, and no plot or table shows them.
+/// Maximum number of runs of a study: a longer list is probably a mistake, and no plot or table
+/// could show the runs.
 pub(super) const MOST_RUNS: usize = 10_000;
 
 /// Every combination of the values of `axes`, the last one changing fastest; none where there are

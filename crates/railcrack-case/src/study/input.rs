@@ -12,19 +12,19 @@ use std::sync::Arc;
 pub enum Input {
     /// One case.
     Case(Box<Case>),
-    /// A study: it has `[study]`, or a list in place of a value.
+    /// A study: it has `[study]`, or a list instead of a value.
     Study(Box<Study>),
 }
 
 impl Input {
-    /// The case or study in the file `path`, with `overrides` in place of the values in it.
+    /// The case or study in the file `path`, with `overrides` replacing values in it.
     ///
     /// Errors: all of the file.
     pub fn read_with(path: &Path, overrides: &Overrides) -> Result<Self, CaseErrors> {
         from_file(path, |text, name, folder| Self::parse_with(text, name, folder, overrides))
     }
 
-    /// The case or study written in `text`, with `overrides` in place of the values in it; errors
+    /// The case or study written in `text`, with `overrides` replacing values in it; errors
     /// call it `name`, relative file names are relative to `folder`.
     pub fn parse_with(
         text: &str,

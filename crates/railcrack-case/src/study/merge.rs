@@ -30,7 +30,7 @@ impl RunErrors {
         Self { known, found: Vec::new(), places: HashMap::new() }
     }
 
-    /// Takes up the errors of run `number`, whose values are `label`.
+    /// Adds the errors of run `number`, whose values are `label`.
     pub fn add(&mut self, number: usize, label: &str, errors: Vec<CaseError>) {
         let mut before: Vec<About> = Vec::new();
         for error in errors {
@@ -51,9 +51,9 @@ impl RunErrors {
         }
     }
 
-    /// Reports every error once. One that not all of the `runs` have, nor all that take an element
-    /// of a list in which it lies, names the first of these runs: there the combination is wrong.
-    /// `elements`: where they stand, and how many runs take each.
+    /// Reports every error once. An error that is not common to all `runs`, nor to all that take
+    /// the list element in which it lies, names the first of its runs: there the combination is at
+    /// fault. `elements`: where they stand, and how many runs take each.
     pub fn report(self, runs: usize, elements: &[(Range<usize>, usize)], report: &mut Report) {
         for Found { error, first: (number, label), runs: having } in self.found {
             let lies_in = |element: &Range<usize>| {

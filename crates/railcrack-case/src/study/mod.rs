@@ -1,4 +1,4 @@
-//! A study: a case file with lists in place of values, and the cases that it makes.
+//! A study: a case file with lists instead of values, and the cases that it defines.
 
 mod axes;
 mod expand;

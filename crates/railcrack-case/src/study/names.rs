@@ -6,11 +6,11 @@ use crate::schema::{Value, short};
 
 /// Digits of a folder's name, at least.
 const DIGITS: usize = 3;
-/// Letters of a title, at most: as many as the case file accepts.
+/// Maximum length of a title: that accepted in the case file.
 const MOST_OF_TITLE: usize = 200;
 
 /// Gives every variation the shortest name that no other one has: `angle_deg`, or
-/// `contact.friction` beside `crack[1].friction`.
+/// `contact.friction` as opposed to `crack[1].friction`.
 pub(super) fn name_variations(variations: &mut [Variation]) {
     let keys: Vec<String> = variations.iter().map(|v| v.key.clone()).collect();
     let last = |key: &str| key.rsplit('.').next().unwrap_or(key).to_owned();
@@ -22,7 +22,7 @@ pub(super) fn name_variations(variations: &mut [Variation]) {
 }
 
 impl Variation {
-    /// The value at `index` as people read it: `0.025`, `xfem`.
+    /// The value at `index` as displayed: `0.025`, `xfem`.
     #[must_use]
     pub fn shown(&self, index: usize) -> String {
         match self.values.get(index) {
@@ -50,13 +50,13 @@ pub(super) fn run_label(axes: &[Axis], choice: &[usize]) -> String {
     said.join(", ")
 }
 
-/// The folder of run `number` of `count`: `003`. What its values are, `summary.csv` says.
+/// The folder of run `number` of `count`: `003`. Its values are listed in `summary.csv`.
 pub(super) fn run_folder(number: usize, count: usize) -> String {
     let digits = count.to_string().len().max(DIGITS);
     format!("{number:0digits$}")
 }
 
-/// The title of a run: that of the study with the values behind it.
+/// The title of a run: that of the study followed by the values of the run.
 pub(super) fn run_title(title: &str, label: &str) -> String {
     format!("{title}: {label}").chars().take(MOST_OF_TITLE).collect()
 }

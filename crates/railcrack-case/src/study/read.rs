@@ -22,7 +22,7 @@ use std::sync::Arc;
 use toml::de::DeTable;
 
 impl Study {
-    /// The study in the file `path`, with `overrides` in place of the values in the file. Relative
+    /// The study in the file `path`, with `overrides` replacing values of the file. Relative
     /// file names in it are relative to its folder.
     ///
     /// Errors: all of the file and of every case that it makes.
@@ -103,7 +103,7 @@ fn read_study(
     let axes = settings.axes(variations.clone(), report);
     let colour_axis = axes.as_ref().map_or(0, |axes| settings.colour_axis(axes, report));
     let combine = settings.combine;
-    // Where the lists cannot be combined, their elements are still read, each by itself.
+    // If the lists cannot be combined, their elements are still read one by one.
     let (axes, plan) = match axes.filter(|_| report.is_clean()) {
         Some(axes) => {
             let plan = plan(&axes, report)?;
@@ -139,7 +139,7 @@ fn read_study(
 #[derive(Default)]
 struct Drawn {
     keys: Vec<String>,
-    /// Of each key; none of a table.
+    /// One for each key; none for a table.
     distributions: Vec<Distribution>,
     values: Vec<Substitute>,
 }
@@ -151,7 +151,8 @@ fn drawn(root: &DeTable, section: &SectionValues, table: Option<&SampleTable>, r
     };
     if let Some(table) = table {
         if let Some(other) = sampled.first() {
-            let says = format!("`{}`: a distribution has no place beside a table of samples", other.dotted);
+            let says =
+                format!("`{}`: a distribution cannot be combined with a table of samples", other.dotted);
             report.add(Fault::of(other.dotted.clone(), other.span.clone(), says));
         }
         return Drawn {
@@ -164,7 +165,7 @@ fn drawn(root: &DeTable, section: &SectionValues, table: Option<&SampleTable>, r
     if sampled.is_empty() {
         if given.is_some() {
             let help = "such as friction = { normal = [0.3, 0.05] } in [contact]";
-            report.add(fault("samples are given, and no value is a distribution", help));
+            report.add(fault("a number of samples is given, but no value is a distribution", help));
         }
         return Drawn::default();
     }
@@ -172,10 +173,10 @@ fn drawn(root: &DeTable, section: &SectionValues, table: Option<&SampleTable>, r
     let (sampling, seed) = (sampling.unwrap_or(Sampling::Sobol), section.get(SEED).unwrap_or(1));
     if sampling == Sampling::Sobol && sampled.len() > DIMENSIONS {
         let says = format!(
-            "Sobol's sequence is for at most {DIMENSIONS} distributions; {} are given",
+            "Sobol's sequence supports at most {DIMENSIONS} distributions; {} are given",
             sampled.len()
         );
-        report.add(fault(&says, "sampling = \"latin-hypercube\""));
+        report.add(fault(&says, "use sampling = \"latin-hypercube\""));
         return Drawn::default();
     }
     let points = points(sampling, samples, sampled.len(), seed as u64);
@@ -188,7 +189,7 @@ fn drawn(root: &DeTable, section: &SectionValues, table: Option<&SampleTable>, r
 }
 
 fn nothing_varies(file: &str) -> Fault {
-    Fault::new("nothing varies: a study has a list in place of at least one value").help(format!(
+    Fault::new("nothing varies: in a study at least one value is a list or a distribution").help(format!(
         "such as friction = [0.1, 0.2] in [contact]; `railcrack run {file}` computes a single case"
     ))
 }
@@ -198,7 +199,7 @@ fn plan(axes: &[Axis], report: &mut Report) -> Option<Plan> {
         let lengths: Vec<String> = axes.iter().map(|axis| axis.len().to_string()).collect();
         let span = axes.first().and_then(|axis| axis.variations.first()).map(|v| v.span.clone());
         let fault = Fault::new(format!("{} are more than {MOST_RUNS} runs", lengths.join(" x ")))
-            .help("shorter lists, or [study] combine = \"zip\", or several studies");
+            .help("use shorter lists, [study] combine = \"zip\", or several studies");
         report.add(Fault { span, ..fault });
         return None;
     };
@@ -252,16 +253,15 @@ fn read_cases(
     None
 }
 
-/// Packed runs are tables: nothing else of a run outlives its folder.
+/// Packed runs consist of tables: nothing else is kept once a run folder is removed.
 fn refuse_what_is_not_packed(cases: &[Case], report: &mut Report) {
     let is_more = |case: &&Case| {
         let output = &case.output;
         !output.run_folders && (output.is_shown() || output.faces != Kept::None || case.fields.every > 0)
     };
     if cases.iter().any(|case| is_more(&case)) {
-        let says = "`output.run_folders = false` keeps growth and K of the runs, and no faces, fields, plots and pages";
-        let help =
-            "leave these out; `railcrack report DIR --run N` makes the page of a run when it is wanted";
+        let says = "`output.run_folders = false` keeps growth and K of the runs, but no faces, fields, plots or pages";
+        let help = "leave these out; `railcrack report DIR --run N` makes the page of a run when needed";
         report.add(Fault::new(says).help(help));
     }
 }
@@ -274,7 +274,7 @@ fn report_repetitions(plan: &Plan, cases: &[Case], axes: &[Axis], report: &mut R
         let span = axes.last().and_then(|axis| axis.variations.last()).map(|v| v.span.clone());
         let help = match axes {
             [_] => "a value is given twice",
-            _ => "a value is given twice, or lists that go together stand in a product",
+            _ => "a value is given twice, or lists that belong together are combined in a product",
         };
         let message = format!("runs {first} and {number} of the study are the same ({label})");
         report.add(Fault { span, ..Fault::new(message).help(help) });

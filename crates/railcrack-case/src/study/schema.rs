@@ -4,8 +4,8 @@ use crate::schema::section_schema;
 use crate::tables::{SECTIONS, STUDY, json_schema};
 use serde_json::{Map, Value, json};
 
-/// The JSON Schema (draft 2020-12) of a study: that of a case, with a list in place of any value
-/// but the title, and `[study]`.
+/// The JSON Schema (draft 2020-12) of a study: that of a case, with a list allowed instead of any
+/// value except the title, and with `[study]`.
 #[must_use]
 pub fn study_schema() -> Value {
     let mut schema = json_schema();
@@ -17,8 +17,8 @@ pub fn study_schema() -> Value {
         if let Some(keys) = of_table.get_mut("properties").and_then(Value::as_object_mut) {
             allow_lists(keys);
         }
-        // Which values go together, only the reader can tell: a list says nothing of its smallest
-        // element.
+        // Only the reader can check which values belong together: a list does not reveal its
+        // smallest element.
         if let Some(table) = of_table.as_object_mut() {
             table.remove("if");
             table.remove("then");

@@ -27,7 +27,7 @@ pub(super) fn tables_of<'d, 'i>(section: &Section, root: &'d DeTable<'i>) -> Vec
 /// A table of a document.
 pub(super) struct TableOf<'d, 'i> {
     pub section: &'static Section,
-    /// Which table of its section, from 1; of a part that of the section around it.
+    /// Number of the table in its section, from 1; for a part, that of the enclosing section.
     pub number: usize,
     /// Its dotted name.
     pub path: String,

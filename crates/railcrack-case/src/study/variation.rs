@@ -1,4 +1,4 @@
-//! Lists in place of values.
+//! Lists given instead of values.
 
 use super::sampling::{Distribution, is_sampled};
 use super::tables::{TableOf, all_tables};
@@ -13,7 +13,7 @@ use toml::de::{DeTable, DeValue};
 pub struct Variation {
     /// Its name with its section: `contact.friction`, `crack[1].angle_deg`.
     pub key: String,
-    /// The shortest name that tells it from the other keys that vary: `friction`.
+    /// The shortest name that distinguishes it from the other keys that vary: `friction`.
     pub name: String,
     /// Its values in the order of the list; as text where a value is refused.
     pub values: Vec<Value>,
@@ -25,8 +25,8 @@ pub struct Variation {
     pub(super) elements: Vec<Range<usize>>,
 }
 
-/// The lists in place of values in the document `root`, in the order of the file, names not yet
-/// given; and the places of those that are refused, which `report` then says.
+/// The lists given instead of values in the document `root`, in the order of the file, names not
+/// yet given; and the places of those that are refused; errors are added to `report`.
 pub(super) fn find_variations(
     root: &DeTable,
     overrides: &[Override],
@@ -54,7 +54,7 @@ pub(super) fn find_variations(
     (found, refused)
 }
 
-/// Whether the document `root` is a study: it says so, or a list stands in place of a value.
+/// Whether the document `root` is a study: it has `[study]`, or a list is given instead of a value.
 pub(super) fn is_study(root: &DeTable) -> bool {
     root.contains_key(STUDY.name)
         || is_sampled(root)
@@ -66,8 +66,8 @@ pub(super) fn is_study(root: &DeTable) -> bool {
         })
 }
 
-/// The elements of a list that stands in place of a value of `kind`. A value that is a list by
-/// itself varies as a list of these.
+/// The elements of a list given instead of a value of `kind`. A value that is itself a list varies
+/// as a list of lists.
 fn list_in_place<'d, 'i>(kind: Kind, value: &'d DeValue<'i>) -> Option<&'d [Spanned<DeValue<'i>>]> {
     let DeValue::Array(items) = value else { return None };
     let is_list = |value: &Spanned<DeValue>| matches!(value.get_ref(), DeValue::Array(_));
@@ -88,7 +88,7 @@ fn list_in_place<'d, 'i>(kind: Kind, value: &'d DeValue<'i>) -> Option<&'d [Span
     stands_in_place.then_some(items)
 }
 
-/// Why this list cannot be one of a study.
+/// Reason why this list is not accepted in a study.
 fn fault(
     section: &Section,
     key: &Key,
@@ -100,9 +100,9 @@ fn fault(
 ) -> Option<Fault> {
     let given = format!("`{dotted} = {}`", report.shown(&value.span()));
     let (message, help) = if section.name.is_empty() {
-        (format!("{given}: may not vary"), "each run has this title with its own values behind it".to_owned())
+        (format!("{given}: cannot vary"), "each run has this title followed by its own values".to_owned())
     } else if key.name == RUN_FOLDERS.key.name {
-        (format!("{given}: may not vary"), "all runs of a study are kept in the same way".to_owned())
+        (format!("{given}: cannot vary"), "all runs of a study are stored in the same form".to_owned())
     } else if items.is_empty() {
         let help = format!("each element must be {}", key.kind.accepted());
         (format!("{given}: a list of a study must have at least one element"), help)
@@ -110,8 +110,8 @@ fn fault(
         (given.section, given.key) == (section.name, key.name)
             && given.number.is_none_or(|n| dotted.contains(&format!("[{n}]")))
     }) {
-        let help = "leave the option out, or write one value in place of the list";
-        (format!("`{}` takes the place of `{dotted}`, which the study varies", given.shown), help.to_owned())
+        let help = "leave the option out, or replace the list by a single value";
+        (format!("`{}` would override `{dotted}`, which the study varies", given.shown), help.to_owned())
     } else {
         return None;
     };

@@ -16,10 +16,10 @@ const PROFILE_RADII: NumberRange =
     NumberRange { min: RangeEnd::Closed(-1e6), max: RangeEnd::Closed(f64::INFINITY) };
 
 const TABLE: &str = "table";
-const HERTZIAN: &str = "a table has its own pressure and extent";
+const HERTZIAN: &str = "a table defines its own pressure and extent";
 
 section! {
-    CONTACT "contact", Required, "Wheel on rail: one passage is one axle.",
+    CONTACT "contact", Required, "Wheel-rail contact; one passage is one axle.",
         forms [[PEAK_PRESSURE, HALF_WIDTH, LATERAL_HALF_WIDTH], [LINE_LOAD, WHEEL_RADIUS, RAIL_RADIUS],
             [WHEEL_LOAD, WHEEL_RADIUS, RAIL_HEAD_RADIUS, WHEEL_PROFILE_RADIUS],
             [CONTACT_PROFILE, SCALE, STRIP]],
@@ -29,53 +29,48 @@ section! {
         .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
     HALF_WIDTH: f64 =
         number("half_width_mm", "mm", closed(0.01, 100.0), 6.75,
-            "Half-width a of the contact; below 0.01 mm it is smaller than the roughness of a rail.")
+            "Half-width a of the contact; below 0.01 mm it would be smaller than the roughness of a rail.")
         .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
     LINE_LOAD: f64 =
-        number("line_load_n_per_mm", "N/mm", closed(1e-5, 1e7), 8959.4, "Wheel load per width.")
+        number("line_load_n_per_mm", "N/mm", closed(1e-5, 1e7), 8959.4, "Wheel load per unit width.")
         .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
     WHEEL_RADIUS: f64 = number("wheel_radius_mm", "mm", closed(1e-2, 1e5), 460.9, "Radius of the wheel.")
         .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
     RAIL_RADIUS: f64 = number("rail_radius_mm", "mm", positive(f64::INFINITY), f64::INFINITY,
-        "Radius of the rail in the plane of the model; inf is flat.")
+        "Radius of the rail in the plane of the model; inf for a flat rail.")
         .only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
     WHEEL_LOAD: f64 = number("wheel_load_kn", "kN", closed(1e-3, 1e4), 100.0,
-        "Load of the wheel: with the radii it gives the Hertz ellipse, of which the model takes a strip along the rail.")
+        "Wheel load. Together with the radii it defines the Hertz contact ellipse, of which the plane engines use a strip along the rail.")
         .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
     RAIL_HEAD_RADIUS: f64 = number("rail_head_radius_mm", "mm", positive(f64::INFINITY), 300.0,
-        "Radius of the rail head across the rail; inf is flat.")
+        "Transverse radius of the rail head; inf for a flat head.")
         .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
     WHEEL_PROFILE_RADIUS: f64 = number("wheel_profile_radius_mm", "mm", PROFILE_RADII, f64::INFINITY,
-        "Radius of the wheel's profile across the rail; inf is straight, negative is concave.")
+        "Transverse radius of the wheel profile; inf for a straight profile, negative for a concave one.")
         .only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
     LATERAL_HALF_WIDTH: f64 = number("lateral_half_width_mm", "mm", closed(0.1, 1e3), 6.0,
-        "Semi-axis b of the contact ellipse across the rail; peak_pressure_mpa and half_width_mm are then those of the ellipse. \
-         The engine space needs it, or the radii; the others take the strip of the ellipse over the middle of the crack.")
+        "Lateral semi-axis b of the contact ellipse; peak_pressure_mpa and half_width_mm then describe the ellipse. The space engine needs this key or the radii; the plane engines use the strip of the ellipse above the middle of the crack.")
         .only_with_any(KIND, "hertz", &["carter"], HERTZIAN).optional();
     LATERAL: f64 = number("lateral_mm", "mm", within(100.0), 0.0,
-        "Lateral offset between the middle of the ellipse and the strip of the plane engines, 0 without it; in space the \
-         lateral position of the ellipse.")
+        "Lateral offset between the middle of the ellipse and the strip used by the plane engines; in the space engine, the lateral position of the ellipse. 0 if not given.")
         .only_with_any(KIND, "hertz", &["carter"], HERTZIAN).optional();
     CONTACT_PROFILE: String = file("profile", "inputs/contact-table", "contact.csv",
-        "CSV read by header, u_mm,p_mpa,q_mpa: u from the wheel's centre along +x, linear between rows, zero outside; or a .mat \
-         file of the rolling-contact program CONTACT.")
+        "CSV file with the columns u_mm,p_mpa,q_mpa, where u is measured from the wheel centre along +x; interpolated linearly between rows, zero outside. Or a .mat file written by the rolling-contact program CONTACT.")
         .required().only_with(KIND, TABLE, "pressure and shear are computed");
-    SCALE: f64 = number("scale", "", positive(1e6), 1.0, "Factor of pressure and shear of the table.")
+    SCALE: f64 = number("scale", "", positive(1e6), 1.0, "Factor applied to the pressure and shear of the table.")
         .only_with(KIND, TABLE, "pressure and shear are computed");
     STRIP: f64 = number("strip_mm", "mm", within(1e3), 0.0,
-        "Lateral position of the strip along the rail that is taken from a .mat file of CONTACT, in its own frame.")
-        .only_with(KIND, TABLE, "lateral_mm is the strip of an ellipse").optional();
+        "Lateral position, in CONTACT's own frame, of the strip along the rail that is taken from a .mat file.")
+        .only_with(KIND, TABLE, "lateral_mm chooses the strip of an ellipse").optional();
     FRICTION: f64 = number("friction", "", closed(-1.0, 1.0), 0.025,
-        "Wheel-rail friction coefficient. hertz: signed, > 0 drags the rail along +x (a braking wheel running towards +x); \
-         carter: of the slip zone, not negative; table: optional, then |q| <= friction p is required.")
-        .required_but_with(KIND, TABLE, "a table has its own shear");
+        "Wheel-rail friction coefficient. With hertz it is signed: > 0 drags the rail along +x (a braking wheel running towards +x). With carter it is that of the slip zone and not negative. With table it is optional; if given, |q| <= friction p is required.")
+        .required_but_with(KIND, TABLE, "a table defines its own shear");
     LATERAL_FRICTION: f64 = number("lateral_friction", "", closed(-1.0, 1.0), 0.0,
-        "Shear across the rail over pressure, > 0 towards +z; engine space only, 0 without it.")
-        .only_with(KIND, "hertz", "the strips of the plane engines have no shear across").optional();
+        "Ratio of lateral shear to pressure, > 0 towards +z; space engine only, 0 if not given.")
+        .only_with(KIND, "hertz", "the strips of the plane engines carry no lateral shear").optional();
     TRACTION: f64 = number("traction", "", closed(-1.0, 1.0), -0.5,
-        "Traction Q/(friction P), signed as the shear on the rail along +x: < 0 drives a wheel that runs towards +x; 1 and \
-         -1 are full sliding.")
-        .required().only_with(KIND, "carter", "full sliding has the whole friction, and a table its own shear");
+        "Traction ratio Q/(friction P), with the sign of the shear on the rail along +x: < 0 drives a wheel that runs towards +x; 1 and -1 are full sliding.")
+        .required().only_with(KIND, "carter", "full sliding mobilises all friction, and a table defines its own shear");
 }
 
 read_by_word!(ContactKind);
@@ -122,17 +117,17 @@ impl ContactOrigin {
     }
 }
 
-/// How much of an ellipse of contact counts.
+/// Part of a contact ellipse that an engine uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ContactExtent {
-    /// The strip over the middle of the crack, in the plane.
+    /// The strip above the middle of the crack, for the plane engines.
     Strip,
-    /// All of it, in space.
+    /// The whole ellipse, for the space engine.
     Ellipse,
 }
 
-/// The contact on a rail of `steel` of a wheel that runs towards `travel`; files are relative to
-/// `folder`. Of the whole ellipse, it is the strip in its middle.
+/// Contact of a wheel that runs towards `travel` with a rail of `steel`; files are relative to
+/// `folder`. For a whole ellipse, this is its middle strip.
 pub(crate) fn read_contact(
     section: &SectionValues,
     steel: &IsotropicElastic,
@@ -173,7 +168,7 @@ fn read_table(
 ) -> Option<(Contact, ContactOrigin)> {
     let friction = section.get(FRICTION);
     if friction.is_some_and(|friction| friction < 0.0) {
-        let help = "with a table, the most that |q|/p may be";
+        let help = "with a table, it is the upper limit of |q|/p";
         report.add(section.fault(FRICTION, "must be a number in [0, 1]").help(help));
         return None;
     }
@@ -190,7 +185,7 @@ fn read_table(
     Some((Contact::Table(table), ContactOrigin::Table(file)))
 }
 
-/// The Hertzian contact in full sliding, of whatever gives its size.
+/// The Hertzian contact in full sliding, from any of the forms that define its size.
 fn read_hertz(
     section: &SectionValues,
     steel: &IsotropicElastic,
@@ -215,7 +210,7 @@ fn read_hertz(
         Err(error) => Some(error.to_string()),
     };
     if let Some(says) = refusal {
-        let help = "line load and radii together give the peak pressure and the half-width";
+        let help = "line load and radii together define the peak pressure and the half-width";
         report.add(section.fault(LINE_LOAD, says).help(help));
         return None;
     }
@@ -246,14 +241,14 @@ fn refuse_lateral(section: &SectionValues, report: &mut Report) -> Option<()> {
     if section.entry(LATERAL).is_none() {
         return Some(());
     }
-    let says = "is an offset within the contact ellipse, whose semi-axis across the rail is missing";
-    let help = "lateral_half_width_mm, or wheel_load_kn with the radii of wheel and rail, or no lateral_mm";
+    let says = "is an offset within the contact ellipse, whose lateral semi-axis is missing";
+    let help = "give lateral_half_width_mm, or wheel_load_kn with the radii of wheel and rail, or leave lateral_mm out";
     report.add(section.fault(LATERAL, says).help(help));
     None
 }
 
 impl ContactExtent {
-    /// The offset of the strip that stands for the contact.
+    /// The offset of the strip that represents the contact.
     fn offset(self, lateral: f64) -> f64 {
         match self {
             Self::Strip => lateral,
@@ -262,7 +257,7 @@ impl ContactExtent {
     }
 }
 
-/// The strip of an ellipse that the plane engines take.
+/// The strip of an ellipse that the plane engines use.
 fn strip(
     section: &SectionValues,
     ellipse: &HertzEllipse,
@@ -274,8 +269,8 @@ fn strip(
         .strip(lateral, friction)
         .map_err(|_| {
             let across = ellipse.across;
-            let says = format!("is outside of the contact, which reaches {across:.3} mm to either side");
-            report.add(section.fault(LATERAL, says).help("a strip within the ellipse"));
+            let says = format!("is outside the contact, which reaches {across:.3} mm to either side");
+            report.add(section.fault(LATERAL, says).help("choose a strip within the ellipse"));
         })
         .ok()
 }
@@ -301,14 +296,14 @@ fn read_ellipse(
     let refusal = out_of_range(PEAK_PRESSURE, contact.peak_pressure)
         .or_else(|| out_of_range(HALF_WIDTH, contact.half_width));
     if let Some(says) = refusal {
-        let help = "wheel load and radii together give the ellipse, and lateral_mm its strip";
+        let help = "wheel load and radii together define the ellipse, and lateral_mm its strip";
         report.add(section.fault(WHEEL_LOAD, says).help(help));
         return None;
     }
     Some((contact, ContactOrigin::Ellipse { wheel, ellipse, lateral }))
 }
 
-/// Why a value that follows from others is not one that could have been given.
+/// Reason why a derived value is outside the range of its key.
 fn out_of_range(row: KeyRow<f64>, value: f64) -> Option<String> {
     match row.key.kind {
         Kind::Number { range, .. } if !range.contains(value) => {

@@ -12,21 +12,21 @@ const MOUTH: &str = "mouth";
 const TRAPPED: &str = "trapped";
 
 section! {
-    FLUID "fluid", Optional, "Water or grease in the cracks: pressure on their faces.";
-    MODEL: FluidKind = choice("model", "How the pressure comes about.").required();
-    PRESSURE_PROFILE: PressureProfile = choice("profile", "Pressure along the crack, s from the mouth, l its length.")
+    FLUID "fluid", Optional, "Water or grease in the cracks, which exerts pressure on their faces.";
+    MODEL: FluidKind = choice("model", "Model of the fluid pressure.").required();
+    PRESSURE_PROFILE: PressureProfile = choice("profile", "Pressure along the crack, where s is the distance from the mouth and l the crack length.")
         .only_with(MODEL, MOUTH, "a trapped fluid has one pressure");
     PRESSURE_CAP: f64 = number("pressure_cap_mpa", "MPa", positive(f64::INFINITY), f64::INFINITY,
-        "Largest pressure; with inf, none, the flap above a shallow crack is lifted off the rail, which no wheel would let happen.")
+        "Upper limit of the pressure. With inf there is no limit, and the pressure lifts the flap above a shallow crack off the rail, which a real wheel would prevent.")
         .only_with(MODEL, MOUTH, "a trapped fluid is limited by its volume");
     BULK_MODULUS: f64 = number("bulk_modulus_mpa", "MPa", positive(f64::INFINITY), f64::INFINITY,
-        "Bulk modulus B of the fluid, V = V0 exp(-p/B): 2200 is water, inf cannot be compressed.")
-        .only_with(MODEL, TRAPPED, "the pressure is that over the mouth");
+        "Bulk modulus B of the fluid, V = V0 exp(-p/B): 2200 for water, inf for an incompressible fluid.")
+        .only_with(MODEL, TRAPPED, "the pressure equals that over the mouth");
     LEAK: bool = switch("leak", Preset::Switch(true),
-        "Whether fluid at more than the pressure over the mouth leaves through it as soon as no closed face lies on its way.")
-        .only_with(MODEL, TRAPPED, "the pressure is that over the mouth");
+        "Whether fluid at a higher pressure than that over the mouth leaks out as soon as no closed faces block its path.")
+        .only_with(MODEL, TRAPPED, "the pressure equals that over the mouth");
     WET_CRACKS: Vec<f64> = numbers("cracks", "", closed(1.0, 1e4), &[1.0],
-        "Numbers of the cracks with fluid, from 1, copies counted; without this key all. Joined cracks share it.")
+        "Numbers of the cracks that contain fluid, counted from 1 and including copies; all cracks if not given. Joined cracks share their fluid.")
         .optional();
 }
 
@@ -42,17 +42,20 @@ pub(crate) enum FluidKind {
 
 impl Choice for FluidKind {
     const WORDS: &'static [(Self, Word)] = &[
-        (Self::None, Word::now("none", "dry cracks, as without this section: for studies")),
-        (Self::Mouth, Word::now(MOUTH, "the pressure of the contact over the mouth acts in the crack")),
+        (Self::None, Word::now("none", "dry cracks, as without this section; useful in studies")),
+        (Self::Mouth, Word::now(MOUTH, "the contact pressure over the mouth acts inside the crack")),
         (
             Self::Trapped,
-            Word::now(TRAPPED, "the volume that the crack holds as the contact covers its mouth stays in it"),
+            Word::now(
+                TRAPPED,
+                "the volume of fluid in the crack when the contact covers its mouth remains enclosed",
+            ),
         ),
     ];
 }
 
-/// The fluid in the cracks of `network`, if any; none at all where something is wrong, which
-/// `report` then says.
+/// The fluid in the cracks of `network`, if any; `None` if there is an error, which is added to
+/// `report`.
 #[expect(clippy::option_option, reason = "dry cracks, and a section with errors")]
 pub(crate) fn read_fluid(
     section: &SectionValues,
@@ -76,10 +79,10 @@ pub(crate) fn read_fluid(
             let buried = |crack: &usize| !network.cracks()[*crack].is_surface_breaking();
             if let Some(crack) = (0..count).filter(wet).find(buried) {
                 let says = format!(
-                    "\"mouth\": crack {} is buried and has no mouth to take a pressure from",
+                    "\"mouth\": crack {} is buried and has no mouth through which pressure could enter",
                     crack + 1
                 );
-                let help = "cracks = [\u{2026}] names those with fluid";
+                let help = "cracks = [\u{2026}] lists the cracks that contain fluid";
                 report.add(section.fault(MODEL, says).help(help));
                 return None;
             }

@@ -10,13 +10,13 @@ use std::path::Path;
 
 section! {
     FRACTURE "fracture", Optional,
-        "Brittle fracture: the run ends where the largest k1 of a passage, over all kink angles, reaches the toughness.",
+        "Brittle fracture: the run ends when the largest k1 of a passage, over all kink angles, reaches the toughness.",
         forms [[TOUGHNESS], [FRACTURE_STEEL], [FRACTURE_PROFILE]];
-    TOUGHNESS: f64 = number("toughness_mpa_sqrt_m", "MPa sqrt(m)", closed(0.1, 1e3), 29.0, "Toughness K_Ic.").required();
-    FRACTURE_STEEL: SteelName = choice("steel", "Rail steel: the mean toughness at -20 degrees C that EN 13674-1 demands.")
+    TOUGHNESS: f64 = number("toughness_mpa_sqrt_m", "MPa sqrt(m)", closed(0.1, 1e3), 29.0, "Fracture toughness K_Ic.").required();
+    FRACTURE_STEEL: SteelName = choice("steel", "Rail steel, with the mean toughness at -20 degrees C that EN 13674-1 requires.")
         .required();
     FRACTURE_PROFILE: String = file("profile", "inputs/toughness.csv", "toughness.csv",
-        "CSV read by header, temperature_c,toughness_mpa_sqrt_m: linear between rows; at [temperature] rail_c.").required();
+        "CSV file with the columns temperature_c,toughness_mpa_sqrt_m; interpolated linearly between rows and evaluated at rail_c of [temperature].").required();
 }
 
 read_by_word!(SteelName);
@@ -71,8 +71,9 @@ impl Fracture {
         }
         let file = read_toughness(section, FRACTURE_PROFILE, folder, report)?;
         if temperature.is_none() {
-            let says = "is a toughness over temperature, and no [temperature] says that of the rail";
-            let help = "a [temperature] section, with rail_c = neutral_c for a rail without thermal stress";
+            let says = "depends on temperature, and no [temperature] gives that of the rail";
+            let help =
+                "add a [temperature] section, with rail_c = neutral_c for a rail without thermal stress";
             report.add(section.fault(FRACTURE_PROFILE, says).help(help));
             return None;
         }

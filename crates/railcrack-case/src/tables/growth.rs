@@ -7,11 +7,11 @@ use crate::schema::{
 use railcrack::fatigue::{DirectionCriterion, LawDeclaration, RangeForm};
 
 section! {
-    GROWTH "growth", Defaulted, "Crack growth: da/dN under an equivalent range dKeq of dKI and dKII.";
+    GROWTH "growth", Defaulted, "Crack growth: da/dN as a function of an equivalent range dKeq of dKI and dKII.";
     STEPS: usize =
         integer("steps", (0, 10_000), 25, "Number of increments; 0 computes the initial cracks only.");
     INCREMENT: f64 = number("increment", "", closed(1e-4, 0.5), 0.04,
-        "Increment of the fastest tip, as a fraction of its crack's length; 10 000 of the smallest double it.");
+        "Increment of the fastest tip, as a fraction of its crack's length; at the smallest value, doubling the length takes up to 10 000 steps.");
     LAW: &'static LawDeclaration = law_keys::LAW;
     EQUIVALENT: RangeForm = choice("equivalent", "Equivalent range dKeq.")
         .only_with_words(LAW, law_keys::WITH_A_RANGE, law_keys::OWN_RANGE);
@@ -19,22 +19,21 @@ section! {
     MODE_2_WEIGHT: f64 = number("mode_2_weight", "", closed(0.0, 100.0), 0.772, "Weight w of mode II.")
         .only_with(EQUIVALENT, "hourlier-pineau", "only this range has a weight of mode II");
     MODE_3_WEIGHT: f64 = number("mode_3_weight", "", closed(0.0, 100.0), 1.103,
-        "Weight of mode III in the engine space; without it mode_2_weight/(1 - nu), with which modes II and III count by \
-         their energy release rates.")
+        "Weight of mode III in the space engine; by default mode_2_weight/(1 - nu), which weights modes II and III by their energy release rates.")
         .only_with(EQUIVALENT, "hourlier-pineau", "only this range has a weight of mode III").optional();
     ..law_keys::OF_OTHER_LAWS;
     TABLE_PROFILE: String = file("table_profile", "inputs/rates.csv", "rates.csv",
-        "CSV read by header, delta_keq_mpa_sqrt_m,rate_mm_per_cycle: log-log linear, no growth below the first row.")
+        "CSV file with the columns delta_keq_mpa_sqrt_m,rate_mm_per_cycle; interpolated linearly in log-log scale, no growth below the first row.")
         .required()
-        .only_with_words(LAW, law_keys::OF_RATES, "every law has constants of its own");
-    GROWTH_STEEL: SteelName = choice("steel", "Rail steel with a law of its name, instead of law and constants.").optional();
+        .only_with_words(LAW, law_keys::OF_RATES, "every other law has its own constants");
+    GROWTH_STEEL: SteelName = choice("steel", "Rail steel whose growth law is used instead of law and its constants.").optional();
     ARREST_RATE: f64 = number("arrest_rate_mm_per_cycle", "mm/cycle", closed(0.0, 1.0), 1e-9,
-        "A tip slower than this is arrested.");
+        "A tip that grows more slowly than this is arrested.");
     DIRECTION: DirectionCriterion = choice("direction", "Criterion of the growth direction.");
     CRITICAL_LENGTH: f64 =
-        number("critical_length_mm", "mm", positive(1e5), 20.0, "A crack this long ends the run.").optional();
+        number("critical_length_mm", "mm", positive(1e5), 20.0, "The run ends when a crack reaches this length.").optional();
     STOP_AFTER_CYCLES: f64 = number("stop_after_cycles", "cycles", positive(1e18), 1e7,
-        "This many load cycles end the run.").optional();
+        "The run ends after this many load cycles.").optional();
 }
 
 /// The steels that have a growth law of their name.
@@ -53,8 +52,7 @@ impl Choice for SteelName {
 
 read_by_word!(DirectionCriterion, &'static LawDeclaration, RangeForm, SteelName);
 
-/// Whether `key` of `[growth]` says something of the law: with a steel, the law is that of the
-/// steel.
+/// Whether `key` of `[growth]` concerns the law: with a steel, the law is that of the steel.
 pub(crate) fn is_of_the_law(key: &Key) -> bool {
     let is_one_of = |rows: &[&str]| rows.contains(&key.name);
     is_one_of(&[LAW.key.name, MODE_2_WEIGHT.key.name])

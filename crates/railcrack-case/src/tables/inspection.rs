@@ -5,35 +5,35 @@ use railcrack::fatigue::RailSteel;
 
 section! {
     INSPECTION "inspection", Optional,
-        "Inspection: the interval is the way from detectable to critical divided by a safety factor; needs axle loads.",
+        "Inspection interval: the traffic from a detectable to a critical crack, divided by a safety factor; requires axle loads.",
         forms [[DETECTABLE_DEPTH], [DETECTABLE_LENGTH]];
     DETECTABLE_DEPTH: f64 = number("detectable_depth_mm", "mm", closed(0.0, 1e3), 2.0,
-        "Depth of the tip from which a crack is found.").required();
+        "Tip depth from which a crack is detectable.").required();
     DETECTABLE_LENGTH: f64 = number("detectable_length_mm", "mm", closed(0.0, 1e3), 5.0,
-        "Length from which a crack is found.").required();
+        "Length from which a crack is detectable.").required();
     CRITICAL_DEPTH: f64 = number("critical_depth_mm", "mm", positive(1e3), 10.0,
-        "Depth of the tip that must not be reached; critical_length_mm of [growth] and fracture count too.").optional();
+        "Tip depth that must not be reached; critical_length_mm of [growth] and fracture are critical too.").optional();
     SAFETY_FACTOR: f64 = number("safety_factor", "", closed(1.0, 100.0), 3.0,
-        "The way from detectable to critical is divided by this.");
+        "Divisor of the traffic from a detectable to a critical crack.");
 }
 
 section! {
     SCATTER "scatter", Optional,
-        "Scatter of what does not change the path of the crack, sampled at the end of the run; needs axle loads.";
+        "Scatter of quantities that do not change the crack path, sampled at the end of the run; requires axle loads.";
     SAMPLES: usize = integer("samples", (10, 10_000_000), 100_000, "Number of samples.");
     SEED: usize = integer("seed", (0, 4_294_967_295), 1, "Seed of the random numbers.");
     C_LOG_STD: f64 = number("paris_c_log_std", "", closed(0.0, 5.0), 0.3,
-        "Standard deviation of ln C of the growth law, whichever it is; without it, that of the steel of [growth], or 0.3.").optional();
+        "Standard deviation of ln C, where C is the coefficient of the growth law in use; by default that of the steel of [growth], or 0.3.").optional();
     M_STD: f64 = number("paris_m_std", "", closed(0.0, 5.0), 0.0,
-        "Standard deviation of the exponent, about dKeq = 10 MPa sqrt(m), where the rate keeps its scatter.");
+        "Standard deviation of the exponent; it leaves the scatter of the rate at dKeq = 10 MPa sqrt(m) unchanged.");
     TOUGHNESS_STD: f64 = number("toughness_std", "MPa sqrt(m)", closed(0.0, 100.0), 0.0,
-        "Standard deviation of the toughness of [fracture]: samples may break before the run does.");
+        "Standard deviation of the toughness of [fracture]; samples may fracture before the run does.");
     DETECTABLE_DEPTH_STD: f64 = number("detectable_depth_std", "mm", closed(0.0, 100.0), 0.0,
         "Standard deviation of the detectable depth.");
     WEAR_STD: f64 = number("wear_std", "mm/MGT", closed(0.0, 100.0), 0.0,
-        "Standard deviation of the wear of [maintenance]; samples with less than none have none.");
+        "Standard deviation of the wear of [maintenance]; negative samples count as no wear.");
     SHARE_LOG_STD: f64 = number("share_log_std", "", closed(0.0, 5.0), 0.0,
-        "Standard deviation of the logarithm of the share of each [[wheel]], before the shares are made to add up to 1.");
+        "Standard deviation of the logarithm of the share of each [[wheel]], before the shares are normalised to a sum of 1.");
 }
 
 /// Inspection of the rail.
@@ -125,19 +125,21 @@ pub(crate) fn read_scatter(section: &SectionValues, of: Scattering, report: &mut
     needs_tonnes(section, has_tonnes, report)?;
     let (wear_std, share_log_std) = (section.get(WEAR_STD)?, section.get(SHARE_LOG_STD)?);
     if wear_std > 0.0 && !is_maintained {
-        let help = "a [maintenance] section with the wear that scatters";
-        report.add(section.fault(WEAR_STD, "no [maintenance] gives wear").help(help));
+        let help = "add a [maintenance] section with the mean wear";
+        report.add(section.fault(WEAR_STD, "there is no [maintenance] with a mean wear").help(help));
         return None;
     }
     if share_log_std > 0.0 && !is_mix {
-        let says = "there is one wheel, whose share is 1";
-        report.add(section.fault(SHARE_LOG_STD, says).help("a mix of [[wheel]]s with shares"));
+        let says = "the case has a single wheel, whose share is 1";
+        report.add(
+            section.fault(SHARE_LOG_STD, says).help("it applies to a mix of [[wheel]] sections with shares"),
+        );
         return None;
     }
     let toughness_std = section.get(TOUGHNESS_STD)?;
     if toughness_std > 0.0 && toughness.is_none() {
-        let help = "a [fracture] section with the toughness that scatters";
-        report.add(section.fault(TOUGHNESS_STD, "no [fracture] gives a toughness").help(help));
+        let help = "add a [fracture] section with the mean toughness";
+        report.add(section.fault(TOUGHNESS_STD, "there is no [fracture] with a mean toughness").help(help));
         return None;
     }
     let usual = steel.map_or(USUAL_LOG_STD, |steel| steel.c_log_std);
@@ -159,7 +161,7 @@ pub(super) fn needs_tonnes(section: &SectionValues, has_tonnes: bool, report: &m
     if has_tonnes {
         return Some(());
     }
-    let help = "a [traffic] section with axle_load_t, or axle_load_t of every [[wheel]]";
-    report.add(section.fault_of_all("is in million gross tonnes, and no axle load is given").help(help));
+    let help = "add a [traffic] section with axle_load_t, or axle_load_t to every [[wheel]]";
+    report.add(section.fault_of_all("counts in million gross tonnes, and no axle load is given").help(help));
     None
 }

@@ -18,7 +18,7 @@ pub(super) struct GivenLaw {
 /// cycle: a millimetre per cycle is fracture.
 const FASTEST: (f64, f64) = (10.0, 1.0);
 
-/// The law that `section` gives; none where something is wrong, which `report` then says.
+/// The law that `section` gives; none if there is an error, which is added to `report`.
 pub(super) fn read_law(section: &SectionValues, folder: &Path, report: &mut Report) -> Option<GivenLaw> {
     if let Some(name) = section.get(GROWTH_STEEL) {
         refuse_beside_steel(section, report);
@@ -55,7 +55,7 @@ pub(super) fn read_law(section: &SectionValues, folder: &Path, report: &mut Repo
     Some(GivenLaw { law, steel: None, rates })
 }
 
-/// Refuses a law that breaks a rail in a passage.
+/// Refuses a law that would break a rail within one passage.
 fn check_pace(
     section: &SectionValues,
     declaration: &LawDeclaration,
@@ -81,12 +81,11 @@ fn check_pace(
     None
 }
 
-/// A steel has law and constants of its own.
+/// A steel defines its own law and constants.
 fn refuse_beside_steel(section: &SectionValues, report: &mut Report) {
     for key in section.section.keys.iter().filter(|key| is_of_the_law(key)) {
         if section.is_given_name(key.name) {
-            let says =
-                "says the same thing as `steel`, whose law has constants of its own: give one or the other";
+            let says = "says the same thing as `steel`, which defines its own law and constants: give one or the other";
             report.add(section.fault_of_name(key.name, says));
         }
     }

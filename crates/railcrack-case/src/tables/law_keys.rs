@@ -26,7 +26,7 @@ const ALL_CONSTANTS: &[Key; COUNT] = &{
     keys
 };
 
-/// The keys of all constants that stand before the threshold that laws share: those of the default
+/// The keys of the constants that precede the threshold shared by the laws: those of the default
 /// law.
 pub(super) const OF_DEFAULT_LAW: &[Key] = ALL_CONSTANTS.split_at(place_of(Constant::THRESHOLD.key)).0;
 
@@ -45,9 +45,8 @@ pub(super) const OWN_RANGE: &str = {
     let mut i = 0;
     while i < LAWS.len() {
         if let Some(own) = LAWS[i].own_range {
-            // A sentence for one law says nothing of two.
-            reason =
-                if reason.is_empty() { own.reason } else { "the law has an equivalent range of its own" };
+            // A sentence about one law does not apply to two.
+            reason = if reason.is_empty() { own.reason } else { "the law defines its own equivalent range" };
         }
         i += 1;
     }
@@ -106,7 +105,7 @@ const CONSTANTS: &[Constant; COUNT] = &{
     all
 };
 
-/// Of each constant the laws that have it.
+/// For each constant, the laws that use it.
 const USERS: &[Names; COUNT] = &{
     let mut users = [Names::NONE; COUNT];
     let mut i = 0;
@@ -184,7 +183,7 @@ const fn place_of(key: &str) -> usize {
     i
 }
 
-/// Equality of texts, which is no constant function of the standard library.
+/// Equality of texts: the standard library has no constant function for it.
 const fn is_same(a: &str, b: &str) -> bool {
     let (a, b) = (a.as_bytes(), b.as_bytes());
     let mut i = 0;

@@ -5,15 +5,15 @@ use railcrack::growth::{Grinding, Maintenance, StressMoves};
 
 section! {
     MAINTENANCE "maintenance", Optional,
-        "Wear and grinding, which remove the running surface and cut the cracks at their mouths; needs axle loads.";
+        "Wear and grinding, which remove the running surface and shorten the cracks from their mouths; requires axle loads.";
     WEAR: f64 = number("wear_mm_per_mgt", "mm/MGT", closed(0.0, 100.0), 0.0,
         "Wear of the running surface in depth, mm per million gross tonnes.");
     GRINDING: f64 = number("grinding_mm", "mm", positive(100.0), 0.2,
-        "Depth that is ground off each time; with grinding_interval_mgt.").optional();
+        "Depth removed by each grinding; requires grinding_interval_mgt.").optional();
     GRINDING_INTERVAL: f64 = number("grinding_interval_mgt", "MGT", closed(1e-6, 1e6), 20.0,
-        "Million gross tonnes from one grinding to the next, and from the beginning to the first.").optional();
+        "Traffic from one grinding to the next, and from the beginning to the first.").optional();
     STRESS: StressMoves = choice("stress_moves_with",
-        "Fate of residual and plastic stress below the surface that comes down.");
+        "How residual and plastic stresses move as the surface is worn down.");
 }
 
 read_by_word!(StressMoves);
@@ -58,9 +58,12 @@ pub(crate) fn read_maintenance(
         (depth, _) => {
             let (given, other) =
                 if depth.is_some() { (GRINDING, GRINDING_INTERVAL) } else { (GRINDING_INTERVAL, GRINDING) };
-            let says = format!("needs {} beside it", other.key.name);
-            report
-                .add(section.fault(given, says).help("a depth each time, and the tonnes between two times"));
+            let says = format!("needs {} as well", other.key.name);
+            report.add(
+                section
+                    .fault(given, says)
+                    .help("give both the depth of each grinding and the tonnes between grindings"),
+            );
             return None;
         }
     };

@@ -6,23 +6,17 @@ use railcrack::space::SpaceResolution;
 section! {
     MESH "mesh", Defaulted, "Discretisation.";
     ELEMENT_SIZE: f64 = number("element_size_mm", "mm", positive(100.0), 0.1,
-        "Element size at the cracks in the finite-element engine; without it, at each crack a sixtieth of the longest one \
-         (a thirtieth at a straight crack of more than three), or a thirtieth of the crack or a seventh of the segment at \
-         its tip if that is less. Without effect on the dislocation engine.").optional();
+        "Element size at the cracks in the finite-element engine. By default, at each crack a sixtieth of the longest one (a thirtieth at a straight crack if there are more than three), but no more than a thirtieth of the crack or a seventh of the segment at its tip. It has no effect on the dislocation engine.").optional();
     TIP_ENRICHMENT_RADIUS: f64 = number("tip_enrichment_radius_mm", "mm", positive(100.0), 0.5,
-        "Radius around a tip within which nodes carry the square-root functions of the crack tip; without it, two and a \
-         half elements.").optional();
+        "Radius around a tip within which nodes carry the square-root functions of the crack tip; by default two and a half elements.").optional();
     INTERFACE_SPACING: f64 = number("interface_spacing_mm", "mm", positive(100.0), 0.2,
-        "Largest distance between face points in the finite-element engine, at least 0.3 of the element size; without \
-         it, the length of crack in an element.").optional();
+        "Largest distance between face points in the finite-element engine, at least 0.3 of the element size; by default the length of the crack within an element.").optional();
     INTERFACE_ELEMENTS: usize = integer("interface_elements", (8, 400), 28,
-        "Elements along each crack in the dislocation engine, before its grading towards mouth, tips and kinks; without \
-         it 28, and 132 shared by all cracks, but at least 22 each, where there are more than four.").optional();
+        "Number of elements along each crack in the dislocation engine, before grading towards mouth, tips and kinks. By default 28; with more than four cracks, 132 shared by all of them, but at least 22 each.").optional();
     SPACE_CELLS: usize = integer("space_cells", (2, 16), 4,
-        "Cells from the middle of the crack to each side of its inner block, in the engine space; along the front are four \
-         times as many.").optional();
+        "Number of cells from the centre of a crack to each side of its inner block in the space engine; there are four times as many along the front.").optional();
     SPACE_RINGS: usize = integer("space_rings", (2, 16), 4,
-        "Cells from the inner block to the front, in the engine space.").optional();
+        "Number of cells from the inner block to the front in the space engine.").optional();
 }
 
 /// Discretisation; without a value, each engine chooses it from the cracks.

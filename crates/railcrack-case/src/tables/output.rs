@@ -7,18 +7,18 @@ use crate::schema::{
 
 section! {
     OUTPUT "output", Defaulted,
-        "What is written. A study writes less of each run unless its file says otherwise: `faces = \"none\"`, `sif = \"ends\"`, no fields, plots and pages; `railcrack report` makes these of any run.";
+        "Output of a run. By default, a study writes less for each run: `faces = \"none\"`, `sif = \"ends\"`, and no fields, plots or pages; `railcrack report` makes plots and pages of any run later.";
     FIELDS_OVER_A: Vec<f64> = numbers("fields_over_a", "a", within(1e3), &[-1.0, 0.0, 1.0],
-        "Wheel positions of the fields of displacement and stress around the cracks (finite elements only), from the mouth of the first crack: of each, the nearest output position.");
+        "Wheel positions at which the fields of displacement and stress around the cracks are written (finite-element engine only), relative to the mouth of the first crack; the nearest output positions are used.");
     FIELDS_EVERY: usize = integer("fields_every", (0, 10_000), 25,
-        "Interval between growth steps with fields, from step 0 on; 0 writes none.");
+        "Number of growth steps from one set of fields to the next, starting at step 0; 0 writes none.");
     FIELDS: bool = switch("fields", Preset::Switch(true), "Whether fields are written.");
-    FACES: Kept = choice("faces", "Growth steps in `faces.csv`.");
-    SIF: Kept = choice("sif", "Growth steps in `sif.csv`.");
+    FACES: Kept = choice("faces", "Growth steps written to `faces.csv`.");
+    SIF: Kept = choice("sif", "Growth steps written to `sif.csv`.");
     PLOTS: bool = switch("plots", Preset::Switch(true), "Whether plots are drawn.");
-    REPORT: bool = switch("report", Preset::Switch(true), "Whether the page `report.html` is made.");
+    REPORT: bool = switch("report", Preset::Switch(true), "Whether the page `report.html` is written.");
     RUN_FOLDERS: bool = switch("run_folders", Preset::Switch(true),
-        "In a study: whether each run keeps a folder of its own; without, all runs are in a few files.");
+        "In a study, whether each run has a folder of its own; if not, all runs are stored in a few files.");
 }
 
 /// Growth steps of which a table has rows.

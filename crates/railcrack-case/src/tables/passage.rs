@@ -8,26 +8,26 @@ use railcrack::load::{Passage, Travel};
 
 section! {
     PASSAGE "passage", Defaulted,
-        "Passage of the wheel; with from > to it runs towards -x, and the mouths of from and to change places.";
+        "Passage of the wheel. If from_over_a > to_over_a, the wheel runs towards -x and meets the rightmost crack first.";
     FROM: f64 = number("from_over_a", "a", within(1e3), -6.0,
-        "First position of the contact's middle, measured from the first mouth that the wheel meets.");
+        "First position of the contact centre, relative to the first mouth that the wheel meets.");
     TO: f64 = number("to_over_a", "a", within(1e3), 6.0,
-        "Last position, measured from the last mouth that the wheel meets.");
-    POSITIONS: usize = integer("positions", (2, 100_000), 241, "Output positions, evenly spaced.");
+        "Last position of the contact centre, relative to the last mouth that the wheel meets.");
+    POSITIONS: usize = integer("positions", (2, 100_000), 241, "Number of evenly spaced output positions.");
     MAX_PASSAGES: usize = integer("max_passages", (1, 1000), 5,
-        "Most passages of the wheel over an unchanged crack until the history of K repeats.");
+        "Maximum number of passages of the wheel over an unchanged crack until the history of K repeats.");
     PASSAGE_TOLERANCE: f64 = number("passage_tolerance", "", closed(1e-9, 0.1), 1e-3,
-        "Change of K between two passages, relative to its peak, below which the history repeats.");
+        "The history of K counts as repeating when it changes by less than this between two passages, relative to its peak.");
     STEP_TOLERANCE: f64 = number("step_tolerance", "", closed(1e-6, 0.1), 2e-3,
-        "Load steps are refined until K changes by less, relative to its peak.");
+        "Load steps are refined until K changes by less than this, relative to its peak.");
     NETWORK_TOLERANCE: f64 = number("network_tolerance", "", closed(1e-9, 0.1), 6e-4,
-        "With solver.network = \"groups\", sweeps are repeated until the error of K that they leave is estimated as less, relative to its peak at the tip.");
-    STEP_CONTROL: StepControl = choice("step_control", "Choice of the load steps.");
+        "With solver.network = \"groups\", sweeps are repeated until the estimated error of K is less than this, relative to its peak at the tip.");
+    STEP_CONTROL: StepControl = choice("step_control", "Control of the load steps.");
 }
 
 read_by_word!(StepControl);
 
-/// Which way the wheel runs.
+/// Direction of travel of the wheel.
 pub(crate) fn read_travel(section: &SectionValues) -> Option<Travel> {
     Some(if section.get(TO)? < section.get(FROM)? { Travel::Backward } else { Travel::Forward })
 }
@@ -41,14 +41,14 @@ pub(crate) fn read_passage(
 ) -> Option<Passage> {
     let (from, to) = (section.get(FROM)?, section.get(TO)?);
     if from == to {
-        let help = "the wheel has to move; from > to is a wheel that runs towards -x";
+        let help = "the wheel must move; from > to makes it run towards -x";
         let says = format!("must differ from {}", FROM.key.name);
         report.add(section.fault(TO, says).help(help));
         return None;
     }
     let (half_width, cracks) = (half_width?, cracks?);
-    // The wheel meets the cracks one after the other: it starts before the first mouth on its way
-    // and ends behind the last one.
+    // The wheel meets the cracks one after the other: it starts before the first mouth that it
+    // meets and ends behind the last one.
     let (first, last) = if from < to {
         (cracks.leftmost_mouth(), cracks.rightmost_mouth())
     } else {

@@ -24,7 +24,7 @@ section! {
         "Length of the rail along x; cracks must stay within it.");
     DEPTH: f64 = number("depth_mm", "mm", positive(1e5), 172.0, "Depth of the rail; cracks must stay above it.");
     CENTRE: f64 = number("centre_mm", "mm", within(1e6), 0.0,
-        "Middle of that length; without it, the middle of the crack mouths.").optional();
+        "x coordinate of the middle of the rail; by default the middle of the crack mouths.").optional();
     BOUNDARY: BoundaryKind = choice("boundary", "Boundary of the rail.");
     BOTTOM: BottomSupport = choice("bottom", "Support of the bottom of a block.")
         .only_with(BOUNDARY, BLOCK.name, NO_SUPPORTS);
@@ -42,11 +42,11 @@ pub(crate) enum BoundaryKind {
 }
 
 const BLOCK: Word =
-    Word::now("block", "a block of width_mm times depth_mm on supports; finite-element engine only");
+    Word::now("block", "a supported block of width_mm by depth_mm; finite-element engine only");
 
 impl Choice for BoundaryKind {
     const WORDS: &'static [(Self, Word)] = &[
-        (Self::HalfPlane, Word::now("half-plane", "no boundary but the running surface")),
+        (Self::HalfPlane, Word::now("half-plane", "bounded by the running surface only")),
         (Self::Block, BLOCK),
     ];
 }

@@ -11,16 +11,16 @@ use std::path::Path;
 
 section! {
     SHAKEDOWN "shakedown", Defaulted,
-        "Plastic behaviour of the rail under the repeated passage, and the Dang Van criterion.";
+        "Plastic behaviour of the rail under repeated passages, and the Dang Van criterion.";
     YIELD_STRESS: f64 = number("yield_stress_mpa", "MPa", positive(1e4), 500.0,
         "Yield stress in tension; in shear it is k = yield stress / sqrt(3).");
     HARDENING_MODULUS: f64 = number("hardening_modulus_mpa", "MPa", positive(1e7), 20e3,
         "Modulus C of the linear kinematic hardening X = (2/3) C eps_p.");
-    METHOD: Method = choice("method", "Way to the stabilised state.");
+    METHOD: Method = choice("method", "Method of computing the stabilised state.");
     MAX_PASSES: usize = integer("max_passes", (1, 100_000), 500,
-        "Passages after which the rail counts as not stabilised.");
+        "Maximum number of passages, after which the rail counts as not stabilised.");
     INITIAL_RESIDUAL: String = file("initial_residual", "inputs/initial-residual.csv", "manufacturing.csv",
-        "Balanced profile present before the first passage, as [residual_stress] profile.").optional();
+        "Balanced stress profile before the first passage, in the format of [residual_stress] profile.").optional();
     DANG_VAN_A: f64 = number("dang_van_a", "", closed(0.0, 10.0), 0.3, "Slope of the Dang Van criterion.");
     DANG_VAN_B: f64 = number("dang_van_b_mpa", "MPa", positive(1e4), 250.0,
         "Fatigue limit in pure shear of the Dang Van criterion.");
@@ -33,9 +33,9 @@ read_by_word!(Method);
 pub struct ShakedownSettings {
     /// Yield stress and hardening of the steel.
     pub hardening: KinematicHardening,
-    /// Way to the stabilised state.
+    /// Method of computing the stabilised state.
     pub method: Method,
-    /// Passages after which the rail counts as not stabilised.
+    /// Maximum number of passages, after which the rail counts as not stabilised.
     pub max_passes: usize,
     /// Balanced profile present before the first passage.
     pub initial_residual: Option<ProfileFile>,

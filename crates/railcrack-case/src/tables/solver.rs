@@ -4,10 +4,10 @@ use crate::schema::{Choice, Word, choice, read_by_word, section};
 use railcrack::plane::NetworkContact;
 
 section! {
-    SOLVER "solver", Defaulted, "Solvers.";
-    ENGINE: Engine = choice("engine", "Engine that computes the cracked rail.");
+    SOLVER "solver", Defaulted, "Engine and solvers.";
+    ENGINE: Engine = choice("engine", "Engine used for the cracked rail.");
     SOLVER_CONTACT: ContactSolver = choice("contact", "Solver of the contact conditions on the crack faces.");
-    NETWORK: NetworkContact = choice("network", "How the contact of many cracks is followed.");
+    NETWORK: NetworkContact = choice("network", "How the contact conditions of many cracks are solved.");
 }
 
 read_by_word!(Engine, ContactSolver, NetworkContact);

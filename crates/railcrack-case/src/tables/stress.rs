@@ -6,21 +6,20 @@ use std::path::Path;
 
 section! {
     RESIDUAL_STRESS "residual_stress", Optional,
-        "A balanced residual stress that depends on depth; it adds to the wheel.";
+        "A balanced residual stress that varies with depth and is added to the stress due to the wheel.";
     PROFILE: String = file("profile", "inputs/residual-stress.csv", "profile.csv",
-        "CSV read by header, depth_mm,sxx_mpa[,szz_mpa]: linear between rows, zero beyond the last.").required();
+        "CSV file with the columns depth_mm,sxx_mpa[,szz_mpa]; interpolated linearly between rows, zero below the last.").required();
 }
 
 section! {
     PLASTIC_STRESS "plastic_stress", Optional,
-        "A plastic stress K:eps_p = 2 G eps_p that is still to be balanced on the crack mesh. With neither key, that of the \
-          stabilised state of [shakedown], which the run computes first.",
+        "A plastic stress K:eps_p = 2 G eps_p, which the run balances on the crack mesh. With neither key, it is that of the stabilised state of [shakedown], which the run computes first.",
         forms [[PLASTIC_FIELD], [PLASTIC_PROFILE]];
     PLASTIC_FIELD: String = file("field", "inputs/plastic-stress.vtu", "shakedown/plastic.vtu",
-        "VTU with plastic_stress_mpa on points or cells: written by `railcrack shakedown`, or by any other program.")
+        "VTU file with plastic_stress_mpa at points or cells, written by `railcrack shakedown` or by any other program.")
         .optional();
     PLASTIC_PROFILE: String = file("profile", "inputs/plastic-stress.csv", "plastic.csv",
-        "CSV as that of [residual_stress], read as a plastic stress.").optional();
+        "CSV file in the format of [residual_stress], read as a plastic stress.").optional();
 }
 
 /// Origin of a plastic stress.
@@ -44,7 +43,8 @@ impl PlasticSource {
             let file = read_profile(section, PLASTIC_PROFILE, folder, report)?;
             // A stress at the surface alone fills no layer.
             if file.content().rows().last().is_none_or(|deepest| deepest.0 <= 0.0) {
-                let says = "a plastic stress reaches below the surface: a row with depth_mm > 0 is missing";
+                let says =
+                    "a plastic stress must extend below the surface: a row with depth_mm > 0 is missing";
                 report.add(section.fault(PLASTIC_PROFILE, says));
                 return None;
             }

@@ -4,25 +4,25 @@ use crate::schema::{Choice, Word, choice, groups, integer, read_by_word, section
 
 section! {
     STUDY "study", Defaulted,
-        "Only in a study, a case file with lists or distributions in place of values: how the lists are combined, and how many samples of the distributions are drawn.";
-    COMBINE: Combine = choice("combine", "Combination of the lists.");
+        "Only in a study, which is a case file with lists or distributions instead of values: how the lists are combined and the distributions sampled.";
+    COMBINE: Combine = choice("combine", "How the lists are combined.");
     TOGETHER: Vec<Vec<String>> = groups("together", &[&["contact.peak_pressure_mpa", "contact.half_width_mm"]],
         "[\"contact.peak_pressure_mpa\", \"contact.half_width_mm\"]",
-        "In a product, keys whose lists are taken element by element, as one.").optional();
+        "Groups of keys whose lists are combined element by element, as one list, in a product.").optional();
     COLOUR_BY: String = text("colour_by", "contact.friction",
-        "Key whose values have the colours of the overlay plots; without it, that of the first list.").optional();
-    SAMPLES: usize = integer("samples", (1, 10_000), 100, "Samples of the distributions, each with every choice of the lists.").optional();
-    SAMPLING: Sampling = choice("sampling", "How the samples are chosen.");
-    SEED: usize = integer("seed", (0, 4_294_967_295), 1, "The same seed gives the same samples.");
+        "Key whose values are shown by colour in the overlay plots; by default that of the first list.").optional();
+    SAMPLES: usize = integer("samples", (1, 10_000), 100, "Number of samples of the distributions, each combined with every choice from the lists.").optional();
+    SAMPLING: Sampling = choice("sampling", "Sampling method.");
+    SEED: usize = integer("seed", (0, 4_294_967_295), 1, "Seed of the samples; the same seed gives the same samples.");
 }
 
 read_by_word!(Combine);
 read_by_word!(Sampling);
 
-/// Samples where the file does not say how many.
+/// Number of samples if the file does not give one.
 pub(crate) const SAMPLES_BY_DEFAULT: usize = 100;
 
-/// Ways of choosing samples.
+/// Sampling methods.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sampling {
     /// Sobol's sequence, shifted by the seed.
@@ -35,12 +35,15 @@ pub enum Sampling {
 
 impl Choice for Sampling {
     const WORDS: &'static [(Self, Word)] = &[
-        (Self::Sobol, Word::now("sobol", "evenly, by Sobol's sequence, best with a power of two")),
+        (
+            Self::Sobol,
+            Word::now("sobol", "evenly spread by Sobol's sequence; a power of two samples is best"),
+        ),
         (
             Self::LatinHypercube,
-            Word::now("latin-hypercube", "evenly in every key by itself, any number of keys"),
+            Word::now("latin-hypercube", "evenly spread in each key separately, for any number of keys"),
         ),
-        (Self::Random, Word::now("random", "independently")),
+        (Self::Random, Word::now("random", "independent random numbers")),
     ];
 }
 
@@ -55,10 +58,10 @@ pub enum Combine {
 
 impl Choice for Combine {
     const WORDS: &'static [(Self, Word)] = &[
-        (Self::Product, Word::now("product", "every value of a list with every value of the others")),
+        (Self::Product, Word::now("product", "every value of a list with every value of the other lists")),
         (
             Self::Zip,
-            Word::now("zip", "the first values of all lists together, then the second ones, and so on"),
+            Word::now("zip", "the first values of all lists together, then the second values, and so on"),
         ),
     ];
 }

@@ -9,10 +9,10 @@ use railcrack::load::{Axle, NamedSection, RailSection, Temperature, Track};
 
 section! {
     TRACK "track", Optional,
-        "Bending of the rail on its foundation under the passing axles: it moves with the wheel.",
+        "Bending of the rail on its foundation under the passing axles; the bending stress moves with the wheel.",
         forms [[RAIL_SECTION], [SECOND_MOMENT, NEUTRAL_AXIS_DEPTH]];
     TRACK_LOAD: f64 = number("wheel_load_kn", "kN", closed(1e-3, 1e4), 100.0,
-        "Load of a wheel on this rail; without it, that of [contact].").optional();
+        "Wheel load on this rail; by default that of [contact].").optional();
     FOUNDATION: f64 = number("foundation_mpa", "MPa", closed(1e-2, 1e5), 50.0,
         "Foundation modulus k, N/mm per mm of deflection of one rail.");
     RAIL_SECTION: SectionName = choice("section", "Rail section.").required();
@@ -21,18 +21,18 @@ section! {
     NEUTRAL_AXIS_DEPTH: f64 = number("neutral_axis_depth_mm", "mm", closed(1.0, 1e4), 91.05,
         "Depth of the neutral axis below the running surface.").required();
     AXLES: Vec<f64> = numbers("axles_mm", "mm", within(1e6), &[0.0],
-        "Positions of the axles relative to this wheel, along +x: its own, and others of the train.");
+        "Positions along +x, relative to this wheel, of its own axle and the others of the train.");
     AXLE_LOADS: Vec<f64> = numbers("axle_loads_kn", "kN", closed(1e-3, 1e4), &[100.0],
-        "Load of a wheel of each of these axles; without it, wheel_load_kn of each.").optional();
+        "Wheel load of each of these axles; by default wheel_load_kn for all of them.").optional();
 }
 
 section! {
-    TEMPERATURE "temperature", Optional, "Temperature of a rail that cannot lengthen: tension below neutral.";
+    TEMPERATURE "temperature", Optional, "Temperature of a rail that is restrained lengthwise; below the neutral temperature it is in tension.";
     RAIL_TEMPERATURE: f64 = number("rail_c", "degrees C", within(200.0), -5.0, "Temperature of the rail.").required();
     NEUTRAL_TEMPERATURE: f64 = number("neutral_c", "degrees C", within(200.0), 25.0,
-        "Temperature at which the rail is without force.").required();
+        "Neutral temperature, at which the rail carries no longitudinal force.").required();
     EXPANSION: f64 = number("expansion_per_k", "1/K", positive(1e-3), Temperature::RAIL_STEEL_EXPANSION,
-        "Thermal expansion.");
+        "Coefficient of thermal expansion.");
 }
 
 read_by_word!(SectionName);
@@ -45,7 +45,7 @@ pub(crate) enum SectionName {
     E49,
 }
 
-const OLD_NAME: &str = "the same by its older name";
+const OLD_NAME: &str = "the same section under its older name";
 
 impl Choice for SectionName {
     const WORDS: &'static [(Self, Word)] = &[

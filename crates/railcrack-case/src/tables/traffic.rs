@@ -6,8 +6,8 @@ use crate::schema::{Section, number, positive, section, text};
 
 section! {
     TRAFFIC "traffic", Optional,
-        "Traffic: with it, cycles are also given in million gross tonnes, and growth.csv has depth_mm and mgt.";
-    AXLE_LOAD: f64 = number("axle_load_t", "t", positive(100.0), 17.0, "Load of one axle; one passage is one axle.")
+        "Traffic. With this section, cycles are also given in million gross tonnes, and growth.csv has the columns depth_mm and mgt.";
+    AXLE_LOAD: f64 = number("axle_load_t", "t", positive(100.0), 17.0, "Axle load; one passage is one axle.")
         .required();
 }
 
@@ -20,11 +20,11 @@ pub(crate) const WHEEL_TEMPERATURE: Section = Section { name: "wheel.temperature
 
 section! {
     WHEEL "wheel", Several,
-        "A wheel of a mix of traffic, instead of [contact]: rates of growth add by the shares of the axles.",
+        "A wheel of a traffic mix, replacing [contact]; growth rates are summed in proportion to the shares of the axles.",
         parts [WHEEL_CONTACT, WHEEL_TRACK, WHEEL_TEMPERATURE];
-    WHEEL_NAME: String = text("name", "freight, loaded", "Name in reports.").optional();
-    SHARE: f64 = number("share", "", positive(1.0), 0.7, "Share of the axles; the shares of all wheels add up to 1.")
+    WHEEL_NAME: String = text("name", "freight, loaded", "Name shown in reports.").optional();
+    SHARE: f64 = number("share", "", positive(1.0), 0.7, "Fraction of all axles; the shares of all wheels must add up to 1.")
         .required();
     WHEEL_AXLE_LOAD: f64 = number("axle_load_t", "t", positive(100.0), 22.5,
-        "Load of one of its axles, for million gross tonnes; without it, that of [traffic].").optional();
+        "Load of one of its axles, used to count million gross tonnes; by default that of [traffic].").optional();
 }

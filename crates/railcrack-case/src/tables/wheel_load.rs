@@ -44,7 +44,7 @@ impl GivenWheel {
         let track = sections.track.map(|s| read_track(s, Some(sections.contact), report));
         let temperature = sections.temperature.map(|s| read_temperature(s, report));
         let (contact, origin) = contact?;
-        // A section that is there and cannot be read is no wheel without it.
+        // A section that is present but cannot be read must not count as absent.
         let load = WheelLoad { contact, track: all_or_none(track)?, temperature: all_or_none(temperature)? };
         Some(Self { load, origin })
     }
@@ -100,7 +100,7 @@ impl GivenWheel {
         output_positions(passage, self.bending(steel).as_ref(), places)
     }
 
-    /// The file beside a stored case that its contact comes from.
+    /// The file, stored with a case, from which its contact is read.
     pub(crate) fn companion(&self) -> Option<Companion<'_>> {
         match &self.origin {
             ContactOrigin::Table(file) => Some(file.companion()),

@@ -96,12 +96,12 @@ fn a_number_is_found_in_its_own_section() {
     assert_eq!(mixed.number("wheel[2].track.wheel_load_kn"), Ok(100.0));
     assert!(mixed.number("wheel[1].track.wheel_load_kn").is_err(), "the first wheel has none");
     for (key, reason) in [
-        ("crack[3].friction", "the case gives it no value"),
-        ("growth.critical_length_mm", "the case gives it no value"),
+        ("crack[3].friction", "the case gives no value for it"),
+        ("growth.critical_length_mm", "the case gives no value for it"),
         ("growth.paris_d", "unknown key `paris_d`; nearest known key: `paris_c`"),
         ("grow.paris_c", "unknown section `grow`; nearest known section: `growth`"),
-        ("growth.steps", "is no number but an integer from 0"),
-        ("growth.law", "is no number but \"paris\" or"),
+        ("growth.steps", "is not a number but an integer from 0"),
+        ("growth.law", "is not a number but \"paris\" or"),
     ] {
         let refused = case.number(key).unwrap_err().to_string();
         assert!(refused.starts_with(&format!("`{key}`: {reason}")), "{refused}");

@@ -125,10 +125,10 @@ fn a_file_without_end_is_read_no_further() {
     let started = Instant::now();
     if Path::new("/dev/zero").exists() {
         let errors = Input::read_with(Path::new("/dev/zero"), &Overrides::default()).unwrap_err();
-        assert!(errors.to_string().contains("more than 4 MB"), "{errors}");
+        assert!(errors.to_string().contains("larger than 4 MB"), "{errors}");
         let field = one(SHORT, "[plastic_stress]\nfield = \"/dev/zero\"\n");
         let errors = Case::parse(&field, "case.toml", Path::new("")).unwrap_err();
-        assert!(errors.to_string().contains("more than 256 MB"), "{errors}");
+        assert!(errors.to_string().contains("larger than 256 MB"), "{errors}");
     }
     assert!(started.elapsed() < BUDGET);
 }

@@ -31,7 +31,7 @@ fn shown(preset: Preset) -> String {
     }
 }
 
-/// A case with `key = value` in `section`, with what must stand beside it, and an otherwise small
+/// A case with `key = value` in `section`, with the keys that it requires, and an otherwise small
 /// problem.
 fn case_with(section: &Section, key: &Key, value: &str) -> String {
     let mut text = String::new();

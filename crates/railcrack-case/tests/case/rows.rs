@@ -67,15 +67,15 @@ fn scatter_that_no_row_can_have_is_refused() {
     };
     let rows = |keys: &str| format!("count = 5\nspacing_mm = 3.4\n{keys}");
     refused("length_sd_mm = 0.5", "length_sd_mm", "count is 1");
-    refused(&rows("seed = 3"), "seed", "nothing does");
-    refused(&rows("length_sd_mm = 2.1"), "length_sd_mm", "three times it");
-    refused(&rows("angle_sd_deg = 5.0"), "angle_sd_deg", "three times it");
-    refused(&rows("spacing_sd_mm = 1.2"), "spacing_sd_mm", "three times it");
+    refused(&rows("seed = 3"), "seed", "no standard deviation is given");
+    refused(&rows("length_sd_mm = 2.1"), "length_sd_mm", "three standard deviations");
+    refused(&rows("angle_sd_deg = 5.0"), "angle_sd_deg", "three standard deviations");
+    refused(&rows("spacing_sd_mm = 1.2"), "spacing_sd_mm", "three standard deviations");
     refused(&rows("length_sd_mm = -1.0"), "length_sd_mm", "must be");
     let polyline =
         "[[crack]]\npoints_mm = [[900.0, 0.0], [904.0, -1.0]]\nfriction = 0.5\ncount = 3\nspacing_mm = 4.0\n";
     let errors = Case::parse(&text(&format!("{polyline}angle_sd_deg = 1.0")), "case.toml", Path::new(""));
-    assert!(errors.unwrap_err().to_string().contains("is for straight cracks"));
+    assert!(errors.unwrap_err().to_string().contains("applies to straight cracks"));
     let case = Case::parse(&text(&format!("{polyline}spacing_sd_mm = 0.3")), "case.toml", Path::new(""));
     assert_eq!(case.unwrap().cracks.cracks().len(), 4);
 }

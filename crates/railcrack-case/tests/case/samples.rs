@@ -79,17 +79,17 @@ fn the_seed_gives_the_samples_and_lists_go_with_each() {
 fn wrong_distributions_are_named() {
     let replaced = |with: &str| STUDY.replace("{ uniform = [0.1, 0.5] }", with);
     for (text, says) in [
-        (replaced("{ uniform = [0.5, 0.1] }"), "`uniform` is a lower and a higher number"),
-        (replaced("{ normal = [0.5] }"), "`normal` is a mean and a deviation above 0"),
-        (replaced("{ gauss = [0.5, 0.1] }"), "`gauss` is no distribution"),
-        (replaced("{ log-normal = [-1.0, 0.1] }"), "`log-normal` is a median"),
-        (replaced("{ choice = [0.5, 0.1] }"), "`choice` is a list of pairs"),
+        (replaced("{ uniform = [0.5, 0.1] }"), "`uniform` takes a lower and a higher number"),
+        (replaced("{ normal = [0.5] }"), "`normal` takes a mean and a standard deviation above 0"),
+        (replaced("{ gauss = [0.5, 0.1] }"), "`gauss` is not a distribution"),
+        (replaced("{ log-normal = [-1.0, 0.1] }"), "`log-normal` takes a median"),
+        (replaced("{ choice = [0.5, 0.1] }"), "`choice` takes a list of pairs"),
         (replaced("{ choice = [[0.5, -1]] }"), "a weight above 0"),
-        (replaced("{ uniform = [0.1, 0.5], normal = [0.1, 0.2] }"), "a distribution has one name"),
+        (replaced("{ uniform = [0.1, 0.5], normal = [0.1, 0.2] }"), "a distribution has exactly one name"),
         (replaced("{ uniform = [0.0, 9.0] }"), "must be a number in"),
         (
             STUDY.replace("6.0\n", "6.0\ncount = { uniform = [1, 2] }\n"),
-            "only numbers have such a distribution",
+            "this distribution is for numbers only",
         ),
         (STUDY.replace("samples = 16", "samples = 0"), "from 1 to 10000"),
         (STUDY.replace("samples = 16", "sampling = \"halton\""), "\"sobol\" or \"latin-hypercube\""),
@@ -119,15 +119,15 @@ fn a_table_of_samples_is_a_run_for_each_row() {
         ("", "there is no header"),
         ("contact.friction\n", "there is no row"),
         ("contact.fricton\n0.1\n", "nearest known key: `friction`"),
-        ("contact.friction,crack[1].angle_deg\n0.1\n", "samples.csv:2:1: 1 fields below 2 columns"),
+        ("contact.friction,crack[1].angle_deg\n0.1\n", "samples.csv:2:1: 1 fields in a table of 2 columns"),
         ("contact.friction\nhigh\n0.1\n", "TOML"),
         ("contact.friction\n9.5\n0.1\n", "must be a number in"),
         ("crack[3].friction\n0.5\n0.1\n", "the file has no such section"),
-        ("crack[1].points_mm\n0.5\n", "no field of a table holds"),
+        ("crack[1].points_mm\n0.5\n", "a field of a table cannot hold"),
     ] {
         let told = with_table(&case, table).unwrap_err();
         assert!(told.contains(says), "{says}: {told}");
     }
     let told = with_table(STUDY, "contact.friction\n0.1\n0.2\n").unwrap_err();
-    assert!(told.contains("no place beside a table"), "{told}");
+    assert!(told.contains("cannot be combined with a table"), "{told}");
 }

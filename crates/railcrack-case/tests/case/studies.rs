@@ -250,7 +250,7 @@ fn wrong_lists() {
                 "at least one element",
                 "must be a number in [-1, 1]",
             ),
-            wrong(replaced("\"Study\"", "[\"a\", \"b\"]"), 1, "title", "may not vary", "title"),
+            wrong(replaced("\"Study\"", "[\"a\", \"b\"]"), 1, "title", "cannot vary", "title"),
             // A single wrong element is named, once, whatever it is combined with.
             wrong(
                 replaced("30.0, 45.0]", "30.0,\n180.0]"),
@@ -292,7 +292,7 @@ fn wrong_lists() {
             replaced("\"dislocation\"", "[\"xfem\", \"dislocation\"]"),
             14,
             "solver.engine",
-            "`--engine xfem` takes the place of `solver.engine`",
+            "`--engine xfem` would override `solver.engine`",
             "leave the option out",
         )],
         &Overrides { engine: Some("xfem".into()), ..Overrides::default() },
@@ -365,7 +365,7 @@ fn wrong_settings() {
                 of("together = [[\"contact.friction\", \"crack.angle_deg\"]]"),
                 9,
                 "crack[1].angle_deg",
-                "must be of one length",
+                "must have the same length",
                 "together",
             ),
             wrong(
@@ -388,7 +388,7 @@ fn wrong_settings() {
                 appended(&format!("{zip}together = [[\"contact.friction\", \"crack.angle_deg\"]]\n")),
                 17,
                 "study.together",
-                "all lists go together",
+                "all lists are combined element by element",
                 "product",
             ),
             wrong(appended("[[study]]\n"), 15, "study", "must be written `[study]`", ""),

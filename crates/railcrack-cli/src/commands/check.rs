@@ -209,7 +209,7 @@ fn in_space(case: &Case) -> Vec<CheckLine> {
     let mut rows = Vec::new();
     for shape in &space.shapes {
         let [down, along] = [shape.length, shape.half_length].map(short);
-        rows.push(("half axes", format!("{down} mm down the dip, {along} mm along the surface")));
+        rows.push(("semi-axes", format!("{down} mm down the dip, {along} mm along the surface")));
         rows.push(("dip", format!("{} degrees", short(shape.dip.to_degrees()))));
         rows.push(("strike", format!("{} degrees", short(shape.strike.to_degrees()))));
         let [x, z] = shape.middle.map(short);

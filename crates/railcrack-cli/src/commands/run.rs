@@ -215,7 +215,7 @@ pub fn result_text(finished: &Finished) -> String {
     for (k, front) in all.iter().enumerate() {
         let whose = if all.len() > 1 { format!("crack {}: ", k + 1) } else { String::new() };
         text.push_str(&format!(
-            "{whose}half axes {:.3} mm down the dip and {:.3} mm along the surface, from {:.3} and {:.3} mm; {:.3} mm deep\n",
+            "{whose}semi-axes {:.3} mm down the dip and {:.3} mm along the surface, from {:.3} and {:.3} mm; {:.3} mm deep\n",
             front.length_mm,
             front.surface_half_length_mm,
             front.initial_length_mm,
@@ -223,7 +223,7 @@ pub fn result_text(finished: &Finished) -> String {
             front.depth_mm
         ));
     }
-    // A front has many points and is summarised by its half axes.
+    // A front has many points and is summarised by its semi-axes.
     for tip in summary.tips.iter().filter(|_| summary.front.is_none()) {
         let stop = tip.stop.map_or_else(String::new, |stop| format!(", {}", stop.word()));
         let waits = tip.waiting_mm > 0.0;

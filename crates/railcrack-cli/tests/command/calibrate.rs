@@ -63,11 +63,11 @@ fn refusals_say_why_and_where() {
         ("table.toml", None, "the rates of `rates.csv` have no coefficient to fit"),
         ("included.toml", None, "`include = \"table.toml\"`: unknown key"),
         ("maintained.toml", None, "--parameter growth.walker_c fits it by runs"),
-        ("table.toml", Some("growth.steel"), "--parameter `growth.steel`: is no number but \"R260\""),
+        ("table.toml", Some("growth.steel"), "--parameter `growth.steel`: is not a number but \"R260\""),
         (
             "table.toml",
             Some("crack[2].friction"),
-            "--parameter `crack[2].friction`: the case gives it no value",
+            "--parameter `crack[2].friction`: the case gives no value for it",
         ),
     ] {
         let mut line = vec!["calibrate", case, "--measured", "measured.csv"];

@@ -158,7 +158,7 @@ fn what_cannot_be_used_is_said_before_anything_is_written() {
             "[plastic_stress]\nfield = \"empty.vtu\"\nprofile = \"p.csv\"\n",
             "says the same thing as `field`",
         ),
-        ("twice", "[plastic_stress]\n[residual_stress]\nprofile = \"p.csv\"\n", "is a total already"),
+        ("twice", "[plastic_stress]\n[residual_stress]\nprofile = \"p.csv\"\n", "is already the total"),
     ] {
         std::fs::write(folder.join("bad.toml"), format!("{CASE}{sections}")).unwrap();
         let output = railcrack(&folder, &["run", "bad.toml", "--out", name]);

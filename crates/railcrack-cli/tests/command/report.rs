@@ -165,7 +165,7 @@ fn what_is_no_folder_of_results_is_refused() {
         assert!(output.stdout.is_empty());
         (output.status.code(), String::from_utf8(output.stderr).unwrap())
     };
-    let nothing = "holds nothing to report on: the folder of a run has summary.json";
+    let nothing = "holds no results to report on: a run folder has summary.json";
     let absent = "there is no such folder";
     for (path, says) in [(".", nothing), ("nowhere", absent), ("case.toml", absent)] {
         let (code, said) = refused(path);

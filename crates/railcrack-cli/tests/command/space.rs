@@ -54,9 +54,9 @@ fn workplace(name: &str) -> PathBuf {
 #[test]
 fn a_run_in_space_has_all_its_files() {
     let folder = workplace("files");
-    assert!(done(&folder, &["check", "case.toml"]).contains("half axes            3 mm down the dip"));
+    assert!(done(&folder, &["check", "case.toml"]).contains("semi-axes            3 mm down the dip"));
     let told = done(&folder, &["run", "case.toml", "--out", "run", "--quiet"]);
-    assert!(told.contains("half axes") && told.contains("steps-done at step 2"), "{told}");
+    assert!(told.contains("semi-axes") && told.contains("steps-done at step 2"), "{told}");
     let run = folder.join("run");
     // Nine points of the front, three steps.
     let phi = numbers(&run.join("growth.csv"), "phi_deg");
@@ -69,7 +69,7 @@ fn a_run_in_space_has_all_its_files() {
     assert!(down[0] == 3.0 && down[1] > down[0] && down[2] > down[1], "{down:?}");
     // Its sides are loaded less: they need not grow, but do not heal.
     assert!(along[0] == 4.0 && along[1] >= along[0] && along[2] >= along[1], "{along:?}");
-    // The increments move the points by their normal: at the deepest one that is the half axis.
+    // The increments move the points by their normal: at the deepest one that is the semi-axis.
     let grown = of_step("length_mm", 1)[0] - 3.0;
     assert!((of_step("increment_mm", 0)[4] - grown).abs() < 1e-9);
     assert!(of_step("load_cycles", 2)[0] > of_step("load_cycles", 1)[0]);
@@ -132,7 +132,7 @@ fn a_turned_crack_on_a_rail_that_bends() {
     assert!(read(&run.join("plots/ki.svg")).contains("metres"));
     let plane = ["run", "case.toml", "--engine", "dislocation", "--out", "plane"];
     let refused = common::stderr(&common::ends(&folder, &plane, 2));
-    assert!(refused.contains("strike_deg") && refused.contains("takes the engine space"), "{refused}");
+    assert!(refused.contains("strike_deg") && refused.contains("requires the space engine"), "{refused}");
 }
 
 #[test]
@@ -173,7 +173,7 @@ fn several_cracks_have_their_rows_and_resume() {
     fs::write(folder.join("case.toml"), several()).unwrap();
     assert!(done(&folder, &["check", "case.toml"]).contains("x = 3.5 mm, z = 8 mm"));
     let told = done(&folder, &["run", "case.toml", "--out", "whole", "--quiet"]);
-    assert!(told.contains("crack 3: half axes"), "{told}");
+    assert!(told.contains("crack 3: semi-axes"), "{told}");
     let run = folder.join("whole");
     let growth = |name: &str| numbers(&run.join("growth.csv"), name);
     // Nine points of each of three fronts, three steps.

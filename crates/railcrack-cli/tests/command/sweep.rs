@@ -380,7 +380,7 @@ fn another_study_does_not_enter_the_folder() {
         assert!(err.contains(says), "{arguments:?}: {err}");
     };
     refused(&["--steps", "0"], "study already holds a study (study.json)");
-    refused(&["--resume"], "it was begun with --steps 0, now no options");
+    refused(&["--resume"], "it was started with --steps 0, now no options");
     fs::write(folder.join("study.toml"), STUDY.replace("0.3]", "0.5]")).unwrap();
     refused(
         &["--steps", "0", "--resume"],

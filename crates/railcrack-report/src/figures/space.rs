@@ -1,5 +1,5 @@
 //! Plots of a run in space: K over the passage, ranges along the fronts, fronts from above and
-//! along the rail, half axes against load cycles.
+//! along the rail, semi-axes against load cycles.
 
 use super::near::{near, origin};
 use super::plot::Plot;
@@ -27,7 +27,7 @@ pub(crate) fn space_plots(summary: &Summary, growth: &[TipRow], shown: &ShownRun
     if summary.steps_recorded == 0 {
         return Vec::new();
     }
-    let model = "half-space, engine space";
+    let model = "half-space, space engine";
     let mut plots: Vec<Plot> =
         MODES.iter().map(|mode| history_plot(summary, model, growth, shown, mode)).collect();
     plots.push(ranges(summary, model, growth));
@@ -263,7 +263,7 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     Plot::sheet("paths.svg", sheet)
 }
 
-/// Both half axes against load cycles.
+/// Both semi-axes against load cycles.
 fn half_axes(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     let of = |name: &str, crack: usize, value: fn(&TipRow) -> Option<f64>| {
         let rows = growth.iter().filter(move |row| row.crack == crack && row.tip == 1);
@@ -275,8 +275,8 @@ fn half_axes(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     let count = cracks(growth);
     let curves = match count {
         0 | 1 => vec![
-            of("half axis down the dip", 1, down).with_colour(CurveColour::Category(0)),
-            of("half axis along the surface", 1, along).with_colour(CurveColour::Category(1)),
+            of("semi-axis down the dip", 1, down).with_colour(CurveColour::Category(0)),
+            of("semi-axis along the surface", 1, along).with_colour(CurveColour::Category(1)),
         ],
         count => (1..=count)
             .flat_map(|crack| {
@@ -286,9 +286,9 @@ fn half_axes(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
             })
             .collect(),
     };
-    let caption = "Half axes of the cracks against load cycles (axles); dots mark the growth steps.";
+    let caption = "Semi-axes of the cracks against load cycles (axles); dots mark the growth steps.";
     let chart = Chart { curves, ..super::cycles::chart(caption, Vec::new()) };
-    let subtitle = format!("Half axes of the cracks, dots mark the growth steps · {model}");
+    let subtitle = format!("Semi-axes of the cracks, dots mark the growth steps · {model}");
     let mut sheet = ChartSheet::of(&summary.title, &subtitle, chart);
     if count > 1 {
         let axes = ["down the dip", "along the surface"];

@@ -374,7 +374,10 @@ fn an_unfinished_run_is_shown_as_such() {
 fn bad_folders_are_named() {
     let scratch = Scratch::new("report-bad");
     let refused = rebuild_report(scratch.path()).unwrap_err().to_string();
-    assert!(refused.contains("holds nothing to report on") && refused.contains("summary.json"), "{refused}");
+    assert!(
+        refused.contains("holds no results to report on") && refused.contains("summary.json"),
+        "{refused}"
+    );
     run(scratch.path(), SMALL);
     let table = |file: &str, from: &str, to: &str| {
         let path = scratch.path().join(file);

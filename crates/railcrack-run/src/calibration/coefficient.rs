@@ -24,14 +24,14 @@ pub struct Measured {
     pub size: f64,
 }
 
-/// A measured crack beside the computed one of the same size.
+/// A measured crack and the computed one of the same size.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Compared {
     /// The measurement.
     pub measured: Measured,
-    /// Million gross tonnes in which the run gets to that size.
+    /// Million gross tonnes at which the run reaches that size.
     pub computed_mgt: f64,
-    /// The coefficient with which it would get there in the measured ones, over that of the case.
+    /// The coefficient with which it would do so at the measured tonnage, over that of the case.
     pub ratio: f64,
 }
 
@@ -49,21 +49,21 @@ pub struct Calibration {
     pub interval: Option<(f64, f64)>,
 }
 
-/// Measurements that calibrate nothing.
+/// Measurements that cannot be used for calibration.
 #[derive(Debug, Error)]
 pub enum CalibrationError {
     /// A run folder that cannot be read.
     #[error(transparent)]
     Output(#[from] OutputError),
-    /// A parameter that makes no difference.
-    #[error("{key} makes no difference to the tonnage at which the measured sizes are reached")]
+    /// A parameter without effect.
+    #[error("{key} has no effect on the tonnage at which the measured sizes are reached")]
     NoInfluence {
         /// The parameter.
         key: String,
     },
     /// No measurement within the sizes of the run.
     #[error(
-        "no measurement is within the sizes of the run, more than {from:.3} to {to:.3} mm, at more than 0 MGT"
+        "no measurement lies within the sizes of the run, from {from:.3} to {to:.3} mm (the first excluded), at a tonnage above 0 MGT"
     )]
     NothingToCompare {
         /// The smallest and the largest size of the run, mm.
@@ -77,7 +77,7 @@ pub enum CalibrationError {
 const COLUMNS: Columns = Columns {
     columns: &[Column::Needed("mgt"), Column::Alternative("depth_mm"), Column::Alternative("length_mm")],
     largest: 1e6,
-    help: "measurements begin with the header mgt,depth_mm or mgt,length_mm and have a row for each",
+    help: "a file of measurements begins with the header mgt,depth_mm or mgt,length_mm and has a row for each measurement",
 };
 
 /// The measurements in the CSV file `path` with the header `mgt,depth_mm` or `mgt,length_mm`.
@@ -100,7 +100,7 @@ impl Measure {
     }
 }
 
-/// The `measured` cracks beside those of a run; none for one that is beyond its sizes.
+/// The `measured` cracks with those of a run; none for a crack outside its sizes.
 pub fn compared(
     rows: &[TipRow],
     tonnes: f64,
@@ -225,7 +225,7 @@ mod tests {
             (
                 "mgt,depth_mm,length_mm\n1,2,3\n",
                 1,
-                "column `depth_mm` or `length_mm` is wanted, and no other",
+                "column `depth_mm` or `length_mm` must be given, and only one of them",
             ),
             ("mgt,depth_mm\n1,2\n3,x\n", 3, "`depth_mm = x`: must be a number in [-1e6, 1e6]"),
             ("mgt,depth_mm\n1,2,3\n", 2, "3 values in a row of 2 columns"),
@@ -252,6 +252,6 @@ mod tests {
     fn measurements_beyond_the_run_are_refused() {
         let far = [Measured { mgt: 1.0, size: 50.0 }];
         let refused = calibrate(&rows(), 20.0, Measure::Depth, &far).unwrap_err().to_string();
-        assert!(refused.contains("2.000 to 6.000"), "{refused}");
+        assert!(refused.contains("from 2.000 to 6.000"), "{refused}");
     }
 }

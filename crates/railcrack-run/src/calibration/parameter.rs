@@ -7,7 +7,7 @@ use super::coefficient::{CalibrationError, Compared, student};
 pub struct Trial {
     /// The value.
     pub value: f64,
-    /// Each measurement beside the run; none for one that is beyond its sizes.
+    /// Each measurement compared with the run; none for one outside its sizes.
     pub compared: Vec<Option<Compared>>,
 }
 
@@ -35,8 +35,8 @@ type Line = (f64, f64);
 /// squares of ln(computed/measured tonnage), each linear between neighbouring trials. Of the ranges
 /// between two trials those with most measurements within the sizes of both runs count.
 ///
-/// Errors: no measurement is within the sizes of two neighbouring runs; the parameter makes no
-/// difference.
+/// Errors: no measurement is within the sizes of two neighbouring runs; the parameter has no
+/// effect.
 pub fn fit_parameter(key: &str, trials: &[Trial]) -> Result<ParameterFit, CalibrationError> {
     let mut trials: Vec<&Trial> = trials.iter().collect();
     trials.sort_by(|a, b| a.value.total_cmp(&b.value));
@@ -92,8 +92,8 @@ fn lines(low: &Trial, high: &Trial) -> Vec<Line> {
     both.filter_map(line).collect()
 }
 
-/// Where the sum of squares of lines is least on the way from the first to the second trial, and
-/// that sum.
+/// The minimum of the sum of squares of lines between the first and the second trial: its position
+/// and value.
 fn least(lines: &[Line]) -> (f64, f64) {
     let (mut product, mut square) = (0.0, 0.0);
     for (from, change) in lines {
@@ -141,7 +141,7 @@ mod tests {
         let mut flat = trial(0.1, 0.2, [0.0; 3]);
         let other = Trial { value: 0.3, ..flat.clone() };
         let error = fit_parameter("p", &[flat.clone(), other.clone()]).unwrap_err().to_string();
-        assert!(error.contains("p makes no difference"), "{error}");
+        assert!(error.contains("p has no effect"), "{error}");
         flat.compared.iter_mut().for_each(|compared| *compared = None);
         assert!(fit_parameter("p", &[flat, other]).is_err());
     }

@@ -11,7 +11,7 @@ pub struct Aligned {
     pub ki: [Vec<f64>; 2],
     /// `kii[run][position]`, MPa √m.
     pub kii: [Vec<f64>; 2],
-    /// Which run (0 or 1) was interpolated at the positions of the other, if any.
+    /// The run (0 or 1) that was interpolated at the positions of the other, if any.
     pub interpolated: Option<usize>,
 }
 
@@ -49,7 +49,7 @@ pub(super) fn align(histories: [&History; 2]) -> Aligned {
 }
 
 /// x_c/a, K_I, K_II of each position, in ascending order: a wheel that runs towards −x passes them
-/// the other way.
+/// in reverse order.
 fn rows(history: &History) -> Vec<[f64; 3]> {
     let mut rows: Vec<[f64; 3]> = (history.xc_over_a.iter())
         .zip(&history.ki)

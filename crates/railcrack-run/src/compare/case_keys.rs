@@ -8,8 +8,8 @@ use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// A key of the case file with different values, each as it is written; none where the key is not
-/// there.
+/// A key of the case file with different values, each as it is written; none where the key is
+/// missing.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CaseDifference {
     /// The key with its sections: `contact.friction`, `crack[1].mouth_mm` (cracks from 1).

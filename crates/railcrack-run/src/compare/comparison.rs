@@ -10,14 +10,14 @@ use crate::error::OutputError;
 use crate::summary::CrackSummary;
 use std::path::Path;
 
-/// Two runs set against each other.
+/// A comparison of two runs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Comparison {
     /// The runs.
     pub runs: [RunLabel; 2],
     /// Differences of their cases.
     pub case_differences: Vec<CaseDifference>,
-    /// Notes on parts that were not compared, or not as they stand: sentences.
+    /// Notes on parts that were not compared or were modified for the comparison, in sentences.
     pub notes: Vec<String>,
     /// Number of steps that both have, the initial geometry counted.
     pub common_steps: usize,
@@ -74,7 +74,7 @@ impl Comparison {
     }
 
     /// Whether no K differs by more than `tolerance` (per cent of the largest |K| of the case);
-    /// runs that have nothing in common are not within any.
+    /// runs with nothing in common are outside any tolerance.
     pub fn is_within(&self, tolerance: f64) -> bool {
         self.largest_percent().is_some_and(|largest| largest <= tolerance)
     }

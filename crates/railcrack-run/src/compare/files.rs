@@ -23,8 +23,8 @@ const FILES: [&str; 7] =
 
 impl Comparison {
     /// Writes tables, `compare.json`, plots and report to `folder`, which is created where it does
-    /// not exist. `tolerance`: a largest difference of K, in per cent of the largest |K| of the
-    /// case, that `compare.json` is to judge by.
+    /// not exist. `tolerance`: the accepted difference of K in `compare.json`, in per cent of the
+    /// largest |K| of the case.
     ///
     /// Errors: the folder holds a comparison and `existing` says to leave it alone; the system
     /// refuses.
@@ -47,7 +47,7 @@ impl Comparison {
         Ok(())
     }
 
-    /// The runs as plots and texts name them: by folder and engine.
+    /// Names of the runs in plots and texts: folder and engine.
     pub fn names(&self) -> [String; 2] {
         let [first, second] = self.runs.each_ref().map(|run| {
             run.folder.file_name().map_or_else(|| ".".to_owned(), |name| name.to_string_lossy().into_owned())

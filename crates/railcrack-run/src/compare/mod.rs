@@ -1,4 +1,4 @@
-//! Two runs set against each other, from their folders alone.
+//! Comparison of two runs, from their folders alone.
 
 mod again;
 mod align;

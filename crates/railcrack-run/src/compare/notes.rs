@@ -1,4 +1,4 @@
-//! Notes on a comparison: what it leaves out or changes, in sentences.
+//! Notes on what a comparison leaves out or changes, in sentences.
 
 use super::align::Aligned;
 use super::stored::{StoredRun, TipKey};
@@ -31,7 +31,7 @@ pub(super) fn notes(runs: [&StoredRun; 2], tips: &[TipComparison], aligned: &[Al
     notes
 }
 
-/// Tips of the initial geometry that one run only has.
+/// Tips of the initial geometry present in one run only.
 fn lone_tips(runs: [&StoredRun; 2]) -> Vec<String> {
     let initial = runs.map(|run| {
         let keys = run.growth.keys().filter(|key| key.0 == 0);

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 /// Kinks farther apart than this (degrees) are different choices: a secondary maximum is at least
 /// 15° away, and where two runs choose alike their kinks differ by a fraction of a degree. Paths
-/// that drift apart by such fractions do not part: the distance of their tips tells.
+/// that drift apart by such fractions do not part; the distance of their tips shows the drift.
 const PARTED_DEG: f64 = 5.0;
 
 /// The first step at which two runs choose different directions.
@@ -14,9 +14,9 @@ const PARTED_DEG: f64 = 5.0;
 pub struct Parting {
     /// The step.
     pub step: usize,
-    /// Which tip.
+    /// The crack.
     pub crack: usize,
-    /// Which tip of the crack.
+    /// The tip of the crack.
     pub tip: usize,
     /// Difference of the kinks, degrees.
     pub apart_deg: f64,

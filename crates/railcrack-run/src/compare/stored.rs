@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 /// Step, crack and tip, as in the tables.
 pub(super) type TipKey = (usize, usize, usize);
 
-/// The run in a comparison: what tells it from the other.
+/// A run in a comparison: its distinguishing features.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RunLabel {
     /// The run folder.

@@ -10,26 +10,26 @@ table! {
     /// A tip at a growth step in two runs.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct CompareRow in "compare.csv", [
-        "Two runs set against each other: a row per step and tip that both have; _1 and _2: first and second run",
-        "dki, dkii: absolute difference of K over the stabilised passage, MPa sqrt(m): the largest, where, and its root mean square",
+        "Comparison of two runs: a row per step and tip present in both; _1 and _2: first and second run",
+        "dki, dkii: absolute difference of K over the stabilised passage, MPa sqrt(m): its maximum, the position of the maximum, and its root mean square",
         "percent_of_step, percent_of_case: of the largest |K_I| or |K_II| of both runs in the step, in all common steps",
         "lengths and coordinates: mm, y upwards; angles: degrees from straight ahead, counter-clockwise positive",
-        "empty: no common wheel position, a tip that is not loaded, or no rival direction",
+        "empty: no common wheel position, an unloaded tip, or no rival direction",
     ] {
-        /// Which tip, when.
+        /// Step, crack and tip.
         step: usize = "step";
-        /// Which tip, when.
+        /// Step, crack and tip.
         crack: usize = "crack";
-        /// Which tip, when.
+        /// Step, crack and tip.
         tip: usize = "tip";
         /// Number of wheel positions compared; 0 if the passages have none in common, and then the
         /// differences of K are empty.
         positions: usize = "positions";
         /// Largest absolute difference of K_I, K_II over the passage, MPa√m.
         dki: Option<f64> = "dki_max_mpa_sqrt_m";
-        /// The same in per cent of `step_peak_mpa_sqrt_m`.
+        /// This difference in per cent of `step_peak_mpa_sqrt_m`.
         dki_of_step: Option<f64> = "dki_percent_of_step";
-        /// The same in per cent of the largest \|K\| of both runs in all common steps.
+        /// This difference in per cent of the largest \|K\| of both runs in all common steps.
         dki_of_case: Option<f64> = "dki_percent_of_case";
         /// Wheel position x_c/a of that difference.
         dki_xc_over_a: Option<f64> = "dki_xc_over_a";
@@ -37,9 +37,9 @@ table! {
         dki_rms: Option<f64> = "dki_rms_mpa_sqrt_m";
         /// Largest absolute difference of K_I, K_II over the passage, MPa√m.
         dkii: Option<f64> = "dkii_max_mpa_sqrt_m";
-        /// The same in per cent of `step_peak_mpa_sqrt_m`.
+        /// This difference in per cent of `step_peak_mpa_sqrt_m`.
         dkii_of_step: Option<f64> = "dkii_percent_of_step";
-        /// The same in per cent of the largest \|K\| of both runs in all common steps.
+        /// This difference in per cent of the largest \|K\| of both runs in all common steps.
         dkii_of_case: Option<f64> = "dkii_percent_of_case";
         /// Wheel position x_c/a of that difference.
         dkii_xc_over_a: Option<f64> = "dkii_xc_over_a";
@@ -140,11 +140,11 @@ table! {
         "K of two runs over the stabilised passage of each step, at common wheel positions in ascending order",
         "_1 and _2: first and second run; dki, dkii: second minus first, MPa sqrt(m)",
     ] {
-        /// Which tip, when.
+        /// Step, crack and tip.
         step: usize = "step";
-        /// Which tip, when.
+        /// Step, crack and tip.
         crack: usize = "crack";
-        /// Which tip, when.
+        /// Step, crack and tip.
         tip: usize = "tip";
         /// Wheel position x_c/a, in ascending order.
         xc_over_a: f64 = "xc_over_a";

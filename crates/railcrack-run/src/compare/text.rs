@@ -1,4 +1,4 @@
-//! A comparison as people read it.
+//! A comparison as text.
 
 use super::comparison::Comparison;
 use super::parting::Parting;

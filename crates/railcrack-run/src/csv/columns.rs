@@ -22,7 +22,7 @@ pub enum ColumnValues {
 #[derive(Debug, Default)]
 pub struct Columns {
     values: Vec<ColumnValues>,
-    /// The column that takes the next value.
+    /// The column for the next value.
     next: usize,
 }
 
@@ -53,7 +53,7 @@ impl Columns {
         match (column, value.and_then(|value| i64::try_from(value).ok())) {
             (ColumnValues::Counts(values), Some(value)) => values.push(value),
             (ColumnValues::Reals(values), value) => values.push(value.map_or(f64::NAN, |value| value as f64)),
-            // An integer cannot say that there is none.
+            // An integer cannot represent a missing value.
             (column @ ColumnValues::Counts(_), None) => {
                 if let ColumnValues::Counts(values) = column {
                     let reals = values.iter().map(|&value| value as f64).chain([f64::NAN]).collect();

@@ -1,4 +1,4 @@
-//! A table that grows by whole rows and can be cut back to a known length.
+//! A table that is extended by whole rows and can be truncated to a known length.
 
 use crate::disk::{Seal, changes};
 use crate::error::OutputError;
@@ -6,10 +6,10 @@ use std::fs::{File, OpenOptions};
 use std::io::{Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
-/// The most bytes of one write: a kill between two writes leaves whole rows. Within a write it
-/// takes effect at the border of two pages of memory only, so a small write is hardly ever cut (3
-/// in 2000 kills of a program that does nothing but write); what is cut, [`CsvFile::cut_back`]
-/// removes.
+/// Maximum number of bytes of one write: a kill between two writes leaves whole rows. Within a
+/// write it takes effect at the border of two pages of memory only, so a small write is hardly ever
+/// cut (3 in 2000 kills of a program that does nothing but write); what is cut,
+/// [`CsvFile::cut_back`] removes.
 const CHUNK: usize = 4096;
 
 /// An open table of the run folder.

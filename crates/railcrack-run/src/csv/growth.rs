@@ -12,18 +12,18 @@ table! {
     pub struct TipRow in "growth.csv", [
         "One row per step and tip: the state at the start of the step, and the increment that follows it",
         "step: 0 is the initial geometry; crack: from 1; tip: from 1 within its crack",
-        "lengths and coordinates: mm, y upwards, the rail is y <= 0; length_mm: of the whole crack, with what waits at its tips",
-        "K: MPa sqrt(m), ranges over the stabilised passage, K_I clipped at zero; in a mix the largest K_I of all wheels and the ranges of the wheel that does most of the growth",
-        "angles: degrees from straight ahead, counter-clockwise positive; empty: a tip that is not loaded, or no rival direction",
+        "lengths and coordinates: mm, y upwards, the rail is y <= 0; length_mm: of the whole crack, including deferred growth at its tips",
+        "K: MPa sqrt(m), ranges over the stabilised passage, K_I clipped at zero; in a mix the largest K_I of all wheels and the ranges of the wheel that contributes most to the growth",
+        "angles: degrees from straight ahead, counter-clockwise positive; empty: an unloaded tip, or no rival direction",
         "rival_ratio: growth rate in the rival direction over the chosen one",
         "load_cycles: axles up to the start of the step, by the trapezoidal rule in 1/rate of the fastest tip; stop: why the tip, or in the last step the run, stopped",
-        "increments of a slow tip wait, and are put into its crack together: until then the tip stays where it is",
+        "increments of a slow tip are deferred and then applied together; until then the tip does not move",
     ] {
-        /// Which tip, when.
+        /// Step, crack and tip.
         step: usize = "step";
-        /// Which tip, when.
+        /// Step, crack and tip.
         crack: usize = "crack";
-        /// Which tip, when.
+        /// Step, crack and tip.
         tip: usize = "tip";
         /// Position of the tip, mm.
         place: [f64; 2] = "tip_x_mm" "tip_y_mm";
@@ -67,15 +67,16 @@ table! {
             "share_wheel_6" "share_wheel_7" "share_wheel_8" "share_wheel_9" "share_wheel_10" "share_wheel_11"
             "share_wheel_12" "share_wheel_13" "share_wheel_14" "share_wheel_15" "share_wheel_16" "share_wheel_17"
             "share_wheel_18" "share_wheel_19" "share_wheel_20", with "wheel";
-        /// Removed of the running surface by wear and grinding up to the start of the step, mm:
-        /// coordinates and depths count from the surface that is left. With `[maintenance]`.
+        /// Depth removed from the running surface by wear and grinding up to the start of the step,
+        /// mm: coordinates and depths are measured from the remaining surface. With
+        /// `[maintenance]`.
         removed: Option<f64> = "removed_mm", with "maintenance";
         /// Parametric angle of a front point in space, degrees: 0 and 180 at the surface, 90
         /// deepest.
         phi_deg: Option<f64> = "phi_deg", with "space";
         /// Lateral position of a front point in space, mm.
         lateral: Option<f64> = "tip_z_mm", with "space";
-        /// Half axis of the crack in space along the surface, mm; `length_mm` is the one along the
+        /// Semi-axis of the crack in space along the surface, mm; `length_mm` is the one down the
         /// dip.
         half_length: Option<f64> = "surface_half_length_mm", with "space";
         /// Range of K_III of a front point in space, MPa√m.
@@ -85,9 +86,9 @@ table! {
         wanted_kink_deg: Option<f64> = "wanted_kink_deg", with "space";
         /// Growth rate of that kink over that straight ahead, both without mode III.
         wanted_ratio: Option<f64> = "wanted_ratio", with "space";
-        /// Increment of a front point over what its own rate alone would make of it, 1 where the
-        /// ellipse follows the local rates; empty without growth and in the layer at the surface,
-        /// which does not count.
+        /// Ratio of the increment of a front point to the one that its own rate would give, 1 where
+        /// the ellipse follows the local rates; empty without growth and in the surface layer,
+        /// which is not considered.
         followed: Option<f64> = "followed", with "space";
     }
 }

@@ -7,7 +7,7 @@ table! {
     /// Residual stress at a depth on the middle line of the crack mesh.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct ResidualRow in "residual.csv", [
-        "Residual stress that the crack mesh carries, after balance, on the middle line",
+        "Residual stress on the middle line of the crack mesh, after balancing",
         "depth_mm: below the running surface, mm; stress: MPa, tension positive; x along the rail, y upwards, z out of plane",
     ] {
         /// Depth, mm.

@@ -11,20 +11,20 @@ table! {
         "Stress intensity factors of every tip at every wheel position, all passages of each step",
         "step: 0 is the initial geometry; passage, position, crack: from 1; tip: from 1 within its crack",
         "the last passage of a step is the stabilised one",
-        "xc_mm: abscissa of the Hertz centre, mm; xc_over_a: from the first crack's mouth (its initial first point if buried), over the half-width a",
+        "xc_mm: x coordinate of the contact centre, mm; xc_over_a: distance from the mouth of the first crack (its initial first point if buried), divided by the half-width a",
         "ki, kii: MPa sqrt(m); K_II > 0: shear stress > 0 ahead of the tip, the + face moves along the crack's walk",
     ] {
         /// Growth step.
         step: usize = "step";
         /// Passage on the fixed cracks; the last one of a step is the stabilised passage.
         passage: usize = "passage";
-        /// Which tip.
+        /// Crack and tip.
         crack: usize = "crack";
-        /// Which tip.
+        /// Crack and tip.
         tip: usize = "tip";
         /// Number of the wheel position, in the order of travel.
         position: usize = "position";
-        /// Abscissa of the contact centre, mm.
+        /// x coordinate of the contact centre, mm.
         xc: f64 = "xc_mm";
         /// (x_c − x_m)/a: x_m the mouth of the first crack in step 0 (its first point if it is
         /// buried), a the half-width of the contact.
@@ -38,7 +38,7 @@ table! {
         /// Pressure of the fluid in the crack of the tip, MPa; that at the mouth where it falls
         /// along the crack.
         fluid_pressure: Option<f64> = "fluid_mpa", with "fluid";
-        /// Volume of the crack per width, mm².
+        /// Volume of the crack per unit width, mm².
         fluid_volume: Option<f64> = "fluid_mm2", with "fluid";
         /// Parametric angle of a front point in space, degrees: 0 and 180 at the surface, 90
         /// deepest.

@@ -97,7 +97,7 @@ pub trait Cell: Sized {
     /// Writes it into `columns`.
     fn put(&self, rows: &mut Rows, columns: &[&'static str]);
 
-    /// Appends it, or that there is none, to the next of `columns`.
+    /// Appends it, or a missing value, to the next of `columns`.
     fn keep(value: Option<&Self>, columns: &mut Columns);
 
     /// Reads it from the next fields.
@@ -221,7 +221,7 @@ impl Cell for PlasticStrain {
     }
 }
 
-/// As many fields as there are wheels.
+/// One field for each wheel.
 impl Cell for WheelShares {
     fn put(&self, rows: &mut Rows, columns: &[&'static str]) {
         for (value, column) in self.values().iter().zip(columns) {
@@ -329,9 +329,9 @@ mod tests {
         /// A row with a column of its own for one section.
         #[derive(Debug, Clone, PartialEq)]
         pub struct Fluid in "fluid.csv", ["a comment"] {
-            /// Which tip, when.
+            /// Step, crack and tip.
             step: usize = "step";
-            /// Which tip, when.
+            /// Step, crack and tip.
             tip: usize = "tip";
             /// K_I, MPa√m.
             ki: f64 = "ki_mpa_sqrt_m";
@@ -368,7 +368,7 @@ mod tests {
     fn the_page_has_a_line_for_each_meaning() {
         assert_eq!(
             markdown::<Fluid>(),
-            "| column | meaning |\n|---|---|\n| `step`, `tip` | which tip, when |\n\
+            "| column | meaning |\n|---|---|\n| `step`, `tip` | step, crack and tip |\n\
              | `ki_mpa_sqrt_m` | K_I, MPa√m |\n| `fluid_mpa` | pressure of the fluid at the mouth, MPa |\n"
         );
     }

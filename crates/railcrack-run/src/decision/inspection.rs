@@ -1,18 +1,18 @@
-//! Inspection interval: the time from detectable to critical, divided by a safety factor.
+//! Inspection interval: the traffic from a detectable to a critical crack, divided by a safety
+//! factor.
 
 use super::path::GrowthPath;
 use railcrack_case::Inspection;
 use serde::{Deserialize, Serialize};
 
-/// The way from detectable to critical.
+/// Growth from a detectable to a critical crack.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct InspectionSummary {
     /// Depth (mm) from which the crack is detected.
     pub detectable_depth_mm: Option<f64>,
-    /// Million gross tonnes until then; null where the run does not get there.
+    /// Million gross tonnes until then; null if the run does not reach it.
     pub mgt_to_detectable: Option<f64>,
-    /// The first thing that is critical: `depth`, `length` or `fracture`; null where the run gets
-    /// to none.
+    /// The first critical condition: `depth`, `length` or `fracture`; null if the run reaches none.
     pub critical_by: Option<CriticalBy>,
     /// Million gross tonnes until then.
     pub mgt_to_critical: Option<f64>,
@@ -20,11 +20,12 @@ pub struct InspectionSummary {
     pub mgt_detectable_to_critical: Option<f64>,
     /// Safety factor.
     pub safety_factor: f64,
-    /// The interval, million gross tonnes: the way divided by the safety factor.
+    /// The interval, million gross tonnes: that from detectable to critical divided by the safety
+    /// factor.
     pub interval_mgt: Option<f64>,
 }
 
-/// Ways of being critical.
+/// Critical conditions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum CriticalBy {
@@ -36,7 +37,7 @@ pub enum CriticalBy {
     Fracture,
 }
 
-/// A place on a path: index of a point, and share of the way to the next.
+/// A position on a path: index of a point, and fraction of the distance to the next.
 pub(super) type Place = (usize, f64);
 
 impl CriticalBy {
@@ -56,7 +57,7 @@ impl CriticalBy {
 }
 
 impl InspectionSummary {
-    /// Of `path` under axles of `tonnes`.
+    /// The inspection of `path` under axles of `tonnes`.
     pub fn of(path: &GrowthPath, inspection: &Inspection, critical_length: Option<f64>, tonnes: f64) -> Self {
         let axles = path.axles();
         let mgt = |place: Place| 1e-6 * tonnes * GrowthPath::at(place, &axles);

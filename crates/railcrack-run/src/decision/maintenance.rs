@@ -28,7 +28,7 @@ pub struct MaintenanceSummary {
 }
 
 impl MaintenanceSummary {
-    /// Of the crack of `rows`, of which nothing is left after them where it `is_worn_away`, after
+    /// The balance for the crack of `rows`, which is gone after them if it `is_worn_away`, after
     /// `removed` (mm) of the surface.
     pub(super) fn of(plan: &MaintenancePlan, rows: &[DecisionRow], is_worn_away: bool, removed: f64) -> Self {
         let removal = plan.removal();

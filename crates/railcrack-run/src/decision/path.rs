@@ -74,8 +74,8 @@ impl GrowthPath {
         self.points.iter().map(|point| point.axles).collect()
     }
 
-    /// Where `quantity` first reaches `value`, as index and share of the way to the next point;
-    /// none where it does not on the path.
+    /// Where `quantity` first reaches `value`, as index and fraction of the distance to the next
+    /// point; none if it is not reached on the path.
     pub fn reaches(&self, quantity: impl Fn(&PathPoint) -> f64, value: f64) -> Option<(usize, f64)> {
         if self.points.first().is_some_and(|first| quantity(first) >= value) {
             return Some((0, 0.0));

@@ -29,12 +29,12 @@ pub struct Sampling<'a> {
     pub mix: &'a [MixInfo],
 }
 
-/// Keys of the quantities that scatter by one deviate each.
+/// Keys of the quantities whose scatter is described by one deviate each.
 pub(crate) const KEYS: [&str; 5] =
     ["c_log_std", "m_std", "toughness_std", "detectable_depth_std", "wear_std"];
 
-/// Another stream of random numbers for what came later: the samples of the first four quantities
-/// stay what they were.
+/// A separate stream of random numbers for later quantities, so that the samples of the first four
+/// do not change.
 const LATER: usize = 0x5EED_0000_0000;
 
 /// Standard normal deviates, two at a time (Box & Muller), the same on any machine.
@@ -67,9 +67,9 @@ impl Deviates {
 /// Standard normal deviates of one sample.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Draw {
-    /// Of [`KEYS`].
+    /// Deviates of [`KEYS`].
     pub deviates: [f64; KEYS.len()],
-    /// Of the share of each wheel.
+    /// Deviate of the share of each wheel.
     pub shares: [f64; MOST_WHEELS],
 }
 
@@ -82,7 +82,7 @@ pub(crate) struct Draws {
 }
 
 impl Draws {
-    /// Of the quantities that `scatter`, with the wheels of `mix`.
+    /// Draws of the quantities that `scatter`, with the wheels of `mix`.
     pub fn of(scatter: &Scatter, mix: &[MixInfo]) -> Self {
         Self {
             first: Deviates::new(scatter.seed),
@@ -120,7 +120,7 @@ pub(crate) struct Sample {
     pub way: f64,
 }
 
-/// A path that samples walk.
+/// A path along which samples are evaluated.
 pub(crate) struct Sampler<'a> {
     of: Sampling<'a>,
     /// The wheels of a mix whose shares scatter.
@@ -150,7 +150,7 @@ impl<'a> Sampler<'a> {
         self.removal.is_some()
     }
 
-    /// The sample `draw`; in `mgt` the million gross tonnes at each point of its way.
+    /// The sample `draw`; `mgt` receives the million gross tonnes at each point of its path.
     pub fn sample(&self, draw: &Draw, mgt: &mut Vec<f64>) -> Sample {
         let [c, m, toughness, detected, wear] = draw.deviates;
         let scatter = self.of.scatter;
@@ -179,8 +179,8 @@ impl<'a> Sampler<'a> {
         Sample { draw: *draw, grows, to_critical, way }
     }
 
-    /// Depth (mm) of `sample`, whose way takes `mgt`, at the tonnage `at`; infinite beyond the last
-    /// point.
+    /// Depth (mm) of `sample`, which reaches the points of its path at `mgt`, at the tonnage `at`;
+    /// infinite beyond the last point.
     pub fn depth_at(&self, sample: &Sample, mgt: &[f64], at: f64) -> f64 {
         let path = if sample.grows { self.walk.up() } else { self.walk.down() };
         let next = mgt.partition_point(|here| *here <= at);

@@ -6,14 +6,14 @@ use super::sampler::{Draws, KEYS, Sample, Sampler, Sampling};
 use railcrack_case::Scatter;
 use serde::{Deserialize, Serialize};
 
-/// Quantiles over all samples; null where the run does not reach that far.
+/// Quantiles over all samples; null if the run does not reach that far.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Quantiles {
-    /// Of 5 %.
+    /// The quantile of 5 %.
     pub p05: Option<f64>,
     /// The median.
     pub p50: Option<f64>,
-    /// Of 95 %.
+    /// The quantile of 95 %.
     pub p95: Option<f64>,
 }
 
@@ -26,7 +26,7 @@ pub struct DepthQuantiles {
     pub depth_mm: Quantiles,
 }
 
-/// How much of the variance of the logarithm of the way to critical one quantity makes.
+/// Contribution of a quantity to the variance of the logarithm of the tonnage until critical.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Sensitivity {
     /// Its key in `[scatter]`.
@@ -49,13 +49,13 @@ pub struct ScatterSummary {
     /// Probability that a crack that was just missed is critical before the next inspection, one
     /// interval later; null without an interval.
     pub probability_critical_before_inspection: Option<f64>,
-    /// Probability that the crack grows faster at first than wear and grinding take it away; left
-    /// out without them.
+    /// Probability that the crack initially grows faster than wear and grinding remove it; left out
+    /// without them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub probability_growing: Option<f64>,
     /// Depth over traffic.
     pub depth: Vec<DepthQuantiles>,
-    /// Of each quantity that scatters, the largest first.
+    /// Contribution of each quantity that scatters, the largest first.
     pub sensitivities: Vec<Sensitivity>,
 }
 
@@ -127,8 +127,8 @@ impl Gathered {
         self.depths.iter_mut().zip(depths).for_each(|(all, depth)| all.push(depth));
     }
 
-    /// Squared correlation of `deviate`, of a sample and its index, with the logarithm of the way
-    /// to critical, over the samples that get there.
+    /// Squared correlation of `deviate`, of a sample and its index, with the logarithm of the
+    /// tonnage until critical, over the samples that become critical.
     pub fn sensitivity(&self, key: &str, deviate: impl Fn(&Sample, usize) -> f64) -> Sensitivity {
         let reached: Vec<(f64, f64)> = self
             .samples
@@ -146,8 +146,8 @@ impl Gathered {
         Sensitivity { key: key.to_owned(), share: if share.is_finite() { share } else { 0.0 } }
     }
 
-    /// The results, where the crack is inspected every `interval` million gross tonnes; of what
-    /// `is_removed` it is told how often the crack grows all the same.
+    /// The results, where the crack is inspected every `interval` million gross tonnes; with
+    /// `is_removed`, the results include how often the crack grows despite the removal.
     pub fn summary(
         self,
         scatter: &Scatter,

@@ -70,7 +70,7 @@ fn cycles_are_log_normal_where_c_is() {
     let sampled = sample(&path, &scatter());
     let nominal = InspectionSummary::of(&path, &INSPECTION, None, tonnes);
     let way = nominal.mgt_detectable_to_critical.unwrap();
-    // N ∝ 1/C: quantiles are way · e^(±1.6449 · 0.3). The sampled ones scatter by about
+    // N ∝ 1/C: quantiles are tonnage · e^(±1.6449 · 0.3). The sampled ones scatter by about
     // √(q (1−q)/n)/density: 0.2 % in the median, 0.4 % at 5 and 95 %.
     let quantile = |z: f64| way * (0.3 * z).exp();
     let Quantiles { p05, p50, p95 } = sampled.mgt_detectable_to_critical;
@@ -141,7 +141,7 @@ fn wear_makes_the_way_longer_and_may_take_the_crack_away() {
     let half = at(0.5 * growth, Scatter { samples: 20_000, ..scatter() });
     let probability = half.probability_growing.unwrap();
     assert!((probability - 0.5).abs() < 0.015, "4 standard deviations of 20 000: {probability}");
-    // Scatter of the wear counts beside that of C.
+    // Scatter of the wear contributes in addition to that of C.
     let both = at(wear, Scatter { samples: 20_000, wear_std: 0.1 * growth, ..scatter() });
     let keys: Vec<&str> = both.sensitivities.iter().map(|s| s.key.as_str()).collect();
     assert_eq!(keys, ["c_log_std", "wear_std"]);

@@ -34,7 +34,7 @@ pub struct Decision {
 }
 
 impl Decision {
-    /// Of a run so far; none without axle loads or finished steps.
+    /// The decision block of a run so far; none without axle loads or finished steps.
     pub(crate) fn of(info: &RunInfo, log: &RunLog) -> Option<Self> {
         let tonnes = info.axle_load?;
         let path = GrowthPath::of(&log.steps)?;

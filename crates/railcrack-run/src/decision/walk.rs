@@ -1,4 +1,4 @@
-//! The way of a sampled crack along the computed path.
+//! Growth of a sampled crack along the computed path.
 
 use super::path::{GrowthPath, PathPoint};
 use crate::log::MixInfo;
@@ -39,8 +39,8 @@ pub(super) struct SampledShares {
 }
 
 impl SampledShares {
-    /// Of `mix`, each share times its member of `factors` before they are made to add up to 1;
-    /// `tonnes` is the mean load of an axle in the case.
+    /// The shares of `mix`, each multiplied by its member of `factors` and then normalised to a sum
+    /// of 1; `tonnes` is the mean load of an axle in the case.
     pub fn of(mix: &[MixInfo], factors: [f64; MOST_WHEELS], tonnes: f64) -> Self {
         let sum: f64 = mix.iter().zip(factors).map(|(wheel, factor)| wheel.share * factor).sum();
         let factors = factors.map(|factor| if sum > 0.0 { factor / sum } else { 1.0 });
@@ -62,8 +62,8 @@ impl SampledShares {
     }
 }
 
-/// The path as a sampled crack may walk it: from the crack of the case to the longer ones, or where
-/// the surface is removed faster than it grows, to the shorter ones.
+/// The path of a sampled crack: from the crack of the case to longer ones or, where the surface is
+/// removed faster than the crack grows, to shorter ones.
 pub(super) struct SampledWalk<'a> {
     path: &'a GrowthPath,
     /// With removal: the longer and the shorter cracks, each from that of the case on.
@@ -71,7 +71,8 @@ pub(super) struct SampledWalk<'a> {
 }
 
 impl<'a> SampledWalk<'a> {
-    /// Along `path`; where the surface `is_removed` lengths come and go, and rates belong to them.
+    /// Along `path`; where the surface `is_removed`, lengths can increase and decrease, and rates
+    /// are a function of length.
     pub fn of(path: &'a GrowthPath, is_removed: bool) -> Self {
         if !is_removed {
             return Self { path, sorted: None };
@@ -82,7 +83,7 @@ impl<'a> SampledWalk<'a> {
         points.dedup_by(|a, b| a.length - b.length < SAME * first.length);
         let longer = points.iter().copied().filter(|point| point.length > first.length * (1.0 + SAME));
         let shorter = points.iter().rev().copied().filter(|point| point.length < first.length * (1.0 - SAME));
-        // Nothing is left of a crack at the end of its way to the shorter ones.
+        // Nothing is left of a crack at the end of its path to shorter ones.
         let nothing = PathPoint { length: 0.0, depth: 0.0, rate: 0.0, ..first };
         let with = |points: Vec<PathPoint>| GrowthPath { points, breaks: false, ..path.clone() };
         let up = with(std::iter::once(first).chain(longer).collect());
@@ -90,18 +91,18 @@ impl<'a> SampledWalk<'a> {
         Self { path, sorted: Some((GrowthPath { breaks: path.breaks, ..up }, down)) }
     }
 
-    /// The way to longer cracks.
+    /// The path to longer cracks.
     pub fn up(&self) -> &GrowthPath {
         self.sorted.as_ref().map_or(self.path, |(up, _)| up)
     }
 
-    /// The way to shorter cracks.
+    /// The path to shorter cracks.
     pub fn down(&self) -> &GrowthPath {
         self.sorted.as_ref().map_or(self.path, |(_, down)| down)
     }
 
-    /// Million gross tonnes at each point of the way that a sample takes, in `mgt`: infinite where
-    /// it does not get. Whether that is the way to longer cracks.
+    /// Writes the million gross tonnes at each point of the path of a sample to `mgt`, infinite
+    /// where it is not reached. Returns whether the path leads to longer cracks.
     pub fn tonnage(&self, sample: &SampledRates, mgt: &mut Vec<f64>) -> bool {
         mgt.clear();
         mgt.push(0.0);

@@ -13,8 +13,8 @@ pub struct WheelSummary {
     pub share_of_axles: f64,
     /// Share of the growth of the deepest tip, the mean over its length.
     pub share_of_growth: f64,
-    /// In how many steps the crack would have gone elsewhere without this wheel, and most so
-    /// without this one.
+    /// Number of steps in which the crack would have changed direction without this wheel, and by
+    /// more than without any other.
     pub turns_in_steps: usize,
 }
 

@@ -8,7 +8,7 @@ use std::path::Path;
 #[cfg(test)]
 use super::faults;
 
-/// Without tests, nothing fails but what the system refuses.
+/// Outside tests, only operations refused by the system fail.
 #[cfg(not(test))]
 mod faults {
     use super::{Path, Result};

@@ -18,15 +18,15 @@ const KEY: &str = "checksum";
 pub(crate) struct Checksum(u64);
 
 impl Checksum {
-    /// Of no bytes.
+    /// The checksum of no bytes.
     pub(crate) const NOTHING: Self = Self(0xcbf2_9ce4_8422_2325);
 
-    /// Of `bytes`.
+    /// The checksum of `bytes`.
     pub(crate) fn of(bytes: &[u8]) -> Self {
         Self::NOTHING.with(bytes)
     }
 
-    /// Of the bytes so far and `bytes` behind them.
+    /// The checksum of the bytes so far followed by `bytes`.
     #[must_use]
     pub(crate) fn with(self, bytes: &[u8]) -> Self {
         let add = |hash: u64, &byte: &u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
@@ -46,7 +46,7 @@ impl fmt::Display for Checksum {
     }
 }
 
-/// How much was written, and its checksum.
+/// Length and checksum of what was written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Seal {
     /// Bytes.
@@ -56,21 +56,21 @@ pub(crate) struct Seal {
 }
 
 impl Seal {
-    /// Of nothing.
+    /// The seal of an empty file.
     pub(crate) const NOTHING: Self = Self { length: 0, checksum: Checksum::NOTHING };
 
-    /// Of `bytes`.
+    /// The checksum of `bytes`.
     pub(crate) fn of(bytes: &[u8]) -> Self {
         Self::NOTHING.with(bytes)
     }
 
-    /// Of what was written so far and `bytes` behind it.
+    /// The seal of what was written so far followed by `bytes`.
     #[must_use]
     pub(crate) fn with(self, bytes: &[u8]) -> Self {
         Self { length: self.length + bytes.len() as u64, checksum: self.checksum.with(bytes) }
     }
 
-    /// Of the file at `path`.
+    /// The seal of the file at `path`.
     ///
     /// Errors: the system refuses.
     pub(crate) fn of_file(path: &Path) -> Result<Self, OutputError> {
@@ -78,7 +78,7 @@ impl Seal {
         Self::read(File::open(path).map_err(refused())?, u64::MAX).map_err(refused())
     }
 
-    /// Of all that `content` has, or of its first `most` bytes.
+    /// The seal of all of `content`, or of its first `most` bytes.
     pub(crate) fn read(content: impl Read, most: u64) -> io::Result<Self> {
         let (mut content, mut seal, mut piece) = (content.take(most), Self::NOTHING, vec![0; 1 << 16]);
         loop {
@@ -90,7 +90,7 @@ impl Seal {
     }
 }
 
-/// Checksums of `files` in `folder`, for a document beside them.
+/// Checksums of `files` in `folder`, for a document stored with them.
 ///
 /// Errors: the system refuses.
 pub(crate) fn checksums(folder: &Path, files: &[&str]) -> Result<BTreeMap<String, String>, OutputError> {
@@ -112,8 +112,8 @@ pub(crate) fn is_signed(document: &Value) -> Option<bool> {
     Some(stored == Some(&of_document(document).to_string()))
 }
 
-/// Of a document without its checksum and without what differs between two computations of the
-/// same: wall times and memory.
+/// The checksum of a document without its own checksum and without what differs between two runs of
+/// the same: wall times and memory.
 fn of_document(document: &Value) -> Checksum {
     let mut lasting = lasting(document);
     if let Value::Object(keys) = &mut lasting {

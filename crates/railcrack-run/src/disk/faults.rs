@@ -19,7 +19,7 @@ pub(crate) enum Fault {
 
 pub(crate) const FAULTS: [Fault; 4] = [Fault::Full, Fault::Refused, Fault::Killed, Fault::KilledWithin];
 
-/// Faults wait for the folders of tests that run side by side.
+/// Pending faults, by folder, for tests that run in parallel.
 static WAITING: Mutex<Vec<Plan>> = Mutex::new(Vec::new());
 
 struct Plan {

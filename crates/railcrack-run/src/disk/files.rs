@@ -5,7 +5,7 @@ pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// The case of a run, defaults filled in.
 pub const CASE_FILE: &str = "case.toml";
-/// State from which a run goes on.
+/// State from which a run continues.
 pub const CHECKPOINT_FILE: &str = "checkpoint.bin";
 /// Run log: an entry per finished growth step.
 pub const RUN_LOG_FILE: &str = "run-log.bin";
@@ -59,8 +59,8 @@ pub(crate) const PLOT_FILES: [&str; 17] = [
     "field.svg",
 ];
 
-/// Files of a run beside `case.toml`, in the order in which a replaced run is removed: without its
-/// checkpoint a run is one that has not begun.
+/// Files of a run other than `case.toml`, in the order in which a replaced run is removed: a run
+/// without its checkpoint counts as not started.
 pub(crate) const RUN_FILES: [&str; 19] = [
     CHECKPOINT_FILE,
     RUN_LOG_FILE,

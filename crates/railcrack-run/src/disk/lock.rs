@@ -33,20 +33,20 @@ impl FolderLock {
                 Ok(()) => {}
                 Err(TryLockError::WouldBlock) => {
                     let mut process = String::new();
-                    // Not on every system may a locked file be read.
+                    // Some systems do not allow reading a locked file.
                     let _ = file.take(20).read_to_string(&mut process);
                     let process = process.trim().parse().ok();
                     return Err(OutputError::InUse { folder: folder.to_path_buf(), process });
                 }
-                // A file system without locks: as before there were any.
+                // A file system without locks: continue without one.
                 Err(TryLockError::Error(_)) => {
                     drop(file);
                     let _ = fs::remove_file(&path);
                     return Ok(Self { path, file: None });
                 }
             }
-            // The process that had the lock may have removed the file in between: then another one
-            // stands in its place, or none.
+            // The process that had the lock may have removed the file in between: then it has been
+            // replaced or is missing.
             if !is_at(&file, &path) {
                 continue;
             }

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 /// Ending of a file that is being written and not yet in place.
 pub(crate) const PARTIAL: &str = "partial";
 
-/// Whether the disk must have a file before it takes its place.
+/// Whether a file must be on the disk before it is moved into place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Durability {
     /// Survives a power failure.
@@ -18,8 +18,8 @@ pub enum Durability {
     Cached,
 }
 
-/// Writes `content` beside `path` and moves it into place: readers see the old file or the new one,
-/// never a part.
+/// Writes `content` to a temporary file and moves it to `path`: readers see the old file or the new
+/// one, never a part.
 pub fn replace_file(path: &Path, content: &[u8], durability: Durability) -> Result<(), OutputError> {
     let partial = partial_of(path);
     let refused = || OutputError::io("write", path);

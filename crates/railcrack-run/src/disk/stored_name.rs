@@ -1,4 +1,4 @@
-//! Names that files of results hold: they never lead out of the folder of these files.
+//! Names that files of results hold: they never point outside the folder of these files.
 
 use super::files::{CASE_FILE, INPUTS_FOLDER};
 use crate::error::OutputError;

@@ -18,7 +18,7 @@ use std::path::Path;
 pub(crate) struct FieldFileEntry {
     /// Its name in the run folder.
     pub name: String,
-    /// Step, plus the share of the positions of its passage that lie before.
+    /// Step, plus the fraction of the positions of its passage that precede it.
     pub time: f64,
     /// Its content.
     pub seal: Seal,

@@ -48,7 +48,7 @@ fn grid_of(
     ];
     let states = &faces.states[position];
     let third = &across.states[position];
-    // Nothing jumps at the cracks.
+    // Cracks without a jump.
     let of_faces = |value: &dyn Fn(usize) -> f64| -> Vec<f64> {
         (0..free).map(value).chain(std::iter::repeat_n(0.0, tips)).collect()
     };

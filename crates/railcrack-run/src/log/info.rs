@@ -1,4 +1,4 @@
-//! Facts of the case that stand in the files of a run.
+//! Facts of the case that are recorded in the files of a run.
 
 use railcrack::bulk::Boundary;
 use railcrack::growth::Warning;
@@ -17,7 +17,7 @@ pub struct MixInfo {
     pub half_width: f64,
 }
 
-/// Facts of the case that stand in the files of a run.
+/// Facts of the case that are recorded in the files of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunInfo {
     /// Title of the case.

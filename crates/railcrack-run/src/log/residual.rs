@@ -12,7 +12,7 @@ pub struct ResidualSummary {
     pub plastic_source: Option<PlasticOrigin>,
     /// The stage that computed it.
     pub rolled: Option<RolledSummary>,
-    /// Losses on the way to the mesh of the rail.
+    /// Losses in the projection onto the mesh of the rail.
     pub projection: Option<ProjectionSummary>,
     /// Effect of the free sides of a block on the residual stress of the middle line.
     pub release: Option<ReleaseSummary>,
@@ -62,12 +62,12 @@ pub struct RolledSummary {
 /// Norms are √∫ p:p dA of the plastic stress p.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ProjectionSummary {
-    /// Of the values at nodes that were fitted to values on cells: their norm over that of the
+    /// Values at nodes that were fitted to values on cells: ratio of their norm to that of the
     /// cells. Null where values were given at nodes.
     pub nodes_norm_ratio: Option<f64>,
     /// Norm of their difference, over it.
     pub nodes_difference: Option<f64>,
-    /// Of what the mesh of the rail interpolates, within width and depth of the rail: its norm over
+    /// Interpolation by the mesh of the rail, within width and depth of the rail: its norm over
     /// that of the field.
     pub mesh_norm_ratio: f64,
     /// Norm of their difference, over it.
@@ -85,7 +85,7 @@ pub struct ReleaseSummary {
     pub held_sxx_mpa: f64,
     /// σ_xx with the sides free, MPa.
     pub free_sxx_mpa: f64,
-    /// Whether the run carries the released stress: a plastic stress is balanced on the block, a
+    /// Whether the run uses the released stress: a plastic stress is balanced on the block, a
     /// balanced stress is taken as it is.
     pub carried: bool,
 }

@@ -1,4 +1,4 @@
-//! Run log: the finished growth steps as far as the tables do not have them.
+//! Run log: the data of the finished growth steps that are not in the tables.
 
 use super::residual::ResidualSummary;
 use crate::disk::Seal;
@@ -53,12 +53,12 @@ pub(crate) struct Present {
     pub wall_s: f64,
     /// Part of it that went into writing, seconds.
     pub output_s: f64,
-    /// The most memory held so far, resumptions counted, MB.
+    /// Peak memory so far, including resumptions, MB.
     pub peak_memory_mb: Option<f64>,
 }
 
-/// Of the tip with the largest k1, the output position of the stabilised passage nearest to it: k1
-/// itself counts every load step.
+/// For the tip with the largest k1, the nearest output position of the stabilised passage: k1
+/// itself is evaluated at every load step.
 fn largest_k1_at(record: &StepRecord) -> Option<f64> {
     let k1 = |tip: &TipRecord| tip.largest_k1.map_or(0.0, |largest| largest.k1);
     let (tip, opened) = record.tips.iter().enumerate().max_by(|a, b| k1(a.1).total_cmp(&k1(b.1)))?;
@@ -74,7 +74,7 @@ fn whole_path(before: &[Vec2], crack: &Crack, removed: f64) -> Vec<Vec2> {
     let lowered = crack.points().iter().map(|point| Vec2::new(point.x, point.y - removed));
     let above = before.iter().take_while(|point| crack.is_surface_breaking() && point.y > -removed);
     let above: Vec<Vec2> = above.copied().collect();
-    // The mouth of now is no vertex of the path, but where it is cut.
+    // The current mouth is not a vertex of the path but the point where it is cut.
     let mouth = usize::from(!above.is_empty());
     above.into_iter().chain(lowered.skip(mouth)).collect()
 }
@@ -87,7 +87,7 @@ pub(crate) struct RunLog {
 }
 
 impl RunLog {
-    /// Takes up a finished step with its field files.
+    /// Adds a finished step with its field files.
     pub(crate) fn add(&mut self, record: &StepRecord, fields: Vec<FieldFileEntry>) {
         if self.steps.is_empty() {
             self.now.initial_cracks = record.cracks().to_vec();

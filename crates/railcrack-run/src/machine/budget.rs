@@ -1,4 +1,4 @@
-//! Budget: what a run needs, and what the machine and the disk have.
+//! Budget: requirements of a run, and resources of the machine and the disk.
 
 use railcrack_case::{Case, Kept};
 use std::fs;
@@ -19,7 +19,7 @@ pub struct Needs {
 }
 
 impl Needs {
-    /// Of the run of `case`.
+    /// The needs of the run of `case`.
     pub fn of(case: &Case) -> Self {
         let size = case.size();
         let count = |n: usize| u64::try_from(n).unwrap_or(u64::MAX);
@@ -37,7 +37,7 @@ impl Needs {
     }
 }
 
-/// The available amounts; none where the system does not tell.
+/// The available amounts; none if the system does not provide them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Budget {
     /// Memory of the machine, or of the group of processes where that is limited to less, bytes.
@@ -55,7 +55,7 @@ impl Budget {
         }
     }
 
-    /// Whether `runs` runs that each need `needs`, as many of them as `at_once` side by side, fit.
+    /// Whether `runs` runs that each need `needs`, `at_once` of them at the same time, fit.
     ///
     /// Errors: they do not.
     pub fn allows(&self, needs: Needs, runs: usize, at_once: usize) -> Result<(), OverBudget> {
@@ -72,13 +72,13 @@ impl Budget {
     }
 }
 
-/// A run that is larger than its machine.
+/// A run that is too large for its machine.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum OverBudget {
     /// Memory.
     #[error(
-        "this needs about {needs} MB of memory{}, and the machine allows {has} MB: take larger elements ([mesh] \
-         element_size_mm, interface_elements), fewer cracks or positions{}; --no-limits computes it all the same",
+        "this needs about {needs} MB of memory{}, but the machine allows {has} MB: use larger elements ([mesh] \
+         element_size_mm, interface_elements), fewer cracks or positions{}; --no-limits runs it anyway",
         if *at_once > 1 { format!(" ({at_once} runs at once)") } else { String::new() },
         if *at_once > 1 { ", or fewer --threads" } else { "" }
     )]
@@ -87,13 +87,12 @@ pub enum OverBudget {
         needs: u64,
         /// MB.
         has: u64,
-        /// Runs side by side.
+        /// Number of simultaneous runs.
         at_once: usize,
     },
     /// Disk.
     #[error(
-        "the tables need about {needs} MB, and the disk of the folder has {has} MB left: choose another folder with \
-         --out, fewer positions, steps or face elements; --no-limits computes it all the same"
+        "the tables need about {needs} MB, but the disk of the folder has {has} MB left: choose another folder with --out, or fewer positions, steps or face elements; --no-limits runs it anyway"
     )]
     Disk {
         /// MB.

@@ -1,6 +1,6 @@
 //! Memory of this process.
 
-/// The most memory this process has held so far, MB (10⁶ bytes): `VmHWM` on Linux, none elsewhere.
+/// Peak memory of this process so far, MB (10⁶ bytes): `VmHWM` on Linux, none elsewhere.
 pub(crate) fn peak_memory_mb() -> Option<f64> {
     peak_of(&std::fs::read_to_string("/proc/self/status").ok()?)
 }

@@ -1,4 +1,4 @@
-//! Memory and disk: those of the machine, and a run's need of them.
+//! Memory and disk: available amounts and requirements of a run.
 
 mod budget;
 mod memory;

@@ -49,11 +49,11 @@ impl ColumnKind {
 /// The values of a column, row by row; a row may have none.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Values {
-    /// Of [`ColumnKind::Integer`].
+    /// Values of [`ColumnKind::Integer`].
     Integers(Vec<Option<i64>>),
-    /// Of [`ColumnKind::Number`].
+    /// Values of [`ColumnKind::Number`].
     Numbers(Vec<Option<f64>>),
-    /// Of [`ColumnKind::Text`].
+    /// Values of [`ColumnKind::Text`].
     Texts(Vec<Option<String>>),
 }
 

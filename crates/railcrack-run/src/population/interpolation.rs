@@ -24,7 +24,7 @@ pub(super) struct Interpolation {
 
 #[derive(Debug, Clone)]
 struct Kernel {
-    /// Of each input.
+    /// Length of the kernel for each input.
     lengths: Vec<f64>,
     /// Variance that is not smooth over the whole of the process.
     nugget: f64,
@@ -51,8 +51,8 @@ const SWEEPS: usize = 2;
 const ROUND_OFF: f64 = 1e-9;
 
 impl Interpolation {
-    /// Of `values`, a row for each of `points`; inputs are in standard deviations. None where there
-    /// are too few points for a trend, or they say nothing about it.
+    /// Interpolation of `values`, a row for each of `points`; inputs are in standard deviations.
+    /// None where there are too few points for a trend, or they say nothing about it.
     pub fn of(points: &[Vec<f64>], values: &Matrix) -> Option<Self> {
         let inputs = points.first()?.len();
         if points.len() < inputs + 3 {

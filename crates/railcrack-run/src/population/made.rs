@@ -15,9 +15,9 @@ use railcrack::math::Matrix;
 use railcrack_case::{Distribution, Inspection, Scatter};
 use rayon::prelude::*;
 
-/// Runs between which paths are interpolated at most; those beyond measure its error.
+/// Maximum number of runs used for interpolation; further runs measure its error.
 const MOST_RUNS: usize = 200;
-/// Share of the runs that may be left out.
+/// Fraction of the runs that may be left out.
 const MOST_LEFT_OUT: f64 = 0.05;
 /// Samples of a piece that one thread makes.
 const PIECE: usize = 1000;
@@ -34,7 +34,8 @@ struct Point {
 }
 
 impl Population {
-    /// Of the runs of a study that are done; empty where `plan` has no samples between them.
+    /// Populations from the finished runs of a study; empty where `plan` has no samples between
+    /// them.
     pub fn of(plan: &StudyPlan, results: &StudyResults) -> Vec<Self> {
         let Some(population) = &plan.population else { return Vec::new() };
         let Some(drawn) = plan.axes.iter().position(StudyAxis::is_drawn) else { return Vec::new() };
@@ -55,7 +56,7 @@ impl Population {
                 names.map(|(_, (axis, &index))| format!("{} = {}", axis.name(), axis.value(index))).collect();
             let made = match &distributions {
                 Some(distributions) => Self::of_runs(population, &plan.axes[drawn], distributions, &runs),
-                None => Err("a key is drawn that is no number".to_owned()),
+                None => Err("one of the sampled keys is not a number".to_owned()),
             };
             let made = made.unwrap_or_else(Self::none);
             Self { choice: choice.join(", "), ..made }
@@ -129,8 +130,8 @@ impl Population {
 }
 
 impl Point {
-    /// Of a run that is done, which has the values at `index` of the drawn keys; none where its
-    /// crack does not grow.
+    /// The point of a finished run, which has the values at `index` of the drawn keys; none where
+    /// its crack does not grow.
     fn of(axis: &StudyAxis, index: usize, distributions: &[Distribution], row: &StudyRow) -> Option<Self> {
         let values = axis.keys.iter().zip(distributions);
         let inputs: Option<Vec<f64>> =
@@ -143,7 +144,7 @@ impl Point {
 }
 
 impl InterpolationError {
-    /// Of pairs of ways: exact and interpolated. None without any.
+    /// Errors of pairs of exact and interpolated tonnages. None without pairs.
     fn of(ways: &[(f64, f64)]) -> Option<Self> {
         if ways.is_empty() {
             return None;

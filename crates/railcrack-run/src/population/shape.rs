@@ -10,7 +10,7 @@ const NODES: usize = 17;
 /// over lengths, logarithms of ΔK_eq, and logarithms of the axles per mm between the nodes.
 pub(super) const NUMBERS: usize = 2 + NODES + NODES + (NODES - 1);
 
-/// The path of the tip in a run; none where it does not grow.
+/// The path of the tip in a run; none if it does not grow.
 pub(super) fn path_of_tip(tip: &RepresentativeTip) -> Option<GrowthPath> {
     let points: Vec<PathPoint> = tip
         .rows
@@ -32,7 +32,7 @@ pub(super) fn path_of_tip(tip: &RepresentativeTip) -> Option<GrowthPath> {
     grows.then_some(GrowthPath { tip, points, breaks: false, is_worn_away: false })
 }
 
-/// The numbers that describe `path`, which grows all the way.
+/// The numbers that describe `path`, which grows over its whole length.
 pub(super) fn numbers_of(path: &GrowthPath) -> Option<Vec<f64>> {
     let (first, last) = (path.points.first()?, path.points.last()?);
     let depths: Vec<f64> = path.points.iter().map(|point| point.depth).collect();
@@ -61,7 +61,7 @@ pub(super) fn numbers_of(path: &GrowthPath) -> Option<Vec<f64>> {
     numbers.iter().all(|number| number.is_finite()).then_some(numbers)
 }
 
-/// The path that `numbers` describe; it ends with fracture where it `breaks`.
+/// The path described by `numbers`; it ends with fracture if it `breaks`.
 pub(super) fn path_of(numbers: &[f64], breaks: bool) -> GrowthPath {
     let first = numbers[0].exp();
     let lengths = lengths(first, first + numbers[1].exp());

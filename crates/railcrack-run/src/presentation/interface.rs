@@ -1,4 +1,5 @@
-//! Plots and pages of results, made by someone above this crate as results come in, or by nobody.
+//! Plots and pages of results, made by a crate above this one as results become available, or not
+//! at all.
 
 use crate::csv::SifScale;
 use crate::error::OutputError;
@@ -8,12 +9,12 @@ use railcrack_case::Output;
 use std::fmt::Debug;
 use std::path::Path;
 
-/// Makes plots and pages of what is written.
+/// Maker of plots and pages from the results.
 pub trait Presentation: Sync {
-    /// Gathers what is shown of a run from its beginning; `output` says what is wanted of it.
+    /// Gathers what is shown of a run from its beginning; `output` selects what is shown.
     fn run(&self, output: Output) -> Box<dyn RunPresentation>;
 
-    /// Gathers what is shown of a run that goes on: its folder has the first `steps` steps.
+    /// Gathers what is shown of a resumed run: its folder has the first `steps` steps.
     ///
     /// Errors: a file is damaged; the system refuses.
     fn resumed_run(

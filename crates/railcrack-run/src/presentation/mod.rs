@@ -1,5 +1,5 @@
-//! Presentation of results as they come in: plots and pages, made by someone above this crate, and
-//! the files of a study, made of its runs.
+//! Presentation of results as they become available: plots and pages, made by a crate above this
+//! one, and the files of a study, compiled from its runs.
 
 mod interface;
 mod study;

@@ -8,8 +8,8 @@ use crate::error::OutputError;
 use crate::study::{Population, StudyFolder, StudyResults, StudySummaryRow, TimesRow};
 
 impl StudyFolder {
-    /// Builds `summary.csv`, `times.csv` and what `presentation` makes of them from the run folders
-    /// alone, whoever computed them.
+    /// Builds `summary.csv`, `times.csv`, and plots and pages by `presentation`, from the run
+    /// folders alone, whichever process computed them.
     ///
     /// Several processes may do so at once: once the last of them has, the files have every run.
     ///

@@ -12,7 +12,7 @@ use std::path::Path;
 /// Treatment of a run that the folder already holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Existing {
-    /// Leave it alone: an error.
+    /// Keep it and return an error.
     Refuse,
     /// Remove the files that a run writes, and no others.
     Replace,
@@ -32,9 +32,9 @@ pub(crate) fn begin(folder: &Path, case: &CaseFiles, existing: Existing) -> Resu
     }
     fs::create_dir_all(folder).map_err(OutputError::io("create the run folder", folder))?;
     if existing == Existing::Replace {
-        // The order matters to a kill in between: first the old run loses its checkpoint, then the
-        // new case takes the old one's place; whatever is left over then belongs to a run that
-        // starts from its beginning.
+        // The order matters if the process is killed in between: first the old checkpoint is
+        // removed, then the new case replaces the old one; any remaining files then belong to a run
+        // that starts from its beginning.
         remove(&folder.join(CHECKPOINT_FILE))?;
         remove(&folder.join(SUMMARY_FILE))?;
     }

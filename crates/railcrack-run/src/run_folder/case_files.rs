@@ -17,7 +17,7 @@ pub struct CaseFiles {
 
 /// Whether the case `stored` of the run in `folder` is `given`.
 ///
-/// Errors: it is another one.
+/// Errors: it differs.
 pub(crate) fn same_case(folder: &Path, stored: &CaseFiles, given: &CaseFiles) -> Result<(), OutputError> {
     same_text(folder, CASE_FILE, &stored.toml, &given.toml)?;
     for (name, text) in &given.companions {

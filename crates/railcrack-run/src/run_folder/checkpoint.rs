@@ -1,6 +1,6 @@
-//! The checkpoint and the run log: everything a run needs in order to go on after its last finished
-//! step. Each step appends an entry to the log; the checkpoint is replaced, and says how much of
-//! the log and of the tables counts.
+//! The checkpoint and the run log: everything a run needs to continue after its last finished step.
+//! Each step appends an entry to the log; the checkpoint is replaced, and records how much of the
+//! log and of the tables is valid.
 
 use super::case_files::CaseFiles;
 use crate::csv::{CsvFile, FaceRow, SifRow, Table, TipRow};
@@ -64,7 +64,7 @@ impl LogFile {
         Ok(log)
     }
 
-    /// Content of the log of the run in `folder` as far as `checkpoint` counts on it: the case and
+    /// Content of the log of the run in `folder` as far as `checkpoint` covers it: the case and
     /// the finished steps.
     pub(crate) fn read(folder: &Path, checkpoint: &Checkpoint) -> Result<(CaseFiles, RunLog), OutputError> {
         let path = folder.join(RUN_LOG_FILE);
@@ -85,7 +85,7 @@ impl LogFile {
         Ok((case, RunLog { steps, now: checkpoint.now.clone() }))
     }
 
-    /// The log of the run in `folder`, cut back to what `checkpoint` counts on.
+    /// The log of the run in `folder`, cut back to what `checkpoint` covers.
     pub(crate) fn cut_back(folder: &Path, checkpoint: &Checkpoint) -> Result<Self, OutputError> {
         Ok(Self { file: CsvFile::cut_back(&folder.join(RUN_LOG_FILE), checkpoint.seals.log)? })
     }
@@ -116,7 +116,7 @@ fn encoded(folder: &Path, entry: &impl Serialize) -> Result<Vec<u8>, OutputError
 }
 
 impl Checkpoint {
-    /// Puts this checkpoint in the place of the one before.
+    /// Replaces the previous checkpoint by this one.
     pub(crate) fn write(&self, folder: &Path, durability: Durability) -> Result<(), OutputError> {
         let path = folder.join(CHECKPOINT_FILE);
         let body =

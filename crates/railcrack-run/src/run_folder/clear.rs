@@ -27,14 +27,13 @@ pub(super) fn clear_results(folder: &Path) -> Result<(), OutputError> {
     let fields = folder.join(FIELDS_FOLDER);
     clear_fields(&fields)?;
     for emptied in [plots, fields, folder.join(INPUTS_FOLDER)] {
-        // Refused where the user keeps files of his own in it, or where it does not exist: both are
-        // fine.
+        // Refused if the folder contains files of the user or does not exist: both are fine.
         let _ = fs::remove_dir(emptied);
     }
     Ok(())
 }
 
-/// Removes the stage that computed the plastic state, unless the user has a run of his own there.
+/// Removes the stage that computed the plastic state, unless the folder holds a run of the user.
 pub(super) fn clear_rolled(folder: &Path) -> Result<(), OutputError> {
     if !folder.join(CASE_FILE).exists() {
         return Ok(());
@@ -64,7 +63,7 @@ fn clear_fields(fields: &Path) -> Result<(), OutputError> {
 
 /// Removes a run: its case, its results, and its folder where nothing else is in it.
 pub(crate) fn clear_run(folder: &Path) -> Result<(), OutputError> {
-    // A kill at its very end leaves the lock alone.
+    // If the process is killed at the very end, only the lock remains.
     if run_file_in(folder).is_none() && !folder.join(LOCK_FILE).exists() {
         return Ok(());
     }
@@ -79,7 +78,7 @@ pub(crate) fn clear_run(folder: &Path) -> Result<(), OutputError> {
         remove(&file)?;
     }
     drop(lock);
-    // Refused where the user keeps files of his own in it: fine.
+    // Refused if the folder contains files of the user, which is fine.
     let _ = fs::remove_dir(folder);
     Ok(())
 }

@@ -22,12 +22,12 @@ pub struct History {
     pub kiii: Vec<f64>,
     /// Pressure of the fluid in the crack, MPa; empty for dry cracks.
     pub pressure: Vec<f64>,
-    /// Volume of the crack with fluid per width, mm²; empty for dry cracks.
+    /// Volume of the crack with fluid per unit width, mm²; empty for dry cracks.
     pub volume: Vec<f64>,
 }
 
 impl History {
-    /// Of every tip in the rows of one growth step, in their order.
+    /// Histories of every tip in the rows of one growth step, in their order.
     ///
     /// Errors: the first row that is one.
     pub fn of_step(
@@ -41,8 +41,8 @@ impl History {
             if row.wheel.is_some_and(|wheel| wheel > 1) {
                 break;
             }
-            // The last passage of a step is the stabilised one: a later passage takes the place of
-            // an earlier one.
+            // The last passage of a step is the stabilised one: a later passage replaces an earlier
+            // one.
             if row.passage != passage {
                 passage = row.passage;
                 histories.clear();

@@ -18,7 +18,7 @@ pub struct RepresentativeTip {
 }
 
 impl RepresentativeTip {
-    /// Of the run in `folder`; none without a finished step.
+    /// The representative tip of the run in `folder`; none without a finished step.
     ///
     /// Errors: a table is damaged; the system refuses.
     pub(crate) fn of(folder: &RunFolder) -> Result<Option<Self>, OutputError> {

@@ -7,7 +7,7 @@ use crate::error::OutputError;
 use railcrack_case::Case;
 use std::path::Path;
 
-/// Whether a run in `folder` was killed before its case stood there.
+/// Whether a run in `folder` was killed before its case was written.
 pub(crate) fn was_about_to_begin(folder: &Path) -> bool {
     partial_of(&folder.join(CASE_FILE)).is_file()
 }
@@ -36,7 +36,7 @@ pub(crate) fn read_case(folder: &Path) -> Result<Case, OutputError> {
 
 /// Whether the run in `folder`, if there is one, computes `case`.
 ///
-/// Errors: it computes another one; the system refuses.
+/// Errors: it computes a different case; the system refuses.
 pub(crate) fn check_case(folder: &Path, case: &CaseFiles) -> Result<(), OutputError> {
     let Some(stored) = stored_case(folder)? else { return Ok(()) };
     same_text(folder, CASE_FILE, &stored, &case.toml)?;

@@ -37,16 +37,16 @@ pub(crate) fn check_numbers(folder: &Path) -> Result<(), OutputError> {
     }
 }
 
-/// Which files of a run are verified.
+/// Selection of the files of a run to be verified.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Extent {
     All,
-    /// All but what may be large and has no number of a study: faces and fields.
+    /// All but faces and fields, which may be large and contribute no numbers to a study.
     Numbers,
 }
 
 impl Verification {
-    /// Takes up the answer on a file.
+    /// Records the result for a file.
     pub(crate) fn answer(&mut self, answer: Result<(), OutputError>) -> Result<(), OutputError> {
         self.files += 1;
         match answer {
@@ -126,7 +126,7 @@ impl Verification {
                 self.answer(check_sealed(&path, seal).and_then(|length| {
                     // Behind it, a run that goes on has rows of a step that did not finish.
                     if ended && length > seal.length {
-                        return Err(OutputError::damaged(&path, "has rows behind those of the run"));
+                        return Err(OutputError::damaged(&path, "has rows after those of the run"));
                     }
                     Ok(())
                 }))?;

@@ -20,7 +20,7 @@ pub struct ShakedownSummary {
     /// The stabilised state.
     #[serde(with = "crate::disk::words")]
     pub state: RailState,
-    /// The way to it.
+    /// The method of computing it.
     #[serde(with = "crate::disk::words")]
     pub method: Method,
     /// Passages until the residual stress repeated; 1 for the direct method.
@@ -56,7 +56,7 @@ pub struct ShakedownSummary {
     pub dang_van: DangVanSummary,
     /// How well the state meets its conditions.
     pub admissibility: AdmissibilitySummary,
-    /// With the direct method: how far it is from what passages lead to.
+    /// With the direct method: its distance from the state reached passage by passage.
     pub direct_against_pass_by_pass: Option<MethodComparison>,
     /// Wall time, s.
     pub wall_s: f64,
@@ -159,7 +159,7 @@ impl StressComponent {
 /// A largest residual stress.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PeakStress {
-    /// Which stress.
+    /// Component of the stress.
     pub component: StressComponent,
     /// MPa.
     pub stress_mpa: f64,
@@ -212,7 +212,7 @@ pub struct AdmissibilitySummary {
     pub imbalance: f64,
 }
 
-/// How far the direct method is from what passages lead to.
+/// Distance of the result of the direct method from the state reached passage by passage.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MethodComparison {
     /// The state by passages.
@@ -286,7 +286,7 @@ impl ShakedownSummary {
     }
 }
 
-/// The contact of folders that do not say it.
+/// The contact of folders that do not record it.
 fn hertz() -> String {
     ContactKind::Hertz.word().to_owned()
 }

@@ -13,7 +13,7 @@ pub(crate) struct ShakedownResults {
     pub rail: RolledRail,
     /// The stabilised state.
     pub stabilised: StabilisedRail,
-    /// With the direct method: the state that passages lead to, for comparison.
+    /// With the direct method: the state reached passage by passage, for comparison.
     pub pass_by_pass: Option<StabilisedRail>,
     /// The criterion.
     pub dang_van: DangVan,

@@ -9,8 +9,8 @@ table! {
     /// A passage; with the direct method, the only one.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct PassRow in "passes.csv", [
-        "What each passage changes, the largest over depth; strains are equivalent, sqrt(2/3) of the Frobenius norm",
-        "stress_change_mpa: of sxx or szz of the residual stress, MPa; plastic_strain_max: after the passage; plastic_path_max: strain along the way; left_stress_max_mpa: that the passages so far leave",
+        "Changes by each passage, maximum over depth; strains are equivalent strains, sqrt(2/3) of the Frobenius norm",
+        "stress_change_mpa: of sxx or szz of the residual stress, MPa; plastic_strain_max: after the passage; plastic_path_max: strain accumulated in the passage; left_stress_max_mpa: left by the passages so far",
     ] {
         /// Passage, from 1.
         pass: usize = "pass";
@@ -48,13 +48,13 @@ table! {
     /// The unloaded rail in a layer.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct LayerRow in "profile.csv", [
-        "What the unloaded rail keeps, by depth: residual stress (that of manufacturing included), plastic strain (tensor components)",
+        "State of the unloaded rail by depth: residual stress (including that of manufacturing), plastic strain (tensor components)",
         "depth_mm: middle of the layer, mm; stress: MPa, tension positive; x along the rail, y upwards, z out of plane",
-        "plastic_per_pass: equivalent plastic strain along the way of one passage; dang_van_mpa: largest tau + a p_h of the cycle, MPa",
+        "plastic_per_pass: equivalent plastic strain accumulated in one passage; dang_van_mpa: largest tau + a p_h of the cycle, MPa",
     ] {
         /// Depth of the middle of the layer, mm.
         depth: f64 = "depth_mm";
-        /// Residual stress, that of manufacturing included, MPa.
+        /// Residual stress, including that of manufacturing, MPa.
         stress: Stress = "sxx_mpa" "syy_mpa" "szz_mpa" "sxy_mpa";
         /// Plastic strain; `ep_xy` is the tensor component.
         strain: PlasticStrain = "ep_xx" "ep_yy" "ep_zz" "ep_xy";

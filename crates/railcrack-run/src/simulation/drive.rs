@@ -1,4 +1,4 @@
-//! The loop of a run: compute a step, write it, say so.
+//! The loop of a run: compute a step, write it, notify the observer.
 
 use super::error::RunError;
 use super::observer::RunObserver;
@@ -8,16 +8,16 @@ use crate::summary::Summary;
 use railcrack::growth::{GrowthError, GrowthState, Observer, StepRecord, StepSource};
 use std::sync::mpsc::{SyncSender, sync_channel};
 
-/// How a run came to its end.
+/// How a run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ending {
     /// By itself: all steps done, or a physical stop.
     Ended,
-    /// By the user; `--resume` goes on.
+    /// By the user; `--resume` continues it.
     Interrupted,
 }
 
-/// Hands an observer of the run to the computation of a step.
+/// Passes the observer of a run to the computation of a step.
 pub(super) struct OfSteps<'a>(pub(super) &'a dyn RunObserver);
 
 impl Observer for OfSteps<'_> {
@@ -60,7 +60,7 @@ pub(super) fn drive(
 /// Steps that may wait to be written while the next one is computed.
 const WAITING: usize = 1;
 
-/// Computes step after step while another thread has `keep` keep the one before.
+/// Computes step after step while another thread stores the previous one with `keep`.
 ///
 /// Errors: a step cannot be computed, or not be kept.
 pub(super) fn compute(
@@ -74,7 +74,7 @@ pub(super) fn compute(
             to_keep.into_iter().try_for_each(|(record, state)| keep(record, state))
         });
         let ending = compute_into(source, observer, finished);
-        // What was computed is kept before anything else is said of the run.
+        // What was computed is stored before anything else is reported about the run.
         match keeper.join() {
             Ok(kept) => kept?,
             Err(panic) => std::panic::resume_unwind(panic),
@@ -83,8 +83,8 @@ pub(super) fn compute(
     })
 }
 
-/// Computes steps into `finished` until the run ends, is interrupted or fails, or nobody takes them
-/// any more.
+/// Computes steps into `finished` until the run ends, is interrupted or fails, or until the
+/// receiver is gone.
 fn compute_into(
     mut source: impl StepSource,
     observer: &dyn RunObserver,

@@ -28,7 +28,7 @@ pub enum RunError {
     #[error("the plastic stress of the rolled rail: {0}")]
     Rolled(String),
     /// A rail without layers has no state.
-    #[error("the rail has no layers to judge")]
+    #[error("the rail has no layers to evaluate")]
     NoLayers,
     /// The system refuses threads or signal handlers.
     #[error("cannot {action}: {reason}")]
@@ -41,7 +41,7 @@ pub enum RunError {
 }
 
 impl RunError {
-    /// Whether the run was given up on request.
+    /// Whether the run was interrupted on request.
     #[must_use]
     pub fn is_interruption(&self) -> bool {
         matches!(

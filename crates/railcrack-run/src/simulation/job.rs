@@ -13,13 +13,13 @@ use std::path::Path;
 pub struct Stage<'a> {
     /// The run folder.
     pub folder: &'a Path,
-    /// Who is told of the run.
+    /// Observer of the run.
     pub observer: &'a dyn RunObserver,
-    /// Who makes plots and pages.
+    /// Maker of plots and pages.
     pub presentation: &'a dyn Presentation,
-    /// A rail that another run has made.
+    /// A rail built by another run.
     pub shared: Option<&'a SharedRail>,
-    /// The state to go on from; none at the beginning.
+    /// The state to continue from; none at the beginning.
     pub state: Option<GrowthState>,
 }
 

@@ -27,18 +27,18 @@ pub struct RunInMemory {
     residual: Option<Residual>,
     /// Each step, and the state after it.
     steps: Vec<(StepRecord, GrowthState)>,
-    /// Where the plastic state of the rolled rail stands, if the case has it computed.
+    /// Folder of the plastic state of the rolled rail, if the case requires it.
     rolled: Option<PathBuf>,
     wall_s: f64,
 }
 
 impl Simulation<'_> {
-    /// Computes the run in memory, step by step, until it ends or is interrupted: behind the steps
-    /// of `before`, which then must be a run of the same case. Only the plastic state of a rolled
-    /// rail is written, to `scratch`, where the case has it computed.
+    /// Computes the run in memory, step by step, until it ends or is interrupted: after the steps
+    /// of `before`, which must be a run of the same case. Only the plastic state of a rolled rail
+    /// is written, to `scratch`, if the case requires it.
     ///
-    /// What was computed is there in any case, beside the error: the plastic state or a step cannot
-    /// be computed.
+    /// What was computed is returned in any case, together with the error: the plastic state or a
+    /// step cannot be computed.
     pub fn run_in_memory(
         &self,
         scratch: &Path,
@@ -139,7 +139,7 @@ impl RunInMemory {
         Summary::new(&self.job.info, &log)
     }
 
-    /// The tables, plots and page that the case asks for.
+    /// The tables, plots and page that the case requests.
     pub fn output(&self) -> Output {
         self.job.info.output
     }

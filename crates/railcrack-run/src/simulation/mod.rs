@@ -1,4 +1,5 @@
-//! Simulation: what `railcrack run`, `shakedown` and `sweep` compute, for users of the library too.
+//! Simulation: what `railcrack run`, `shakedown` and `sweep` compute, also for users of the
+//! library.
 
 mod drive;
 mod error;

@@ -1,4 +1,4 @@
-//! Observers: who is told how far a computation is, and may interrupt it.
+//! Observers, which receive the progress of a computation and may interrupt it.
 
 use crate::study::PlannedRun;
 use railcrack::growth::StepRecord;
@@ -13,29 +13,29 @@ pub trait RunObserver: Sync {
     fn finished(&self, _record: &StepRecord) {}
     /// A stage before the first growth step.
     fn stage(&self, _text: &str) {}
-    /// Something the reader should know before the first growth step.
+    /// A message to the user before the first growth step.
     fn note(&self, _text: &str) {}
     /// No step follows.
     fn close(&self) {}
-    /// Whether to stop: the current step is given up, those before it are kept.
+    /// Whether to stop: the current step is abandoned, those before it are kept.
     fn interrupted(&self) -> bool {
         false
     }
 }
 
-/// Observes nothing: a computation in silence, to its end.
+/// Observer that reports nothing and never interrupts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Silent;
 
 impl RunObserver for Silent {}
 
-/// Observes the runs of a study, which may be computed side by side.
+/// Observes the runs of a study, which may be computed in parallel.
 pub trait StudyObserver: Sync {
     /// The observer of a run of `steps` growth steps.
     fn of_run(&self, steps: usize) -> Box<dyn RunObserver + '_>;
-    /// A run is over; `text` says how.
+    /// A run has ended; `text` describes how.
     fn over(&self, _run: &PlannedRun, _text: &str) {}
-    /// A run is left to the process that computes it; `text` says so.
+    /// A run is left to the process that computes it, as `text` states.
     fn left(&self, run: &PlannedRun, text: &str) {
         self.over(run, text);
     }

@@ -1,11 +1,11 @@
-//! Which of several runs is computed next, and on which rail.
+//! Order of the runs of a study, and the rails that they share.
 
 use railcrack_case::{Case, RailKey, SharedRail};
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// A rail that several runs share, once one of them has made it; none where it cannot be made: the
-/// runs say why themselves.
+/// A rail that several runs share, once one of them has made it; none if it cannot be built, for
+/// which the runs report the reason themselves.
 type RailSlot = Arc<OnceLock<Option<SharedRail>>>;
 
 /// A run that waits.
@@ -31,7 +31,7 @@ pub struct NextRun {
 
 impl NextRun {
     /// The rail that this run of `case` shares with others, made where it is the first of them;
-    /// none where it shares none, or where the rail cannot be made, which the run itself will say.
+    /// none if it shares none, or if the rail cannot be built, which the run itself will report.
     pub fn shared_rail(&self, case: &Case) -> Option<&SharedRail> {
         self.rail.as_ref()?.get_or_init(|| SharedRail::of(case).ok().flatten()).as_ref()
     }
@@ -48,8 +48,8 @@ struct Group {
 
 /// Runs that wait for a thread. One that has a rail stays with it as long as runs wait for it, so
 /// that few rails are kept at a time; otherwise it begins the rail with the most work, so that the
-/// threads end together and none waits for a rail that another one makes. In which order runs are
-/// taken cannot show in their results.
+/// threads end together and none waits for a rail that another one makes. The order of the runs
+/// does not affect their results.
 #[derive(Debug)]
 pub struct RunQueue {
     groups: Mutex<Vec<Group>>,

@@ -33,15 +33,15 @@ const PIECE: usize = 1 << 16;
 pub struct Recorder {
     folder: PathBuf,
     info: RunInfo,
-    /// The tables; none where the case wants none.
+    /// The tables; none if the case requests none.
     sif: Option<CsvFile>,
     growth: CsvFile,
     faces: Option<CsvFile>,
     log_file: LogFile,
     log: RunLog,
-    /// Until when `log.now.wall_s` counts.
+    /// Time up to which `log.now.wall_s` is counted.
     counted: Instant,
-    /// When the disk was last known to have everything.
+    /// Time at which everything was last known to be on the disk.
     synced: Instant,
     rows: Rows,
     /// Gathers what plots and pages show of the finished steps.
@@ -64,8 +64,8 @@ impl Recorder {
         Self::from_the_beginning(folder, &case, info, presentation)
     }
 
-    /// Takes up the run in `folder` after its last finished step. The state to go on from is none
-    /// where no step has finished: then the run starts from its beginning.
+    /// Resumes the run in `folder` after its last finished step. The state to continue from is none
+    /// if no step has finished: then the run starts from its beginning.
     ///
     /// Errors: no run in the folder; its case is not `case`; another version of the program wrote
     /// it; a file of it is damaged; the system refuses.
@@ -87,7 +87,7 @@ impl Recorder {
         let (stored, log) = LogFile::read(folder, &checkpoint)?;
         same_case(folder, &stored, &case)?;
         if info.output.is_shown() && !info.output.is_whole() {
-            // The tables do not have all that plots and page show: the run begins again.
+            // The tables do not contain all that plots and page show: the run starts again.
             begin(folder, &case, Existing::Replace)?;
             return Ok((Self::from_the_beginning(folder, &case, info, presentation)?, None));
         }
@@ -139,7 +139,7 @@ impl Recorder {
         &self.folder
     }
 
-    /// Writes `residual.csv`, the residual stress on the mesh of the cracks, and takes up its
+    /// Writes `residual.csv`, the residual stress on the mesh of the cracks, and records its
     /// `summary`.
     pub fn residual(&mut self, profile: &[ResidualRow], summary: ResidualSummary) -> Result<(), OutputError> {
         self.log.now.residual = Some(summary);
@@ -171,7 +171,7 @@ impl Recorder {
             self.log_file.add(&self.folder, step)?;
         }
         if durability == Durability::Synced {
-            // Tables and log before the checkpoint that counts on them.
+            // Tables and log must be on the disk before the checkpoint that relies on them.
             for table in self.sif.iter().chain([&self.growth]).chain(&self.faces) {
                 table.sync()?;
             }
@@ -191,7 +191,7 @@ impl Recorder {
         Ok(())
     }
 
-    /// Takes the wall time (seconds) of a computation that this recorder only writes down.
+    /// Sets the wall time (seconds) of a computation that this recorder only stores.
     pub(crate) fn was_computed_in(&mut self, wall_s: f64) {
         self.log.now.wall_s = wall_s;
         self.counted = Instant::now();
@@ -201,7 +201,7 @@ impl Recorder {
     /// interrupted.
     pub fn finish(&mut self) -> Result<Summary, OutputError> {
         let begun = Instant::now();
-        // Plots and report say what the summary says, so it must stand there first.
+        // Plots and report repeat the summary, so it must be written first.
         self.write_summary(Durability::Cached)?;
         self.shown.finish(&self.folder)?;
         self.count_time(begun);
@@ -260,7 +260,7 @@ impl Recorder {
         };
     }
 
-    /// Of the files that `verify` reads, for `summary.json`.
+    /// Checksums of the files that `verify` reads, for `summary.json`.
     fn checksums(&self) -> BTreeMap<String, String> {
         let seals = self.seals();
         let tables = seals.tables().map(|(file, seal)| -> (&str, Seal) { (file, seal) });
@@ -310,7 +310,7 @@ fn keeps(kept: Kept, record: &StepRecord) -> bool {
     }
 }
 
-/// Appends `content` to `file` in pieces, by way of `rows`.
+/// Appends `content` to `file` in pieces, using `rows` as a buffer.
 fn append_to<T: Table>(
     file: &mut CsvFile,
     rows: &mut Rows,

@@ -30,7 +30,7 @@ pub struct Residual {
 }
 
 impl Residual {
-    /// Writes it, and tells what the reader should know.
+    /// Writes it and reports its remarks.
     ///
     /// Errors: a number that is not finite; the system refuses.
     pub fn record(self, recorder: &mut Recorder, observer: &dyn RunObserver) -> Result<(), OutputError> {
@@ -38,7 +38,7 @@ impl Residual {
         recorder.residual(&self.rows, self.summary)
     }
 
-    /// Tells what the reader should know.
+    /// Reports its remarks.
     pub(super) fn tell(&self, observer: &dyn RunObserver) {
         for note in &self.summary.notes {
             observer.note(note);
@@ -46,8 +46,8 @@ impl Residual {
     }
 }
 
-/// Computes the plastic state of the rolled rail where the case wants it, and balances what the
-/// rail carries.
+/// Computes the plastic state of the rolled rail if the case requires it, and balances the stress
+/// of the rail.
 ///
 /// Errors: the plastic state cannot be computed, written or read back; the residual stress cannot
 /// be balanced.
@@ -128,7 +128,7 @@ fn rolled_state(case: &Case, stage: &Stage) -> Result<(PlasticField, ShakedownSu
             })?
         }
     };
-    // As a case would take it that names the file.
+    // As if a case named this file.
     let path = folder.join(PLASTIC_FILE);
     let grid = read_vtu(&path).map_err(|error| RunError::Rolled(error.to_string()))?;
     let field = PlasticField::from_grid(&grid).map_err(|error| RunError::Rolled(error.to_string()))?;
@@ -145,7 +145,7 @@ fn stored(folder: &Path) -> Option<ShakedownSummary> {
 fn rolled_summary(summary: &ShakedownSummary, notes: &mut Vec<String>) -> RolledSummary {
     if summary.state == RailState::PlasticShakedown {
         notes.push(
-            "plastic shakedown: the rail yields in every passage, and the crack is given the stress between passages".into(),
+            "plastic shakedown: the rail yields in every passage, and the crack is loaded by the stress between passages".into(),
         );
     }
     notes.extend(summary.warnings.iter().cloned());
@@ -166,17 +166,16 @@ fn narrow(case: &Case, projection: &Projection) -> Option<String> {
     let (from, to) = case.rail.extent.ends();
     (left > from || right < to).then(|| {
         format!(
-            "the plastic stress is given from x = {left} to {right} mm and to a depth of {depth} mm: beside it goes on as at its ends, \
-             below it is zero"
+            "the plastic stress is given from x = {left} to {right} mm and to a depth of {depth} mm: beyond these ends it is continued unchanged, below this depth it is zero"
         )
     })
 }
 
 fn release_note(release: Release) -> String {
     let carried = if release.carried {
-        "the run carries the released stress"
+        "the run uses the released stress"
     } else {
-        "it is given as balanced, and the run carries it as it is"
+        "it is given as balanced, and the run uses it unchanged"
     };
     format!(
         "the free sides of the block release the residual stress: at depth {:.3} mm on the middle line sxx = {:.2} MPa becomes \
@@ -185,7 +184,7 @@ fn release_note(release: Release) -> String {
     )
 }
 
-/// A wheel that yields a rail whose plastic stress the run leaves out.
+/// A wheel that causes yielding in a rail whose plastic stress the run ignores.
 pub fn plastic_stress_left_out(case: &Case) -> Option<String> {
     if case.plastic_stress.is_some() || case.residual_stress.is_some() {
         return None;
@@ -194,8 +193,7 @@ pub fn plastic_stress_left_out(case: &Case) -> Option<String> {
     let first = case.contact_bounds(|bounds| bounds.first_yield())?.ratio;
     (ratio > first).then(|| {
         format!(
-            "p0 / k = {ratio:.3} is beyond first yield at {first:.3}, and the run leaves the plastic stress out: an empty \
-             [plastic_stress] section has it computed first"
+            "p0 / k = {ratio:.3} is beyond first yield at {first:.3}, but the run ignores the plastic stress: add an empty [plastic_stress] section to compute it first"
         )
     })
 }

@@ -20,12 +20,12 @@ use std::time::Instant;
 /// Depths in the bounds by depth, and how deep they go over the half-width of the contact.
 const BOUNDS: usize = 61;
 const BOUNDS_DEPTH: f64 = 3.0;
-/// Frictions on the shakedown map, and how far it goes at least.
+/// Number of friction values on the shakedown map, and its minimum extent.
 const MAP: usize = 21;
 const MAP_FRICTION: f64 = 0.5;
 
-/// Computes the stabilised state of the rail of `case` into `folder`, telling `observe` of every
-/// passage, unless it is given up on an `interruption`.
+/// Computes the stabilised state of the rail of `case` into `folder`, reporting every passage to
+/// `observe`, unless it is stopped by an `interruption`.
 ///
 /// Errors: a rail that has no such state; the folder cannot be written; an interruption
 /// ([`RunError::is_interruption`]).
@@ -69,7 +69,7 @@ fn results(
     started: Instant,
     interruption: Interruption<'_>,
 ) -> Result<ShakedownResults, RunError> {
-    // The history that the direct method leaves out is shown beside it.
+    // The history that the direct method leaves out is shown for comparison.
     let pass_by_pass = match settings.method {
         Method::PassByPass => None,
         Method::Direct => {
@@ -110,28 +110,27 @@ fn warnings(
     let mut warnings = Vec::new();
     if stabilised.state == RailState::NotStabilised {
         warnings.push(format!(
-            "not stabilised after {} passages: the last one still changed the residual stress by {:.3} MPa",
+            "not stabilised after {} passages: the last passage still changed the residual stress by {:.3} MPa",
             settings.max_passes,
             stabilised.passes.last().map_or(0.0, |pass| pass.stress_change)
         ));
     }
     if let Some(other) = pass_by_pass {
         warnings.push(format!(
-            "the direct method gives an admissible state, not the one that passages lead to: the residual stress differs \
-             by up to {:.1} MPa",
+            "the direct method gives an admissible state, but not the one reached passage by passage: the residual stress differs by up to {:.1} MPa",
             stabilised.stress_difference(other)
         ));
     }
     if stabilised.state == RailState::ElasticShakedown {
         warnings.push(
-            "an elastic-shakedown state depends on the load history: on the first passages as computed"
+            "an elastic-shakedown state depends on the load history, here the first passages as computed"
                 .into(),
         );
     }
     warnings
 }
 
-/// A line on a passage.
+/// A line of text about a passage.
 pub fn pass_text(pass: &PassRecord) -> String {
     format!(
         "passage {}: residual stress changes by {:.3} MPa, plastic strain by {:.2e} ({} redistributions)",

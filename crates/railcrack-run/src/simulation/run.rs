@@ -16,16 +16,16 @@ use railcrack_case::{Case, SharedRail};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Way in which a run enters its folder.
+/// How a run enters its folder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RunEntry {
-    /// Begins; a folder that holds a run is left alone: an error.
+    /// Starts a run; a folder that already holds one is left unchanged and causes an error.
     Begin,
-    /// Begins in place of a run that the folder holds.
+    /// Starts a run that replaces the one in the folder.
     Replace,
-    /// Goes on with the run in the folder; an error where there is none.
+    /// Resumes the run in the folder; an error if there is none.
     Resume,
-    /// Goes on with the run in the folder, or begins where there is none.
+    /// Resumes the run in the folder, or starts one if there is none.
     ResumeOrBegin,
 }
 
@@ -41,7 +41,7 @@ pub struct Simulation<'a> {
 }
 
 impl<'a> Simulation<'a> {
-    /// The run of `case`, in silence, with tables and summary only.
+    /// The run of `case`, without progress output, with tables and summary only.
     pub fn new(case: &'a Case) -> Self {
         Self {
             case,
@@ -53,25 +53,26 @@ impl<'a> Simulation<'a> {
         }
     }
 
-    /// Tells `observer` how far it is.
+    /// Reports progress to `observer`.
     #[must_use]
     pub fn observed_by(self, observer: &'a dyn RunObserver) -> Self {
         Self { observer, ..self }
     }
 
-    /// Has `presentation` make plots and pages.
+    /// Makes plots and pages with `presentation`.
     #[must_use]
     pub fn presented_by(self, presentation: &'a dyn Presentation) -> Self {
         Self { presentation, ..self }
     }
 
-    /// Takes over what another run of the same rail made: the results are the same bits, sooner.
+    /// Reuses the mesh and factors of another run of the same rail: the results are bitwise
+    /// identical and computed sooner.
     #[must_use]
     pub fn sharing(self, shared: Option<&'a SharedRail>) -> Self {
         Self { shared, ..self }
     }
 
-    /// Has `judge` give the direction and the rate of every tip.
+    /// Takes the direction and the rate of every tip from `judge`.
     #[must_use]
     pub fn judged_by(self, judge: &'a Arc<dyn TipJudge>) -> Self {
         Self { judge: Some(judge), ..self }
@@ -105,14 +106,14 @@ impl Simulation<'_> {
 
     /// The growth loop from `stage` on, and the residual stress that the rail carries.
     ///
-    /// Errors: the plastic state cannot be computed, or the residual stress not be made.
+    /// Errors: the plastic state cannot be computed, or the residual stress cannot be computed.
     pub(super) fn growth(&self, stage: Stage) -> Result<(Box<dyn StepSource>, Option<Residual>), RunError> {
         let (prepared, residual) = prepare(self.case, &stage)?;
         Ok((prepared.growth_judged(stage.state, self.judge.cloned()), residual))
     }
 }
 
-/// A run that came to an end or was interrupted.
+/// A run that ended or was interrupted.
 #[derive(Debug)]
 pub struct Finished {
     /// How it ended.
@@ -156,8 +157,8 @@ pub fn run_steps<S: StepSource>(
     Ok(finished(drive(source, &mut recorder, observer)?))
 }
 
-/// The lock of `folder`, which is created where the run may begin in it; none where it cannot be
-/// entered anyway, which the recorder says.
+/// The lock of `folder`, which is created where the run may begin in it; none if it cannot be
+/// entered anyway, which the recorder reports.
 fn lock(folder: &Path, entry: RunEntry) -> Result<Option<FolderLock>, OutputError> {
     if entry != RunEntry::Resume && !folder.exists() {
         std::fs::create_dir_all(folder).map_err(OutputError::io("create the run folder", folder))?;

@@ -1,4 +1,4 @@
-//! The runs of a study, side by side.
+//! Parallel computation of the runs of a study.
 
 use super::drive::Ending;
 use super::error::RunError;
@@ -24,9 +24,9 @@ pub struct StudyComputation<'a> {
     pub study: &'a Study,
     /// Its folder.
     pub folder: &'a StudyFolder,
-    /// Who is told.
+    /// Observer of the study.
     pub observer: &'a dyn StudyObserver,
-    /// Who makes plots and pages.
+    /// Maker of plots and pages.
     pub presentation: &'a dyn Presentation,
 }
 
@@ -58,7 +58,7 @@ impl StudyComputation<'_> {
         let at_once = threads.min(waiting.len());
         let pools: Result<Vec<_>, _> = (0..at_once)
             .map(|i| {
-                // The first runs have the threads that are left over.
+                // The first runs use the remaining threads.
                 let own = threads / at_once + usize::from(i < threads % at_once);
                 rayon::ThreadPoolBuilder::new().num_threads(own).build()
             })
@@ -87,8 +87,8 @@ impl StudyComputation<'_> {
         Ok(failed.into_inner().unwrap_or_else(PoisonError::into_inner))
     }
 
-    /// Computes a run, or what is missing of it, into its run folder, and remembers there how it
-    /// ended. One that is interrupted has no end yet.
+    /// Computes a run, or the missing part of it, into its run folder, and records there how it
+    /// ended. An interrupted run has not ended.
     fn compute_run(&self, next: &NextRun) -> Option<FailedRun> {
         let (run, planned) = (&self.study.runs[next.run], &self.folder.plan().runs[next.run]);
         let computed = self.steps(run, planned, next);
@@ -190,7 +190,7 @@ fn done(summary: &Summary) -> String {
     format!("{stop} at step {}, {:.1} s", summary.steps, summary.wall_s)
 }
 
-/// The study as its folder remembers it; `options` are those of the command line that change what
+/// The study as recorded in its folder; `options` are those of the command line that change what
 /// is computed.
 pub fn study_plan(study: &Study, options: Vec<String>) -> StudyPlan {
     let axis = |axis: &Axis| {

@@ -5,8 +5,8 @@ use crate::csv::line_fields;
 use crate::parquet::{ColumnKind, ParquetFile};
 use std::collections::HashMap;
 
-/// Appends the rows of the CSV table `text` behind the values `before` of the first columns; a
-/// column that the text does not have stays empty.
+/// Appends the rows of the CSV table `text`, preceded by the values `before` of the first columns;
+/// a column that the text does not have stays empty.
 pub(super) fn append(file: &mut ParquetFile, before: &[&str], text: &str) {
     let mut lines = text.lines().filter(|line| !line.starts_with('#'));
     let names = lines.next().map(line_fields).unwrap_or_default();
@@ -20,7 +20,7 @@ pub(super) fn append(file: &mut ParquetFile, before: &[&str], text: &str) {
     }
 }
 
-/// The kind of a column of results by its name: what counts or names is no measured number.
+/// The kind of a column of results by its name: counts and names are not measured numbers.
 pub(super) fn kind_of(column: &str) -> ColumnKind {
     match column {
         "run" | "step" | "steps" | "passage" | "passages" | "crack" | "tip" | "position" | "wheel"

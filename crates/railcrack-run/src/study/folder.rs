@@ -28,11 +28,11 @@ const RUNS_FOLDER: &str = "runs";
 pub enum Entry {
     /// It begins the study.
     Begin,
-    /// It begins its part of a study that others may have begun.
+    /// It starts its part of a study that others may have started.
     Join,
-    /// It goes on with a study.
+    /// It resumes a study.
     Resume,
-    /// It goes on with its part of a study, or begins it.
+    /// It resumes its part of a study, or starts it.
     ResumePart,
     /// It replaces a study.
     Replace,
@@ -40,13 +40,13 @@ pub enum Entry {
     ReplacePart,
 }
 
-/// The folder of a study. Each run folder in it belongs to one process at a time; what belongs to
-/// all is written whole, and by everyone the same.
+/// The folder of a study. Each run folder in it belongs to one process at a time; common files are
+/// written as a whole, and identically by every process.
 #[derive(Debug, Clone)]
 pub struct StudyFolder {
     path: PathBuf,
     plan: StudyPlan,
-    /// To which runs are appended, once one is.
+    /// The file to which finished runs are appended, once there is one.
     pack: Arc<Mutex<Option<PackWriter>>>,
 }
 
@@ -179,7 +179,7 @@ impl StudyFolder {
         self.path.join(RUNS_FOLDER).join(&run.folder)
     }
 
-    /// The results of `run`, be they packed or in a folder.
+    /// The results of `run`, packed or in a folder.
     ///
     /// Errors: it has none yet; a file of it is damaged; the system refuses.
     pub fn run(&self, run: &PlannedRun) -> Result<RunFolder, OutputError> {
@@ -240,7 +240,7 @@ impl StudyFolder {
         }
         let mut summary: Summary = read_json(&folder, SUMMARY_FILE)?;
         summary.outcome = Some(outcome.clone());
-        // Those of the folder, which is no more; the record has one of its own.
+        // Checksums of the folder, which is removed; the record has its own.
         summary.checksums.clear();
         files.insert(SUMMARY_FILE.to_owned(), json_text(&folder.join(SUMMARY_FILE), &summary)?);
         self.append(run.number, Some(&files))?;
@@ -265,7 +265,7 @@ impl StudyFolder {
         Outcome::read(&self.run_folder(run))
     }
 
-    /// Remembers how `run` ended, once all its other files are written.
+    /// Records how `run` ended, once all its other files are written.
     pub fn settle(&self, run: &PlannedRun, outcome: &Outcome) -> Result<(), OutputError> {
         let folder = self.run_folder(run);
         if !self.plan.run_folders && outcome.end == RunEnd::Done {
@@ -275,17 +275,17 @@ impl StudyFolder {
         outcome.write(&folder)
     }
 
-    /// Removes what a kill has left of a run that is done.
+    /// Removes what remains of a finished run after a kill.
     pub fn tidy(&self, run: &PlannedRun) -> Result<(), OutputError> {
         Outcome::tidy(&self.run_folder(run))
     }
 
-    /// Forgets how `run` ended, before it goes on.
+    /// Removes the record of how `run` ended, before it continues.
     pub fn reopen(&self, run: &PlannedRun) -> Result<(), OutputError> {
         remove(&self.run_folder(run).join(OUTCOME_FILE))
     }
 
-    /// Puts `content` into a file that several processes may write at once: readers see the file of
+    /// Writes `content` to a file that several processes may write at once: readers see the file of
     /// one of them, whole.
     pub fn put(&self, file: &str, content: &[u8]) -> Result<(), OutputError> {
         let path = self.path.join(file);
@@ -329,7 +329,7 @@ fn stored_plan(folder: &Path) -> Result<Option<StudyPlan>, OutputError> {
 }
 
 impl StudyPlan {
-    /// Whether the runs of `other` are these. Version, title and colours are not of that.
+    /// Whether `other` has the same runs. Version, title and colours are not compared.
     fn computes_what(&self, other: &Self) -> bool {
         (&self.axes, &self.runs, &self.options) == (&other.axes, &other.runs, &other.options)
     }
@@ -341,7 +341,7 @@ impl StudyPlan {
             options => options.join(" "),
         };
         if self.options != other.options {
-            return format!("it was begun with {}, now {}", said(&self.options), said(&other.options));
+            return format!("it was started with {}, now {}", said(&self.options), said(&other.options));
         }
         let keys = |plan: &Self| -> Vec<(String, Vec<String>)> {
             let all = plan.axes.iter().flat_map(|axis| &axis.keys);

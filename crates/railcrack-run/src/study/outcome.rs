@@ -19,7 +19,7 @@ impl Outcome {
     }
 
     /// A run that failed has it in a file of its own, whatever else is there; one that is done in
-    /// its summary, with which it is complete: nothing goes on from its checkpoint.
+    /// its summary, with which it is complete: it is never resumed from its checkpoint.
     pub(super) fn write(&self, folder: &Path) -> Result<(), OutputError> {
         if self.end != RunEnd::Done {
             return write_json(folder, OUTCOME_FILE, self, Durability::Synced);
@@ -31,7 +31,7 @@ impl Outcome {
         Self::tidy(folder)
     }
 
-    /// Removes from the folder of a run that is done what only one that goes on needs.
+    /// Removes the files that only a resumed run needs from the folder of a finished run.
     pub(super) fn tidy(folder: &Path) -> Result<(), OutputError> {
         [CHECKPOINT_FILE, RUN_LOG_FILE].iter().try_for_each(|file| remove(&folder.join(file)))
     }

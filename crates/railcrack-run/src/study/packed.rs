@@ -15,9 +15,9 @@ const PREFIX: &str = "packed-";
 const ENDING: &str = ".bin";
 /// Number of the run, bytes of the record, their checksum.
 const HEADER: usize = 24;
-/// Level of compression: numbers shrink no further.
+/// Level of compression: higher levels do not reduce numbers further.
 const LEVEL: u8 = 5;
-/// Most bytes of a run.
+/// Maximum size of a run, bytes.
 const MOST: usize = 1 << 30;
 /// How long records may wait for the disk: a kill loses none by that, a power failure those.
 const SYNC_INTERVAL: Duration = Duration::from_secs(1);
@@ -52,7 +52,7 @@ struct Place {
     length: usize,
 }
 
-/// The packed runs of a study: where each is. What is no whole record is not there.
+/// The packed runs of a study and their positions. An incomplete record counts as missing.
 #[derive(Debug, Default)]
 pub(crate) struct PackedRuns {
     files: Vec<PathBuf>,
@@ -65,7 +65,7 @@ impl PackedRuns {
         let mut runs = Self { files: packed_files(folder)?, places: HashMap::new() };
         for (file, path) in runs.files.iter().enumerate() {
             scan(path, |number, offset, length| {
-                // A record without content takes back those before it.
+                // A record without content revokes those before it.
                 match length {
                     0 => runs.places.remove(&number),
                     _ => runs.places.insert(number, Place { file, offset, length }),
@@ -98,8 +98,8 @@ impl PackedRuns {
     }
 }
 
-/// Tells `found` number, offset and length of every whole record of the file `path`. Where the last
-/// one ends.
+/// Passes number, offset and length of every complete record of the file `path` to `found`. Returns
+/// the end of the last one.
 fn scan(path: &Path, mut found: impl FnMut(usize, u64, usize)) -> Result<u64, OutputError> {
     let refused = || OutputError::io("read", path);
     let file = File::open(path).map_err(refused())?;
@@ -161,7 +161,7 @@ impl PackWriter {
         Ok(Self { path, file, synced: Instant::now() })
     }
 
-    /// Appends the files of run `number`; without any, takes back what was appended of it before.
+    /// Appends the files of run `number`; without any, revokes what was appended of it before.
     pub(super) fn append(&mut self, number: usize, files: Option<&RunFiles>) -> Result<(), OutputError> {
         let body = match files {
             Some(files) => {

@@ -19,7 +19,7 @@ pub struct StudyPlan {
     /// Whether each run has a folder of its own; if not, those that are done are packed.
     #[serde(default = "with_folders")]
     pub run_folders: bool,
-    /// Options of the command in place of values of the file: `--steps 2`.
+    /// Options of the command that replace values of the file: `--steps 2`.
     pub options: Vec<String>,
     /// Facts of the cases that samples between the runs take; none where none are made.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -45,7 +45,7 @@ pub struct StudyAxis {
 pub struct StudyKey {
     /// Its name with its section, `crack[1].angle_deg`: a column of `summary.csv`.
     pub key: String,
-    /// The shortest name that tells it from the others: `angle_deg`.
+    /// The shortest name that distinguishes it from the others: `angle_deg`.
     pub name: String,
     /// Its values as text; numbers read back to the same bits.
     pub values: Vec<String>,
@@ -76,7 +76,7 @@ impl StudyAxis {
         self.keys.iter().any(|key| key.distribution.is_some())
     }
 
-    /// Whether it has no value, which no axis of a study is.
+    /// Whether it has no value, which does not occur in a study.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }

@@ -1,9 +1,9 @@
-//! A population of cracks: its quantiles, and how far they are to be trusted.
+//! A population of cracks: its quantiles and their accuracy.
 
 use crate::decision::ScatterSummary;
 use serde::{Deserialize, Serialize};
 
-/// Error of interpolated ways to critical, in percent of each, over runs that are left out.
+/// Relative error (per cent) of interpolated tonnages until critical, over runs that are left out.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct InterpolationError {
     /// Over how many runs.
@@ -12,7 +12,7 @@ pub struct InterpolationError {
     pub rms_percent: f64,
     /// The largest, percent.
     pub worst_percent: f64,
-    /// Share of the variance of the logarithm of the ways that is found again, at most 1.
+    /// Explained fraction of the variance of the logarithm of these tonnages, at most 1.
     pub explained: f64,
 }
 
@@ -31,6 +31,6 @@ pub struct Population {
     pub interval_mgt: Option<f64>,
     /// The samples; null where they cannot be made.
     pub scatter: Option<ScatterSummary>,
-    /// Why they cannot.
+    /// Reason why they cannot be made.
     pub reason: Option<String>,
 }

@@ -34,8 +34,8 @@ pub struct PopulationPlan {
 const OF_ALL_RUNS: [&str; 5] = ["scatter.", "inspection.", "maintenance.", "traffic.", "growth.critical"];
 
 impl PopulationPlan {
-    /// Of `study`; none where no value is drawn, its cases have no `[scatter]`, or the surface is
-    /// removed, so that each run has its own way.
+    /// The plan of `study`; none where no value is drawn, its cases have no `[scatter]`, or the
+    /// surface is removed, so that each run has its own path.
     pub fn of(study: &Study) -> Option<Self> {
         let variations = || study.axes.iter().flat_map(|axis| &axis.variations);
         let is_one_for_all =

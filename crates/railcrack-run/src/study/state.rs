@@ -1,12 +1,12 @@
-//! Where the runs of a study stand.
+//! States of the runs of a study.
 
 use crate::run_folder::RepresentativeTip;
 use crate::summary::{Outcome, RunEnd, Summary};
 
-/// Where a run stands.
+/// State of a run.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum RunState {
-    /// It came to its end.
+    /// It ended.
     Done,
     /// It failed, for a reason; what was computed before is kept.
     Failed {
@@ -48,7 +48,7 @@ impl RunState {
     }
 }
 
-/// A run as `summary.csv` has it.
+/// A run as listed in `summary.csv`.
 #[derive(Debug, Clone)]
 pub struct StudyRow {
     /// Number of the run, from 1.

@@ -8,16 +8,16 @@ use crate::error::OutputError;
 use railcrack::growth::RunStop;
 
 table! {
-    /// A run of a study, behind its number, its folder and the values of the keys that vary.
+    /// A run of a study, following its number, its folder and the values of the keys that vary.
     #[derive(Debug, Clone, PartialEq)]
     pub struct StudySummaryRow in "summary.csv", [
         "One row per run of the study, in its order; folder: in runs/; then the keys that vary, as in the case file",
         "state: done, not-converged, cannot-read-or-write (reason: why), unfinished (interrupted, or being computed), missing",
         "stop: why the run ended; steps: increments done; load_cycles: axles at the start of the last finished step",
-        "crack, tip: the tip of the crack that grew most (of equals, that with the largest delta_keq); what follows is of this tip",
-        "initial_length_mm, length_mm: of its crack at step 0 and at the last finished step; tip_x_mm, tip_y_mm: there, y upwards",
+        "crack, tip: the tip of the crack that grew most (in a tie, the one with the largest delta_keq); the following columns refer to this tip",
+        "initial_length_mm, length_mm: of its crack at step 0 and at the last finished step; tip_x_mm, tip_y_mm: position at that step, y upwards",
         "ki_max ... rate: step 0, stabilised passage; K: MPa sqrt(m); kii_peak: the largest |K_II|; angle: from straight ahead",
-        "empty: not computed, or does not exist. Wall times are in times.csv",
+        "empty: not computed, or not applicable. Wall times are in times.csv",
     ] {
         /// `done`; `not-converged` or `cannot-read-or-write`, with the `reason`; `unfinished`:
         /// interrupted, or being computed; `missing`: no step yet.
@@ -30,11 +30,11 @@ table! {
         load_cycles: Option<f64> = "load_cycles";
         /// As in `summary.json`.
         million_gross_tonnes: Option<f64> = "million_gross_tonnes";
-        /// The representative tip: that of the crack that grew most; of equals, the one with the
-        /// largest ΔK_eq in step 0; then the first. The columns that follow belong to this tip.
+        /// The representative tip: that of the crack that grew most; in a tie, the one with the
+        /// largest ΔK_eq in step 0, then the first. The following columns refer to this tip.
         crack: Option<usize> = "crack";
-        /// The representative tip: that of the crack that grew most; of equals, the one with the
-        /// largest ΔK_eq in step 0; then the first. The columns that follow belong to this tip.
+        /// The representative tip: that of the crack that grew most; in a tie, the one with the
+        /// largest ΔK_eq in step 0, then the first. The following columns refer to this tip.
         tip: Option<usize> = "tip";
         /// Length of its crack in step 0 and in the last finished step, mm.
         initial_length: Option<f64> = "initial_length_mm";
@@ -72,19 +72,19 @@ table! {
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TimesRow in "times.csv", [
         "Wall time of each run and its resumptions, seconds, by phase; peak_memory_mb: of the process that computed it",
-        "Mesh and factor that runs share are computed before them and are in no row",
+        "Meshes and factors shared by several runs are computed beforehand and not included in any row",
     ] {
         /// Number of the run.
         run: usize = "run";
         /// Wall time of the run and its resumptions, s.
         wall_s: Option<f64> = "wall_s";
-        /// Part of it: the cracked body.
+        /// Part of it spent on the cracked body.
         body_s: Option<f64> = "body_s";
-        /// Part of it: loads and contact.
+        /// Part of it spent on loads and contact.
         contact_s: Option<f64> = "contact_s";
-        /// Part of it: direction, rate, increments.
+        /// Part of it spent on direction, rate and increments.
         growth_s: Option<f64> = "growth_s";
-        /// Part of it: the run folder.
+        /// Part of it spent on the run folder.
         output_s: Option<f64> = "output_s";
         /// Peak memory of the process that computed it, 10⁶ bytes.
         peak_memory_mb: Option<f64> = "peak_memory_mb";

@@ -40,7 +40,7 @@ pub struct Summary {
     /// beyond.
     #[serde(default)]
     pub passage_mm: Option<[f64; 2]>,
-    /// Whether the run has ended; otherwise `--resume` goes on.
+    /// Whether the run has ended; otherwise `--resume` continues it.
     pub complete: bool,
     /// Why the run ended; null while it is not complete.
     #[serde(with = "words::optional")]
@@ -60,11 +60,11 @@ pub struct Summary {
     pub wall_s: f64,
     /// Wall time by phase.
     pub phases_s: PhaseSeconds,
-    /// The most memory held, MB; null where the system does not tell.
+    /// Peak memory, MB; null if the system does not provide it.
     pub peak_memory_mb: Option<f64>,
-    /// Displacement unknowns, the most of all steps.
+    /// Displacement unknowns, maximum over all steps.
     pub dofs: usize,
-    /// Points on the crack faces, the most of all steps.
+    /// Points on the crack faces, maximum over all steps.
     pub face_points: usize,
     /// Load steps between output positions, all steps together.
     pub substeps: usize,
@@ -72,11 +72,11 @@ pub struct Summary {
     pub contact_solves: usize,
     /// Contact iterations per solution.
     pub contact_iterations_mean: f64,
-    /// The most iterations of one solution.
+    /// Maximum number of iterations of one solution.
     pub contact_iterations_max: usize,
     /// Largest violation of the contact conditions, relative.
     pub complementarity_max: f64,
-    /// Passages until the history repeated, the most of all steps.
+    /// Passages until the history repeated, maximum over all steps.
     pub passages: usize,
     /// The same for each step.
     pub passages_per_step: Vec<usize>,
@@ -274,7 +274,7 @@ fn points(points: &[Vec2]) -> Vec<[f64; 2]> {
     points.iter().map(|point| [point.x, point.y]).collect()
 }
 
-/// Checks what has no column in a table and yet goes into the summary.
+/// Checks results that are in the summary but in no table.
 pub(crate) fn finite_summary(record: &StepRecord) -> Result<(), OutputError> {
     let value = record.counts.complementarity_max;
     if value.is_finite() {

@@ -27,7 +27,7 @@ pub enum RunEnd {
 }
 
 impl Outcome {
-    /// A run that came to its end.
+    /// A run that ended.
     pub fn done() -> Self {
         Self { version: VERSION.into(), end: RunEnd::Done, reason: None }
     }

@@ -8,20 +8,20 @@ use serde::{Deserialize, Serialize};
 /// Wall time by phase, of the run and its resumptions, seconds.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct PhaseSeconds {
-    /// The residual stress: the plastic state of the rolled rail where it is wanted, projection and
+    /// The residual stress: the plastic state of the rolled rail if required, projection and
     /// balance.
     pub residual: f64,
     /// The cracked body.
     pub body: f64,
-    /// Of it: the mesh without cracks and its factor.
+    /// Part of it spent on the mesh without cracks and its factor.
     pub body_mesh: f64,
-    /// Of it: cutting elements, choosing functions and face points.
+    /// Part of it spent on cutting elements and choosing functions and face points.
     pub body_enrichment: f64,
-    /// Of it: the stiffness of the enriched functions.
+    /// Part of it spent on the stiffness of the enriched functions.
     pub body_border: f64,
-    /// Of it: stress intensity factors as functionals.
+    /// Part of it spent on stress intensity factors as functionals.
     pub body_sif: f64,
-    /// Of it: the elimination of the unknowns behind the faces.
+    /// Part of it spent on eliminating the unknowns behind the faces.
     pub body_condensation: f64,
     /// Loads on the faces and contact.
     pub contact: f64,
@@ -69,13 +69,13 @@ pub struct CrackSummary {
 /// A crack in space in the first and in the last finished step.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FrontSummary {
-    /// Half axis down the dip in step 0, mm.
+    /// Semi-axis down the dip in step 0, mm.
     pub initial_length_mm: f64,
-    /// Half axis along the surface in step 0, mm.
+    /// Semi-axis along the surface in step 0, mm.
     pub initial_surface_half_length_mm: f64,
-    /// Half axis down the dip, mm.
+    /// Semi-axis down the dip, mm.
     pub length_mm: f64,
-    /// Half axis along the surface, mm.
+    /// Semi-axis along the surface, mm.
     pub surface_half_length_mm: f64,
     /// Depth of the deepest point of the front, mm.
     pub depth_mm: f64,
@@ -104,7 +104,7 @@ pub struct PieceSummary {
 pub struct JunctionSummary {
     /// Number of the joining crack, from 1.
     pub crack: usize,
-    /// Which of its ends.
+    /// The end of the crack that has joined.
     #[serde(with = "words")]
     pub end: End,
     /// Number of the crack that it has joined, from 1.
@@ -115,7 +115,7 @@ pub struct JunctionSummary {
     pub y_mm: f64,
 }
 
-/// How far the run is from brittle fracture: the largest k1 of its stabilised passages, over all
+/// Margin against brittle fracture: the largest k1 of its stabilised passages, over all
 /// kink angles.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FractureSummary {

@@ -1,4 +1,4 @@
-//! Warnings where a case, or its results, are outside of what the model describes.
+//! Warnings where a case or its results are outside the validity of the model.
 
 use crate::log::{RunInfo, RunLog, StepDigest};
 use railcrack::fatigue::RailSteel;
@@ -8,7 +8,7 @@ use railcrack::shakedown::ContactBounds;
 use railcrack::validity::{self, ResidualStress, ValidityWarning};
 use railcrack_case::{Case, GivenWheel};
 
-/// The steel whose toughness counts where the case gives none.
+/// The steel whose toughness is used if the case gives none.
 const USUAL_STEEL: &str = "R260";
 
 /// Warnings that follow from the case alone.
@@ -61,7 +61,7 @@ pub(crate) fn of_steps(info: &RunInfo, log: &RunLog) -> Vec<Warning> {
         let k1 = step.tips.iter().filter_map(|tip| Some(tip.largest_k1?.k1)).fold(0.0, f64::max);
         validity::toughness(k1, MPA_SQRT_MM * usual.mean_toughness, usual.name)
     };
-    // The fastest tip says how long the rail lasts.
+    // The fastest tip determines the life of the rail.
     let growth = |step: &StepDigest| {
         let fastest = step.tips.iter().filter(|tip| tip.increment > 0.0);
         let fastest = fastest.max_by(|a, b| a.rate.total_cmp(&b.rate))?;

@@ -62,7 +62,7 @@ impl Choice for Boundary {
     const WORDS: &'static [(Self, Word)] = {
         use {BottomSupport as Bottom, SideSupport as Sides};
         &[
-            (Self::HalfPlane, Word::now("half-plane", "no boundary but the running surface")),
+            (Self::HalfPlane, Word::now("half-plane", "bounded by the running surface only")),
             (block(Bottom::Clamped, Sides::Free), Word::now("block, bottom clamped, sides free", BLOCK)),
             (
                 block(Bottom::Clamped, Sides::Rollers),

@@ -43,10 +43,10 @@ impl Choice for StepControl {
             Self::Adaptive,
             Word::now(
                 "adaptive",
-                "changes of contact status are resolved in their order, and load steps are refined by step_tolerance",
+                "changes of contact status are resolved one after another, and load steps are refined to step_tolerance",
             ),
         ),
-        (Self::Fixed, Word::now("fixed", "one load step from output position to output position")),
+        (Self::Fixed, Word::now("fixed", "one load step between successive output positions")),
     ];
 }
 

@@ -10,9 +10,9 @@ pub struct FrontShape {
     pub dip: f64,
     /// Turn of the plane about the vertical, from +x to the positive lateral direction, radians.
     pub strike: f64,
-    /// Length l: half axis down the dip, mm.
+    /// Length l: semi-axis down the dip, mm.
     pub length: f64,
-    /// Half axis c along the surface, mm.
+    /// Semi-axis c along the surface, mm.
     pub half_length: f64,
     /// x and lateral position (mm) of the middle of the trace of the plane in the surface.
     pub middle: [f64; 2],
@@ -29,7 +29,7 @@ pub struct FrontTip {
     pub phi: f64,
     /// Lateral position, mm.
     pub lateral: f64,
-    /// Half axis of the crack along the surface, mm.
+    /// Semi-axis of the crack along the surface, mm.
     pub half_length: f64,
     /// Range of K_III, MPa √mm.
     pub delta_kiii: f64,

@@ -99,7 +99,7 @@ impl Geometry {
     }
 
     /// The length (mm) of every crack: in the plane the length of the polyline plus the deferred
-    /// growth of its tips, in space the half-axis down the dip.
+    /// growth of its tips, in space the semi-axis down the dip.
     #[must_use]
     pub fn lengths(&self) -> Vec<f64> {
         match self {

@@ -40,7 +40,7 @@ pub enum StressMoves {
 
 impl Choice for StressMoves {
     const WORDS: &'static [(Self, Word)] = &[
-        (Self::WithMetal, Word::now("metal", "the stress stays where it is in the steel")),
+        (Self::WithMetal, Word::now("metal", "the stress stays in place in the steel")),
         (Self::WithSurface, Word::now("surface", "the stress keeps its depth below the surface")),
     ];
 }

@@ -19,7 +19,7 @@ pub struct TipRecord {
     /// Ordinate of the tip, mm.
     pub y: f64,
     /// Length of its crack, mm: in the plane including the deferred growth of its tips, in space
-    /// the half-axis down the dip.
+    /// the semi-axis down the dip.
     pub length: f64,
     /// Largest K_I of the stabilised passage, MPa √mm; in a mix, the largest under any wheel. The
     /// ranges of a mix are those under the wheel that contributes most to the growth.

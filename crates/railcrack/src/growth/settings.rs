@@ -65,7 +65,7 @@ pub struct GrowthSettings {
     pub criterion: DirectionCriterion,
     /// A crack this long (mm) ends the run.
     pub critical_length: Option<f64>,
-    /// This many load cycles end the run.
+    /// The run ends after this many load cycles.
     pub stop_after_cycles: Option<f64>,
     /// K_Ic, MPa √mm: the run ends when k1 of a tip reaches it during a passage.
     pub toughness: Option<f64>,

@@ -27,10 +27,10 @@ impl Choice for ContactKind {
             Self::Carter,
             Word::now(
                 "carter",
-                "the same pressure and a shear that sticks behind the leading edge: partial slip",
+                "the same pressure in partial slip, with a stick zone behind the leading edge",
             ),
         ),
-        (Self::Table, Word::now("table", "pressure and shear of a table, measured or computed")),
+        (Self::Table, Word::now("table", "pressure and shear from a table, measured or computed")),
     ];
 }
 

@@ -29,7 +29,7 @@ pub(crate) fn weights(points: &[f64], at: f64) -> Vec<f64> {
 /// Convergence rate of the interpolation on a range, where n points leave an error of the order of
 /// e^(−rate n). The function is analytic except for branch points on the real axis at the distance
 /// `beyond` from the ends of the range, and others at the distance `beside` from the axis (both in
-/// half-lengths of the range). The rate is ln ρ of the largest ellipse between them, with half-axes
+/// half-lengths of the range). The rate is ln ρ of the largest ellipse between them, with semi-axes
 /// (ρ ± 1/ρ)/2 (Trefethen, Approximation Theory and Approximation Practice, theorem 8.2).
 pub(crate) fn rate(beyond: f64, beside: f64) -> f64 {
     let real = (beyond + (beyond * (beyond + 2.0)).sqrt()).ln_1p();

@@ -16,12 +16,15 @@ pub enum NetworkContact {
 
 impl Choice for NetworkContact {
     const WORDS: &'static [(Self, Word)] = &[
-        (Self::Whole, Word::now("whole", "all cracks together, the cost grows with their number squared")),
+        (
+            Self::Whole,
+            Word::now("whole", "all cracks together; the cost grows with the square of their number"),
+        ),
         (
             Self::Groups,
             Word::now(
                 "groups",
-                "each crack with its neighbours, in sweeps until they agree within network_tolerance, for dozens of cracks in a half-plane: newton, no fluid, and no fields are written",
+                "each crack with its neighbours, in sweeps until they agree within network_tolerance; for dozens of cracks in a half-plane, with the newton solver, without fluid and without fields",
             ),
         ),
     ];

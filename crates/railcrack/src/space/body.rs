@@ -20,7 +20,7 @@ use thiserror::Error;
 /// Points per cell and direction at which the stress of the uncracked rail is evaluated.
 const LOAD_POINTS: usize = 4;
 
-/// Smallest admissible distance of two cracks, relative to their smallest half-axis: down to this
+/// Smallest admissible distance of two cracks, relative to their smallest semi-axis: down to this
 /// distance the integrals between them are verified, and cells resolve the ligament.
 pub(super) const LEAST_DISTANCE: f64 = 0.05;
 
@@ -42,7 +42,7 @@ pub enum SpaceError {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error(
     "cracks {} and {} in space are {distance:.3e} mm apart: must be at least {least:.3e} mm, {LEAST_DISTANCE} of the smallest \
-     half axis of the two", first + 1, second + 1
+     semi-axis of the two", first + 1, second + 1
 )]
 pub struct CloseCracks {
     /// One of them, from 0.

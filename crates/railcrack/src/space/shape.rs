@@ -30,9 +30,9 @@ pub struct SpaceCrack {
     /// Turn of the plane about the vertical through `middle`, from +x to the positive lateral
     /// direction, radians.
     pub strike: f64,
-    /// Half-axis c along the surface, mm.
+    /// Semi-axis c along the surface, mm.
     pub half_length: f64,
-    /// Half-axis l down the dip, mm.
+    /// Semi-axis l down the dip, mm.
     pub length: f64,
     /// x and lateral position (mm) of the middle of the trace of the plane in the surface.
     pub middle: [f64; 2],
@@ -45,8 +45,8 @@ pub struct SpaceCrack {
 /// An inadmissible crack.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ShapeError {
-    /// A half-axis that is not positive and finite.
-    #[error("half-axis {value} mm of a crack: must be positive and finite")]
+    /// A semi-axis that is not positive and finite.
+    #[error("semi-axis {value} mm of a crack: must be positive and finite")]
     HalfAxis {
         /// The given value, mm.
         value: f64,
@@ -65,12 +65,12 @@ pub enum ShapeError {
     },
     /// A buried crack that reaches the surface.
     #[error(
-        "buried crack whose middle lies {centre} mm down the dip: its half axis {length} mm reaches the surface"
+        "buried crack whose middle lies {centre} mm down the dip: its semi-axis {length} mm reaches the surface"
     )]
     ReachesSurface {
         /// Distance of the middle from the trace of the plane, mm.
         centre: f64,
-        /// Half axis down the dip, mm.
+        /// Semi-axis down the dip, mm.
         length: f64,
     },
     /// A front that is not star-shaped about its middle.

@@ -41,7 +41,7 @@ const DIGITS: f64 = 14.0;
 const POINTS: [usize; 2] = [3, 96];
 /// Points are assumed to lie at least this share of a below the surface.
 const SHALLOWEST: f64 = 1e-7;
-/// When tangents are sought, points are assumed to lie at least this share of the half-axes away
+/// When tangents are sought, points are assumed to lie at least this share of the semi-axes away
 /// from the middle, where the tangents are far from real.
 const OFF_MIDDLE: f64 = 1e-3;
 /// Widths of neighbourhoods are limited to this value, at which stretching has practically no
@@ -102,7 +102,7 @@ impl EllipticWheel {
             if reach <= 0.0 {
                 continue;
             }
-            // Logarithm of the sum of the half-axes of the ellipse that has the interval's ends as
+            // Logarithm of the sum of the semi-axes of the ellipse that has the interval's ends as
             // foci and passes through a singular point.
             let decay = |[at, off_axis]: [f64; 2]| {
                 arc_cosine([(2.0 * at - from - to) / reach, 2.0 * off_axis / reach])[1]

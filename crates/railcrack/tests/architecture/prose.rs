@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-/// The most columns of a line of prose.
+/// Maximum number of columns of a line of prose.
 const WIDTH: usize = 100;
 
 /// Pages that a program writes, held to their generators by tests of their own.
@@ -11,7 +11,7 @@ const GENERATED: [&str; 3] = ["case-file.md", "verification.md", "paper.md"];
 
 /// Folders and pages, relative to the workspace, whose prose must be free of [`CRUTCHES`]: pages,
 /// and comments of sources.
-pub const PLAIN: [&str; 8] = [
+pub const PLAIN: [&str; 10] = [
     "README.md",
     "ARCHITECTURE.md",
     "CHANGELOG.md",
@@ -20,6 +20,8 @@ pub const PLAIN: [&str; 8] = [
     "python/README.md",
     "crates/railcrack/src",
     "crates/railcrack/tests",
+    "crates/railcrack-case",
+    "crates/railcrack-run",
 ];
 
 /// Phrases that are not what an engineer would write.

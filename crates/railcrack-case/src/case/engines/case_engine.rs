@@ -20,11 +20,11 @@ pub(in crate::case) trait CaseEngine {
         2
     }
 
-    /// The face points that the case asks for, before anything is made: those of the first step, or
-    /// an estimate from above.
+    /// The face points that the case requires, before anything is computed: those of the first
+    /// step, or an upper estimate.
     fn wanted_face_points(&self, case: &Case) -> f64;
 
-    /// The keys that make too many face points of this case.
+    /// The keys responsible for too many face points in this case.
     fn finest_grid(&self, case: &Case) -> FinestGrid;
 
     /// The engine of a run; `finite_elements` is that of the rail, plastic stress and all. None
@@ -38,15 +38,15 @@ pub(in crate::case) struct FaceSize {
     pub face_points: usize,
     /// Displacement unknowns behind them.
     pub displacements: usize,
-    /// Numbers of a factor.
+    /// Number of entries of a factor.
     pub factor: usize,
 }
 
-/// Most face points, the key of `[mesh]` that makes them, and a remedy.
+/// Maximum number of face points, the key of `[mesh]` that controls them, and a remedy.
 pub(in crate::case) struct FinestGrid {
     pub most_points: f64,
     pub key: &'static str,
-    /// The number of points and the most there can be, as a fault says them.
+    /// The number of points and its limit, as worded in an error.
     pub says: fn(f64, f64) -> String,
     pub help: &'static str,
 }
@@ -54,11 +54,11 @@ pub(in crate::case) struct FinestGrid {
 impl FinestGrid {
     /// In the plane, with `row` of `[mesh]`.
     pub fn in_the_plane<T>(row: KeyRow<T>, help: &'static str) -> Self {
-        let says = |points, most| format!("{points:.2e} face points; there can be {most:e}");
+        let says = |points, most| format!("{points:.2e} face points; the limit is {most:e}");
         Self { most_points: MOST_FACE_POINTS, key: row.key.name, says, help }
     }
 }
 
-/// Most points of the crack faces in the plane: four dense matrices with two unknowns at each have
-/// 51 GB.
+/// Maximum number of points of the crack faces in the plane: four dense matrices with two unknowns
+/// at each have 51 GB.
 pub(in crate::case) const MOST_FACE_POINTS: f64 = 2e4;

@@ -20,8 +20,7 @@ impl CaseEngine for Dislocations {
     }
 
     fn finest_grid(&self, _: &Case) -> FinestGrid {
-        let help =
-            "a smaller [mesh] interface_elements or cracks further apart ([[crack]] spacing_mm) have fewer";
+        let help = "a smaller [mesh] interface_elements or cracks further apart ([[crack]] spacing_mm) reduce their number";
         FinestGrid::in_the_plane(INTERFACE_ELEMENTS, help)
     }
 

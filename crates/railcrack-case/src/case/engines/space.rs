@@ -36,13 +36,13 @@ impl CaseEngine for Space {
             most_points: MOST_SPACE_POINTS as f64,
             key: SPACE_CELLS.key.name,
             says: |points, most| {
-                format!("with space_rings, {points} face points; there can be {most} in space")
+                format!("with space_rings, {points} face points; the limit in space is {most}")
             },
-            help: "fewer space_cells, space_rings or cracks",
+            help: "reduce space_cells, space_rings or the number of cracks",
         }
     }
 
-    /// Its loop makes no body of the plane.
+    /// The growth loop in space builds no plane body.
     fn body_engine(&self, _: &Case, _: XfemEngine) -> Option<Box<dyn BodyEngine + Send>> {
         None
     }

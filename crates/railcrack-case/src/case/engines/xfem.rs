@@ -12,7 +12,8 @@ pub(super) struct Xfem;
 
 impl CaseEngine for Xfem {
     fn face_size(&self, case: &Case) -> FaceSize {
-        // Errors of a plastic stress are reported by its reader; that of rolling is not there yet.
+        // Errors of a plastic stress are reported by its reader; that of rolling is not yet
+        // available.
         let engine = case.finite_elements(case.given_plastic().as_ref());
         let size = match case.network {
             NetworkContact::Whole => engine.size(&case.cracks),
@@ -25,7 +26,7 @@ impl CaseEngine for Xfem {
         })
     }
 
-    /// An estimate from above: points follow the elements that a crack crosses.
+    /// An upper estimate: the points depend on the elements that a crack crosses.
     fn wanted_face_points(&self, case: &Case) -> f64 {
         let spacing = case.mesh.interface_spacing.unwrap_or(f64::INFINITY);
         let points = |(crack, size): (&Crack, f64)| crack.length() / size.min(spacing);
@@ -34,10 +35,10 @@ impl CaseEngine for Xfem {
 
     fn finest_grid(&self, case: &Case) -> FinestGrid {
         if case.mesh.interface_spacing.is_some() {
-            let help = "a larger [mesh] interface_spacing_mm makes fewer";
+            let help = "a larger [mesh] interface_spacing_mm reduces their number";
             return FinestGrid::in_the_plane(INTERFACE_SPACING, help);
         }
-        FinestGrid::in_the_plane(ELEMENT_SIZE, "a larger [mesh] element_size_mm makes fewer")
+        FinestGrid::in_the_plane(ELEMENT_SIZE, "a larger [mesh] element_size_mm reduces their number")
     }
 
     fn body_engine(&self, _: &Case, finite_elements: XfemEngine) -> Option<Box<dyn BodyEngine + Send>> {

@@ -16,7 +16,7 @@ pub enum Distribution {
         /// Standard deviation, in the unit of the key.
         deviation: f64,
     },
-    /// From the lowest to the highest value, all alike.
+    /// All values from the lowest to the highest with equal probability.
     Uniform {
         /// The lowest value.
         low: f64,
@@ -46,18 +46,18 @@ const DIGITS: usize = 12;
 const KEY: &str = "value";
 
 impl Distribution {
-    /// The distribution that `table` names for a key, which may be a number or not; `text` is that
-    /// of the file.
+    /// The distribution that `table` names for a key, whose value is a number or not; `text` is
+    /// that of the file.
     ///
     /// Errors: what is wrong.
     pub(super) fn read(table: &DeTable, is_number: bool, text: &str) -> Result<Self, String> {
         let mut entries = table.iter();
         let (Some((name, value)), None) = (entries.next(), entries.next()) else {
-            return Err("a distribution has one name".to_owned());
+            return Err("a distribution has exactly one name".to_owned());
         };
         let name: &str = name.get_ref();
         let DeValue::Array(items) = value.get_ref() else {
-            return Err(format!("`{name}` is followed by a list"));
+            return Err(format!("`{name}` must be followed by a list"));
         };
         if name == "choice" {
             return choice(items, text);
@@ -66,7 +66,9 @@ impl Distribution {
         let pair = numbers.and_then(|numbers| <[f64; 2]>::try_from(numbers).ok());
         let pair = pair.filter(|pair| pair.iter().all(|number| number.is_finite()));
         if !is_number && ["normal", "uniform", "log-normal"].contains(&name) {
-            return Err("only numbers have such a distribution; words and integers have `choice`".to_owned());
+            return Err(
+                "this distribution is for numbers only; use `choice` for words and integers".to_owned()
+            );
         }
         match (name, pair) {
             ("normal", Some([mean, deviation])) if deviation > 0.0 => Ok(Self::Normal { mean, deviation }),
@@ -74,16 +76,17 @@ impl Distribution {
             ("log-normal", Some([median, deviation])) if median > 0.0 && deviation > 0.0 => {
                 Ok(Self::LogNormal { median, deviation })
             }
-            ("normal", _) => Err("`normal` is a mean and a deviation above 0".to_owned()),
-            ("uniform", _) => Err("`uniform` is a lower and a higher number".to_owned()),
+            ("normal", _) => Err("`normal` takes a mean and a standard deviation above 0".to_owned()),
+            ("uniform", _) => Err("`uniform` takes a lower and a higher number".to_owned()),
             ("log-normal", _) => {
-                Err("`log-normal` is a median and a deviation of the logarithm, both above 0".to_owned())
+                Err("`log-normal` takes a median and a standard deviation of the logarithm, both above 0"
+                    .to_owned())
             }
-            _ => Err(format!("`{name}` is no distribution")),
+            _ => Err(format!("`{name}` is not a distribution")),
         }
     }
 
-    /// The distribution of numbers written in `text`, as TOML; none where it is no distribution.
+    /// The distribution of numbers written in `text`, as TOML; none if it is not a distribution.
     #[must_use]
     pub fn parse(text: &str) -> Option<Self> {
         let document = format!("{KEY} = {text}");
@@ -93,7 +96,7 @@ impl Distribution {
     }
 
     /// `value` (TOML) in standard deviations from the mean; of a log-normal distribution its
-    /// logarithm. None for a value that is no number.
+    /// logarithm. None for a value that is not a number.
     #[must_use]
     pub fn standardised(&self, value: &str) -> Option<f64> {
         let number: f64 = value.parse().ok()?;
@@ -170,13 +173,13 @@ fn choice(items: &[Spanned<DeValue>], text: &str) -> Result<Distribution, String
             _ => None,
         };
         let Some((span, weight)) = pair.filter(|(_, weight)| weight.is_finite() && *weight > 0.0) else {
-            return Err("`choice` is a list of pairs, a value and a weight above 0".to_owned());
+            return Err("`choice` takes a list of pairs of a value and a weight above 0".to_owned());
         };
         values.push((text.get(span).unwrap_or_default().to_owned(), weight));
     }
     let sum: f64 = values.iter().map(|(_, weight)| weight).sum();
     if values.is_empty() {
-        return Err("`choice` is a list of at least one pair".to_owned());
+        return Err("`choice` takes a list of at least one pair".to_owned());
     }
     values.iter_mut().for_each(|(_, weight)| *weight /= sum);
     Ok(Distribution::Choice(values))

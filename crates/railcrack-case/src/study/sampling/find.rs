@@ -1,4 +1,4 @@
-//! Distributions in place of values.
+//! Distributions given instead of values.
 
 use super::distribution::{ACCEPTED, Distribution};
 use super::substitute::Substitute;
@@ -27,13 +27,13 @@ impl Sampled {
     }
 }
 
-/// Whether a distribution stands in place of a value of the document `root`.
+/// Whether a distribution is given instead of a value in the document `root`.
 pub(in crate::study) fn is_sampled(root: &DeTable) -> bool {
     !places(root).is_empty()
 }
 
-/// The distributions of the document `root`, in the order of the file; wrong ones, `report` then
-/// says.
+/// The distributions of the document `root`, in the order of the file; errors are added to
+/// `report`.
 pub(in crate::study) fn find_sampled(root: &DeTable, report: &mut Report) -> Vec<Sampled> {
     let text = report.source.text.clone();
     let mut found = Vec::new();

@@ -1,4 +1,4 @@
-//! Values of a study that are drawn: distributions in place of values, and tables of samples.
+//! Sampled values of a study: distributions given instead of values, and tables of samples.
 
 mod distribution;
 mod find;

@@ -1,4 +1,4 @@
-//! Lists put into a document in place of distributions or single values.
+//! Lists that replace distributions or single values in a document.
 
 use crate::schema::{Fault, Report, SectionPresence};
 use crate::tables::SECTIONS;
@@ -11,7 +11,7 @@ use toml::de::{DeArray, DeTable, DeValue};
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::study) struct Substitute {
     pub section: &'static str,
-    /// Which table of a section that repeats, from 1.
+    /// Number of the table of a repeated section, from 1.
     pub number: usize,
     pub key: &'static str,
     /// As TOML.
@@ -35,14 +35,14 @@ impl Substitute {
     }
 }
 
-/// `root` with lists of these values in it; what cannot be put there, `report` then says.
+/// `root` with lists of these values in it; values that cannot be inserted are added to `report`.
 pub(in crate::study) fn substituted<'a>(
     root: &DeTable<'a>,
     substitutes: &'a [Substitute],
     report: &mut Report,
 ) -> DeTable<'a> {
     let mut root = root.clone();
-    // Places that no text has, so that messages have none.
+    // Places outside any text, so that messages show none.
     let end = report.source.text.len();
     for (i, substitute) in substitutes.iter().enumerate() {
         let span = substitute.span.clone().unwrap_or(end + 2 * i + 1..end + 2 * i + 2);
@@ -51,14 +51,14 @@ pub(in crate::study) fn substituted<'a>(
             match value(text) {
                 Some(value) => list.push(Spanned::new(span.clone(), value)),
                 None => {
-                    report.add(Fault::new(format!("`{} = {text}` is no TOML", substitute.key)));
+                    report.add(Fault::new(format!("`{} = {text}` is not valid TOML", substitute.key)));
                     return root;
                 }
             }
         }
         let Some(table) = table_of(&mut root, substitute) else {
             let says = format!("`{}`: the file has no such section", substitute.dotted());
-            report.add(Fault::new(says).help("a crack is written before its values vary"));
+            report.add(Fault::new(says).help("a crack must be defined before its values can vary"));
             continue;
         };
         let value = Spanned::new(span.clone(), DeValue::Array(list));

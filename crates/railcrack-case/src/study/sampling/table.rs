@@ -1,4 +1,4 @@
-//! A table of samples of the user's own: a row per run, a column per key.
+//! A table of samples given by the user: a row per run, a column per key.
 
 use super::substitute::Substitute;
 use crate::case::place_of;
@@ -16,7 +16,7 @@ pub struct SampleTable {
 impl SampleTable {
     /// The table in the file `path`: CSV with a header, `#` before comments.
     ///
-    /// Errors: it cannot be read; a column is no key; a row has another number of fields.
+    /// Errors: it cannot be read; a column is not a key; a row has a different number of fields.
     pub fn read(path: &Path) -> Result<Self, CaseErrors> {
         Self::of(read_file(path)?)
     }
@@ -40,7 +40,7 @@ impl SampleTable {
 
 fn read(source: &Source, report: &mut Report) -> Option<Vec<(String, Substitute)>> {
     let mut lines = lines(source);
-    let help = "a header of keys such as contact.friction,crack[1].angle_deg, then a row per run";
+    let help = "the table begins with a header of keys such as contact.friction,crack[1].angle_deg, followed by a row per run";
     let Some((header, at)) = lines.next() else {
         report.add(Fault::new("there is no header").help(help));
         return None;
@@ -59,7 +59,7 @@ fn read(source: &Source, report: &mut Report) -> Option<Vec<(String, Substitute)
                 columns.push((name.to_owned(), key.kind, substitute));
             }
             Ok(_) => {
-                let says = format!("`{name}` is a list, which no field of a table holds");
+                let says = format!("`{name}` is a list, which a field of a table cannot hold");
                 report.add(Fault { span: Some(at.clone()), ..Fault::new(says).help(help) });
             }
             Err((says, near)) => {
@@ -71,7 +71,7 @@ fn read(source: &Source, report: &mut Report) -> Option<Vec<(String, Substitute)
     for (line, at) in lines {
         let fields: Vec<&str> = line.split(',').map(str::trim).collect();
         if fields.len() != columns.len() {
-            let says = format!("{} fields below {} columns", fields.len(), columns.len());
+            let says = format!("{} fields in a table of {} columns", fields.len(), columns.len());
             report.add(Fault { span: Some(at), ..Fault::new(says).help(help) });
             return None;
         }

@@ -93,16 +93,16 @@ fn verdict(run: &RunFolder) -> String {
             )
         });
         format!(
-            "{which}{rank} grows from half axes of {} (down the dip, along the surface) to {} in {} load cycles{tonnes}.",
+            "{which}{rank} grows from semi-axes of {} (down the dip, along the surface) to {} in {} load cycles{tonnes}.",
             axes(first),
             axes(last),
             grouped(last.load_cycles)
         )
     } else if last.stop == Some(RunStop::NoTipGrows(railcrack::growth::TipStop::Arrest)) {
-        format!("{which} with half axes of {} does not grow.", axes(first))
+        format!("{which} with semi-axes of {} does not grow.", axes(first))
     } else {
         format!(
-            "{which} with half axes of {} has ΔK_{{eq}} = {} MPa√m and an initial growth rate of {} mm per load cycle at its \
+            "{which} with semi-axes of {} has ΔK_{{eq}} = {} MPa√m and an initial growth rate of {} mm per load cycle at its \
              deepest point; no increment was computed.",
             axes(first),
             significant(first.delta_keq),
@@ -126,7 +126,7 @@ fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
     facts.push(fact(
         "Depth",
         depth,
-        format!("half axis down the dip {}", from_to(first.length, last.length)),
+        format!("semi-axis down the dip {}", from_to(first.length, last.length)),
     ));
     facts.push(fact(
         "On the surface",
@@ -356,7 +356,7 @@ fn steps(run: &RunFolder) -> Section {
         "Step",
         "Crack",
         "φ (°)",
-        "Half axis down the dip (mm)",
+        "Semi-axis down the dip (mm)",
         "Along the surface (mm)",
         "ΔK_{eq} (MPa√m)",
         "Rate (mm/cycle)",

@@ -40,7 +40,7 @@ pub(super) const DECLARATION: LawDeclaration = LawDeclaration {
     word: Word::now("bold", "C (dKeq^3.74 - 4^3.74), Bold, Brown and Allen 1991"),
     own_range: Some(OwnRange {
         range: EquivalentRange::Bold,
-        reason: "the law of Bold, Brown and Allen has an equivalent range of its own",
+        reason: "the law of Bold, Brown and Allen defines its own equivalent range",
     }),
     input: LawInput::Constants(&LawConstants {
         all: &[C],

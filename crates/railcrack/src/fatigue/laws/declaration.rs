@@ -117,6 +117,6 @@ impl Constant {
         default: f64,
         doc: &'static str,
     ) -> Self {
-        Self { key, unit, range, default, doc, reason: "every law has constants of its own" }
+        Self { key, unit, range, default, doc, reason: "every other law has its own constants" }
     }
 }

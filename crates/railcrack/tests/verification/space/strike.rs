@@ -9,7 +9,7 @@ use railcrack::space::{
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Half axes of 4 mm along the surface and 3 mm down the dip.
+/// Semi-axes of 4 mm along the surface and 3 mm down the dip.
 fn crack(dip: f64, strike: f64) -> SpaceCrack {
     SpaceCrack { strike, ..SpaceCrack::surface_breaking(dip, 4.0, 3.0).unwrap() }.checked().unwrap()
 }
