@@ -152,6 +152,6 @@ fn the_plastic_state_is_that_of_the_contact_whatever_it_is() {
     assert!(page.contains("in partial slip (Carter)") && page.contains("Q/P 0.15"));
     let winter = shipped("winter-rail.toml");
     let output = ends(&folder, &["shakedown", winter.to_str().unwrap(), "--out", "winter"], 2);
-    assert!(stderr(&output).contains("[track]: the plastic state is that of the contact alone"));
+    assert!(stderr(&output).contains("[track]: the plastic state is computed for the contact alone"));
     assert!(!folder.join("winter").exists(), "nothing is written");
 }

@@ -53,7 +53,7 @@ fn a_setting_is_the_value_of_the_file() {
         ("contact.friction=\"x\"", "not a string"),
         ("contact[2].friction=0.1", "there is one `[contact]`"),
         ("crack[0].friction=0.1", "counts cracks from 1"),
-        ("contact.friction=[", "no TOML"),
+        ("contact.friction=[", "not valid TOML"),
         ("solver.engine=fem", "nearest: \"xfem\""),
     ] {
         let output = ends(&folder, &["check", "case.toml", "--set", wrong], 2);
