@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import operator
 import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -26,10 +27,17 @@ Array = NDArray[np.float64]
 def crack(mouth_mm: float, length_mm: float, angle_deg: float) -> Array:
     """A straight crack from the surface: shape (2, 2), mouth and tip, x and y in mm. The angle is
     in (0, 180) degrees, below the surface, from +x."""
-    if not (0.0 < angle_deg < 180.0 and length_mm > 0.0):
-        raise BadInput(f"length_mm = {length_mm}, angle_deg = {angle_deg}: must be positive, and between 0 and 180")
+    if not (0.0 < angle_deg < 180.0 and 0.0 < length_mm < math.inf and math.isfinite(mouth_mm)):
+        raise BadInput(f"length_mm = {length_mm}, angle_deg = {angle_deg}: must be positive and finite, and between 0 and 180")
     angle = math.radians(angle_deg)
     return np.array([[mouth_mm, 0.0], [mouth_mm + length_mm * math.cos(angle), -length_mm * math.sin(angle)]])
+
+
+def _count(name: str, value: int) -> int:
+    count = operator.index(value)
+    if not 0 <= count < 2**63:
+        raise BadInput(f"{name} = {count}: must be a positive integer")
+    return count
 
 
 def _points(cracks: Sequence[ArrayLike] | ArrayLike) -> list[list[tuple[float, float]]]:
@@ -175,6 +183,7 @@ class DislocationBody(Body):
         """cracks: as for `XfemBody`. elements: number along each crack; None: the default of
         cases."""
         points = _points(cracks)
+        elements = None if elements is None else _count("elements", elements)
         self._core = _railcrack.dislocation_body(points, young_modulus_mpa, poisson_ratio, elements, threads)
 
 
@@ -276,6 +285,7 @@ def passage(
     x = body.points[:, 0]
     first = float(x.min()) - 6.0 * half_width if from_mm is None else from_mm
     last = float(x.max()) + 6.0 * half_width if to_mm is None else to_mm
+    positions, max_passages = _count("positions", positions), _count("max_passages", max_passages)
     settings = (first, last, positions, max_passages, passage_tolerance, step_tolerance)
     told = teller(progress, max_passages, "passage")
     try:

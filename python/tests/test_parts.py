@@ -147,3 +147,76 @@ def test_shakedown() -> None:
     state = rc.shakedown(rc.Case(sections))
     assert state.state == "elastic shakedown" and state.passes.rows == 11
     assert np.ptp(state.profile["szz_mpa"]) > 50.0
+
+
+NOT_NUMBERS = (float("nan"), float("inf"), -float("inf"), 1e308, -1e308)
+
+
+@pytest.mark.parametrize("elements", [10**9, 10**6, 401, 7, 0, -1, 2**62, 2**64])
+def test_elements_are_those_of_a_case(elements: int) -> None:
+    with pytest.raises(rc.BadInput, match="elements"):
+        rc.DislocationBody(rc.crack(0.0, 6.0, 30.0), elements=elements)
+
+
+def test_bodies_have_the_limits_of_a_case() -> None:
+    good = rc.crack(0.0, 6.0, 30.0)
+    for value in (*NOT_NUMBERS, -1.0, 0.0):
+        for engine in (rc.XfemBody, rc.DislocationBody):
+            with pytest.raises(rc.BadInput, match="young_modulus_mpa"):
+                engine(good, young_modulus_mpa=value)  # type: ignore[call-arg]
+        with pytest.raises(rc.BadInput, match="element_size_mm"):
+            rc.XfemBody(good, element_size_mm=value)
+    for value in (*NOT_NUMBERS, 0.5, -0.1):
+        with pytest.raises(rc.BadInput, match="poisson_ratio"):
+            rc.DislocationBody(good, poisson_ratio=value)
+    with pytest.raises(rc.BadInput, match="unknowns"):
+        rc.XfemBody(good, element_size_mm=1e-6)
+    flat, long, close = [[0.0, 0.0], [6.0, -1e-9]], [[0.0, 0.0], [1e200, -1e200]], [[1e-9, 0.0], [6.0, -3.0]]
+    for cracks in (flat, long, [good, close], [good] * 300, []):
+        with pytest.raises(rc.BadInput):
+            rc.DislocationBody(cracks)
+
+
+def test_passages_have_the_limits_of_a_case() -> None:
+    body = rc.DislocationBody(rc.crack(0.0, 6.0, 30.0), elements=8)
+    wheel = rc.Hertz(845.0, 6.75)
+    for arguments in (
+        [{"positions": count} for count in (2**62, 2**64, 100_001, 1, 0, -1)]
+        + [{"max_passages": count} for count in (2**62, 0, -1, 1001)]
+        + [{name: value} for name in ("from_mm", "to_mm") for value in (*NOT_NUMBERS,)]
+        + [{name: value} for name in ("passage_tolerance", "step_tolerance") for value in (*NOT_NUMBERS, 0.0, -1.0)]
+        + [{"friction": value} for value in (*NOT_NUMBERS, -0.1)]
+    ):
+        with pytest.raises(rc.BadInput):
+            rc.passage(body, wheel, **{"positions": 5, **arguments})
+    for value in (*NOT_NUMBERS, 1e-300):
+        for wrong in (rc.Hertz(value, 6.75), rc.Hertz(845.0, value)):
+            with pytest.raises(rc.BadInput):
+                rc.passage(body, wrong, positions=5)
+    for value in (*NOT_NUMBERS, 2.0):
+        with pytest.raises(rc.BadInput):
+            rc.passage(body, rc.Hertz(845.0, 6.75, value), positions=5)
+    for edges in ((float("nan"), 1.0), (1.0, 1.0), tuple(range(101))):
+        with pytest.raises(rc.BadInput):
+            rc.passage(body, rc.OwnWheel(hertz, edges), positions=5)
+    body.compliance[0, 0] = float("nan")
+    with pytest.raises(rc.BadInput, match="matrix"):
+        rc.passage(body, wheel, positions=5)
+
+
+def test_criteria_have_the_limits_of_a_case() -> None:
+    history = np.array([[0.0, -5.0], [3.0, 8.0]])
+    assert rc.hourlier_pineau(history) is not None
+    for name in ("c", "m", "mode_2_weight", "threshold_mpa_sqrt_m"):
+        for value in (*NOT_NUMBERS, -1.0):
+            with pytest.raises(rc.BadInput, match=name):
+                rc.hourlier_pineau(history, **{name: value})  # type: ignore[arg-type]
+    for value in NOT_NUMBERS:
+        with pytest.raises(rc.BadInput, match="history"):
+            rc.hourlier_pineau([[0.0, 1.0], [value, 2.0]])
+        with pytest.raises(rc.BadInput, match="angle_deg"):
+            rc.kink_functions(value)
+    body = rc.DislocationBody(rc.crack(0.0, 6.0, 30.0), elements=8)
+    for value in NOT_NUMBERS:
+        with pytest.raises(ValueError, match="stress"):
+            body.sif(lambda points: np.full((len(points), 3), value))

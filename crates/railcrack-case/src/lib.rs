@@ -9,19 +9,21 @@
 mod case;
 mod files;
 mod normal;
+mod regular_file;
 mod schema;
 mod study;
 mod tables;
 
 pub use case::{
-    CarriedStress, CarriedStressError, Case, Coefficient, MixedWheel, NoCoefficient, NoNumber, Overrides,
-    PreparedRun, Projection, RailKey, Release, RolledRailError, RunSize, SharedRail, SharedRailError,
-    SpaceCase,
+    CarriedStress, CarriedStressError, Case, Coefficient, KnownSizes, MixedWheel, NoCoefficient, NoNumber,
+    Overrides, PreparedRun, Projection, RailKey, Release, RolledRailError, RunSize, SharedRail,
+    SharedRailError, SpaceCase,
 };
 pub use files::{
     CaseFile, Column, Columned, Columns, Companion, ContactFile, FieldFile, ProfileFile, RatesFile,
     ToughnessFile,
 };
+pub use regular_file::open_regular;
 pub use schema::{
     Availability, CaseError, CaseErrors, Choice, Form, Key, Kind, NumberRange, OnlyWith, Pair, Presence,
     Preset, RangeEnd, Section, SectionPresence, Value, Word,

@@ -156,12 +156,15 @@ fn exit_of_run(error: &RunError) -> Exit {
             | OutputError::HoldsStudy { .. }
             | OutputError::NoStudy { .. }
             | OutputError::StudyChanged { .. }
+            | OutputError::OtherStudy { .. }
+            | OutputError::InTheWay { .. }
             | OutputError::CaseChanged { .. }
             | OutputError::NoSif { .. }
             | OutputError::OtherVersion { .. } => Exit::BadInput,
             OutputError::NotFinite { .. } | OutputError::Field(_) => Exit::NotConverged,
             OutputError::InUse { .. }
             | OutputError::DamagedRuns { .. }
+            | OutputError::DamagedPack { .. }
             | OutputError::NotRecomputed { .. }
             | OutputError::Damaged { .. }
             | OutputError::NameLeaves { .. }

@@ -65,6 +65,10 @@ fn read<T>(
         return Ok(from_file()?);
     }
     let mut text = String::new();
-    std::io::stdin().lock().take(MOST).read_to_string(&mut text).map_err(Failure::Stdin)?;
+    std::io::stdin().lock().take(MOST + 1).read_to_string(&mut text).map_err(Failure::Stdin)?;
+    if text.len() as u64 > MOST {
+        let says = format!("it is larger than {} MB, the limit for a case", MOST >> 20);
+        return Err(Failure::Stdin(std::io::Error::other(says)));
+    }
     Ok(from_text(&text)?)
 }

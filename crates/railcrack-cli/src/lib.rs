@@ -42,6 +42,15 @@ pub fn check_text(case: &Case, folder: &Path) -> String {
     commands::check::summary(case, folder)
 }
 
+/// Readers for the fuzz targets in `fuzz/`.
+#[cfg(fuzzing)]
+pub mod fuzzing {
+    /// Reads `head` as the header of a request to `railcrack view`.
+    pub fn request(head: &[u8]) {
+        crate::commands::view::fuzz_request(head);
+    }
+}
+
 /// Executes the command and reports errors on standard error.
 fn run(arguments: Arguments) -> Exit {
     match dispatch::dispatch(arguments.command) {

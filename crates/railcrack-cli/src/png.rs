@@ -1,5 +1,6 @@
 //! Conversion of plots from SVG to PNG.
 
+use railcrack_run::disk::{Durability, inner_folder, replace_file};
 use railcrack_run::simulation::RunError;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
@@ -30,7 +31,7 @@ pub fn write_beside_plots(folder: &Path) -> Result<usize, RunError> {
         let png = drawn(&svg, &options)
             .map_err(|reason| RunError::System { action: format!("draw {}", plot.display()), reason })?;
         let target = plot.with_extension("png");
-        std::fs::write(&target, png).map_err(refused("write", &target))?;
+        replace_file(&target, &png, Durability::Cached)?;
     }
     Ok(plots.len())
 }
@@ -38,10 +39,11 @@ pub fn write_beside_plots(folder: &Path) -> Result<usize, RunError> {
 /// The SVG files in alphabetical order.
 fn plots(folder: &Path) -> Result<Vec<PathBuf>, RunError> {
     let mut plots = Vec::new();
-    for place in [folder.to_path_buf(), folder.join("plots"), folder.join("figures")] {
-        if !place.is_dir() {
-            continue;
-        }
+    let mut places = vec![folder.to_path_buf()];
+    for inner in ["plots", "figures"].into_iter().filter(|inner| folder.join(inner).is_dir()) {
+        places.push(inner_folder(folder, inner)?);
+    }
+    for place in places {
         for entry in std::fs::read_dir(&place).map_err(refused("read", &place))? {
             let path = entry.map_err(refused("read", &place))?.path();
             if path.extension().is_some_and(|ending| ending == "svg") {

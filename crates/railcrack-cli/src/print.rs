@@ -13,6 +13,12 @@ pub fn stdout(text: &str) -> Result<(), Failure> {
     }
 }
 
+/// Writes a warning to standard error.
+pub fn warning(says: &str) {
+    // A failure to write to standard error cannot be reported.
+    let _ = writeln!(std::io::stderr(), "warning: {says}");
+}
+
 /// Reports a failure on standard error: graphically with an excerpt of the file on a terminal,
 /// otherwise with one line per error followed by the line of the file.
 pub fn failure(failure: &Failure) {

@@ -201,5 +201,5 @@ fn make(folder: &Path) -> Result<(), OutputError> {
 }
 
 fn write(path: &Path, text: &str) -> Result<(), OutputError> {
-    std::fs::write(path, text).map_err(OutputError::io("write", path))
+    put(path, text)
 }

@@ -3,6 +3,7 @@
 use crate::case_run::CaseRun;
 use crate::files::RUNS;
 use railcrack_case::Case;
+use railcrack_run::disk::{Durability, replace_file};
 use railcrack_run::{OutputError, VERSION};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -48,8 +49,5 @@ pub(super) fn store(folder: &Path, name: &str, case: &Case, run: &CaseRun) -> Re
     let stored = Stored { program: writer(), case: identity(case), run: run.clone() };
     let bytes = postcard::to_stdvec(&stored)
         .map_err(|reason| OutputError::io("encode", &path)(std::io::Error::other(reason)))?;
-    // The complete file is moved into place, so that no partial file remains.
-    let partial = path.with_extension("partial");
-    std::fs::write(&partial, bytes).map_err(OutputError::io("write", &partial))?;
-    std::fs::rename(&partial, &path).map_err(OutputError::io("write", &path))
+    replace_file(&path, &bytes, Durability::Cached)
 }

@@ -4,6 +4,7 @@ use crate::background::{Watch, compute};
 use crate::case::CaseCore;
 use crate::errors::{bad_input, not_converged};
 use crate::grid::matrix;
+use crate::limits;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 use railcrack::body::{BodyEngine, CrackedBody, FaceMesh, FacePoint, FieldSolver};
@@ -56,7 +57,8 @@ impl BodyCore {
         let matrix = |array: &Py<PyArray2<f64>>| -> PyResult<Matrix> {
             let array = array.bind(py).readonly();
             let view = array.as_array();
-            let entries = view.iter().copied().collect();
+            let entries: Vec<f64> = view.iter().copied().collect();
+            limits::finite(py, "a matrix of the body", entries.iter().copied())?;
             Matrix::from_entries(view.nrows(), view.ncols(), entries)
                 .ok_or_else(|| bad_input(py, "the shape of a matrix of the body has changed"))
         };
@@ -144,6 +146,7 @@ impl BodyCore {
         stresses: PyReadonlyArray2<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let stresses = crate::wheel::stresses(&stresses, self.faces.samples.len())?;
+        limits::finite(py, "stress", stresses.iter().flat_map(|s| [s.xx, s.yy, s.xy]))?;
         Ok(self.faces.nodal_forces_of_samples(|k, _| stresses[k]).into_pyarray(py))
     }
 }
@@ -163,11 +166,12 @@ pub fn xfem_body(
     threads: Option<usize>,
 ) -> PyResult<BodyCore> {
     let network = network(py, cracks)?;
-    let sizes = match element_size {
-        Some(size) if size > 0.0 && size.is_finite() => vec![size; network.cracks().len()],
-        Some(size) => return Err(bad_input(py, format!("element_size_mm = {size}: must be positive"))),
-        None => default_element_sizes(&network),
-    };
+    let (mut sizes, mut mesh) = (default_element_sizes(&network), String::new());
+    if let Some(size) = element_size {
+        limits::number(py, "element_size_mm", size, ("mesh", "element_size_mm"))?;
+        (sizes, mesh) = (vec![size; network.cracks().len()], format!("element_size_mm = {size:?}"));
+    }
+    limits::body(py, &network, "xfem", &mesh)?;
     let refined = RefinedRegion::with_sizes(&network, &sizes, 1.0);
     let centre = 0.5 * (network.leftmost_mouth() + network.rightmost_mouth());
     let steel = steel(py, young, poisson)?;
@@ -188,11 +192,12 @@ pub fn dislocation_body(
     threads: Option<usize>,
 ) -> PyResult<BodyCore> {
     let network = network(py, cracks)?;
-    let resolution = match elements {
-        Some(elements) if elements >= 4 => FaceResolution { elements },
-        Some(elements) => return Err(bad_input(py, format!("elements = {elements}: must be at least 4"))),
-        None => FaceResolution::for_cracks(network.cracks().len()),
-    };
+    let (mut resolution, mut mesh) = (FaceResolution::for_cracks(network.cracks().len()), String::new());
+    if let Some(elements) = elements {
+        limits::integer(py, "elements", elements, ("mesh", "interface_elements"))?;
+        (resolution, mesh) = (FaceResolution { elements }, format!("interface_elements = {elements}"));
+    }
+    limits::body(py, &network, "dislocation", &mesh)?;
     let steel = steel(py, young, poisson)?;
     made(py, Box::new(DislocationEngine { steel, resolution }), &network, steel, threads)
 }
@@ -219,6 +224,8 @@ fn network(py: Python<'_>, cracks: Cracks) -> PyResult<CrackNetwork> {
 }
 
 fn steel(py: Python<'_>, young: f64, poisson: f64) -> PyResult<IsotropicElastic> {
+    limits::number(py, "young_modulus_mpa", young, ("rail", "young_modulus_mpa"))?;
+    limits::number(py, "poisson_ratio", poisson, ("rail", "poisson_ratio"))?;
     IsotropicElastic::new(young, poisson).map_err(|error| bad_input(py, error))
 }
 

@@ -1,11 +1,13 @@
 //! Errors as the exceptions of `railcrack.errors`.
 
 use pyo3::call::PyCallArgs;
+use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use railcrack::shakedown::ShakedownError;
 use railcrack_case::{CarriedStressError, CaseErrors};
 use railcrack_run::OutputError;
 use railcrack_run::simulation::RunError;
+use std::ffi::CString;
 
 /// The exception `class` of the package, constructed from `arguments`.
 pub fn exception<'py>(py: Python<'py>, class: &str, arguments: impl PyCallArgs<'py>) -> PyErr {
@@ -46,6 +48,15 @@ pub fn class_of(error: &RunError) -> &'static str {
 /// The exception for `error`.
 pub fn run_error(py: Python<'_>, error: &RunError) -> PyErr {
     exception(py, class_of(error), (error.to_string(),))
+}
+
+/// A `UserWarning` for each damage in the folder of a study.
+pub fn warn_of_damages(py: Python<'_>, damages: &[String]) -> PyResult<()> {
+    let class = py.get_type::<PyUserWarning>();
+    damages.iter().try_for_each(|damage| {
+        let text = CString::new(format!("damaged: {damage}"))?;
+        PyErr::warn(py, &class, &text, 1)
+    })
 }
 
 /// `BadInput` with the message of `error`.

@@ -2,6 +2,7 @@
 
 use crate::errors::bad_input;
 use crate::judge::history_of;
+use crate::limits;
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use railcrack::fatigue::{
@@ -30,12 +31,21 @@ pub fn hourlier_pineau(
         let accepted = DirectionCriterion::accepted();
         return Err(bad_input(py, format!("criterion \"{criterion}\": must be {accepted}")));
     };
+    for (name, value, key) in [
+        ("c", c, "paris_c"),
+        ("m", m, "paris_m"),
+        ("mode_2_weight", mode_2_weight, "mode_2_weight"),
+        ("threshold_mpa_sqrt_m", threshold, "threshold_mpa_sqrt_m"),
+    ] {
+        limits::number(py, name, value, ("growth", key))?;
+    }
     let law = GrowthLaw {
         rate: RateLaw::Paris(Paris { c, m, threshold }),
         equivalent: EquivalentRange::HourlierPineau { mode_2_weight },
     };
+    limits::finite(py, "history", history.as_array().iter().copied())?;
     let history = history_of(&history)?;
-    let kink = py.detach(|| HourlierPineau { law, criterion }.kink(&history));
+    let kink = py.detach(|| HourlierPineau { law, criterion, kink_friction: 0.0 }.kink(&history));
     Ok(kink.map(|kink| {
         let secondary = kink.secondary.map(|other| (other.angle.to_degrees(), other.ratio));
         let (k1, k2) = (kink.delta_k1 / MPA_SQRT_MM, kink.delta_k2 / MPA_SQRT_MM);
@@ -45,7 +55,10 @@ pub fn hourlier_pineau(
 
 /// F11, F12, F21 and F22 at a kink `angle`, degrees.
 #[pyfunction]
-pub fn kink_functions(angle: f64) -> [[f64; 2]; 2] {
+pub fn kink_functions(py: Python<'_>, angle: f64) -> PyResult<[[f64; 2]; 2]> {
+    if angle.is_nan() || angle.abs() > 180.0 {
+        return Err(bad_input(py, format!("angle_deg = {angle}: must be a number in [-180, 180] degrees")));
+    }
     let KinkFunctions { f11, f12, f21, f22 } = KinkFunctions::at(angle.to_radians());
-    [[f11, f12], [f21, f22]]
+    Ok([[f11, f12], [f21, f22]])
 }

@@ -13,6 +13,7 @@ mod errors;
 mod fatigue;
 mod grid;
 mod judge;
+mod limits;
 mod passage;
 mod run;
 mod scratch;

@@ -5,6 +5,7 @@ use crate::body::BodyCore;
 use crate::errors::{bad_input, not_converged};
 use crate::grid::matrix;
 use crate::judge::history_array;
+use crate::limits;
 use crate::wheel::{OwnWheel, Tabulated};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
@@ -16,6 +17,9 @@ use railcrack::load::{HertzianContact, Passage};
 use railcrack::math::Vec2;
 use railcrack::plane::{RailLoad, stabilised_passage};
 use std::sync::Arc;
+
+/// Maximum number of edges of a user-defined wheel.
+const MOST_EDGES: usize = 100;
 
 /// The wheel: p0 (MPa), half-width (mm) and friction of Hertzian contact, or a function of points
 /// and x_c with the edges of its contact.
@@ -49,11 +53,24 @@ pub fn passage<'py>(
     let (watch, told) = Watch::new();
     let wheel: Box<dyn Wheel> = match load {
         Load::Hertz(peak_pressure, half_width, friction) => {
+            limits::number(py, "peak_pressure_mpa", peak_pressure, ("contact", "peak_pressure_mpa"))?;
+            limits::number(py, "half_width_mm", half_width, ("contact", "half_width_mm"))?;
+            limits::number(py, "friction of the wheel", friction, ("contact", "friction"))?;
             let contact = HertzianContact { peak_pressure, half_width, friction };
             Box::new(HertzWheel::new(&contact, &body.steel).map_err(|error| bad_input(py, error))?)
         }
         Load::Own(..) if body.ends.is_some() => {
             return Err(bad_input(py, "a user-defined wheel requires a half-plane; this body has ends"));
+        }
+        Load::Own(_, edges) if edges.len() > MOST_EDGES => {
+            let says = format!("edges_mm has {} numbers: must be at most {MOST_EDGES}", edges.len());
+            return Err(bad_input(py, says));
+        }
+        Load::Own(_, edges)
+            if !edges.windows(2).all(|pair| pair[0] < pair[1])
+                || edges.iter().any(|edge| !edge.is_finite()) =>
+        {
+            return Err(bad_input(py, "edges_mm: must be increasing numbers"));
         }
         Load::Own(stress, edges) => Box::new(OwnWheel { stress, edges, watch: Arc::clone(&watch) }),
     };
@@ -65,6 +82,12 @@ pub fn passage<'py>(
         other => return Err(bad_input(py, format!("solver \"{other}\": must be newton or latin"))),
     };
     let (from, to, positions, max_passages, passage_tolerance, step_tolerance) = settings;
+    limits::finite(py, "from_mm, to_mm", [from, to])?;
+    limits::integer(py, "positions", positions, ("passage", "positions"))?;
+    limits::integer(py, "max_passages", max_passages, ("passage", "max_passages"))?;
+    limits::number(py, "passage_tolerance", passage_tolerance, ("passage", "passage_tolerance"))?;
+    limits::number(py, "step_tolerance", step_tolerance, ("passage", "step_tolerance"))?;
+    friction.iter().try_for_each(|one| limits::number(py, "friction", *one, ("crack", "friction")))?;
     let settings = PassageSettings {
         passage: Passage { from, to, positions },
         max_passages,

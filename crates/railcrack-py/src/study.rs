@@ -3,7 +3,7 @@
 use crate::background::{Watch, check_threads, compute};
 use crate::case::CaseCore;
 use crate::columns;
-use crate::errors::{case_error, output_error, run_error};
+use crate::errors::{case_error, output_error, run_error, warn_of_damages};
 use crate::scratch::Scratch;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -89,9 +89,11 @@ impl StudyCore {
         let entered = py.detach(|| {
             let plan = study_plan(&self.study, Vec::new());
             let folder = folder_of(&self.study, plan, &out, &own, entry)?;
-            folder.left_to_do(&self.study, &own)
+            let (waiting, failed) = folder.left_to_do(&self.study, &own)?;
+            Ok((waiting, failed, folder.damages().to_vec()))
         });
-        let (waiting, failed) = entered.map_err(|error| output_error(py, &error))?;
+        let (waiting, failed, damages) = entered.map_err(|error: OutputError| output_error(py, &error))?;
+        warn_of_damages(py, &damages)?;
         let numbers = waiting.into_iter().map(|i| self.study.runs[i].number).collect();
         let failed = failed.into_iter().map(|run| (run.number, run.label, run.reason)).collect();
         Ok((numbers, failed))
@@ -142,7 +144,8 @@ impl StudyCore {
     /// Collects the results in the folder `out` and writes tables, plots and report of the study.
     fn gather(&self, py: Python<'_>, out: PathBuf) -> PyResult<()> {
         let written = py.detach(|| StudyFolder::open(&out)?.write_results(&Pages));
-        written.map(drop).map_err(|error| output_error(py, &error))
+        let results = written.map_err(|error| output_error(py, &error))?;
+        warn_of_damages(py, &results.flaws)
     }
 
     /// Packs the finished runs among `numbers` in the folder `out`, if the study keeps no run

@@ -1,8 +1,7 @@
 //! Plots and report of a results folder, built from its files.
 
 use crate::figures::{
-    Plot, STUDY_PLOTS, StudyRun, Styles, comparison_plots, run_plots, shakedown_plots, space_plots,
-    study_plots,
+    Plot, StudyRun, Styles, comparison_plots, run_plots, shakedown_plots, space_plots, study_plots,
 };
 use crate::pages::{RunFolder, comparison_page, run_page, shakedown_page, space_page, study_page};
 use crate::recomputed::recomputed;
@@ -11,9 +10,9 @@ use railcrack::growth::StepRecord;
 use railcrack_case::Output;
 use railcrack_run::compare::stored_comparison;
 use railcrack_run::csv::SifScale;
-use railcrack_run::disk::{Durability, replace_file};
+use railcrack_run::disk::{Durability, inner_folder, replace_file};
 use railcrack_run::files::{
-    COMPARE_FILE, PLAN_FILE, PLOTS_FOLDER, REPORT_FILE, SHAKEDOWN_FILE, SUMMARY_FILE,
+    COMPARE_FILE, PLAN_FILE, PLOTS_FOLDER, REPORT_FILE, SHAKEDOWN_FILE, STUDY_PLOTS, SUMMARY_FILE,
 };
 use railcrack_run::study::{StudyFolder, StudyResults};
 use railcrack_run::{FolderLock, OutputError, Presentation, RunPresentation, ShakedownFolder, TablesOnly};
@@ -73,6 +72,10 @@ pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
                 let (folder, first) = (folder.to_path_buf(), first.to_owned());
                 return Err(OutputError::DamagedRuns { folder, runs, first });
             }
+            if let Some(first) = results.flaws.first() {
+                let (folder, first) = (folder.to_path_buf(), first.clone());
+                return Err(OutputError::DamagedPack { folder, flaws: results.flaws.len(), first });
+            }
         }
     }
     Ok(kind)
@@ -103,7 +106,7 @@ fn write_chosen(run: &RunFolder, shown: &ShownRun, output: Output) -> Result<(),
         None => run_plots(&run.summary, &run.growth, shown),
     };
     if output.plots {
-        write_plots(&run.path.join(PLOTS_FOLDER), &plots)?;
+        write_plots(&run.path, &plots)?;
     }
     if output.report {
         let page = match &run.case.space {
@@ -115,12 +118,12 @@ fn write_chosen(run: &RunFolder, shown: &ShownRun, output: Output) -> Result<(),
     Ok(())
 }
 
-/// Writes the files of `plots` into `folder`.
+/// Writes the files of `plots` into the folder for plots in `folder`.
 fn write_plots(folder: &Path, plots: &[Plot]) -> Result<(), OutputError> {
     if plots.is_empty() {
         return Ok(());
     }
-    std::fs::create_dir_all(folder).map_err(OutputError::io("create", folder))?;
+    let folder = inner_folder(folder, PLOTS_FOLDER)?;
     plots.iter().try_for_each(|plot| put(&folder.join(plot.file), &plot.svg))
 }
 
@@ -181,14 +184,14 @@ impl Presentation for Pages {
     fn shakedown(&self, folder: &Path) -> Result<(), OutputError> {
         let state = ShakedownFolder::open(folder)?;
         let plots = shakedown_plots(&state);
-        write_plots(&folder.join(PLOTS_FOLDER), &plots)?;
+        write_plots(folder, &plots)?;
         put(&folder.join(REPORT_FILE), &shakedown_page(&state, &plots).html())
     }
 
     fn comparison(&self, folder: &Path) -> Result<(), OutputError> {
         let (comparison, tolerance) = stored_comparison(folder)?;
         let plots = comparison_plots(&comparison);
-        write_plots(folder, &plots)?;
+        plots.iter().try_for_each(|plot| put(&folder.join(plot.file), &plot.svg))?;
         put(&folder.join(REPORT_FILE), &comparison_page(&comparison, tolerance, &plots).html())
     }
 

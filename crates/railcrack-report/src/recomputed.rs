@@ -7,6 +7,7 @@ use railcrack::growth::StepRecord;
 use railcrack_case::{Case, Output};
 use railcrack_run::csv::{SifScale, TipRow};
 use railcrack_run::decision::Decision;
+use railcrack_run::disk::inner_folder;
 use railcrack_run::simulation::{RunEntry, RunError, Simulation};
 use railcrack_run::{OutputError, Presentation, RunPresentation};
 use std::path::Path;
@@ -24,7 +25,7 @@ pub(crate) fn recomputed(run: &RunFolder) -> Result<(ShownRun, Option<Decision>)
     if run.summary.stop.is_none() {
         return Err(not_recomputed(folder, "it has not ended: --resume continues it"));
     }
-    let scratch = folder.join(SCRATCH);
+    let scratch = inner_folder(folder, SCRATCH)?;
     let shown = computed(&run.case, &scratch, &run.growth);
     // Best effort: the error of the computation is the one to report.
     let removed = std::fs::remove_dir_all(&scratch);

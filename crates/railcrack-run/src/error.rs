@@ -57,6 +57,17 @@ pub enum OutputError {
         /// A file of it that exists.
         file: String,
     },
+    /// The folder has a file that a study would replace, and holds no study.
+    #[error(
+        "{} already has {file}, which a study would replace: move it, replace it with --force, or choose another folder with --out",
+        folder.display()
+    )]
+    InTheWay {
+        /// The folder.
+        folder: PathBuf,
+        /// The file.
+        file: String,
+    },
     /// There is no study to resume.
     #[error("{} holds no study to resume: start one without --resume, or name its folder with --out", folder.display())]
     NoStudy {
@@ -72,6 +83,19 @@ pub enum OutputError {
         /// The folder.
         folder: PathBuf,
         /// The first difference.
+        difference: String,
+    },
+    /// A file of packed runs holds one of another study.
+    #[error(
+        "{} holds run {number} of another study ({difference}): take the file out of the folder, or replace the study with --force",
+        file.display()
+    )]
+    OtherStudy {
+        /// The file.
+        file: PathBuf,
+        /// The number of the run.
+        number: usize,
+        /// The first difference of its case.
         difference: String,
     },
     /// There is no run to resume.
@@ -143,6 +167,16 @@ pub enum OutputError {
         /// How many.
         runs: usize,
         /// The fault of the first of them.
+        first: String,
+    },
+    /// Files of packed runs that are damaged or belong to another study.
+    #[error("{}: {first}{}", folder.display(), if *flaws == 1 { String::new() } else { format!(" (and {} more)", flaws - 1) })]
+    DamagedPack {
+        /// The folder of the study.
+        folder: PathBuf,
+        /// How many flaws.
+        flaws: usize,
+        /// The first of them.
         first: String,
     },
     /// There is no such folder.

@@ -11,6 +11,8 @@ pub mod decision;
 pub mod disk;
 mod error;
 mod fields;
+#[cfg(fuzzing)]
+pub mod fuzzing;
 mod log;
 pub mod machine;
 mod parquet;

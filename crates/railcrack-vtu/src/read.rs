@@ -19,11 +19,12 @@ use std::path::Path;
 /// an array that ends early, is too long or does not hold numbers; a point off the plane z = 0; a
 /// cell that refers to a missing point.
 pub fn read_vtu(path: &Path) -> Result<UnstructuredGrid, VtuError> {
-    let bytes = std::fs::read(path).map_err(|reason| VtuError::Io {
-        action: "read",
-        path: path.to_path_buf(),
-        reason,
-    })?;
+    let refused = |reason| VtuError::Io { action: "read", path: path.to_path_buf(), reason };
+    if !std::fs::metadata(path).map_err(refused)?.is_file() {
+        // A device may be endless, and a pipe would block until another program writes to it.
+        return Err(refused(std::io::Error::other("it is not a regular file")));
+    }
+    let bytes = std::fs::read(path).map_err(refused)?;
     read_vtu_bytes(&bytes, path)
 }
 

@@ -2,6 +2,7 @@
 
 use super::case::Case;
 use super::cracks::{Meetings, check_fit, place_cracks};
+use super::known_sizes::KnownSizes;
 use super::limits::check_size;
 use super::mix::{MixedWheel, ReadWheel, read_mix};
 use super::space::{read_space, refuse_strike};
@@ -12,9 +13,9 @@ use crate::tables::{
     FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture, GROWTH, GivenWheel, INSPECTION, MAINTENANCE, MESH,
     MeshSettings, NETWORK, OUTPUT, Output, PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL,
     RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scattering,
-    ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL, WheelSections, is_of_the_law,
-    read_fluid, read_growth, read_inspection, read_maintenance, read_passage, read_passages, read_scatter,
-    read_steel, read_travel,
+    ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL, WIDTH, WheelSections,
+    is_of_the_law, read_fluid, read_growth, read_inspection, read_maintenance, read_passage, read_passages,
+    read_scatter, read_steel, read_travel,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::CrackNetwork;
@@ -28,8 +29,14 @@ use std::path::Path;
 /// The case that `sections` describe; none if something is wrong or missing; errors are added to
 /// `report`.
 ///
-/// Every part is built, even where another is wrong, so that all errors are found at once.
-pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) -> Option<Case> {
+/// Every part is built, even where another is wrong, so that all errors are found at once. `sizes`
+/// are those of other cases of the same study.
+pub(crate) fn build(
+    mut sections: Sections,
+    folder: &Path,
+    sizes: &KnownSizes,
+    report: &mut Report,
+) -> Option<Case> {
     let rail_section = sections.one(&RAIL);
     let steel = rail_section.and_then(|s| read_steel(s, report));
     let mix = if sections.all(&WHEEL).next().is_some() {
@@ -46,8 +53,7 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
     let meetings = if is_in_space(&sections) { Meetings::InSpace } else { Meetings::InThePlane };
     let placed = place_cracks(&crack_sections, meetings, report);
     let network = placed.as_ref().map(|placed| &placed.network);
-    let middle = network.map(|network| 0.5 * (network.leftmost_mouth() + network.rightmost_mouth()));
-    let rail = rail_section.and_then(|s| Rail::read(s, middle));
+    let rail = rail_section.and_then(|s| Rail::read(s, network));
     if let (Some(rail), Some(placed)) = (&rail, &placed) {
         check_fit(placed, rail, &crack_sections, report);
     }
@@ -133,8 +139,9 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         Some(read) => Some(read?),
         None => None,
     };
-    // A stored case records the middle of the rail.
+    // A stored case records the middle of the rail, and how far it reaches.
     sections.settle(&RAIL, CENTRE, Value::Number(rail.extent.centre));
+    sections.settle(&RAIL, WIDTH, Value::Number(rail.extent.width));
     let is_block = matches!(rail.boundary, Boundary::Block { .. });
     check_network(&sections, (fluid.as_ref().is_some_and(Option::is_some), is_block), report);
     let solver = sections.one(&SOLVER)?;
@@ -152,6 +159,11 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         shakedown: shakedown?,
         growth: GrowthSettings {
             toughness: fracture.as_ref()?.as_ref().map(|fracture| MPA_SQRT_MM * fracture.at_rail),
+            pop_in: fracture
+                .as_ref()?
+                .as_ref()
+                .filter(|_| space.as_ref().is_some_and(Option::is_none))
+                .and_then(|fracture| fracture.pop_in),
             maintenance: maintenance.zip(axle_load).map(|(plan, tonnes)| plan.per_axle(tonnes)),
             ..growth.as_ref()?.settings.clone()
         },
@@ -178,7 +190,7 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         },
         written: Written::of(&sections),
     };
-    check_size(&case, &sections, report).then_some(case)
+    check_size(&case, &sections, sizes, report).then_some(case)
 }
 
 /// A wheel of a mix with its passage, in its own half-width.

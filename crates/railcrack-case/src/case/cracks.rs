@@ -165,6 +165,12 @@ fn too_close(least: f64) -> String {
 
 const TOO_CLOSE: &str = "no engine resolves cracks, points and surfaces that are closer together";
 
+/// The smallest and the largest x of a crack, and its length, mm.
+fn extent(crack: &Crack) -> (f64, f64, f64) {
+    let x = || crack.points().iter().map(|point| point.x);
+    (x().fold(f64::INFINITY, f64::min), x().fold(f64::NEG_INFINITY, f64::max), crack.length())
+}
+
 /// Whether two cracks that do not meet are closer than an engine resolves.
 fn are_too_close(one: &Crack, other: &Crack) -> bool {
     let least = RESOLVED * one.length().min(other.length());
@@ -191,10 +197,14 @@ fn report_meetings(
     report: &mut Report,
 ) -> bool {
     let mut reported: Vec<(usize, usize)> = Vec::new();
+    let extents: Vec<(f64, f64, f64)> = cracks.iter().map(extent).collect();
     for (i, one) in cracks.iter().enumerate() {
         for (j, other) in cracks.iter().enumerate().skip(i + 1) {
             let owners = (owner[i], owner[j]);
-            if reported.contains(&owners) {
+            let ((left, right, length), (other_left, other_right, other_length)) = (extents[i], extents[j]);
+            let apart = (other_left - right).max(left - other_right);
+            let far = apart > 0.0 && apart > RESOLVED * length.min(other_length);
+            if far || reported.contains(&owners) {
                 continue;
             }
             let meet = CrackNetwork::new(vec![one.clone(), other.clone()]).is_err();

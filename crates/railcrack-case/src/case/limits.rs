@@ -2,6 +2,7 @@
 
 use super::case::Case;
 use super::engines;
+use super::known_sizes::{KnownSizes, WantedSize};
 use crate::schema::{Report, SectionValues, Sections};
 use crate::tables::{ELEMENT_SIZE, EngineDomain, INTERFACE_SPACING, MESH, PASSAGE, POSITIONS};
 use railcrack::xfem::MOST_MESH_UNKNOWNS;
@@ -37,11 +38,9 @@ fn check_face_points(case: &Case, mesh: &SectionValues, report: &mut Report) -> 
 
 /// Reports a run that is too large for any machine, and the key responsible; returns whether the
 /// size is acceptable.
-pub(super) fn check_size(case: &Case, sections: &Sections, report: &mut Report) -> bool {
+pub(super) fn check_size(case: &Case, sections: &Sections, sizes: &KnownSizes, report: &mut Report) -> bool {
     let (Some(mesh), Some(passage)) = (sections.one(&MESH), sections.one(&PASSAGE)) else { return false };
-    // The rail of the finite elements also carries the residual stress of the other engine.
-    let makes_mesh = case.engine.domain() == EngineDomain::Rail || case.plastic_stress.is_some();
-    let unknowns = if makes_mesh { case.wanted_mesh_unknowns() } else { 0.0 };
+    let WantedSize { unknowns, points } = sizes.wanted(case);
     if unknowns.is_nan() || unknowns > MOST_MESH_UNKNOWNS {
         let says = format!("{unknowns:.2e} displacement unknowns; the limit is {MOST_MESH_UNKNOWNS:e}");
         let help = "a larger [mesh] element_size_mm reduces their number";
@@ -49,7 +48,7 @@ pub(super) fn check_size(case: &Case, sections: &Sections, report: &mut Report) 
         return false;
     }
     let engine = engines::of(case.engine);
-    let (points, finest) = (engine.wanted_face_points(case), engine.finest_grid(case));
+    let finest = engine.finest_grid(case);
     if points.is_nan() || points > finest.most_points {
         let says = (finest.says)(points, finest.most_points);
         report.add(mesh.fault_of_name(finest.key, says).help(finest.help));

@@ -54,6 +54,7 @@ pub(super) fn read_mix(
     if given.len() > MOST_WHEELS {
         let says = format!("is wheel {} of a mix; the limit is {MOST_WHEELS}", given.len());
         report.add(last.fault(SHARE, says));
+        return None;
     }
     let travel = sections.one(&PASSAGE).and_then(read_travel)?;
     let traffic = sections.one(&TRAFFIC).and_then(|traffic| traffic.get(AXLE_LOAD));

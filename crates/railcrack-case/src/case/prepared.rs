@@ -17,7 +17,8 @@ use railcrack::plane::{self, PlaneRail};
 use railcrack::residual::PlasticField;
 use railcrack::space::{SpaceRail, SpaceWheel};
 use railcrack::xfem::{
-    EnrichmentRadius, RailEnd, RefinedRegion, ResolvedLayers, XfemEngine, XfemSettings, default_element_sizes,
+    EnrichmentRadius, MOST_MESH_UNKNOWNS, RailEnd, RefinedRegion, ResolvedLayers, XfemEngine, XfemSettings,
+    default_element_sizes,
 };
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -48,9 +49,12 @@ impl Case {
     }
 
     /// Displacement unknowns of the mesh of the finite-element engine, computed without generating
-    /// it; those of layers of a given plastic stress included.
+    /// it, or a larger number that is acceptable; those of layers of a given plastic stress
+    /// included.
     pub(super) fn wanted_mesh_unknowns(&self) -> f64 {
-        self.finite_elements(self.given_plastic().as_ref()).mesh_unknowns()
+        let engine = self.finite_elements(self.given_plastic().as_ref());
+        let most = engine.most_mesh_unknowns();
+        if most <= MOST_MESH_UNKNOWNS { most } else { engine.mesh_unknowns() }
     }
 
     /// The finite-element engine, with a mesh for the cracks at the beginning and their growth.

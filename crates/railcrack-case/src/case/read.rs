@@ -2,13 +2,13 @@
 
 use super::build::build;
 use super::case::Case;
+use super::known_sizes::KnownSizes;
 use super::overrides::Overrides;
 use crate::schema::{
     CaseErrors, Chosen, Fault, Reading, Report, Sections, Source, from_file, parse_document, read_sections,
 };
 use crate::tables::{CASE_FILE, OUTPUT, RUN_FOLDERS, STUDY};
 use std::path::Path;
-use std::sync::Arc;
 use toml::de::DeTable;
 
 impl Case {
@@ -38,7 +38,7 @@ impl Case {
         folder: &Path,
         overrides: &Overrides,
     ) -> Result<Self, CaseErrors> {
-        let mut report = Report::new(Source { name: name.into(), text: Arc::from(text) });
+        let mut report = Report::new(Source::of_file(name, text, &CASE_FILE));
         let case = parse_document(text, &mut report)
             .filter(|root| is_no_study(root.get_ref(), &mut report))
             .and_then(|root| {
@@ -51,7 +51,7 @@ impl Case {
                 };
                 let sections = read_sections(root.get_ref(), reading, &mut report);
                 refuse_no_folder(&sections, &mut report);
-                build(sections, folder, &mut report)
+                build(sections, folder, &KnownSizes::default(), &mut report)
             });
         match case {
             Some(case) if report.is_clean() => Ok(case),

@@ -104,6 +104,11 @@ impl Columns {
     /// For each column of the file, the declared column that it corresponds to.
     fn order(&self, header: &str, span: &Range<usize>) -> Result<Vec<usize>, Box<Fault>> {
         let names: Vec<&str> = header.split(',').map(str::trim).collect();
+        // With another separator it is still such a table.
+        let mut words = header.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
+        if !words.any(|word| self.columns.iter().any(|column| column.name() == word)) {
+            return Err(Box::new(of_another_kind(self.help)));
+        }
         let mut order = Vec::with_capacity(names.len());
         for (i, name) in names.iter().enumerate() {
             if names[..i].contains(name) {
@@ -144,6 +149,11 @@ impl Columns {
         let row = number.checked_sub(1).and_then(|i| read.spans.get(i));
         self.fault(message, row.unwrap_or(&read.header))
     }
+}
+
+/// A fault of a file whose first line names no column of the table: what it holds is not shown.
+pub(crate) fn of_another_kind(help: &str) -> Fault {
+    Fault::new("the file is of another kind: its first line names none of the columns").help(help)
 }
 
 /// Lines of a table that are neither empty nor comments, with their places.

@@ -99,6 +99,11 @@ pub(super) fn read_named<T>(
     match read_text(&path, &path.display().to_string()) {
         Ok(source) => match parse(&source) {
             Ok(content) => return Some(CaseFile::new(row, given, source.text.to_string(), content)),
+            // The file as a whole is wrong, and so is the key that names it.
+            Err(fault) if fault.span.is_none() => {
+                let at_key = section.fault(row, fault.message);
+                report.add(Fault { help: fault.help, ..at_key });
+            }
             Err(fault) => report.add_to(&source, Fault { key: key(), ..*fault }),
         },
         Err(unreadable) => match *unreadable {

@@ -136,7 +136,7 @@ impl Elements {
             } else if names.contains(&"PN") && names.contains(&"PX") {
                 let number = value("I")?;
                 let element = (number >= 1.0 && number.fract() == 0.0)
-                    .then_some(number as usize - 1)
+                    .then(|| number as usize - 1)
                     .and_then(|i| traction.get_mut(i));
                 let Some(element) = element else {
                     return Err(fault(format!("`I = {number}`: is not an element of the grid"), &span));
@@ -145,7 +145,9 @@ impl Elements {
             }
         }
         let Some(grid) = grid else {
-            return Err(fault("no comment names MX and MY: the grid is missing".into(), &place));
+            // It may be any file with a comment: nothing of it is shown.
+            let missing = fault("no comment names MX and MY: the grid is missing".into(), &place);
+            return Err(Box::new(Fault { span: None, ..*missing }));
         };
         Ok(Self { grid, traction, place })
     }
@@ -189,7 +191,7 @@ mod tests {
 ";
 
     fn rows(text: &str, lateral: f64, travel: Travel) -> Result<Vec<[f64; 3]>, String> {
-        let source = Source { name: "c.mat".into(), text: text.into() };
+        let source = Source::new("c.mat", text);
         let rows = strip(&source, lateral, travel).map_err(|fault| fault.message)?;
         Ok(rows.into_iter().map(|row| [row.u, row.pressure, row.shear]).collect())
     }
@@ -218,6 +220,10 @@ mod tests {
         assert!(
             refused(&FILE.replace("      7    2", "     13    2"), 0.0)
                 .contains("`I = 13`: is not an element")
+        );
+        assert!(
+            refused(&FILE.replace("      7    2", "      0    2"), 0.0)
+                .contains("`I = 0`: is not an element")
         );
         assert!(refused(&FILE.replace("300.0", "3OO.0"), 0.0).contains("`PN = 3OO.0`: must be a number"));
         assert!(

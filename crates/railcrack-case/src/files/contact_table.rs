@@ -72,7 +72,7 @@ mod tests {
 
     fn parsed(text: &str, friction: Option<f64>) -> Result<TableContact, String> {
         let reading = ContactReading { friction, lateral: None, travel: Travel::Forward };
-        parse(&Source { name: "c.csv".into(), text: text.into() }, reading).map_err(|fault| fault.message)
+        parse(&Source::new("c.csv", text), reading).map_err(|fault| fault.message)
     }
 
     #[test]

@@ -34,9 +34,6 @@ const EXPECTED: &str =
 const MOST_FIELD: u64 = 256 << 20;
 
 fn read(path: &Path) -> Result<(String, PlasticField), (String, &'static str)> {
-    if path.is_dir() {
-        return Err(("it is a folder, not a file".into(), RELATIVE));
-    }
     let bytes = read_bytes(path, MOST_FIELD).map_err(|reason| match reason.kind() {
         std::io::ErrorKind::NotFound => ("there is no such file".to_owned(), RELATIVE),
         _ => (format!("cannot be read: {reason}"), RELATIVE),

@@ -12,7 +12,7 @@ mod toughness;
 pub use columns::{Column, Columned, Columns};
 pub use companion::{CaseFile, Companion, ContactFile, FieldFile, ProfileFile, RatesFile, ToughnessFile};
 
-pub(crate) use columns::lines;
+pub(crate) use columns::{lines, of_another_kind};
 pub(crate) use contact_table::{ContactReading, read_contact_table};
 pub(crate) use field::read_field;
 pub(crate) use profile::read_profile;

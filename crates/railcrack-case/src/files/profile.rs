@@ -80,7 +80,7 @@ mod tests {
     use super::*;
 
     fn parsed(text: &str) -> Result<Vec<(f64, f64, f64)>, String> {
-        let source = Source { name: "p.csv".into(), text: text.into() };
+        let source = Source::new("p.csv", text);
         parse(&source).map(|p| p.rows().to_vec()).map_err(|f| f.message)
     }
 

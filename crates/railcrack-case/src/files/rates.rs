@@ -41,7 +41,7 @@ mod tests {
 
     #[test]
     fn rows_by_range() {
-        let parsed = |text: &str| parse(&Source { name: "rates.csv".into(), text: text.into() });
+        let parsed = |text: &str| parse(&Source::new("rates.csv", text));
         let table = parsed("delta_keq_mpa_sqrt_m,rate_mm_per_cycle\n5,1e-7\n50,1e-3\n").unwrap();
         assert_eq!(table.covers(), (5.0, 50.0));
         let refused = |text| parsed(text).unwrap_err().message;

@@ -41,7 +41,7 @@ mod tests {
 
     #[test]
     fn rows_by_temperature() {
-        let parsed = |text: &str| parse(&Source { name: "k.csv".into(), text: text.into() });
+        let parsed = |text: &str| parse(&Source::new("k.csv", text));
         let table = parsed("temperature_c,toughness_mpa_sqrt_m\n-40,26\n20,38\n").unwrap();
         assert_eq!(table.at(-10.0), 32.0);
         let refused = |text| parsed(text).unwrap_err().message;

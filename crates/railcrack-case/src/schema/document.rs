@@ -1,14 +1,14 @@
 //! From a file to its sections.
 
-use super::declaration::{Section, SectionPresence};
-use super::error::{CaseErrors, Fault, Report, Source};
+use super::declaration::{FileSchema, Section, SectionPresence};
+use super::error::{CaseErrors, Fault, Quoting, Report, Source};
 use super::reading::Reading;
 use super::section::read_section;
 use super::sections::{SectionValues, Sections};
+use crate::regular_file::open_regular;
 use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
-use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -40,13 +40,12 @@ pub(crate) fn from_file<T>(
 /// profile.
 pub(crate) const MOST_TEXT: u64 = 4 << 20;
 
-/// The bytes of a file of at most `most` bytes; reading stops there, so that an endless file does
-/// no harm.
+/// The bytes of a regular file of at most `most` bytes.
 ///
-/// Errors: those of the system; a file that is larger.
+/// Errors: those of [`open_regular`]; a file that is larger.
 pub(crate) fn read_bytes(path: &Path, most: u64) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    std::fs::File::open(path)?.take(most + 1).read_to_end(&mut bytes)?;
+    open_regular(path)?.take(most + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > most {
         let says = format!("it is larger than {} MB, the limit for such a file", most >> 20);
         return Err(std::io::Error::other(says));
@@ -57,11 +56,8 @@ pub(crate) fn read_bytes(path: &Path, most: u64) -> std::io::Result<Vec<u8>> {
 /// The text of a file, which errors call `name`; or why it cannot be had, with the part that can be
 /// shown.
 pub(crate) fn read_text(path: &Path, name: &str) -> Result<Source, Box<(Source, Fault)>> {
-    let source = |text: &str| Source { name: name.into(), text: Arc::from(text) };
+    let source = |text: &str| Source::new(name, text);
     let unreadable = |why: String| Box::new((source(""), Fault::new(format!("cannot read `{name}`: {why}"))));
-    if path.is_dir() {
-        return Err(unreadable("it is a folder, not a file".into()));
-    }
     let bytes = read_bytes(path, MOST_TEXT).map_err(|e| match e.kind() {
         std::io::ErrorKind::NotFound => unreadable("there is no such file".into()),
         _ => unreadable(e.to_string()),
@@ -80,8 +76,35 @@ pub(crate) fn read_text(path: &Path, name: &str) -> Result<Source, Box<(Source, 
                 help: Some("save the file as UTF-8".into()),
                 ..Fault::default()
             };
-            Err(Box::new((source(&shown), fault)))
+            // Whatever it is, it is not a file of this program.
+            Err(Box::new((source(&shown).hidden(), fault)))
         }
+    }
+}
+
+impl Source {
+    /// The text of a file described by `file`; errors show its lines only if one of them has a
+    /// section of that kind of file.
+    pub fn of_file(name: &str, text: &str, file: &FileSchema) -> Self {
+        let source = Self::new(name, text);
+        if text.lines().any(|line| has_section(line, file)) { source } else { source.hidden() }
+    }
+}
+
+/// Whether `line` is the header of a section of `file`, or has a value of one of its keys outside
+/// of sections.
+fn has_section(line: &str, file: &FileSchema) -> bool {
+    let line = line.trim_start_matches('\u{feff}').trim_start();
+    let in_header = line.trim_start_matches('[').trim_start();
+    let end = in_header.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
+    let (name, rest) = in_header.split_at(end.unwrap_or(in_header.len()));
+    let follows = rest.trim_start().chars().next();
+    let is_section = file.sections.iter().chain(file.beside).any(|section| section.name == name);
+    let at_top =
+        || file.sections.iter().any(|section| section.name.is_empty() && section.key(name).is_some());
+    match line.starts_with('[') {
+        true => is_section && !name.is_empty(),
+        false => matches!(follows, Some('=' | '.')) && !name.is_empty() && (is_section || at_top()),
     }
 }
 
@@ -90,6 +113,14 @@ const MOST_SYNTAX_ERRORS: usize = 1000;
 
 /// The document; none if it is not TOML; errors are added to `report`.
 pub(crate) fn parse_document<'i>(text: &'i str, report: &mut Report) -> Option<Spanned<DeTable<'i>>> {
+    let says_something = |line: &str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
+    if report.source.quoting == Quoting::Hidden && text.lines().any(says_something) {
+        // Messages about its keys would show what it holds.
+        let name = &report.source.name;
+        let says = format!("`{name}` is a file of another kind: none of its lines begins a known section");
+        report.add(Fault::new(says).help("a known section begins a line, as in [section] or [[section]]"));
+        return None;
+    }
     let (document, errors) = DeTable::parse_recoverable(text);
     let mut places = Vec::new();
     for error in errors.iter().take(MOST_SYNTAX_ERRORS) {

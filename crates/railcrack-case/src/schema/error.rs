@@ -20,6 +20,7 @@ pub struct CaseError {
     text: NamedSource<Arc<str>>,
     #[label(collection)]
     labels: Vec<LabeledSpan>,
+    quoting: Quoting,
 }
 
 impl CaseError {
@@ -75,9 +76,12 @@ impl CaseError {
     }
 
     /// The line of the file that the error is about, with carets under the place; empty where there
-    /// is none.
+    /// is none, and where the file is of another kind than expected.
     #[must_use]
     pub fn excerpt(&self) -> String {
+        if self.quoting == Quoting::Hidden {
+            return String::new();
+        }
         let (Some((line, column)), Some(span)) = (self.position(), &self.span) else { return String::new() };
         let text = self.text.inner();
         let Some(shown) = text.lines().nth(line - 1) else { return String::new() };
@@ -145,6 +149,27 @@ impl fmt::Display for CaseErrors {
 pub(crate) struct Source {
     pub name: String,
     pub text: Arc<str>,
+    pub quoting: Quoting,
+}
+
+/// Whether errors show lines of a text. A file of another kind than expected, named by mistake or
+/// by somebody else's case, may hold what nobody should see in a log.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Quoting {
+    Shown,
+    Hidden,
+}
+
+impl Source {
+    /// A text whose lines errors may show.
+    pub fn new(name: &str, text: &str) -> Self {
+        Self { name: name.into(), text: Arc::from(text), quoting: Quoting::Shown }
+    }
+
+    /// The same text, of which errors show no line.
+    pub fn hidden(self) -> Self {
+        Self { quoting: Quoting::Hidden, ..self }
+    }
 }
 
 /// An error under construction.
@@ -192,6 +217,16 @@ pub(crate) struct Report {
 /// Maximum number of errors kept for a file: nobody corrects more at once.
 const MOST_ERRORS: usize = 50;
 
+/// Maximum number of characters of a message, which may name parts of the file.
+const LONGEST_MESSAGE: usize = 1000;
+
+fn shortened(message: String) -> String {
+    match message.char_indices().nth(LONGEST_MESSAGE) {
+        Some((end, _)) => format!("{}\u{2026}", &message[..end]),
+        None => message,
+    }
+}
+
 /// `text` with its control characters written out, so that a file cannot send commands to the
 /// terminal.
 pub(crate) fn escaped(text: &str) -> String {
@@ -202,16 +237,25 @@ pub(crate) fn escaped(text: &str) -> String {
     text.chars().map(written).collect()
 }
 
-/// `text` with its control characters replaced by question marks, byte for byte, so that positions
-/// in it do not change.
-fn blanked(text: &Arc<str>) -> Arc<str> {
-    let is_unsafe = |c: char| (c.is_control() && !matches!(c, '\n' | '\r' | '\t')) || is_invisible(c);
-    if !text.contains(is_unsafe) {
+/// The text of `source` with its control characters replaced by question marks, or all characters
+/// where none is shown; byte for byte, so that positions in it do not change. A carriage return is
+/// left only at the end of a line: alone, it would let the rest of the line overwrite its
+/// beginning.
+fn blanked(source: &Source) -> Arc<str> {
+    let is_control = |c: char| (c.is_control() && !matches!(c, '\n' | '\t')) || is_invisible(c);
+    let text = &source.text;
+    if source.quoting == Quoting::Shown && !text.contains(is_control) {
         return Arc::clone(text);
     }
     let mut shown = String::with_capacity(text.len());
-    for c in text.chars() {
-        if is_unsafe(c) { shown.extend(std::iter::repeat_n('?', c.len_utf8())) } else { shown.push(c) }
+    let mut rest = text.chars().peekable();
+    while let Some(c) = rest.next() {
+        let ends_line = c == '\n' || (c == '\r' && rest.peek() == Some(&'\n'));
+        if !ends_line && (source.quoting == Quoting::Hidden || is_control(c)) {
+            shown.extend(std::iter::repeat_n('?', c.len_utf8()));
+        } else {
+            shown.push(c);
+        }
     }
     shown.into()
 }
@@ -249,7 +293,7 @@ impl Report {
             return;
         }
         let Fault { message, key, span, help, also } = fault;
-        let (message, help) = (escaped(&message), help.map(|help| escaped(&help)));
+        let (message, help) = (shortened(escaped(&message)), help.map(|help| escaped(&help)));
         let primary = span.clone().map(|s| LabeledSpan::new_primary_with_span(Some("here".into()), s));
         let second = also.map(|(s, what)| LabeledSpan::new_with_span(Some(what.into()), s));
         let labels = primary.into_iter().chain(second).collect();
@@ -259,8 +303,9 @@ impl Report {
             key,
             span,
             help,
-            text: NamedSource::new(escaped(&source.name), blanked(&source.text)),
+            text: NamedSource::new(escaped(&source.name), blanked(source)),
             labels,
+            quoting: source.quoting,
         });
     }
 

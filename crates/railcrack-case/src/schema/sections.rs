@@ -40,12 +40,13 @@ impl Sections {
         }
     }
 
-    /// Sets a key without a value to `value`.
+    /// Sets a key that is not given to `value`.
     pub fn settle<T>(&mut self, section: &Section, row: KeyRow<T>, value: Value) {
         let Some(key) = section.key(row.key.name) else { return };
         for read in self.0.iter_mut().filter(|read| read.section.name == section.name) {
-            if read.entry(row).is_none() {
+            if !read.is_given(row) {
                 let value = value.clone();
+                read.entries.retain(|entry| entry.key.name != key.name);
                 read.entries.push(Entry { key, value, span: None, parts: Vec::new(), is_given: false });
             }
         }

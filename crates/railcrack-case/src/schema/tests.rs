@@ -40,7 +40,7 @@ static OVENS: FileSchema = FileSchema {
 };
 
 fn read(text: &str) -> Result<Sections, String> {
-    let mut report = Report::new(Source { name: "oven.toml".into(), text: text.into() });
+    let mut report = Report::new(Source::new("oven.toml", text));
     let root = parse_document(text, &mut report);
     let reading = Reading { file: &OVENS, overrides: &[], chosen: &Chosen::default(), defaults: &[] };
     let sections = root.map(|root| read_sections(root.get_ref(), reading, &mut report));

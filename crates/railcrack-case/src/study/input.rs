@@ -5,7 +5,6 @@ use super::variation::is_study;
 use crate::case::{Case, Overrides};
 use crate::schema::{CaseErrors, Report, Source, from_file, parse_document};
 use std::path::Path;
-use std::sync::Arc;
 
 /// A case or a study.
 #[derive(Debug, Clone)]
@@ -41,6 +40,6 @@ impl Input {
 }
 
 fn says_study(text: &str) -> bool {
-    let mut report = Report::new(Source { name: String::new(), text: Arc::from(text) });
+    let mut report = Report::new(Source::new("", text));
     parse_document(text, &mut report).is_some_and(|root| is_study(root.get_ref()))
 }

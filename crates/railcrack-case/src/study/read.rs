@@ -8,17 +8,17 @@ use super::sampling::{
     DIMENSIONS, Distribution, SampleTable, Sampled, Substitute, find_sampled, points, substituted,
 };
 use super::variation::{Variation, find_variations};
-use crate::case::{Case, Overrides, build};
+use crate::case::{Case, KnownSizes, Overrides, build};
 use crate::schema::{
-    CaseErrors, Chosen, Fault, Override, Reading, Report, SectionValues, Source, from_file, parse_document,
-    read_section, read_sections, tables,
+    CaseError, CaseErrors, Chosen, Fault, Override, Reading, Report, SectionValues, Source, from_file,
+    parse_document, read_section, read_sections, tables,
 };
 use crate::tables::{
     CASE_FILE, Kept, OF_STUDY, SAMPLES, SAMPLES_BY_DEFAULT, SAMPLING, SEED, STUDY, Sampling,
 };
+use rayon::prelude::*;
 use std::collections::HashMap;
 use std::path::Path;
-use std::sync::Arc;
 use toml::de::DeTable;
 
 impl Study {
@@ -59,7 +59,7 @@ impl Study {
         overrides: &Overrides,
         table: Option<&SampleTable>,
     ) -> Result<Self, CaseErrors> {
-        let source = Source { name: name.into(), text: Arc::from(text) };
+        let source = Source::of_file(name, text, &CASE_FILE);
         let mut report = Report::new(source.clone());
         let overrides = overrides.list(&mut report);
         let study = parse_document(text, &mut report)
@@ -226,17 +226,25 @@ fn read_cases(
     mut errors: RunErrors,
     report: &mut Report,
 ) -> Option<Vec<Case>> {
-    let mut cases = Vec::with_capacity(plan.len());
-    for (number, choice, label) in plan {
+    let sizes = KnownSizes::default();
+    let read = |(_, choice, _): &(usize, Vec<usize>, String)| {
         let elements = axes.iter().zip(choice).flat_map(|(axis, &index)| {
             axis.variations.iter().map(move |variation| (variation.span.start, index))
         });
         let chosen = Chosen::new(elements.collect());
         let mut own = Report::new(source.clone());
         let reading = Reading { file: &CASE_FILE, overrides, chosen: &chosen, defaults: OF_STUDY };
-        match build(read_sections(root, reading, &mut own), folder, &mut own) {
-            Some(case) if own.is_clean() => cases.push(case),
-            _ => errors.add(*number, label, own.into_list()),
+        match build(read_sections(root, reading, &mut own), folder, &sizes, &mut own) {
+            Some(case) if own.is_clean() => Ok(case),
+            _ => Err(own.into_list()),
+        }
+    };
+    let mut cases = Vec::with_capacity(plan.len());
+    let read: Vec<Result<Case, Vec<CaseError>>> = plan.par_iter().map(read).collect();
+    for ((number, _, label), read) in plan.iter().zip(read) {
+        match read {
+            Ok(case) => cases.push(case),
+            Err(found) => errors.add(*number, label, found),
         }
     }
     if cases.len() == plan.len() {
@@ -269,8 +277,9 @@ fn refuse_what_is_not_packed(cases: &[Case], report: &mut Report) {
 /// Reports the first run that computes what another one computes.
 fn report_repetitions(plan: &Plan, cases: &[Case], axes: &[Axis], report: &mut Report) {
     let mut known: HashMap<String, usize> = HashMap::new();
-    for ((number, _, label), case) in plan.iter().zip(cases) {
-        let Some(first) = known.insert(case.to_toml(), *number) else { continue };
+    let texts: Vec<String> = cases.par_iter().map(Case::to_toml).collect();
+    for ((number, _, label), text) in plan.iter().zip(texts) {
+        let Some(first) = known.insert(text, *number) else { continue };
         let span = axes.last().and_then(|axis| axis.variations.last()).map(|v| v.span.clone());
         let help = match axes {
             [_] => "a value is given twice",

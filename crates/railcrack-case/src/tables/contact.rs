@@ -2,8 +2,8 @@
 
 use crate::files::{ContactFile, ContactReading, read_contact_table};
 use crate::schema::{
-    KeyRow, Kind, NumberRange, RangeEnd, Report, SectionValues, choice, closed, file, number, positive,
-    read_by_word, section, within,
+    KeyRow, Kind, NumberRange, RangeEnd, Report, SectionValues, choice, closed, file, number, read_by_word,
+    section, within,
 };
 use railcrack::load::{
     CarterContact, Contact, ContactKind, HertzEllipse, HertzianContact, Travel, WheelOnRail,
@@ -36,13 +36,13 @@ section! {
         .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
     WHEEL_RADIUS: f64 = number("wheel_radius_mm", "mm", closed(1e-2, 1e5), 460.9, "Radius of the wheel.")
         .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
-    RAIL_RADIUS: f64 = number("rail_radius_mm", "mm", positive(f64::INFINITY), f64::INFINITY,
+    RAIL_RADIUS: f64 = number("rail_radius_mm", "mm", closed(0.01, f64::INFINITY), f64::INFINITY,
         "Radius of the rail in the plane of the model; inf for a flat rail.")
         .only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
     WHEEL_LOAD: f64 = number("wheel_load_kn", "kN", closed(1e-3, 1e4), 100.0,
         "Wheel load. Together with the radii it defines the Hertz contact ellipse, of which the plane engines use a strip along the rail.")
         .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
-    RAIL_HEAD_RADIUS: f64 = number("rail_head_radius_mm", "mm", positive(f64::INFINITY), 300.0,
+    RAIL_HEAD_RADIUS: f64 = number("rail_head_radius_mm", "mm", closed(0.01, f64::INFINITY), 300.0,
         "Transverse radius of the rail head; inf for a flat head.")
         .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
     WHEEL_PROFILE_RADIUS: f64 = number("wheel_profile_radius_mm", "mm", PROFILE_RADII, f64::INFINITY,
@@ -57,7 +57,7 @@ section! {
     CONTACT_PROFILE: String = file("profile", "inputs/contact-table", "contact.csv",
         "CSV file with the columns u_mm,p_mpa,q_mpa, where u is measured from the wheel centre along +x; interpolated linearly between rows, zero outside. Or a .mat file written by the rolling-contact program CONTACT.")
         .required().only_with(KIND, TABLE, "pressure and shear are computed");
-    SCALE: f64 = number("scale", "", positive(1e6), 1.0, "Factor applied to the pressure and shear of the table.")
+    SCALE: f64 = number("scale", "", closed(1e-6, 1e6), 1.0, "Factor applied to the pressure and shear of the table.")
         .only_with(KIND, TABLE, "pressure and shear are computed");
     STRIP: f64 = number("strip_mm", "mm", within(1e3), 0.0,
         "Lateral position, in CONTACT's own frame, of the strip along the rail that is taken from a .mat file.")

@@ -1,8 +1,8 @@
 //! `[fluid]`: water in the cracks.
 
 use crate::schema::{
-    Choice, Preset, Report, SectionValues, Word, choice, closed, number, numbers, positive, read_by_word,
-    section, switch,
+    Choice, Preset, Report, SectionValues, Word, choice, closed, number, numbers, read_by_word, section,
+    switch,
 };
 use railcrack::contact::FluidModel;
 use railcrack::crack::CrackNetwork;
@@ -16,11 +16,11 @@ section! {
     MODEL: FluidKind = choice("model", "Model of the fluid pressure.").required();
     PRESSURE_PROFILE: PressureProfile = choice("profile", "Pressure along the crack, where s is the distance from the mouth and l the crack length.")
         .only_with(MODEL, MOUTH, "a trapped fluid has one pressure");
-    PRESSURE_CAP: f64 = number("pressure_cap_mpa", "MPa", positive(f64::INFINITY), f64::INFINITY,
+    PRESSURE_CAP: f64 = number("pressure_cap_mpa", "MPa", closed(1e-3, f64::INFINITY), f64::INFINITY,
         "Upper limit of the pressure. With inf there is no limit, and the pressure lifts the flap above a shallow crack off the rail, which a real wheel would prevent.")
         .only_with(MODEL, MOUTH, "a trapped fluid is limited by its volume");
-    BULK_MODULUS: f64 = number("bulk_modulus_mpa", "MPa", positive(f64::INFINITY), f64::INFINITY,
-        "Bulk modulus B of the fluid, V = V0 exp(-p/B): 2200 for water, inf for an incompressible fluid.")
+    BULK_MODULUS: f64 = number("bulk_modulus_mpa", "MPa", closed(10.0, f64::INFINITY), f64::INFINITY,
+        "Bulk modulus B of the fluid, V = V0 exp(-p/B): 2200 for water, inf for an incompressible fluid; a softer fluid than 10 MPa would be a gas, which does not follow this law.")
         .only_with(MODEL, TRAPPED, "the pressure equals that over the mouth");
     LEAK: bool = switch("leak", Preset::Switch(true),
         "Whether fluid at a higher pressure than that over the mouth leaks out as soon as no closed faces block its path.")

@@ -10,16 +10,37 @@ use std::path::Path;
 
 section! {
     FRACTURE "fracture", Optional,
-        "Brittle fracture: the run ends when the largest k1 of a passage, over all kink angles, reaches the toughness.",
+        "Brittle fracture: the run ends when the largest k1 of a passage, over all kink angles, reaches the toughness and the kink does not arrest.",
         forms [[TOUGHNESS], [FRACTURE_STEEL], [FRACTURE_PROFILE]];
     TOUGHNESS: f64 = number("toughness_mpa_sqrt_m", "MPa sqrt(m)", closed(0.1, 1e3), 29.0, "Fracture toughness K_Ic.").required();
     FRACTURE_STEEL: SteelName = choice("steel", "Rail steel, with the mean toughness at -20 degrees C that EN 13674-1 requires.")
         .required();
     FRACTURE_PROFILE: String = file("profile", "inputs/toughness.csv", "toughness.csv",
         "CSV file with the columns temperature_c,toughness_mpa_sqrt_m; interpolated linearly between rows and evaluated at rail_c of [temperature].").required();
+    CRITERION: FractureCriterion = choice("criterion", "When a tip whose largest k1 reaches the toughness breaks the rail.");
+    POP_IN: f64 = number("pop_in_mm", "mm", closed(0.01, 100.0), 2.0,
+        "Length of the kink by which the crack is extended at the position of the largest k1; if k1 at its tip is below the toughness, it is a pop-in, and growth goes on.")
+        .only_with(CRITERION, "arrest", "only this criterion extends the crack");
 }
 
-read_by_word!(SteelName);
+/// When a tip breaks the rail.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum FractureCriterion {
+    Arrest,
+    K1,
+}
+
+impl Choice for FractureCriterion {
+    const WORDS: &'static [(Self, Word)] = &[
+        (
+            Self::Arrest,
+            Word::now("arrest", "where k1 at the tip of a real kink of pop_in_mm still reaches it"),
+        ),
+        (Self::K1, Word::now("k1", "at once; in space always")),
+    ];
+}
+
+read_by_word!(SteelName, FractureCriterion);
 
 /// The steels that are known by name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,6 +67,9 @@ pub struct Fracture {
     pub steel: Option<&'static str>,
     /// The file where it comes from one.
     pub file: Option<ToughnessFile>,
+    /// Length (mm) of the kink that has to arrest for the rail not to break; `None` where k1 of a
+    /// virtual kink breaks it.
+    pub pop_in: Option<f64>,
 }
 
 impl Fracture {
@@ -56,9 +80,13 @@ impl Fracture {
         folder: &Path,
         report: &mut Report,
     ) -> Option<Self> {
+        let pop_in = match section.get(CRITERION)? {
+            FractureCriterion::Arrest => Some(section.get(POP_IN)?),
+            FractureCriterion::K1 => None,
+        };
         let of = |toughness: Toughness, steel, file| {
             let at_rail = toughness.at(temperature.map_or(20.0, |temperature| temperature.rail));
-            Some(Self { toughness, at_rail, steel, file })
+            Some(Self { toughness, at_rail, steel, file, pop_in })
         };
         if let Some(toughness) = section.get(TOUGHNESS) {
             let toughness = Toughness::constant(toughness);

@@ -1,11 +1,14 @@
 //! The growth of the cracks as a case gives it.
 
-use super::growth::{ARREST_RATE, CRITICAL_LENGTH, DIRECTION, INCREMENT, STEPS, STOP_AFTER_CYCLES};
+use super::growth::{
+    ARREST_RATE, CRITICAL_LENGTH, DIRECTION, INCREMENT, KINK_ANGLE, KINK_FRICTION, STEPS, STOP_AFTER_CYCLES,
+    TOLERANCE, TURNING, TURNING_LENGTH, Turns,
+};
 use super::law::read_law;
 use crate::files::RatesFile;
 use crate::schema::{Report, SectionValues};
 use railcrack::fatigue::RailSteel;
-use railcrack::growth::GrowthSettings;
+use railcrack::growth::{GrowthSettings, Turning};
 use std::path::Path;
 
 /// The growth of the cracks as a case gives it.
@@ -18,14 +21,44 @@ pub(crate) struct Growing {
     pub rates: Option<RatesFile>,
 }
 
+/// The first increment that is chosen for a tolerance, as a fraction of the length.
+const FIRST_INCREMENT: f64 = 0.02;
+/// The tolerance of the life by default.
+const TOLERANCE_BY_DEFAULT: f64 = 0.01;
+
 /// The growth of the cracks; files are relative to `folder`.
 pub(crate) fn read_growth(section: &SectionValues, folder: &Path, report: &mut Report) -> Option<Growing> {
     let given = read_law(section, folder, report)?;
+    let defaults = GrowthSettings::REFERENCE;
+    let turning = match section.get(TURNING)? {
+        Turns::Smooth => Turning::Over(section.get(TURNING_LENGTH)?),
+        Turns::Kink => Turning::Kink,
+    };
+    let (increment, tolerance) = (section.get(INCREMENT), section.get(TOLERANCE));
+    if tolerance.is_some() && (increment.is_some() || turning.is_kink()) {
+        let (says, help) = match increment {
+            Some(_) => {
+                ("increments are either given or chosen for a tolerance", "leave out increment or tolerance")
+            }
+            None => (
+                "a path that kinks in each increment has no limit, so that no increment is small enough for a tolerance",
+                "leave out tolerance or turning = \"kink\"",
+            ),
+        };
+        report.add(section.fault(TOLERANCE, says).help(help));
+        return None;
+    }
+    let is_given = increment.is_some() || turning.is_kink();
     let settings = GrowthSettings {
         toughness: None,
+        pop_in: None,
         maintenance: None,
         steps: section.get(STEPS)?,
-        increment: section.get(INCREMENT)?,
+        increment: increment.unwrap_or(if is_given { defaults.increment } else { FIRST_INCREMENT }),
+        tolerance: (!is_given).then_some(tolerance.unwrap_or(TOLERANCE_BY_DEFAULT)),
+        turning,
+        kink_angle: section.get(KINK_ANGLE).map_or(defaults.kink_angle, f64::to_radians),
+        kink_friction: section.get(KINK_FRICTION)?,
         law: given.law,
         arrest_rate: section.get(ARREST_RATE)?,
         criterion: section.get(DIRECTION)?,

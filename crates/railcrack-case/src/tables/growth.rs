@@ -1,17 +1,27 @@
 //! `[growth]`: rate and direction of crack growth, and the end of a run.
 
 use super::law_keys;
-use crate::schema::{
-    Choice, Key, Word, choice, closed, file, integer, number, positive, read_by_word, section,
-};
+use crate::schema::{Choice, Key, Word, choice, closed, file, integer, number, read_by_word, section};
 use railcrack::fatigue::{DirectionCriterion, LawDeclaration, RangeForm};
+use railcrack::growth::Turning;
 
 section! {
     GROWTH "growth", Defaulted, "Crack growth: da/dN as a function of an equivalent range dKeq of dKI and dKII.";
-    STEPS: usize =
-        integer("steps", (0, 10_000), 25, "Number of increments; 0 computes the initial cracks only.");
+    STEPS: usize = integer("steps", (0, 10_000), 25,
+        "The largest number of increments; 0 computes the initial cracks only.");
     INCREMENT: f64 = number("increment", "", closed(1e-4, 0.5), 0.04,
-        "Increment of the fastest tip, as a fraction of its crack's length; at the smallest value, doubling the length takes up to 10 000 steps.");
+        "Increment of the fastest tip, as a fraction of its crack's length; without this key, the increments are chosen for the tolerance. At the smallest value, doubling the length takes up to 10 000 steps.").optional();
+    TOLERANCE: f64 = number("tolerance", "", closed(1e-5, 0.2), 0.01,
+        "Allowed relative error of the life by the increments, for which these are chosen; not with increment.").optional();
+    TURNING: Turns = choice("turning", "How a path turns towards the best kink of the direction criterion.");
+    TURNING_LENGTH: f64 = number("turning_length_mm", "mm", closed(0.0, f64::INFINITY), Turning::DEFAULT_LENGTH,
+        "Length l over which a path turns, dtheta/ds = theta*/l, where theta* is the best kink. inf: straight ahead; 0: the limit path, on which the best kink is zero.")
+        .only_with(TURNING, "smooth", "a kink has no length");
+    KINK_ANGLE: f64 = number("kink_angle_deg", "deg", closed(1.0, 110.0), 30.0,
+        "Best kink from which a path kinks at once.")
+        .only_with(TURNING, "smooth", "every increment kinks");
+    KINK_FRICTION: f64 = number("kink_friction", "", closed(0.0, 10.0), 0.0,
+        "Friction coefficient of the faces of the virtual kinks by which the direction is chosen.");
     LAW: &'static LawDeclaration = law_keys::LAW;
     EQUIVALENT: RangeForm = choice("equivalent", "Equivalent range dKeq.")
         .only_with_words(LAW, law_keys::WITH_A_RANGE, law_keys::OWN_RANGE);
@@ -31,8 +41,8 @@ section! {
         "A tip that grows more slowly than this is arrested.");
     DIRECTION: DirectionCriterion = choice("direction", "Criterion of the growth direction.");
     CRITICAL_LENGTH: f64 =
-        number("critical_length_mm", "mm", positive(1e5), 20.0, "The run ends when a crack reaches this length.").optional();
-    STOP_AFTER_CYCLES: f64 = number("stop_after_cycles", "cycles", positive(1e18), 1e7,
+        number("critical_length_mm", "mm", closed(1e-3, 1e5), 20.0, "The run ends when a crack reaches this length.").optional();
+    STOP_AFTER_CYCLES: f64 = number("stop_after_cycles", "cycles", closed(1e-3, 1e18), 1e7,
         "The run ends after this many load cycles.").optional();
 }
 
@@ -50,7 +60,27 @@ impl Choice for SteelName {
     ];
 }
 
-read_by_word!(DirectionCriterion, &'static LawDeclaration, RangeForm, SteelName);
+/// How a path turns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Turns {
+    Smooth,
+    Kink,
+}
+
+impl Choice for Turns {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Smooth, Word::now("smooth", "over turning_length_mm")),
+        (
+            Self::Kink,
+            Word::now(
+                "kink",
+                "by a whole kink in each increment, as in the paper: the path depends on the increment",
+            ),
+        ),
+    ];
+}
+
+read_by_word!(Turns, DirectionCriterion, &'static LawDeclaration, RangeForm, SteelName);
 
 /// Whether `key` of `[growth]` concerns the law: with a steel, the law is that of the steel.
 pub(crate) fn is_of_the_law(key: &Key) -> bool {

@@ -1,6 +1,6 @@
 //! `[inspection]` and `[scatter]`: from growth to an interval with its uncertainty.
 
-use crate::schema::{Report, SectionValues, closed, integer, number, positive, section};
+use crate::schema::{Report, SectionValues, closed, integer, number, section};
 use railcrack::fatigue::RailSteel;
 
 section! {
@@ -11,7 +11,7 @@ section! {
         "Tip depth from which a crack is detectable.").required();
     DETECTABLE_LENGTH: f64 = number("detectable_length_mm", "mm", closed(0.0, 1e3), 5.0,
         "Length from which a crack is detectable.").required();
-    CRITICAL_DEPTH: f64 = number("critical_depth_mm", "mm", positive(1e3), 10.0,
+    CRITICAL_DEPTH: f64 = number("critical_depth_mm", "mm", closed(1e-3, 1e3), 10.0,
         "Tip depth that must not be reached; critical_length_mm of [growth] and fracture are critical too.").optional();
     SAFETY_FACTOR: f64 = number("safety_factor", "", closed(1.0, 100.0), 3.0,
         "Divisor of the traffic from a detectable to a critical crack.");

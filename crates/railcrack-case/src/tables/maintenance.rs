@@ -1,6 +1,6 @@
 //! `[maintenance]`: wear and grinding of the running surface.
 
-use crate::schema::{Report, SectionValues, choice, closed, number, positive, read_by_word, section};
+use crate::schema::{Report, SectionValues, choice, closed, number, read_by_word, section};
 use railcrack::growth::{Grinding, Maintenance, StressMoves};
 
 section! {
@@ -8,10 +8,12 @@ section! {
         "Wear and grinding, which remove the running surface and shorten the cracks from their mouths; requires axle loads.";
     WEAR: f64 = number("wear_mm_per_mgt", "mm/MGT", closed(0.0, 100.0), 0.0,
         "Wear of the running surface in depth, mm per million gross tonnes.");
-    GRINDING: f64 = number("grinding_mm", "mm", positive(100.0), 0.2,
+    GRINDING: f64 = number("grinding_mm", "mm", closed(1e-6, 100.0), 0.2,
         "Depth removed by each grinding; requires grinding_interval_mgt.").optional();
     GRINDING_INTERVAL: f64 = number("grinding_interval_mgt", "MGT", closed(1e-6, 1e6), 20.0,
-        "Traffic from one grinding to the next, and from the beginning to the first.").optional();
+        "Traffic from one grinding to the next.").optional();
+    FIRST_GRINDING: f64 = number("first_grinding_mgt", "MGT", closed(0.0, 1e6), 20.0,
+        "Traffic until the first grinding; by default grinding_interval_mgt.").optional();
     STRESS: StressMoves = choice("stress_moves_with",
         "How residual and plastic stresses move as the surface is worn down.");
 }
@@ -25,6 +27,8 @@ pub struct MaintenancePlan {
     pub wear: f64,
     /// Depth (mm) and interval (million gross tonnes) of grinding.
     pub grinding: Option<(f64, f64)>,
+    /// Traffic until the first grinding, million gross tonnes; `None` for one interval.
+    pub first_grinding: Option<f64>,
     /// Fate of residual and plastic stress.
     pub stress: StressMoves,
 }
@@ -39,8 +43,12 @@ impl MaintenancePlan {
     /// The same per axle of `tonnes`.
     #[must_use]
     pub fn per_axle(&self, tonnes: f64) -> Maintenance {
-        let grinding =
-            self.grinding.map(|(depth, interval)| Grinding { depth, interval: 1e6 * interval / tonnes });
+        let axles = |mgt: f64| 1e6 * mgt / tonnes;
+        let grinding = self.grinding.map(|(depth, interval)| Grinding {
+            depth,
+            interval: axles(interval),
+            first: axles(self.first_grinding.unwrap_or(interval)),
+        });
         Maintenance { wear: 1e-6 * tonnes * self.wear, grinding, stress: self.stress }
     }
 }
@@ -67,5 +75,11 @@ pub(crate) fn read_maintenance(
             return None;
         }
     };
-    Some(MaintenancePlan { wear: section.get(WEAR)?, grinding, stress: section.get(STRESS)? })
+    let first_grinding = section.get(FIRST_GRINDING);
+    if first_grinding.is_some() && grinding.is_none() {
+        let help = "give grinding_mm and grinding_interval_mgt as well";
+        report.add(section.fault(FIRST_GRINDING, "there is no grinding").help(help));
+        return None;
+    }
+    Some(MaintenancePlan { wear: section.get(WEAR)?, grinding, first_grinding, stress: section.get(STRESS)? })
 }

@@ -1,15 +1,20 @@
 //! `[rail]`: elasticity, extent and boundary of the rail.
 
 use crate::schema::{
-    Choice, NumberRange, Report, SectionValues, Word, choice, closed, number, positive, read_by_word,
-    section, within,
+    Choice, NumberRange, Report, SectionValues, Word, choice, closed, number, read_by_word, section, within,
 };
 use railcrack::bulk::{BottomSupport, Boundary, SideSupport};
+use railcrack::crack::CrackNetwork;
 use railcrack::material::IsotropicElastic;
 use railcrack::math::RailBox;
 
 /// An incompressible rail has no displacement elements: towards 1/2 they lock.
 const POISSON_RATIOS: NumberRange = NumberRange::closed(0.0, 0.499);
+
+/// Largest width, mm.
+const WIDEST: f64 = 1e5;
+/// Width (mm) that is enough for a crack and its growth.
+const USUAL_WIDTH: f64 = 300.0;
 
 const NO_SUPPORTS: &str = "a half-plane has no supports";
 
@@ -20,9 +25,9 @@ section! {
         number("young_modulus_mpa", "MPa", closed(1.0, 1e7), 210e3, "Young's modulus of rail and wheel.");
     POISSON_RATIO: f64 =
         number("poisson_ratio", "", POISSON_RATIOS, 0.3, "Poisson's ratio of rail and wheel.");
-    WIDTH: f64 = number("width_mm", "mm", positive(1e5), 300.0,
-        "Length of the rail along x; cracks must stay within it.");
-    DEPTH: f64 = number("depth_mm", "mm", positive(1e5), 172.0, "Depth of the rail; cracks must stay above it.");
+    WIDTH: f64 = number("width_mm", "mm", closed(0.01, WIDEST), USUAL_WIDTH,
+        "Length of the rail along x; cracks must stay within it. By default 300; if centre_mm is not given either, a half-plane whose cracks need more reaches 150 mm beyond the outermost ones.").optional();
+    DEPTH: f64 = number("depth_mm", "mm", closed(0.01, 1e5), 172.0, "Depth of the rail; cracks must stay above it.");
     CENTRE: f64 = number("centre_mm", "mm", within(1e6), 0.0,
         "x coordinate of the middle of the rail; by default the middle of the crack mouths.").optional();
     BOUNDARY: BoundaryKind = choice("boundary", "Boundary of the rail.");
@@ -61,25 +66,38 @@ pub struct Rail {
 }
 
 impl Rail {
-    /// The rail; `middle` (mm) is that of the crack mouths.
-    pub(crate) fn read(section: &SectionValues, middle: Option<f64>) -> Option<Self> {
-        if section.is_refused(CENTRE) {
+    /// The rail of the cracks `network`.
+    pub(crate) fn read(section: &SectionValues, network: Option<&CrackNetwork>) -> Option<Self> {
+        if section.is_refused(CENTRE) || section.is_refused(WIDTH) {
             return None;
         }
-        Some(Self {
-            extent: RailBox {
-                width: section.get(WIDTH)?,
-                depth: section.get(DEPTH)?,
-                centre: section.get(CENTRE).or(middle)?,
-            },
-            boundary: match section.get(BOUNDARY)? {
-                BoundaryKind::HalfPlane => Boundary::HalfPlane,
-                BoundaryKind::Block => {
-                    Boundary::Block { bottom: section.get(BOTTOM)?, sides: section.get(SIDES)? }
-                }
-            },
-        })
+        let middle = network.map(|network| 0.5 * (network.leftmost_mouth() + network.rightmost_mouth()));
+        let centre = section.get(CENTRE).or(middle)?;
+        let boundary = match section.get(BOUNDARY)? {
+            BoundaryKind::HalfPlane => Boundary::HalfPlane,
+            BoundaryKind::Block => {
+                Boundary::Block { bottom: section.get(BOTTOM)?, sides: section.get(SIDES)? }
+            }
+        };
+        let width = match (section.get(WIDTH), boundary, network) {
+            (Some(given), ..) => given,
+            (None, Boundary::HalfPlane, Some(network)) if !section.is_given(CENTRE) => {
+                reaching(network, centre)
+            }
+            // The width of a block belongs to its supports.
+            (None, ..) => USUAL_WIDTH,
+        };
+        Some(Self { extent: RailBox { width, depth: section.get(DEPTH)?, centre }, boundary })
     }
+}
+
+/// The usual width (mm) where all cracks of `network` are within it, else that which leaves half of
+/// it on either side of them.
+fn reaching(network: &CrackNetwork, centre: f64) -> f64 {
+    let points = network.cracks().iter().flat_map(|crack| crack.points());
+    let farthest = points.map(|point| (point.x - centre).abs()).fold(0.0, f64::max);
+    let is_within = farthest < 0.5 * USUAL_WIDTH;
+    if is_within { USUAL_WIDTH } else { (2.0 * farthest + USUAL_WIDTH).min(WIDEST) }
 }
 
 /// The steel of rail and wheel.

@@ -1,9 +1,7 @@
 //! `[shakedown]`: plastic behaviour of the rail, and the criterion of crack initiation.
 
 use crate::files::{ProfileFile, read_profile};
-use crate::schema::{
-    Report, SectionValues, choice, closed, file, integer, number, positive, read_by_word, section,
-};
+use crate::schema::{Report, SectionValues, choice, closed, file, integer, number, read_by_word, section};
 use railcrack::fatigue::DangVan;
 use railcrack::material::KinematicHardening;
 use railcrack::shakedown::Method;
@@ -12,9 +10,9 @@ use std::path::Path;
 section! {
     SHAKEDOWN "shakedown", Defaulted,
         "Plastic behaviour of the rail under repeated passages, and the Dang Van criterion.";
-    YIELD_STRESS: f64 = number("yield_stress_mpa", "MPa", positive(1e4), 500.0,
+    YIELD_STRESS: f64 = number("yield_stress_mpa", "MPa", closed(1.0, 1e4), 500.0,
         "Yield stress in tension; in shear it is k = yield stress / sqrt(3).");
-    HARDENING_MODULUS: f64 = number("hardening_modulus_mpa", "MPa", positive(1e7), 20e3,
+    HARDENING_MODULUS: f64 = number("hardening_modulus_mpa", "MPa", closed(1.0, 1e7), 20e3,
         "Modulus C of the linear kinematic hardening X = (2/3) C eps_p.");
     METHOD: Method = choice("method", "Method of computing the stabilised state.");
     MAX_PASSES: usize = integer("max_passes", (1, 100_000), 500,
@@ -22,7 +20,7 @@ section! {
     INITIAL_RESIDUAL: String = file("initial_residual", "inputs/initial-residual.csv", "manufacturing.csv",
         "Balanced stress profile before the first passage, in the format of [residual_stress] profile.").optional();
     DANG_VAN_A: f64 = number("dang_van_a", "", closed(0.0, 10.0), 0.3, "Slope of the Dang Van criterion.");
-    DANG_VAN_B: f64 = number("dang_van_b_mpa", "MPa", positive(1e4), 250.0,
+    DANG_VAN_B: f64 = number("dang_van_b_mpa", "MPa", closed(0.1, 1e4), 250.0,
         "Fatigue limit in pure shear of the Dang Van criterion.");
 }
 

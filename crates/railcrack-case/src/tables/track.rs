@@ -2,8 +2,7 @@
 
 use super::contact::WHEEL_LOAD;
 use crate::schema::{
-    Choice, Report, SectionValues, Word, choice, closed, number, numbers, positive, read_by_word, section,
-    within,
+    Choice, Report, SectionValues, Word, choice, closed, number, numbers, read_by_word, section, within,
 };
 use railcrack::load::{Axle, NamedSection, RailSection, Temperature, Track};
 
@@ -31,7 +30,7 @@ section! {
     RAIL_TEMPERATURE: f64 = number("rail_c", "degrees C", within(200.0), -5.0, "Temperature of the rail.").required();
     NEUTRAL_TEMPERATURE: f64 = number("neutral_c", "degrees C", within(200.0), 25.0,
         "Neutral temperature, at which the rail carries no longitudinal force.").required();
-    EXPANSION: f64 = number("expansion_per_k", "1/K", positive(1e-3), Temperature::RAIL_STEEL_EXPANSION,
+    EXPANSION: f64 = number("expansion_per_k", "1/K", closed(1e-9, 1e-3), Temperature::RAIL_STEEL_EXPANSION,
         "Coefficient of thermal expansion.");
 }
 

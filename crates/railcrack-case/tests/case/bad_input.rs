@@ -131,7 +131,7 @@ fn only_inf_is_infinity() {
     for radius in ["1e400", "nan", "-inf", "0", "-300"] {
         let errors = errors(&text(radius));
         assert_eq!(errors.errors()[0].key(), Some("contact.rail_radius_mm"), "{errors}");
-        assert!(errors.to_string().contains("must be a number in (0, inf] mm"), "{errors}");
+        assert!(errors.to_string().contains("must be a number in [0.01, inf] mm"), "{errors}");
     }
 }
 

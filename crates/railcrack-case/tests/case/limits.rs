@@ -125,11 +125,17 @@ fn a_file_without_end_is_read_no_further() {
     let started = Instant::now();
     if Path::new("/dev/zero").exists() {
         let errors = Input::read_with(Path::new("/dev/zero"), &Overrides::default()).unwrap_err();
-        assert!(errors.to_string().contains("larger than 4 MB"), "{errors}");
+        assert!(errors.to_string().contains("not a regular file"), "{errors}");
         let field = one(SHORT, "[plastic_stress]\nfield = \"/dev/zero\"\n");
         let errors = Case::parse(&field, "case.toml", Path::new("")).unwrap_err();
-        assert!(errors.to_string().contains("larger than 256 MB"), "{errors}");
+        assert!(errors.to_string().contains("not a regular file"), "{errors}");
     }
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("too-long");
+    std::fs::create_dir_all(&folder).unwrap();
+    let long = folder.join("long.toml");
+    std::fs::write(&long, vec![b'#'; (4 << 20) + 1]).unwrap();
+    let errors = Input::read_with(&long, &Overrides::default()).unwrap_err();
+    assert!(errors.to_string().contains("larger than 4 MB"), "{errors}");
     assert!(started.elapsed() < BUDGET);
 }
 
@@ -146,7 +152,7 @@ fn control_characters_of_a_file_do_not_reach_the_terminal() {
 }
 
 #[test]
-fn cells_upon_one_another_are_read_in_time() {
+fn cells_upon_one_another_are_refused_in_time() {
     const CELLS: usize = 100_000;
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("coincident-cells");
     std::fs::create_dir_all(&folder).unwrap();
@@ -170,6 +176,7 @@ fn cells_upon_one_another_are_read_in_time() {
     std::fs::write(folder.join("field.vtu"), file).unwrap();
     let started = Instant::now();
     let case = one(SHORT, "[plastic_stress]\nfield = \"field.vtu\"\n");
-    Case::parse(&case, "case.toml", &folder).unwrap();
+    let errors = Case::parse(&case, "case.toml", &folder).unwrap_err();
+    assert!(errors.to_string().contains("the 100000 cells lie on top of one another"), "{errors}");
     assert!(started.elapsed() < BUDGET, "{:?}", started.elapsed());
 }

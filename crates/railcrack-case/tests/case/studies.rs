@@ -316,11 +316,12 @@ fn keys_of_one_word_of_a_list_are_for_its_runs() {
 
 #[test]
 fn wrong_combinations() {
-    // 200 mm leave the rail, which ends at ±150 mm, at 15° and 30°, but not at 45°: so do 4 of 12
-    // runs.
-    let wrong_in_some = replaced("length_mm = 6.0", "length_mm = [6.0, 200.0]");
+    // 200 mm leave the given rail, which ends at ±150 mm, at 15° and 30°, but not at 45°: so do 4
+    // of 12 runs.
+    let rail = "[rail]\nwidth_mm = 300.0\n";
+    let wrong_in_some = replaced("length_mm = 6.0", "length_mm = [6.0, 200.0]") + rail;
     // 400 mm are longer than the rail at any angle: the element alone is wrong.
-    let wrong_by_itself = replaced("length_mm = 6.0", "length_mm = [6.0, 400.0]");
+    let wrong_by_itself = replaced("length_mm = 6.0", "length_mm = [6.0, 400.0]") + rail;
     check(
         &[
             wrong(

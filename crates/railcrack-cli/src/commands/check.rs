@@ -14,7 +14,7 @@ use railcrack::shakedown::DepthBounds;
 use railcrack::words::Choice;
 use railcrack_case::{Case, ContactOrigin, Input, MixedWheel, Overrides, PlasticSource};
 use railcrack_report::{formula, short};
-use railcrack_run::machine::{Budget, Needs, mb};
+use railcrack_run::machine::{Budget, Needs, long_step, mb, step_seconds};
 use railcrack_run::simulation::plastic_stress_left_out;
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
@@ -53,7 +53,8 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
 
 /// The case as one object: the numbers, and every line of the summary by its heading.
 fn case_json(case: &Case, folder: &Path) -> Value {
-    let (size, needs) = (case.size(), Needs::of(case));
+    let size = case.size();
+    let needs = Needs::with(case, &size);
     let mut said = Map::new();
     for (heading, rows) in parts(case, folder) {
         let named = rows.into_iter().filter(|(name, _)| !name.is_empty());
@@ -76,6 +77,7 @@ fn case_json(case: &Case, folder: &Path) -> Value {
         "increments": case.growth.steps,
         "memory_bytes": needs.memory,
         "disk_bytes": needs.disk,
+        "step_seconds": step_seconds(case, &size),
         "summary": said,
     })
 }
@@ -116,7 +118,7 @@ fn parts(case: &Case, folder: &Path) -> Vec<(&'static str, Vec<CheckLine>)> {
         ("maintenance", maintenance(case)),
         ("plastic state", plastic_state(case)),
         ("bounds", bounds(case)),
-        ("machine", machine(&Needs::of(case), folder)),
+        ("machine", machine(case, folder)),
     ]
 }
 
@@ -526,16 +528,18 @@ fn plastic_state(case: &Case) -> Vec<CheckLine> {
 }
 
 /// Needs of the run and the resources of the machine.
-fn machine(needs: &Needs, folder: &Path) -> Vec<CheckLine> {
-    let budget = Budget::of(folder);
+fn machine(case: &Case, folder: &Path) -> Vec<CheckLine> {
+    let (size, budget) = (case.size(), Budget::of(folder));
+    let needs = Needs::with(case, &size);
     let of = |has: Option<u64>| has.map_or_else(String::new, |has| format!(" of {} MB", mb(has)));
     let mut rows = vec![
         ("memory", format!("about {} MB{}", mb(needs.memory), of(budget.memory))),
         ("disk", format!("about {} MB of tables{}", mb(needs.disk), of(budget.disk))),
     ];
-    if let Err(over) = budget.allows(*needs, 1, 1) {
+    if let Err(over) = budget.allows(needs, 1, 1) {
         rows.push(("too large", over.to_string()));
     }
+    rows.extend(long_step(step_seconds(case, &size), &size).map(|says| ("slow", says)));
     rows
 }
 

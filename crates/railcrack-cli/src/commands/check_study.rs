@@ -1,14 +1,45 @@
 //! `railcrack check` of a study.
 
 use railcrack::words::Choice;
-use railcrack_case::{Axis, RailKey, Study, StudyRun, Variation};
-use railcrack_run::machine::{Budget, Needs, mb};
+use railcrack_case::{Axis, KnownSizes, RailKey, RunSize, Study, StudyRun, Variation};
+use railcrack_run::machine::{Budget, Needs, long_step, mb, step_seconds};
 use serde_json::{Value, json};
 use std::collections::HashMap;
 use std::path::Path;
 
 /// Maximum number of runs listed individually.
 const MOST_LISTED: usize = 50;
+
+/// Maximum number of runs whose sizes are computed, spread evenly over the study.
+const MOST_SIZED: usize = 100;
+
+/// Needs of the runs of a study.
+struct StudyNeeds {
+    /// Disk of all runs, bytes.
+    disk: u64,
+    /// Remark on the slowest one; none where all are quick.
+    slow: Option<String>,
+}
+
+impl StudyNeeds {
+    fn of(study: &Study) -> Self {
+        let sizes = KnownSizes::default();
+        let every = study.runs.len().div_ceil(MOST_SIZED).max(1);
+        let (mut disk, mut count, mut slowest) = (0u128, 0, None::<(f64, RunSize)>);
+        for run in study.runs.iter().step_by(every) {
+            let size = sizes.size(&run.case);
+            disk += u128::from(Needs::with(&run.case, &size).disk);
+            count += 1;
+            let seconds = step_seconds(&run.case, &size);
+            if slowest.is_none_or(|(most, _)| seconds > most) {
+                slowest = Some((seconds, size));
+            }
+        }
+        let disk = disk * study.runs.len() as u128 / count.max(1);
+        let slow = slowest.and_then(|(seconds, size)| long_step(seconds, &size));
+        Self { disk: u64::try_from(disk).unwrap_or(u64::MAX), slow }
+    }
+}
 
 /// Summary of a study: the keys that vary, what the runs share, and the runs.
 pub fn study_summary(study: &Study, folder: &Path) -> String {
@@ -30,8 +61,7 @@ pub fn study_summary(study: &Study, folder: &Path) -> String {
             "memory"
         ));
     }
-    let needs = study.runs.iter().map(|run| Needs::of(&run.case).disk);
-    let disk = needs.fold(0u64, u64::saturating_add);
+    let StudyNeeds { disk, slow } = StudyNeeds::of(study);
     let budget = Budget::of(folder);
     let of = |has: Option<u64>| has.map_or_else(|| "unknown".to_owned(), |has| format!("{} MB", mb(has)));
     text.push_str(&format!("  {:<20} about {} MB of tables, all runs\n", "disk", mb(disk)));
@@ -41,6 +71,9 @@ pub fn study_summary(study: &Study, folder: &Path) -> String {
         of(budget.memory),
         of(budget.disk)
     ));
+    if let Some(says) = slow {
+        text.push_str(&format!("  {:<20} {says} (the slowest run)\n", "slow"));
+    }
     text.push_str("\nruns\n");
     for run in study.runs.iter().take(MOST_LISTED) {
         let StudyRun { number, label, case, .. } = run;
@@ -67,7 +100,7 @@ pub fn study_json(study: &Study) -> Value {
         .iter()
         .map(|run| json!({ "run": run.number, "values": run.label, "increments": run.case.growth.steps }))
         .collect();
-    let disk = study.runs.iter().map(|run| Needs::of(&run.case).disk).fold(0u64, u64::saturating_add);
+    let StudyNeeds { disk, .. } = StudyNeeds::of(study);
     json!({
         "exit": 0,
         "kind": "study",

@@ -5,13 +5,14 @@ use crate::exit::{Exit, Failure};
 use crate::input::{self, Set, default_folder};
 use crate::interruption::Interruption;
 use crate::json::Json;
+use crate::print;
 use crate::progress::{Progress, cycles};
 use clap::Args;
 use railcrack::words::Choice;
 use railcrack_case::Overrides;
 use railcrack_report::Pages;
 use railcrack_run::Summary;
-use railcrack_run::machine::{Budget, Needs};
+use railcrack_run::machine::{Budget, Needs, long_step, step_seconds};
 use railcrack_run::simulation::{Ending, Finished, RunEntry, RunError, Simulation};
 use serde_json::{Value, json};
 use std::num::NonZeroUsize;
@@ -120,8 +121,12 @@ pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<
     if entry != RunEntry::Resume && is_same_file(&arguments.case, &folder.join("case.toml")) {
         return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
     }
+    let size = case.size();
     if !arguments.no_limits {
-        Budget::of(&folder).allows(Needs::of(&case), 1, 1)?;
+        Budget::of(&folder).allows(Needs::with(&case, &size), 1, 1)?;
+    }
+    if let Some(says) = long_step(step_seconds(&case, &size), &size).filter(|_| !arguments.quiet) {
+        print::warning(&says);
     }
     let verbosity = if arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress };
     let progress = Progress::new(verbosity, case.growth.steps, interruption).with_axle_load(case.axle_load);

@@ -8,6 +8,7 @@ mod compare;
 mod documents;
 mod fluid;
 mod loads;
+mod long_runs;
 mod options;
 mod packed;
 mod paper;

@@ -6,6 +6,10 @@ use serde_json::Value;
 use std::fs;
 use std::io::Write;
 use std::process::Stdio;
+use std::time::{Duration, Instant};
+
+/// Time for a refusal, on a machine that is busy.
+const PATIENCE: Duration = Duration::from_secs(20);
 
 fn workplace(name: &str) -> std::path::PathBuf {
     let folder = common::folder("options", name);
@@ -118,7 +122,15 @@ fn the_line_of_an_error_is_shown_with_its_place() {
 #[test]
 fn a_table_is_shown_by_its_columns() {
     let folder = workplace("show");
-    let quick = ["--set", "growth.steps=1", "--set", "solver.engine=dislocation", "--quiet"];
+    let quick = [
+        "--set",
+        "growth.steps=1",
+        "--set",
+        "growth.increment=0.04",
+        "--set",
+        "solver.engine=dislocation",
+        "--quiet",
+    ];
     done(&folder, &[&["run", "case.toml", "--out", "run"], &quick[..]].concat());
     let told = done(&folder, &["show", "run", "--columns", "step,length_mm,stop"]);
     assert_eq!(told, "step  length_mm  stop\n   0          6\n   1       6.24  steps-done\n");
@@ -220,4 +232,71 @@ fn a_run_writes_what_its_case_asks_for() {
     assert!(stderr(&refused).contains("sif = \"none\""), "{}", stderr(&refused));
     done(&folder, &["compare", "ends", "whole", "--tolerance", "0"]);
     assert_eq!(done(&folder, &["verify", "least"]).lines().count(), 1);
+}
+
+/// A pipe without a writer and a device without end are refused at once, wherever a file is read.
+#[cfg(unix)]
+#[test]
+fn only_regular_files_are_read() {
+    let folder = common::folder("options", "regular-files");
+    let made = std::process::Command::new("mkfifo").arg(folder.join("pipe")).status().unwrap();
+    assert!(made.success());
+    let with = |name: &str, appended: &str| {
+        std::fs::write(folder.join(name), format!("{QUICK_CASE}{appended}")).unwrap();
+    };
+    with("traffic.toml", "[traffic]\naxle_load_t = 20.0\n");
+    with("study.toml", "[study]\n");
+    with("profile.toml", "[residual_stress]\nprofile = \"pipe\"\n");
+    with("field.toml", "[plastic_stress]\nfield = \"pipe\"\n");
+    std::fs::create_dir(folder.join("run")).unwrap();
+    std::os::unix::fs::symlink(folder.join("pipe"), folder.join("run/summary.json")).unwrap();
+    std::os::unix::fs::symlink("/dev/zero", folder.join("run/case.toml")).unwrap();
+    for (arguments, code) in [
+        (&["check", "pipe"][..], 2),
+        (&["check", "/dev/zero"], 2),
+        (&["run", "pipe"], 2),
+        (&["sweep", "pipe"], 2),
+        (&["check", "profile.toml"], 2),
+        (&["check", "field.toml"], 2),
+        (&["sweep", "study.toml", "--samples", "pipe"], 2),
+        (&["calibrate", "traffic.toml", "--measured", "pipe"], 2),
+        (&["calibrate", "traffic.toml", "--measured", "/dev/zero"], 2),
+        (&["report", "run"], 2),
+        (&["verify", "run"], 2),
+        (&["show", "run"], 2),
+    ] {
+        let mut child =
+            common::command(&folder, arguments).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+        let begun = Instant::now();
+        let ended = loop {
+            match child.try_wait().unwrap() {
+                None if begun.elapsed() < PATIENCE => std::thread::sleep(Duration::from_millis(20)),
+                ended => break ended,
+            }
+        };
+        if ended.is_none() {
+            child.kill().unwrap();
+        }
+        let output = child.wait_with_output().unwrap();
+        let said = common::stderr(&output);
+        assert_eq!(ended.and_then(|status| status.code()), Some(code), "{arguments:?}: {said}");
+    }
+}
+
+/// A larger file is refused, not cut.
+#[test]
+fn a_case_on_standard_input_has_the_limit_of_a_file() {
+    let folder = common::folder("options", "long-input");
+    let mut child = common::command(&folder, &["check", "-"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut input = child.stdin.take().unwrap();
+    // A valid case in its first 4 MB. The program may have ended before it has read all.
+    let _ = input.write_all(format!("{QUICK_CASE}\n{}", "# rest\n".repeat(1 << 20)).as_bytes());
+    drop(input);
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(4), "{}", common::stderr(&output));
 }

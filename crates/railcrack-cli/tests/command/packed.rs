@@ -1,6 +1,6 @@
 //! Studies without run folders: killed, resumed, in parts.
 
-use super::common::{self, command, done, ends, names, read, stderr};
+use super::common::{self, command, done, ends, names, read, stderr, stdout};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
@@ -120,4 +120,199 @@ fn a_packed_study_keeps_no_more_than_tables() {
     let started = Instant::now();
     assert_eq!(done(&folder, &["check", "study.toml", "--json"]).matches("\"run\":").count(), 60);
     assert!(started.elapsed() < Duration::from_secs(20));
+}
+
+/// Two parts of a study in the folder `mine`, the second one of another pressure, copied there by
+/// `copy`.
+fn with_runs_of_another_study(name: &str, study: &str, copy: impl Fn(&Path)) -> PathBuf {
+    let folder = common::folder("packed", name);
+    let few = study.replace("samples = 60", "samples = 4").replace("steps = 3", "steps = 1");
+    fs::write(folder.join("mine.toml"), &few).unwrap();
+    fs::write(folder.join("other.toml"), few.replace("845.0", "1000.0")).unwrap();
+    done(&folder, &["sweep", "mine.toml", "--shard", "1/2", "--quiet"]);
+    done(&folder, &["sweep", "other.toml", "--shard", "2/2", "--quiet"]);
+    // In the same folder, the other study is refused at once.
+    let refused = ends(&folder, &["sweep", "other.toml", "--out", "mine", "--shard", "2/2", "--quiet"], 2);
+    let says = "peak_pressure_mpa = 845.0\" there, \"peak_pressure_mpa = 1000.0\" now";
+    assert!(words(&stderr(&refused)).contains(says), "{}", stderr(&refused));
+    copy(&folder);
+    folder
+}
+
+/// A message without the breaks of its lines.
+fn words(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn packed_runs_of_another_study_are_refused() {
+    let folder = with_runs_of_another_study("foreign", STUDY, |folder| {
+        fs::copy(folder.join("other/packed-1.bin"), folder.join("mine/packed-2.bin")).unwrap();
+    });
+    let says = "mine/packed-2.bin: holds run 2 of another study";
+    let told = stdout(&ends(&folder, &["verify", "mine"], 4));
+    assert!(told.contains(&format!("damaged: {says}")), "{told}");
+    let said = words(&stderr(&ends(&folder, &["report", "mine"], 4)));
+    assert!(said.contains(says), "{said}");
+    // None of its numbers is in the tables.
+    let summary = folder.join("mine/summary.csv");
+    assert_eq!(
+        common::column(&summary, "state"),
+        ["done", "cannot-read-or-write", "done", "cannot-read-or-write"]
+    );
+    assert_eq!(common::column(&summary, "length_mm")[1], "");
+    let resume = ["sweep", "mine.toml", "--resume", "--quiet"];
+    let said = words(&stderr(&ends(&folder, &resume, 2)));
+    let says = "packed-2.bin holds run 2 of another study (line 13 of its case.toml is \"peak_pressure_mpa = 1000.0\", \
+                not \"peak_pressure_mpa = 845.0\"): take the file out of the folder";
+    assert!(said.contains(says), "{said}");
+    fs::remove_file(folder.join("mine/packed-2.bin")).unwrap();
+    assert!(done(&folder, &resume).starts_with("4 runs: 4 done\n"));
+    done(&folder, &["verify", "mine"]);
+
+    // A study that was changed itself is not taken for another one.
+    fs::copy(folder.join("other.toml"), folder.join("mine.toml")).unwrap();
+    let said = words(&stderr(&ends(&folder, &resume, 2)));
+    assert!(said.contains("resume with the case and options it was started with"), "{said}");
+}
+
+#[test]
+fn run_folders_of_another_study_are_refused() {
+    let (with_folders, _) = STUDY.split_once("[output]").unwrap();
+    let folder = with_runs_of_another_study("foreign-folders", with_folders, |folder| {
+        for run in ["002", "004"] {
+            let (from, to) = (folder.join("other/runs").join(run), folder.join("mine/runs").join(run));
+            fs::rename(from, to).unwrap();
+        }
+    });
+    let says = "002/case.toml: is not the case of run 2 of this study";
+    let told = stdout(&ends(&folder, &["verify", "mine"], 4));
+    assert!(told.contains(says), "{told}");
+    let said = words(&stderr(&ends(&folder, &["report", "mine"], 4)));
+    assert!(said.contains(says), "{said}");
+    assert_eq!(common::column(&folder.join("mine/summary.csv"), "length_mm")[1], "");
+    ends(&folder, &["sweep", "mine.toml", "--resume", "--quiet"], 2);
+}
+
+#[test]
+fn a_damaged_record_is_the_only_run_that_is_lost() {
+    let folder = workplace("record");
+    let line = ["sweep", "study.toml", "--quiet", "--steps", "1", "--out"];
+    done(&folder, &[&line[..], &["whole"]].concat());
+    let path = folder.join("whole/packed-1.bin");
+    let before = fs::read(&path).unwrap();
+    let summary = read(&folder.join("whole/summary.csv"));
+    for (part, named) in [(0, false), (3, true)] {
+        // The header of the first record, which names its run; or the middle of the file.
+        let at = if part == 0 { 9 } else { before.len() * part / 7 };
+        let mut turned = before.clone();
+        turned[at] ^= 1;
+        fs::write(&path, &turned).unwrap();
+        let told = stdout(&ends(&folder, &["verify", "whole"], 4));
+        assert_eq!(told.matches("damaged: whole/packed-1.bin: bytes ").count(), 1, "{told}");
+        assert_eq!(told.contains("(run "), named, "{told}");
+        ends(&folder, &["report", "whole"], 4);
+        let states = common::column(&folder.join("whole/summary.csv"), "state");
+        assert_eq!(states.iter().filter(|state| *state == "done").count(), 59, "{states:?}");
+        let lost = states.iter().find(|state| *state != "done").unwrap();
+        assert_eq!(lost, if named { "cannot-read-or-write" } else { "missing" });
+        assert!(fs::read(&path).unwrap() == turned, "nothing is cut");
+
+        let output = ends(&folder, &[&line[..], &["whole", "--resume"]].concat(), 0);
+        assert!(stdout(&output).starts_with("60 runs: 60 done\n"));
+        let said = words(&stderr(&output));
+        assert!(said.contains("do not hold what was written") && said.contains("computed again"), "{said}");
+        let file = fs::read(&path).unwrap();
+        let behind = before.len() * 6 / 7;
+        assert!(file[behind..before.len()] == before[behind..], "the records behind it stay");
+        done(&folder, &["verify", "whole"]);
+        assert_eq!(read(&folder.join("whole/summary.csv")), summary);
+        fs::write(&path, &before).unwrap();
+    }
+}
+
+#[test]
+fn every_file_of_a_study_is_verified() {
+    let folder = workplace("verified");
+    let few = STUDY.replace("samples = 60", "samples = 4").replace("steps = 3", "steps = 1");
+    fs::write(folder.join("study.toml"), &few).unwrap();
+    fs::write(folder.join("other.toml"), few.replace("845.0", "1000.0")).unwrap();
+    for study in ["study", "other"] {
+        done(&folder, &["sweep", &format!("{study}.toml"), "--quiet", "--out", &format!("{study}-out")]);
+    }
+    let out = folder.join("study-out");
+    assert!(done(&folder, &["verify", "study-out"]).ends_with("10 files are intact\n"));
+    let damaged = |file: &str, content: Option<&[u8]>| {
+        let before = fs::read(out.join(file)).unwrap();
+        match content {
+            Some(content) => fs::write(out.join(file), content).unwrap(),
+            None => fs::remove_file(out.join(file)).unwrap(),
+        }
+        let told = stdout(&ends(&folder, &["verify", "study-out"], 4));
+        assert!(told.contains(&format!("damaged: study-out/{file}: ")), "{file}: {told}");
+        fs::write(out.join(file), before).unwrap();
+    };
+    let tables = ["runs.parquet", "growth.parquet", "sif.parquet"];
+    for file in tables.into_iter().chain(["study.toml", "study.json", "summary.csv"]) {
+        let bytes = fs::read(out.join(file)).unwrap();
+        // A bit of every 30th part, so that pages, headers and footer have some.
+        for part in 0..30 {
+            let mut turned = bytes.clone();
+            turned[bytes.len() * part / 30] ^= 1 << (part % 8);
+            damaged(file, Some(&turned));
+        }
+        if file != "study.json" {
+            damaged(file, None);
+        }
+    }
+    for file in tables {
+        damaged(file, Some(&fs::read(folder.join("other-out").join(file)).unwrap()));
+    }
+    // Packed runs that are gone, although the table lists them as done.
+    fs::remove_file(out.join("packed-1.bin")).unwrap();
+    let told = stdout(&ends(&folder, &["verify", "study-out"], 4));
+    assert_eq!(told.matches("is not there, and summary.csv lists it as done").count(), 4, "{told}");
+    // While they are computed anew, nothing is listed that is gone.
+    done(&folder, &["sweep", "study.toml", "--quiet", "--out", "study-out", "--force", "--shard", "1/2"]);
+    let told = done(&folder, &["verify", "study-out"]);
+    assert_eq!(told.matches("has not begun").count(), 2, "{told}");
+}
+
+#[test]
+fn files_that_a_case_names_are_packed_and_verified() {
+    let folder = common::folder("packed", "inputs");
+    fs::write(
+        folder.join("contact.csv"),
+        "u_mm,p_mpa,q_mpa\n-6,0,0\n-3,600,60\n0,845,84.5\n3,600,60\n6,0,0\n",
+    )
+    .unwrap();
+    let (before, _) = STUDY.split_once("[study]").unwrap();
+    let (_, behind) = STUDY.split_once("[[crack]]").unwrap();
+    let behind = behind.replace("angle_deg = { normal = [30.0, 3.0] }", "angle_deg = [25.0, 30.0]");
+    let behind = behind.replace("friction = { choice = [[0.2, 1], [0.3, 2]] }", "friction = 0.2");
+    let study = format!("{before}[contact]\nkind = \"table\"\nprofile = \"contact.csv\"\n[[crack]]{behind}");
+    fs::write(folder.join("study.toml"), &study).unwrap();
+    fs::write(folder.join("folders.toml"), study.replace("run_folders = false", "run_folders = true"))
+        .unwrap();
+    for study in ["study", "folders"] {
+        done(&folder, &["sweep", &format!("{study}.toml"), "--steps", "1", "--quiet", "--out", study]);
+        done(&folder, &["verify", study]);
+        // The page of a run computes it again, from its case.
+        done(&folder, &["report", study, "--run", "2"]);
+        assert!(read(&folder.join(study).join("runs/002/inputs/contact-table")).contains("845"));
+    }
+    let path = folder.join("folders/runs/001/inputs/contact-table");
+    let table = read(&path);
+    fs::write(&path, table.replace("845", "945")).unwrap();
+    let told = stdout(&ends(&folder, &["verify", "folders"], 4));
+    assert!(told.contains("damaged: folders/runs/001/inputs/contact-table: "), "{told}");
+    fs::write(&path, table).unwrap();
+    // A run of the same case with another table is one of another study.
+    let other = read(&folder.join("contact.csv")).replace("845", "945");
+    fs::write(folder.join("contact.csv"), other).unwrap();
+    for study in ["study", "folders"] {
+        let line = ["sweep", &format!("{study}.toml"), "--steps", "1", "--quiet", "--out", study, "--resume"];
+        let said = words(&stderr(&ends(&folder, &line, 2)));
+        assert!(said.contains("contact-table differs"), "{said}");
+    }
 }

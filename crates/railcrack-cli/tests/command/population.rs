@@ -25,6 +25,7 @@ interface_elements = 8
 [growth]
 steps = 4
 increment = 0.05
+turning_length_mm = inf
 critical_length_mm = 4.6
 paris_c = { log-normal = [2e-9, 0.3] }
 [traffic]
@@ -50,8 +51,9 @@ fn samples_between_runs_are_log_normal_where_the_coefficient_is() {
     let population: Value = serde_json::from_str(&text).unwrap();
     let population = &population[0];
     assert_eq!((&population["runs"], &population["left_out"]), (&12.into(), &0.into()));
-    // The path does not depend on C: what is left is that 17 nodes describe it.
-    assert!(population["error"]["worst_percent"].as_f64().unwrap() < 0.2, "{population}");
+    // The path does not depend on C: what is left is that 17 nodes describe it, between the five
+    // steps of a run.
+    assert!(population["error"]["worst_percent"].as_f64().unwrap() < 0.6, "{population}");
 
     // N is inversely proportional to C: log-normal, with the root of 0.3² + 0.4². One run has the
     // median of the study's C to within what twelve samples leave.

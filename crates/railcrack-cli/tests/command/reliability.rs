@@ -156,6 +156,118 @@ fn a_run_of_another_process_is_left_to_it() {
     assert!(told.starts_with("2 runs: 2 done\n"), "{told}");
 }
 
+/// Every file below `folder` with its content.
+#[cfg(unix)]
+fn contents(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+    let mut found = Vec::new();
+    for name in common::names(folder) {
+        let path = folder.join(name);
+        match path.is_dir() {
+            true => found.extend(contents(&path)),
+            false => found.push((path.clone(), fs::read(&path).unwrap())),
+        }
+    }
+    found
+}
+
+/// Starts `line` where `link` leads to a file or a folder outside, which must stay as it is; the
+/// program ends with one of `codes`.
+#[cfg(unix)]
+#[track_caller]
+fn with_a_link(folder: &Path, link: &str, is_folder: bool, line: &[&str], codes: &[i32]) {
+    let (outside, place) = (folder.join("outside"), folder.join("out").join(link));
+    let _ = fs::remove_dir_all(folder.join("out"));
+    let _ = fs::remove_dir_all(&outside);
+    fs::create_dir_all(place.parent().unwrap()).unwrap();
+    fs::create_dir(&outside).unwrap();
+    fs::write(outside.join("file"), "theirs").unwrap();
+    // Files that would be replaced or removed, were the link followed.
+    for file in ["sif.csv", "ki.svg", "case.toml", "summary.json", "checkpoint.bin", "outcome.json"] {
+        fs::write(outside.join(file), "theirs").unwrap();
+    }
+    let target = if is_folder { outside.clone() } else { outside.join("file") };
+    std::os::unix::fs::symlink(target, &place).unwrap();
+    let before = contents(&outside);
+    let output = common::railcrack(folder, line);
+    let (code, said) = (output.status.code().unwrap_or(-1), stderr(&output));
+    assert!(codes.contains(&code), "{link}: {code}, {said}");
+    if code == 4 {
+        let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(said.contains("it is a link, and nothing is written through a link"), "{link}: {said}");
+    }
+    assert!(contents(&outside) == before, "{link}: what is outside was changed");
+}
+
+#[cfg(unix)]
+#[test]
+fn nothing_is_written_through_links() {
+    let folder = workplace("links");
+    let case = DISLOCATION_CASE.replace("steps = 2", "steps = 1");
+    fs::write(folder.join("case.toml"), &case).unwrap();
+    let run = ["run", "case.toml", "--out", "out", "--quiet", "--force"];
+    for file in ["run.lock", "case.toml.partial"] {
+        with_a_link(&folder, file, false, &run, &[4]);
+    }
+    // These are replaced, a link like a file.
+    let tables =
+        ["sif.csv", "growth.csv", "faces.csv", "run-log.bin", "sif.csv.partial", "checkpoint.bin.partial"];
+    let whole =
+        ["case.toml", "summary.json", "checkpoint.bin", "report.html", "plots/ki.svg", "plots/ki.png"];
+    for file in tables.into_iter().chain(whole) {
+        with_a_link(&folder, file, false, &run, &[0]);
+    }
+    for inner in ["plots", "fields", "inputs"] {
+        with_a_link(&folder, inner, true, &run, &[4]);
+    }
+    with_a_link(&folder, "shakedown", true, &run, &[4]);
+    with_a_link(&folder, "run.lock", false, &["shakedown", "case.toml", "--out", "out", "--quiet"], &[4]);
+
+    let study = case.replace("angle_deg = 40.0", "angle_deg = [30.0, 40.0]");
+    fs::write(folder.join("study.toml"), format!("{study}\n[output]\nrun_folders = false\n")).unwrap();
+    fs::write(folder.join("folders.toml"), &study).unwrap();
+    let force = ["--out", "out", "--quiet", "--force"];
+    for begin in [&["sweep", "study.toml"][..], &["sweep", "folders.toml"]] {
+        let line = [begin, &force].concat();
+        for inner in ["plots", "runs", "runs/001", "runs/002"] {
+            with_a_link(&folder, inner, true, &line, &[4]);
+        }
+        with_a_link(&folder, "runs/001/run.lock", false, &line, &[4]);
+        for file in
+            ["runs/001/sif.csv", "packed-1.bin", "study.json", "study.toml", "summary.csv", "runs.parquet"]
+        {
+            with_a_link(&folder, file, false, &line, &[0]);
+        }
+        // Without --force the link is in the way; in the first part of a study it stays what it is.
+        let part = [begin, &["--out", "out", "--quiet", "--shard", "1/2"]].concat();
+        with_a_link(&folder, "packed-1.bin", false, &part, &[2]);
+    }
+
+    // A run folder that a link brings into a study is read, and left alone.
+    let _ = fs::remove_dir_all(folder.join("out"));
+    done(&folder, &["sweep", "folders.toml", "--out", "out", "--quiet"]);
+    fs::rename(folder.join("out/runs/001"), folder.join("elsewhere")).unwrap();
+    std::os::unix::fs::symlink("../../elsewhere", folder.join("out/runs/001")).unwrap();
+    let before = contents(&folder.join("elsewhere"));
+    done(&folder, &["sweep", "folders.toml", "--out", "out", "--quiet", "--resume"]);
+    done(&folder, &["verify", "out"]);
+    ends(&folder, &["sweep", "folders.toml", "--out", "out", "--quiet", "--force"], 4);
+    ends(&folder, &["report", "out", "--run", "1"], 4);
+    assert!(contents(&folder.join("elsewhere")) == before);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_no_file_of_a_run() {
+    let folder = workplace("pipes");
+    for (file, code) in [("run.lock", 4), ("case.toml.partial", 4), ("sif.csv", 0)] {
+        fs::create_dir_all(folder.join("out")).unwrap();
+        assert!(Command::new("mkfifo").arg(folder.join("out").join(file)).status().unwrap().success());
+        // It does not wait for somebody who reads.
+        ends(&folder, &["run", "case.toml", "--out", "out", "--quiet", "--force", "--steps", "0"], code);
+        fs::remove_dir_all(folder.join("out")).unwrap();
+    }
+}
+
 #[test]
 fn a_case_larger_than_the_machine_is_refused() {
     let folder = workplace("budget");

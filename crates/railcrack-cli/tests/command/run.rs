@@ -76,6 +76,35 @@ fn a_killed_run_resumes_to_the_files_of_one_that_was_not() {
 }
 
 #[test]
+fn a_list_of_fields_that_is_gone_is_written_again() {
+    let folder = common::folder("run-command", "fields");
+    fs::write(folder.join("case.toml"), common::QUICK_CASE.replace("steps = 2", "steps = 1")).unwrap();
+    let line = ["run", "case.toml", "--out", "out", "--quiet"];
+    common::ends(&folder, &line, 0);
+    let list = folder.join("out/fields.pvd");
+    let before = fs::read(&list).unwrap();
+    for content in [None, Some("<VTKFile>")] {
+        match content {
+            None => fs::remove_file(&list).unwrap(),
+            Some(text) => fs::write(&list, text).unwrap(),
+        }
+        common::ends(&folder, &["verify", "out"], 4);
+        common::ends(&folder, &[&line[..], &["--resume"]].concat(), 0);
+        assert!(fs::read(&list).unwrap() == before);
+        common::ends(&folder, &["verify", "out"], 0);
+    }
+    // Also that of a run of a study, whose summary stands for all of its files.
+    let study = common::QUICK_CASE
+        .replace("steps = 2", "steps = 0")
+        .replace("friction = 0.3", "friction = [0.1, 0.3]");
+    fs::write(folder.join("study.toml"), study + "[output]\nfields = true\n").unwrap();
+    common::ends(&folder, &["sweep", "study.toml", "--out", "study", "--quiet"], 0);
+    fs::remove_file(folder.join("study/runs/002/fields.pvd")).unwrap();
+    let told = common::stdout(&common::ends(&folder, &["verify", "study"], 4));
+    assert!(told.contains("study/runs/002/fields.pvd: is not there"), "{told}");
+}
+
+#[test]
 fn threads_do_not_show_in_the_files() {
     let folder = workplace("threads");
     for threads in ["1", "2"] {
@@ -88,7 +117,7 @@ fn threads_do_not_show_in_the_files() {
 #[test]
 fn rows_of_every_step_tip_and_position() {
     let folder = workplace("rows");
-    let output = run(&folder, &["--out", "out", "--steps", "2"]);
+    let output = run(&folder, &["--out", "out", "--steps", "2", "--set", "growth.increment=0.04"]);
     assert_eq!(output.status.code(), Some(0));
     let told = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(told.lines().filter(|line| line.starts_with("step ")).count(), 3, "{told}");

@@ -161,7 +161,7 @@ fn goes_on(folder: &Path) {
 
 /// A row of two copies behind each other, and a crack beside them: its section crosses theirs.
 fn several() -> String {
-    CASE.replace("friction = 0.3\n", "friction = 0.3\ncount = 2\nspacing_mm = 3.0\n").replace(
+    CASE.replace("steps = 2", "steps = 2\nincrement = 0.04").replace("friction = 0.3\n", "friction = 0.3\ncount = 2\nspacing_mm = 3.0\n").replace(
         "[growth]",
         "[[crack]]\nmouth_mm = 3.5\nlength_mm = 2.0\nsurface_half_length_mm = 2.0\nangle_deg = 120.0\nfriction = 0.1\nlateral_mm = 8.0\n\n[growth]",
     )

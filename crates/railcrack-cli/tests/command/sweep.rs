@@ -352,6 +352,43 @@ fn refusals_write_nothing() {
 }
 
 #[test]
+fn a_study_replaces_no_file_of_the_user() {
+    let folder = workplace("mine", &STUDY);
+    let line = ["--steps", "0", "--out", "out"];
+    let plots = ["plots/ki.svg", "plots/kii.svg", "plots/paths.svg", "plots/length-cycles.svg"];
+    let files = ["study.toml", "summary.csv", "times.csv", "runs.parquet", "growth.parquet", "sif.parquet"];
+    let more = ["population.json", "packed-1.bin", "report.html", "study.json"];
+    for file in files.into_iter().chain(plots).chain(more) {
+        let path = folder.join("out").join(file);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(&path, "mine").unwrap();
+        for more in [&[][..], &["--shard", "1/2"], &["--resume"], &["--shard", "1/2", "--resume"]] {
+            let (code, _, err) = sweep(&folder, &[&line[..], more].concat());
+            let expected = if file == "study.json" { 4 } else { 2 };
+            assert_eq!(code, Some(expected), "{file} {more:?}: {err}");
+        }
+        let (_, _, err) = sweep(&folder, &line);
+        assert!(err.contains(file), "{err}");
+        assert_eq!(common::names(&folder.join("out")).len(), 1, "{file}: something was written");
+        assert_eq!(fs::read(&path).unwrap(), b"mine", "{file}");
+        fs::remove_dir_all(folder.join("out")).unwrap();
+    }
+    // Files that no study writes stay; what it replaces, it does with --force.
+    fs::create_dir_all(folder.join("out")).unwrap();
+    for file in ["notes.txt", "summary.csv"] {
+        fs::write(folder.join("out").join(file), "mine").unwrap();
+    }
+    assert_eq!(sweep(&folder, &[&line[..], &["--force"]].concat()).0, Some(0));
+    assert_eq!(fs::read(folder.join("out/notes.txt")).unwrap(), b"mine");
+    assert_eq!(column(&folder.join("out"), "state"), ["done"; 6]);
+    // The folder of the study file itself.
+    let own = folder.join("own");
+    fs::create_dir(&own).unwrap();
+    fs::write(own.join("study.toml"), &*STUDY).unwrap();
+    assert_eq!(sweep(&own, &["--steps", "0", "--out", "."]).0, Some(0));
+}
+
+#[test]
 fn no_name_in_a_file_leads_out_of_its_folder() {
     let folder = workplace("names", &STUDY);
     assert_eq!(sweep(&folder, &["--steps", "0"]).0, Some(0));

@@ -165,3 +165,54 @@ fn a_signal_ends_it_at_once() {
     assert_eq!(status.code(), Some(0));
     assert!(TcpStream::connect(&viewer.address).is_err(), "somebody still listens");
 }
+
+/// Clients that take a few bytes now and then keep neither others from their pages nor the program
+/// from its end, and what they are sent is not in memory.
+#[cfg(target_os = "linux")]
+#[test]
+fn slow_readers_keep_nobody_waiting() {
+    const CLIENTS: usize = 40;
+    const LARGE: usize = 40 << 20;
+    let place = folder("view", "slow");
+    std::fs::create_dir(place.join("run")).unwrap();
+    std::fs::write(place.join("run/large.bin"), vec![0; LARGE]).unwrap();
+    std::fs::write(place.join("run/note.txt"), "note").unwrap();
+    let mut viewer = Viewer::of(&place, "run");
+    let request = b"GET /large.bin HTTP/1.1\r\nHost: localhost\r\n\r\n";
+    let mut slow: Vec<TcpStream> = (0..CLIENTS)
+        .map(|_| {
+            let mut stream = TcpStream::connect(&viewer.address).unwrap();
+            stream.write_all(request).unwrap();
+            stream.set_nonblocking(true).unwrap();
+            stream
+        })
+        .collect();
+    let mut take = || {
+        let mut few = [0; 512];
+        // Some have been closed for others.
+        slow.iter_mut().for_each(|stream| drop(stream.read(&mut few)));
+    };
+    for _ in 0..10 {
+        take();
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    let begun = Instant::now();
+    assert_eq!(viewer.get("/note.txt"), (200, "note".to_owned()));
+    assert!(begun.elapsed() < Duration::from_secs(2), "{:?}", begun.elapsed());
+    let status = std::fs::read_to_string(format!("/proc/{}/status", viewer.child.id())).unwrap();
+    let memory = status.lines().find_map(|line| line.strip_prefix("VmRSS:")).unwrap();
+    let kilobytes: usize = memory.trim().trim_end_matches(" kB").parse().unwrap();
+    assert!(kilobytes < 100_000, "{kilobytes} kB");
+    let id = viewer.child.id().to_string();
+    assert!(std::process::Command::new("kill").args(["-INT", &id]).status().unwrap().success());
+    let begun = Instant::now();
+    let status = loop {
+        if let Some(status) = viewer.child.try_wait().unwrap() {
+            break status;
+        }
+        take();
+        assert!(begun.elapsed() < Duration::from_secs(4), "it goes on");
+        std::thread::sleep(Duration::from_millis(20));
+    };
+    assert_eq!(status.code(), Some(0));
+}

@@ -4,7 +4,9 @@ use super::charts::{Quantity, TableCurve};
 use super::tables::{DIGITISED, FigureTable};
 use crate::error::PaperError;
 use crate::figure::{FIGURES, Figure, parse_figures};
+use railcrack_report::put;
 use railcrack_run::OutputError;
+use railcrack_run::disk::inner_folder;
 use std::path::{Path, PathBuf};
 
 /// The folder of digitised curves in that of the results.
@@ -85,10 +87,8 @@ impl Overlay {
     ///
     /// Errors: the system refuses.
     pub(crate) fn keep(&self, folder: &Path) -> Result<(), OutputError> {
-        let path = Self::place(folder, self.figure);
-        let parent = folder.join(OVERLAYS);
-        std::fs::create_dir_all(&parent).map_err(OutputError::io("create", &parent))?;
-        std::fs::write(&path, &self.text).map_err(OutputError::io("write", &path))
+        inner_folder(folder, OVERLAYS)?;
+        put(&Self::place(folder, self.figure), &self.text)
     }
 }
 

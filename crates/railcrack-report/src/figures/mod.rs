@@ -25,6 +25,4 @@ pub(crate) use run::run_plots;
 pub(crate) use shakedown::shakedown_plots;
 pub(crate) use sif::far_chart;
 pub(crate) use space::space_plots;
-pub(crate) use study::{
-    MANY, STUDY_PLOTS, StudyRun, Styles, band_charts, stratified, study_charts, study_plots, values,
-};
+pub(crate) use study::{MANY, StudyRun, Styles, band_charts, stratified, study_charts, study_plots, values};

@@ -80,7 +80,7 @@ fn columns_are_those_of_the_contract() {
         ),
         (
             column_names::<TipRow>(&[]).join(","),
-            "step,crack,tip,tip_x_mm,tip_y_mm,length_mm,ki_max_mpa_sqrt_m,delta_ki_mpa_sqrt_m,delta_kii_mpa_sqrt_m,delta_keq_mpa_sqrt_m,kink_angle_deg,rival_angle_deg,rival_ratio,increment_mm,rate_mm_per_cycle,load_cycles,stop",
+            "step,crack,tip,tip_x_mm,tip_y_mm,length_mm,ki_max_mpa_sqrt_m,delta_ki_mpa_sqrt_m,delta_kii_mpa_sqrt_m,delta_keq_mpa_sqrt_m,kink_angle_deg,rival_angle_deg,rival_ratio,increment_mm,rate_mm_per_cycle,load_cycles,stop,turn_deg,jump,load_cycles_error",
         ),
         (
             column_names::<FaceRow>(&[]).join(","),
@@ -88,7 +88,7 @@ fn columns_are_those_of_the_contract() {
         ),
         (
             column_names::<TipRow>(&["traffic", "wheel", "wheel"])[17..].join(","),
-            "depth_mm,mgt,share_wheel_1,share_wheel_2",
+            "depth_mm,mgt,share_wheel_1,share_wheel_2,turn_deg,jump,load_cycles_error",
         ),
         (column_names::<SifRow>(&["wheel", "wheel"])[9..].join(","), "wheel"),
         (column_names::<ResidualRow>(&[]).join(","), "depth_mm,sxx_mpa,syy_mpa,szz_mpa,sxy_mpa"),

@@ -128,6 +128,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         faces: faces(size, &now, &xc),
         fields: step.is_multiple_of(2).then(|| fields(step)),
         load_cycles: cycles(step),
+        cycles_error: 0.0,
         removed: 0.0,
         dofs: 30_000 + step,
         counts: SolverCounts {
@@ -153,6 +154,8 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         step: step + 1,
         geometry: geometry(size, cracks(size, if is_last { step } else { step + 1 })),
         interval: None,
+        earlier: None,
+        course: Default::default(),
         worn: Default::default(),
         load_cycles: cycles(if is_last { step } else { step + 1 }),
         ended: record.stop,
@@ -167,6 +170,7 @@ fn geometry(size: Size, cracks: Vec<Crack>) -> Geometry {
         break_outs: Vec::new(),
         stopped: vec![vec![None]; size.cracks],
         deferred: vec![vec![DeferredGrowth::default()]; size.cracks],
+        courses: vec![vec![Default::default()]; size.cracks],
     })
 }
 

@@ -2,6 +2,7 @@
 
 use crate::disk::{Seal, changes};
 use crate::error::OutputError;
+use railcrack_case::open_regular;
 use std::fs::{File, OpenOptions};
 use std::io::{Seek, SeekFrom};
 use std::path::{Path, PathBuf};
@@ -40,7 +41,8 @@ impl CsvFile {
     fn open(path: &Path, seal: Seal) -> Result<Self, OutputError> {
         let refused = || OutputError::io("write", path);
         let mut options = OpenOptions::new();
-        let mut file = options.write(true).create(true).truncate(false).open(path).map_err(refused())?;
+        options.write(true).create(true).truncate(false);
+        let mut file = changes::open(path, &mut options).map_err(refused())?;
         changes::set_length(&file, path, seal.length).map_err(refused())?;
         file.seek(SeekFrom::Start(seal.length)).map_err(refused())?;
         Ok(Self { path: path.to_path_buf(), file, seal })
@@ -82,7 +84,7 @@ impl CsvFile {
 /// Errors: it does not; the system refuses.
 pub(crate) fn check_sealed(path: &Path, seal: Seal) -> Result<u64, OutputError> {
     let refused = || OutputError::io("read", path);
-    let file = File::open(path).map_err(refused())?;
+    let file = open_regular(path).map_err(refused())?;
     let length = file.metadata().map_err(refused())?.len();
     if length < seal.length {
         let reason = format!("holds {length} bytes where the finished steps wrote {}", seal.length);

@@ -1,7 +1,7 @@
 //! `growth.csv`: every tip at every step.
 
 use super::table;
-use railcrack::growth::{RunStop, StepRecord, TipRecord, WheelShares};
+use railcrack::growth::{Jump, RunStop, StepRecord, TipRecord, WheelShares};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::words::Choice;
 use serde::{Deserialize, Serialize};
@@ -90,6 +90,12 @@ table! {
         /// the ellipse follows the local rates; empty without growth and in the surface layer,
         /// which is not considered.
         followed: Option<f64> = "followed", with "space";
+        /// Turn of the path from this tip to the next, degrees; empty in space.
+        turn_deg: Option<f64> = "turn_deg";
+        /// Why the path kinks here instead of turning smoothly; else empty.
+        jump: Option<Jump> = "jump";
+        /// Estimated error of `load_cycles` by the increments.
+        cycles_error: f64 = "load_cycles_error";
     }
 }
 
@@ -100,6 +106,7 @@ impl TipRow {
             stop: tip.stop.map(RunStop::NoTipGrows).or(record.stop),
             mgt: axle_load.map(|tonnes| 1e-6 * tonnes * record.load_cycles),
             removed: Some(record.removed),
+            cycles_error: record.cycles_error,
             ..Self::of_tip(record.step, record.load_cycles, tip)
         })
     }
@@ -134,6 +141,9 @@ impl TipRow {
             wanted_kink_deg: tip.front().and_then(|front| front.wanted_kink).map(f64::to_degrees),
             wanted_ratio: tip.front().and_then(|front| front.wanted_ratio),
             followed: tip.front().and_then(|front| front.followed),
+            turn_deg: tip.plane().map(|plane| plane.turn.to_degrees()),
+            jump: tip.plane().and_then(|plane| plane.jump),
+            cycles_error: 0.0,
         }
     }
 
@@ -187,6 +197,9 @@ impl TipRow {
             wanted_kink_deg: None,
             wanted_ratio: None,
             followed: None,
+            turn_deg: None,
+            jump: None,
+            cycles_error: 0.0,
         }
     }
 }

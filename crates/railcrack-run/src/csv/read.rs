@@ -3,8 +3,8 @@
 use super::fields::Layout;
 use super::table::Table;
 use crate::error::OutputError;
+use railcrack_case::open_regular;
 use std::fmt;
-use std::fs::File;
 use std::io::{BufRead, BufReader, Cursor};
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -28,7 +28,7 @@ impl fmt::Debug for Lines {
 
 impl Lines {
     fn open<T: Table>(path: &Path) -> Result<Self, OutputError> {
-        let file = File::open(path).map_err(OutputError::io("read", path))?;
+        let file = open_regular(path).map_err(OutputError::io("read", path))?;
         Self::of::<T>(path, Box::new(BufReader::with_capacity(1 << 18, file)))
     }
 

@@ -7,7 +7,7 @@ use super::rows::Rows;
 use crate::disk::VERSION;
 use crate::error::OutputError;
 use railcrack::contact::FaceStatus;
-use railcrack::growth::{MOST_WHEELS, RunStop, WheelShares};
+use railcrack::growth::{Jump, MOST_WHEELS, RunStop, WheelShares};
 use railcrack::math::Stress;
 use railcrack::shakedown::PlasticStrain;
 use railcrack::words::Choice;
@@ -169,7 +169,7 @@ macro_rules! words {
     )+};
 }
 
-words!(FaceStatus, RunStop);
+words!(FaceStatus, RunStop, Jump);
 
 /// Empty where there is none.
 impl<T: Cell> Cell for Option<T> {

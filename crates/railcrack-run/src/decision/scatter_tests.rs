@@ -115,7 +115,8 @@ fn a_brittle_rail_breaks_before_the_critical_depth() {
 fn wear_makes_the_way_longer_and_may_take_the_crack_away() {
     let path = path();
     let at = |wear: f64, scatter: Scatter| {
-        let plan = MaintenancePlan { wear, grinding: None, stress: StressMoves::WithMetal };
+        let plan =
+            MaintenancePlan { wear, grinding: None, first_grinding: None, stress: StressMoves::WithMetal };
         sampled(Sampling { maintenance: Some(&plan), ..idle(&path, &scatter) })
     };
     let still = Scatter { c_log_std: 0.0, samples: 100, ..scatter() };

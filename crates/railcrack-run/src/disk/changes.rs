@@ -1,8 +1,9 @@
 //! The disk: every change that a run makes to its files goes through here, so that tests can make
 //! any of them fail.
 
-use std::fs::{self, File};
-use std::io::{Result, Write};
+use super::inner::is_a_link;
+use std::fs::{self, File, OpenOptions};
+use std::io::{Error, Result, Write};
 use std::path::Path;
 
 #[cfg(test)]
@@ -21,7 +22,29 @@ mod faults {
 /// An empty file at `path`.
 pub(crate) fn create(path: &Path) -> Result<File> {
     faults::at(path, &[]).1?;
-    File::create(path)
+    open(path, OpenOptions::new().write(true).create(true).truncate(true))
+}
+
+/// The file at `path`, opened with `options`, none of which follows a link.
+///
+/// Errors: it is a link, or anything else than a file, such as a pipe, for which a program could
+/// wait for ever; the system refuses.
+pub(crate) fn open(path: &Path, options: &mut OpenOptions) -> Result<File> {
+    #[cfg(unix)]
+    {
+        use rustix::fs::OFlags;
+        use std::os::unix::fs::OpenOptionsExt;
+        options.custom_flags((OFlags::NOFOLLOW | OFlags::NONBLOCK).bits().cast_signed());
+    }
+    let is_link = || path.symlink_metadata().is_ok_and(|there| there.is_symlink());
+    if cfg!(not(unix)) && is_link() {
+        return Err(is_a_link());
+    }
+    let file = options.open(path).map_err(|reason| if is_link() { is_a_link() } else { reason })?;
+    if !file.metadata()?.is_file() {
+        return Err(Error::other("it is no file"));
+    }
+    Ok(file)
 }
 
 /// Writes all of `content` to `file`, which is that at `path`.

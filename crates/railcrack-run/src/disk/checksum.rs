@@ -2,11 +2,11 @@
 //! single changed byte is always found.
 
 use crate::error::OutputError;
+use railcrack_case::open_regular;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::fmt;
-use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -31,6 +31,16 @@ impl Checksum {
     pub(crate) fn with(self, bytes: &[u8]) -> Self {
         let add = |hash: u64, &byte: &u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
         Self(bytes.iter().fold(self.0, add))
+    }
+
+    /// The checksum that this number is.
+    pub(crate) fn of_number(number: u64) -> Self {
+        Self(number)
+    }
+
+    /// The checksum that `text` shows; none where it is not one.
+    pub(crate) fn of_text(text: &str) -> Option<Self> {
+        u64::from_str_radix(text, 16).ok().map(Self)
     }
 
     /// As bytes of a file, the lowest first.
@@ -75,7 +85,7 @@ impl Seal {
     /// Errors: the system refuses.
     pub(crate) fn of_file(path: &Path) -> Result<Self, OutputError> {
         let refused = || OutputError::io("read", path);
-        Self::read(File::open(path).map_err(refused())?, u64::MAX).map_err(refused())
+        Self::read(open_regular(path).map_err(refused())?, u64::MAX).map_err(refused())
     }
 
     /// The seal of all of `content`, or of its first `most` bytes.

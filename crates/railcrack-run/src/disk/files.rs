@@ -33,10 +33,28 @@ pub const REPORT_FILE: &str = "report.html";
 pub const PLOTS_FOLDER: &str = "plots";
 /// A comparison in numbers.
 pub const COMPARE_FILE: &str = "compare.json";
+/// Text of a study.
+pub(crate) const STUDY_FILE: &str = "study.toml";
+/// Folder of the run folders of a study.
+pub(crate) const RUNS_FOLDER: &str = "runs";
 /// Plan of a study.
 pub const PLAN_FILE: &str = "study.json";
 /// Samples between the runs of a study.
 pub const POPULATION_FILE: &str = "population.json";
+
+/// Table of a study with a row per run.
+pub(crate) const RUNS_TABLE: &str = "runs.parquet";
+/// Table of a study with a row per run, step and tip.
+pub(crate) const GROWTH_TABLE: &str = "growth.parquet";
+/// Table of a study with a row per run, step, tip and wheel position.
+pub(crate) const SIF_TABLE: &str = "sif.parquet";
+
+/// Tables of all runs of a study.
+pub(crate) const STUDY_TABLES: [&str; 6] =
+    ["summary.csv", "times.csv", RUNS_TABLE, GROWTH_TABLE, SIF_TABLE, POPULATION_FILE];
+
+/// Every plot that a study may have.
+pub const STUDY_PLOTS: [&str; 4] = ["ki.svg", "kii.svg", "paths.svg", "length-cycles.svg"];
 
 /// Every plot of a run or of a stabilised plastic state.
 pub(crate) const PLOT_FILES: [&str; 17] = [
@@ -61,7 +79,7 @@ pub(crate) const PLOT_FILES: [&str; 17] = [
 
 /// Files of a run other than `case.toml`, in the order in which a replaced run is removed: a run
 /// without its checkpoint counts as not started.
-pub(crate) const RUN_FILES: [&str; 19] = [
+pub(crate) const RUN_FILES: [&str; 22] = [
     CHECKPOINT_FILE,
     RUN_LOG_FILE,
     OUTCOME_FILE,
@@ -81,4 +99,7 @@ pub(crate) const RUN_FILES: [&str; 19] = [
     "inputs/initial-residual.csv",
     "inputs/plastic-stress.vtu",
     "inputs/plastic-stress.csv",
+    "inputs/contact-table",
+    "inputs/toughness.csv",
+    "inputs/rates.csv",
 ];

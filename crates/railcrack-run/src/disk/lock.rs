@@ -1,5 +1,6 @@
 //! The lock of a run folder: one process at a time computes in it.
 
+use super::changes;
 use crate::error::OutputError;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{Read, Write};
@@ -27,8 +28,8 @@ impl FolderLock {
         let refused = || OutputError::io("lock", &path);
         loop {
             let mut options = OpenOptions::new();
-            let options = options.read(true).write(true).create(true).truncate(false);
-            let mut file = options.open(&path).map_err(refused())?;
+            options.read(true).write(true).create(true).truncate(false);
+            let mut file = changes::open(&path, &mut options).map_err(refused())?;
             match file.try_lock() {
                 Ok(()) => {}
                 Err(TryLockError::WouldBlock) => {
@@ -56,9 +57,10 @@ impl FolderLock {
         }
     }
 
-    /// Whether another process has the lock of `folder`.
+    /// Whether another process has the lock of `folder`. Nothing is written.
     pub fn is_taken(folder: &Path) -> bool {
-        folder.join(LOCK_FILE).exists() && matches!(Self::take(folder), Err(OutputError::InUse { .. }))
+        let file = changes::open(&folder.join(LOCK_FILE), OpenOptions::new().read(true));
+        file.is_ok_and(|file| matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock)))
     }
 }
 

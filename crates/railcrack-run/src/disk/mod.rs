@@ -6,6 +6,7 @@ mod checksum;
 #[cfg(test)]
 pub(crate) mod faults;
 pub mod files;
+mod inner;
 mod json;
 mod lock;
 mod replace;
@@ -14,8 +15,10 @@ pub(crate) mod words;
 
 pub(crate) use checksum::{Checksum, Seal, checksums, is_signed, sign};
 pub use files::VERSION;
+pub use inner::inner_folder;
+pub(crate) use inner::own_folder;
 pub(crate) use json::{json_text, read_json, read_json_if_there, write_json};
 pub use lock::{FolderLock, LOCK_FILE};
 pub use replace::{Durability, read_if_there, replace_file};
-pub(crate) use replace::{PARTIAL, partial_of, remove};
+pub(crate) use replace::{PARTIAL, partial_of, read_file, remove};
 pub(crate) use stored_name::{check_inputs, check_stored_name};

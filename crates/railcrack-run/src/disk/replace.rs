@@ -2,8 +2,8 @@
 
 use super::changes;
 use crate::error::OutputError;
-use std::fs;
-use std::io::ErrorKind;
+use railcrack_case::open_regular;
+use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
 /// Ending of a file that is being written and not yet in place.
@@ -43,9 +43,20 @@ pub(crate) fn partial_of(path: &Path) -> PathBuf {
     PathBuf::from(name)
 }
 
+fn read(path: &Path) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    open_regular(path)?.read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// The content of a file.
+pub(crate) fn read_file(path: &Path) -> Result<Vec<u8>, OutputError> {
+    read(path).map_err(OutputError::io("read", path))
+}
+
 /// The content of a file; none where there is no such file.
 pub fn read_if_there(path: &Path) -> Result<Option<Vec<u8>>, OutputError> {
-    match fs::read(path) {
+    match read(path) {
         Ok(bytes) => Ok(Some(bytes)),
         Err(reason) if reason.kind() == ErrorKind::NotFound => Ok(None),
         Err(reason) => Err(OutputError::io("read", path)(reason)),

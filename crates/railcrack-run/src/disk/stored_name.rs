@@ -3,11 +3,13 @@
 use super::files::{CASE_FILE, INPUTS_FOLDER};
 use crate::error::OutputError;
 use std::path::Path;
-use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// The keys of `case.toml` that name a file.
-const FILE_KEYS: [(&str, &str); 4] = [
+/// The keys of `case.toml` that name a file, with the section or table that they stand in.
+const FILE_KEYS: [(&str, &str); 7] = [
+    ("contact", "profile"),
+    ("fracture", "profile"),
+    ("growth", "table_profile"),
     ("residual_stress", "profile"),
     ("plastic_stress", "field"),
     ("plastic_stress", "profile"),
@@ -26,17 +28,27 @@ pub(crate) fn check_stored_name(file: &Path, name: &str) -> Result<(), OutputErr
 /// Errors: any other. A text that is not TOML has no names; its reader says so.
 pub(crate) fn check_inputs(folder: &Path, case: &str) -> Result<(), OutputError> {
     let Ok(case) = DeTable::parse(case) else { return Ok(()) };
-    for (section, key) in FILE_KEYS {
-        let Some(DeValue::Table(section)) = case.get_ref().get(section).map(Spanned::get_ref) else {
-            continue;
-        };
-        let Some(DeValue::String(name)) = section.get(key).map(Spanned::get_ref) else { continue };
-        let within = name.strip_prefix(INPUTS_FOLDER).and_then(|name| name.strip_prefix('/'));
-        if !within.is_some_and(is_plain) {
-            return Err(leaves(&folder.join(CASE_FILE), name));
+    check_table(folder, "", case.get_ref())
+}
+
+fn check_table(folder: &Path, section: &str, table: &DeTable) -> Result<(), OutputError> {
+    table.iter().try_for_each(|(key, value)| check_value(folder, [section, key.get_ref()], value.get_ref()))
+}
+
+/// Checks the value of a key in a section; in lists of tables, such as those of wheels, there are
+/// sections too.
+fn check_value(folder: &Path, [section, key]: [&str; 2], value: &DeValue) -> Result<(), OutputError> {
+    match value {
+        DeValue::Table(table) => check_table(folder, key, table),
+        DeValue::Array(values) => {
+            values.iter().try_for_each(|value| check_value(folder, [section, key], value.get_ref()))
         }
+        DeValue::String(name) if FILE_KEYS.contains(&(section, key)) => {
+            let within = name.strip_prefix(INPUTS_FOLDER).and_then(|name| name.strip_prefix('/'));
+            if within.is_some_and(is_plain) { Ok(()) } else { Err(leaves(&folder.join(CASE_FILE), name)) }
+        }
+        _ => Ok(()),
     }
-    Ok(())
 }
 
 /// Whether `name` is a single component on every system, and neither this folder nor the one above.
@@ -72,6 +84,21 @@ mod tests {
             |name: &str| check_inputs(Path::new("run"), &format!("[residual_stress]\nprofile = {name:?}\n"));
         of("inputs/residual-stress.csv").unwrap();
         for bad in ["../x.csv", "x.csv", "inputs/../../x.csv", "/x.csv", "inputs/", "inputs"] {
+            assert!(of(bad).is_err(), "{bad}");
+        }
+        let of = |text: &str| check_inputs(Path::new("run"), text);
+        for good in
+            ["[fluid]\nprofile = \"linear\"", "[[wheel]]\ncontact = { profile = \"inputs/contact-table\" }"]
+        {
+            of(good).unwrap();
+        }
+        for bad in [
+            "[contact]\nprofile = \"../x.csv\"",
+            "[fracture]\nprofile = \"../x.csv\"",
+            "[growth]\ntable_profile = \"../x.csv\"",
+            "[[wheel]]\n[[wheel]]\ncontact = { profile = \"../x.csv\" }",
+            "[[wheel]]\n[wheel.contact]\nprofile = \"/x.csv\"",
+        ] {
             assert!(of(bad).is_err(), "{bad}");
         }
     }

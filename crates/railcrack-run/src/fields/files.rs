@@ -3,14 +3,13 @@
 use super::names::name;
 use super::space::space_grids;
 use crate::disk::files::FIELDS_FOLDER;
-use crate::disk::{Durability, Seal, replace_file};
+use crate::disk::{Durability, Seal, inner_folder, replace_file};
 use crate::error::OutputError;
 use railcrack::body::{Face, FieldGrid};
 use railcrack::growth::{FieldSnapshot, StepRecord};
 use railcrack::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
 use railcrack_vtu::{Snapshot, VtuError, pvd_text, vtu_text};
 use serde::{Deserialize, Serialize};
-use std::fs;
 use std::path::Path;
 
 /// A field file in the list of them.
@@ -52,8 +51,7 @@ pub(crate) fn write_fields(
     if record.fields.is_some()
         || record.faces.across.as_ref().is_some_and(|across| !across.written.is_empty())
     {
-        let directory = folder.join(FIELDS_FOLDER);
-        fs::create_dir_all(&directory).map_err(OutputError::io("create", &directory))?;
+        inner_folder(folder, FIELDS_FOLDER)?;
     }
     let positions = record.passages.last().map_or(1, |passage| passage.xc.len());
     let write = |(position, file, grid): (usize, String, UnstructuredGrid)| {

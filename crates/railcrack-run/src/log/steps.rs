@@ -15,6 +15,8 @@ use serde::{Deserialize, Serialize};
 pub(crate) struct StepDigest {
     pub step: usize,
     pub load_cycles: f64,
+    /// Their estimated error by the increments.
+    pub cycles_error: f64,
     /// Removed of the running surface so far, mm.
     pub removed: f64,
     pub tips: Vec<TipRecord>,
@@ -105,6 +107,7 @@ impl RunLog {
         self.steps.push(StepDigest {
             step: record.step,
             load_cycles: record.load_cycles,
+            cycles_error: record.cycles_error,
             removed: record.removed,
             tips: record.tips.clone(),
             largest_k1_at: largest_k1_at(record),

@@ -1,6 +1,6 @@
 //! Budget: requirements of a run, and resources of the machine and the disk.
 
-use railcrack_case::{Case, Kept};
+use railcrack_case::{Case, Kept, RunSize};
 use std::fs;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -21,7 +21,11 @@ pub struct Needs {
 impl Needs {
     /// The needs of the run of `case`.
     pub fn of(case: &Case) -> Self {
-        let size = case.size();
+        Self::with(case, &case.size())
+    }
+
+    /// The needs of the run of `case`, whose size is `size`.
+    pub fn with(case: &Case, size: &RunSize) -> Self {
         let count = |n: usize| u64::try_from(n).unwrap_or(u64::MAX);
         let positions = count(case.positions().len());
         let steps = count(case.growth.steps).saturating_add(1);

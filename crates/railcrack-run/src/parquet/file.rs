@@ -2,7 +2,7 @@
 
 use super::page::{ColumnKind, Values, ZSTD};
 use super::thrift::Struct;
-use crate::disk::VERSION;
+use crate::disk::{Checksum, VERSION};
 
 const MAGIC: &[u8] = b"PAR1";
 /// Rows of a group.
@@ -11,6 +11,11 @@ const GROUP: usize = 1 << 18;
 const OPTIONAL: i32 = 1;
 /// Text of a binary column.
 const UTF8: i32 = 0;
+/// Keys of the footer: the study of the table, and the checksum of the file with zeros for its own
+/// digits.
+const STUDY: &str = "railcrack.study";
+const CHECKSUM: &str = "railcrack.checksum";
+const NO_DIGITS: &str = "0000000000000000";
 
 /// A file under construction.
 #[derive(Debug)]
@@ -69,8 +74,8 @@ impl ParquetFile {
         self.rows += rows;
     }
 
-    /// The file.
-    pub(crate) fn finish(mut self) -> Vec<u8> {
+    /// The file, a table of the study with the checksum `study`.
+    pub(crate) fn finish(mut self, study: &str) -> Vec<u8> {
         self.end_group();
         let column = |(name, kind): &(String, ColumnKind)| {
             let element = Struct::default().i32(1, kind.physical()).i32(3, OPTIONAL).text(4, name);
@@ -83,12 +88,47 @@ impl ParquetFile {
             .structs(2, schema)
             .i64(3, self.rows as i64)
             .structs(4, self.groups)
+            .structs(5, [(STUDY, study), (CHECKSUM, NO_DIGITS)].map(entry).into())
             .text(6, &format!("railcrack {VERSION}"))
             .end();
         self.bytes.extend(&footer);
         self.bytes.extend((footer.len() as u32).to_le_bytes());
         self.bytes.extend(MAGIC);
+        let sum = Checksum::of(&self.bytes).to_string();
+        if let Some(at) = digits_at(&self.bytes) {
+            self.bytes[at..at + NO_DIGITS.len()].copy_from_slice(sum.as_bytes());
+        }
         self.bytes
+    }
+}
+
+fn entry((key, value): (&str, &str)) -> Struct {
+    Struct::default().text(1, key).text(2, value)
+}
+
+/// The place of the digits of the checksum in `file`.
+fn digits_at(file: &[u8]) -> Option<usize> {
+    let before = entry((CHECKSUM, NO_DIGITS)).end();
+    // Without the digits and the mark of the end.
+    let before = &before[..before.len() - NO_DIGITS.len() - 1];
+    let at = file.windows(before.len()).rposition(|bytes| bytes == before)? + before.len();
+    (at + NO_DIGITS.len() <= file.len()).then_some(at)
+}
+
+/// Whether `file` holds what was written, a table of the study with the checksum `study`; if not,
+/// why.
+pub(crate) fn check(file: &[u8], study: &str) -> Result<(), &'static str> {
+    let at = digits_at(file).ok_or("has no checksum of its content")?;
+    let (before, rest) = file.split_at(at);
+    let (digits, behind) = rest.split_at(NO_DIGITS.len());
+    let sum = Checksum::of(before).with(NO_DIGITS.as_bytes()).with(behind);
+    if sum.to_string().as_bytes() != digits {
+        return Err("does not hold what was written (checksum)");
+    }
+    let own = entry((STUDY, study)).end();
+    match file.windows(own.len()).any(|bytes| bytes == own) {
+        true => Ok(()),
+        false => Err("is a table of another study"),
     }
 }
 
@@ -110,7 +150,21 @@ mod tests {
             let word = if i % 3 == 0 { "" } else { "arrest, \u{e9}" };
             file.row([run.as_str(), if i % 7 == 0 { "" } else { &friction }, word].into_iter());
         }
-        file.finish()
+        file.finish("abc")
+    }
+
+    #[test]
+    fn every_turned_bit_is_found() {
+        let mut file = ParquetFile::new(vec![("run".to_owned(), ColumnKind::Integer)]);
+        (0..9).for_each(|run| file.row([run.to_string().as_str()].into_iter()));
+        let file = file.finish("abc");
+        assert_eq!(check(&file, "abc"), Ok(()));
+        assert_eq!(check(&file, "abd"), Err("is a table of another study"));
+        for at in 0..8 * file.len() {
+            let mut turned = file.clone();
+            turned[at / 8] ^= 1 << (at % 8);
+            assert!(check(&turned, "abc").is_err(), "bit {at}");
+        }
     }
 
     #[test]
@@ -127,12 +181,19 @@ mod tests {
     fn arrow_reads_every_value() {
         let python = std::env::var("RAILCRACK_PYTHON").expect("RAILCRACK_PYTHON");
         let script = "import sys, io, math, pyarrow.parquet as q\n\
-            t = q.read_table(io.BytesIO(sys.stdin.buffer.read())).to_pydict()\n\
+            b = sys.stdin.buffer.read()\n\
+            read = lambda b: q.read_table(io.BytesIO(b), page_checksum_verification=True)\n\
+            assert q.read_metadata(io.BytesIO(b)).metadata[b'railcrack.study'] == b'abc'\n\
+            t = read(b).to_pydict()\n\
             assert t['run'] == list(range(300000)), 'run'\n\
             f = t['contact.friction']\n\
             assert all((v is None) == (i % 7 == 0) for i, v in enumerate(f)), 'missing'\n\
             assert all(v is None or abs(v - 0.1 - math.sin(i)) < 1e-15 for i, v in enumerate(f)), 'numbers'\n\
-            assert t['crack[1].stop'] == [None if i % 3 == 0 else 'arrest, \u{e9}' for i in range(300000)], 'words'\n";
+            assert t['crack[1].stop'] == [None if i % 3 == 0 else 'arrest, \u{e9}' for i in range(300000)], 'words'\n\
+            c = bytearray(b); c[len(c) // 2] ^= 1\n\
+            try: read(bytes(c))\n\
+            except OSError as e: assert 'CRC' in str(e), e\n\
+            else: assert False, 'a page with a turned bit is read'\n";
         let mut child = Command::new(python).args(["-c", script]).stdin(Stdio::piped()).spawn().unwrap();
         child.stdin.take().unwrap().write_all(&sample()).unwrap();
         assert!(child.wait().unwrap().success());

@@ -2,8 +2,8 @@
 
 use super::case_files::CaseFiles;
 use super::clear::{clear_results, clear_rolled, run_file_in};
-use crate::disk::files::{CASE_FILE, CHECKPOINT_FILE, ROLLED_FOLDER, SUMMARY_FILE};
-use crate::disk::{Durability, remove, replace_file};
+use crate::disk::files::{CASE_FILE, CHECKPOINT_FILE, SUMMARY_FILE};
+use crate::disk::{Durability, inner_folder, remove, replace_file};
 use crate::error::OutputError;
 use std::fs;
 use std::io::ErrorKind;
@@ -41,7 +41,7 @@ pub(crate) fn begin(folder: &Path, case: &CaseFiles, existing: Existing) -> Resu
     replace_file(&folder.join(CASE_FILE), case.toml.as_bytes(), Durability::Synced)?;
     if existing == Existing::Replace {
         clear_results(folder)?;
-        clear_rolled(&folder.join(ROLLED_FOLDER))?;
+        clear_rolled(folder)?;
     }
     write_companions(folder, case)
 }
@@ -54,11 +54,10 @@ pub(crate) fn restore_case(folder: &Path, case: &CaseFiles) -> Result<(), Output
 
 fn write_companions(folder: &Path, case: &CaseFiles) -> Result<(), OutputError> {
     for (name, text) in &case.companions {
-        let path = folder.join(name);
-        if let Some(parent) = path.parent() {
-            fs::create_dir_all(parent).map_err(OutputError::io("create", parent))?;
+        if let Some((inner, _)) = name.rsplit_once('/') {
+            inner_folder(folder, inner)?;
         }
-        replace_file(&path, text.as_bytes(), Durability::Cached)?;
+        replace_file(&folder.join(name), text.as_bytes(), Durability::Cached)?;
     }
     Ok(())
 }

@@ -1,8 +1,10 @@
 //! The case of a run as files, and whether two runs have the same.
 
-use crate::disk::files::CASE_FILE;
+use crate::disk::files::{CASE_FILE, INPUTS_FOLDER, RUN_FILES};
+use crate::disk::{Checksum, read_if_there};
 use crate::error::OutputError;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// The text of `case.toml` and the files that it names.
@@ -13,6 +15,49 @@ pub struct CaseFiles {
     /// Name in the run folder (`inputs/residual-stress.csv`) and text of each file that the case
     /// names.
     pub companions: Vec<(String, String)>,
+}
+
+/// The names of the files that a case may name, in a run folder.
+pub(crate) fn input_files() -> impl Iterator<Item = &'static str> {
+    RUN_FILES.into_iter().filter(|file| file.starts_with(INPUTS_FOLDER))
+}
+
+impl CaseFiles {
+    /// The case of the run in `folder`; none where no `case.toml` stands there.
+    ///
+    /// Errors: a file is not text; the system refuses.
+    pub(crate) fn stored(folder: &Path) -> Result<Option<Self>, OutputError> {
+        let text = |file: &str| {
+            let path = folder.join(file);
+            let text = read_if_there(&path)?.map(String::from_utf8).transpose();
+            text.map_err(|_| OutputError::damaged(&path, "is not UTF-8 text"))
+        };
+        let Some(toml) = text(CASE_FILE)? else { return Ok(None) };
+        let mut companions = Vec::new();
+        for name in input_files() {
+            companions.extend(text(name)?.map(|text| (name.to_owned(), text)));
+        }
+        Ok(Some(Self { toml, companions }))
+    }
+
+    /// The case among the `files` of a packed run.
+    pub(crate) fn packed(files: &BTreeMap<String, String>) -> Self {
+        let text = |name: &str| files.get(name).cloned();
+        Self {
+            toml: text(CASE_FILE).unwrap_or_default(),
+            companions: input_files().filter_map(|name| Some((name.to_owned(), text(name)?))).collect(),
+        }
+    }
+
+    /// The checksum of the case and of the files that it names, in any order.
+    pub(crate) fn checksum(&self) -> Checksum {
+        let mut companions: Vec<_> = self.companions.iter().collect();
+        companions.sort();
+        let texts = companions.into_iter().flat_map(|(name, text)| [name, text]);
+        // Between texts, a byte that none of them has.
+        let with = |sum: Checksum, text: &String| sum.with(&[0]).with(text.as_bytes());
+        texts.fold(Checksum::of(self.toml.as_bytes()), with)
+    }
 }
 
 /// Whether the case `stored` of the run in `folder` is `given`.

@@ -15,7 +15,7 @@ use std::path::Path;
 const MAGIC: [u8; 8] = *b"RAILCRCK";
 
 /// Raised whenever the layout of [`Checkpoint`] or of what it holds changes.
-const FORMAT: u32 = 12;
+const FORMAT: u32 = 13;
 
 /// Magic, format, checksum.
 const HEADER: usize = 8 + 4 + 8;
@@ -159,6 +159,16 @@ impl Checkpoint {
         }
         Ok(Some(checkpoint))
     }
+}
+
+/// Reads `input` as the content of a checkpoint in `folder` and as an entry of the run log, behind
+/// their checksums.
+#[cfg(fuzzing)]
+pub fn fuzz_checkpoint(folder: &Path, input: &[u8]) {
+    let header = [&MAGIC[..], &FORMAT.to_le_bytes(), &Checksum::of(input).to_bytes()].concat();
+    std::fs::write(folder.join(CHECKPOINT_FILE), [&header, input].concat()).expect("a file");
+    let _ = Checkpoint::read(folder);
+    let _ = postcard::from_bytes::<StepDigest>(input);
 }
 
 fn little_endian(bytes: &[u8]) -> u64 {

@@ -4,7 +4,7 @@ use crate::disk::files::{
     CASE_FILE, CHECKPOINT_FILE, FIELDS_FOLDER, INPUTS_FOLDER, PLOT_FILES, PLOTS_FOLDER, REPORT_FILE,
     ROLLED_FOLDER, RUN_FILES, SUMMARY_FILE,
 };
-use crate::disk::{FolderLock, LOCK_FILE, PARTIAL, partial_of, remove};
+use crate::disk::{FolderLock, LOCK_FILE, PARTIAL, own_folder, partial_of, remove};
 use crate::error::OutputError;
 use crate::fields::is_field_file;
 use std::fs;
@@ -13,28 +13,32 @@ use std::path::Path;
 
 /// Removes every result of a run and its inputs, and their folders where nothing else is in them.
 pub(super) fn clear_results(folder: &Path) -> Result<(), OutputError> {
+    // Nothing is removed through links.
+    let [plots, fields, inputs] =
+        [PLOTS_FOLDER, FIELDS_FOLDER, INPUTS_FOLDER].map(|inner| own_folder(folder, inner));
+    let (plots, fields, inputs) = (plots?, fields?, inputs?);
     for file in RUN_FILES {
         remove(&folder.join(file))?;
         remove(&partial_of(&folder.join(file)))?;
     }
-    let plots = folder.join(PLOTS_FOLDER);
     for file in PLOT_FILES.map(|file| plots.join(file)) {
         remove(&file)?;
         remove(&partial_of(&file))?;
         // Drawn from it by `railcrack report --png`.
         remove(&file.with_extension("png"))?;
     }
-    let fields = folder.join(FIELDS_FOLDER);
     clear_fields(&fields)?;
-    for emptied in [plots, fields, folder.join(INPUTS_FOLDER)] {
+    for emptied in [plots, fields, inputs] {
         // Refused if the folder contains files of the user or does not exist: both are fine.
         let _ = fs::remove_dir(emptied);
     }
     Ok(())
 }
 
-/// Removes the stage that computed the plastic state, unless the folder holds a run of the user.
+/// Removes the stage that computed the plastic state of the run in `folder`, unless its place holds
+/// a run of the user.
 pub(super) fn clear_rolled(folder: &Path) -> Result<(), OutputError> {
+    let folder = &own_folder(folder, ROLLED_FOLDER)?;
     if !folder.join(CASE_FILE).exists() {
         return Ok(());
     }
@@ -73,7 +77,7 @@ pub(crate) fn clear_run(folder: &Path) -> Result<(), OutputError> {
     remove(&folder.join(SUMMARY_FILE))?;
     remove(&folder.join(CHECKPOINT_FILE))?;
     clear_results(folder)?;
-    clear_rolled(&folder.join(ROLLED_FOLDER))?;
+    clear_rolled(folder)?;
     for file in [folder.join(CASE_FILE), partial_of(&folder.join(CASE_FILE))] {
         remove(&file)?;
     }

@@ -7,7 +7,7 @@ use crate::disk::files::{
     CASE_FILE, FIELDS_FILE, FIELDS_FOLDER, OUTCOME_FILE, ROLLED_FOLDER, RUN_FILES, SHAKEDOWN_FILE,
     SUMMARY_FILE,
 };
-use crate::disk::{Seal, check_stored_name, is_signed, read_if_there};
+use crate::disk::{Seal, check_stored_name, is_signed, read_file, read_if_there};
 use crate::error::OutputError;
 use crate::fields::collection;
 use serde_json::Value;
@@ -81,7 +81,7 @@ impl Verification {
     /// A JSON document with a checksum of its own; none where it cannot be read.
     pub(crate) fn document(&mut self, folder: &Path, file: &str) -> Result<Option<Value>, OutputError> {
         let path = folder.join(file);
-        let text = std::fs::read(&path).map_err(OutputError::io("read", &path))?;
+        let text = read_file(&path)?;
         let document: Value = match serde_json::from_slice(&text) {
             Ok(document) => document,
             Err(reason) => {
@@ -165,7 +165,7 @@ impl Verification {
     /// The files of which the summary has the checksums.
     fn closed(&mut self, folder: &Path, extent: Extent) -> Result<(), OutputError> {
         let path = folder.join(SUMMARY_FILE);
-        let text = std::fs::read(&path).map_err(OutputError::io("read", &path))?;
+        let text = read_file(&path)?;
         let summary: Value = serde_json::from_slice(&text)
             .map_err(|reason| OutputError::damaged(&path, reason.to_string()))?;
         for (name, sum) in summary.get("checksums").and_then(Value::as_object).into_iter().flatten() {

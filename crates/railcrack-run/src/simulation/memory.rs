@@ -7,8 +7,8 @@ use super::recorder::Recorder;
 use super::residual_stress::Residual;
 use super::run::Simulation;
 use crate::csv::{FaceRow, ResidualRow, SifRow, SifScale, TipRow};
-use crate::disk::FolderLock;
 use crate::disk::files::ROLLED_FOLDER;
+use crate::disk::{FolderLock, inner_folder};
 use crate::error::OutputError;
 use crate::log::{RunInfo, RunLog};
 use crate::machine::peak_memory_mb;
@@ -162,7 +162,7 @@ impl RunInMemory {
         let info = RunInfo { output, ..info };
         let mut recorder = Recorder::start(folder, case, info, existing, presentation)?;
         if let Some(rolled) = &self.rolled {
-            copy_folder(rolled, &folder.join(ROLLED_FOLDER))?;
+            copy_folder(rolled, &inner_folder(folder, ROLLED_FOLDER)?)?;
         }
         if let Some(residual) = &self.residual {
             recorder.residual(&residual.rows, residual.summary.clone())?;

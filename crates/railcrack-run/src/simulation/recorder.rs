@@ -92,6 +92,10 @@ impl Recorder {
             return Ok((Self::from_the_beginning(folder, &case, info, presentation)?, None));
         }
         restore_case(folder, &case)?;
+        if log.fields().next().is_some() {
+            // A list that is gone, or that has fields of a step that a kill has cut.
+            write_collection(&folder.join(FIELDS_FILE), log.fields(), Durability::Cached)?;
+        }
         let seals = checkpoint.seals;
         let sections = info.sections();
         let counted = Instant::now();

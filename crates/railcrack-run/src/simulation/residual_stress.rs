@@ -7,6 +7,7 @@ use super::recorder::Recorder;
 use super::rolling::{pass_text, roll};
 use crate::csv::ResidualRow;
 use crate::disk::files::{PLASTIC_FILE, ROLLED_FOLDER, SHAKEDOWN_FILE};
+use crate::disk::own_folder;
 use crate::error::OutputError;
 use crate::log::{PlasticOrigin, ProjectionSummary, ReleaseSummary, ResidualSummary, RolledSummary};
 use crate::run_folder::Existing;
@@ -114,7 +115,7 @@ fn rows(case: &Case, carried: &CarriedStress) -> Option<Vec<ResidualRow>> {
 /// The stabilised state of the rail, in a folder of its own: computed, or taken from there by a run
 /// that goes on.
 fn rolled_state(case: &Case, stage: &Stage) -> Result<(PlasticField, ShakedownSummary), RunError> {
-    let folder = stage.folder.join(ROLLED_FOLDER);
+    let folder = own_folder(stage.folder, ROLLED_FOLDER)?;
     let asked = || stage.observer.interrupted();
     let stored = match stage.state {
         Some(_) => stored(&folder),

@@ -123,7 +123,7 @@ impl StudyComputation<'_> {
             Some(_) => simulation.sampled_by_its_study(),
             None => simulation,
         };
-        let finished = simulation.run_in(&self.folder.run_folder(planned), RunEntry::ResumeOrBegin)?;
+        let finished = simulation.run_in(&self.folder.own_run_folder(planned)?, RunEntry::ResumeOrBegin)?;
         Ok((finished.ending, finished.summary))
     }
 }
@@ -206,6 +206,8 @@ pub fn study_plan(study: &Study, options: Vec<String>) -> StudyPlan {
         number: run.number,
         folder: run.folder.clone(),
         choice: run.choice.clone(),
+        // Of the files of the case, with which the folder is entered.
+        case: None,
     };
     StudyPlan {
         version: VERSION.to_owned(),
@@ -214,6 +216,8 @@ pub fn study_plan(study: &Study, options: Vec<String>) -> StudyPlan {
         axes: study.axes.iter().map(axis).collect(),
         colour_axis: study.colour_axis,
         run_folders: study.keeping == Keeping::Folders,
+        // Of the text with which the folder is entered.
+        text: None,
         options,
         population: PopulationPlan::of(study),
         runs: study.runs.iter().map(run).collect(),

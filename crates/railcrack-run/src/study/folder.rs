@@ -1,27 +1,24 @@
 //! The folder of a study: entered by one process or by several at once.
 
-use super::csv_text::stabilised;
-use super::packed::{PackWriter, PackedRuns, packed_files};
+use super::difference::{other_case, other_text};
+use super::packed::{PackWriter, PackedRuns, packed_files, void_damages};
 use super::plan::{PlannedRun, StudyPlan};
-use crate::csv::{SifRow, Table};
 use crate::disk::files::{
-    CASE_FILE, CHECKPOINT_FILE, OUTCOME_FILE, PLAN_FILE, REPORT_FILE, RUN_FILES, RUN_LOG_FILE, SUMMARY_FILE,
+    CASE_FILE, CHECKPOINT_FILE, OUTCOME_FILE, PLAN_FILE, PLOTS_FOLDER, RUN_LOG_FILE, RUNS_FOLDER, STUDY_FILE,
+    STUDY_PLOTS, STUDY_TABLES,
 };
 use crate::disk::{
-    FolderLock, LOCK_FILE, check_stored_name, json_text, read_if_there, read_json, read_json_if_there, remove,
+    Checksum, FolderLock, LOCK_FILE, check_stored_name, inner_folder, json_text, own_folder, read_if_there,
+    read_json_if_there, remove,
 };
 use crate::error::OutputError;
-use crate::run_folder::{
-    CaseFiles, RunFiles, RunFolder, check_case, clear_run, run_file_in, run_file_in_study,
-};
-use crate::summary::{Outcome, RunEnd, Summary};
+use crate::run_folder::{CaseFiles, RunFolder, check_case, clear_run, run_file_in, run_file_in_study};
+use crate::summary::{Outcome, RunEnd};
 use std::collections::HashSet;
+use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::time::{SystemTime, UNIX_EPOCH};
-
-const STUDY_FILE: &str = "study.toml";
-const RUNS_FOLDER: &str = "runs";
 
 /// How a process enters the folder of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,7 +44,9 @@ pub struct StudyFolder {
     path: PathBuf,
     plan: StudyPlan,
     /// The file to which finished runs are appended, once there is one.
-    pack: Arc<Mutex<Option<PackWriter>>>,
+    pub(super) pack: Arc<Mutex<Option<PackWriter>>>,
+    /// Damage found on entering, a sentence for each.
+    damages: Vec<String>,
 }
 
 impl StudyFolder {
@@ -64,15 +63,38 @@ impl StudyFolder {
         own: &[usize],
         cases: &[CaseFiles],
     ) -> Result<Self, OutputError> {
-        let folder = Self { path: path.to_path_buf(), plan, pack: Arc::default() };
-        let stored = stored_plan(path)?;
+        let mut folder = Self { path: path.to_path_buf(), plan, pack: Arc::default(), damages: Vec::new() };
+        for (run, case) in folder.plan.runs.iter_mut().zip(cases) {
+            run.case = Some(case.checksum().to_string());
+        }
+        folder.plan.text = Some(Checksum::of(text.as_bytes()).to_string());
+        // Before the plan is read: another process may be about to begin the same study, whose plan
+        // comes first of all files.
+        let in_the_way = folder.file_in_the_way(text)?;
+        let stored = match stored_plan(path) {
+            // A damaged plan is replaced with all the rest.
+            Err(OutputError::Damaged { .. }) if entry == Entry::Replace => None,
+            stored => stored?,
+        };
         folder.may_enter(stored.as_ref(), entry)?;
+        if let (None, Some(file), false) =
+            (&stored, in_the_way, matches!(entry, Entry::Replace | Entry::ReplacePart))
+        {
+            return Err(OutputError::InTheWay { folder: path.to_path_buf(), file });
+        }
         let numbers: HashSet<usize> = own.iter().copied().collect();
         let own = || folder.plan.runs.iter().filter(|run| numbers.contains(&run.number));
         let packed = if entry == Entry::Replace { PackedRuns::default() } else { folder.packed()? };
-        for run in own().filter(|run| packed.has(run.number)) {
-            if matches!(entry, Entry::Begin | Entry::Join) {
-                return Err(folder.holds_study(format!("run {}, packed", run.number)));
+        for run in own() {
+            if packed.has(run.number) {
+                if matches!(entry, Entry::Begin | Entry::Join) {
+                    return Err(folder.holds_study(format!("run {}, packed", run.number)));
+                }
+            } else if let (Some((file, files)), Some(case), false) =
+                (packed.read_foreign(run.number)?, cases.get(run.number - 1), entry == Entry::ReplacePart)
+            {
+                let is_this_study = stored.as_ref().is_none_or(|stored| stored.has_case_of(run));
+                return Err(other_case(file, run.number, &CaseFiles::packed(&files), case, is_this_study));
             }
         }
         for run in own().filter(|run| !packed.has(run.number)) {
@@ -91,18 +113,33 @@ impl StudyFolder {
                 Entry::Replace | Entry::ReplacePart => {}
             }
         }
+        if let (Some(stored), false) = (&stored, entry == Entry::Replace)
+            && let Some(run) = folder.plan.runs.iter().find(|run| !stored.has_case_of(run))
+        {
+            let difference = other_text(run.number, &folder.study_text()?, text);
+            return Err(OutputError::StudyChanged { folder: path.to_path_buf(), difference });
+        }
         std::fs::create_dir_all(path).map_err(OutputError::io("create the folder of the study", path))?;
+        if matches!(entry, Entry::Resume | Entry::ResumePart) {
+            folder.damages = void_damages(path)?;
+        }
+        let own = || folder.plan.runs.iter().filter(|run| numbers.contains(&run.number));
         let replaced: Vec<PathBuf> = match entry {
             // A study with other runs leaves none of its own behind.
             Entry::Replace => {
-                stored.iter().flat_map(|plan| &plan.runs).map(|run| folder.run_folder(run)).collect()
+                let runs = stored.iter().chain([&folder.plan]).flat_map(|plan| &plan.runs);
+                runs.map(|run| folder.own_run_folder(run)).collect::<Result<_, _>>()?
             }
-            Entry::ReplacePart => own().map(|run| folder.run_folder(run)).collect(),
+            Entry::ReplacePart => own().map(|run| folder.own_run_folder(run)).collect::<Result<_, _>>()?,
             _ => Vec::new(),
         };
         // Before anything is removed.
         for run in replaced.iter().filter(|run| run.join(LOCK_FILE).exists()) {
             drop(FolderLock::take(run)?);
+        }
+        if matches!(entry, Entry::Replace | Entry::ReplacePart) {
+            // Tables of runs that are about to go.
+            STUDY_TABLES.iter().try_for_each(|file| folder.take_away(file))?;
         }
         replaced.iter().try_for_each(|run| clear_run(run))?;
         match entry {
@@ -114,10 +151,25 @@ impl StudyFolder {
             }
             _ => {}
         }
+        let plan = json_text(&path.join(PLAN_FILE), &folder.plan)?;
+        folder.put(PLAN_FILE, plan.as_bytes())?;
         folder.put(STUDY_FILE, text.as_bytes())?;
-        let text = json_text(&path.join(PLAN_FILE), &folder.plan)?;
-        folder.put(PLAN_FILE, text.as_bytes())?;
         Ok(folder)
+    }
+
+    /// A file in the folder that the study with this `text` would replace, where there is one.
+    fn file_in_the_way(&self, text: &str) -> Result<Option<String>, OutputError> {
+        let packed = packed_files(&self.path)?;
+        let packed = packed.iter().filter_map(|path| path.file_name()?.to_str().map(str::to_owned));
+        let plots = STUDY_PLOTS.iter().map(|plot| format!("{PLOTS_FOLDER}/{plot}"));
+        let tables = STUDY_TABLES.iter().chain(&[STUDY_FILE]).map(|file| (*file).to_owned());
+        let is_there = |file: &String| self.path.join(file).symlink_metadata().is_ok();
+        // The study itself, in its own folder.
+        let is_same = |file: &String| {
+            file == STUDY_FILE
+                && read_if_there(&self.path.join(file)).is_ok_and(|there| there == Some(text.into()))
+        };
+        Ok(tables.chain(plots).filter(is_there).chain(packed).find(|file| !is_same(file)))
     }
 
     fn may_enter(&self, stored: Option<&StudyPlan>, entry: Entry) -> Result<(), OutputError> {
@@ -155,7 +207,22 @@ impl StudyFolder {
     /// Errors: no study in the folder; its plan is damaged; the system refuses.
     pub fn open(path: &Path) -> Result<Self, OutputError> {
         let plan = stored_plan(path)?.ok_or_else(|| OutputError::NoStudy { folder: path.to_path_buf() })?;
-        Ok(Self { path: path.to_path_buf(), plan, pack: Arc::default() })
+        Ok(Self { path: path.to_path_buf(), plan, pack: Arc::default(), damages: Vec::new() })
+    }
+
+    /// Checks the text of the study.
+    ///
+    /// Errors: it is not what was written; the system refuses.
+    pub(crate) fn check_text(&self) -> Result<(), OutputError> {
+        let path = self.path.join(STUDY_FILE);
+        let Some(text) = read_if_there(&path)? else {
+            return Err(OutputError::damaged(&path, "is not there"));
+        };
+        let sum = Checksum::of(&text).to_string();
+        match self.plan.text.as_ref().is_none_or(|stored| *stored == sum) {
+            true => Ok(()),
+            false => Err(OutputError::damaged(&path, "does not hold what was written (checksum)")),
+        }
     }
 
     /// The text of the study file.
@@ -169,6 +236,11 @@ impl StudyFolder {
         &self.path
     }
 
+    /// Damage that was found on entering, a sentence for each: what was lost is computed again.
+    pub fn damages(&self) -> &[String] {
+        &self.damages
+    }
+
     /// The computed runs.
     pub fn plan(&self) -> &StudyPlan {
         &self.plan
@@ -177,6 +249,13 @@ impl StudyFolder {
     /// The run folder of `run`.
     pub fn run_folder(&self, run: &PlannedRun) -> PathBuf {
         self.path.join(RUNS_FOLDER).join(&run.folder)
+    }
+
+    /// The run folder of `run`, in which something is written or removed.
+    ///
+    /// Errors: it is a link, or no folder.
+    pub(crate) fn own_run_folder(&self, run: &PlannedRun) -> Result<PathBuf, OutputError> {
+        own_folder(&self.path, &format!("{RUNS_FOLDER}/{}", run.folder))
     }
 
     /// The results of `run`, packed or in a folder.
@@ -197,67 +276,22 @@ impl StudyFolder {
 
     /// The packed runs as they are now.
     pub(crate) fn packed(&self) -> Result<PackedRuns, OutputError> {
-        PackedRuns::of(&self.path)
+        PackedRuns::of(&self.path, &self.plan.runs)
     }
 
-    /// The folder of `run`, made of what is packed of it where it has none.
+    /// Checks that the files of `run` in its folder are those of its case.
     ///
-    /// Errors: the run is not there; the system refuses.
-    pub fn unpacked(&self, run: &PlannedRun) -> Result<PathBuf, OutputError> {
+    /// Errors: they are those of another case; the system refuses.
+    pub(crate) fn check_case_of(&self, run: &PlannedRun) -> Result<(), OutputError> {
         let folder = self.run_folder(run);
-        let Some(files) = self.packed()?.read(run.number)? else { return Ok(folder) };
-        for (name, text) in &files {
-            if !RUN_FILES.contains(&name.as_str()) {
-                check_stored_name(&self.path, name)?;
-            }
-            self.put(&format!("{RUNS_FOLDER}/{}/{name}", run.folder), text.as_bytes())?;
+        let (Some(planned), Some(case)) = (&run.case, CaseFiles::stored(&folder)?) else { return Ok(()) };
+        match case.checksum().to_string() == *planned {
+            true => Ok(()),
+            false => Err(OutputError::damaged(
+                &folder.join(CASE_FILE),
+                format!("is not the case of run {} of this study", run.number),
+            )),
         }
-        Ok(folder)
-    }
-
-    fn append(&self, number: usize, files: Option<&RunFiles>) -> Result<(), OutputError> {
-        let mut pack = self.pack.lock().unwrap_or_else(PoisonError::into_inner);
-        if pack.is_none() {
-            *pack = Some(PackWriter::open(&self.path)?);
-        }
-        match pack.as_mut() {
-            Some(pack) => pack.append(number, files),
-            None => Ok(()),
-        }
-    }
-
-    /// Packs `run`, which is done, and removes its folder.
-    fn pack(&self, run: &PlannedRun, outcome: &Outcome) -> Result<(), OutputError> {
-        let folder = self.run_folder(run);
-        let mut files = RunFiles::new();
-        let kept = RUN_FILES.into_iter().filter(|file| file.ends_with(".csv") || file.ends_with(".vtu"));
-        for file in std::iter::once(CASE_FILE).chain(kept) {
-            let Some(bytes) = read_if_there(&folder.join(file))? else { continue };
-            let text = String::from_utf8(bytes)
-                .map_err(|_| OutputError::damaged(&folder.join(file), "is not UTF-8 text"))?;
-            let text = if file == SifRow::FILE { stabilised(&text) } else { text };
-            files.insert(file.to_owned(), text);
-        }
-        let mut summary: Summary = read_json(&folder, SUMMARY_FILE)?;
-        summary.outcome = Some(outcome.clone());
-        // Checksums of the folder, which is removed; the record has its own.
-        summary.checksums.clear();
-        files.insert(SUMMARY_FILE.to_owned(), json_text(&folder.join(SUMMARY_FILE), &summary)?);
-        self.append(run.number, Some(&files))?;
-        self.clear_packed(run)
-    }
-
-    /// Removes what is left of the folder of a packed run that was being computed, or whose removal
-    /// was cut short: a folder that was made for its page has one.
-    pub(crate) fn clear_packed(&self, run: &PlannedRun) -> Result<(), OutputError> {
-        let folder = self.run_folder(run);
-        let has = |file: &str| folder.join(file).is_file();
-        if folder.is_dir() && (has(CHECKPOINT_FILE) || has(RUN_LOG_FILE) || !has(REPORT_FILE)) {
-            clear_run(&folder)?;
-            // One without any file of a run is removed, too; the user's files stay.
-            let _ = std::fs::remove_dir(&folder);
-        }
-        Ok(())
     }
 
     /// How `run` ended; none while it is not over.
@@ -267,22 +301,26 @@ impl StudyFolder {
 
     /// Records how `run` ended, once all its other files are written.
     pub fn settle(&self, run: &PlannedRun, outcome: &Outcome) -> Result<(), OutputError> {
-        let folder = self.run_folder(run);
         if !self.plan.run_folders && outcome.end == RunEnd::Done {
             return self.pack(run, outcome);
         }
-        std::fs::create_dir_all(&folder).map_err(OutputError::io("create the run folder", &folder))?;
-        outcome.write(&folder)
+        std::fs::create_dir_all(&self.path).map_err(OutputError::io("create", &self.path))?;
+        outcome.write(&inner_folder(&self.path, &format!("{RUNS_FOLDER}/{}", run.folder))?)
     }
 
     /// Removes what remains of a finished run after a kill.
     pub fn tidy(&self, run: &PlannedRun) -> Result<(), OutputError> {
-        Outcome::tidy(&self.run_folder(run))
+        let is_left = |file: &str| self.run_folder(run).join(file).exists();
+        if !(is_left(CHECKPOINT_FILE) || is_left(RUN_LOG_FILE)) {
+            return Ok(());
+        }
+        // What a link leads to is somebody else's.
+        self.own_run_folder(run).map_or(Ok(()), |folder| Outcome::tidy(&folder))
     }
 
     /// Removes the record of how `run` ended, before it continues.
     pub fn reopen(&self, run: &PlannedRun) -> Result<(), OutputError> {
-        remove(&self.run_folder(run).join(OUTCOME_FILE))
+        remove(&self.own_run_folder(run)?.join(OUTCOME_FILE))
     }
 
     /// Writes `content` to a file that several processes may write at once: readers see the file of
@@ -293,13 +331,15 @@ impl StudyFolder {
             return Ok(());
         }
         let refused = || OutputError::io("write", &path);
-        if let Some(parent) = path.parent() {
-            std::fs::create_dir_all(parent).map_err(refused())?;
+        if let Some((inner, _)) = file.rsplit_once('/') {
+            inner_folder(&self.path, inner)?;
         }
         let now = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_nanos());
         // No other process, on no other machine, writes under this name.
         let own = self.path.join(format!("{file}.{}-{now}.partial", std::process::id()));
-        let written = std::fs::write(&own, content).and_then(|()| std::fs::rename(&own, &path));
+        let written = std::fs::File::create_new(&own)
+            .and_then(|mut file| file.write_all(content))
+            .and_then(|()| std::fs::rename(&own, &path));
         written.map_err(|reason| {
             // Best effort: the error of the write is the one to report.
             let _ = std::fs::remove_file(&own);
@@ -314,6 +354,9 @@ impl StudyFolder {
 
     /// Removes a file of the study that it no longer has.
     pub fn take_away(&self, file: &str) -> Result<(), OutputError> {
+        if let Some((inner, _)) = file.rsplit_once('/') {
+            own_folder(&self.path, inner)?;
+        }
         remove(&self.path.join(file))
     }
 }
@@ -326,37 +369,4 @@ fn stored_plan(folder: &Path) -> Result<Option<StudyPlan>, OutputError> {
         check_stored_name(&folder.join(PLAN_FILE), &run.folder)?;
     }
     Ok(plan)
-}
-
-impl StudyPlan {
-    /// Whether `other` has the same runs. Version, title and colours are not compared.
-    fn computes_what(&self, other: &Self) -> bool {
-        (&self.axes, &self.runs, &self.options) == (&other.axes, &other.runs, &other.options)
-    }
-
-    /// The first thing in which `other` differs, in words.
-    fn first_difference(&self, other: &Self) -> String {
-        let said = |options: &[String]| match options {
-            [] => "no options".to_owned(),
-            options => options.join(" "),
-        };
-        if self.options != other.options {
-            return format!("it was started with {}, now {}", said(&self.options), said(&other.options));
-        }
-        let keys = |plan: &Self| -> Vec<(String, Vec<String>)> {
-            let all = plan.axes.iter().flat_map(|axis| &axis.keys);
-            all.map(|key| (key.key.clone(), key.values.clone())).collect()
-        };
-        for pair in keys(self).iter().zip(&keys(other)) {
-            let ((before, values), (now, values_now)) = pair;
-            if before != now || values != values_now {
-                return format!(
-                    "{before} = [{}] there, {now} = [{}] now",
-                    values.join(", "),
-                    values_now.join(", ")
-                );
-            }
-        }
-        format!("{} runs there, {} now", self.runs.len(), other.runs.len())
-    }
 }

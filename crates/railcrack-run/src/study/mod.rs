@@ -1,9 +1,11 @@
 //! The folder of a study: a run folder for each of its runs, one table of them, overlay plots.
 
 mod csv_text;
+mod difference;
 mod folder;
 mod outcome;
 mod packed;
+mod packing;
 mod plan;
 mod population;
 mod population_plan;
@@ -13,10 +15,13 @@ mod table;
 mod tables;
 
 pub use folder::{Entry, StudyFolder};
+#[cfg(fuzzing)]
+pub use packed::fuzz_packed;
 pub use plan::{PlannedRun, StudyAxis, StudyKey, StudyPlan};
 pub use population::{InterpolationError, Population};
 pub use population_plan::PopulationPlan;
 pub(crate) use population_plan::distributions;
 pub use results::StudyResults;
 pub use state::{RunState, StudyRow};
+pub(crate) use table::listed_as_done;
 pub use table::{StudySummaryRow, TimesRow};

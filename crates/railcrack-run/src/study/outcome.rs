@@ -1,10 +1,9 @@
 //! How a run of a study ended, in its run folder.
 
-use crate::disk::files::{
-    CASE_FILE, CHECKPOINT_FILE, INPUTS_FOLDER, OUTCOME_FILE, RUN_FILES, RUN_LOG_FILE, SUMMARY_FILE,
-};
+use crate::disk::files::{CASE_FILE, CHECKPOINT_FILE, FIELDS_FILE, OUTCOME_FILE, RUN_LOG_FILE, SUMMARY_FILE};
 use crate::disk::{Durability, Seal, read_json, read_json_if_there, remove, write_json};
 use crate::error::OutputError;
+use crate::run_folder::input_files;
 use crate::summary::{Outcome, RunEnd, Summary};
 use std::path::Path;
 
@@ -37,9 +36,9 @@ impl Outcome {
     }
 }
 
-/// Checksums of the case and of the files that it names.
+/// Checksums of the case, of the files that it names, and of the list of fields.
 fn case_checksums(folder: &Path) -> Result<Vec<(String, String)>, OutputError> {
-    let inputs = RUN_FILES.into_iter().filter(|file| file.starts_with(INPUTS_FOLDER));
-    let there = std::iter::once(CASE_FILE).chain(inputs).filter(|file| folder.join(file).is_file());
+    let there =
+        [CASE_FILE, FIELDS_FILE].into_iter().chain(input_files()).filter(|file| folder.join(file).is_file());
     there.map(|file| Ok((file.to_owned(), Seal::of_file(&folder.join(file))?.checksum.to_string()))).collect()
 }

@@ -1,6 +1,7 @@
 //! Plan of a study: the runs that it computes.
 
 use super::population_plan::PopulationPlan;
+use crate::disk::Checksum;
 use serde::{Deserialize, Serialize};
 
 /// Keys that vary in a study, how, and the runs that this makes. `study.json` holds it.
@@ -19,6 +20,9 @@ pub struct StudyPlan {
     /// Whether each run has a folder of its own; if not, those that are done are packed.
     #[serde(default = "with_folders")]
     pub run_folders: bool,
+    /// Checksum of the text of the study; none in studies of older versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub text: Option<String>,
     /// Options of the command that replace values of the file: `--steps 2`.
     pub options: Vec<String>,
     /// Facts of the cases that samples between the runs take; none where none are made.
@@ -63,6 +67,9 @@ pub struct PlannedRun {
     pub folder: String,
     /// The value that it takes of each axis, from 0.
     pub choice: Vec<usize>,
+    /// Checksum of its case and of the files that it names; none in studies of older versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub case: Option<String>,
 }
 
 impl StudyAxis {
@@ -99,6 +106,14 @@ impl StudyAxis {
 }
 
 impl StudyPlan {
+    /// The checksum of the cases of all runs, which distinguishes the study from others.
+    pub(crate) fn checksum(&self) -> String {
+        let with = |sum: Checksum, run: &PlannedRun| {
+            sum.with(&run.number.to_le_bytes()).with(run.case.as_deref().unwrap_or_default().as_bytes())
+        };
+        self.runs.iter().fold(Checksum::NOTHING, with).to_string()
+    }
+
     /// The keys that vary, axis by axis, with the value that `run` has of each.
     pub fn values_of<'a>(&'a self, run: &'a PlannedRun) -> impl Iterator<Item = (&'a StudyKey, &'a str)> {
         self.axes.iter().zip(&run.choice).flat_map(|(axis, &index)| {

@@ -1,14 +1,13 @@
 //! The results of a study, gathered from its run folders.
 
 use super::folder::StudyFolder;
-use super::packed::PackedRuns;
+use super::packed::{Flaw, PackedRuns};
 use super::plan::PlannedRun;
 use super::population::Population;
 use super::state::{RunState, StudyRow};
 use crate::disk::files::SUMMARY_FILE;
 use crate::error::OutputError;
-use crate::run_folder::{RepresentativeTip, RunFolder, check_numbers};
-use crate::summary::RunEnd;
+use crate::run_folder::{RepresentativeTip, RunFolder, check_numbers, run_file_in};
 use std::io::ErrorKind;
 
 /// The results of a study: a row per run, in the order of the runs.
@@ -19,6 +18,9 @@ pub struct StudyResults {
     /// Samples between the runs, for each choice of the keys that are not drawn; empty until they
     /// are made.
     pub population: Vec<Population>,
+    /// Damaged bytes and runs of other studies in the files of packed runs, a sentence for each,
+    /// where no row says so.
+    pub flaws: Vec<String>,
 }
 
 impl StudyFolder {
@@ -27,8 +29,11 @@ impl StudyFolder {
     /// Errors: a file of a run is damaged; the system refuses.
     pub fn read_results(&self) -> Result<StudyResults, OutputError> {
         let packed = self.packed()?;
-        let rows: Result<_, _> = self.plan().runs.iter().map(|run| self.row(run, &packed)).collect();
-        Ok(StudyResults { rows: rows?, population: Vec::new() })
+        let rows: Result<Vec<_>, _> = self.plan().runs.iter().map(|run| self.row(run, &packed)).collect();
+        let rows = rows?;
+        let is_told = |text: &str| rows.iter().any(|row| row.damage.as_deref() == Some(text));
+        let flaws = packed.flaws().iter().map(Flaw::text).filter(|text| !is_told(text)).collect();
+        Ok(StudyResults { rows, population: Vec::new(), flaws })
     }
 
     /// A damaged run is one that has failed: nothing of its numbers goes into the results.
@@ -36,7 +41,7 @@ impl StudyFolder {
         match self.whole_row(run, packed) {
             Err(error @ (OutputError::Damaged { .. } | OutputError::Field(_))) => {
                 let reason = error.to_string();
-                let state = RunState::Failed { end: RunEnd::CannotReadOrWrite, reason: reason.clone() };
+                let state = RunState::cannot_read(&reason);
                 let (number, damage) = (run.number, Some(reason));
                 Ok(StudyRow { number, state, summary: None, representative: None, damage })
             }
@@ -51,6 +56,12 @@ impl StudyFolder {
 
     fn whole_row(&self, run: &PlannedRun, packed: &PackedRuns) -> Result<StudyRow, OutputError> {
         let folder = self.run_folder(run);
+        if let (false, Some(flaw), None) =
+            (packed.has(run.number), packed.flaw_of(run.number), run_file_in(&folder))
+        {
+            let (state, damage) = (RunState::cannot_read(&flaw.text()), Some(flaw.text()));
+            return Ok(StudyRow { number: run.number, state, summary: None, representative: None, damage });
+        }
         if packed.has(run.number) {
             let open = self.run_in(run, packed)?;
             let representative = RepresentativeTip::of(&open)?;
@@ -58,6 +69,7 @@ impl StudyFolder {
             let summary = Some(open.summary);
             return Ok(StudyRow { number: run.number, state, summary, representative, damage: None });
         }
+        self.check_case_of(run)?;
         // In this order: a run that ends in between counts as one that has not.
         let outcome = self.outcome(run)?;
         if outcome.is_some() {

@@ -33,6 +33,10 @@ impl RunState {
         }
     }
 
+    pub(super) fn cannot_read(reason: &str) -> Self {
+        Self::Failed { end: RunEnd::CannotReadOrWrite, reason: reason.to_owned() }
+    }
+
     pub(super) fn of(outcome: Option<Outcome>, steps_recorded: usize) -> Self {
         match outcome {
             Some(Outcome { end: RunEnd::Done, .. }) => Self::Done,

@@ -3,9 +3,10 @@
 use super::plan::StudyPlan;
 use super::results::StudyResults;
 use super::state::{RunState, StudyRow};
-use crate::csv::{Rows, Table, column_names, header_of, table, whole};
+use crate::csv::{Rows, Table, column_names, header_of, line_fields, table, whole};
 use crate::error::OutputError;
 use railcrack::growth::RunStop;
+use std::collections::HashSet;
 
 table! {
     /// A run of a study, following its number, its folder and the values of the keys that vary.
@@ -142,6 +143,15 @@ impl From<&StudyRow> for TimesRow {
     }
 }
 
+/// The numbers of the runs that the table of runs `text` lists as done.
+pub(crate) fn listed_as_done(text: &str) -> HashSet<usize> {
+    let mut lines = text.lines().filter(|line| !line.starts_with('#')).map(line_fields);
+    let header = lines.next().unwrap_or_default();
+    let Some(state) = header.iter().position(|name| name == "state") else { return HashSet::new() };
+    let is_done = |row: &Vec<String>| row.get(state).is_some_and(|state| state == RunState::Done.name());
+    lines.filter(is_done).filter_map(|row| row.first()?.parse().ok()).collect()
+}
+
 impl StudyResults {
     pub(crate) fn table(&self, plan: &StudyPlan) -> Result<Vec<u8>, OutputError> {
         let keys = plan.axes.iter().flat_map(|axis| &axis.keys).map(|key| key.key.as_str());
@@ -159,5 +169,19 @@ impl StudyResults {
 
     pub(crate) fn times(&self) -> Result<Vec<u8>, OutputError> {
         whole(self.rows.iter().map(TimesRow::from))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::disk::files::STUDY_TABLES;
+
+    #[test]
+    fn runs_that_are_done_are_found() {
+        let text = "# c\nrun,folder,\"a, b\",state,stop\n1,001,\"1, 2\",done,\n2,002,3,missing,\n3,003,3,done,arrest\n";
+        assert_eq!(listed_as_done(text), [1, 3].into());
+        assert_eq!(listed_as_done("").len(), 0);
+        assert_eq!(STUDY_TABLES[..2], [StudySummaryRow::FILE, TimesRow::FILE]);
     }
 }

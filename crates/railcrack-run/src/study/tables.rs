@@ -2,20 +2,14 @@
 
 use super::csv_text::{append, kind_of, stabilised};
 use super::folder::StudyFolder;
-
 use super::results::StudyResults;
 use super::table::StudySummaryRow;
 use crate::csv::{Column, SifRow, Table, TipRow, column_names};
+use crate::disk::files::{GROWTH_TABLE, RUNS_TABLE, SIF_TABLE};
+use crate::disk::read_if_there;
 use crate::error::OutputError;
-use crate::parquet::{ColumnKind, ParquetFile};
+use crate::parquet::{ColumnKind, ParquetFile, check};
 use railcrack_case::{Kind, SECTIONS};
-
-/// A row per run.
-pub const RUNS_TABLE: &str = "runs.parquet";
-/// A row per run, step and tip.
-pub const GROWTH_TABLE: &str = "growth.parquet";
-/// A row per run, step, tip and wheel position.
-pub const SIF_TABLE: &str = "sif.parquet";
 
 impl StudyFolder {
     /// Writes the tables of all runs. Those of K have the stabilised passages of the steps whose K
@@ -24,7 +18,8 @@ impl StudyFolder {
         let (columns, text) = self.runs_table(results)?;
         let mut runs = ParquetFile::new(columns);
         append(&mut runs, &[], &text);
-        self.put(RUNS_TABLE, &runs.finish())?;
+        let study = self.plan().checksum();
+        self.put(RUNS_TABLE, &runs.finish(&study))?;
         let packed = self.packed()?;
         let (mut growth, mut sif) = (None, None);
         for (planned, row) in self.plan().runs.iter().zip(&results.rows) {
@@ -44,11 +39,39 @@ impl StudyFolder {
         }
         for (file, table) in [(GROWTH_TABLE, growth), (SIF_TABLE, sif)] {
             match table {
-                Some(table) => self.put(file, &table.finish())?,
+                Some(table) => self.put(file, &table.finish(&study))?,
                 None => self.take_away(file)?,
             }
         }
         Ok(())
+    }
+
+    /// Checks a Parquet table.
+    ///
+    /// Errors: it is not there, damaged, or that of another study; the system refuses.
+    pub(crate) fn check_table(&self, file: &str) -> Result<(), OutputError> {
+        let path = self.path().join(file);
+        let answer = match read_if_there(&path)? {
+            Some(content) => check(&content, &self.plan().checksum()),
+            None => Err("is not there"),
+        };
+        answer.map_err(|reason| OutputError::damaged(&path, reason))
+    }
+
+    /// The Parquet tables that the study has with these results.
+    ///
+    /// Errors: the system refuses.
+    pub(crate) fn tables_with(&self, results: &StudyResults) -> Result<Vec<&'static str>, OutputError> {
+        let packed = self.packed()?;
+        let mut tables = [(RUNS_TABLE, true), (GROWTH_TABLE, false), (SIF_TABLE, false)];
+        for (planned, row) in self.plan().runs.iter().zip(&results.rows) {
+            if row.summary.is_some() {
+                let run = self.run_in(planned, &packed)?;
+                tables[1].1 |= run.has::<TipRow>();
+                tables[2].1 |= run.has::<SifRow>();
+            }
+        }
+        Ok(tables.into_iter().filter(|(_, is_made)| *is_made).map(|(file, _)| file).collect())
     }
 
     /// Columns and rows of the table of runs: those of `summary.csv`, the keys with their kinds.

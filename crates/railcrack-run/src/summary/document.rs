@@ -51,6 +51,9 @@ pub struct Summary {
     pub steps_recorded: usize,
     /// Load cycles (axles) at the start of the last finished step.
     pub load_cycles: f64,
+    /// Their estimated error by the increments.
+    #[serde(default)]
+    pub load_cycles_error: f64,
     /// The same in million gross tonnes, where the case gives the axle load.
     pub million_gross_tonnes: Option<f64>,
     /// From growth to a decision; null without axle loads.
@@ -135,6 +138,7 @@ impl Summary {
             steps: last.map_or(0, |step| step.step),
             steps_recorded: steps.len(),
             load_cycles,
+            load_cycles_error: last.map_or(0.0, |step| step.cycles_error),
             million_gross_tonnes: info.axle_load.map(|tonnes| load_cycles * tonnes / 1e6),
             decision: Decision::of(info, log),
             wall_s: log.now.wall_s,

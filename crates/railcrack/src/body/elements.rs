@@ -66,7 +66,45 @@ pub(crate) fn discretise(curves: &[CrackCurve], nodes: &[Vec<f64>]) -> (Vec<Face
         }
     }
     sample_faces(curves, &elements, &mut faces);
+    smooth_tangents(curves, &elements, &mut faces);
     (elements, faces)
+}
+
+/// Kinks below this angle (radians) are smooth for the jump: their corner exponent is within 1e-3
+/// of one.
+pub(crate) const SMALL_KINK: f64 = 0.05;
+
+/// Turns the frames of face points to the mean direction of the faces over their elements, as far
+/// as these turn smoothly: a polyline of slight kinks stands for a curve, and the frames of its
+/// segments would depend on where its points lie between the nodes.
+fn smooth_tangents(curves: &[CrackCurve], elements: &[FaceElement], faces: &mut FaceMesh) {
+    let mut sums = vec![Vec2::new(0.0, 0.0); faces.points.len()];
+    for element in elements {
+        let curve = &curves[element.crack];
+        let width = element.range.1 - element.range.0;
+        for (end, point) in element.ends.iter().enumerate() {
+            let Some(point) = *point else { continue };
+            let own = faces.points[point].segment;
+            for piece in &element.pieces {
+                let (low, high) = (own.min(piece.segment), own.max(piece.segment));
+                if (low + 1..=high).any(|vertex| curve.turn(vertex) > SMALL_KINK) {
+                    continue;
+                }
+                // The integral of the shape function, which is linear in g, over the arc.
+                let middle = 0.5 * (piece.range.0 + piece.range.1);
+                let towards_end = (middle - element.range.0) / width;
+                let share = if end == 0 { 1.0 - towards_end } else { towards_end };
+                let length = (piece.ends.1 - piece.ends.0).length();
+                sums[point] = sums[point] + curve.tangent(piece.segment) * (share * length);
+            }
+        }
+    }
+    for (point, sum) in faces.points.iter_mut().zip(sums) {
+        let turn = point.tangent.cross(sum).abs();
+        if turn > 1e-9 * sum.length() {
+            point.tangent = sum.normalised();
+        }
+    }
 }
 
 fn pieces(curve: &CrackCurve, crack: usize, range: (f64, f64), vertices: &[f64]) -> Vec<FacePiece> {

@@ -172,6 +172,17 @@ pub(super) fn is_empty(problem: &FaceProblem, solution: &FaceSolution, scale: Fa
     pocket.volume(&solution.jump) <= NO_VOLUME * scale.jump || pocket.points.iter().all(is_closed)
 }
 
+impl Pocket {
+    /// V (mm²) of the fluid in `solution`: of faces that are closed everywhere, and of jumps that
+    /// enclose less than nothing by an error of the interpolation, it is zero.
+    pub fn fluid_volume(&self, solution: &FaceSolution) -> f64 {
+        if self.points.iter().all(|&point| solution.status[point].is_closed()) {
+            return 0.0;
+        }
+        self.volume(&solution.jump).max(0.0)
+    }
+}
+
 /// Whether open faces connect all open points of pocket `k` with its mouth.
 pub(super) fn has_open_path(problem: &FaceProblem, solution: &FaceSolution, k: usize) -> bool {
     let pocket = &problem.pockets()[k];

@@ -1,7 +1,7 @@
 //! Direction of growth under non-proportional loading.
 
 use super::hull::convex_hull;
-use super::kink_ranges::{KinkRanges, tangential, vector_range};
+use super::kink_ranges::{KinkLoad, KinkRanges, tangential, vector_range};
 use super::maxima::{Maximum, SAME_ANGLE, local_maxima, preferred};
 use super::{DirectionCriterion, GrowthLaw, KINK_ANGLES};
 use crate::fracture::{Sif, SifHistory};
@@ -19,6 +19,8 @@ pub struct HourlierPineau {
     pub law: GrowthLaw,
     /// The quantity that is maximised.
     pub criterion: DirectionCriterion,
+    /// Friction coefficient of the faces of the virtual kink.
+    pub kink_friction: f64,
 }
 
 /// The chosen virtual kink.
@@ -63,8 +65,9 @@ pub(crate) const SECONDARY_DISTANCE: f64 = 15.0 * std::f64::consts::PI / 180.0;
 /// decide between them.
 const TIE: f64 = 1e-9;
 
-/// The corners of the histories under each wheel, with the shares of the axles.
-type CornersByWheel = [(f64, Vec<Sif>)];
+/// The shares of the axles and the samples of each wheel that decide: the corners of its history,
+/// or with friction all of it.
+type SamplesByWheel = [(f64, Vec<Sif>)];
 
 impl HourlierPineau {
     /// The kink for one passage of `history`. None if nothing drives a kink: for no samples,
@@ -94,7 +97,7 @@ impl HourlierPineau {
             return None;
         }
         let loads: Vec<(f64, Vec<Sif>)> =
-            wheels.iter().map(|wheel| (wheel.share, convex_hull(&wheel.history.samples))).collect();
+            wheels.iter().map(|wheel| (wheel.share, self.deciding(&wheel.history.samples))).collect();
         let (maxima, quantity) = match &loads[..] {
             [_] => (self.maxima(&loads, Quantity::Drive), Quantity::Drive),
             _ => {
@@ -118,8 +121,8 @@ impl HourlierPineau {
             .copied()
             .reduce(|a, b| if b.value > a.value * (1.0 + TIE) { b } else { a })
             .map(|m| SecondaryMaximum { angle: m.angle, ratio: self.ratio(quantity, m.value, best.value) });
-        let of = |(share, extremes): &(f64, Vec<Sif>)| {
-            let ranges = KinkRanges::of(extremes, best.angle);
+        let of = |(share, samples): &(f64, Vec<Sif>)| {
+            let ranges = KinkRanges::of(self.load(samples), best.angle);
             (share * self.law.rate(ranges.clipped()), ranges)
         };
         let each: Vec<(f64, KinkRanges)> = loads.iter().map(of).collect();
@@ -133,7 +136,16 @@ impl HourlierPineau {
         })
     }
 
-    fn maxima(&self, loads: &CornersByWheel, quantity: Quantity) -> Vec<Maximum> {
+    /// The samples on which ranges at a kink depend.
+    fn deciding(&self, samples: &[Sif]) -> Vec<Sif> {
+        if self.kink_friction > 0.0 { samples.to_vec() } else { convex_hull(samples) }
+    }
+
+    fn load<'a>(&self, samples: &'a [Sif]) -> KinkLoad<'a> {
+        KinkLoad { samples, friction: self.kink_friction }
+    }
+
+    fn maxima(&self, loads: &SamplesByWheel, quantity: Quantity) -> Vec<Maximum> {
         if self.criterion == DirectionCriterion::Coplanar {
             return vec![Maximum { angle: 0.0, value: self.value(loads, Quantity::Drive, 0.0) }];
         }
@@ -142,7 +154,7 @@ impl HourlierPineau {
 
     /// The criterion at `angle`. Under one wheel the rate is represented by ΔK_eq, which increases
     /// with the rate and is not flattened by a threshold.
-    fn value(&self, loads: &CornersByWheel, quantity: Quantity, angle: f64) -> f64 {
+    fn value(&self, loads: &SamplesByWheel, quantity: Quantity, angle: f64) -> f64 {
         let sum = |of: &dyn Fn(&[Sif]) -> f64| match loads {
             [(_, only)] => of(only),
             _ => loads.iter().map(|(share, extremes)| share * of(extremes)).sum(),
@@ -154,15 +166,19 @@ impl HourlierPineau {
         };
         match self.criterion {
             DirectionCriterion::MaxRate | DirectionCriterion::Coplanar => {
-                sum(&|extremes| driven(KinkRanges::of(extremes, angle).clipped()))
+                sum(&|extremes| driven(KinkRanges::of(self.load(extremes), angle).clipped()))
             }
             DirectionCriterion::MaxRateUnclipped => {
-                sum(&|extremes| driven(KinkRanges::of(extremes, angle).unclipped()))
+                sum(&|extremes| driven(KinkRanges::of(self.load(extremes), angle).unclipped()))
             }
-            DirectionCriterion::MaxDeltaK1 => sum(&|extremes| KinkRanges::of(extremes, angle).delta_k1),
-            DirectionCriterion::MaxK1 => largest(&|extremes| KinkRanges::of(extremes, angle).k1_max),
+            DirectionCriterion::MaxDeltaK1 => {
+                sum(&|extremes| KinkRanges::of(self.load(extremes), angle).delta_k1)
+            }
+            DirectionCriterion::MaxK1 => {
+                largest(&|extremes| KinkRanges::of(self.load(extremes), angle).k1_max)
+            }
             DirectionCriterion::MaxTangentialStress => largest(&|extremes| tangential(extremes, angle)),
-            DirectionCriterion::MaxDeltaCtd => sum(&|extremes| vector_range(extremes, angle)),
+            DirectionCriterion::MaxDeltaCtd => sum(&|extremes| vector_range(self.load(extremes), angle)),
         }
     }
 

@@ -11,7 +11,7 @@ const ALL: [DirectionCriterion; 4] = [
 ];
 
 fn with(criterion: DirectionCriterion) -> HourlierPineau {
-    HourlierPineau { law: GrowthLaw::RAIL_STEEL, criterion }
+    HourlierPineau { law: GrowthLaw::RAIL_STEEL, criterion, kink_friction: 0.0 }
 }
 
 fn weighted(mode_2_weight: f64) -> GrowthLaw {
@@ -178,7 +178,7 @@ fn the_direction_of_a_mix_flips_where_the_rates_are_equal() {
     // Two wheels under which the crack kinks to opposite sides, the second one the stronger.
     let right = history([(0.0, 0.0), (0.0, 100.0)]);
     let left = history([(0.0, 0.0), (0.0, -130.0)]);
-    let rule = HourlierPineau { law: weighted(0.1), criterion: DirectionCriterion::MaxRate };
+    let rule = HourlierPineau { law: weighted(0.1), ..HourlierPineau::default() };
     let angle = |share: f64| {
         let wheel = |share, history| WheelHistory { share, history };
         rule.kink_of_mix(&[wheel(1.0 - share, &right), wheel(share, &left)]).unwrap().angle
@@ -193,7 +193,7 @@ fn thresholds_count_wheel_by_wheel() {
     // Each wheel is below the threshold, although their sum would not be.
     let paris = Paris { threshold: 5.0, ..Paris::RAIL_STEEL };
     let law = GrowthLaw { rate: RateLaw::Paris(paris), ..GrowthLaw::RAIL_STEEL };
-    let rule = HourlierPineau { law, criterion: DirectionCriterion::MaxRate };
+    let rule = HourlierPineau { law, ..HourlierPineau::default() };
     let weak = history([(0.0, 0.0), (100.0, 0.0)]);
     let strong = history([(0.0, 0.0), (0.0, 300.0)]);
     let wheel = |share, history| WheelHistory { share, history };

@@ -8,7 +8,7 @@ use crate::math::{Orientation, Vec2, orientation};
 /// ones, yield their end points.
 ///
 /// Andrew's monotone chain with an exact orientation test; all samples finite.
-pub(super) fn convex_hull(samples: &[Sif]) -> Vec<Sif> {
+pub(crate) fn convex_hull(samples: &[Sif]) -> Vec<Sif> {
     // Adding zero turns −0 into +0, which are equal and must not be sorted apart.
     let mut points: Vec<Vec2> = samples.iter().map(|k| Vec2::new(k.ki + 0.0, k.kii + 0.0)).collect();
     points.sort_unstable_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));

@@ -21,6 +21,7 @@ pub use dang_van::{DangVan, DangVanValue};
 pub use equivalent::{EquivalentRange, RangeForm};
 pub use hourlier_pineau::{HourlierPineau, Kink, SecondaryMaximum};
 pub(crate) use hourlier_pineau::{SECONDARY_DISTANCE, WheelHistory};
+pub(crate) use hull::convex_hull;
 pub use initiation::{DepthValue, Initiation};
 pub use kink::{KinkFunctions, KinkSif};
 pub use largest_k1::LargestK1;

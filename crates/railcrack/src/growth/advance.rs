@@ -1,6 +1,6 @@
 //! The transition from one step to the next.
 
-use super::{Geometry, Interval, Piece, RunStop, Warning};
+use super::{EarlierStep, Geometry, Interval, Piece, RunStop, Warning};
 
 /// The transition to the next step.
 #[derive(Debug, Clone, PartialEq)]
@@ -9,8 +9,12 @@ pub struct Advance {
     pub geometry: Geometry,
     /// Pieces of the rail that this step encloses.
     pub pieces: Vec<Piece>,
-    /// Load cycles to the next step, by the rates at the start of this one.
+    /// Load cycles to the next step, as predicted at the start of this one.
     pub cycles: f64,
+    /// Increment of the fastest mover as a fraction of the length of its crack.
+    pub share: f64,
+    /// This step as the next one sees it.
+    pub earlier: Option<EarlierStep>,
     /// The increment that set the pace, from which the cycles follow once the rate at its end is
     /// known; `None` where no cycles pass.
     pub interval: Option<Interval>,

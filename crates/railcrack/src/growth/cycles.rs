@@ -17,6 +17,8 @@ pub struct Interval {
     pub cycles: f64,
     /// Whether the increment was shortened to end at a given number of cycles, which is then final.
     pub is_settled: bool,
+    /// Whether the tip kinked at its start: then only the rate at the end is one of the increment.
+    pub is_kinked: bool,
 }
 
 impl Interval {
@@ -26,6 +28,7 @@ impl Interval {
     pub(crate) fn cycles_until(&self, movers: &[Mover], slowest: f64) -> f64 {
         let end = movers.iter().find(|mover| mover.is(&self.mover)).map(|mover| mover.rate);
         match end.filter(|rate| *rate > 0.0 && *rate >= slowest && !self.is_settled) {
+            Some(rate) if self.is_kinked => self.cycles * self.mover.rate / rate,
             Some(rate) => 0.5 * self.cycles * (1.0 + self.mover.rate / rate),
             None => self.cycles,
         }
@@ -43,11 +46,13 @@ mod tests {
     #[test]
     fn mean_of_the_inverse_rates_of_the_tip_that_set_the_pace() {
         let movers = [mover(0, 1e-9), mover(1, 4e-6)];
-        let interval = Interval { mover: mover(1, 2e-6), cycles: 1e5, is_settled: false };
+        let interval = Interval { mover: mover(1, 2e-6), cycles: 1e5, is_settled: false, is_kinked: false };
         // 0.2 mm at 1/2e-6 and 1/4e-6 cycles per mm.
         assert_eq!(interval.cycles_until(&movers, 0.0), 0.75e5);
         assert_eq!(interval.cycles_until(&movers[..1], 0.0), 1e5);
         assert_eq!(interval.cycles_until(&movers, 1e-5), 1e5);
+        let kinked = Interval { is_kinked: true, ..interval };
+        assert_eq!(kinked.cycles_until(&movers, 0.0), 0.5e5);
         assert_eq!(Interval { is_settled: true, ..interval }.cycles_until(&movers, 0.0), 1e5);
     }
 
@@ -60,7 +65,7 @@ mod tests {
             let of = |i: usize| {
                 let (from, to) = (1.0 + i as f64 / steps as f64, 1.0 + (i + 1) as f64 / steps as f64);
                 let cycles = (to - from) / rate(from);
-                Interval { mover: mover(0, rate(from)), cycles, is_settled: false }
+                Interval { mover: mover(0, rate(from)), cycles, is_settled: false, is_kinked: false }
                     .cycles_until(&[mover(0, rate(to))], 0.0)
             };
             (0..steps).map(of).sum::<f64>() - exact

@@ -17,8 +17,11 @@ use serde::{Deserialize, Serialize};
 pub struct DeferredGrowth {
     /// Its length, mm: the sum of the increments.
     pub length: f64,
-    /// Its direction, a unit vector; zero where no growth is deferred.
+    /// Its direction, a unit vector: that of the last part where the path turns smoothly; zero
+    /// where no growth is deferred.
     pub direction: Vec2,
+    /// Whether it begins with a kink.
+    pub is_kinked: bool,
 }
 
 impl DeferredGrowth {
@@ -33,7 +36,7 @@ impl DeferredGrowth {
     /// increment decides how the tip kinks, and no tip grows in a direction between two branches.
     pub fn and(self, increment: f64, direction: Vec2) -> Self {
         if self.length == 0.0 {
-            return Self { length: increment, direction };
+            return Self { length: increment, direction, is_kinked: true };
         }
         let length = self.length + increment;
         let same_branch =
@@ -42,7 +45,19 @@ impl DeferredGrowth {
             return Self { length, ..self };
         }
         let sum = self.direction * self.length + direction * increment;
-        Self { length, direction: sum * sum.length().recip() }
+        Self { length, direction: sum * sum.length().recip(), ..self }
+    }
+
+    /// The deferred growth after a further `increment` (mm) with which a path that runs along
+    /// `ahead` (a unit vector) turns by `turn` (radians), `at_once` or smoothly. After a kink the
+    /// path goes straight on until it is drawn, since the tip has not moved yet.
+    pub fn turned(self, increment: f64, ahead: Vec2, turn: f64, at_once: bool) -> Self {
+        let length = self.length + increment;
+        if self.is_kinked {
+            return Self { length, ..self };
+        }
+        let before = if self.length > 0.0 { self.direction } else { ahead };
+        Self { length, direction: Vec2::unit(before.angle() + turn), is_kinked: at_once }
     }
 
     /// The share of it that was already deferred `before` the last increment.

@@ -57,3 +57,11 @@ pub enum GrowthError {
         source: NetworkError,
     },
 }
+
+impl GrowthError {
+    /// Whether the observer interrupted the step.
+    #[must_use]
+    pub fn is_interruption(&self) -> bool {
+        matches!(self, Self::Interrupted { .. })
+    }
+}

@@ -27,6 +27,23 @@ pub struct PlaneGeometry {
     pub stopped: Vec<Vec<Option<TipStop>>>,
     /// `deferred[crack][tip]`: growth that has not been added to the cracks yet.
     pub deferred: Vec<Vec<DeferredGrowth>>,
+    /// `courses[crack][tip]`: how the path of a tip has turned.
+    pub courses: Vec<Vec<TipCourse>>,
+}
+
+/// How the path of a tip turned in the previous step.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct TipCourse {
+    /// dθ/ds at its start, rad/mm; of the limit path, of the whole step.
+    pub curvature: f64,
+    /// Decay of the curvature along the path by its own turn, 1/mm.
+    pub decay: f64,
+    /// Its growth, mm; 0 where nothing is known.
+    pub span: f64,
+    /// The turns that theory gives up to its start less all turns made up to its end, radians.
+    pub balance: f64,
+    /// The best kink that the tip expects at its end, radians, if its path went on smoothly.
+    pub expected: Option<f64>,
 }
 
 /// Cracks in space between two steps.
@@ -52,6 +69,7 @@ impl PlaneGeometry {
             break_outs: Vec::new(),
             stopped: tips().map(|tips| vec![None; tips]).collect(),
             deferred: tips().map(|tips| vec![DeferredGrowth::default(); tips]).collect(),
+            courses: tips().map(|tips| vec![TipCourse::default(); tips]).collect(),
         }
     }
 

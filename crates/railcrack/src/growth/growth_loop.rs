@@ -1,27 +1,52 @@
 //! Growth as an iterator of steps that can be stored and resumed.
 
+use super::control::{Control, End, Trial, Verdict};
 use super::rail::check;
 use super::warnings::Warnings;
 use super::{
-    CrackedRail, GrowthError, GrowthState, Observer, PhaseTimes, StabilisedPassage, StepRecord, StepStart,
-    TipJudge, Warning, WarningKind,
+    Advance, BodyReport, CrackedRail, FieldRecord, GrowthError, GrowthState, Jump, Mover, Observer,
+    PhaseTimes, RunStop, StabilisedPassage, StepRecord, StepStart, TipGeometry, TipJudge, TipRecord, Warning,
+    WarningKind,
 };
+use crate::fatigue::RUNAWAY;
 use crate::interruption::Interruption;
 use std::sync::Arc;
 use std::time::Instant;
 
 /// A run over growth steps, in the plane or in space. [`Growth::next_step`] computes one step;
 /// [`Growth::state`] is the state to store after it.
-pub struct Growth<R> {
+pub struct Growth<R: CrackedRail> {
     rail: R,
     judge: Option<Arc<dyn TipJudge>>,
     state: GrowthState,
+    /// The cracks of the state under their passages, where they are known already.
+    ahead: Option<Loaded<R::Site>>,
+}
+
+/// The cracks of a step under their stabilised passages.
+struct Loaded<S> {
+    site: S,
+    report: BodyReport,
+    passages: Vec<StabilisedPassage>,
+    fields: Option<FieldRecord>,
+    tips: Vec<TipRecord>,
+    movers: Vec<Mover>,
+    /// For each tip, the largest k1 over the toughness.
+    hazards: Vec<f64>,
+    warnings: Vec<Warning>,
+    /// Load cycles at the start of the step.
+    load_cycles: f64,
+    /// Load cycles of the previous step.
+    passed: f64,
+    body_s: f64,
+    contact_s: f64,
+    growth_s: f64,
 }
 
 impl<R: CrackedRail> Growth<R> {
     /// A run with the cracks of `rail` that continues from `state`.
     pub fn new(rail: R, state: GrowthState) -> Self {
-        Self { rail, judge: None, state }
+        Self { rail, judge: None, state, ahead: None }
     }
 
     /// Lets `judge` determine the direction and rate of every tip, and the rate of every front
@@ -36,8 +61,18 @@ impl<R: CrackedRail> Growth<R> {
         &self.state
     }
 
+    /// The rail.
+    #[cfg(test)]
+    pub(super) fn rail(&self) -> &R {
+        &self.rail
+    }
+
     /// Computes the next step; `None` when the run has ended. An error leaves the state as it was
     /// before the step.
+    ///
+    /// The increment of a step is made, and the cracks of the next step are computed, before the
+    /// step is complete: where the increment was too long, or passed an event, it is cut and made
+    /// again.
     ///
     /// Each step starts from virgin faces: slip from the previous step is not carried over to the
     /// longer cracks.
@@ -48,31 +83,180 @@ impl<R: CrackedRail> Growth<R> {
         if self.state.ended.is_some() {
             return Ok(None);
         }
-        let (rail, state) = (&mut self.rail, &self.state);
-        check(rail)?;
+        check(&self.rail)?;
+        let mut now = match self.ahead.take() {
+            Some(now) => now,
+            None => {
+                let state = self.state.clone();
+                self.loaded(&state, observer, |_| true)?
+            }
+        };
+        let mut trial = Trial::default();
+        let (tips, advance, next) = loop {
+            let started = Instant::now();
+            let mut tips = now.tips.clone();
+            let at = start_of(&self.state, &now, &trial, self.rail.settings().increment);
+            let mut advance = self.rail.advance(&now.site, &at, &mut tips, &now.movers);
+            now.growth_s += started.elapsed().as_secs_f64();
+            if advance.stop == Some(RunStop::Fracture)
+                && let Some(popped) = self.pop_in(&mut now, &mut tips, observer)?
+            {
+                advance = popped;
+            }
+            if advance.stop.is_some() {
+                break (tips, advance, None);
+            }
+            let state = self.state.after(&advance, now.load_cycles);
+            let control = Control {
+                settings: self.rail.settings().clone(),
+                course: self.state.course,
+                earlier: self.state.earlier.clone(),
+                advance: &advance,
+                before: End {
+                    tips: &tips,
+                    movers: &now.movers,
+                    hazard: now.hazard(),
+                    load_cycles: now.load_cycles,
+                },
+            };
+            let mut verdict = Verdict::Accepted(self.state.course);
+            let judged = self.loaded(&state, observer, |next| {
+                verdict = control.judge(&next.end(), &trial);
+                matches!(verdict, Verdict::Accepted(_))
+            });
+            let next = match judged {
+                Err(error) if error.is_interruption() => {
+                    self.ahead = Some(now);
+                    return Err(error);
+                }
+                // The next step reports the error.
+                Err(_) => break (tips, advance, Some((state, None))),
+                Ok(next) => next,
+            };
+            match verdict {
+                Verdict::Again(again) => {
+                    now.take_effort(&next);
+                    trial = again;
+                }
+                Verdict::Accepted(course) => {
+                    break (tips, advance, Some((GrowthState { course, ..state }, Some(next))));
+                }
+            }
+        };
+        let after = self.state.after(&advance, now.load_cycles);
+        let record = self.record(now, tips, &advance);
+        (self.state, self.ahead) = next.unwrap_or((after, None));
+        Ok(Some(record))
+    }
+
+    /// The transition to the cracks with real kinks at the tips whose virtual kinks reach the
+    /// toughness, if those kinks arrest; `None` where the rail fractures.
+    ///
+    /// Errors: an interruption.
+    fn pop_in(
+        &mut self,
+        now: &mut Loaded<R::Site>,
+        tips: &mut [TipRecord],
+        observer: &dyn Observer,
+    ) -> Result<Option<Advance>, GrowthError> {
+        let Some(length) = self.rail.settings().pop_in else { return Ok(None) };
+        let critical: Vec<usize> = (0..tips.len()).filter(|&i| now.hazards[i] >= 1.0).collect();
+        if critical.is_empty() || critical.iter().any(|&i| tips[i].rate >= RUNAWAY) {
+            return Ok(None);
+        }
+        let mut popped = None;
+        let mut texts = Vec::new();
+        for part in [1.0, 0.5, 2.0] {
+            let at: Vec<&TipRecord> = critical.iter().map(|&i| &now.tips[i]).collect();
+            let Some(geometry) = self.rail.popped_in(&now.site, &at, part * length) else { return Ok(None) };
+            let state = GrowthState { geometry: geometry.clone(), ..self.state.clone() };
+            let next = match self.loaded(&state, observer, |_| false) {
+                Err(error) if error.is_interruption() => return Err(error),
+                // Cracks that cannot be computed give no evidence of an arrest.
+                Err(_) => return Ok(None),
+                Ok(next) => next,
+            };
+            let hazard = critical
+                .iter()
+                .filter_map(|&i| next.tips.iter().position(|tip| tip.tip == tips[i].tip))
+                .map(|i| next.hazards[i])
+                .fold(0.0, f64::max);
+            now.take_effort(&next);
+            if part == 1.0 && hazard >= 1.0 {
+                return Ok(None);
+            }
+            if part == 1.0 {
+                popped = Some(geometry);
+            } else if hazard >= 1.0 {
+                texts.push(format!("with {} mm, k1 is still {hazard:.3} of the toughness", part * length));
+            }
+        }
+        let Some(geometry) = popped else { return Ok(None) };
+        let lengths = geometry.lengths().into_iter().zip(self.state.geometry.lengths());
+        let grown: Vec<f64> = lengths.map(|(after, before)| after - before).collect();
+        let first = &now.tips[critical[0]];
+        let mut text = format!(
+            "crack {} tip {}: pop-in of {:.2} mm at {:.0} degrees: k1 of a virtual kink is {:.3} of the toughness, and the kink arrests",
+            first.tip.crack + 1,
+            first.tip.tip + 1,
+            grown[first.tip.crack],
+            first.largest_k1.map_or(0.0, |largest| largest.angle.to_degrees()),
+            now.hazards[critical[0]]
+        );
+        for other in texts {
+            text += &format!("; {other}");
+        }
+        let step = self.state.step;
+        let warnings = vec![Warning { step, kind: WarningKind::PopIn, text }];
+        for i in critical {
+            let tip = &mut tips[i];
+            tip.increment = grown[tip.tip.crack];
+            tip.stop = None;
+            if let TipGeometry::Plane(plane) = &mut tip.geometry {
+                plane.jump = Some(Jump::PopIn);
+                plane.turn = tip.largest_k1.map_or(0.0, |largest| largest.angle);
+                plane.is_drawn = true;
+            }
+        }
+        Ok(Some(Advance {
+            geometry,
+            pieces: Vec::new(),
+            cycles: 0.0,
+            share: 0.0,
+            earlier: None,
+            interval: None,
+            removal: 0.0,
+            ground: false,
+            stop: None,
+            warnings,
+        }))
+    }
+
+    /// The cracks of `state` under their stabilised passages. Fields are computed where `accept`
+    /// takes the result.
+    fn loaded(
+        &mut self,
+        state: &GrowthState,
+        observer: &dyn Observer,
+        accept: impl FnOnce(&Loaded<R::Site>) -> bool,
+    ) -> Result<Loaded<R::Site>, GrowthError> {
+        let rail = &mut self.rail;
         let step = state.step;
         let started = Instant::now();
         let asked = || observer.interrupted();
         let body = rail.body(state, Interruption::when(&asked))?;
-        if step >= rail.settings().steps {
-            rail.forget();
-        }
         let report = rail.report(&body);
         let body_s = started.elapsed().as_secs_f64();
 
         let started = Instant::now();
-        let before = StepStart { step, load_cycles: state.load_cycles, worn: &state.worn };
+        let before = state.start();
         let remark = |text: &String| Warning { step, kind: WarningKind::Engine, text: text.clone() };
         let mut warnings: Vec<Warning> = report.remarks.iter().map(remark).collect();
-        let mut passages = rail.passages(&body, &before, observer, &mut warnings)?;
+        let passages = rail.passages(&body, &before, observer, &mut warnings)?;
         let contact_s = started.elapsed().as_secs_f64();
 
         let started = Instant::now();
         let first = passages.first().ok_or(GrowthError::Interrupted { step })?;
-        let fields = rail.fields(&body, &before, first)?;
-        let body_s = body_s + started.elapsed().as_secs_f64();
-
-        let started = Instant::now();
         let mut tips = rail.demands(&body, &passages);
         if let Some(judge) = &self.judge {
             tips.iter_mut().zip(&first.histories).for_each(|(tip, history)| judge.judge(history, tip));
@@ -81,46 +265,103 @@ impl<R: CrackedRail> Growth<R> {
         warnings.extend(
             Warnings { step, refinement: rail.refinement(), wheels: &wheels }.of(state, &tips, &passages),
         );
-        let counts = passages.iter().skip(1).fold(first.counts, |sum, other| sum.and(other.counts));
         let movers = rail.movers(&body, &tips);
         let slowest = rail.settings().arrest_rate;
         let passed = state.interval.map_or(0.0, |interval| interval.cycles_until(&movers, slowest));
-        let load_cycles = state.load_cycles + passed;
-        let at = StepStart { load_cycles, ..before };
-        let mut advance = rail.advance(&body, &at, &mut tips, &movers);
-        warnings.append(&mut advance.warnings);
+        let growth_s = started.elapsed().as_secs_f64();
+        let site = rail.site(&body);
+        let mut loaded = Loaded {
+            hazards: tips.iter().map(|tip| rail.hazard(&site, tip)).collect(),
+            site,
+            report,
+            passages,
+            fields: None,
+            tips,
+            movers,
+            warnings,
+            load_cycles: state.load_cycles + passed,
+            passed,
+            body_s,
+            contact_s,
+            growth_s,
+        };
+        if accept(&loaded) {
+            let started = Instant::now();
+            if let Some(first) = loaded.passages.first() {
+                loaded.fields = rail.fields(&body, &before, first)?;
+            }
+            loaded.body_s += started.elapsed().as_secs_f64();
+            if step >= rail.settings().steps {
+                rail.forget();
+            }
+        }
+        Ok(loaded)
+    }
+
+    fn record(&self, now: Loaded<R::Site>, tips: Vec<TipRecord>, advance: &Advance) -> StepRecord {
+        let Loaded { report, mut passages, fields, mut warnings, load_cycles, .. } = now;
+        let counts = passages.iter().skip(1).fold(passages[0].counts, |sum, other| sum.and(other.counts));
+        warnings.extend(advance.warnings.iter().cloned());
         let other_wheels: Vec<StabilisedPassage> = passages.split_off(1);
         let first = passages.swap_remove(0);
-        let record = StepRecord {
-            step,
-            geometry: state.geometry.clone(),
+        StepRecord {
+            step: self.state.step,
+            geometry: self.state.geometry.clone(),
             tips,
             passages: first.passages,
             other_wheels: other_wheels.into_iter().map(|passage| passage.passages).collect(),
             faces: first.faces,
             fields,
             load_cycles,
-            removed: state.worn.removed,
+            cycles_error: self.state.course.error(),
+            removed: self.state.worn.removed,
             dofs: report.dofs,
             counts,
             times: PhaseTimes {
-                body_s,
+                body_s: now.body_s,
                 parts: report.times,
-                contact_s,
-                growth_s: started.elapsed().as_secs_f64(),
+                contact_s: now.contact_s,
+                growth_s: now.growth_s,
             },
-            pieces: std::mem::take(&mut advance.pieces),
+            pieces: advance.pieces.clone(),
             warnings,
             stop: advance.stop,
-        };
-        if self.rail.settings().maintained().is_some() {
-            self.state.wear(&advance, &movers);
         }
-        self.state.step += 1;
-        self.state.geometry = advance.geometry;
-        self.state.load_cycles = load_cycles;
-        self.state.interval = advance.interval;
-        self.state.ended = advance.stop;
-        Ok(Some(record))
+    }
+}
+
+impl<S> Loaded<S> {
+    /// The largest k1 of all tips over the toughness.
+    fn hazard(&self) -> f64 {
+        self.hazards.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// The state as the control of the increments sees it.
+    fn end(&self) -> End<'_> {
+        End { tips: &self.tips, movers: &self.movers, hazard: self.hazard(), load_cycles: self.load_cycles }
+    }
+
+    /// Adds the effort of an attempt that does not stand.
+    fn take_effort(&mut self, attempt: &Self) {
+        self.body_s += attempt.body_s;
+        self.contact_s += attempt.contact_s;
+        self.growth_s += attempt.growth_s;
+    }
+}
+
+/// The start of the `trial` of a step from `state`.
+fn start_of<'a, S>(
+    state: &'a GrowthState,
+    now: &Loaded<S>,
+    trial: &'a Trial,
+    increment: f64,
+) -> StepStart<'a> {
+    StepStart {
+        load_cycles: now.load_cycles,
+        passed: now.passed,
+        share: state.course.share.unwrap_or(increment),
+        cycles_at_most: trial.cycles_at_most,
+        turns: &trial.turns,
+        ..state.start()
     }
 }

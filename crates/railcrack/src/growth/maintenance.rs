@@ -24,8 +24,18 @@ pub struct Maintenance {
 pub struct Grinding {
     /// Depth removed each time, mm.
     pub depth: f64,
-    /// Load cycles from one grinding to the next; the first is one interval after the beginning.
+    /// Load cycles from one grinding to the next.
     pub interval: f64,
+    /// Load cycles until the first one.
+    pub first: f64,
+}
+
+impl Grinding {
+    /// The load cycles at which the next grinding is due after `done` of them.
+    #[must_use]
+    pub fn at(&self, done: usize) -> f64 {
+        self.first + self.interval * done as f64
+    }
 }
 
 /// Effect of surface removal on the residual stress.
@@ -50,8 +60,10 @@ impl Maintenance {
     pub fn check(&self) -> Result<(), OutOfRange> {
         let wears = self.wear >= 0.0 && self.wear.is_finite();
         OutOfRange::unless(wears, "wear (mm per cycle)", self.wear, "zero or more")?;
-        let Some(Grinding { depth, interval }) = self.grinding else { return Ok(()) };
+        let Some(Grinding { depth, interval, first }) = self.grinding else { return Ok(()) };
         OutOfRange::unless_positive("grinding depth (mm)", depth)?;
+        let later = first >= 0.0 && first.is_finite();
+        OutOfRange::unless(later, "cycles until the first grinding", first, "zero or more")?;
         OutOfRange::unless_positive("cycles between grindings", interval)
     }
 

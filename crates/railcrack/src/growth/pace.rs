@@ -1,29 +1,33 @@
 //! The pace of a step: the cycles until the next one, with the growth and surface removal during
 //! them.
 
-use super::{EarlierRates, GrowthSettings, Interval, Maintenance, Mover, StepStart};
+use super::control::LOCATED;
+use super::history::History;
+use super::{EarlierStep, GrowthSettings, Interval, Maintenance, Mover, StepStart};
 
 /// The pace of a step. It is set by the fastest-growing mover, or by the removal of the surface
 /// where that takes more of a crack.
 #[derive(Debug, Clone)]
 pub(crate) struct Pace {
+    history: History,
     /// The mover whose rate determines the cycles; `None` where nothing grows.
     mover: Option<Mover>,
-    rate: f64,
+    /// The increment of that mover, mm, and its growth during the step.
     increment: f64,
+    growth: f64,
+    /// The cycles of that increment at the rate at the start.
+    cycles_at_start: f64,
     /// The increment divided by the length of its crack.
     pub share: f64,
+    /// Cycles to the next step, as predicted.
     pub cycles: f64,
-    /// Whether the number of cycles is final, independent of the rate at the end of the step.
-    is_settled: bool,
     /// Depth removed from the surface, mm.
     pub removal: f64,
-    /// Whether the surface is ground at the end of the step.
+    /// Whether the step is a grinding, which takes no cycles.
     pub grinds: bool,
-    /// Whether the increments follow from the cycles instead of the cycles from an increment.
+    /// Whether the increments follow from the cycles, which are final, instead of the cycles from
+    /// an increment.
     is_timed: bool,
-    /// Rates of the previous step.
-    earlier: Option<EarlierRates>,
 }
 
 /// A crack that is shortened as the surface is removed.
@@ -47,100 +51,192 @@ pub(crate) struct Moving<'a> {
     pub wearing: &'a [WearingCrack],
 }
 
+/// Growth below this part of a full increment is deferred where the surface is removed.
+const LEAST_DRAWN: f64 = 0.1;
+/// Cycles before a grinding, relative to its interval, that are attributed to rounding.
+const DUE: f64 = 1e-9;
+
 impl Pace {
-    pub fn of(moving: &Moving<'_>, at: &StepStart<'_>, settings: &GrowthSettings) -> Self {
+    /// The pace of `moving`. It is shortened to the fraction `part` of the full step, so that the
+    /// step ends at an event.
+    pub fn of(moving: &Moving<'_>, at: &StepStart<'_>, settings: &GrowthSettings, part: f64) -> Self {
         // Of equally fast movers, the one of the longest crack is taken, so that their order does
         // not matter.
         let faster = |a: &Mover, b: &Mover| (b.rate, b.length) > (a.rate, a.length);
         let fastest = moving.growing.iter().copied().reduce(|a, b| if faster(&a, &b) { b } else { a });
+        let history = History::of(at, moving.all, settings);
         let left = (settings.stop_after_cycles.unwrap_or(f64::INFINITY) - at.load_cycles).max(0.0);
-        if let Some(maintenance) = settings.maintained() {
-            let left = if moving.some_are_left { left } else { 0.0 };
-            return Self::maintained(moving, at, settings, maintenance, fastest, left);
+        let left = left.min(at.cycles_at_most);
+        let maintenance = settings.maintained();
+        if let Some(maintenance) = maintenance
+            && let Some(depth) = maintenance.grinding_due(at)
+        {
+            return Self { removal: depth, grinds: true, mover: fastest, ..Self::none(history) };
         }
-        let Some(fastest) = fastest else { return Self::none() };
-        let increment = settings.increment * fastest.length;
-        let cycles = increment / fastest.rate;
-        let share = settings.increment;
-        let (mover, rate) = (Some(fastest), fastest.rate);
-        if cycles <= left {
-            return Self { mover, rate, increment, share, cycles, ..Self::none() };
+        let mut pace = match fastest {
+            Some(fastest) => Self::of_growth(history, fastest, at.share, part),
+            None => Self { cycles: f64::INFINITY, ..Self::none(history) },
+        };
+        let limit = match maintenance {
+            Some(_) if !moving.some_are_left => 0.0,
+            Some(maintenance) => left.min(maintenance.cycles_at_most(moving.wearing, at)),
+            None => left,
+        };
+        if pace.cycles > limit {
+            // Where nothing grows, any mover serves to carry the cycles.
+            let mover = fastest.or_else(|| moving.all.first().copied());
+            let cycles = if limit < f64::INFINITY { part * limit } else { 0.0 };
+            let share = fastest.map_or(0.0, |mover| cycles * mover.rate / mover.length);
+            // Growth that is much slower than the removal of the surface is drawn in larger steps.
+            let least = if maintenance.is_some() { LEAST_DRAWN * at.share } else { 0.0 };
+            pace = Self {
+                mover,
+                cycles,
+                is_timed: true,
+                share: share.max(least).min(at.share),
+                ..Self::none(pace.history)
+            };
         }
-        let increment = left * rate;
-        let share = increment / fastest.length;
-        Self { mover, rate, increment, share, cycles: left, is_settled: true, ..Self::none() }
+        if let Some(maintenance) = maintenance {
+            pace.removal = maintenance.removal_over(pace.cycles, at);
+        }
+        pace
     }
 
     /// Nothing grows and nothing is removed.
-    fn none() -> Self {
+    fn none(history: History) -> Self {
         Self {
+            history,
             mover: None,
-            rate: 1.0,
             increment: 0.0,
+            growth: 0.0,
+            cycles_at_start: 0.0,
             share: 0.0,
             cycles: 0.0,
-            is_settled: false,
             removal: 0.0,
             grinds: false,
             is_timed: false,
-            earlier: None,
         }
     }
 
-    /// The pace while the surface is removed: no crack loses more at its mouth than the increment
-    /// for its greatest length so far, and each grinding ends a step. Where the fastest mover sets
-    /// the pace, the cycles follow from its rates as usual; otherwise the increments follow from
-    /// the cycles.
-    fn maintained(
-        moving: &Moving<'_>,
-        at: &StepStart<'_>,
-        settings: &GrowthSettings,
-        maintenance: &Maintenance,
-        fastest: Option<Mover>,
-        left: f64,
-    ) -> Self {
-        let increment = fastest.map_or(0.0, |mover| settings.increment * mover.length);
-        let by_growth = fastest.map_or(f64::INFINITY, |mover| increment / mover.rate);
-        let by_wear =
-            |crack: &WearingCrack| settings.increment * crack.longest * crack.mouth_sine / maintenance.wear;
-        let by_wear = moving.wearing.iter().map(by_wear).fold(f64::INFINITY, f64::min);
-        let to_grinding = maintenance
-            .grinding
-            .map(|grinding| ((at.worn.grindings + 1) as f64 * grinding.interval - at.load_cycles).max(0.0));
-        let cycles = by_growth.min(by_wear).min(left).min(to_grinding.unwrap_or(f64::INFINITY));
-        let grinds = to_grinding.is_some_and(|to_grinding| to_grinding <= cycles);
-        let ground = maintenance
-            .grinding
-            .map_or(0.0, |grinding| grinding.depth * (at.worn.grindings + usize::from(grinds)) as f64);
-        let removed = maintenance.wear * (at.load_cycles + cycles) + ground;
-        let is_timed = maintenance.grinding.is_some() || cycles < by_growth;
+    /// The pace at which `fastest` grows by `share` of the length of its crack.
+    fn of_growth(history: History, fastest: Mover, share: f64, part: f64) -> Self {
+        let increment = part * share * fastest.length;
+        // The growth during this step: the increment also makes up what earlier ones lack.
+        let growth = (increment - history.owed(&fastest)).max(0.1 * increment);
+        let cycles_at_start = growth / fastest.rate;
+        let cycles = growth / history.mean_rate(&fastest, cycles_at_start);
         Self {
-            // Where nothing grows, any mover serves to carry the cycles.
-            mover: fastest.or(moving.all.first().copied()),
-            rate: fastest.map_or(1.0, |mover| mover.rate),
+            mover: Some(fastest),
             increment,
-            share: settings.increment,
+            growth,
+            cycles_at_start,
             cycles,
-            is_settled: is_timed,
-            is_timed,
-            removal: (removed - at.worn.removed).max(0.0),
-            grinds,
-            earlier: at.worn.before.clone(),
+            share: part * share,
+            ..Self::none(history)
         }
     }
 
-    /// The increment whose end rate determines the cycles; `None` where no cycles pass.
-    pub fn interval(&self) -> Option<Interval> {
-        let Self { rate, cycles, is_settled, .. } = *self;
-        self.mover.map(|mover| Interval { mover: Mover { rate, ..mover }, cycles, is_settled })
+    /// The increment whose end rate determines the cycles; `None` where no cycles pass. `is_kinked`
+    /// says of a mover whether it kinks.
+    pub fn interval(&self, is_kinked: impl Fn(&Mover) -> bool) -> Option<Interval> {
+        let Self { is_timed, cycles, cycles_at_start, .. } = *self;
+        let cycles = if is_timed { cycles } else { cycles_at_start };
+        let mover = self.mover.filter(|_| !self.grinds)?;
+        Some(Interval { mover, cycles, is_settled: is_timed, is_kinked: is_kinked(&mover) })
     }
 
     /// The increment (mm) of a mover.
     pub fn increment(&self, mover: &Mover) -> f64 {
-        if !self.is_timed {
-            return self.increment * (mover.rate / self.rate);
+        if self.grinds {
+            return 0.0;
         }
-        let mean = |earlier: &EarlierRates| earlier.mean(mover, self.cycles);
-        self.cycles * self.earlier.as_ref().map_or(mover.rate, mean)
+        match &self.mover {
+            Some(fastest) if !self.is_timed && mover.is(fastest) => self.increment,
+            Some(fastest) if !self.is_timed && !self.history.is_second_order() => {
+                self.increment * (mover.rate / fastest.rate)
+            }
+            _ => (self.predicted(mover) + self.history.owed(mover)).max(0.0),
+        }
+    }
+
+    /// The growth (mm) of a mover during the step, as predicted.
+    fn predicted(&self, mover: &Mover) -> f64 {
+        self.cycles * self.history.mean_rate(mover, self.cycles)
+    }
+
+    /// This step as the next one sees it, of the movers `all`. `is_smooth` where the rates at its
+    /// start continue during it.
+    pub fn as_earlier(&self, all: &[Mover], is_smooth: bool) -> EarlierStep {
+        let balance = |mover: &Mover| self.history.owed(mover) - self.increment(mover);
+        EarlierStep {
+            movers: all.to_vec(),
+            balance: all.iter().map(balance).collect(),
+            growth: all.iter().map(|mover| self.predicted(mover)).collect(),
+            cycles: self.cycles,
+            leader: self.mover.filter(|_| !self.is_timed && !self.grinds).map(|mover| (mover, self.growth)),
+            is_extrapolated: self.mover.is_some_and(|mover| self.history.extrapolates(&mover)),
+            is_smooth: is_smooth && !self.grinds,
+        }
+    }
+}
+
+/// A step is not shortened to less than this part for events.
+pub(crate) const LEAST_PART: f64 = 1e-9;
+/// Relative difference of a shortened step from the event at which it ends.
+const AT_EVENT: f64 = 1e-9;
+
+/// An event during a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Event {
+    /// The part of the step after which it occurs.
+    pub part: f64,
+    /// Whether the run ends with it.
+    pub ends_run: bool,
+}
+
+impl Event {
+    /// The first of `events` before the end of the step.
+    pub fn first(events: Vec<Self>) -> Option<Self> {
+        let during = |event: &Self| event.part < 1.0 - AT_EVENT && event.part.is_finite();
+        events.into_iter().filter(during).reduce(|a, b| if b.part < a.part { b } else { a })
+    }
+}
+
+/// Whether a step of `pace` is shortened to end at `event`: where the run ends with it or enough
+/// cycles would pass after it.
+pub(crate) fn is_worth_a_step(
+    event: Event,
+    pace: &Pace,
+    at: &StepStart<'_>,
+    settings: &GrowthSettings,
+) -> bool {
+    let after = (1.0 - event.part) * pace.cycles;
+    !settings.turning.is_kink()
+        && event.part > AT_EVENT
+        && (event.ends_run || after > LOCATED * (at.load_cycles + pace.cycles))
+}
+
+impl Maintenance {
+    /// Depth (mm) of the grinding that is due at `at`, if one is.
+    fn grinding_due(&self, at: &StepStart<'_>) -> Option<f64> {
+        let grinding = self.grinding?;
+        let due = grinding.at(at.worn.grindings) - at.load_cycles <= DUE * grinding.interval;
+        due.then_some(grinding.depth)
+    }
+
+    /// The cycles after which some crack has lost a full increment at its mouth, or the surface is
+    /// ground.
+    fn cycles_at_most(&self, wearing: &[WearingCrack], at: &StepStart<'_>) -> f64 {
+        let by_wear = |crack: &WearingCrack| at.share * crack.longest * crack.mouth_sine / self.wear;
+        let by_wear = wearing.iter().map(by_wear).fold(f64::INFINITY, f64::min);
+        let next = self.grinding.map(|grinding| grinding.at(at.worn.grindings) - at.load_cycles);
+        by_wear.min(next.unwrap_or(f64::INFINITY)).max(0.0)
+    }
+
+    /// Depth (mm) that the surface loses in `cycles` without grinding.
+    fn removal_over(&self, cycles: f64, at: &StepStart<'_>) -> f64 {
+        let ground = self.grinding.map_or(0.0, |grinding| grinding.depth * at.worn.grindings as f64);
+        (self.wear * (at.load_cycles + cycles) + ground - at.worn.removed).max(0.0)
     }
 }

@@ -1,8 +1,8 @@
 //! Interface between the growth loop and a cracked rail, in the plane or in space.
 
 use super::{
-    Advance, FieldRecord, GrowthError, GrowthSettings, GrowthState, Mover, Observer, PassageSettings,
-    StabilisedPassage, TipRecord, Warning, WornSurface,
+    Advance, FieldRecord, Geometry, GrowthError, GrowthSettings, GrowthState, Mover, Observer,
+    PassageSettings, StabilisedPassage, StepStart, TipRecord, Warning,
 };
 use crate::body::BodyTimes;
 use crate::interruption::Interruption;
@@ -13,6 +13,8 @@ use crate::math::OutOfRange;
 pub trait CrackedRail {
     /// The cracks of a step as a body.
     type Body;
+    /// The cracks of a step, as far as their increments depend on them.
+    type Site: Clone;
 
     /// Growth law, increments and stops.
     fn settings(&self) -> &GrowthSettings;
@@ -64,14 +66,25 @@ pub trait CrackedRail {
     /// Everything that moves the cracks, with its rate.
     fn movers(&self, body: &Self::Body, tips: &[TipRecord]) -> Vec<Mover>;
 
+    /// The part of `body` from which increments are made.
+    fn site(&self, body: &Self::Body) -> Self::Site;
+
     /// The transition to the next step; increments and stops are written into `tips`.
     fn advance(
         &self,
-        body: &Self::Body,
+        site: &Self::Site,
         at: &StepStart<'_>,
         tips: &mut [TipRecord],
         movers: &[Mover],
     ) -> Advance;
+
+    /// The largest k1 of `tip` over the toughness under the wheel that causes it; 0 where the tip
+    /// cannot break the rail.
+    fn hazard(&self, site: &Self::Site, tip: &TipRecord) -> f64;
+
+    /// The cracks of `site` with a kink of `length` (mm) at each of `tips`, in the direction of its
+    /// largest k1; `None` where cracks cannot be kinked.
+    fn popped_in(&self, site: &Self::Site, tips: &[&TipRecord], length: f64) -> Option<Geometry>;
 
     /// Drops whatever is needed only to build further bodies.
     fn forget(&mut self) {}
@@ -97,17 +110,6 @@ pub struct BodyReport {
     pub times: BodyTimes,
     /// Remarks on the engine's representation of the cracks, where it affects the results.
     pub remarks: Vec<String>,
-}
-
-/// Progress of a run at the start of a step.
-#[derive(Debug, Clone, Copy)]
-pub struct StepStart<'a> {
-    /// Step number, from 0.
-    pub step: usize,
-    /// Load cycles so far.
-    pub load_cycles: f64,
-    /// The running surface as wear and grinding have left it.
-    pub worn: &'a WornSurface,
 }
 
 /// Checks the settings of growth and of the passages of every wheel of `rail`.

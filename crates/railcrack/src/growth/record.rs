@@ -1,8 +1,8 @@
 //! Records of a growth step.
 
 use super::{
-    DeferredGrowth, FaceRecord, FieldRecord, FrontTip, Geometry, PassageRecord, Piece, RunStop, SolverCounts,
-    TipStop, Warning, WheelShares,
+    DeferredGrowth, FaceRecord, FieldRecord, FrontTip, Geometry, Jump, PassageRecord, Piece, RunStop,
+    SolverCounts, TipStop, Warning, WheelShares,
 };
 use crate::body::BodyTimes;
 use crate::crack::{Crack, CrackTip, Junction};
@@ -71,6 +71,18 @@ pub struct PlaneTip {
     pub secondary_ratio: Option<f64>,
     /// The wheel of a mix (from 0) whose removal would change the growth direction most.
     pub turned_by: Option<usize>,
+    /// The turn of the path from this tip to the next, radians, counter-clockwise.
+    pub turn: f64,
+    /// The part of it that follows from this step and the previous one, without what was owed.
+    pub predicted_turn: f64,
+    /// Why the path kinks here, if it does.
+    pub jump: Option<Jump>,
+    /// Whether the crack of the next step includes the increment.
+    pub is_drawn: bool,
+    /// Relative change of the rate per radian of direction.
+    pub sensitivity: f64,
+    /// Decrease of the best kink per radian of turn; 1 where the best direction is fixed in space.
+    pub kink_slope: f64,
 }
 
 impl TipRecord {
@@ -133,6 +145,8 @@ pub struct StepRecord {
     pub fields: Option<FieldRecord>,
     /// Load cycles at the start of the step.
     pub load_cycles: f64,
+    /// Their estimated error by the increments.
+    pub cycles_error: f64,
     /// Depth removed from the running surface since the beginning, by wear and grinding, mm.
     /// Coordinates refer to the current surface.
     pub removed: f64,

@@ -1,6 +1,6 @@
 //! Settings of passages and growth; the defaults are the reference values of the paper.
 
-use super::Maintenance;
+use super::{Maintenance, Turning};
 use crate::contact::StepControl;
 use crate::fatigue::{DirectionCriterion, GrowthLaw};
 use crate::load::Passage;
@@ -55,8 +55,18 @@ impl PassageSettings {
 pub struct GrowthSettings {
     /// Number of increments; with 0, only the initial cracks are computed.
     pub steps: usize,
-    /// Increment of the fastest tip as a fraction of its crack's current length.
+    /// Increment of the fastest tip as a fraction of its crack's current length; with a tolerance,
+    /// that of the first step.
     pub increment: f64,
+    /// Allowed relative error of the life, for which the increments are chosen; `None` for
+    /// increments of one fraction.
+    pub tolerance: Option<f64>,
+    /// How paths turn towards the best kink.
+    pub turning: Turning,
+    /// Best kink (radians) from which a path kinks at once.
+    pub kink_angle: f64,
+    /// Friction coefficient of the faces of virtual kinks.
+    pub kink_friction: f64,
     /// Growth law, which gives the rate.
     pub law: GrowthLaw,
     /// Rate (mm per cycle) below which a tip is arrested.
@@ -69,6 +79,9 @@ pub struct GrowthSettings {
     pub stop_after_cycles: Option<f64>,
     /// K_Ic, MPa √mm: the run ends when k1 of a tip reaches it during a passage.
     pub toughness: Option<f64>,
+    /// Length (mm) of the kink on which k1 must still reach the toughness for the rail to
+    /// fracture; `None` where k1 of a virtual kink decides.
+    pub pop_in: Option<f64>,
     /// Wear and grinding of the running surface.
     pub maintenance: Option<Maintenance>,
 }
@@ -85,12 +98,17 @@ impl GrowthSettings {
     pub const REFERENCE: Self = Self {
         steps: 25,
         increment: 0.04,
+        tolerance: None,
+        turning: Turning::Over(Turning::DEFAULT_LENGTH),
+        kink_angle: 30.0 * std::f64::consts::PI / 180.0,
+        kink_friction: 0.0,
         law: GrowthLaw::RAIL_STEEL,
         arrest_rate: 1e-9,
         criterion: DirectionCriterion::MaxRate,
         critical_length: None,
         stop_after_cycles: None,
         toughness: None,
+        pop_in: None,
         maintenance: None,
     };
 
@@ -105,6 +123,13 @@ impl GrowthSettings {
         OutOfRange::unless(fraction, "increment over the crack length", self.increment, "positive")?;
         let at_least_zero =
             |quantity, value: f64| OutOfRange::unless(value >= 0.0, quantity, value, "zero or more");
+        if let Turning::Over(length) = self.turning {
+            at_least_zero("turning length (mm)", length)?;
+        }
+        OutOfRange::unless_positive("kink angle (rad)", self.kink_angle)?;
+        at_least_zero("friction of virtual kinks", self.kink_friction)?;
+        OutOfRange::unless_positive("tolerance of the life", self.tolerance.unwrap_or(1.0))?;
+        OutOfRange::unless_positive("length of a pop-in (mm)", self.pop_in.unwrap_or(1.0))?;
         at_least_zero("arrest rate (mm per cycle)", self.arrest_rate)?;
         at_least_zero("critical length (mm)", self.critical_length.unwrap_or(0.0))?;
         at_least_zero("cycles to stop after", self.stop_after_cycles.unwrap_or(0.0))?;

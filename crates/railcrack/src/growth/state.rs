@@ -1,6 +1,8 @@
 //! The state of a run between two steps.
 
-use super::{Advance, EarlierRates, Geometry, Interval, Mover, PlaneGeometry, RunStop, WornSurface};
+use super::{
+    Advance, Course, EarlierStep, Geometry, Interval, PlaneGeometry, RunStop, StepStart, WornSurface,
+};
 use crate::crack::CrackNetwork;
 use serde::{Deserialize, Serialize};
 
@@ -15,6 +17,10 @@ pub struct GrowthState {
     pub load_cycles: f64,
     /// The last increment, whose cycles depend on the rate at the start of the next step.
     pub interval: Option<Interval>,
+    /// The previous step, from which rates are extrapolated.
+    pub earlier: Option<EarlierStep>,
+    /// Increments and their estimated error so far.
+    pub course: Course,
     /// The running surface after wear and grinding.
     pub worn: WornSurface,
     /// Why the run has ended; `None` while it continues.
@@ -36,23 +42,40 @@ impl GrowthState {
             geometry,
             load_cycles: 0.0,
             interval: None,
+            earlier: None,
+            course: Course::default(),
             worn: WornSurface::default(),
             ended: None,
         }
     }
 
-    /// Records the surface removal of `advance`, before its cracks are adopted; `movers` are those
-    /// of this step.
-    pub(super) fn wear(&mut self, advance: &Advance, movers: &[Mover]) {
+    /// The start of its step, before the cycles of the previous one are known.
+    pub(super) fn start(&self) -> StepStart<'_> {
+        StepStart {
+            step: self.step,
+            load_cycles: self.load_cycles,
+            earlier: self.earlier.as_ref(),
+            ..StepStart::standing(&self.worn)
+        }
+    }
+
+    /// The state after `advance` from this one, whose step began at `load_cycles`.
+    pub(super) fn after(&self, advance: &Advance, load_cycles: f64) -> Self {
         let lengths = self.geometry.lengths().into_iter().enumerate();
-        let longest = lengths.map(|(i, l)| self.worn.longest.get(i).map_or(l, |&before| l.max(before)));
-        let longest = longest.collect();
-        let before = EarlierRates { movers: movers.to_vec(), cycles: advance.cycles };
-        self.worn = WornSurface {
-            removed: self.worn.removed + advance.removal,
-            grindings: self.worn.grindings + usize::from(advance.ground),
-            longest,
-            before: (!advance.ground && advance.cycles > 0.0).then_some(before),
-        };
+        let longest = lengths.map(|(i, length)| self.worn.longest_of(i, length)).collect();
+        Self {
+            step: self.step + 1,
+            geometry: advance.geometry.clone(),
+            load_cycles,
+            interval: advance.interval,
+            earlier: advance.earlier.clone(),
+            course: self.course,
+            worn: WornSurface {
+                removed: self.worn.removed + advance.removal,
+                grindings: self.worn.grindings + usize::from(advance.ground),
+                longest,
+            },
+            ended: advance.stop,
+        }
     }
 }

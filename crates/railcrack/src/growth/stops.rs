@@ -10,6 +10,8 @@ const LIGAMENT_RESOLUTIONS: f64 = 2.0;
 const LIGAMENT_FRACTION: f64 = 0.01;
 /// Relative shortfall of cycles that is attributed to rounding of the last, shortened increment.
 const CYCLES_ROUNDING: f64 = 1e-12;
+/// Relative shortfall of length that is attributed to rounding of the last increment.
+const LENGTH_ROUNDING: f64 = 1e-8;
 
 /// The smallest ligament to the running surface (mm) that a crack of `length` (mm) may leave;
 /// `resolution` (mm) is the length that the engine resolves.
@@ -43,12 +45,16 @@ impl TipDemand {
         self.rate >= RUNAWAY
     }
 
+    /// Whether K means anything: not for a tip whose ligament is used up, nor for one that has
+    /// joined a crack.
+    pub fn is_tip(&self) -> bool {
+        !matches!(self.stopped, Some(TipStop::BreakOut | TipStop::Coalescence | TipStop::WornAway))
+    }
+
     /// Whether it fractures the rail: its largest k1 reaches the toughness, or K reaches the
-    /// toughness of the growth law. K is meaningless for a tip whose ligament is used up and for
-    /// one that has joined a crack.
+    /// toughness of the growth law.
     pub fn breaks(&self, settings: &GrowthSettings) -> bool {
-        let is_tip =
-            !matches!(self.stopped, Some(TipStop::BreakOut | TipStop::Coalescence | TipStop::WornAway));
+        let is_tip = self.is_tip();
         let reaches = settings.toughness.is_some_and(|toughness| self.largest_k1 >= toughness);
         is_tip && (reaches || self.runs_away())
     }
@@ -76,7 +82,7 @@ pub(crate) fn run_stop(
     if breaks {
         return Some(RunStop::Fracture);
     }
-    if longest >= settings.critical_length.unwrap_or(f64::INFINITY) {
+    if longest >= settings.critical_length.unwrap_or(f64::INFINITY) * (1.0 - LENGTH_ROUNDING) {
         return Some(RunStop::CriticalLength);
     }
     let cycles = settings.stop_after_cycles.unwrap_or(f64::INFINITY);

@@ -12,6 +12,8 @@ pub enum WarningKind {
     ContactFallback,
     /// Two kinks of nearly equal rate.
     NearTie,
+    /// A kink that extends under one load and arrests.
+    PopIn,
     /// A history of K that still changes from passage to passage.
     Passages,
     /// Residual stress and its balancing.
@@ -27,6 +29,7 @@ impl WarningKind {
             Self::Engine => "engine",
             Self::ContactFallback => "contact-fallback",
             Self::NearTie => "near-tie",
+            Self::PopIn => "pop-in",
             Self::Passages => "passages",
             Self::ResidualStress => "residual-stress",
             Self::Validity => "validity",

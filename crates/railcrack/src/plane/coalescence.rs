@@ -35,6 +35,8 @@ pub(super) struct Coalescence {
     pub onto: usize,
     /// Where two tips meet, the index of the other tip's step.
     pub with: Option<usize>,
+    /// The part of the step at which it occurs.
+    pub time: f64,
 }
 
 /// The coalescences of `steps`, `None` for a tip that meets nothing or does not grow; `resolution`
@@ -55,14 +57,14 @@ pub(super) fn coalescences(
                 let at = (tips[tip].position(time) + tips[other].position(time)) * 0.5;
                 for (one, two) in [(tip, other), (other, tip)] {
                     let onto = tips[two].step.tip.crack;
-                    coalescences[one] = Some(Coalescence { at, onto, with: Some(numbers[two]) });
+                    coalescences[one] = Some(Coalescence { at, onto, with: Some(numbers[two]), time });
                 }
                 tips[tip].end = Some((at, time));
                 tips[other].end = Some((at, time));
             }
             Obstacle::Faces(crack) => {
                 let at = landing(&tips, tip, time, crack, cracks, resolution);
-                coalescences[tip] = Some(Coalescence { at, onto: crack, with: None });
+                coalescences[tip] = Some(Coalescence { at, onto: crack, with: None, time });
                 tips[tip].end = Some((at, time));
             }
         }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::crack::{CrackTip, End};
-use crate::plane::fixtures::{self, crack};
+use crate::plane::fixtures::{self, advanced, crack};
 
 const SETTINGS: GrowthSettings = GrowthSettings { steps: 1000, arrest_rate: 1e-12, ..fixtures::SETTINGS };
 /// Length that the engine resolves, mm.
@@ -34,19 +34,15 @@ impl Run {
     /// One step in which crack i kinks by `kinks[i]` (radians) and grows at `rates[i]`.
     fn grow(&mut self, kinks: [f64; 2], rates: [f64; 2]) -> PlaneAdvance {
         let drive = |crack: usize| TipDrive {
-            largest_k1: 0.0,
-            tip: CrackTip { crack, tip: 0, end: End::Last },
-            kink: Some(kinks[crack]),
-            rate: rates[crack],
             deferred: self.deferred[crack],
-            stopped: None,
+            ..fixtures::tip(crack, kinks[crack], rates[crack])
         };
         let tips = [drive(0), drive(1)];
         let state = StepState {
             at: fixtures::at(self.step, self.cycles),
             ..fixtures::state(&self.cracks, &tips, RESOLUTION)
         };
-        let next = advance(&state, &self.settings);
+        let next = advanced(&state, &self.settings);
         self.step += 1;
         self.cracks.clone_from(&next.cracks);
         self.deferred = next.tips.iter().map(|tip| tip.deferred).collect();
@@ -166,14 +162,7 @@ fn a_tip_between_two_branches_takes_the_first() {
 }
 
 fn slow(crack: usize, kink: f64, rate: f64, deferred: DeferredGrowth) -> TipDrive {
-    TipDrive {
-        largest_k1: 0.0,
-        tip: CrackTip { crack, tip: 0, end: End::Last },
-        kink: Some(kink),
-        rate,
-        deferred,
-        stopped: None,
-    }
+    TipDrive { deferred, ..fixtures::tip(crack, kink, rate) }
 }
 
 /// The step of `cracks`; the last one is far from the others and sets the pace with 1e-6 mm per
@@ -182,7 +171,7 @@ fn next(mut cracks: Vec<Crack>, mut tips: Vec<TipDrive>) -> PlaneAdvance {
     tips.push(slow(cracks.len(), 0.0, 1e-6, DeferredGrowth::default()));
     cracks.push(crack(&[(100.0, 0.0), (100.0, -6.0)]));
     let state = StepState { at: fixtures::at(3, 0.0), ..fixtures::state(&cracks, &tips, RESOLUTION) };
-    advance(&state, &SETTINGS)
+    advanced(&state, &SETTINGS)
 }
 
 /// 5.5 mm to a tip at (0, −4), to the right. It grows by 0.02 mm; a full increment is 0.22 mm.
@@ -190,7 +179,8 @@ fn shelf() -> Crack {
     crack(&[(-1.5, 0.0), (-1.5, -4.0), (0.0, -4.0)])
 }
 
-const RIGHT: DeferredGrowth = DeferredGrowth { length: 0.1, direction: Vec2 { x: 1.0, y: 0.0 } };
+const RIGHT: DeferredGrowth =
+    DeferredGrowth { length: 0.1, direction: Vec2 { x: 1.0, y: 0.0 }, is_kinked: true };
 const SLOW: f64 = 0.02 / 0.24 * 1e-6;
 
 #[test]
@@ -268,6 +258,6 @@ fn deferred_growth_counts_in_the_critical_length() {
     let state = fixtures::state(&cracks, &tips, RESOLUTION);
     for (critical, stop) in [(5.63, Some(RunStop::CriticalLength)), (5.65, None)] {
         let settings = GrowthSettings { critical_length: Some(critical), ..SETTINGS };
-        assert_eq!(advance(&state, &settings).stop, stop);
+        assert_eq!(advanced(&state, &settings).stop, stop);
     }
 }

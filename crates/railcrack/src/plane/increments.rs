@@ -4,11 +4,13 @@ use super::coalescence::{Coalescence, coalescences};
 use super::joining::{Outcome, grow, spall};
 use super::step_state::{Step, StepState, TipDrive};
 use super::stops::{grows, spent_ligament, standstill, stop_of_one};
+use super::turned::Turned;
 use super::worn::{Removal, mouth_sine, reaches_junction};
 use crate::crack::{Crack, End, Junction, point_to_segment};
 use crate::growth::{
-    BreakOut, DeferredGrowth, GrowthSettings, Interval, Mover, Moving, Pace, Piece, RunStop, TipStop,
-    WearingCrack, nothing_grows, run_stop,
+    BreakOut, DeferredGrowth, EarlierStep, Event, GrowthSettings, Interval, Jump, LEAST_PART, Mover, Moving,
+    Pace, Piece, RunStop, TipCourse, TipStop, WearingCrack, is_worth_a_step, least_length, nothing_grows,
+    run_stop,
 };
 use crate::math::Vec2;
 
@@ -22,6 +24,16 @@ pub(super) struct TipAdvance {
     pub deferred: DeferredGrowth,
     /// Why it does not grow, or no longer grows, if so.
     pub stop: Option<TipStop>,
+    /// The turn of its path, radians.
+    pub turn: f64,
+    /// The part of it that follows from this step and the previous one.
+    pub predicted_turn: f64,
+    /// Why its path kinks, if it does.
+    pub jump: Option<Jump>,
+    /// Whether its increment is drawn.
+    pub is_drawn: bool,
+    /// How its path turned.
+    pub course: TipCourse,
 }
 
 /// The transition to the next step.
@@ -37,9 +49,12 @@ pub(super) struct PlaneAdvance {
     pub break_outs: Vec<BreakOut>,
     /// Pieces that this step encloses.
     pub pieces: Vec<Piece>,
-    /// Load cycles until the next step, by the rates at the start of this one, which determine the
-    /// growth of the tips.
+    /// Load cycles until the next step, as predicted.
     pub cycles: f64,
+    /// The increment of the fastest tip over the length of its crack.
+    pub share: f64,
+    /// This step as the next one sees it.
+    pub earlier: Option<EarlierStep>,
     /// The increment that set the pace, from which the cycles follow once the rate at its end is
     /// known; `None` where no cycles pass.
     pub interval: Option<Interval>,
@@ -85,13 +100,19 @@ pub(super) fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Plane
         state.tips.iter().map(|tip| tip.stopped.or_else(|| standstill(tip, settings))).collect();
     let mut break_outs = state.break_outs.to_vec();
     let mut pieces = Vec::new();
-    // Every round but the last stops at least one tip.
+    let mut part = 1.0;
+    // Every round but the last stops at least one tip or shortens the step to end at an event.
     let (pace, plans, met, outcome) = loop {
-        let pace = pace(state, settings, &stops);
+        let pace = pace(state, settings, &stops, part);
         let plans = planned(state, &pace, settings, &stops);
         let steps: Vec<Option<Step>> = plans.iter().map(|plan| plan.map(|plan| plan.step)).collect();
         let met = coalescences(&steps, state.cracks, state.resolution);
         let plans = adapted_to_coalescences(state, plans, &met);
+        let event = first_event(state, &plans, &met, pace.removal, settings).filter(|_| part > LEAST_PART);
+        if let Some(event) = event.filter(|event| is_worth_a_step(*event, &pace, &state.at, settings)) {
+            part *= event.part.max(0.5 * LEAST_PART);
+            continue;
+        }
         let blocked = blocked_steps(state, &steps, &met, pace.removal);
         if blocked.is_empty() {
             let made: Vec<Option<Step>> =
@@ -145,6 +166,8 @@ pub(super) fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Plane
         break_outs,
         pieces,
         cycles: 0.0,
+        share: 0.0,
+        earlier: None,
         interval: None,
         removal: 0.0,
         ground: false,
@@ -155,13 +178,20 @@ pub(super) fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Plane
             PlaneAdvance { pieces: [standing.pieces, detached].concat(), ..standing }
         }
         (None, Outcome::Grown { cracks, junctions }) => {
-            let tips = growing_tips(&standing.tips, &plans, &met);
+            let tips = growing_tips(state, &standing.tips, &plans, &met);
+            let all: Vec<Mover> = state.tips.iter().map(|tip| state.mover(tip)).collect();
+            let is_smooth = tips.iter().all(|tip| tip.jump.is_none());
             PlaneAdvance {
-                tips,
                 cracks,
                 junctions,
                 cycles: pace.cycles,
-                interval: pace.interval(),
+                share: pace.share,
+                earlier: Some(pace.as_earlier(&all, is_smooth)),
+                interval: pace.interval(|mover| {
+                    let own = |tip: &TipDrive| (tip.tip.crack, tip.tip.tip) == (mover.crack, mover.index);
+                    state.tips.iter().position(own).is_some_and(|i| tips[i].jump.is_some())
+                }),
+                tips,
                 removal: pace.removal,
                 ground: pace.grinds,
                 ..standing
@@ -171,8 +201,33 @@ pub(super) fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Plane
     }
 }
 
+/// The cracks of `state` with a straight kink of `length` (mm) at each of its tips, by `angles`
+/// (radians) from straight ahead: a kink ends before the surface and on a crack that it meets.
+/// `None` where no valid network results.
+pub(super) fn kinked(
+    state: &StepState<'_>,
+    angles: &[f64],
+    length: f64,
+) -> Option<(Vec<Crack>, Vec<Junction>)> {
+    let kink = |(drive, angle): (&TipDrive, &f64)| {
+        let crack = &state.cracks[drive.tip.crack];
+        let (from, ahead) = (crack.tip(drive.tip.end), crack.ahead(drive.tip.end));
+        let whole = Vec2::unit(ahead.angle() + angle) * length;
+        let ligament = spent_ligament(crack, state.resolution);
+        let room = (-from.y - ligament).max(0.1 * -from.y);
+        let to = from + whole * f64::min(1.0, room / whole.y.max(f64::MIN_POSITIVE));
+        Some(Step { tip: drive.tip, from, via: None, to, deferred: 0.0 })
+    };
+    let steps: Vec<Option<Step>> = state.tips.iter().zip(angles).map(kink).collect();
+    let met = coalescences(&steps, state.cracks, state.resolution);
+    match grow(state, &steps, &met) {
+        Outcome::Grown { cracks, junctions } => Some((cracks, junctions)),
+        Outcome::Detached(_) | Outcome::Impossible(_) => None,
+    }
+}
+
 /// The pace of the tips that have not stopped, and of the removal of the surface.
-fn pace(state: &StepState<'_>, settings: &GrowthSettings, stops: &[Option<TipStop>]) -> Pace {
+fn pace(state: &StepState<'_>, settings: &GrowthSettings, stops: &[Option<TipStop>], part: f64) -> Pace {
     let all: Vec<Mover> = state.tips.iter().map(|tip| state.mover(tip)).collect();
     let left = || state.tips.iter().zip(&all).zip(stops).filter(|(_, stop)| stop.is_none());
     let growing = left().filter(|((tip, _), _)| grows(tip, settings)).map(|((_, mover), _)| *mover);
@@ -186,7 +241,7 @@ fn pace(state: &StepState<'_>, settings: &GrowthSettings, stops: &[Option<TipSto
         some_are_left: left().next().is_some(),
         wearing: &wearing.collect::<Vec<_>>(),
     };
-    Pace::of(&moving, &state.at, settings)
+    Pace::of(&moving, &state.at, settings, part)
 }
 
 /// Removes `removal` (mm) from the surface above `cracks`: tips of cracks that are worn away, and
@@ -229,28 +284,100 @@ fn standing_tips(state: &StepState<'_>, stops: &[Option<TipStop>]) -> Vec<TipAdv
     let standing = |(tip, &stop): (&TipDrive, &Option<TipStop>)| {
         let is_away = stop == Some(TipStop::WornAway);
         let deferred = if is_away { DeferredGrowth::default() } else { tip.deferred };
-        TipAdvance { increment: 0.0, deferred, stop }
+        TipAdvance {
+            increment: 0.0,
+            deferred,
+            stop,
+            turn: 0.0,
+            predicted_turn: 0.0,
+            jump: None,
+            is_drawn: false,
+            course: TipCourse { span: 0.0, expected: None, ..tip.course },
+        }
     };
     state.tips.iter().zip(stops).map(standing).collect()
 }
 
 /// The advances of the tips with their increments, from those without.
 fn growing_tips(
+    state: &StepState<'_>,
     standing: &[TipAdvance],
     plans: &[Option<PlannedAdvance>],
     met: &[Option<Coalescence>],
 ) -> Vec<TipAdvance> {
-    let growing =
-        |(tip, (plan, coalescence)): (&TipAdvance, (&Option<PlannedAdvance>, &Option<Coalescence>))| {
-            let Some(plan) = plan else { return *tip };
-            let increment = match coalescence {
-                Some(coalescence) => (coalescence.at - plan.step.from).length() - tip.deferred.length,
-                None => plan.increment,
-            };
-            let deferred = if plan.deferred { plan.growth } else { DeferredGrowth::default() };
-            TipAdvance { increment, deferred, stop: tip.stop }
+    let growing = |i: usize| {
+        let tip = &standing[i];
+        let Some(plan) = &plans[i] else { return *tip };
+        let increment = match &met[i] {
+            Some(coalescence) => (coalescence.at - plan.step.from).length() - state.tips[i].deferred.length,
+            None => plan.increment,
         };
-    standing.iter().zip(plans.iter().zip(met)).map(growing).collect()
+        let deferred = if plan.deferred { plan.growth } else { DeferredGrowth::default() };
+        let Turned { angle, predicted, jump, course } = plan.turned;
+        TipAdvance {
+            increment,
+            deferred,
+            stop: tip.stop,
+            turn: angle,
+            predicted_turn: predicted,
+            jump,
+            is_drawn: !plan.deferred,
+            course,
+        }
+    };
+    (0..standing.len()).map(growing).collect()
+}
+
+/// The first event during the step that the geometry determines: a crack of critical length, a
+/// spent ligament, a coalescence, a crack that is worn away.
+fn first_event(
+    state: &StepState<'_>,
+    plans: &[Option<PlannedAdvance>],
+    met: &[Option<Coalescence>],
+    removal: f64,
+    settings: &GrowthSettings,
+) -> Option<Event> {
+    let mut events: Vec<Event> = Vec::new();
+    let during = |part: f64| Event { part, ends_run: false };
+    let mut growth = vec![0.0; state.cracks.len()];
+    for (plan, coalescence) in plans.iter().zip(met) {
+        let Some(plan) = plan else { continue };
+        growth[plan.step.tip.crack] += plan.increment;
+        events.extend(coalescence.map(|coalescence| during(coalescence.time * (1.0 + 1e-3))));
+        let surfacing = surfacing(plan, &state.cracks[plan.step.tip.crack], state.resolution, removal);
+        events.extend(surfacing.map(during));
+    }
+    for (crack, growth) in growth.into_iter().enumerate() {
+        let length = state.length(crack);
+        if let Some(critical) = settings.critical_length
+            && length + growth > critical
+            && length < critical
+        {
+            events.push(Event { part: (critical - length) / growth, ends_run: true });
+        }
+        events.extend(wearing_away(state, crack, growth, removal).map(during));
+    }
+    Event::first(events)
+}
+
+/// The part of its step after which a rising tip has spent its ligament to the surface.
+fn surfacing(plan: &PlannedAdvance, crack: &Crack, resolution: f64, removal: f64) -> Option<f64> {
+    let Step { from, to, .. } = plan.step;
+    let ligament = spent_ligament(crack, resolution);
+    let (start, end) = (-from.y, -to.y - removal);
+    (to.y > from.y && start > ligament && end < ligament).then(|| (start - ligament) / (start - end))
+}
+
+/// The part of the step after which `crack`, which grows by `growth` (mm), is worn away.
+fn wearing_away(state: &StepState<'_>, crack: usize, growth: f64, removal: f64) -> Option<f64> {
+    if removal <= 0.0 || state.is_worn_away(crack) {
+        return None;
+    }
+    let sine = mouth_sine(&state.cracks[crack])?;
+    let length = state.length(crack);
+    let least = least_length(state.longest(crack), state.resolution);
+    let loss = removal / sine - growth;
+    (length > least && length - loss < least).then(|| (length - least) / loss)
 }
 
 /// The steps that cannot be made, with the reason: break-out before meeting a crack, or leaving the
@@ -293,9 +420,11 @@ struct PlannedAdvance {
     increment: f64,
     /// All growth that has not been added to its crack yet, including the increment.
     growth: DeferredGrowth,
-    /// The segment formed by this growth.
+    /// The turn of its path.
+    turned: Turned,
+    /// The step formed by this growth.
     step: Step,
-    /// Whether the segment is too short to be made.
+    /// Whether the step is too short to be made.
     deferred: bool,
 }
 
@@ -316,13 +445,23 @@ fn planned(
         let crack = &state.cracks[drive.tip.crack];
         let (from, ahead) = (crack.tip(drive.tip.end), crack.ahead(drive.tip.end));
         let increment = pace.increment(&state.mover(drive));
-        let growth = drive.deferred.and(increment, Vec2::unit(ahead.angle() + drive.kink?));
-        let to = from + growth.direction * growth.length;
+        if pace.grinds || increment <= 0.0 {
+            return None;
+        }
+        let turned = Turned::of(drive, increment, &state.at, settings)?;
+        let growth = if settings.turning.is_kink() {
+            drive.deferred.and(increment, Vec2::unit(ahead.angle() + turned.angle))
+        } else {
+            drive.deferred.turned(increment, ahead, turned.angle, turned.jump.is_some())
+        };
+        let half = 0.5 * growth.length;
+        let via = (!growth.is_kinked).then(|| from + ahead * half);
+        let to = via.map_or(from + growth.direction * growth.length, |via| via + growth.direction * half);
         let length = state.length(drive.tip.crack);
         let keeps_pace = increment >= DeferredGrowth::KEEPS_PACE * pace.share * length;
-        let deferred = !keeps_pace && growth.length < settings.increment * length;
-        let step = Step { tip: drive.tip, from, to, deferred: growth.share_of(drive.deferred) };
-        Some(PlannedAdvance { increment, growth, step, deferred })
+        let deferred = !keeps_pace && growth.length < state.at.share * length;
+        let step = Step { tip: drive.tip, from, via, to, deferred: growth.share_of(drive.deferred) };
+        Some(PlannedAdvance { increment, growth, turned, step, deferred })
     };
     state
         .tips

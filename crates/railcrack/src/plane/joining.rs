@@ -42,7 +42,16 @@ pub(super) fn grow(
         let short = coalescences[i].is_some()
             && (to - step.from).length() < state.resolution
             && !coalescences.iter().flatten().any(is_junction);
-        lengthen(&mut paths[step.tip.crack], step.tip.end, to, if short { Last::Moves } else { Last::Stays });
+        let path = &mut paths[step.tip.crack];
+        match step.via.filter(|_| coalescences[i].is_none()) {
+            Some(via) => {
+                // The point of the former tip lies on the straight part before the turn.
+                let is_kept = state.is_junction(step.from) || coalescences.iter().flatten().any(is_junction);
+                lengthen(path, step.tip.end, via, if is_kept { Last::Stays } else { Last::Moves });
+                lengthen(path, step.tip.end, to, if is_straight(step) { Last::Moves } else { Last::Stays });
+            }
+            None => lengthen(path, step.tip.end, to, if short { Last::Moves } else { Last::Stays }),
+        }
     }
     for (step, coalescence) in steps.iter().zip(coalescences) {
         if let (Some(step), Some(coalescence)) = (step, coalescence) {
@@ -71,6 +80,16 @@ pub(super) fn grow(
     }
     Outcome::Grown { cracks, junctions }
 }
+
+/// Whether a step does not turn, but for round-off.
+fn is_straight(step: &Step) -> bool {
+    let Some(via) = step.via else { return true };
+    let (before, after) = (via - step.from, step.to - via);
+    before.cross(after).abs() <= STRAIGHT * before.length() * after.length()
+}
+
+/// Sine of a turn that counts as none.
+const STRAIGHT: f64 = 1e-9;
 
 /// The steps to `blame`; all of them where there are none.
 fn impossible(

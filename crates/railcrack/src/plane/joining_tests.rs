@@ -4,7 +4,7 @@
 use super::*;
 use crate::crack::{CrackEnd, CrackNetwork, CrackTip, End, segment_distance};
 use crate::growth::PieceKind;
-use crate::plane::fixtures::{self, SETTINGS, crack};
+use crate::plane::fixtures::{self, SETTINGS, advanced, crack};
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 
@@ -14,14 +14,7 @@ const ROUNDING: f64 = 1e-13;
 
 /// The tip at `end` of crack `crack`, which kinks by `kink` (radians) and grows at `rate`.
 fn drive(crack: usize, end: End, tip: usize, kink: f64, rate: f64) -> TipDrive {
-    TipDrive {
-        largest_k1: 0.0,
-        tip: CrackTip { crack, tip, end },
-        kink: Some(kink),
-        rate,
-        deferred: DeferredGrowth::default(),
-        stopped: None,
-    }
+    TipDrive { tip: CrackTip { crack, tip, end }, ..fixtures::tip(crack, kink, rate) }
 }
 
 /// The last tip of a surface crack, straight ahead.
@@ -34,7 +27,7 @@ fn state<'a>(cracks: &'a [Crack], tips: &'a [TipDrive]) -> StepState<'a> {
 }
 
 fn next(cracks: &[Crack], tips: &[TipDrive]) -> PlaneAdvance {
-    let next = advance(&state(cracks, tips), &SETTINGS);
+    let next = advanced(&state(cracks, tips), &SETTINGS);
     CrackNetwork::joined(next.cracks.clone(), next.junctions.clone()).unwrap();
     next
 }
@@ -175,7 +168,7 @@ fn loop_by_way_of_a_third_crack() {
     let cracks = [crack(&[(0.0, 0.0), (0.0, -5.0)]), crack(&[(2.0, 0.0), (2.0, -4.9)]), floor];
     let junctions = [Junction { joining: CrackEnd { crack: 0, end: End::Last }, onto: 2 }];
     let tips = [ahead(1, 1e-6)];
-    let end = advance(&StepState { junctions: &junctions, ..state(&cracks, &tips) }, &SETTINGS);
+    let end = advanced(&StepState { junctions: &junctions, ..state(&cracks, &tips) }, &SETTINGS);
     assert_eq!(end.stop, Some(RunStop::Detached));
     assert!((end.pieces[0].area - 10.0).abs() < 1e-12, "{:?}", end.pieces);
     // Without the first junction nothing is detached.
@@ -207,7 +200,7 @@ fn tip_that_breaks_out_leaves_a_spall_and_the_others_go_on() {
     // A second run from there does not report it again.
     let stopped = [TipDrive { stopped: Some(TipStop::BreakOut), ..up }, ahead(1, 1e-6)];
     let again = StepState { break_outs: &next.break_outs, ..state(&cracks, &stopped) };
-    assert_eq!(advance(&again, &SETTINGS).pieces, []);
+    assert_eq!(advanced(&again, &SETTINGS).pieces, []);
 }
 
 #[test]
@@ -221,7 +214,8 @@ fn buried_crack_makes_a_spall_with_its_second_break_out() {
     );
     let cracks = [basin];
     let stopped = [TipDrive { stopped: Some(TipStop::BreakOut), ..tips[0] }, tips[1]];
-    let second = advance(&StepState { break_outs: &first.break_outs, ..state(&cracks, &stopped) }, &SETTINGS);
+    let second =
+        advanced(&StepState { break_outs: &first.break_outs, ..state(&cracks, &stopped) }, &SETTINGS);
     assert_eq!(second.stop, Some(RunStop::NoTipGrows(TipStop::BreakOut)));
     let [spall] = &second.pieces[..] else { panic!("{:?}", second.pieces) };
     assert!(spall.area > 6.1 && spall.area < 6.4 && spall.outline.len() == 6, "{spall:?}");
@@ -268,7 +262,7 @@ fn any_network() -> impl Strategy<Value = (Vec<Crack>, Vec<TipDrive>)> {
                 let deferred = if deferred < 0.5 {
                     DeferredGrowth::default()
                 } else {
-                    DeferredGrowth { length, direction }
+                    DeferredGrowth { length, direction, is_kinked: true }
                 };
                 TipDrive { deferred, ..drive(c, end, tip, kink, 1e-6 * rate) }
             });
@@ -296,14 +290,14 @@ fn any_step_makes_a_network_and_knows_neither_order_nor_hand() {
     let config = ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() };
     let random = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
     let held = TestRunner::new_with_rng(config, random).run(&any_network(), |(cracks, tips)| {
-        let next = advance(&state(&cracks, &tips), &LARGE);
+        let next = advanced(&state(&cracks, &tips), &LARGE);
         prop_assert!(CrackNetwork::joined(next.cracks.clone(), next.junctions.clone()).is_ok());
         let mirror: Vec<Crack> = cracks.iter().map(mirrored_crack).collect();
         let turned = tips.iter().map(|tip| {
             let deferred = DeferredGrowth { direction: mirrored(tip.deferred.direction), ..tip.deferred };
             TipDrive { kink: tip.kink.map(|k| -k), deferred, ..*tip }
         });
-        let other = advance(&state(&mirror, &turned.collect::<Vec<_>>()), &LARGE);
+        let other = advanced(&state(&mirror, &turned.collect::<Vec<_>>()), &LARGE);
         prop_assert_eq!((other.stop, other.junctions.len()), (next.stop, next.junctions.len()));
         for (one, two) in next.cracks.iter().zip(&other.cracks) {
             prop_assert_eq!(one.points().len(), two.points().len());
@@ -318,7 +312,7 @@ fn any_step_makes_a_network_and_knows_neither_order_nor_hand() {
             .rev()
             .flatten()
             .map(|tip| TipDrive { tip: CrackTip { crack: crack(tip.tip), ..tip.tip }, ..*tip });
-        let other = advance(&state(&reversed, &back.collect::<Vec<_>>()), &LARGE);
+        let other = advanced(&state(&reversed, &back.collect::<Vec<_>>()), &LARGE);
         prop_assert_eq!(other.stop, next.stop);
         for (one, two) in next.cracks.iter().zip(other.cracks.iter().rev()) {
             prop_assert_eq!(one.points().len(), two.points().len());
@@ -342,7 +336,7 @@ fn no_network_does_not_grow() {
     for (cracks, junctions) in [(&crossing, &[][..]), (&arch, &loops[..])] {
         assert!(CrackNetwork::joined(cracks.to_vec(), junctions.to_vec()).is_err());
         let tips = [drive(0, End::First, 0, 0.0, 1e-6), drive(0, End::Last, 1, 0.0, 1e-6)];
-        let next = advance(&StepState { junctions, ..state(cracks, &tips) }, &SETTINGS);
+        let next = advanced(&StepState { junctions, ..state(cracks, &tips) }, &SETTINGS);
         assert_eq!(next.cracks, cracks);
         assert_eq!(next.stop, Some(RunStop::NoTipGrows(TipStop::Coalescence)));
     }

@@ -23,6 +23,8 @@ mod stops;
 mod sweeps;
 mod tip_sifs;
 mod track;
+mod turn_response;
+mod turned;
 mod turning_wheel;
 mod wheel;
 mod worn;

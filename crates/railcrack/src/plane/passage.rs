@@ -339,7 +339,7 @@ impl<'a> Rolling<'a> {
                 .fluid
                 .get(k)
                 .map_or_else(|| pressures.get(k).copied().unwrap_or(0.0), |fluid| fluid.pressure),
-            volume: pocket.volume(&solution.jump),
+            volume: pocket.fluid_volume(solution),
         };
         let states: Vec<FluidState> = fluid.pockets.iter().enumerate().map(state).collect();
         let in_crack = |crack: usize| {

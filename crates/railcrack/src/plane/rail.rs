@@ -3,11 +3,12 @@
 use super::crack_fluid::CrackFluid;
 use super::face_load::FaceLoad;
 use super::fields::record_fields;
-use super::increments::advance;
+use super::increments::{advance, kinked};
 use super::network_contact::NetworkContact;
 use super::rail_load::RailLoad;
 use super::solvers::Solvers;
 use super::step_state::{StepState, TipDrive};
+use super::turn_response::{TurnResponse, jump};
 use super::turning_wheel::{histories_of, turned_by};
 use super::wheel::MixedWheel;
 use super::worn::mouth_sine;
@@ -18,10 +19,10 @@ use crate::fatigue::{HourlierPineau, Kink, LargestK1, SifRanges, WheelHistory};
 use crate::field::{EndField, EndsError, RailEnds, StressField, Wheel};
 use crate::fracture::SifHistory;
 use crate::growth::{
-    Advance, BodyReport, CrackedRail, FieldRecord, FieldSettings, Geometry, GrowthError, GrowthSettings,
-    GrowthState, MixedTip, Mover, Observer, PassageSettings, PlaneGeometry, PlaneTip, StabilisedPassage,
-    StepStart, StressMoves, TipGeometry, TipRecord, Uncovered, Warning, WheelDemand, WheelOfRail,
-    WornSurface, compared_k1, under_each_wheel,
+    Advance, BodyReport, CrackedRail, DeferredGrowth, FieldRecord, FieldSettings, Geometry, GrowthError,
+    GrowthSettings, GrowthState, MixedTip, Mover, Observer, PassageSettings, PlaneGeometry, PlaneTip,
+    StabilisedPassage, StepStart, StressMoves, TipCourse, TipGeometry, TipRecord, Uncovered, Warning,
+    WheelDemand, WheelOfRail, WornSurface, compared_k1, under_each_wheel,
 };
 use crate::interruption::Interruption;
 use crate::math::RailBox;
@@ -73,6 +74,14 @@ pub struct PlaneBody {
     geometry: PlaneGeometry,
     network: CrackNetwork,
     body: CrackedBody,
+}
+
+/// The cracks of a step, as far as their increments depend on them.
+#[derive(Debug, Clone)]
+pub struct PlaneSite {
+    geometry: PlaneGeometry,
+    /// The length that the engine resolves, mm.
+    resolution: f64,
 }
 
 impl PlaneRail {
@@ -166,9 +175,36 @@ impl PlaneRail {
 
     fn drive(&self, geometry: &PlaneGeometry, wheels: &[WheelOfRail], tip: &TipRecord) -> TipDrive {
         let CrackTip { crack, tip: index, .. } = tip.tip;
-        let (deferred, stopped) = (geometry.deferred[crack][index], geometry.stopped[crack][index]);
-        let largest_k1 = compared_k1(tip, wheels);
-        TipDrive { tip: tip.tip, kink: tip.kink, rate: tip.rate, largest_k1, deferred, stopped }
+        let plane = tip.plane().copied().unwrap_or_default();
+        TipDrive {
+            tip: tip.tip,
+            kink: tip.kink,
+            rate: tip.rate,
+            largest_k1: compared_k1(tip, wheels),
+            jump: plane.jump,
+            kink_slope: plane.kink_slope,
+            course: geometry.courses[crack][index],
+            deferred: geometry.deferred[crack][index],
+            stopped: geometry.stopped[crack][index],
+        }
+    }
+
+    fn step_state<'a>(
+        &self,
+        site: &'a PlaneSite,
+        at: &StepStart<'a>,
+        drives: &'a [TipDrive],
+    ) -> StepState<'a> {
+        let PlaneSite { geometry, resolution } = site;
+        StepState {
+            at: *at,
+            cracks: &geometry.cracks,
+            junctions: &geometry.junctions,
+            break_outs: &geometry.break_outs,
+            tips: drives,
+            rail: self.rail,
+            resolution: *resolution,
+        }
     }
 }
 
@@ -178,6 +214,7 @@ fn off_the_rail(source: EndsError, step: usize) -> GrowthError {
 
 impl CrackedRail for PlaneRail {
     type Body = PlaneBody;
+    type Site = PlaneSite;
 
     fn settings(&self) -> &GrowthSettings {
         &self.growth
@@ -273,7 +310,11 @@ impl CrackedRail for PlaneRail {
     fn demands(&self, body: &PlaneBody, passages: &[StabilisedPassage]) -> Vec<TipRecord> {
         let PlaneBody { geometry, network, .. } = body;
         let growth = &self.growth;
-        let direction = HourlierPineau { law: growth.law.clone(), criterion: growth.criterion };
+        let direction = HourlierPineau {
+            law: growth.law.clone(),
+            criterion: growth.criterion,
+            kink_friction: growth.kink_friction,
+        };
         let histories: Vec<&[SifHistory]> = passages.iter().map(|passage| &passage.histories[..]).collect();
         let wheels = self.wheels();
         let shares: Vec<f64> = wheels.iter().map(|wheel| wheel.share).collect();
@@ -295,6 +336,8 @@ impl CrackedRail for PlaneRail {
             let kink = direction.kink_of_mix(&under_wheels);
             let secondary = kink.as_ref().and_then(|kink: &Kink| kink.secondary);
             let turned = kink.filter(|_| under_wheels.len() > 1);
+            let response = TurnResponse::of(&direction, &under_wheels, kink.map(|kink| kink.angle), growth);
+            let course = geometry.courses[tip.crack][tip.tip];
             let at = crack.tip(tip.end);
             let ranges = under.ranges;
             TipRecord {
@@ -319,6 +362,10 @@ impl CrackedRail for PlaneRail {
                     secondary: secondary.map(|secondary| secondary.angle),
                     secondary_ratio: secondary.map(|secondary| secondary.ratio),
                     turned_by: turned.and_then(|kink| turned_by(&direction, &under_wheels, kink.angle)),
+                    jump: kink.and_then(|kink| jump(&kink, &course, growth)),
+                    sensitivity: response.sensitivity,
+                    kink_slope: response.kink_slope,
+                    ..PlaneTip::default()
                 }),
             }
         })
@@ -335,26 +382,26 @@ impl CrackedRail for PlaneRail {
         tips.iter().map(mover).collect()
     }
 
-    fn advance(&self, body: &PlaneBody, at: &StepStart<'_>, tips: &mut [TipRecord], _: &[Mover]) -> Advance {
-        let PlaneBody { geometry, network, .. } = body;
+    fn site(&self, PlaneBody { geometry, network, .. }: &PlaneBody) -> PlaneSite {
+        PlaneSite { geometry: geometry.clone(), resolution: self.engine.resolution(network) }
+    }
+
+    fn advance(&self, site: &PlaneSite, at: &StepStart<'_>, tips: &mut [TipRecord], _: &[Mover]) -> Advance {
+        let PlaneSite { geometry, .. } = site;
         let wheels = self.wheels();
         let drives: Vec<TipDrive> = tips.iter().map(|tip| self.drive(geometry, &wheels, tip)).collect();
-        let state = StepState {
-            at: *at,
-            cracks: &geometry.cracks,
-            junctions: &geometry.junctions,
-            break_outs: &geometry.break_outs,
-            tips: &drives,
-            rail: self.rail,
-            resolution: self.engine.resolution(network),
-        };
-        let next = advance(&state, &self.growth);
-        let PlaneGeometry { mut stopped, mut deferred, .. } = geometry.clone();
+        let next = advance(&self.step_state(site, at, &drives), &self.growth);
+        let PlaneGeometry { mut stopped, mut deferred, mut courses, .. } = geometry.clone();
         for (record, ahead) in tips.iter_mut().zip(&next.tips) {
             let CrackTip { crack, tip, .. } = record.tip;
             (record.increment, record.stop) = (ahead.increment, ahead.stop);
+            if let TipGeometry::Plane(plane) = &mut record.geometry {
+                (plane.turn, plane.predicted_turn) = (ahead.turn, ahead.predicted_turn);
+                (plane.jump, plane.is_drawn) = (ahead.jump, ahead.is_drawn);
+            }
             stopped[crack][tip] = ahead.stop;
             deferred[crack][tip] = ahead.deferred;
+            courses[crack][tip] = ahead.course;
         }
         Advance {
             geometry: Geometry::Plane(PlaneGeometry {
@@ -363,15 +410,42 @@ impl CrackedRail for PlaneRail {
                 break_outs: next.break_outs,
                 stopped,
                 deferred,
+                courses,
             }),
             pieces: next.pieces,
             cycles: next.cycles,
+            share: next.share,
+            earlier: next.earlier,
             interval: next.interval,
             removal: next.removal,
             ground: next.ground,
             stop: next.stop,
             warnings: Vec::new(),
         }
+    }
+
+    fn hazard(&self, site: &PlaneSite, tip: &TipRecord) -> f64 {
+        let PlaneSite { geometry, .. } = site;
+        let drive = self.drive(geometry, &self.wheels(), tip);
+        let Some(toughness) = self.growth.toughness.filter(|_| drive.demand().is_tip()) else { return 0.0 };
+        drive.largest_k1 / toughness
+    }
+
+    fn popped_in(&self, site: &PlaneSite, tips: &[&TipRecord], length: f64) -> Option<Geometry> {
+        let wheels = self.wheels();
+        let drives: Vec<TipDrive> = tips.iter().map(|tip| self.drive(&site.geometry, &wheels, tip)).collect();
+        let worn = WornSurface::default();
+        let at = StepStart::standing(&worn);
+        let kinks: Vec<f64> =
+            tips.iter().map(|tip| tip.largest_k1.map_or(0.0, |largest| largest.angle)).collect();
+        let (cracks, junctions) = kinked(&self.step_state(site, &at, &drives), &kinks, length)?;
+        let mut geometry = PlaneGeometry { cracks, junctions, ..site.geometry.clone() };
+        for tip in tips {
+            let CrackTip { crack, tip, .. } = tip.tip;
+            geometry.deferred[crack][tip] = DeferredGrowth::default();
+            geometry.courses[crack][tip] = TipCourse::default();
+        }
+        Some(Geometry::Plane(geometry))
     }
 
     fn forget(&mut self) {

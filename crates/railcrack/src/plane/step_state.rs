@@ -1,7 +1,7 @@
 //! The state of the cracks at the start of a step, and their prospective increments.
 
 use crate::crack::{Crack, CrackTip, Junction};
-use crate::growth::{BreakOut, DeferredGrowth, Mover, StepStart, TipDemand, TipStop};
+use crate::growth::{BreakOut, DeferredGrowth, Jump, Mover, StepStart, TipCourse, TipDemand, TipStop};
 use crate::math::{RailBox, Vec2};
 
 /// Direction and rate of growth of a tip, with its state.
@@ -15,6 +15,12 @@ pub(super) struct TipDrive {
     pub rate: f64,
     /// The largest k1 of a virtual kink during the passage, MPa √mm; 0 where none opens.
     pub largest_k1: f64,
+    /// Why its path kinks here, if it does.
+    pub jump: Option<Jump>,
+    /// Decrease of its best kink per radian of turn.
+    pub kink_slope: f64,
+    /// How its path turned in the previous step.
+    pub course: TipCourse,
     /// Its growth in earlier steps that has not been added to the crack yet.
     pub deferred: DeferredGrowth,
     /// Why it stopped in an earlier step, if it did.
@@ -60,6 +66,14 @@ impl StepState<'_> {
         self.at.worn.longest_of(crack, self.length(crack))
     }
 
+    /// Whether cracks meet at `point`.
+    pub(super) fn is_junction(&self, point: Vec2) -> bool {
+        self.junctions.iter().any(|junction| {
+            let crack = &self.cracks[junction.joining.crack];
+            crack.tip(junction.joining.end) == point
+        })
+    }
+
     /// The mover at `tip`.
     pub(super) fn mover(&self, tip: &TipDrive) -> Mover {
         let CrackTip { crack, tip: index, .. } = tip.tip;
@@ -72,13 +86,16 @@ impl StepState<'_> {
     }
 }
 
-/// A prospective straight increment of a tip.
+/// A prospective increment of a tip. Where it turns smoothly, it follows the tangents at both ends,
+/// so that the last segment of the crack is tangential to the path at the tip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Step {
     /// The tip.
     pub tip: CrackTip,
     /// Its present position.
     pub from: Vec2,
+    /// The point at which the two tangents meet; `None` for a straight increment.
+    pub via: Option<Vec2>,
     /// Its position after the increment.
     pub to: Vec2,
     /// The share of the increment that was deferred in earlier steps.

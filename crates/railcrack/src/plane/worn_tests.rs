@@ -3,11 +3,10 @@
 use super::*;
 use crate::crack::{CrackTip, End};
 use crate::growth::{
-    DeferredGrowth, EarlierRates, Grinding, GrowthSettings, Maintenance, Mover, RunStop, StepStart,
-    StressMoves, TipStop, WornSurface,
+    EarlierStep, Grinding, GrowthSettings, Maintenance, Mover, RunStop, StepStart, StressMoves, TipStop,
+    Turning, WornSurface,
 };
-use crate::plane::fixtures::{SETTINGS, at, crack, state};
-use crate::plane::increments::advance;
+use crate::plane::fixtures::{self, SETTINGS, advanced, at, crack, state};
 use crate::plane::step_state::{StepState, TipDrive};
 
 const ROUNDING: f64 = 1e-13;
@@ -62,19 +61,17 @@ fn short_and_shallow_rests_are_worn_away() {
 }
 
 fn drive(rate: f64) -> TipDrive {
-    TipDrive {
-        tip: CrackTip { crack: 0, tip: 0, end: End::Last },
-        kink: Some(0.0),
-        rate,
-        largest_k1: 0.0,
-        deferred: DeferredGrowth::default(),
-        stopped: None,
-    }
+    fixtures::tip(0, 0.0, rate)
+}
+
+/// The first step after 1e5 load cycles.
+fn due<'a>(cracks: &'a [Crack], tips: &'a [TipDrive]) -> StepState<'a> {
+    StepState { at: at(0, 1e5), ..state(cracks, tips, 0.01) }
 }
 
 fn maintained(wear: f64, grinding: Option<Grinding>) -> GrowthSettings {
     let maintenance = Maintenance { wear, grinding, stress: StressMoves::WithMetal };
-    GrowthSettings { maintenance: Some(maintenance), ..SETTINGS }
+    GrowthSettings { maintenance: Some(maintenance), turning: Turning::Over(1.0), ..SETTINGS }
 }
 
 /// 5 mm at 3 in 5 below the surface.
@@ -86,79 +83,88 @@ fn crack_of_five() -> [Crack; 1] {
 fn in_the_balance_the_length_stays() {
     let (cracks, tips) = (crack_of_five(), [drive(1e-6)]);
     // w = sin θ da/dN.
-    let next = advance(&state(&cracks, &tips, 0.01), &maintained(0.6e-6, None));
+    let next = advanced(&state(&cracks, &tips, 0.01), &maintained(0.6e-6, None));
     assert!((next.cracks[0].length() - 5.0).abs() < ROUNDING, "{next:?}");
     assert!((next.cycles - 2e5).abs() < 1e-8 && (next.removal - 0.12).abs() < ROUNDING);
     assert!((next.tips[0].increment - 0.2).abs() < ROUNDING);
     // At half the wear, the crack grows by half as much.
-    let next = advance(&state(&cracks, &tips, 0.01), &maintained(0.3e-6, None));
+    let next = advanced(&state(&cracks, &tips, 0.01), &maintained(0.3e-6, None));
     assert!((next.cracks[0].length() - 5.1).abs() < ROUNDING, "{next:?}");
 }
 
 #[test]
 fn wear_that_takes_more_than_grows_sets_the_pace() {
     let (cracks, tips) = (crack_of_five(), [drive(1e-6)]);
-    let next = advance(&state(&cracks, &tips, 0.01), &maintained(2.4e-6, None));
+    let next = advanced(&state(&cracks, &tips, 0.01), &maintained(2.4e-6, None));
     assert!((next.removal - 0.12).abs() < ROUNDING && (next.cycles - 5e4).abs() < 1e-8, "{next:?}");
     assert!(next.interval.unwrap().is_settled && (next.tips[0].increment - 0.05).abs() < ROUNDING);
     // The growth is too short for a segment and is deferred.
     let length = next.cracks[0].length() + next.tips[0].deferred.length;
     assert!((length - (5.0 - 0.2 + 0.05)).abs() < ROUNDING, "{next:?}");
     // A tip at rest is not stopped for good, since the surface comes closer.
-    let at_rest = advance(&state(&cracks, &[drive(0.0)], 0.01), &maintained(2.4e-6, None));
+    let at_rest = advanced(&state(&cracks, &[drive(0.0)], 0.01), &maintained(2.4e-6, None));
     assert!(at_rest.stop.is_none() && at_rest.tips[0].stop.is_none());
     assert!((at_rest.removal - 0.12).abs() < ROUNDING && at_rest.interval.unwrap().cycles == next.cycles);
     // Increments that follow from cycles use the line through two rates.
-    let before =
-        EarlierRates { movers: vec![Mover { crack: 0, index: 0, rate: 1.2e-6, length: 5.0 }], cycles: 5e4 };
-    let surface = WornSurface { before: Some(before), longest: vec![5.0], ..WornSurface::default() };
-    let slower = StepState { at: StepStart { worn: &surface, ..at(0, 0.0) }, ..state(&cracks, &tips, 0.01) };
-    let next = advance(&slower, &maintained(2.4e-6, None));
+    let earlier = EarlierStep {
+        movers: vec![Mover { crack: 0, index: 0, rate: 1.2e-6, length: 5.0 }],
+        balance: vec![-1.1e-6 * 5e4],
+        growth: vec![0.0],
+        cycles: 5e4,
+        leader: None,
+        is_extrapolated: false,
+        is_smooth: true,
+    };
+    let surface = WornSurface { longest: vec![5.0], ..WornSurface::default() };
+    let start = StepStart { worn: &surface, earlier: Some(&earlier), passed: 5e4, ..at(0, 0.0) };
+    let slower = StepState { at: start, ..state(&cracks, &tips, 0.01) };
+    let next = advanced(&slower, &maintained(2.4e-6, None));
     assert!((next.tips[0].increment - 0.9e-6 * 5e4).abs() < ROUNDING, "{next:?}");
 }
 
 #[test]
 fn grinding_takes_its_depth_at_its_interval() {
     let (cracks, tips) = (crack_of_five(), [drive(1e-6)]);
-    let settings = maintained(0.0, Some(Grinding { depth: 0.3, interval: 2.5e5 }));
-    let first = advance(&state(&cracks, &tips, 0.01), &settings);
+    let settings = maintained(0.0, Some(Grinding { depth: 0.3, interval: 2.5e5, first: 2.5e5 }));
+    let first = advanced(&state(&cracks, &tips, 0.01), &settings);
     assert!(!first.ground && first.removal == 0.0 && (first.cycles - 2e5).abs() < 1e-8);
     let surface = WornSurface { longest: vec![5.0], ..WornSurface::default() };
     let second = StepState { at: StepStart { worn: &surface, ..at(0, 2e5) }, ..state(&cracks, &tips, 0.01) };
-    let second = advance(&second, &settings);
-    assert!(second.ground && (second.cycles - 5e4).abs() < 1e-8 && (second.removal - 0.3).abs() < ROUNDING);
-    let length = second.cracks[0].length() + second.tips[0].deferred.length;
-    assert!((length - (5.0 - 0.5 + 0.05)).abs() < ROUNDING, "{second:?}");
+    let second = advanced(&second, &settings);
+    assert!(!second.ground && (second.cycles - 5e4).abs() < 1e-8 && second.removal == 0.0, "{second:?}");
+    // The grinding is a step of no cycles: rates are known on both sides of it.
+    let due = StepState { at: StepStart { worn: &surface, ..at(0, 2.5e5) }, ..state(&cracks, &tips, 0.01) };
+    let due = advanced(&due, &settings);
+    assert!(due.ground && due.cycles == 0.0 && (due.removal - 0.3).abs() < ROUNDING, "{due:?}");
+    assert!((due.cracks[0].length() - (5.0 - 0.5)).abs() < ROUNDING, "{due:?}");
     // The next grinding counts from there.
     let surface = WornSurface { removed: 0.3, grindings: 1, ..surface };
     let third = StepState { at: StepStart { worn: &surface, ..at(0, 2.5e5) }, ..state(&cracks, &tips, 0.01) };
-    let third = advance(&third, &settings);
+    let third = advanced(&third, &settings);
     assert!(!third.ground && third.removal == 0.0);
 }
 
 #[test]
 fn a_crack_that_is_worn_away_ends_the_run_and_others_go_on_without_it() {
     let (cracks, tips) = (crack_of_five(), [drive(1e-6)]);
-    let deep = maintained(0.0, Some(Grinding { depth: 3.1, interval: 1e5 }));
-    let next = advance(&state(&cracks, &tips, 0.01), &deep);
+    let deep = maintained(0.0, Some(Grinding { depth: 3.1, interval: 1e5, first: 1e5 }));
+    let next = advanced(&due(&cracks, &tips), &deep);
     assert_eq!(next.stop, Some(RunStop::NoTipGrows(TipStop::WornAway)));
     assert_eq!(next.tips[0].stop, Some(TipStop::WornAway));
     assert_eq!(next.cracks, cracks);
 
     let both = [cracks[0].clone(), crack(&[(30.0, 0.0), (30.0, -6.0)])];
     let other = TipDrive { tip: CrackTip { crack: 1, tip: 0, end: End::Last }, ..drive(1e-6) };
-    let next = advance(&state(&both, &[tips[0], other], 0.01), &deep);
+    let next = advanced(&due(&both, &[tips[0], other]), &deep);
     assert_eq!((next.stop, next.tips[0].stop, next.tips[1].stop), (None, Some(TipStop::WornAway), None));
-    // Its growth until then is too short for a segment.
     assert!((next.cracks[1].length() - (6.0 - 3.1)).abs() < ROUNDING, "{next:?}");
-    assert!((next.tips[1].deferred.length - 0.1).abs() < ROUNDING, "{next:?}");
     assert!((next.cracks[0].length() - 0.25).abs() < ROUNDING, "{next:?}");
     let stopped = TipDrive { stopped: Some(TipStop::WornAway), ..tips[0] };
-    let surface = WornSurface { removed: 3.1, grindings: 1, longest: vec![5.0, 6.0], before: None };
+    let surface = WornSurface { removed: 3.1, grindings: 1, longest: vec![5.0, 6.0] };
     let later = [stopped, other];
     let later =
         StepState { at: StepStart { worn: &surface, ..at(0, 1e5) }, ..state(&next.cracks, &later, 0.01) };
-    let last = advance(&later, &deep);
+    let last = advanced(&later, &deep);
     assert_eq!(last.cracks[0], next.cracks[0], "its stub stays as it is");
 }
 
@@ -167,8 +173,8 @@ fn a_surface_that_comes_down_to_a_junction_ends_the_run() {
     let cracks = [crack(&[(0.0, 0.0), (2.0, -2.0), (4.0, -4.0)]), crack(&[(6.0, -5.0), (2.0, -2.0)])];
     let junctions = [Junction { joining: crate::crack::CrackEnd { crack: 1, end: End::Last }, onto: 0 }];
     let tips = [drive(1e-6)];
-    let joined = StepState { junctions: &junctions, ..state(&cracks, &tips, 0.01) };
-    let deep = |depth| maintained(0.0, Some(Grinding { depth, interval: 1e5 }));
-    assert_eq!(advance(&joined, &deep(1.5)).stop, None);
-    assert_eq!(advance(&joined, &deep(2.5)).stop, Some(RunStop::Detached));
+    let joined = StepState { junctions: &junctions, ..due(&cracks, &tips) };
+    let deep = |depth| maintained(0.0, Some(Grinding { depth, interval: 1e5, first: 1e5 }));
+    assert_eq!(advanced(&joined, &deep(1.5)).stop, None);
+    assert_eq!(advanced(&joined, &deep(2.5)).stop, Some(RunStop::Detached));
 }

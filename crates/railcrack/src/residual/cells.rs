@@ -35,6 +35,12 @@ struct Buckets {
 const INSIDE: f64 = 1e-6;
 /// Largest average number of buckets per cell; a mesh without overlaps has a few.
 const MOST_BUCKETS: usize = 32;
+/// Largest area of all cells together over that of the extent of the mesh. Without overlaps they
+/// fill at most the extent, beyond which curved sides reach by less than a quarter.
+const MOST_FILLED: f64 = 1.5;
+/// Largest area of the boxes around the cells together over that of the extent: on average, so many
+/// cells are candidates for a point. Slanted cells of aspect ratio 100 have 50.
+const MOST_BOXED: f64 = 100.0;
 /// Newton iterations for the reference coordinates; straight cells need three.
 const NEWTON_STEPS: usize = 20;
 
@@ -57,7 +63,29 @@ impl CellMesh {
                 return Err(PlasticFieldError::Folded { cell: index, x: at.x, y: at.y });
             }
         }
+        mesh.check_overlaps()?;
         Ok(mesh)
+    }
+
+    /// Refuses cells that lie on top of one another: which one holds a point would be arbitrary,
+    /// and finding it would take a look at each.
+    fn check_overlaps(&self) -> Result<(), PlasticFieldError> {
+        let (lower, upper) = self.extent();
+        let extent = (upper.x - lower.x) * (upper.y - lower.y);
+        let filled: f64 =
+            (0..self.cells.len()).flat_map(|cell| self.quadrature(cell)).map(|(_, weight)| weight).sum();
+        let boxed: f64 = self
+            .cells
+            .iter()
+            .map(|cell| {
+                let (from, to) = bounds(cell.nodes.iter().map(|&node| self.points[node]));
+                (to.x - from.x) * (to.y - from.y)
+            })
+            .sum();
+        if filled > MOST_FILLED * extent || boxed > MOST_BOXED * extent {
+            return Err(PlasticFieldError::Overlap { cells: self.cells.len(), filled, extent });
+        }
+        Ok(())
     }
 
     /// Smallest and largest coordinates.

@@ -43,6 +43,18 @@ pub enum PlasticFieldError {
         /// Ordinate of its first node, mm.
         y: f64,
     },
+    /// Cells on top of one another.
+    #[error(
+        "the {cells} cells lie on top of one another: together they have {filled:.3e} mm^2, in an extent of {extent:.3e} mm^2"
+    )]
+    Overlap {
+        /// Number of triangles and quadrilaterals.
+        cells: usize,
+        /// Area of all of them together, mm².
+        filled: f64,
+        /// Area of the rectangle around the mesh, mm².
+        extent: f64,
+    },
     /// A mesh outside the rail.
     #[error(
         "the mesh reaches from y = {from} to {to} mm: the rail lies at y <= 0, with its running surface at y = 0"

@@ -184,6 +184,34 @@ fn quadratic_cells_are_read() {
     }
 }
 
+/// Which of them holds a point would be arbitrary, and to find one would take a look at each.
+#[test]
+fn cells_on_top_of_one_another_are_refused() {
+    let stressed = |points: Vec<Vec2>, connectivity: Vec<usize>| {
+        let stresses = vec![Stress { xx: 1.0, ..Stress::ZERO }; points.len()];
+        PlasticField::from_grid(&UnstructuredGrid {
+            points,
+            cells: vec![CellBlock { shape: CellShape::Quad, connectivity }],
+            point_data: vec![Array::stresses("plastic_stress_mpa", &stresses)],
+            ..UnstructuredGrid::default()
+        })
+    };
+    let square = [(-1.0, -2.0), (1.0, -2.0), (1.0, 0.0), (-1.0, 0.0)].map(|(x, y)| Vec2::new(x, y));
+    assert!(stressed(square.to_vec(), vec![0, 1, 2, 3]).is_ok());
+    let stack = stressed(square.to_vec(), [0, 1, 2, 3].repeat(100_000));
+    assert!(matches!(stack, Err(PlasticFieldError::Overlap { cells: 100_000, .. })), "{stack:?}");
+    // Slivers along a diagonal: little area, but each a candidate for every point.
+    let count = 1000;
+    let place = |i: usize| 1e-6 * i as f64;
+    let points = (0..count).flat_map(|i| {
+        let [low, high] = [place(2 * i), place(2 * i + 1)];
+        [(-1.0, -2.0 + low), (1.0, -0.1 + low), (1.0, -0.1 + high), (-1.0, -2.0 + high)]
+    });
+    let points: Vec<Vec2> = points.map(|(x, y)| Vec2::new(x, y)).collect();
+    let slivers = stressed(points, (0..4 * count).collect());
+    assert!(matches!(slivers, Err(PlasticFieldError::Overlap { .. })), "{slivers:?}");
+}
+
 #[test]
 fn inadmissible_fields_are_refused_by_name() {
     let refused = |grid: &UnstructuredGrid| PlasticField::from_grid(grid).unwrap_err();

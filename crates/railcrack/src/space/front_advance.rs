@@ -5,8 +5,8 @@ use super::front_motion::FrontSpeeds;
 use super::shape::SpaceCrack;
 use super::worn::{Worn, worn};
 use crate::growth::{
-    FrontShape, GrowthSettings, Mover, Moving, Pace, RunStop, StepStart, TipStop, WearingCrack,
-    nothing_grows, run_stop, spent_ligament, standstill,
+    Event, FrontShape, GrowthSettings, LEAST_PART, Mover, Moving, Pace, RunStop, StepStart, TipStop,
+    WearingCrack, is_worth_a_step, least_length, nothing_grows, run_stop, spent_ligament, standstill,
 };
 use crate::math::RailBox;
 
@@ -51,9 +51,10 @@ impl FrontAdvance {
         };
         let mut stopped: Vec<Option<TipStop>> = start.stopped.iter().enumerate().map(at_rest).collect();
         let mut meetings = Vec::new();
-        // Every round but the last stops a crack.
+        let mut part = 1.0;
+        // Every round but the last stops a crack or shortens the step to end at an event.
         let (pace, increments, mut shapes) = loop {
-            let pace = pace(start, growth, &stopped);
+            let pace = pace(start, growth, &stopped, part);
             let increments: Vec<FrontSpeeds> = (0..start.shapes.len())
                 .map(|crack| match stopped[crack] {
                     None => speeds_of(crack).map(|index, rate| {
@@ -68,6 +69,12 @@ impl FrontAdvance {
                 .zip(start.shapes)
                 .map(|(increment, shape)| increment.moved(shape))
                 .collect();
+            if let Some(event) = first_event(start, &next, &stopped, pace.removal, growth)
+                .filter(|event| part > LEAST_PART && is_worth_a_step(*event, &pace, &start.at, growth))
+            {
+                part *= event.part;
+                continue;
+            }
             let leaving = (0..next.len())
                 .filter(|&k| stopped[k].is_none())
                 .find_map(|k| leaves(&next[k], rail).map(|stop| (k, stop)));
@@ -99,8 +106,46 @@ impl FrontAdvance {
     }
 }
 
+/// The part of the step, whose end would be `next`, after which the first of these events occurs: a
+/// crack of critical length, one that is worn away, a buried one that has spent its ligament.
+/// `None` where there is none.
+fn first_event(
+    start: &Start,
+    next: &[FrontShape],
+    stopped: &[Option<TipStop>],
+    removal: f64,
+    growth: &GrowthSettings,
+) -> Option<Event> {
+    let of = |(crack, (before, after)): (usize, (&FrontShape, &FrontShape))| {
+        if stopped[crack].is_some() {
+            return None;
+        }
+        let grown = after.length - before.length;
+        let critical = growth
+            .critical_length
+            .filter(|critical| before.length < *critical && after.length > *critical)
+            .map(|critical| Event { part: (critical - before.length) / grown, ends_run: true });
+        let cut = removal / before.dip.sin();
+        let least = least_length(start.at.worn.longest_of(crack, before.length), resolution(before));
+        let away = (before.buried.is_none() && removal > 0.0)
+            .then(|| (before.length - least) / (cut - grown))
+            .filter(|part| *part > 0.0);
+        let ligament = |shape: &FrontShape, cut: f64| {
+            let least = spent_ligament(shape.length, resolution(shape));
+            Some(shape.buried? - cut - shape.length - least)
+        };
+        let surfacing = ligament(before, 0.0)
+            .zip(ligament(after, cut))
+            .filter(|(room, left)| *room > 0.0 && *left < 0.0)
+            .map(|(room, left)| room / (room - left));
+        let during = |part: f64| Event { part, ends_run: false };
+        Event::first([critical, away.map(during), surfacing.map(during)].into_iter().flatten().collect())
+    };
+    Event::first(start.shapes.iter().zip(next).enumerate().filter_map(of).collect())
+}
+
 /// The pace of the cracks that have not stopped, and of the removal of the surface.
-fn pace(start: &Start, growth: &GrowthSettings, stopped: &[Option<TipStop>]) -> Pace {
+fn pace(start: &Start, growth: &GrowthSettings, stopped: &[Option<TipStop>], part: f64) -> Pace {
     let growing = start.movers.iter().filter(|mover| stopped[mover.crack].is_none() && mover.rate > 0.0);
     let there = (0..start.shapes.len()).filter(|&crack| stopped[crack] != Some(TipStop::WornAway));
     let wearing = there.map(|crack| {
@@ -114,7 +159,7 @@ fn pace(start: &Start, growth: &GrowthSettings, stopped: &[Option<TipStop>]) -> 
         some_are_left: stopped.iter().any(Option::is_none),
         wearing: &wearing.collect::<Vec<_>>(),
     };
-    Pace::of(&moving, &start.at, growth)
+    Pace::of(&moving, &start.at, growth, part)
 }
 
 /// Removes `removal` (mm) from the surface above cracks of `shapes`: those that are worn away or
@@ -164,7 +209,7 @@ fn leaves(shape: &FrontShape, rail: RailBox) -> Option<TipStop> {
 mod tests {
     use super::super::body::FrontPoint;
     use super::*;
-    use crate::growth::{Grinding, Maintenance, StressMoves, WornSurface};
+    use crate::growth::{Grinding, Maintenance, StressMoves, Turning, WornSurface};
     use std::f64::consts::PI;
 
     const RAIL: RailBox = RailBox { centre: 0.0, width: 300.0, depth: 172.0 };
@@ -204,13 +249,13 @@ mod tests {
         };
         let movers: Vec<Mover> = shapes.iter().zip(rates).enumerate().flat_map(of).collect();
         let worn = WornSurface::default();
-        let at = StepStart { step: 0, load_cycles: 0.0, worn: &worn };
+        let at = StepStart { share: growth.increment, ..StepStart::standing(&worn) };
         let start = Start { shapes, stopped, movers: &movers, breaks: false, at };
         FrontAdvance::new(&start, growth, RAIL)
     }
 
     fn settings() -> GrowthSettings {
-        GrowthSettings { steps: 5, increment: 0.05, ..GrowthSettings::default() }
+        GrowthSettings { steps: 5, increment: 0.05, turning: Turning::Kink, ..GrowthSettings::default() }
     }
 
     #[test]
@@ -223,11 +268,14 @@ mod tests {
             assert!((grown - want).abs() < 1e-9, "{grown} {want}");
         }
         let pace = next.pace.as_ref().unwrap();
-        assert!((pace.cycles - 1e5).abs() < 1e-3 && pace.interval().unwrap().mover.crack == 1, "{next:?}");
+        assert!(
+            (pace.cycles - 1e5).abs() < 1e-3 && pace.interval(|_| false).unwrap().mover.crack == 1,
+            "{next:?}"
+        );
         // A stopped crack stays stopped, whatever its rate.
         let later = advance(&shapes, &[None, Some(TipStop::Arrest), None], &[1e-6, 2e-6, 1e-6], &settings());
         let pace = later.pace.as_ref().unwrap();
-        assert_eq!((pace.interval().unwrap().mover.crack, later.shapes[1]), (0, shapes[1]));
+        assert_eq!((pace.interval(|_| false).unwrap().mover.crack, later.shapes[1]), (0, shapes[1]));
         let critical = GrowthSettings { critical_length: Some(4.0), ..settings() };
         assert_eq!(advance(&shapes, &[None; 3], &[1e-6; 3], &critical).stop, Some(RunStop::CriticalLength));
     }
@@ -271,7 +319,7 @@ mod tests {
         let at_rest = advance(&shapes, &[None], &[0.0], &maintained(0.6e-6, None));
         assert_eq!((at_rest.stop, at_rest.stopped[0]), (None, None));
         assert!((at_rest.shapes[0].length - 3.8).abs() < 1e-9, "{at_rest:?}");
-        let deep = Grinding { depth: 2.5, interval: 1e5 };
+        let deep = Grinding { depth: 2.5, interval: 1e5, first: 0.0 };
         let gone = advance(&shapes, &[None], &[1e-6], &maintained(0.0, Some(deep)));
         assert_eq!(gone.stop, Some(RunStop::NoTipGrows(TipStop::WornAway)), "{gone:?}");
     }

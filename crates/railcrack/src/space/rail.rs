@@ -1,6 +1,6 @@
 //! A half-space with planar cracks, as the growth loop sees it.
 
-use super::body::{CloseCracks, SpaceBody, SpaceError, SpaceKernel};
+use super::body::{CloseCracks, FrontPoint, SpaceBody, SpaceError, SpaceKernel};
 use super::contact::{SpaceContact, SpaceContactError};
 use super::front_advance::{FrontAdvance, Start};
 use super::front_motion::{FrontSpeeds, counts};
@@ -19,7 +19,7 @@ use crate::fatigue::RUNAWAY;
 use crate::field::StressField;
 use crate::growth::{
     Advance, BodyReport, CrackedRail, FieldRecord, FieldSettings, FrontShape, Geometry, GrowthError,
-    GrowthSettings, GrowthState, Mover, Observer, Pace, PassageSettings, SpaceGeometry, StabilisedPassage,
+    GrowthSettings, GrowthState, Mover, Observer, PassageSettings, SpaceGeometry, StabilisedPassage,
     StepStart, StressMoves, TipDemand, TipGeometry, TipRecord, TipStop, Uncovered, Warning, WarningKind,
     WheelOfRail, compared_k1, under_each_wheel,
 };
@@ -27,6 +27,7 @@ use crate::interruption::Interruption;
 use crate::load::Bending;
 use crate::material::IsotropicElastic;
 use crate::math::{RailBox, Vec2};
+use std::ops::Range;
 
 /// A warning is issued where rates differ from those of the ellipse by more than this share of the
 /// largest rate.
@@ -77,6 +78,16 @@ pub struct SpaceWheel {
 pub struct CracksInSpace {
     geometry: SpaceGeometry,
     body: SpaceBody,
+}
+
+/// Cracks in space, as far as their increments depend on them.
+#[derive(Debug, Clone)]
+pub struct SpaceSite {
+    geometry: SpaceGeometry,
+    /// The points of all fronts.
+    front: Vec<FrontPoint>,
+    /// For each crack, the indices of its points.
+    of_crack: Vec<Range<usize>>,
 }
 
 impl FrontShape {
@@ -169,6 +180,14 @@ impl SpaceRail {
         if moves == Some(StressMoves::WithMetal) { at.worn.removed } else { 0.0 }
     }
 
+    fn demand(&self, geometry: &SpaceGeometry, wheels: &[WheelOfRail<'_>], tip: &TipRecord) -> TipDemand {
+        TipDemand {
+            rate: tip.rate,
+            largest_k1: compared_k1(tip, wheels),
+            stopped: geometry.stopped[tip.tip.crack],
+        }
+    }
+
     /// The rate (mm per cycle) at which a front point drives its front: zero below the arrest rate.
     fn moving_rate(&self, tip: &TipRecord) -> f64 {
         if tip.rate >= self.growth.arrest_rate { tip.rate.min(RUNAWAY) } else { 0.0 }
@@ -177,6 +196,7 @@ impl SpaceRail {
 
 impl CrackedRail for SpaceRail {
     type Body = CracksInSpace;
+    type Site = SpaceSite;
 
     fn settings(&self) -> &GrowthSettings {
         &self.growth
@@ -281,20 +301,38 @@ impl CrackedRail for SpaceRail {
         geometry.shapes.iter().zip(body.cracks()).enumerate().flat_map(of).collect()
     }
 
+    fn site(&self, CracksInSpace { geometry, body }: &CracksInSpace) -> SpaceSite {
+        SpaceSite {
+            geometry: geometry.clone(),
+            front: body.front().to_vec(),
+            of_crack: body.cracks().iter().map(|part| part.front.clone()).collect(),
+        }
+    }
+
+    /// As in the plane; points that do not count in growth break nothing.
+    fn hazard(&self, SpaceSite { geometry, .. }: &SpaceSite, tip: &TipRecord) -> f64 {
+        let demand = self.demand(geometry, &self.wheels(), tip);
+        let counts = demand.is_tip() && tip.front().is_some_and(|front| front.counts);
+        let Some(toughness) = self.growth.toughness.filter(|_| counts) else { return 0.0 };
+        demand.largest_k1 / toughness
+    }
+
+    /// Cracks in space are planar.
+    fn popped_in(&self, _: &SpaceSite, _: &[&TipRecord], _: f64) -> Option<Geometry> {
+        None
+    }
+
     fn advance(
         &self,
-        CracksInSpace { geometry: before, body }: &CracksInSpace,
+        site: &SpaceSite,
         at: &StepStart<'_>,
         tips: &mut [TipRecord],
         movers: &[Mover],
     ) -> Advance {
+        let SpaceSite { geometry: before, front, .. } = site;
         let wheels = self.wheels();
         let breaks = |tip: &TipRecord| {
-            let demand = TipDemand {
-                rate: tip.rate,
-                largest_k1: compared_k1(tip, &wheels),
-                stopped: before.stopped[tip.tip.crack],
-            };
+            let demand = self.demand(before, &wheels, tip);
             tip.front().is_some_and(|front| front.counts) && demand.breaks(&self.growth)
         };
         let broken: Vec<bool> = tips.iter().map(breaks).collect();
@@ -307,7 +345,7 @@ impl CrackedRail for SpaceRail {
         };
         let next = FrontAdvance::new(&start, &self.growth, self.rail);
         let cycles = next.pace.as_ref().map_or(0.0, |pace| pace.cycles);
-        for ((tip, point), broken) in tips.iter_mut().zip(body.front()).zip(broken) {
+        for ((tip, point), broken) in tips.iter_mut().zip(front).zip(broken) {
             let (crack, rate) = (point.crack, self.moving_rate(tip));
             tip.increment = next.increments[crack].at(&before.shapes[crack], point);
             let grows = next.stopped[crack].is_none() && rate > 0.0 && cycles > 0.0;
@@ -320,20 +358,27 @@ impl CrackedRail for SpaceRail {
             let own = if rate > 0.0 { next.stopped[crack] } else { Some(TipStop::Arrest) };
             tip.stop = if broken { Some(TipStop::Fracture) } else { own };
         }
-        let mut warnings = misfits(tips, &start, body);
+        let mut warnings = misfits(tips, &start, site);
         warnings.extend(next.meetings.iter().map(|close| meeting_warning(close, at.step)));
+        let pace = next.pace.as_ref();
+        let (share, earlier) =
+            pace.map_or((0.0, None), |pace| (pace.share, Some(pace.as_earlier(movers, true))));
+        let (interval, removal) =
+            (pace.and_then(|pace| pace.interval(|_| false)), pace.map_or(0.0, |pace| pace.removal));
+        let ground = pace.is_some_and(|pace| pace.grinds);
         let FrontAdvance { shapes, stopped, stop, .. } = next;
         // Shapes advanced from admissible ones are admissible.
         let unchanged = || SpaceGeometry { stopped: stopped.clone(), ..before.clone() };
         let geometry = geometry(shapes, stopped.clone()).unwrap_or_else(|_| unchanged());
-        let pace = next.pace.as_ref();
         Advance {
             geometry: Geometry::Space(geometry),
             pieces: Vec::new(),
             cycles,
-            interval: pace.and_then(Pace::interval),
-            removal: pace.map_or(0.0, |pace| pace.removal),
-            ground: pace.is_some_and(|pace| pace.grinds),
+            share,
+            earlier,
+            interval,
+            removal,
+            ground,
             stop,
             warnings,
         }
@@ -349,12 +394,12 @@ fn residual_stress(field: Option<&impl StressField>, [x, _, depth]: [f64; 3]) ->
 }
 
 /// Warnings of local rates that no ellipse can follow, one per crack.
-fn misfits(tips: &[TipRecord], start: &Start, body: &SpaceBody) -> Vec<Warning> {
+fn misfits(tips: &[TipRecord], start: &Start, site: &SpaceSite) -> Vec<Warning> {
     let of = |(k, shape): (usize, &FrontShape)| {
-        let points = body.cracks()[k].front.clone();
+        let points = site.of_crack[k].clone();
         let counted = tips[points.clone()]
             .iter()
-            .zip(&body.front()[points])
+            .zip(&site.front[points])
             .filter(|(_, point)| start.stopped[k].is_none() && counts(shape, point.phi));
         let speeds = FrontSpeeds::of_movers(shape, k, start.movers);
         let (mut most, mut largest) = (0.0f64, 0.0f64);

@@ -65,7 +65,11 @@ impl FrontLaw<'_> {
             .zip(wheels)
             .map(|(passage, wheel)| WheelHistory { share: wheel.share, history: &passage.histories[q] })
             .collect();
-        let direction = HourlierPineau { law: law.clone(), criterion: self.growth.criterion };
+        let direction = HourlierPineau {
+            law: law.clone(),
+            criterion: self.growth.criterion,
+            kink_friction: self.growth.kink_friction,
+        };
         let kink = direction.kink_of_mix(&histories);
         let straight = |(demand, wheel): (&WheelDemand, &WheelOfRail)| {
             let rate = law.rate(demand.ranges.load());

@@ -142,6 +142,11 @@ impl XfemEngine {
         self.initial.mesh_unknowns(self.end.extent(&self.initial))
     }
 
+    /// A number that [`XfemEngine::mesh_unknowns`] does not exceed, which takes no integration.
+    pub fn most_mesh_unknowns(&self) -> f64 {
+        self.initial.most_mesh_unknowns(self.end.extent(&self.initial))
+    }
+
     /// Size of the system of `network`, without factoring it.
     pub fn size(&self, network: &CrackNetwork) -> Result<XfemSize, XfemError> {
         let mesh = self.refined.mesh(self.end.extent(&self.refined))?;

@@ -124,6 +124,8 @@ pub(super) const OUTER_GRADING: f64 = 0.4;
 /// Angle (radians) of the branch for which the refined region makes room: kinks at ±70.5° maximise
 /// the opening of a shear crack.
 const BRANCH: f64 = 1.25;
+/// Largest sum over the midpoints of the cells of a [`Grading`], over the integral.
+const MISSED: f64 = 1.2;
 /// Margin of the refined region around the cracks, in elements.
 const MARGIN: f64 = 5.0;
 /// Least number of elements between a tip and the edge of the refined region.
@@ -260,6 +262,26 @@ impl RefinedRegion {
         mesh_unknowns(&x, &y)
     }
 
+    /// A number of displacement unknowns that the mesh of `extent` does not exceed, in closed form:
+    /// one over the smallest of several element sizes is at most the sum of one over each.
+    pub(crate) fn most_mesh_unknowns(&self, extent: RailBox) -> f64 {
+        // ∫ ds/(size + grading s) on both sides.
+        let beside =
+            |size: f64, grading: f64, length: f64| 2.0 / grading * (1.0 + grading * length / size).ln();
+        let elements = |length: f64, width: fn(Vec2) -> f64| {
+            let of = |crack: &Resolved| {
+                let (size, width) = (crack.element_size, width(crack.bounds.1 - crack.bounds.0));
+                let grading = (size / crack.length).min(OUTER_GRADING);
+                let at_mouth =
+                    crack.mouth.map_or(0.0, |_| beside(crack.mouth_size(0.0), MOUTH_GRADING, length));
+                width / size + beside(size, grading, length) + at_mouth
+            };
+            MISSED * self.cracks.iter().map(of).sum::<f64>() + 2.0
+        };
+        let layers = self.layers.map_or(0.0, |layers| MISSED * extent.depth / layers.height);
+        6.0 * elements(extent.width, |size| size.x) * (elements(extent.depth, |size| size.y) + layers)
+    }
+
     fn gradings(&self, extent: RailBox) -> (Grading, Grading) {
         let (left, right) = extent.ends();
         (
@@ -391,6 +413,12 @@ mod tests {
             let refined = RefinedRegion::new(&network, MeshSettings { element_size, expected_growth: 1.0 });
             assert!(refined.mesh_unknowns(outline) > MOST_MESH_UNKNOWNS);
             assert!(matches!(refined.mesh(outline), Err(MeshError::TooManyUnknowns { .. })));
+        }
+        for (length, element_size) in [(1.0, 0.05), (1e-3, 1e-4), (100.0, 0.3), (0.1, 5.0)] {
+            let network = CrackNetwork::from(Crack::surface_breaking(0.0, length, 0.5).unwrap());
+            let refined = RefinedRegion::new(&network, MeshSettings { element_size, expected_growth: 1.5 });
+            let (exact, most) = (refined.mesh_unknowns(outline), refined.most_mesh_unknowns(outline));
+            assert!(exact <= most && most < 50.0 * exact, "{exact} {most}");
         }
         let refined = RefinedRegion::new(&network, MeshSettings { element_size: 0.05, expected_growth: 1.0 });
         let made = 2.0 * refined.mesh(outline).unwrap().node_count() as f64;

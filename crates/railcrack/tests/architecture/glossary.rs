@@ -10,14 +10,15 @@ use std::path::Path;
 const MODULES_OF_TERMS: [&str; 5] = ["contact", "fatigue", "growth", "plane", "space"];
 
 /// Public types of these modules that are not terms, and why.
-const NOT_TERMS: [(&str, &str); 16] = [
+const NOT_TERMS: [(&str, &str); 17] = [
     ("CloseCracks", "content of an error"),
     ("NotConverged", "an error"),
     ("BodyReport", "size and cost of a body, columns of a summary"),
     ("CheckValue", "part of the declaration of a law"),
     ("Constant", "part of the declaration of a law"),
     ("CracksInSpace", "the cracks of a step with their body"),
-    ("EarlierRates", "argument of the Adams-Bashforth rule"),
+    ("PlaneSite", "part of the loop of growth"),
+    ("SpaceSite", "part of the loop of growth"),
     ("FaceRecord", "rows of faces.csv, whose columns are in the glossary"),
     ("KnownEnds", "what a rail keeps from step to step"),
     ("LawConstants", "part of the declaration of a law"),

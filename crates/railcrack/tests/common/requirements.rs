@@ -659,6 +659,36 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Load cycles of a straight crack converge to second order in the increment.",
     ),
     requirement(
+        "path::lives_and_tips_are_those_of_small_increments",
+        "life",
+        "Path: lives at turning lengths of infinity, 0.5 and 0.16 mm are those of small increments.",
+    ),
+    requirement(
+        "path::lives_and_tips_are_those_of_small_increments",
+        "tip",
+        "Path: tips at these turning lengths are those of small increments (mm).",
+    ),
+    requirement(
+        "path::engines_follow_the_same_path",
+        "tip",
+        "Path: both engines lead to the same tip at the default turning length (mm).",
+    ),
+    requirement(
+        "path::engines_follow_the_same_path",
+        "life",
+        "Path: both engines give the same life at the default turning length.",
+    ),
+    requirement(
+        "path::the_life_converges_where_the_path_turns",
+        "",
+        "Path: the life along a turning path converges to second order in the increment.",
+    ),
+    requirement(
+        "path::fracture_is_located",
+        "",
+        "Path: fracture of a cold rail comes after the same cycles whatever the increment.",
+    ),
+    requirement(
         "fluid::pressure_and_volume_of_open_cracks",
         "",
         "Fluid: a unit pressure gives the K_I and the volume of edge and buried cracks in closed form, in both engines.",

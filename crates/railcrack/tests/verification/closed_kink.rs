@@ -13,7 +13,7 @@ fn alternating_mode_two() {
     let kink = |criterion, mode_2_weight| {
         let equivalent = EquivalentRange::HourlierPineau { mode_2_weight };
         let law = GrowthLaw { equivalent, ..GrowthLaw::RAIL_STEEL };
-        HourlierPineau { law, criterion }.kink(&history).unwrap()
+        HourlierPineau { law, criterion, kink_friction: 0.0 }.kink(&history).unwrap()
     };
     let steel = 0.772;
     assert!(kink(DirectionCriterion::MaxRate, steel).angle.abs() < 1e-6);

@@ -1,4 +1,4 @@
-//! Paths of the two engines over 25 increments.
+//! Paths of the two engines over 25 increments that each kink.
 
 use crate::common::measured;
 use railcrack::growth::Unobserved;
@@ -22,7 +22,8 @@ impl Rolled {
     fn path(&self, engine: &str) -> Vec<Vec2> {
         let text = format!(
             "[contact]\npeak_pressure_mpa = 845.0\nhalf_width_mm = 6.75\nfriction = {:?}\n\
-             [[crack]]\nmouth_mm = 0.0\nlength_mm = 6.0\nangle_deg = {:?}\nfriction = {:?}\n",
+             [[crack]]\nmouth_mm = 0.0\nlength_mm = 6.0\nangle_deg = {:?}\nfriction = {:?}\n\
+             [growth]\nturning = \"kink\"\n",
             self.wheel_friction, self.angle_deg, self.crack_friction
         );
         let overrides = Overrides { engine: Some(engine.into()), ..Overrides::default() };

@@ -308,10 +308,26 @@ fn closed_faces_hold_no_fluid() {
     let wet = wet(&rolling, &trapped(2200.0, true), &Newton::default());
     assert!(wet.counts.complementarity_max < 1e-8, "{:?}", wet.counts);
     let wet = &wet.passages[wet.passages.len() - 1];
-    assert!(wet.fluid[0].iter().all(|fluid| fluid.pressure == 0.0));
+    assert!(wet.fluid[0].iter().all(|fluid| fluid.pressure == 0.0 && fluid.volume >= 0.0));
+    assert!(wet.fluid[0].iter().any(|fluid| fluid.volume == 0.0), "closed under the wheel");
     let apart = wet.sifs[0].iter().zip(&dry.sifs[0]).flat_map(|(a, b)| [a.ki - b.ki, a.kii - b.kii]);
     let peak = largest(dry.sifs[0].iter().map(|k| k.kii));
     close(largest(apart) / peak, 0.0, Absolute(1e-6), "load steps end elsewhere");
+}
+
+/// Where the faces have just closed, the interpolated jumps enclose less than nothing.
+#[test]
+fn volumes_of_fluid_are_not_negative() {
+    let kinked = polyline(&[(0.0, 0.0), (5.196152, -3.0), (5.755, -3.4)]);
+    for crack in [surface_crack(0.0, LENGTH, 30.0), kinked] {
+        let wet =
+            wet(&Rolling::over(vec![crack], 0.1, -0.3), &trapped(f64::INFINITY, true), &Newton::default());
+        for passage in &wet.passages {
+            let volumes = || passage.fluid[0].iter().map(|fluid| fluid.volume);
+            assert!(volumes().all(|volume| volume >= 0.0), "{:?}", volumes().reduce(f64::min));
+            assert!(volumes().any(|volume| volume > 1e-3));
+        }
+    }
 }
 
 /// Cracks far apart have pockets of their own, and only those of the list have fluid.

@@ -4,11 +4,18 @@ use crate::common::{Absolute, Of, Relative, Rolling, close, default_elements, jo
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::growth::{GrowthState, PieceKind, StepRecord, TipStop, Unobserved};
 use railcrack_case::{Case, Overrides};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+
+/// The shipped case by whole kinks, for which the numbers below were found.
+fn kinking(engine: Option<&str>) -> Case {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../cases/junction.toml");
+    let text = std::fs::read_to_string(&path).unwrap() + "\n[growth]\nturning = \"kink\"\n";
+    let overrides = Overrides { engine: engine.map(Into::into), ..Overrides::default() };
+    Case::parse_with(&text, "junction.toml", Path::new(""), &overrides).unwrap()
+}
 
 fn case() -> Case {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../cases/junction.toml");
-    Case::read(&path).unwrap()
+    kinking(None)
 }
 
 /// The growth steps from `state` on until `last`, and the state after each.
@@ -88,9 +95,7 @@ fn against_a_finer_mesh() {
 /// it as eight times as many positions have it, in the other engine.
 #[test]
 fn ranges_between_output_positions() {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../cases/junction.toml");
-    let overrides = Overrides { engine: Some("xfem".into()), ..Overrides::default() };
-    let case = Case::read_with(&path, &overrides).unwrap();
+    let case = kinking(Some("xfem"));
     let record = &steps(&case, None, 3)[3].0;
     let mut rolling = Rolling::over(vec![record.cracks()[0].clone()], 0.1, 0.025);
     rolling.steps.positions = 1921;
@@ -105,9 +110,7 @@ fn ranges_between_output_positions() {
 /// The whole run by the other engine: the same final tips, and the same spall.
 #[test]
 fn by_finite_elements() {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../cases/junction.toml");
-    let overrides = Overrides { engine: Some("xfem".into()), ..Overrides::default() };
-    let case = Case::read_with(&path, &overrides).unwrap();
+    let case = kinking(Some("xfem"));
     let records = steps(&case, None, 10);
     let stops = |tip: usize| records.iter().filter_map(move |(record, _)| record.tips.get(tip)?.stop).next();
     assert_eq!(stops(0), Some(TipStop::Coalescence));

@@ -30,6 +30,7 @@ mod maintenance;
 mod mirror;
 mod mix;
 mod page;
+mod path;
 mod plastic_stress;
 mod shakedown;
 mod slant_crack;

@@ -100,7 +100,7 @@ fn in_the_balance_the_length_stays_and_the_surface_comes_down() {
 fn grinding_wears_the_crack_away_at_last_and_a_resumed_run_is_the_same() {
     let first = run(problem(None, 0, 0.04))[0].tips[0].rate;
     // Every 0.5 mm of growth, 0.8 mm in depth: 1.6 mm of length.
-    let grinding = Grinding { depth: 0.8, interval: 0.5 / first };
+    let grinding = Grinding { depth: 0.8, interval: 0.5 / first, first: 0.5 / first };
     let maintained = || {
         let all = Maintenance { wear: 0.0, grinding: Some(grinding), stress: StressMoves::WithMetal };
         let mut problem = problem(Some(all), 40, 0.04);
@@ -137,11 +137,11 @@ fn grinding_wears_the_crack_away_at_last_and_a_resumed_run_is_the_same() {
 #[test]
 fn residual_stress_stays_in_the_steel_or_moves_with_the_surface() {
     let rates = [StressMoves::WithMetal, StressMoves::WithSurface].map(|stress| {
-        let grinding = Grinding { depth: 1.0, interval: 1.0 };
-        let mut problem = problem(Some(Maintenance { wear: 0.0, grinding: Some(grinding), stress }), 1, 0.04);
+        let grinding = Grinding { depth: 1.0, interval: 1.0, first: 1.0 };
+        let mut problem = problem(Some(Maintenance { wear: 0.0, grinding: Some(grinding), stress }), 2, 0.04);
         let rows = vec![(0.0, -300.0, 0.0), (1.0, -300.0, 0.0), (1.001, 0.0, 0.0)];
         problem.residual = Some(Box::new(DepthProfile::new(rows).unwrap()));
-        run(problem).remove(1).tips[0].rate
+        run(problem).remove(2).tips[0].rate
     });
     let [metal, surface] = rates;
     let mut bare = problem(None, 0, 0.04);

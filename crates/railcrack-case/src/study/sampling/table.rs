@@ -2,8 +2,9 @@
 
 use super::substitute::Substitute;
 use crate::case::place_of;
-use crate::files::lines;
+use crate::files::{lines, of_another_kind};
 use crate::schema::{CaseErrors, Fault, Kind, Report, Source, read_file};
+use crate::tables::SECTIONS;
 use std::path::Path;
 
 /// A table whose columns are keys (`contact.friction`, `crack[1].angle_deg`) and whose rows are
@@ -25,7 +26,7 @@ impl SampleTable {
     ///
     /// Errors: see [`SampleTable::read`].
     pub fn parse(text: &str, name: &str) -> Result<Self, CaseErrors> {
-        Self::of(Source { name: name.into(), text: text.into() })
+        Self::of(Source::new(name, text))
     }
 
     fn of(source: Source) -> Result<Self, CaseErrors> {
@@ -45,6 +46,12 @@ fn read(source: &Source, report: &mut Report) -> Option<Vec<(String, Substitute)
         report.add(Fault::new("there is no header").help(help));
         return None;
     };
+    let section = |name: &str| name.trim().split(['.', '[']).next().unwrap_or_default().to_owned();
+    let is_known = |name: &str| !name.is_empty() && SECTIONS.iter().any(|section| section.name == name);
+    if !header.split([',', ';', '\t']).any(|name| is_known(&section(name))) {
+        report.add(of_another_kind(help));
+        return None;
+    }
     let mut columns = Vec::new();
     for name in header.split(',').map(str::trim) {
         match place_of(name) {

@@ -2,10 +2,11 @@
 //! over traffic.
 
 use crate::exit::Failure;
-use railcrack_report::{Chart, ChartAxis, ChartSheet, Curve, CurveDots, CurveLook};
+use railcrack_report::{Chart, ChartAxis, ChartSheet, Curve, CurveDots, CurveLook, put};
 use railcrack_run::OutputError;
 use railcrack_run::calibration::{Measure, Measured};
 use railcrack_run::csv::TipRow;
+use railcrack_run::simulation::RunError;
 use std::path::Path;
 
 pub(super) fn from_output(error: OutputError) -> Failure {
@@ -60,6 +61,5 @@ pub(super) fn plot(
 }
 
 pub(super) fn write(folder: &Path, name: &str, text: &str) -> Result<(), Failure> {
-    let path = folder.join(name);
-    std::fs::write(&path, text).map_err(|source| Failure::CannotWrite { path, source })
+    Ok(put(&folder.join(name), text).map_err(RunError::from)?)
 }

@@ -2,14 +2,14 @@
 
 use super::progress::StudyProgress;
 use super::shard::Shard;
-use super::tell::{result_json, result_text, tell_failed};
+use super::tell::{result_json, result_text, tell_damages, tell_failed, tell_flaws};
 use crate::commands::run::listen;
 use crate::display::Verbosity;
 use crate::exit::{Exit, Failure};
 use crate::input::{self, Set, default_folder};
 use crate::json::Json;
 use clap::Args;
-use railcrack_case::{Overrides, SampleTable, Study};
+use railcrack_case::{KnownSizes, Overrides, SampleTable, Study};
 use railcrack_report::Pages;
 use railcrack_run::StudyFolder;
 use railcrack_run::machine::{Budget, Needs, OverBudget};
@@ -124,6 +124,7 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
     let folder = StudyFolder::enter(&path, plan, &study.text, arguments.entry(), &own, &cases)
         .map_err(RunError::from)?;
     drop(cases);
+    tell_damages(folder.damages());
 
     let (waiting, mut failed) = folder.left_to_do(&study, &own).map_err(RunError::from)?;
     let steps = waiting.iter().map(|&run| study.runs[run].case.growth.steps + 1).sum();
@@ -152,10 +153,14 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
     if arguments.quiet {
         tell_failed(&computed);
     }
+    tell_flaws(&results.flaws);
     failed.extend(computed);
     failed.sort_by_key(|run| run.number);
     let ending = if interruption.asked() { Ending::Interrupted } else { Ending::Ended };
-    let exit = exit(&failed, ending);
+    let exit = match exit(&failed, ending) {
+        Exit::Done if !results.flaws.is_empty() => Exit::CannotReadOrWrite,
+        exit => exit,
+    };
     arguments.json.print(
         || result_text(&folder, &results, &failed, ending),
         || result_json(&folder, &results, &failed, exit),
@@ -165,7 +170,9 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
 
 /// Checks that the runs `own` fit into the machine with the largest ones running at the same time.
 fn within_budget(study: &Study, own: &[usize], threads: usize, budget: &Budget) -> Result<(), OverBudget> {
-    let needs = study.runs.iter().filter(|run| own.contains(&run.number)).map(|run| Needs::of(&run.case));
+    let sizes = KnownSizes::default();
+    let own_runs = study.runs.iter().filter(|run| own.contains(&run.number));
+    let needs = own_runs.map(|run| Needs::with(&run.case, &sizes.size(&run.case)));
     let largest = needs.reduce(|a, b| Needs { memory: a.memory.max(b.memory), disk: a.disk.max(b.disk) });
     largest.map_or(Ok(()), |needs| budget.allows(needs, own.len(), threads.min(own.len())))
 }

@@ -79,13 +79,29 @@ pub fn result_json(folder: &StudyFolder, results: &StudyResults, failed: &[Faile
         "missing": results.count(|state| *state == RunState::Missing),
         "failed": failed,
         "population": results.population,
+        "damaged": folder.damages().iter().chain(&results.flaws).collect::<Vec<_>>(),
     })
 }
 
 /// Lists the failed runs on standard error, also with `--quiet` and `--json`.
 pub fn tell_failed(failed: &[FailedRun]) {
+    tell(failed_text(failed));
+}
+
+/// Reports damage that a resumed study makes good.
+pub fn tell_damages(damages: &[String]) {
+    let line = |damage: &String| format!("damaged: {damage}; what was lost is computed again\n");
+    tell(damages.iter().map(line).collect());
+}
+
+/// Reports files of packed runs that are damaged or of another study.
+pub fn tell_flaws(flaws: &[String]) {
+    tell(flaws.iter().map(|flaw| format!("damaged: {flaw}\n")).collect());
+}
+
+fn tell(text: String) {
     // A failure to write to standard error cannot be reported.
-    let _ = write!(std::io::stderr().lock(), "{}", failed_text(failed));
+    let _ = write!(std::io::stderr().lock(), "{text}");
 }
 
 fn failed_text(failed: &[FailedRun]) -> String {

@@ -10,6 +10,7 @@ use railcrack_run::OutputError;
 use railcrack_run::simulation::RunError;
 use std::net::{Ipv4Addr, TcpListener};
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// Show the report of a folder in a browser and update it while a run or a study computes
 ///
@@ -28,7 +29,7 @@ pub struct ViewArguments {
 /// Serves the folder until a signal arrives.
 pub fn view(arguments: &ViewArguments) -> Result<Exit, Failure> {
     let no_folder = || OutputError::NoFolder { folder: arguments.folder.clone() };
-    let site = Site::of(&arguments.folder).map_err(|_| RunError::from(no_folder()))?;
+    let site = Arc::new(Site::of(&arguments.folder).map_err(|_| RunError::from(no_folder()))?);
     let refused = |action: String| {
         move |reason: std::io::Error| RunError::System { action, reason: reason.to_string() }
     };

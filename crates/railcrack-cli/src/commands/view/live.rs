@@ -7,7 +7,7 @@ use railcrack_run::files::REPORT_FILE;
 use serde_json::json;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// The script that polls for new results.
@@ -27,11 +27,19 @@ pub(super) struct LivePage {
 /// A snapshot of the page.
 #[derive(Debug, Clone)]
 struct Reading {
-    page: PageNow,
+    page: Arc<PageNow>,
+    /// The page with the polling script.
+    html: Arc<[u8]>,
     /// Number of the page, different for each version.
     stamp: String,
     at: Instant,
     took: Duration,
+}
+
+fn with_script(html: &str, stamp: &str) -> Arc<[u8]> {
+    let script = format!("<script data-stamp=\"{stamp}\">\n{SCRIPT}</script>\n</body>");
+    let (before, after) = html.rsplit_once("</body>").unwrap_or((html, ""));
+    [before, &script, after].concat().into_bytes().into()
 }
 
 impl LivePage {
@@ -41,10 +49,7 @@ impl LivePage {
 
     /// The page with the polling script.
     pub(super) fn answer(&self) -> Answer {
-        let Reading { page, stamp, .. } = self.reading();
-        let script = format!("<script data-stamp=\"{stamp}\">\n{SCRIPT}</script>\n</body>");
-        let (before, after) = page.html.rsplit_once("</body>").unwrap_or((&page.html, ""));
-        Answer::page(format!("{before}{script}{after}"))
+        Answer::page(self.reading().html)
     }
 
     /// Progress of the results.
@@ -64,15 +69,16 @@ impl LivePage {
         }
         let begun = Instant::now();
         let page = match (page_now(&self.folder), &*last) {
-            (Ok(page), _) => page,
+            (Ok(page), _) => Arc::new(page),
             // A file that is being written is complete at the next read.
-            (Err(_), Some(before)) => before.page.clone(),
-            (Err(error), None) => self.stand_in(&error),
+            (Err(_), Some(before)) => Arc::clone(&before.page),
+            (Err(error), None) => Arc::new(self.stand_in(&error)),
         };
         let mut hasher = DefaultHasher::new();
         (&page.html, page.is_over).hash(&mut hasher);
         let stamp = format!("{:016x}", hasher.finish());
-        let reading = Reading { page, stamp, at: Instant::now(), took: begun.elapsed() };
+        let html = with_script(&page.html, &stamp);
+        let reading = Reading { page, html, stamp, at: Instant::now(), took: begun.elapsed() };
         *last = Some(reading.clone());
         reading
     }

@@ -8,3 +8,5 @@ mod server;
 mod site;
 
 pub use command::{ViewArguments, view};
+#[cfg(fuzzing)]
+pub use request::fuzz_request;

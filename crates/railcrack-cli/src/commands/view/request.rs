@@ -52,6 +52,16 @@ impl Request {
     }
 }
 
+/// Reads `head`: no name of a request leads out of its folder.
+#[cfg(fuzzing)]
+pub fn fuzz_request(head: &[u8]) {
+    if let Ok(request) = Request::of(head) {
+        let leaves =
+            |name: &String| matches!(&name[..], "" | "." | "..") || name.contains(['/', '\\', ':', '\0']);
+        assert!(!request.names.iter().any(leaves), "{:?}", request.names);
+    }
+}
+
 /// Whether `host` is the local machine, with or without a port.
 fn is_local(host: &[u8]) -> bool {
     let Ok(host) = std::str::from_utf8(host) else { return false };

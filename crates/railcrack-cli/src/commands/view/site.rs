@@ -4,10 +4,11 @@ use super::answer::Answer;
 use super::live::LivePage;
 use super::request::Request;
 use railcrack_run::files::REPORT_FILE;
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
+/// Maximum number of pages in memory; a study has one for each of up to thousands of runs.
+const MOST_PAGES: usize = 16;
 /// Path under which a page polls for progress.
 const STATE: &str = "state";
 
@@ -16,8 +17,9 @@ const STATE: &str = "state";
 pub(super) struct Site {
     /// Canonical path, without symbolic links.
     root: PathBuf,
-    /// Pages by folder; the runs of a study have their own pages.
-    pages: Mutex<BTreeMap<PathBuf, Arc<LivePage>>>,
+    /// The pages that were asked for last, with their folders, the last one at the end; the runs of
+    /// a study have their own pages.
+    pages: Mutex<Vec<(PathBuf, Arc<LivePage>)>>,
 }
 
 impl Site {
@@ -54,14 +56,18 @@ impl Site {
 
     fn page(&self, folder: PathBuf) -> Arc<LivePage> {
         let mut pages = self.pages.lock().unwrap_or_else(PoisonError::into_inner);
-        Arc::clone(pages.entry(folder.clone()).or_insert_with(|| Arc::new(LivePage::of(folder))))
+        let known = pages.iter().position(|(known, _)| *known == folder).map(|at| pages.remove(at));
+        let (folder, page) = known.unwrap_or_else(|| (folder.clone(), Arc::new(LivePage::of(folder))));
+        if pages.len() >= MOST_PAGES {
+            pages.remove(0);
+        }
+        pages.push((folder, Arc::clone(&page)));
+        page
     }
 
     fn file(&self, folders: &[String], file: &str) -> Answer {
         let names: Vec<&str> = folders.iter().map(String::as_str).chain([file]).collect();
-        match self.inside(&names).filter(|path| path.is_file()).map(|path| (std::fs::read(&path), path)) {
-            Some((Ok(content), path)) => Answer::file(&path, content),
-            _ => Answer::not_found(),
-        }
+        let file = self.inside(&names).and_then(|path| Answer::file(&path).ok());
+        file.unwrap_or_else(Answer::not_found)
     }
 }

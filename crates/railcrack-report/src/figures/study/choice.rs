@@ -103,7 +103,7 @@ mod tests {
                     })
                     .collect();
                 choice.reverse();
-                PlannedRun { number: run + 1, folder: String::new(), choice }
+                PlannedRun { number: run + 1, folder: String::new(), choice, case: None }
             })
             .collect()
     }
@@ -170,7 +170,7 @@ mod tests {
     #[test]
     fn named_runs_are_among_them_and_a_zip_is_sampled_from_end_to_end() {
         let zip: Vec<PlannedRun> = (0..1000)
-            .map(|run| PlannedRun { number: run + 1, folder: String::new(), choice: vec![run] })
+            .map(|run| PlannedRun { number: run + 1, folder: String::new(), choice: vec![run], case: None })
             .collect();
         let runs: Vec<&PlannedRun> = zip.iter().collect();
         let chosen = stratified(&runs, &[3, 997, 3], 50);

@@ -10,6 +10,6 @@ mod styles;
 pub(crate) use bands::{MANY, band_charts};
 pub(crate) use charts::study_charts;
 pub(crate) use choice::stratified;
-pub(crate) use plots::{STUDY_PLOTS, study_plots};
+pub(crate) use plots::study_plots;
 pub(crate) use run::{StudyRun, values};
 pub(crate) use styles::Styles;

@@ -6,10 +6,8 @@ use super::run::StudyRun;
 use super::styles::Styles;
 use crate::chart::{Chart, ChartSheet, CurveColour, CurveLook, LegendEntry, SheetLegend};
 use crate::figures::plot::Plot;
+use railcrack_run::files::STUDY_PLOTS;
 use railcrack_run::study::StudyPlan;
-
-/// Every plot that a study may have.
-pub(crate) const STUDY_PLOTS: [&str; 4] = ["ki.svg", "kii.svg", "paths.svg", "length-cycles.svg"];
 
 /// The plots of a study for its runs with a finished step; none without such runs.
 pub(crate) fn study_plots(plan: &StudyPlan, runs: &[StudyRun], styles: &Styles) -> Vec<Plot> {

@@ -43,10 +43,11 @@ pub(super) fn verdict(run: &RunFolder) -> String {
             )
         });
         format!(
-            "{name} grows from {} to {} mm in {} load cycles{tonnes}, {}.",
+            "{name} grows from {} to {} mm in {} load cycles{}{tonnes}, {}.",
             fixed(first.length, 2),
             fixed(last.length, 2),
             grouped(last.load_cycles),
+            error_of(last).map_or_else(String::new, |error| format!(" ({error})")),
             run.heading(last).map_or_else(|| "direction not yet determined".to_owned(), |h| h.sentence())
         )
     } else if last.removed.is_some_and(|removed| removed > 0.0) {
@@ -111,6 +112,12 @@ pub(in crate::pages) fn stop_sentence(run: &RunFolder) -> String {
     }
 }
 
+/// The estimated error of the load cycles of `row`, as a text; `None` where it is not known.
+fn error_of(row: &TipRow) -> Option<String> {
+    let share = row.cycles_error / row.load_cycles;
+    (share > 0.0).then(|| format!("± {} % by the increments", fixed((100.0 * share).max(0.01), 2)))
+}
+
 /// The key figures.
 pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
     let Some((first, last)) = representative_tip(run) else { return Vec::new() };
@@ -119,7 +126,12 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
     let mut facts = vec![fact(
         "Load cycles",
         grouped(last.load_cycles),
-        format!("axles until {which} is {} mm long", fixed(last.length, 2)),
+        match error_of(last) {
+            Some(error) => {
+                format!("axles until {which} is {} mm long; {error}", fixed(last.length, 2))
+            }
+            None => format!("axles until {which} is {} mm long", fixed(last.length, 2)),
+        },
     )];
     facts.push(match run.case.axle_load {
         Some(load) => fact(

@@ -43,6 +43,7 @@ pub(in crate::pages) fn warnings(run: &RunFolder) -> Vec<String> {
 fn grouped_text(kind: WarningKind, warnings: &[&Warning]) -> String {
     let heading = match kind {
         WarningKind::NearTie => "Near ties of the direction criterion: the path is sensitive to this choice",
+        WarningKind::PopIn => "Pop-ins: a tip extends at once under one load, and arrests",
         WarningKind::Passages => "Passages not stabilised within the limit",
         WarningKind::ContactFallback => "Contact solved by the alternative solver",
         WarningKind::Engine => "Remarks of the engine",

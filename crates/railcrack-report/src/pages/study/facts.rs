@@ -209,6 +209,7 @@ pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
             WarningKind::NearTie => {
                 "Near ties of the direction criterion: the path is sensitive to this choice"
             }
+            WarningKind::PopIn => "Pop-ins: a tip extends at once under one load, and arrests",
             WarningKind::Passages => "Passages not stabilised within the limit",
             WarningKind::ContactFallback => "Contact solved by the alternative solver",
             WarningKind::Engine => "Remarks of the engine",

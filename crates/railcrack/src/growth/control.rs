@@ -1,0 +1,392 @@
+//! Control of the increments: their error, the location of events, and the turns of the limit path.
+
+use super::{Advance, EarlierStep, GrowthSettings, Jump, Mover, TipRecord, Turn};
+use serde::{Deserialize, Serialize};
+
+/// The course of a run, carried from step to step.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Course {
+    /// The next increment of the fastest mover as a fraction of the length of its crack; `None`
+    /// for that of the settings.
+    pub share: Option<f64>,
+    /// Estimated error of the cycles so far by the rates of the steps.
+    pub cycles_error: f64,
+    /// Estimated error of the direction of the leading tip so far, radians.
+    pub turn_error: f64,
+    /// Estimated error of the cycles so far by the direction.
+    pub path_error: f64,
+}
+
+impl Course {
+    /// The estimated error of `load_cycles`.
+    #[must_use]
+    pub fn error(&self) -> f64 {
+        self.cycles_error + self.path_error
+    }
+}
+
+/// An attempt at a step.
+#[derive(Debug, Clone)]
+pub(super) struct Trial {
+    /// The cycles it may take.
+    pub cycles_at_most: f64,
+    /// The turns of tips of the limit path.
+    pub turns: Vec<Turn>,
+    /// Number of attempts before it.
+    attempts: usize,
+    /// The attempts at the turns of these tips.
+    searches: Vec<Search>,
+    /// Share at which the next step begins, where this one was cut before an event.
+    then: Option<f64>,
+}
+
+impl Default for Trial {
+    fn default() -> Self {
+        Self {
+            cycles_at_most: f64::INFINITY,
+            turns: Vec::new(),
+            attempts: 0,
+            searches: Vec::new(),
+            then: None,
+        }
+    }
+}
+
+/// The start or the end of a step, as far as the control depends on it.
+pub(super) struct End<'a> {
+    pub tips: &'a [TipRecord],
+    pub movers: &'a [Mover],
+    /// The largest k1 over the toughness.
+    pub hazard: f64,
+    pub load_cycles: f64,
+}
+
+/// The fate of an attempt.
+#[derive(Debug, Clone)]
+pub(super) enum Verdict {
+    /// It stands, and the run goes on with this course.
+    Accepted(Course),
+    /// It is made again.
+    Again(Trial),
+}
+
+/// Events are located until the step that contains them takes less than this fraction of all
+/// cycles.
+pub(crate) const LOCATED: f64 = 0.004;
+/// Attempts at a step; the last one stands.
+const ATTEMPTS: usize = 16;
+/// Smallest and largest increment that the control chooses, as a fraction of the length.
+const SHARES: (f64, f64) = (5e-4, 0.1);
+/// Shares of the tolerance allowed for the error of one step, by its rates and by its turns.
+const STEP_TOLERANCE: f64 = 0.3;
+/// Error from which a step of a given increment is cut.
+const OF_GIVEN: f64 = 0.01;
+/// Largest turn of a step, radians, and the turn that steps are chosen for: the engines take a
+/// polyline of smaller turns for a smooth curve.
+const LARGEST_TURN: f64 = 0.05;
+const CHOSEN_TURN: f64 = 0.04;
+/// Error of the trapezoidal rule over the second divided difference and the cube of the increment:
+/// a sixth, with a margin for the next order.
+const OF_RULE: f64 = 0.2;
+/// Error of the turn of a step over its difference from the prediction: a sixth, with a margin.
+const OF_TURN: f64 = 0.2;
+/// Weight of the error of turns in the choice of increments: most of it is scatter of the best
+/// kink, which does not add up.
+const TURN_WEIGHT: f64 = 0.2;
+/// Relative change of the life per radian of direction that is allowed for at least: the rate
+/// hardly depends on the direction of the tip, but on the depth to which it leads.
+const LEAST_SENSITIVITY: f64 = 1.0;
+/// The increment after a kink: the rates change over lengths in proportion to the distance from it.
+const AFTER_KINK: f64 = 0.004;
+/// Best kink (radians) that counts as zero on the limit path.
+const ZERO_KINK: f64 = 0.1 * std::f64::consts::PI / 180.0;
+
+/// Decides on attempts at steps.
+pub(super) struct Control<'a> {
+    pub settings: GrowthSettings,
+    /// The course before the step.
+    pub course: Course,
+    /// The previous step.
+    pub earlier: Option<EarlierStep>,
+    pub advance: &'a Advance,
+    pub before: End<'a>,
+}
+
+impl Control<'_> {
+    /// The verdict on the attempt `trial`, which leads to `after`.
+    pub fn judge(&self, after: &End<'_>, trial: &Trial) -> Verdict {
+        let Self { settings, before, advance, .. } = self;
+        if settings.turning.is_kink() || trial.attempts >= ATTEMPTS {
+            return self.accepted(after, trial);
+        }
+        if settings.turning.is_limit()
+            && let Some(again) = self.turned_again(after, trial)
+        {
+            return Verdict::Again(again);
+        }
+        let passed = after.load_cycles - before.load_cycles;
+        let cut = |part: f64, then: Option<f64>| {
+            Verdict::Again(Trial {
+                cycles_at_most: part * advance.cycles,
+                attempts: trial.attempts + 1,
+                then,
+                turns: Vec::new(),
+                searches: Vec::new(),
+            })
+        };
+        // The rates change abruptly at a kink: it is the start of a short step.
+        let kinks = before.tips.iter().any(|tip| tip.plane().is_some_and(|plane| plane.jump.is_some()));
+        if settings.tolerance.is_some() && kinks && advance.share > 2.0 * AFTER_KINK {
+            return cut(AFTER_KINK / advance.share, None);
+        }
+        let room = LOCATED * after.load_cycles / passed;
+        if room < 1.0 && advance.share > SHARES.0 {
+            if before.hazard < 1.0 && after.hazard >= 1.0 {
+                let crossing = (1.0 - before.hazard) / (after.hazard - before.hazard);
+                let crossing = if crossing.is_finite() { crossing } else { 0.5 };
+                let part = (crossing - 0.4 * room).clamp(0.05, 0.9);
+                let left = (crossing - part).max(0.0) + 0.5 * room;
+                return cut(part, Some(left * advance.share));
+            }
+            if self.has_kinked(after) || self.has_arrested(after) {
+                return cut(0.5, Some(0.5 * advance.share));
+            }
+        }
+        let error = self.step_error(after);
+        if advance.share > 2.0 * SHARES.0 && passed > 0.0 {
+            // The limit path bends at once, however short the step.
+            if error.largest_turn > LARGEST_TURN && !settings.turning.is_limit() {
+                return cut((CHOSEN_TURN / error.largest_turn).max(0.2), None);
+            }
+            let allowed = settings.tolerance.map_or(OF_GIVEN, |tolerance| 2.0 * STEP_TOLERANCE * tolerance);
+            let excess = error.relative() / allowed;
+            if excess > 1.0 {
+                return cut((0.6 * excess.powf(-0.5)).clamp(0.2, 0.7), None);
+            }
+        }
+        self.accepted(after, trial)
+    }
+
+    fn accepted(&self, after: &End<'_>, trial: &Trial) -> Verdict {
+        let error = self.step_error(after);
+        let passed = after.load_cycles - self.before.load_cycles;
+        let course = self.course;
+        let turn_error = course.turn_error + error.turn;
+        let next = Course {
+            share: self.next_share(&error, trial),
+            cycles_error: course.cycles_error + error.rate * passed,
+            turn_error,
+            path_error: course.path_error + error.sensitivity * turn_error * passed,
+        };
+        Verdict::Accepted(next)
+    }
+
+    /// The increment of the next step where the control chooses it.
+    fn next_share(&self, error: &StepError, trial: &Trial) -> Option<f64> {
+        let tolerance = self.settings.tolerance?;
+        let Self { before, advance, .. } = self;
+        let last = self.course.share.unwrap_or(self.settings.increment);
+        if let Some(then) = trial.then {
+            return Some(then.clamp(SHARES.0, last));
+        }
+        let jumps = |tip: &TipRecord| tip.plane().is_some_and(|plane| plane.jump.is_some());
+        if before.tips.iter().any(jumps) {
+            return Some(2.0 * AFTER_KINK);
+        }
+        // A step of no or few cycles, at a grinding or a limit, says nothing about the next one.
+        if advance.share <= 0.0 {
+            return Some(last);
+        }
+        let scaled = error.relative() / (STEP_TOLERANCE * tolerance);
+        let factor = (0.85 * scaled.max(1e-6).powf(-0.5)).clamp(0.4, 1.8);
+        let by_turn = CHOSEN_TURN * advance.share / error.largest_turn.max(1e-9);
+        let made = if advance.share < 0.5 * last { advance.share.max(0.5 * last) } else { advance.share };
+        Some((factor * made).min(by_turn).clamp(SHARES.0, SHARES.1))
+    }
+
+    /// The estimated error of a step, of its leading mover.
+    fn step_error(&self, after: &End<'_>) -> StepError {
+        let Self { before, advance, .. } = self;
+        let mut error = StepError::default();
+        let Some(earlier) = &advance.earlier else { return error };
+        let passed = after.load_cycles - before.load_cycles;
+        let Some(leader) = leading(before.movers) else { return error };
+        let Some(now) = after.movers.iter().find(|mover| mover.is(leader)) else { return error };
+        if passed <= 0.0 || now.rate <= 0.0 || now.rate.is_nan() || !earlier.is_smooth {
+            return error;
+        }
+        error.rate = match self.curvature_of_inverse(leader, now, advance, passed) {
+            Some(curvature) => {
+                let growth = passed * 0.5 * (leader.rate + now.rate);
+                OF_RULE * growth.powi(3) * curvature.abs() / passed
+            }
+            // The difference from the prediction by one rate is of second order.
+            None => (advance.cycles / passed - 1.0).powi(2) / 3.0,
+        };
+        let tips = before.tips.iter().filter_map(|tip| {
+            let end = after.tips.iter().find(|end| end.tip == tip.tip)?;
+            Some((tip, end, tip.plane()?, end.plane()?))
+        });
+        for (tip, end, start_plane, end_plane) in tips {
+            if start_plane.jump.is_none() && start_plane.is_drawn {
+                error.largest_turn = error.largest_turn.max(start_plane.turn.abs());
+            }
+            if start_plane.jump.is_some() || (tip.tip.crack, tip.tip.tip) != (leader.crack, leader.index) {
+                continue;
+            }
+            let curvature = |tip: &TipRecord| self.settings.turning.curvature(tip.kink.unwrap_or(0.0));
+            if self.settings.turning.is_limit() || end_plane.jump.is_some() {
+                continue;
+            }
+            let turned = 0.5 * tip.increment * (curvature(tip) + curvature(end));
+            error.turn = (turned - start_plane.predicted_turn).abs() * OF_TURN;
+            error.sensitivity = end_plane.sensitivity.max(LEAST_SENSITIVITY);
+            error.length_over_increment = tip.length / tip.increment.max(1e-12);
+        }
+        error
+    }
+
+    /// The second divided difference of 1/(da/dN) of the leading mover over its growth, from the
+    /// starts of the previous step and of this one and from the end of it; `None` where the rates
+    /// of the previous step do not continue.
+    fn curvature_of_inverse(
+        &self,
+        start: &Mover,
+        end: &Mover,
+        advance: &Advance,
+        passed: f64,
+    ) -> Option<f64> {
+        let earlier = self.earlier.as_ref().filter(|earlier| earlier.is_smooth)?;
+        let this = advance.earlier.as_ref().filter(|this| this.is_extrapolated)?;
+        let first = earlier.movers.iter().find(|mover| mover.is(start) && mover.rate > 0.0)?;
+        let before = earlier.growth_of(start).filter(|growth| *growth > 0.0)?;
+        let growth = this.growth_of(start).filter(|_| passed > 0.0 && start.rate > 0.0)?;
+        let slope = |one: &Mover, other: &Mover, growth: f64| (1.0 / other.rate - 1.0 / one.rate) / growth;
+        Some((slope(start, end, growth) - slope(first, start, before)) / (before + growth))
+    }
+
+    /// Whether a tip that turned so far has to kink at the end of the step.
+    fn has_kinked(&self, after: &End<'_>) -> bool {
+        let jump = |tip: &TipRecord| tip.plane().and_then(|plane| plane.jump);
+        let starts = |tip: &TipRecord| {
+            matches!(jump(tip), Some(Jump::Kink | Jump::Rival))
+                && self.before.tips.iter().any(|start| start.tip == tip.tip && jump(start).is_none())
+        };
+        after.tips.iter().any(starts)
+    }
+
+    /// Whether a mover that grew at the start of the step is arrested at its end.
+    fn has_arrested(&self, after: &End<'_>) -> bool {
+        let least = self.settings.arrest_rate;
+        let grows = |mover: &Mover| mover.rate > 0.0 && mover.rate >= least;
+        let arrested = |start: &&Mover| after.movers.iter().any(|end| end.is(start) && !grows(end));
+        // Slow tips may come to rest at any time without an effect on the life.
+        let fastest = leading(self.before.movers).map_or(0.0, |leader| leader.rate);
+        let some = |start: &Mover| grows(start) && start.rate > 0.01 * fastest;
+        self.before.movers.iter().filter(|start| some(start)).any(|start| arrested(&start))
+    }
+
+    /// The limit path: the next attempt at the turns, if the best kinks at the new tips are not
+    /// zero yet.
+    fn turned_again(&self, after: &End<'_>, trial: &Trial) -> Option<Trial> {
+        let mut searches = Vec::new();
+        let mut is_done = true;
+        for start in self.before.tips {
+            let drawn = start.increment > 0.0 && start.plane().is_some_and(|plane| plane.is_drawn);
+            let end = after.tips.iter().find(|end| end.tip == start.tip).filter(|_| drawn);
+            let Some((end, plane)) = end.zip(start.plane()) else { continue };
+            let key = (start.tip.crack, start.tip.tip);
+            let mut search = trial.searches.iter().find(|search| search.key == key).cloned();
+            let search = search.get_or_insert_with(|| Search::new(key));
+            let found = search.add(plane.turn, end.kink.unwrap_or(0.0));
+            is_done &= found;
+            searches.push(search.clone());
+        }
+        if is_done {
+            return None;
+        }
+        let turns = searches
+            .iter()
+            .map(|search| Turn { crack: search.key.0, tip: search.key.1, angle: search.next() })
+            .collect();
+        Some(Trial { turns, searches, attempts: trial.attempts + 1, ..trial.clone() })
+    }
+}
+
+/// The fastest of `movers`.
+fn leading(movers: &[Mover]) -> Option<&Mover> {
+    movers.iter().max_by(|a, b| {
+        (a.rate, a.length).partial_cmp(&(b.rate, b.length)).unwrap_or(std::cmp::Ordering::Equal)
+    })
+}
+
+/// The estimated error of a step.
+#[derive(Debug, Clone, Copy, Default)]
+struct StepError {
+    /// Of the cycles, relative to those of the step.
+    rate: f64,
+    /// Of the direction of the leading tip, radians.
+    turn: f64,
+    /// Relative change of the rate per radian of direction.
+    sensitivity: f64,
+    /// The length of its crack over its increment.
+    length_over_increment: f64,
+    /// The largest turn of a tip, radians.
+    largest_turn: f64,
+}
+
+impl StepError {
+    /// The error of the life if all steps were like this one, relative. An error of the direction
+    /// stays: it counts over the growth by the length of the crack.
+    fn relative(&self) -> f64 {
+        self.rate.max(TURN_WEIGHT * self.turn * self.sensitivity * self.length_over_increment)
+    }
+}
+
+/// The search for the turn after which the best kink is zero.
+#[derive(Debug, Clone)]
+struct Search {
+    /// Crack and tip.
+    key: (usize, usize),
+    /// Turns with the best kinks after them: the last one, and one on each side of the zero.
+    last: (f64, f64),
+    low: Option<(f64, f64)>,
+    high: Option<(f64, f64)>,
+}
+
+impl Search {
+    fn new(key: (usize, usize)) -> Self {
+        Self { key, last: (0.0, 0.0), low: None, high: None }
+    }
+
+    /// Adds a turn with the best kink after it; whether that is zero, or the turn known as well.
+    fn add(&mut self, turn: f64, kink: f64) -> bool {
+        self.last = (turn, kink);
+        if kink > 0.0 {
+            self.low = Some((turn, kink));
+        } else {
+            self.high = Some((turn, kink));
+        }
+        let is_known =
+            matches!((self.low, self.high), (Some(low), Some(high)) if (low.0 - high.0).abs() < ZERO_KINK);
+        kink.abs() <= ZERO_KINK || is_known
+    }
+
+    /// The next turn to try. The best kink of a closed tip hardly changes with the direction until
+    /// it changes its sign, so that steps towards it double.
+    fn next(&self) -> f64 {
+        match (self.low, self.high) {
+            (Some(low), Some(high)) => {
+                let secant = low.0 + (high.0 - low.0) * low.1 / (low.1 - high.1);
+                let width = high.0 - low.0;
+                let (near, far) = (low.0 + 0.1 * width, high.0 - 0.1 * width);
+                secant.clamp(near.min(far), near.max(far))
+            }
+            _ => {
+                let (turn, kink) = self.last;
+                let step = (2.0 * kink.abs()).max(turn.abs()).min(0.35);
+                turn + if kink.abs() > step { kink } else { step * kink.signum() }
+            }
+        }
+    }
+}

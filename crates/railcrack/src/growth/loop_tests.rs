@@ -1,0 +1,270 @@
+//! The loop on a crack whose rate is a function of its length, with lives in closed form.
+
+use super::*;
+use crate::crack::{Crack, CrackTip, End};
+use crate::interruption::Interruption;
+use crate::math::Vec2;
+
+/// A vertical crack with da/dN = `RATE` a^`POWER` and k1 over the toughness `hazard` (a).
+struct Rule {
+    settings: GrowthSettings,
+    passages: PassageSettings,
+    hazard: fn(f64) -> f64,
+    /// Lengths of all bodies, mm.
+    computed: std::cell::RefCell<Vec<f64>>,
+}
+
+const RATE: f64 = 1e-6;
+const POWER: f64 = 1.7;
+const START: f64 = 4.0;
+
+/// N from `START` to `length`.
+fn life(length: f64) -> f64 {
+    (START.powf(1.0 - POWER) - length.powf(1.0 - POWER)) / ((POWER - 1.0) * RATE)
+}
+
+fn crack(length: f64) -> Crack {
+    Crack::polyline(vec![Vec2::new(0.0, 0.0), Vec2::new(0.0, -length)]).unwrap()
+}
+
+impl Rule {
+    fn new(settings: GrowthSettings) -> Self {
+        let passages = PassageSettings::default();
+        Self { settings, passages, hazard: |_| 0.0, computed: Default::default() }
+    }
+
+    /// All steps, and the bodies that they took.
+    fn run(self) -> (Vec<StepRecord>, usize) {
+        let state = GrowthState::initial(&crack(START).into());
+        let mut growth = Growth::new(self, state);
+        let mut records = Vec::new();
+        while let Some(record) = growth.next_step(&Unobserved).unwrap() {
+            records.push(record);
+        }
+        let computed = growth.rail().computed.borrow().len();
+        (records, computed)
+    }
+}
+
+impl CrackedRail for Rule {
+    type Body = PlaneGeometry;
+    type Site = PlaneGeometry;
+
+    fn settings(&self) -> &GrowthSettings {
+        &self.settings
+    }
+
+    fn wheels(&self) -> Vec<WheelOfRail<'_>> {
+        vec![WheelOfRail { share: 1.0, toughness: None, passages: &self.passages }]
+    }
+
+    fn refinement(&self) -> &'static str {
+        "nothing"
+    }
+
+    fn body(&mut self, state: &GrowthState, _: Interruption<'_>) -> Result<PlaneGeometry, GrowthError> {
+        let Geometry::Plane(geometry) = &state.geometry else { unreachable!() };
+        self.computed.borrow_mut().push(geometry.cracks[0].length());
+        Ok(geometry.clone())
+    }
+
+    fn report(&self, _: &PlaneGeometry) -> BodyReport {
+        BodyReport::default()
+    }
+
+    fn passages(
+        &mut self,
+        _: &PlaneGeometry,
+        _: &StepStart<'_>,
+        _: &dyn Observer,
+        _: &mut Vec<Warning>,
+    ) -> Result<Vec<StabilisedPassage>, GrowthError> {
+        Ok(vec![StabilisedPassage {
+            passages: Vec::new(),
+            histories: Vec::new(),
+            faces: FaceRecord { points: Vec::new(), states: Vec::new(), across: None },
+            counts: SolverCounts::default(),
+            last_change: None,
+            coupling: None,
+            delta_kiii: Vec::new(),
+        }])
+    }
+
+    fn fields(
+        &mut self,
+        _: &PlaneGeometry,
+        _: &StepStart<'_>,
+        _: &StabilisedPassage,
+    ) -> Result<Option<FieldRecord>, GrowthError> {
+        Ok(None)
+    }
+
+    fn demands(&self, geometry: &PlaneGeometry, _: &[StabilisedPassage]) -> Vec<TipRecord> {
+        let length = geometry.cracks[0].length();
+        vec![TipRecord {
+            tip: CrackTip { crack: 0, tip: 0, end: End::Last },
+            x: 0.0,
+            y: -length,
+            length,
+            ki_max: 0.0,
+            delta_ki: 0.0,
+            delta_kii: 0.0,
+            delta_keq: 1.0,
+            largest_k1: None,
+            kink: Some(0.0),
+            increment: 0.0,
+            rate: RATE * length.powf(POWER),
+            stop: None,
+            shares: WheelShares::default(),
+            opened_by: 0,
+            mouth_sine: Some(1.0),
+            geometry: TipGeometry::Plane(PlaneTip::default()),
+        }]
+    }
+
+    fn movers(&self, _: &PlaneGeometry, tips: &[TipRecord]) -> Vec<Mover> {
+        vec![Mover { crack: 0, index: 0, rate: tips[0].rate, length: tips[0].length }]
+    }
+
+    fn site(&self, body: &PlaneGeometry) -> PlaneGeometry {
+        body.clone()
+    }
+
+    fn advance(
+        &self,
+        geometry: &PlaneGeometry,
+        at: &StepStart<'_>,
+        tips: &mut [TipRecord],
+        movers: &[Mover],
+    ) -> Advance {
+        let wearing = [WearingCrack { mouth_sine: 1.0, longest: at.worn.longest_of(0, tips[0].length) }];
+        let moving = Moving { all: movers, growing: movers, some_are_left: true, wearing: &wearing };
+        let broken = self.hazard(geometry, &tips[0]) >= 1.0;
+        let stop = run_stop(&self.settings, at, broken, tips[0].length);
+        let pace = Pace::of(&moving, at, &self.settings, 1.0);
+        let increment = pace.increment(&movers[0]);
+        let mut next = geometry.clone();
+        if stop.is_none() {
+            next.cracks[0] = crack(tips[0].length + increment - pace.removal);
+            tips[0].increment = increment;
+        }
+        Advance {
+            geometry: Geometry::Plane(next),
+            pieces: Vec::new(),
+            cycles: pace.cycles,
+            share: pace.share,
+            earlier: Some(pace.as_earlier(movers, true)),
+            interval: pace.interval(|_| false),
+            removal: pace.removal,
+            ground: pace.grinds,
+            stop,
+            warnings: Vec::new(),
+        }
+    }
+
+    fn hazard(&self, _: &PlaneGeometry, tip: &TipRecord) -> f64 {
+        (self.hazard)(tip.length)
+    }
+
+    fn popped_in(&self, _: &PlaneGeometry, _: &[&TipRecord], _: f64) -> Option<Geometry> {
+        None
+    }
+}
+
+fn settings(increment: f64) -> GrowthSettings {
+    GrowthSettings { steps: 10_000, increment, critical_length: Some(8.0), ..GrowthSettings::default() }
+}
+
+#[test]
+fn the_life_is_of_second_order() {
+    let error = |increment: f64| {
+        let (records, _) = Rule::new(settings(increment)).run();
+        let last = records.last().unwrap();
+        (last.load_cycles - life(last.tips[0].length)).abs()
+    };
+    let ratio = error(0.04) / error(0.02);
+    assert!((ratio - 4.0).abs() < 0.4, "{ratio}");
+}
+
+#[test]
+fn chosen_increments_keep_the_tolerance_and_say_so() {
+    for tolerance in [1e-2, 1e-3, 1e-4] {
+        let chosen = GrowthSettings { tolerance: Some(tolerance), ..settings(0.02) };
+        let (records, bodies) = Rule::new(chosen).run();
+        let last = records.last().unwrap();
+        let exact = life(last.tips[0].length);
+        let error = (last.load_cycles / exact - 1.0).abs();
+        assert!(error < tolerance, "{tolerance}: {error}");
+        assert!(last.cycles_error / exact > error, "{}: {error}", last.cycles_error / exact);
+        // Each step is computed once, but for a few.
+        assert!(bodies < records.len() + 5, "{bodies} bodies for {} steps", records.len());
+    }
+}
+
+#[test]
+fn the_toughness_is_located_whatever_the_increment() {
+    for increment in [0.16, 0.08, 0.04, 0.01] {
+        let rule = Rule { hazard: |length| length / 7.3, ..Rule::new(settings(increment)) };
+        let (records, _) = rule.run();
+        let last = records.last().unwrap();
+        assert_eq!(last.stop, Some(RunStop::Fracture));
+        let off = last.load_cycles / life(7.3) - 1.0;
+        assert!(off.abs() < 1e-2, "{increment}: {off}");
+        // The step before is not broken yet, and the record of it has the increment made.
+        let before = &records[records.len() - 2];
+        assert!(before.tips[0].length < 7.3 && last.tips[0].length >= 7.3);
+        let made = last.tips[0].length - before.tips[0].length;
+        assert!((before.tips[0].increment - made).abs() < 1e-12);
+    }
+}
+
+/// Two grindings at given cycles: the tip grows by the rule all the time, by the length that is
+/// left.
+#[test]
+fn grinding_is_of_second_order() {
+    let interval = 0.3 * life(8.0);
+    let depth = 0.5;
+    let exact = {
+        let mut length = START;
+        for _ in 0..2 {
+            length = (length.powf(1.0 - POWER) - (POWER - 1.0) * RATE * interval).powf(1.0 / (1.0 - POWER));
+            length -= depth;
+        }
+        length
+    };
+    let error = |increment: f64| {
+        let maintenance = Maintenance {
+            wear: 0.0,
+            grinding: Some(Grinding { depth, interval, first: interval }),
+            stress: StressMoves::WithMetal,
+        };
+        let maintained = GrowthSettings {
+            maintenance: Some(maintenance),
+            stop_after_cycles: Some(2.0 * interval),
+            critical_length: None,
+            ..settings(increment)
+        };
+        let (records, _) = Rule::new(maintained).run();
+        // The second grinding is due when the cycles are over.
+        records.last().unwrap().tips[0].length - depth - exact
+    };
+    let (coarse, fine) = (error(0.04), error(0.02));
+    assert!(coarse.abs() < 2e-3 && (coarse / fine).abs() > 2.8, "{coarse} {fine}");
+}
+
+#[test]
+fn a_run_in_two_parts_is_the_run() {
+    let chosen = || GrowthSettings { tolerance: Some(1e-2), ..settings(0.02) };
+    let (whole, _) = Rule::new(chosen()).run();
+    let mut growth = Growth::new(Rule::new(chosen()), GrowthState::initial(&crack(START).into()));
+    for want in &whole {
+        let record = growth.next_step(&Unobserved).unwrap().unwrap();
+        assert_eq!((record.load_cycles, &record.geometry), (want.load_cycles, &want.geometry));
+        assert_eq!(
+            (record.cycles_error, record.tips[0].increment),
+            (want.cycles_error, want.tips[0].increment)
+        );
+        let state = growth.state().clone();
+        growth = Growth::new(Rule::new(chosen()), state);
+    }
+}

@@ -1,0 +1,182 @@
+//! The turn of the path of a tip in a step.
+
+use super::step_state::TipDrive;
+use crate::growth::{GrowthSettings, Jump, StepStart, TipCourse};
+
+/// The turn of the path of a tip in a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Turned {
+    /// Radians, counter-clockwise.
+    pub angle: f64,
+    /// The part of it that follows from this step and the previous one, without what was owed.
+    pub predicted: f64,
+    /// Why the path kinks, if it does.
+    pub jump: Option<Jump>,
+    /// The course after the step.
+    pub course: TipCourse,
+}
+
+/// Largest change of the turn of a step by extrapolation, radians.
+const LARGEST_CHANGE: f64 = 0.2;
+
+impl Turned {
+    /// The turn of `drive` over `increment` (mm); `None` for a tip without any loading.
+    ///
+    /// dθ/ds = κ = θ*/ℓ, where κ decays with the turn by λ = `kink_slope`/ℓ and changes along the
+    /// path by a drift d: κ' = −λ κ + d. Over an increment h the path turns by h κ φ₁(λh) + h² d
+    /// φ₂(λh). d is that of the previous step, which follows from κ at both ends of it; the
+    /// difference between the turn of that step with d and the turn that was made is added.
+    /// Without decay this is an Adams–Bashforth rule with the correction of the trapezoidal rule;
+    /// with it, increments may be longer than ℓ.
+    pub fn of(
+        drive: &TipDrive,
+        increment: f64,
+        at: &StepStart<'_>,
+        settings: &GrowthSettings,
+    ) -> Option<Self> {
+        let best = drive.kink?;
+        let turning = settings.turning;
+        if turning.is_kink() {
+            return Some(Self { angle: best, predicted: best, jump: None, course: drive.course });
+        }
+        if turning.is_limit() {
+            return Some(Self::on_limit_path(drive, increment, at, settings));
+        }
+        let curvature = turning.curvature(best);
+        if drive.deferred.is_kinked {
+            return Some(Self { angle: 0.0, predicted: 0.0, jump: None, course: drive.course });
+        }
+        if drive.jump.is_some() && curvature != 0.0 {
+            return Some(Self {
+                angle: best,
+                predicted: best,
+                jump: drive.jump,
+                course: TipCourse::default(),
+            });
+        }
+        let before = drive.course;
+        let decay = if best == 0.0 { 0.0 } else { drive.kink_slope * curvature / best };
+        let (drift, owed) = match before.span > 0.0 {
+            true => before.corrected(curvature, decay),
+            false => (0.0, 0.0),
+        };
+        // The best kink of the path itself, which the tip lacks by what it has not turned yet.
+        let curvature = curvature - decay * owed;
+        let z = decay * increment;
+        let change = (increment * increment * drift * phi_2(z)).clamp(-LARGEST_CHANGE, LARGEST_CHANGE);
+        let predicted = increment * curvature * phi_1(z) + change;
+        let angle = predicted + owed;
+        let course = TipCourse {
+            curvature,
+            decay,
+            span: increment,
+            balance: owed - angle,
+            expected: Some(best - drive.kink_slope * angle),
+        };
+        Some(Self { angle, predicted, jump: None, course })
+    }
+
+    /// The turn of the limit path: the given one, or that of the previous step.
+    fn on_limit_path(
+        drive: &TipDrive,
+        increment: f64,
+        at: &StepStart<'_>,
+        settings: &GrowthSettings,
+    ) -> Self {
+        let (crack, tip) = (drive.tip.crack, drive.tip.tip);
+        let given = at.turns.iter().find(|turn| (turn.crack, turn.tip) == (crack, tip));
+        let angle = given.map_or(drive.course.curvature * increment, |turn| turn.angle);
+        let jump = (angle.abs() >= settings.kink_angle).then_some(Jump::Kink);
+        let curvature = if jump.is_some() { 0.0 } else { angle / increment };
+        let course = TipCourse { curvature, span: increment, ..TipCourse::default() };
+        Self { angle, predicted: angle, jump, course }
+    }
+}
+
+/// The correction of the previous step.
+trait Corrected {
+    /// The drift of the step, and the turn that it lacks (radians), for the curvature at its end.
+    fn corrected(&self, curvature: f64, decay: f64) -> (f64, f64);
+}
+
+impl Corrected for TipCourse {
+    fn corrected(&self, curvature: f64, decay: f64) -> (f64, f64) {
+        let (h, z) = (self.span, self.decay * self.span);
+        let drift = |end: f64| (end - self.curvature * (-z).exp()) / (h * phi_1(z));
+        let lacks = |end: f64| self.balance + h * self.curvature * phi_1(z) + h * h * drift(end) * phi_2(z);
+        // The curvature at the end was found at a tip that lacks this turn itself.
+        let per_curvature = h * phi_2(z) / phi_1(z);
+        let lack = lacks(curvature) / (1.0 + decay * per_curvature);
+        (drift(curvature - decay * lack), lack)
+    }
+}
+
+/// (1 − e^(−z))/z.
+fn phi_1(z: f64) -> f64 {
+    if z.abs() < 1e-4 { 1.0 - 0.5 * z } else { -(-z).exp_m1() / z }
+}
+
+/// (e^(−z) − 1 + z)/z².
+fn phi_2(z: f64) -> f64 {
+    if z.abs() < 1e-3 { 0.5 - z / 6.0 } else { ((-z).exp_m1() + z) / (z * z) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::growth::{Turning, WornSurface};
+    use crate::plane::fixtures::tip;
+
+    /// The direction after `length` mm in steps of `h`, where the best kink at s in direction θ is
+    /// `best(s, θ)`, with slope −`slope` in θ.
+    fn turned(length: f64, h: f64, turning: f64, slope: f64, best: impl Fn(f64, f64) -> f64) -> f64 {
+        let settings = GrowthSettings { turning: Turning::Over(turning), ..GrowthSettings::default() };
+        let worn = WornSurface::default();
+        let (mut angle, mut course) = (0.0, TipCourse::default());
+        let steps = (length / h).round() as usize;
+        for i in 0..steps {
+            let drive = TipDrive { course, kink_slope: slope, ..tip(0, best(i as f64 * h, angle), 1e-6) };
+            let next = Turned::of(&drive, h, &StepStart::standing(&worn), &settings).unwrap();
+            (angle, course) = (angle + next.angle, next.course);
+        }
+        angle
+    }
+
+    /// dθ/ds = θ₀/ℓ where the best kink does not change.
+    #[test]
+    fn a_constant_best_kink_turns_along_an_arc() {
+        let angle = turned(1.0, 0.1, 0.5, 0.0, |_, _| -0.05);
+        assert!((angle + 0.1).abs() < 1e-12, "{angle}");
+    }
+
+    /// Towards a fixed direction ψ: θ = ψ (1 − e^(−s/ℓ)), for steps of any length.
+    #[test]
+    fn a_fixed_direction_is_approached_exponentially() {
+        for h in [0.01, 0.1, 0.5, 2.0] {
+            let angle = turned(2.0, h, 0.5, 1.0, |_, angle| 0.2 - angle);
+            assert!((angle - 0.2 * (1.0 - (-4.0f64).exp())).abs() < 1e-6, "{h}: {angle}");
+        }
+    }
+
+    /// A direction that turns itself, ψ = s/5: θ = (s − ℓ (1 − e^(−s/ℓ)))/5.
+    #[test]
+    fn the_turn_is_of_second_order() {
+        let exact = |s: f64| (s - 0.5 * (1.0 - (-2.0 * s).exp())) / 5.0;
+        let nonlinear = |s: f64, angle: f64| (0.2 * s - angle).tanh() + 0.02 * (3.0 * s).sin();
+        let reference = turned(2.0, 1e-4, 0.5, 1.0, nonlinear);
+        let error = |h: f64| turned(2.0, h, 0.5, 1.0, nonlinear) - reference;
+        let ratio = error(0.025) / error(0.0125);
+        assert!(ratio > 3.0 && error(0.2).abs() < 1e-3, "{ratio} {}", error(0.2));
+        let linear = turned(2.0, 0.05, 0.5, 1.0, |s, angle| 0.2 * s - angle);
+        assert!((linear - exact(2.0)).abs() < 1e-3, "{linear} {}", exact(2.0));
+    }
+
+    #[test]
+    fn beyond_the_kink_angle_the_path_kinks_at_once() {
+        let settings = GrowthSettings::default();
+        let worn = WornSurface::default();
+        let drive = TipDrive { jump: Some(Jump::Kink), ..tip(0, -1.2, 1e-6) };
+        let next = Turned::of(&drive, 0.1, &StepStart::standing(&worn), &settings).unwrap();
+        assert_eq!((next.angle, next.jump), (-1.2, Some(Jump::Kink)));
+    }
+}

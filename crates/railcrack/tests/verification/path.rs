@@ -1,0 +1,160 @@
+//! The limit of the path in the increment, in both engines, and events that are located.
+
+use crate::common::{measured_as, measured_order, order};
+use railcrack::growth::{RunStop, StepRecord, Unobserved};
+use railcrack::math::Vec2;
+use railcrack_case::{Case, Overrides};
+use std::path::Path;
+
+/// The steps of `text`, an engine given.
+fn run(text: &str, engine: &str) -> Vec<StepRecord> {
+    let overrides = Overrides { engine: Some(engine.into()), ..Overrides::default() };
+    let case = Case::parse_with(text, "case.toml", Path::new(""), &overrides).unwrap();
+    let mut run = case.prepare(None).unwrap().growth(None);
+    std::iter::from_fn(|| run.next_step(&Unobserved).unwrap()).collect()
+}
+
+/// A head check of 4 mm at 30° up to 5.5 mm, with further lines of `[growth]`.
+fn head_check(growth: &str, engine: &str) -> Vec<StepRecord> {
+    let text = format!(
+        "[contact]\npeak_pressure_mpa = 845.0\nhalf_width_mm = 6.75\nfriction = 0.3\n\
+         [[crack]]\nmouth_mm = 0.0\nlength_mm = 4.0\nangle_deg = 30.0\nfriction = 0.3\n\
+         [growth]\nparis_c = 2e-11\nsteps = 2000\ncritical_length_mm = 5.5\n{growth}\n"
+    );
+    run(&text, engine)
+}
+
+/// The end of a run: cycles and tip.
+fn end(records: &[StepRecord]) -> (f64, Vec2) {
+    let last = &records[records.len() - 1];
+    (last.load_cycles, Vec2::new(last.tips[0].x, last.tips[0].y))
+}
+
+/// Lives and tips that an independent program found with small increments that turn by
+/// θ* (1 − e^(−Δa/ℓ)).
+const INDEPENDENT: [(&str, f64, [f64; 2]); 3] =
+    [("inf", 5.541e6, [4.763, -2.750]), ("0.5", 5.004e6, [4.707, -2.837]), ("0.16", 4.45e6, [4.59, -2.98])];
+
+#[test]
+fn lives_and_tips_are_those_of_small_increments() {
+    let (mut off_life, mut off_tip) = (0.0f64, 0.0f64);
+    for (length, life, tip) in INDEPENDENT {
+        let records = head_check(&format!("turning_length_mm = {length}"), "dislocation");
+        let (cycles, at) = end(&records);
+        assert_eq!(records[records.len() - 1].stop, Some(RunStop::CriticalLength));
+        off_life = off_life.max((cycles / life - 1.0).abs());
+        off_tip = off_tip.max((at - Vec2::new(tip[0], tip[1])).length());
+    }
+    measured_as("life", off_life, 0.01, "the tolerance by default");
+    measured_as("tip", off_tip, 0.01, "mm; digits of the published numbers");
+    assert!(off_life < 0.01 && off_tip < 0.01, "{off_life} {off_tip}");
+}
+
+#[test]
+fn engines_follow_the_same_path() {
+    for (length, apart, life) in [("0.5", 0.02, 0.01), ("0.16", 0.02, 0.02)] {
+        let growth = format!("turning_length_mm = {length}");
+        let (one, other) = (end(&head_check(&growth, "xfem")), end(&head_check(&growth, "dislocation")));
+        let (tips, lives) = ((one.1 - other.1).length(), (one.0 / other.0 - 1.0).abs());
+        if length == "0.5" {
+            measured_as("tip", tips, apart, "mm; at the default turning length");
+            measured_as("life", lives, life, "at the default turning length");
+        }
+        assert!(tips < apart && lives < life, "{length}: {tips} mm, {lives}");
+    }
+}
+
+#[test]
+fn the_life_converges_where_the_path_turns() {
+    let life = |increment: f64| {
+        let growth = format!("turning_length_mm = 0.16\nincrement = {increment}");
+        end(&head_check(&growth, "dislocation")).0
+    };
+    let [coarse, middle, fine] = [0.04, 0.02, 0.01].map(life);
+    let observed = order(coarse - middle, middle - fine);
+    measured_order(observed, 1.5, "differences of 4, 2 and 1 % increments");
+    assert!(observed > 1.5, "order {observed}: {coarse} {middle} {fine}");
+}
+
+/// With turning length 0 the crack turns at once, and then goes on in the direction in which the
+/// best kink is zero.
+#[test]
+fn the_limit_path_turns_at_once_to_the_stationary_direction() {
+    let records = head_check("turning_length_mm = 0.0", "dislocation");
+    let (first, last) = (&records[2], &records[records.len() - 1]);
+    let kink = last.tips[0].kink.unwrap().to_degrees();
+    assert!(kink.abs() < 0.5, "{kink}");
+    let crack = &last.cracks()[0];
+    let points = crack.points();
+    let end = points[points.len() - 1] - points[points.len() - 2];
+    let down = -end.angle().to_degrees();
+    assert!((down - 77.0).abs() < 3.0, "{down}");
+    assert!(first.tips[0].length < 4.2, "it has turned within a few hundredths of its length");
+}
+
+/// A crack in a cold rail reaches the toughness after the same traffic, whatever the increment.
+#[test]
+fn fracture_is_located() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+    let text = std::fs::read_to_string(folder.join("winter-rail.toml")).unwrap();
+    let growth = text.find("\n[growth]\n").unwrap();
+    let rest = text[growth + 1..].find("\n[solver]").unwrap() + growth + 1;
+    let life = |line: &str| {
+        let text = format!("{}\n[growth]\nsteps = 400\n{line}\n{}", &text[..growth], &text[rest..]);
+        let records = run(&text, "dislocation");
+        let last = &records[records.len() - 1];
+        assert_eq!(last.stop, Some(RunStop::Fracture), "{line}");
+        last.load_cycles
+    };
+    let fine = life("tolerance = 0.001");
+    let mut off = 0.0f64;
+    for line in ["increment = 0.16", "increment = 0.08", "increment = 0.04", "increment = 0.02", ""] {
+        off = off.max((life(line) / fine - 1.0).abs());
+    }
+    measured_as("", off, 0.01, "increments of 16 to 2 %, and chosen ones");
+    assert!(off < 0.01, "{off}");
+}
+
+/// Under a braked wheel, k1 of a virtual kink of a shallow head check exceeds a low toughness, but
+/// the kink closes: a pop-in. In the cold rail above, K_I keeps a kink open.
+#[test]
+fn a_shallow_crack_under_shear_pops_in_and_arrests() {
+    let text = |criterion: &str| {
+        format!(
+            "[contact]\npeak_pressure_mpa = 1000.0\nhalf_width_mm = 6.75\nfriction = -0.3\n\
+             [[crack]]\nmouth_mm = 0.0\nlength_mm = 4.4\nangle_deg = 45.0\nfriction = 0.1\n\
+             [growth]\nparis_c = 2e-11\nsteps = 6\n\
+             [fracture]\ntoughness_mpa_sqrt_m = 20.0\ncriterion = \"{criterion}\"\n"
+        )
+    };
+    let at_once = run(&text("k1"), "dislocation");
+    assert_eq!(at_once.last().unwrap().stop, Some(RunStop::Fracture));
+    let arrests = run(&text("arrest"), "dislocation");
+    let popped = arrests
+        .iter()
+        .position(|record| record.tips[0].plane().unwrap().jump == Some(railcrack::growth::Jump::PopIn));
+    let popped = popped.expect("a pop-in");
+    assert!(arrests.last().unwrap().stop != Some(RunStop::Fracture), "{:?}", arrests.last().unwrap().stop);
+    let (before, after) = (&arrests[popped], &arrests[popped + 1]);
+    assert!((after.tips[0].length - before.tips[0].length - 2.0).abs() < 1e-9);
+    assert_eq!(after.load_cycles, before.load_cycles);
+    assert!(before.warnings.iter().any(|warning| warning.text.contains("pop-in of 2.00 mm")));
+}
+
+/// The first steps of a run do not depend on how many follow.
+#[test]
+fn a_shorter_run_is_the_beginning_of_a_longer_one() {
+    let steps = |count: usize, engine: &str| {
+        let text = format!(
+            "[contact]\npeak_pressure_mpa = 845.0\nhalf_width_mm = 6.75\nfriction = 0.3\n\
+             [[crack]]\nmouth_mm = 0.0\nlength_mm = 4.0\nangle_deg = 30.0\nfriction = 0.3\n\
+             [growth]\nparis_c = 2e-11\nsteps = {count}\n"
+        );
+        run(&text, engine)
+    };
+    let (short, long) = (steps(2, "dislocation"), steps(4, "dislocation"));
+    for (one, other) in short.iter().zip(&long) {
+        assert_eq!((one.load_cycles, &one.geometry), (other.load_cycles, &other.geometry));
+        assert_eq!(one.tips[0].rate, other.tips[0].rate);
+    }
+}

@@ -1,0 +1,9 @@
+//! Files of packed runs.
+
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use railcrack_fuzz::folder;
+use railcrack_run::fuzzing;
+
+fuzz_target!(|input: &[u8]| fuzzing::packed(&folder(), input));
