@@ -338,17 +338,25 @@ def hourlier_pineau(
     criterion: Literal[
         "max-rate", "max-rate-unclipped", "max-delta-k1", "max-k1", "coplanar", "mts", "max-delta-ctd"
     ] = "max-rate",
+    kink_friction: float = 0.0,
 ) -> Kink | None:
     """The kink of a tip under a history of K_I and K_II (MPa√m), shape (samples, 2); None for an
     unloaded tip.
 
     The criterion is maximised over the kink angle within ±110°: by default the growth rate of the
     virtual kink by Paris' law da/dN = c ΔK_eq^m, ΔK_eq² = Δk1² + w Δk2² (Hourlier & Pineau 1982);
-    the others are those of `[growth] direction` in the case file.
+    the others are those of `[growth] direction` in the case file. `kink_friction` is the friction of
+    the faces of the virtual kink.
     """
     samples = np.ascontiguousarray(history, float)
     found = _railcrack.hourlier_pineau(
-        samples, c=c, m=m, mode_2_weight=mode_2_weight, threshold=threshold_mpa_sqrt_m, criterion=criterion
+        samples,
+        c=c,
+        m=m,
+        mode_2_weight=mode_2_weight,
+        threshold=threshold_mpa_sqrt_m,
+        criterion=criterion,
+        kink_friction=kink_friction,
     )
     if found is None:
         return None

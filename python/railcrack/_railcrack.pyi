@@ -156,7 +156,14 @@ def passage(
     tell: _Tell | None,
 ) -> dict[str, Any]: ...
 def hourlier_pineau(
-    history: _Array, *, c: float, m: float, mode_2_weight: float, threshold: float, criterion: str
+    history: _Array,
+    *,
+    c: float,
+    m: float,
+    mode_2_weight: float,
+    threshold: float,
+    criterion: str,
+    kink_friction: float,
 ) -> tuple[float, float, float, float, tuple[float, float] | None] | None: ...
 def kink_functions(angle: float) -> list[list[float]]: ...
 def shakedown(

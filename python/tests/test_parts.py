@@ -136,6 +136,12 @@ def test_hourlier_and_pineau() -> None:
     straight = rc.hourlier_pineau([[0.0, 0.0], [10.0, 0.0]])
     assert straight is not None and straight.angle_deg == pytest.approx(0.0, abs=1e-4)
     assert straight.rate_mm_per_cycle == pytest.approx(2e-9 * 10.0**3.33, rel=1e-9)
+    # Under compression the friction of the kink takes from its range of k2.
+    closed = np.column_stack([-20.0 + np.zeros(5), [0.0, 10.0, 0.0, -10.0, 0.0]])
+    free = rc.hourlier_pineau(closed)
+    rubbed = rc.hourlier_pineau(closed, kink_friction=0.3)
+    assert free is not None and rubbed is not None
+    assert rubbed.rate_mm_per_cycle < free.rate_mm_per_cycle
     assert rc.kink_functions(0.0) == pytest.approx(np.eye(2))
 
 
@@ -207,7 +213,7 @@ def test_passages_have_the_limits_of_a_case() -> None:
 def test_criteria_have_the_limits_of_a_case() -> None:
     history = np.array([[0.0, -5.0], [3.0, 8.0]])
     assert rc.hourlier_pineau(history) is not None
-    for name in ("c", "m", "mode_2_weight", "threshold_mpa_sqrt_m"):
+    for name in ("c", "m", "mode_2_weight", "threshold_mpa_sqrt_m", "kink_friction"):
         for value in (*NOT_NUMBERS, -1.0):
             with pytest.raises(rc.BadInput, match=name):
                 rc.hourlier_pineau(history, **{name: value})  # type: ignore[arg-type]

@@ -17,7 +17,7 @@ type FoundKink = (f64, f64, f64, f64, Option<(f64, f64)>);
 
 /// The kink of the criterion for a history of K_I and K_II (MPa√m), shape (samples, 2).
 #[pyfunction]
-#[pyo3(signature = (history, *, c, m, mode_2_weight, threshold, criterion))]
+#[pyo3(signature = (history, *, c, m, mode_2_weight, threshold, criterion, kink_friction))]
 pub fn hourlier_pineau(
     py: Python<'_>,
     history: PyReadonlyArray2<'_, f64>,
@@ -26,6 +26,7 @@ pub fn hourlier_pineau(
     mode_2_weight: f64,
     threshold: f64,
     criterion: &str,
+    kink_friction: f64,
 ) -> PyResult<Option<FoundKink>> {
     let Some(criterion) = DirectionCriterion::of_word(criterion) else {
         let accepted = DirectionCriterion::accepted();
@@ -36,6 +37,7 @@ pub fn hourlier_pineau(
         ("m", m, "paris_m"),
         ("mode_2_weight", mode_2_weight, "mode_2_weight"),
         ("threshold_mpa_sqrt_m", threshold, "threshold_mpa_sqrt_m"),
+        ("kink_friction", kink_friction, "kink_friction"),
     ] {
         limits::number(py, name, value, ("growth", key))?;
     }
@@ -45,7 +47,7 @@ pub fn hourlier_pineau(
     };
     limits::finite(py, "history", history.as_array().iter().copied())?;
     let history = history_of(&history)?;
-    let kink = py.detach(|| HourlierPineau { law, criterion, kink_friction: 0.0 }.kink(&history));
+    let kink = py.detach(|| HourlierPineau { law, criterion, kink_friction }.kink(&history));
     Ok(kink.map(|kink| {
         let secondary = kink.secondary.map(|other| (other.angle.to_degrees(), other.ratio));
         let (k1, k2) = (kink.delta_k1 / MPA_SQRT_MM, kink.delta_k2 / MPA_SQRT_MM);
