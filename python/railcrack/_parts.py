@@ -335,6 +335,7 @@ def hourlier_pineau(
     m: float = 3.33,
     mode_2_weight: float = 0.772,
     threshold_mpa_sqrt_m: float = 0.0,
+    threshold_2_mpa_sqrt_m: float = 0.0,
     criterion: Literal[
         "max-rate", "max-rate-unclipped", "max-delta-k1", "max-k1", "coplanar", "mts", "max-delta-ctd"
     ] = "max-rate",
@@ -345,7 +346,8 @@ def hourlier_pineau(
 
     The criterion is maximised over the kink angle within ±110°: by default the growth rate of the
     virtual kink by Paris' law da/dN = c ΔK_eq^m, ΔK_eq² = Δk1² + w Δk2² (Hourlier & Pineau 1982);
-    the others are those of `[growth] direction` in the case file. `kink_friction` is the friction of
+    the others are those of `[growth] direction` in the case file. The thresholds are those of
+    `[growth]`: they act on the rate, not on the direction. `kink_friction` is the friction of
     the faces of the virtual kink.
     """
     samples = np.ascontiguousarray(history, float)
@@ -355,6 +357,7 @@ def hourlier_pineau(
         m=m,
         mode_2_weight=mode_2_weight,
         threshold=threshold_mpa_sqrt_m,
+        threshold_2=threshold_2_mpa_sqrt_m,
         criterion=criterion,
         kink_friction=kink_friction,
     )

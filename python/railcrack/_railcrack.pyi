@@ -162,6 +162,7 @@ def hourlier_pineau(
     m: float,
     mode_2_weight: float,
     threshold: float,
+    threshold_2: float,
     criterion: str,
     kink_friction: float,
 ) -> tuple[float, float, float, float, tuple[float, float] | None] | None: ...

@@ -213,7 +213,7 @@ def test_passages_have_the_limits_of_a_case() -> None:
 def test_criteria_have_the_limits_of_a_case() -> None:
     history = np.array([[0.0, -5.0], [3.0, 8.0]])
     assert rc.hourlier_pineau(history) is not None
-    for name in ("c", "m", "mode_2_weight", "threshold_mpa_sqrt_m", "kink_friction"):
+    for name in ("c", "m", "mode_2_weight", "threshold_mpa_sqrt_m", "threshold_2_mpa_sqrt_m", "kink_friction"):
         for value in (*NOT_NUMBERS, -1.0):
             with pytest.raises(rc.BadInput, match=name):
                 rc.hourlier_pineau(history, **{name: value})  # type: ignore[arg-type]

@@ -17,7 +17,7 @@ type FoundKink = (f64, f64, f64, f64, Option<(f64, f64)>);
 
 /// The kink of the criterion for a history of K_I and K_II (MPa√m), shape (samples, 2).
 #[pyfunction]
-#[pyo3(signature = (history, *, c, m, mode_2_weight, threshold, criterion, kink_friction))]
+#[pyo3(signature = (history, *, c, m, mode_2_weight, threshold, threshold_2, criterion, kink_friction))]
 pub fn hourlier_pineau(
     py: Python<'_>,
     history: PyReadonlyArray2<'_, f64>,
@@ -25,6 +25,7 @@ pub fn hourlier_pineau(
     m: f64,
     mode_2_weight: f64,
     threshold: f64,
+    threshold_2: f64,
     criterion: &str,
     kink_friction: f64,
 ) -> PyResult<Option<FoundKink>> {
@@ -37,6 +38,7 @@ pub fn hourlier_pineau(
         ("m", m, "paris_m"),
         ("mode_2_weight", mode_2_weight, "mode_2_weight"),
         ("threshold_mpa_sqrt_m", threshold, "threshold_mpa_sqrt_m"),
+        ("threshold_2_mpa_sqrt_m", threshold_2, "threshold_2_mpa_sqrt_m"),
         ("kink_friction", kink_friction, "kink_friction"),
     ] {
         limits::number(py, name, value, ("growth", key))?;
@@ -44,6 +46,7 @@ pub fn hourlier_pineau(
     let law = GrowthLaw {
         rate: RateLaw::Paris(Paris { c, m, threshold }),
         equivalent: EquivalentRange::HourlierPineau { mode_2_weight },
+        threshold_2,
     };
     limits::finite(py, "history", history.as_array().iter().copied())?;
     let history = history_of(&history)?;

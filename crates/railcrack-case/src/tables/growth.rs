@@ -32,6 +32,8 @@ section! {
         "Weight of mode III in the space engine; by default mode_2_weight/(1 - nu), which weights modes II and III by their energy release rates.")
         .only_with(EQUIVALENT, "hourlier-pineau", "only this range has a weight of mode III").optional();
     ..law_keys::OF_OTHER_LAWS;
+    THRESHOLD_2: f64 = number("threshold_2_mpa_sqrt_m", "MPa sqrt(m)", closed(0.0, 1e3), 0.0,
+        "Threshold of dKII; 0: none. With threshold dKth of the law, a crack grows where (dKI/dKth)^2 + (dKII/threshold_2)^2 > 1; without, dKII counts only above it. In space, dKII is that of all shear.");
     TABLE_PROFILE: String = file("table_profile", "inputs/rates.csv", "rates.csv",
         "CSV file with the columns delta_keq_mpa_sqrt_m,rate_mm_per_cycle; interpolated linearly in log-log scale, no growth below the first row.")
         .required()

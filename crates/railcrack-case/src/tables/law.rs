@@ -1,6 +1,8 @@
 //! The growth law of `[growth]`: its name, its constants, and the steels that have one.
 
-use super::growth::{EQUIVALENT, GROWTH_STEEL, LAW, MODE_2_WEIGHT, TABLE_PROFILE, is_of_the_law};
+use super::growth::{
+    EQUIVALENT, GROWTH_STEEL, LAW, MODE_2_WEIGHT, TABLE_PROFILE, THRESHOLD_2, is_of_the_law,
+};
 use super::law_keys::row;
 use crate::files::{RatesFile, read_rates};
 use crate::schema::{Choice, Report, SectionValues};
@@ -23,7 +25,8 @@ pub(super) fn read_law(section: &SectionValues, folder: &Path, report: &mut Repo
     if let Some(name) = section.get(GROWTH_STEEL) {
         refuse_beside_steel(section, report);
         let steel = RailSteel::of(name.word())?;
-        return Some(GivenLaw { law: steel.growth_law(), steel: Some(steel), rates: None });
+        let law = GrowthLaw { threshold_2: section.get(THRESHOLD_2)?, ..steel.growth_law() };
+        return Some(GivenLaw { law, steel: Some(steel), rates: None });
     }
     let declaration = section.get(LAW)?;
     if let Some(own) = declaration.own_range
@@ -50,7 +53,16 @@ pub(super) fn read_law(section: &SectionValues, folder: &Path, report: &mut Repo
         Some(own) => own.range,
         None => section.get(EQUIVALENT)?.range(section.get(MODE_2_WEIGHT))?,
     };
-    let law = GrowthLaw { rate, equivalent };
+    let threshold_2 = section.get(THRESHOLD_2)?;
+    if let Some(own) = declaration.own_range
+        && threshold_2 > 0.0
+    {
+        let says = format!("{}, with a threshold of both modes", own.reason);
+        let help = "leave `threshold_2_mpa_sqrt_m` out, or choose another law";
+        report.add(section.fault(THRESHOLD_2, says).help(help));
+        return None;
+    }
+    let law = GrowthLaw { rate, equivalent, threshold_2 };
     check_pace(section, declaration, &law, report)?;
     Some(GivenLaw { law, steel: None, rates })
 }

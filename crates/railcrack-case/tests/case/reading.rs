@@ -357,6 +357,14 @@ fn growth_laws() {
         assert_eq!(case.growth.law.rate.formula(), law);
         assert_eq!(parse(&case.to_toml()), case, "{lines}");
     }
+    let sheared = parse(&format!("{minimal}threshold_mpa_sqrt_m = 4\nthreshold_2_mpa_sqrt_m = 13\n"));
+    assert_eq!(sheared.growth.law.threshold_2, 13.0);
+    assert_eq!(sheared.growth.law.shear_threshold().unwrap(), "growth where (dKI/4)^2 + (dKII/13)^2 > 1");
+    assert_eq!(parse(&sheared.to_toml()), sheared);
+    assert_eq!(sheared.number("growth.threshold_2_mpa_sqrt_m").unwrap(), 13.0);
+    let held = parse(&format!("{minimal}steel = \"R260\"\nthreshold_2_mpa_sqrt_m = 13\n"));
+    assert_eq!(held.growth.law.threshold_2, 13.0);
+    assert_eq!(parse(&held.to_toml()), held);
     let steel = parse(&format!("{minimal}steel = \"R260\"\n"));
     assert_eq!(steel.growth_steel.map(|steel| steel.name), Some("R260"));
     assert!((steel.growth.law.rate.rate(10.0, 0.0) / 17e-6 - 1.0).abs() < 1e-12);

@@ -443,6 +443,9 @@ fn growth(case: &Case) -> Vec<CheckLine> {
         ("arrest below", format!("{} mm/cycle", short(growth.arrest_rate))),
         ("direction", direction.into()),
     ];
+    if let Some(threshold) = law.shear_threshold() {
+        rows.push(("threshold", format!("{} MPa sqrt(m)", formula(&threshold))));
+    }
     if let Some(length) = growth.critical_length {
         rows.push(("stops at length", format!("{} mm", short(length))));
     }

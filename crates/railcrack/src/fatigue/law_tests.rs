@@ -67,6 +67,52 @@ fn nothing_grows_at_or_below_the_threshold() {
     assert_eq!(rate(&GrowthLaw::RAIL_STEEL, 0.0, 0.0), 0.0);
 }
 
+/// Without the threshold of ΔK_II, Hourlier and Pineau's range has one at ΔK_th/√w.
+#[test]
+fn the_threshold_of_shear_is_an_axis_of_the_ellipse() {
+    let (threshold, weight) = (4.0, 0.772_f64);
+    let before = of_rail_steel(RateLaw::Paris(Paris { threshold, ..Paris::RAIL_STEEL }));
+    let same = GrowthLaw { threshold_2: threshold / weight.sqrt(), ..before.clone() };
+    let strong = GrowthLaw { threshold_2: 10.0, ..before.clone() };
+    for i in 0..20 {
+        let (sin, cos) = (0.08 * f64::from(i)).sin_cos();
+        for size in [0.999, 1.001] {
+            let (opening, shear) = (size * threshold * cos, size * threshold / weight.sqrt() * sin);
+            assert_eq!(rate(&same, opening, shear), rate(&before, opening, shear), "{i} {size}");
+            // On the ellipse of both thresholds the crack begins to grow at the rate of its range.
+            let shear = size * 10.0 * sin;
+            let delta = strong.equivalent_range(opening, shear);
+            let want = if size > 1.0 { 2e-9 * delta.powf(3.33) } else { 0.0 };
+            assert!((rate(&strong, opening, shear) - want).abs() <= 1e-9 * want, "{i} {size}");
+        }
+    }
+    assert_eq!(rate(&strong, 0.0, 10.0), 0.0);
+    assert!(rate(&before, 0.0, 10.0) > 0.0);
+}
+
+#[test]
+fn without_a_threshold_of_opening_shear_counts_above_its_own() {
+    let law = GrowthLaw { threshold_2: 10.0, ..GrowthLaw::RAIL_STEEL };
+    assert_eq!(rate(&law, 0.0, 10.0), 0.0);
+    assert_eq!(rate(&law, 5.0, 10.0), rate(&GrowthLaw::RAIL_STEEL, 5.0, 0.0));
+    assert_eq!(rate(&law, 5.0, 10.01), rate(&GrowthLaw::RAIL_STEEL, 5.0, 10.01));
+    assert_eq!(law.shear_threshold().unwrap(), "dKII counts above 10");
+    assert_eq!(GrowthLaw::RAIL_STEEL.shear_threshold(), None);
+}
+
+/// C (ΔK^m − T^m) with T = ΔK/u, u = √((6/4)² + (8/10)²) = 1.7, ΔK² = 6² + 0.772 8².
+#[test]
+fn laws_that_begin_at_zero_begin_on_the_ellipse() {
+    let inside = ParisThreshold { c: 2e-9, m: 3.33, threshold: 4.0 };
+    let law = GrowthLaw { threshold_2: 10.0, ..of_rail_steel(RateLaw::ParisThreshold(inside)) };
+    let delta = (36.0_f64 + 0.772 * 64.0).sqrt();
+    close(rate(&law, 6.0, 8.0), 2e-9 * delta.powf(3.33) * (1.0 - 1.7_f64.powf(-3.33)));
+    let nasgro = Nasgro { c: 1e-9, n: 3.0, p: 0.5, q: 0.5, threshold: 4.0, kc: 40.0, alpha: 2.5, s: 0.3 };
+    let free = of_rail_steel(RateLaw::Nasgro(Nasgro { threshold: 0.0, ..nasgro }));
+    let law = GrowthLaw { threshold_2: 10.0, ..of_rail_steel(RateLaw::Nasgro(nasgro)) };
+    close(rate(&law, 6.0, 8.0) / rate(&free, 6.0, 8.0), (1.0 - 1.0 / 1.7_f64).sqrt());
+}
+
 #[test]
 fn paris_threshold_begins_at_zero() {
     let law = of_rail_steel(RateLaw::ParisThreshold(ParisThreshold { c: 2e-9, m: 3.33, threshold: 4.0 }));
@@ -77,7 +123,11 @@ fn paris_threshold_begins_at_zero() {
 
 #[test]
 fn bold() {
-    let law = GrowthLaw { rate: RateLaw::Bold(Bold::RAIL_STEEL), equivalent: EquivalentRange::Bold };
+    let law = GrowthLaw {
+        rate: RateLaw::Bold(Bold::RAIL_STEEL),
+        equivalent: EquivalentRange::Bold,
+        threshold_2: 0.0,
+    };
     close(rate(&law, 10.0, 0.0), 2.695_658_9e-6);
     close(rate(&law, 0.0, 10.0), 9.052_781_1e-7);
     close(bold_range(0.0, 10.0), 7.594_937);

@@ -125,7 +125,7 @@ impl RailSteel {
         let [low, high] = ACCEPTANCE_RANGES;
         let m = (fast / slow).ln() / (high / low).ln();
         let rate = RateLaw::Paris(Paris { c: slow / low.powf(m), m, threshold: 0.0 });
-        GrowthLaw { rate, equivalent: EquivalentRange::RAIL_STEEL }
+        GrowthLaw { rate, equivalent: EquivalentRange::RAIL_STEEL, threshold_2: 0.0 }
     }
 
     /// The required mean K_Ic at −20 °C, used at all temperatures, which is conservative at higher

@@ -32,8 +32,8 @@ pub(super) struct Trial {
     pub cycles_at_most: f64,
     /// The turns of tips of the limit path.
     pub turns: Vec<Turn>,
-    /// Number of attempts before it.
-    attempts: usize,
+    /// Number of times that the step was cut.
+    cuts: usize,
     /// The attempts at the turns of these tips.
     searches: Vec<Search>,
     /// Share at which the next step begins, where this one was cut before an event.
@@ -42,13 +42,7 @@ pub(super) struct Trial {
 
 impl Default for Trial {
     fn default() -> Self {
-        Self {
-            cycles_at_most: f64::INFINITY,
-            turns: Vec::new(),
-            attempts: 0,
-            searches: Vec::new(),
-            then: None,
-        }
+        Self { cycles_at_most: f64::INFINITY, turns: Vec::new(), cuts: 0, searches: Vec::new(), then: None }
     }
 }
 
@@ -73,8 +67,10 @@ pub(super) enum Verdict {
 /// Events are located until the step that contains them takes less than this fraction of all
 /// cycles.
 pub(crate) const LOCATED: f64 = 0.004;
-/// Attempts at a step; the last one stands.
-const ATTEMPTS: usize = 16;
+/// A step is cut so often at most; what results then stands.
+const MOST_CUTS: usize = 16;
+/// Attempts at the turn of a step of the limit path; the last one stands.
+const MOST_TURNS: usize = 24;
 /// Smallest and largest increment that the control chooses, as a fraction of the length.
 const SHARES: (f64, f64) = (5e-4, 0.1);
 /// Shares of the tolerance allowed for the error of one step, by its rates and by its turns.
@@ -98,8 +94,15 @@ const TURN_WEIGHT: f64 = 0.2;
 const LEAST_SENSITIVITY: f64 = 1.0;
 /// The increment after a kink: the rates change over lengths in proportion to the distance from it.
 const AFTER_KINK: f64 = 0.004;
-/// Best kink (radians) that counts as zero on the limit path.
-const ZERO_KINK: f64 = 0.1 * std::f64::consts::PI / 180.0;
+/// Best kink (radians) that counts as zero on the limit path: the scatter of the best kink. A path
+/// that drifts by a tenth of a degree in each increment has not arrived.
+const ZERO_KINK: f64 = 0.02 * std::f64::consts::PI / 180.0;
+/// Largest turn of a step of the limit path, radians: no kink of a tip is larger, whatever the mix
+/// of modes, and a path that turned farther would run back along its own crack.
+const LARGEST_BEND: f64 = 80.0 * std::f64::consts::PI / 180.0;
+/// Largest change of the turn from one attempt to the next until its zero is enclosed, radians: the
+/// search must not pass a direction in which the path would stay.
+const LARGEST_STRIDE: f64 = 0.2;
 
 /// Decides on attempts at steps.
 pub(super) struct Control<'a> {
@@ -116,7 +119,7 @@ impl Control<'_> {
     /// The verdict on the attempt `trial`, which leads to `after`.
     pub fn judge(&self, after: &End<'_>, trial: &Trial) -> Verdict {
         let Self { settings, before, advance, .. } = self;
-        if settings.turning.is_kink() || trial.attempts >= ATTEMPTS {
+        if settings.turning.is_kink() {
             return self.accepted(after, trial);
         }
         if settings.turning.is_limit()
@@ -124,11 +127,14 @@ impl Control<'_> {
         {
             return Verdict::Again(again);
         }
+        if trial.cuts >= MOST_CUTS {
+            return self.accepted(after, trial);
+        }
         let passed = after.load_cycles - before.load_cycles;
         let cut = |part: f64, then: Option<f64>| {
             Verdict::Again(Trial {
                 cycles_at_most: part * advance.cycles,
-                attempts: trial.attempts + 1,
+                cuts: trial.cuts + 1,
                 then,
                 turns: Vec::new(),
                 searches: Vec::new(),
@@ -136,8 +142,14 @@ impl Control<'_> {
         };
         // The rates change abruptly at a kink: it is the start of a short step.
         let kinks = before.tips.iter().any(|tip| tip.plane().is_some_and(|plane| plane.jump.is_some()));
-        if settings.tolerance.is_some() && kinks && advance.share > 2.0 * AFTER_KINK {
-            return cut(AFTER_KINK / advance.share, None);
+        if kinks && advance.share > 2.0 * AFTER_KINK {
+            if settings.turning.is_limit() {
+                // A long increment may only hide the curve of a path without a corner.
+                return cut((AFTER_KINK / advance.share).max(0.25), None);
+            }
+            if settings.tolerance.is_some() {
+                return cut(AFTER_KINK / advance.share, None);
+            }
         }
         let room = LOCATED * after.load_cycles / passed;
         if room < 1.0 && advance.share > SHARES.0 {
@@ -183,9 +195,13 @@ impl Control<'_> {
 
     /// The increment of the next step where the control chooses it.
     fn next_share(&self, error: &StepError, trial: &Trial) -> Option<f64> {
-        let tolerance = self.settings.tolerance?;
-        let Self { before, advance, .. } = self;
-        let last = self.course.share.unwrap_or(self.settings.increment);
+        let Self { before, advance, settings, .. } = self;
+        let last = self.course.share.unwrap_or(settings.increment);
+        let Some(tolerance) = settings.tolerance else {
+            // Behind a bend a long increment would pass over the directions that follow.
+            let made = if advance.share > 0.0 { advance.share } else { 0.5 * last };
+            return settings.turning.is_limit().then(|| (2.0 * made).min(settings.increment));
+        };
         if let Some(then) = trial.then {
             return Some(then.clamp(SHARES.0, last));
         }
@@ -309,7 +325,7 @@ impl Control<'_> {
             .iter()
             .map(|search| Turn { crack: search.key.0, tip: search.key.1, angle: search.next() })
             .collect();
-        Some(Trial { turns, searches, attempts: trial.attempts + 1, ..trial.clone() })
+        Some(Trial { turns, searches, ..trial.clone() })
     }
 }
 
@@ -344,24 +360,35 @@ impl StepError {
 }
 
 /// The search for the turn after which the best kink is zero.
+///
+/// It follows the path that turns ever faster: from the first attempt in the direction of the best
+/// kink, until that changes its sign. A zero from which the best kinks lead away is thus never
+/// found, although the secants would converge to it.
 #[derive(Debug, Clone)]
 struct Search {
     /// Crack and tip.
     key: (usize, usize),
+    /// Number of turns tried.
+    tried: usize,
     /// Turns with the best kinks after them: the last one, and one on each side of the zero.
     last: (f64, f64),
     low: Option<(f64, f64)>,
     high: Option<(f64, f64)>,
+    /// The last change of the turn.
+    stride: f64,
 }
 
 impl Search {
     fn new(key: (usize, usize)) -> Self {
-        Self { key, last: (0.0, 0.0), low: None, high: None }
+        Self { key, tried: 0, last: (0.0, 0.0), low: None, high: None, stride: 0.0 }
     }
 
-    /// Adds a turn with the best kink after it; whether that is zero, or the turn known as well.
+    /// Adds a turn with the best kink after it; whether the search ends with it: the kink is zero,
+    /// or the turn is known as well, or it is the largest one.
     fn add(&mut self, turn: f64, kink: f64) -> bool {
+        self.stride = if self.tried > 0 { turn - self.last.0 } else { 0.0 };
         self.last = (turn, kink);
+        self.tried += 1;
         if kink > 0.0 {
             self.low = Some((turn, kink));
         } else {
@@ -369,11 +396,12 @@ impl Search {
         }
         let is_known =
             matches!((self.low, self.high), (Some(low), Some(high)) if (low.0 - high.0).abs() < ZERO_KINK);
-        kink.abs() <= ZERO_KINK || is_known
+        let is_largest = turn.abs() >= LARGEST_BEND && turn * kink >= 0.0;
+        kink.abs() <= ZERO_KINK || is_known || is_largest || self.tried >= MOST_TURNS
     }
 
     /// The next turn to try. The best kink of a closed tip hardly changes with the direction until
-    /// it changes its sign, so that steps towards it double.
+    /// it changes its sign, so that strides towards it double.
     fn next(&self) -> f64 {
         match (self.low, self.high) {
             (Some(low), Some(high)) => {
@@ -384,8 +412,8 @@ impl Search {
             }
             _ => {
                 let (turn, kink) = self.last;
-                let step = (2.0 * kink.abs()).max(turn.abs()).min(0.35);
-                turn + if kink.abs() > step { kink } else { step * kink.signum() }
+                let stride = (2.0 * self.stride.abs()).clamp(2.0 * ZERO_KINK, LARGEST_STRIDE);
+                (turn + stride.max(kink.abs()).copysign(kink)).clamp(-LARGEST_BEND, LARGEST_BEND)
             }
         }
     }

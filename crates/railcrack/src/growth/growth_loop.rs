@@ -263,7 +263,8 @@ impl<R: CrackedRail> Growth<R> {
         }
         let wheels = rail.wheels();
         warnings.extend(
-            Warnings { step, refinement: rail.refinement(), wheels: &wheels }.of(state, &tips, &passages),
+            Warnings { step, refinement: rail.refinement(), wheels: &wheels, growth: rail.settings() }
+                .of(state, &tips, &passages),
         );
         let movers = rail.movers(&body, &tips);
         let slowest = rail.settings().arrest_rate;

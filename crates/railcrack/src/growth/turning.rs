@@ -62,6 +62,8 @@ pub enum Jump {
     Kink,
     /// The other of two nearly equal directions has become the best.
     Rival,
+    /// The limit path turns at once, by less than a kink.
+    Bend,
     /// The tip pops in: it extends at once under one load, and arrests.
     PopIn,
 }
@@ -70,6 +72,7 @@ impl Choice for Jump {
     const WORDS: &'static [(Self, Word)] = &[
         (Self::Kink, Word::now("kink", "the best kink exceeds kink_angle_deg")),
         (Self::Rival, Word::now("rival", "the other of two nearly equal directions has become the best")),
+        (Self::Bend, Word::now("bend", "the limit path turns at once, by less than kink_angle_deg")),
         (Self::PopIn, Word::now("pop-in", "the tip extends at once under one load, and arrests")),
     ];
 }

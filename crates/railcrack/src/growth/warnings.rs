@@ -1,6 +1,9 @@
 //! Warnings of a step, derived from its tips and passages.
 
-use super::{GrowthState, StabilisedPassage, TipGeometry, TipRecord, Warning, WarningKind, WheelOfRail};
+use super::{
+    GrowthSettings, GrowthState, StabilisedPassage, TipGeometry, TipRecord, Warning, WarningKind, WheelOfRail,
+};
+use crate::math::MPA_SQRT_MM;
 
 /// Estimated error of K in groups, relative to its peak, above which every step issues a warning.
 const LARGE_GROUPS_ERROR: f64 = 0.01;
@@ -19,6 +22,7 @@ pub(super) struct Warnings<'a> {
     /// The engine settings that would resolve K better.
     pub refinement: &'static str,
     pub wheels: &'a [WheelOfRail<'a>],
+    pub growth: &'a GrowthSettings,
 }
 
 impl Warnings<'_> {
@@ -31,6 +35,7 @@ impl Warnings<'_> {
         passages: &[StabilisedPassage],
     ) -> Vec<Warning> {
         let mut warnings: Vec<Warning> = tips.iter().filter_map(|tip| self.near_tie(state, tip)).collect();
+        warnings.extend(tips.iter().filter_map(|tip| self.may_branch(state, tip)));
         for (wheel, passage) in passages.iter().enumerate() {
             let own = [self.unrepeated(passage), self.coupled(passage), self.overlap(tips, passage)];
             let named = |warning: Warning| {
@@ -58,6 +63,27 @@ impl Warnings<'_> {
             secondary.to_degrees()
         );
         Some(self.warning(WarningKind::NearTie, text))
+    }
+
+    /// A tip that the threshold of ΔK_II holds may branch: its kinks open.
+    fn may_branch(&self, state: &GrowthState, tip: &TipRecord) -> Option<Warning> {
+        let law = &self.growth.law;
+        let least = self.growth.arrest_rate.max(f64::MIN_POSITIVE);
+        let threshold = law.rate.threshold().unwrap_or(0.0);
+        let largest = tip.largest_k1.filter(|largest| largest.k1_mpa_sqrt_m() > threshold)?;
+        let is_held = law.threshold_2 > 0.0
+            && tip.rate < least
+            && law.rate.rate(tip.delta_keq / MPA_SQRT_MM, 0.0) >= least;
+        let text = || {
+            format!(
+                "{}: the threshold of \u{394}K_II holds it, but a kink of {:.0} degrees opens with k1 = {:.1} MPa\u{221a}m: it may \
+                 branch there, which the run leaves out",
+                place(tip),
+                largest.angle.to_degrees(),
+                largest.k1_mpa_sqrt_m()
+            )
+        };
+        (is_held && !state.geometry.has_stopped(tip.tip)).then(|| self.warning(WarningKind::Validity, text()))
     }
 
     fn unrepeated(&self, passage: &StabilisedPassage) -> Option<Warning> {

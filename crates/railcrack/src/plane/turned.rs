@@ -18,6 +18,8 @@ pub(super) struct Turned {
 
 /// Largest change of the turn of a step by extrapolation, radians.
 const LARGEST_CHANGE: f64 = 0.2;
+/// Turn (radians) of a step from which the limit path bends at once.
+const LEAST_BEND: f64 = 10.0 * std::f64::consts::PI / 180.0;
 
 impl Turned {
     /// The turn of `drive` over `increment` (mm); `None` for a tip without any loading.
@@ -86,7 +88,11 @@ impl Turned {
         let (crack, tip) = (drive.tip.crack, drive.tip.tip);
         let given = at.turns.iter().find(|turn| (turn.crack, turn.tip) == (crack, tip));
         let angle = given.map_or(drive.course.curvature * increment, |turn| turn.angle);
-        let jump = (angle.abs() >= settings.kink_angle).then_some(Jump::Kink);
+        let jump = match angle.abs() {
+            angle if angle >= settings.kink_angle => Some(Jump::Kink),
+            angle if angle >= LEAST_BEND => Some(Jump::Bend),
+            _ => None,
+        };
         let curvature = if jump.is_some() { 0.0 } else { angle / increment };
         let course = TipCourse { curvature, span: increment, ..TipCourse::default() };
         Self { angle, predicted: angle, jump, course }

@@ -4,12 +4,11 @@
 use super::body::{FrontPoint, SpaceBody};
 use super::front_motion::counts;
 use crate::crack::{CrackTip, End};
-use crate::fatigue::{HourlierPineau, LargestK1, SifRanges, WheelHistory};
+use crate::fatigue::{HourlierPineau, LargestK1, LoadRange, SifRanges, WheelHistory};
 use crate::growth::{
     FrontShape, FrontTip, GrowthSettings, MixedTip, StabilisedPassage, TipGeometry, TipRecord, WheelDemand,
     WheelOfRail,
 };
-use crate::math::MPA_SQRT_MM;
 
 /// Settings that turn K along fronts into growth.
 pub(super) struct FrontLaw<'a> {
@@ -54,7 +53,8 @@ impl FrontLaw<'_> {
             WheelDemand {
                 ranges,
                 delta_keq,
-                rate: law.rate.rate(delta_keq / MPA_SQRT_MM, ranges.load().ratio),
+                rate: law
+                    .rate_of(delta_keq, LoadRange { delta_kii: modes[1].hypot(modes[2]), ..ranges.load() }),
                 largest_k1: LargestK1::of(&passage.histories[q]),
             }
         };

@@ -24,6 +24,16 @@ fn head_check(growth: &str, engine: &str) -> Vec<StepRecord> {
     run(&text, engine)
 }
 
+/// The reference case of the paper up to 11 mm on the limit path, with further lines of `[growth]`.
+fn paper_on_the_limit_path(friction: f64, growth: &str) -> Vec<StepRecord> {
+    let text = format!(
+        "[contact]\npeak_pressure_mpa = 845.0\nhalf_width_mm = 6.75\nfriction = {friction}\n\
+         [[crack]]\nmouth_mm = 0.0\nlength_mm = 6.0\nangle_deg = 15.0\nfriction = 0.5\n\
+         [growth]\nsteps = 2000\ncritical_length_mm = 11.0\nturning_length_mm = 0\n{growth}\n"
+    );
+    run(&text, "dislocation")
+}
+
 /// The end of a run: cycles and tip.
 fn end(records: &[StepRecord]) -> (f64, Vec2) {
     let last = &records[records.len() - 1];
@@ -90,6 +100,43 @@ fn the_limit_path_turns_at_once_to_the_stationary_direction() {
     let down = -end.angle().to_degrees();
     assert!((down - 77.0).abs() < 3.0, "{down}");
     assert!(first.tips[0].length < 4.2, "it has turned within a few hundredths of its length");
+}
+
+/// The first bend is made by a short step, whatever the increment, so that the life does not hang
+/// on it.
+#[test]
+fn the_limit_path_has_one_life() {
+    let mut spread = 0.0f64;
+    let head_check = |growth: &str| head_check(&format!("turning_length_mm = 0\n{growth}"), "dislocation");
+    let braked = |growth: &str| paper_on_the_limit_path(0.4, growth);
+    let rolling = |growth: &str| paper_on_the_limit_path(0.1, growth);
+    let cases: [&dyn Fn(&str) -> Vec<StepRecord>; 3] = [&head_check, &braked, &rolling];
+    for case in cases {
+        let lives = ["tolerance = 0.01", "increment = 0.08", "increment = 0.02"].map(|growth| {
+            let records = case(growth);
+            assert_eq!(records[records.len() - 1].stop, Some(RunStop::CriticalLength), "{growth}");
+            end(&records).0
+        });
+        let (least, most) =
+            (lives.iter().fold(f64::MAX, |a, b| a.min(*b)), lives.iter().fold(0.0, |a: f64, b| a.max(*b)));
+        spread = spread.max(most / least - 1.0);
+    }
+    measured_as("life", spread, 0.02, "limit path, increments of 8 and 2 % and those that choose themselves");
+    assert!(spread < 0.02, "{spread}");
+}
+
+/// Straight ahead is a direction from which all others lead away: the path leaves it for another,
+/// in which the best kink is zero again, and does not run back along its own crack.
+#[test]
+fn the_limit_path_leaves_a_direction_that_it_cannot_hold() {
+    for growth in ["tolerance = 0.05", "increment = 0.04"] {
+        let records = paper_on_the_limit_path(0.025, growth);
+        let last = &records[records.len() - 1];
+        assert_eq!(last.stop, Some(RunStop::CriticalLength), "{growth}");
+        let kink = last.tips[0].kink.unwrap().to_degrees();
+        assert!(kink.abs() < 0.1, "{growth}: {kink}");
+        assert!(last.tips[0].y < -4.0, "{growth}: {}", last.tips[0].y);
+    }
 }
 
 /// A crack in a cold rail reaches the toughness after the same traffic, whatever the increment.

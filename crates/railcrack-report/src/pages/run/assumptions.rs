@@ -226,8 +226,9 @@ fn rate(case: &Case) -> String {
         let text = formula(text).replace("ΔKII", "Δ\u{0}_{II}").replace("ΔKI", "Δ\u{0}_{I}");
         raised(&text.replace("ΔK", "ΔK_{eq}").replace('\u{0}', "K").replace("Kmax", "K_{max}"))
     };
+    let held = law.shear_threshold().map_or(String::new(), |text| format!("; {}", shown(&text)));
     format!(
-        "Growth rate: {}, in mm per load cycle and MPa√m, with {}.",
+        "Growth rate: {}, in mm per load cycle and MPa√m, with {}{held}.",
         shown(&law.rate.formula()),
         shown(&law.equivalent.formula())
     )

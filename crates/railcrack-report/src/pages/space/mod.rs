@@ -7,6 +7,7 @@ use crate::numbers::{fixed, formula, given, grouped, number, numbers, significan
 use crate::page::{Block, Fact, Page, Section};
 use crate::shown::{Deflated, ShownRun};
 use crate::table::Table;
+use railcrack::fatigue::GrowthLaw;
 use railcrack::growth::RunStop;
 use railcrack::space::{EllipticWheel, VERTEX_LAYER};
 use railcrack_case::{Case, SpaceCase};
@@ -220,7 +221,7 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
             "Growth: {} mm per cycle at each point of the front, with K_{{III}} in the equivalent range. The front remains an ellipse in its \
              plane, fitted to the local growth rates. Points within {:.0}° of the surface are excluded from the fit, because the cells do not \
              resolve the surface layer of K.",
-            formula(&case.growth.law.rate.formula()),
+            formula(&rate_text(&case.growth.law)),
             VERTEX_LAYER.to_degrees()
         ),
         format!(
@@ -235,6 +236,12 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
             .to_owned(),
     ]);
     lines
+}
+
+/// The rate of `law`, and the threshold of shear if it has one.
+fn rate_text(law: &GrowthLaw) -> String {
+    let held = law.shear_threshold().map_or(String::new(), |text| format!(" ({text})"));
+    format!("{}{held}", law.rate.formula())
 }
 
 /// The contact of wheel `i` (from 0), with its share where there are several.

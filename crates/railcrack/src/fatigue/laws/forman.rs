@@ -78,6 +78,14 @@ impl Law for Forman {
         format!("{c:e} dK^{m}/((1-R) {kc} - dK){}", above(threshold))
     }
 
+    fn threshold(&self) -> Option<f64> {
+        Some(self.threshold)
+    }
+
+    fn with_threshold(&self, threshold: f64) -> Option<RateLaw> {
+        Some(Self { threshold, ..*self }.into())
+    }
+
     fn exponent(&self) -> f64 {
         self.m
     }

@@ -17,6 +17,16 @@ pub(super) trait Law {
         None
     }
 
+    /// The threshold of the range, MPa√m; none where the law has no constant for it.
+    fn threshold(&self) -> Option<f64> {
+        None
+    }
+
+    /// The same law with another threshold, where it has a constant for it.
+    fn with_threshold(&self, _threshold: f64) -> Option<RateLaw> {
+        None
+    }
+
     /// The exponent of the rate in [`Law::drive`], far from a threshold.
     fn exponent(&self) -> f64;
 

@@ -126,6 +126,14 @@ impl Law for Nasgro {
         format!("{c:e} [(1-f)/(1-R) dK]^{n} (1 - {threshold}/dK)^{p}/(1 - Kmax/{kc})^{q}")
     }
 
+    fn threshold(&self) -> Option<f64> {
+        Some(self.threshold)
+    }
+
+    fn with_threshold(&self, threshold: f64) -> Option<RateLaw> {
+        Some(Self { threshold, ..*self }.into())
+    }
+
     fn exponent(&self) -> f64 {
         self.n
     }

@@ -64,6 +64,14 @@ impl Law for Paris {
         format!("{:e} dK^{}{}", self.c, self.m, above(self.threshold))
     }
 
+    fn threshold(&self) -> Option<f64> {
+        Some(self.threshold)
+    }
+
+    fn with_threshold(&self, threshold: f64) -> Option<RateLaw> {
+        Some(Self { threshold, ..*self }.into())
+    }
+
     fn exponent(&self) -> f64 {
         self.m
     }

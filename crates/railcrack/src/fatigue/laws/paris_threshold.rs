@@ -44,6 +44,14 @@ impl Law for ParisThreshold {
         format!("{:e} (dK^{m} - {}^{m})", self.c, self.threshold, m = self.m)
     }
 
+    fn threshold(&self) -> Option<f64> {
+        Some(self.threshold)
+    }
+
+    fn with_threshold(&self, threshold: f64) -> Option<RateLaw> {
+        Some(Self { threshold, ..*self }.into())
+    }
+
     fn exponent(&self) -> f64 {
         self.m
     }

@@ -67,6 +67,16 @@ impl RateLaw {
         Some(if delta > 0.0 { drive } else { 0.0 })
     }
 
+    /// The threshold of the range, MPa√m; none where the law has no constant for it.
+    pub(crate) fn threshold(&self) -> Option<f64> {
+        self.law().threshold()
+    }
+
+    /// The same law with the threshold `threshold` (MPa√m), where it has a constant for it.
+    pub(in crate::fatigue) fn with_threshold(&self, threshold: f64) -> Self {
+        self.law().with_threshold(threshold).unwrap_or_else(|| self.clone())
+    }
+
     /// The ratio of the rates of two drives, far from a threshold.
     pub(in crate::fatigue) fn ratio(&self, drive: f64, best: f64) -> f64 {
         let ratio = (drive / best).powf(self.law().exponent());

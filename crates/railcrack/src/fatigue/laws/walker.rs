@@ -77,6 +77,14 @@ impl Law for Walker {
         format!("{c:e} [dK/(1-R)^{:.4}]^{m}{}", 1.0 - gamma, above(threshold))
     }
 
+    fn threshold(&self) -> Option<f64> {
+        Some(self.threshold)
+    }
+
+    fn with_threshold(&self, threshold: f64) -> Option<RateLaw> {
+        Some(Self { threshold, ..*self }.into())
+    }
+
     fn exponent(&self) -> f64 {
         self.m
     }
