@@ -314,8 +314,8 @@ impl Control<'_> {
             let key = (start.tip.crack, start.tip.tip);
             let mut search = trial.searches.iter().find(|search| search.key == key).cloned();
             let search = search.get_or_insert_with(|| Search::new(key));
-            let found = search.add(plane.turn, end.kink.unwrap_or(0.0));
-            is_done &= found;
+            search.add(plane.turn, end.kink.unwrap_or(0.0));
+            is_done &= search.is_found;
             searches.push(search.clone());
         }
         if is_done {
@@ -323,7 +323,10 @@ impl Control<'_> {
         }
         let turns = searches
             .iter()
-            .map(|search| Turn { crack: search.key.0, tip: search.key.1, angle: search.next() })
+            .map(|search| {
+                let angle = if search.is_found { search.last.0 } else { search.next() };
+                Turn { crack: search.key.0, tip: search.key.1, angle }
+            })
             .collect();
         Some(Trial { turns, searches, ..trial.clone() })
     }
@@ -376,16 +379,18 @@ struct Search {
     high: Option<(f64, f64)>,
     /// The last change of the turn.
     stride: f64,
+    /// Whether the search ends with the last one.
+    is_found: bool,
 }
 
 impl Search {
     fn new(key: (usize, usize)) -> Self {
-        Self { key, tried: 0, last: (0.0, 0.0), low: None, high: None, stride: 0.0 }
+        Self { key, tried: 0, last: (0.0, 0.0), low: None, high: None, stride: 0.0, is_found: false }
     }
 
-    /// Adds a turn with the best kink after it; whether the search ends with it: the kink is zero,
-    /// or the turn is known as well, or it is the largest one.
-    fn add(&mut self, turn: f64, kink: f64) -> bool {
+    /// Adds a turn with the best kink after it. The search ends with it where that kink is zero, the
+    /// turn is enclosed as well, or it is the largest one.
+    fn add(&mut self, turn: f64, kink: f64) {
         self.stride = if self.tried > 0 { turn - self.last.0 } else { 0.0 };
         self.last = (turn, kink);
         self.tried += 1;
@@ -397,7 +402,7 @@ impl Search {
         let is_known =
             matches!((self.low, self.high), (Some(low), Some(high)) if (low.0 - high.0).abs() < ZERO_KINK);
         let is_largest = turn.abs() >= LARGEST_BEND && turn * kink >= 0.0;
-        kink.abs() <= ZERO_KINK || is_known || is_largest || self.tried >= MOST_TURNS
+        self.is_found = kink.abs() <= ZERO_KINK || is_known || is_largest || self.tried >= MOST_TURNS;
     }
 
     /// The next turn to try. The best kink of a closed tip hardly changes with the direction until

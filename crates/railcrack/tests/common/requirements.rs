@@ -684,6 +684,11 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Path: the life along a turning path converges to second order in the increment.",
     ),
     requirement(
+        "path::the_limit_path_has_one_life",
+        "",
+        "Path: the life on the limit path does not depend on the increment.",
+    ),
+    requirement(
         "path::fracture_is_located",
         "",
         "Path: fracture of a cold rail comes after the same cycles whatever the increment.",
