@@ -389,8 +389,9 @@ impl Search {
     }
 
     /// Adds a turn with the best kink after it. The search ends with it where that kink is zero, the
-    /// turn is enclosed as well, or it is the largest one.
+    /// turn is enclosed as well, or the path can turn no farther.
     fn add(&mut self, turn: f64, kink: f64) {
+        let is_confined = self.tried > 0 && turn == self.last.0;
         self.stride = if self.tried > 0 { turn - self.last.0 } else { 0.0 };
         self.last = (turn, kink);
         self.tried += 1;
@@ -402,7 +403,8 @@ impl Search {
         let is_known =
             matches!((self.low, self.high), (Some(low), Some(high)) if (low.0 - high.0).abs() < ZERO_KINK);
         let is_largest = turn.abs() >= LARGEST_BEND && turn * kink >= 0.0;
-        self.is_found = kink.abs() <= ZERO_KINK || is_known || is_largest || self.tried >= MOST_TURNS;
+        self.is_found =
+            kink.abs() <= ZERO_KINK || is_known || is_largest || is_confined || self.tried >= MOST_TURNS;
     }
 
     /// The next turn to try. The best kink of a closed tip hardly changes with the direction until

@@ -36,6 +36,7 @@ pub(super) fn tip(crack: usize, kink: f64, rate: f64) -> TipDrive {
         largest_k1: 0.0,
         jump: None,
         kink_slope: 0.0,
+        lean: 0.0,
         course: TipCourse::default(),
         deferred: DeferredGrowth::default(),
         stopped: None,

@@ -14,7 +14,7 @@ use super::wheel::MixedWheel;
 use super::worn::mouth_sine;
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::contact::{ContactSolver, FaceProblem, Latin, Newton};
-use crate::crack::{CrackNetwork, CrackTip};
+use crate::crack::{Crack, CrackNetwork, CrackTip, End};
 use crate::fatigue::{HourlierPineau, Kink, LargestK1, SifRanges, WheelHistory};
 use crate::field::{EndField, EndsError, RailEnds, StressField, Wheel};
 use crate::fracture::SifHistory;
@@ -183,6 +183,7 @@ impl PlaneRail {
             largest_k1: compared_k1(tip, wheels),
             jump: plane.jump,
             kink_slope: plane.kink_slope,
+            lean: lean(&geometry.cracks[crack], tip.tip.end),
             course: geometry.courses[crack][index],
             deferred: geometry.deferred[crack][index],
             stopped: geometry.stopped[crack][index],
@@ -206,6 +207,17 @@ impl PlaneRail {
             resolution: *resolution,
         }
     }
+}
+
+/// Direction of the path at the tip at `end` of `crack` relative to the chord from the other end,
+/// radians in [−π, π].
+fn lean(crack: &Crack, end: End) -> f64 {
+    let other = match end {
+        End::First => End::Last,
+        End::Last => End::First,
+    };
+    let (chord, ahead) = (crack.tip(end) - crack.tip(other), crack.ahead(end));
+    (chord.x * ahead.y - chord.y * ahead.x).atan2(chord.x * ahead.x + chord.y * ahead.y)
 }
 
 fn off_the_rail(source: EndsError, step: usize) -> GrowthError {

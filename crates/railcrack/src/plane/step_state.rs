@@ -19,6 +19,8 @@ pub(super) struct TipDrive {
     pub jump: Option<Jump>,
     /// Decrease of its best kink per radian of turn.
     pub kink_slope: f64,
+    /// Direction of its path relative to the chord of its crack from the other end, radians.
+    pub lean: f64,
     /// How its path turned in the previous step.
     pub course: TipCourse,
     /// Its growth in earlier steps that has not been added to the crack yet.

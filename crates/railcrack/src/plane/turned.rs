@@ -18,6 +18,9 @@ pub(super) struct Turned {
 
 /// Largest change of the turn of a step by extrapolation, radians.
 const LARGEST_CHANGE: f64 = 0.2;
+/// Largest angle between the limit path and the chord of its crack, radians: below a right angle each
+/// increment leads away from the other end, so that the path cannot run into itself.
+const LARGEST_LEAN: f64 = 88.0 * std::f64::consts::PI / 180.0;
 /// Turn (radians) of a step from which the limit path bends at once.
 const LEAST_BEND: f64 = 10.0 * std::f64::consts::PI / 180.0;
 
@@ -88,6 +91,8 @@ impl Turned {
         let (crack, tip) = (drive.tip.crack, drive.tip.tip);
         let given = at.turns.iter().find(|turn| (turn.crack, turn.tip) == (crack, tip));
         let angle = given.map_or(drive.course.curvature * increment, |turn| turn.angle);
+        let (least, most) = (-LARGEST_LEAN - drive.lean, LARGEST_LEAN - drive.lean);
+        let angle = angle.clamp(least.min(0.0), most.max(0.0));
         let jump = match angle.abs() {
             angle if angle >= settings.kink_angle => Some(Jump::Kink),
             angle if angle >= LEAST_BEND => Some(Jump::Bend),

@@ -1,7 +1,7 @@
 //! The limit of the path in the increment, in both engines, and events that are located.
 
 use crate::common::{measured, measured_as, measured_order, order};
-use railcrack::growth::{RunStop, StepRecord, Unobserved};
+use railcrack::growth::{RunStop, StepRecord, TipStop, Unobserved};
 use railcrack::math::{MPA_SQRT_MM, Vec2};
 use railcrack_case::{Case, Overrides};
 use std::path::Path;
@@ -125,17 +125,16 @@ fn the_limit_path_has_one_life() {
     assert!(spread < 0.02, "{spread}");
 }
 
-/// Straight ahead is a direction from which all others lead away: the path leaves it for another,
-/// in which the best kink is zero again, and does not run back along its own crack.
+/// Straight ahead is a direction from which all others lead away: the path kinks down, and does not
+/// run back along its own crack.
 #[test]
 fn the_limit_path_leaves_a_direction_that_it_cannot_hold() {
     for growth in ["tolerance = 0.05", "increment = 0.04"] {
         let records = paper_on_the_limit_path(0.025, growth);
         let last = &records[records.len() - 1];
         assert_eq!(last.stop, Some(RunStop::CriticalLength), "{growth}");
-        let kink = last.tips[0].kink.unwrap().to_degrees();
-        assert!(kink.abs() < 0.1, "{growth}: {kink}");
-        assert!(last.tips[0].y < -4.0, "{growth}: {}", last.tips[0].y);
+        // The straight crack lives for 0.85 million axles, and is then 2.85 mm deep.
+        assert!(last.load_cycles > 5e6 && last.tips[0].y < -4.0, "{growth}: {last:?}");
     }
 }
 
@@ -218,7 +217,10 @@ fn the_threshold_of_shear_arrests() {
     assert_eq!(end(&below), end(&free));
     // With a threshold of opening, the axis of the ellipse is the other one.
     let held = straight("threshold_mpa_sqrt_m = 15.0\nthreshold_2_mpa_sqrt_m = 25.0");
-    assert_eq!((held.len(), held[0].stop, held[0].tips[0].rate), (1, Some(RunStop::Arrest), 0.0));
+    assert_eq!(
+        (held.len(), held[0].stop, held[0].tips[0].rate),
+        (1, Some(RunStop::NoTipGrows(TipStop::Arrest)), 0.0)
+    );
     let warning = held[0].warnings.iter().find(|warning| warning.text.contains("may branch"));
     assert!(warning.is_some(), "{:?}", held[0].warnings);
     assert!(straight("threshold_mpa_sqrt_m = 15.0").len() > 1);
