@@ -356,8 +356,7 @@ def hourlier_pineau(
         c=c,
         m=m,
         mode_2_weight=mode_2_weight,
-        threshold=threshold_mpa_sqrt_m,
-        threshold_2=threshold_2_mpa_sqrt_m,
+        thresholds=(threshold_mpa_sqrt_m, threshold_2_mpa_sqrt_m),
         criterion=criterion,
         kink_friction=kink_friction,
     )

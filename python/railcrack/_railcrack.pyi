@@ -161,8 +161,7 @@ def hourlier_pineau(
     c: float,
     m: float,
     mode_2_weight: float,
-    threshold: float,
-    threshold_2: float,
+    thresholds: tuple[float, float],
     criterion: str,
     kink_friction: float,
 ) -> tuple[float, float, float, float, tuple[float, float] | None] | None: ...

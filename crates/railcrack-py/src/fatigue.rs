@@ -15,17 +15,17 @@ use railcrack::words::Choice;
 /// the best secondary maximum.
 type FoundKink = (f64, f64, f64, f64, Option<(f64, f64)>);
 
-/// The kink of the criterion for a history of K_I and K_II (MPa√m), shape (samples, 2).
+/// The kink of the criterion for a history of K_I and K_II (MPa√m), shape (samples, 2);
+/// `thresholds` of ΔK_eq and of ΔK_II, MPa√m.
 #[pyfunction]
-#[pyo3(signature = (history, *, c, m, mode_2_weight, threshold, threshold_2, criterion, kink_friction))]
+#[pyo3(signature = (history, *, c, m, mode_2_weight, thresholds, criterion, kink_friction))]
 pub fn hourlier_pineau(
     py: Python<'_>,
     history: PyReadonlyArray2<'_, f64>,
     c: f64,
     m: f64,
     mode_2_weight: f64,
-    threshold: f64,
-    threshold_2: f64,
+    thresholds: (f64, f64),
     criterion: &str,
     kink_friction: f64,
 ) -> PyResult<Option<FoundKink>> {
@@ -33,6 +33,7 @@ pub fn hourlier_pineau(
         let accepted = DirectionCriterion::accepted();
         return Err(bad_input(py, format!("criterion \"{criterion}\": must be {accepted}")));
     };
+    let (threshold, threshold_2) = thresholds;
     for (name, value, key) in [
         ("c", c, "paris_c"),
         ("m", m, "paris_m"),

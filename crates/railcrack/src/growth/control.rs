@@ -388,8 +388,8 @@ impl Search {
         Self { key, tried: 0, last: (0.0, 0.0), low: None, high: None, stride: 0.0, is_found: false }
     }
 
-    /// Adds a turn with the best kink after it. The search ends with it where that kink is zero, the
-    /// turn is enclosed as well, or the path can turn no farther.
+    /// Adds a turn with the best kink after it. The search ends with it where that kink is zero,
+    /// the turn is enclosed as well, or the path can turn no farther.
     fn add(&mut self, turn: f64, kink: f64) {
         let is_confined = self.tried > 0 && turn == self.last.0;
         self.stride = if self.tried > 0 { turn - self.last.0 } else { 0.0 };

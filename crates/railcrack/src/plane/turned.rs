@@ -18,8 +18,8 @@ pub(super) struct Turned {
 
 /// Largest change of the turn of a step by extrapolation, radians.
 const LARGEST_CHANGE: f64 = 0.2;
-/// Largest angle between the limit path and the chord of its crack, radians: below a right angle each
-/// increment leads away from the other end, so that the path cannot run into itself.
+/// Largest angle between the limit path and the chord of its crack, radians: below a right angle
+/// each increment leads away from the other end, so that the path cannot run into itself.
 const LARGEST_LEAN: f64 = 88.0 * std::f64::consts::PI / 180.0;
 /// Turn (radians) of a step from which the limit path bends at once.
 const LEAST_BEND: f64 = 10.0 * std::f64::consts::PI / 180.0;
