@@ -48,18 +48,18 @@ pub enum ValidityWarning {
         /// The largest plausible μ.
         friction: f64,
     },
-    /// k1 beyond the typical toughness, in a case without a toughness.
+    /// k1 beyond the usual toughness, in a case without a toughness.
     #[error(
-        "k1 reaches {k1:.1} MPa\u{221a}m, beyond the toughness of {toughness:.0} MPa\u{221a}m of the rail steel {steel}: such a \
-         rail breaks; [fracture] gives the toughness of this one"
+        "k1 of a kink reaches {k1:.1} MPa\u{221a}m, beyond the toughness of {}: {}; [fracture] gives the toughness of this rail",
+        steel, kink_ends(*after, steel.toughness)
     )]
     BeyondToughness {
-        /// The largest k1, MPa√m.
+        /// The largest k1 of a virtual kink, MPa√m.
         k1: f64,
-        /// K_Ic, MPa√m.
-        toughness: f64,
+        /// k1 at the end of a real kink, with its length; `None` where no kink was tested.
+        after: Option<KinkAfter>,
         /// The steel with this toughness.
-        steel: &'static str,
+        steel: Steel,
     },
     /// Ranges of K outside the tests of the law.
     #[error(
@@ -112,6 +112,65 @@ pub enum ValidityWarning {
 }
 
 impl ValidityWarning {}
+
+/// A real kink at a tip whose virtual kinks reach a toughness.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct KinkAfter {
+    /// Its length, mm.
+    pub length: f64,
+    /// The largest k1 at its end; `None` where the kinked crack cannot be computed.
+    pub k1: Option<f64>,
+}
+
+/// A rail steel with its toughness.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Steel {
+    /// K_Ic, MPa√m.
+    pub toughness: f64,
+    /// The name in EN 13674-1.
+    pub name: &'static str,
+    /// Where the name comes from.
+    pub origin: SteelOrigin,
+}
+
+/// Origin of a steel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SteelOrigin {
+    /// The case names it.
+    Case,
+    /// The case names none.
+    Assumed,
+}
+
+impl std::fmt::Display for Steel {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let origin = match self.origin {
+            SteelOrigin::Case => "the rail steel that [growth] names",
+            SteelOrigin::Assumed => "a rail steel, since the case names none",
+        };
+        write!(
+            f,
+            "{:.0} MPa\u{221a}m of {}, {origin} (least mean at -20 degrees C by EN 13674-1)",
+            self.toughness, self.name
+        )
+    }
+}
+
+/// What becomes of a kink in a steel of `toughness`, all MPa√m.
+fn kink_ends(after: Option<KinkAfter>, toughness: f64) -> String {
+    match after {
+        None => "such a rail may break, unless the kink arrests".to_owned(),
+        Some(KinkAfter { length, k1: Some(k1) }) if k1 < toughness => format!(
+            "such a kink pops in and arrests, since after {length} mm k1 is {k1:.1} MPa\u{221a}m; the run leaves it out"
+        ),
+        Some(KinkAfter { length, k1: Some(k1) }) => {
+            format!("such a rail breaks, since after a kink of {length} mm k1 is still {k1:.1} MPa\u{221a}m")
+        }
+        Some(KinkAfter { length, k1: None }) => {
+            format!("such a rail may break, a kink of {length} mm cannot be computed")
+        }
+    }
+}
 
 /// Source of the range of K in which a growth law was measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -200,10 +259,12 @@ pub fn shear(contact: &Contact) -> Option<ValidityWarning> {
     (ratio > DRY_FRICTION).then_some(ValidityWarning::ShearBeyondFriction { ratio, friction: DRY_FRICTION })
 }
 
-/// Compares the largest `k1` with the `toughness` of `steel`, both MPa √mm.
-pub fn toughness(k1: f64, toughness: f64, steel: &'static str) -> Option<ValidityWarning> {
-    let [k1, toughness] = [k1, toughness].map(|k| k / MPA_SQRT_MM);
-    (k1 > toughness).then_some(ValidityWarning::BeyondToughness { k1, toughness, steel })
+/// Compares the largest `k1` (MPa √mm) of a virtual kink with the toughness of `steel`; `after`, k1
+/// (MPa √mm) at the end of a real kink, tells a rail that breaks from a kink that arrests.
+pub fn toughness(k1: f64, after: Option<KinkAfter>, steel: &Steel) -> Option<ValidityWarning> {
+    let k1 = k1 / MPA_SQRT_MM;
+    let after = after.map(|after| KinkAfter { k1: after.k1.map(|k1| k1 / MPA_SQRT_MM), ..after });
+    (k1 > steel.toughness).then_some(ValidityWarning::BeyondToughness { k1, after, steel: *steel })
 }
 
 /// Compares ΔK_eq (MPa√m) = `delta_k` of a growing tip with the range of the `table` of its law, or
@@ -275,8 +336,21 @@ mod tests {
 
     #[test]
     fn other_limits_are_exact() {
-        assert_eq!(toughness(29.0 * MPA_SQRT_MM, 29.0 * MPA_SQRT_MM, "R260"), None);
-        assert!(toughness(920.0, 917.0, "R260").is_some());
+        let steel = Steel { toughness: 29.0, name: "R260", origin: SteelOrigin::Assumed };
+        assert_eq!(toughness(29.0 * MPA_SQRT_MM, None, &steel), None);
+        let after = |k1| Some(KinkAfter { length: 2.0, k1 });
+        for (after, says) in [
+            (after(Some(28.9 * MPA_SQRT_MM)), "pops in and arrests, since after 2 mm k1 is 28.9"),
+            (
+                after(Some(29.1 * MPA_SQRT_MM)),
+                "such a rail breaks, since after a kink of 2 mm k1 is still 29.1",
+            ),
+            (after(None), "may break, a kink of 2 mm cannot be computed"),
+            (None, "may break, unless"),
+        ] {
+            let text = toughness(29.5 * MPA_SQRT_MM, after, &steel).unwrap().to_string();
+            assert!(text.contains(says) && text.contains("since the case names none"), "{text}");
+        }
         assert_eq!((depth_in_bending(20.0), half_width(0.1), crack_length(0.05)), (None, None, None));
         assert!(matches!(depth_in_bending(25.0), Some(ValidityWarning::DeepCrackInBending { .. })));
         let metres = half_width(0.006).unwrap().to_string();

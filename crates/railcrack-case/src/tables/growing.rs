@@ -52,6 +52,7 @@ pub(crate) fn read_growth(section: &SectionValues, folder: &Path, report: &mut R
     let settings = GrowthSettings {
         toughness: None,
         pop_in: None,
+        usual_toughness: None,
         maintenance: None,
         steps: section.get(STEPS)?,
         increment: increment.unwrap_or(if is_given { defaults.increment } else { FIRST_INCREMENT }),

@@ -146,6 +146,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
             growth_s: 0.03125,
         },
         warnings: near_ties(step),
+        pop_in_test: None,
         pieces: spalls(step),
         stop: is_last.then_some(RunStop::StepsDone),
         geometry: geometry(size, now),
@@ -157,6 +158,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         earlier: None,
         course: Default::default(),
         worn: Default::default(),
+        tested_k1: 0.0,
         load_cycles: cycles(if is_last { step } else { step + 1 }),
         ended: record.stop,
     };

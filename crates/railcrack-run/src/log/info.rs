@@ -1,6 +1,7 @@
 //! Facts of the case that are recorded in the files of a run.
 
 use railcrack::bulk::Boundary;
+use railcrack::fatigue::RailSteel;
 use railcrack::growth::Warning;
 use railcrack_case::{ContactSolver, Engine, Inspection, MaintenancePlan, Output, Scatter};
 
@@ -36,6 +37,8 @@ pub struct RunInfo {
     pub bends: bool,
     /// K_Ic, MPa √m, where the case gives it.
     pub toughness: Option<f64>,
+    /// The steel that the case names for its growth law.
+    pub steel: Option<&'static RailSteel>,
     /// ΔK_eq (MPa√m) of the first and the last row of the growth law, where it is a table.
     pub law_table: Option<(f64, f64)>,
     /// Whether there is fluid in the cracks.
@@ -72,6 +75,7 @@ impl RunInfo {
             passage: [-1e9, 1e9],
             bends: false,
             toughness: None,
+            steel: None,
             law_table: None,
             fluid: false,
             axle_load: None,

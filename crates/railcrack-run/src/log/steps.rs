@@ -6,7 +6,9 @@ use crate::fields::FieldFileEntry;
 use railcrack::crack::{Crack, Junction};
 use railcrack::fatigue::LargestK1;
 use railcrack::fracture::SifHistory;
-use railcrack::growth::{PhaseTimes, Piece, RunStop, SolverCounts, StepRecord, TipRecord, Warning};
+use railcrack::growth::{
+    PhaseTimes, Piece, PopInTest, RunStop, SolverCounts, StepRecord, TipRecord, Warning,
+};
 use railcrack::math::Vec2;
 use serde::{Deserialize, Serialize};
 
@@ -29,6 +31,8 @@ pub(crate) struct StepDigest {
     pub counts: SolverCounts,
     pub times: PhaseTimes,
     pub stop: Option<RunStop>,
+    /// The test of a kink in a rail whose toughness is not given.
+    pub pop_in_test: Option<PopInTest>,
     /// Pieces of the rail that were enclosed.
     pub pieces: Vec<Piece>,
     pub warnings: Vec<Warning>,
@@ -123,6 +127,7 @@ impl RunLog {
             counts: record.counts,
             times: record.times,
             stop: record.stop,
+            pop_in_test: record.pop_in_test,
             pieces: record.pieces.clone(),
             warnings: record.warnings.clone(),
             fields,

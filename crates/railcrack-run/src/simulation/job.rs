@@ -47,6 +47,7 @@ impl Job {
                 bends: case.wheel.load.track.is_some()
                     || case.mix.iter().any(|mixed| mixed.wheel.load.track.is_some()),
                 toughness: case.fracture.as_ref().map(|fracture| fracture.at_rail),
+                steel: case.growth_steel,
                 law_table: case.growth_rates.as_ref().map(|file| file.content().covers()),
                 fluid: case.fluid.is_some(),
                 axle_load: case.axle_load,

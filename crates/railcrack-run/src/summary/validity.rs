@@ -5,11 +5,8 @@ use railcrack::fatigue::RailSteel;
 use railcrack::growth::{Warning, WarningKind};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::shakedown::ContactBounds;
-use railcrack::validity::{self, ResidualStress, ValidityWarning};
+use railcrack::validity::{self, ResidualStress, Steel, SteelOrigin, ValidityWarning};
 use railcrack_case::{Case, GivenWheel};
-
-/// The steel whose toughness is used if the case gives none.
-const USUAL_STEEL: &str = "R260";
 
 /// Warnings that follow from the case alone.
 pub fn of_case(case: &Case) -> Vec<Warning> {
@@ -55,12 +52,28 @@ pub(crate) fn of_steps(info: &RunInfo, log: &RunLog) -> Vec<Warning> {
         let deepest = step.tips.iter().map(|tip| -tip.y).fold(0.0, f64::max);
         info.bends.then(|| validity::depth_in_bending(deepest)).flatten()
     };
-    let usual = RailSteel::of(USUAL_STEEL);
-    let toughness = |step: &StepDigest| {
-        let usual = usual.filter(|_| info.toughness.is_none())?;
-        let k1 = step.tips.iter().filter_map(|tip| Some(tip.largest_k1?.k1)).fold(0.0, f64::max);
-        validity::toughness(k1, MPA_SQRT_MM * usual.mean_toughness, usual.name)
+    let steel = Steel {
+        toughness: info.steel.unwrap_or(RailSteel::USUAL).mean_toughness,
+        name: info.steel.unwrap_or(RailSteel::USUAL).name,
+        origin: if info.steel.is_some() { SteelOrigin::Case } else { SteelOrigin::Assumed },
     };
+    let tests = || {
+        let tests = log.steps.iter().filter_map(|step| Some((step.step, step.pop_in_test?)));
+        tests.filter(|_| info.toughness.is_none())
+    };
+    // In space no kink is tested.
+    let in_space = |step: &StepDigest| {
+        info.engine.is_in_space().then_some(()).filter(|()| info.toughness.is_none())?;
+        let k1 = step.tips.iter().filter_map(|tip| Some(tip.largest_k1?.k1)).fold(0.0, f64::max);
+        validity::toughness(k1, None, &steel)
+    };
+    let limit = MPA_SQRT_MM * steel.toughness;
+    // The first kink that breaks the rail; if there is none, the first that arrests.
+    let kink = tests().find(|(_, test)| !test.arrests(limit)).or_else(|| tests().next());
+    let kink = kink.and_then(|(step, test)| {
+        let after = validity::KinkAfter { length: test.length, k1: test.k1_after };
+        Some(at_step(step, &validity::toughness(test.k1, Some(after), &steel)?))
+    });
     // The fastest tip determines the life of the rail.
     let growth = |step: &StepDigest| {
         let fastest = step.tips.iter().filter(|tip| tip.increment > 0.0);
@@ -68,7 +81,10 @@ pub(crate) fn of_steps(info: &RunInfo, log: &RunLog) -> Vec<Warning> {
         validity::growth(fastest.delta_keq / MPA_SQRT_MM, info.law_table)
     };
     let flap = |step: &StepDigest| info.fluid.then(|| validity::flap(step.largest_opening)).flatten();
-    [first(&depth), first(&toughness), first(&growth), first(&flap)].into_iter().flatten().collect()
+    [first(&depth), kink.or_else(|| first(&in_space)), first(&growth), first(&flap)]
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 fn at_step(step: usize, warning: &ValidityWarning) -> Warning {

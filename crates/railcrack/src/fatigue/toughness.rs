@@ -113,6 +113,10 @@ pub const RAIL_STEELS: &[RailSteel] = &[
 pub const ACCEPTANCE_RANGES: [f64; 2] = [10.0, 13.5];
 
 impl RailSteel {
+    /// The steel whose toughness a rail is taken to have where neither that nor its steel is given:
+    /// R260, the first of [`RAIL_STEELS`].
+    pub const USUAL: &'static Self = &RAIL_STEELS[0];
+
     /// The steel called `name`, regardless of case.
     pub fn of(name: &str) -> Option<&'static Self> {
         RAIL_STEELS.iter().find(|steel| steel.name.eq_ignore_ascii_case(name.trim()))

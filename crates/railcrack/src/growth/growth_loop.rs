@@ -5,9 +5,10 @@ use super::rail::check;
 use super::warnings::Warnings;
 use super::{
     Advance, BodyReport, CrackedRail, FieldRecord, GrowthError, GrowthState, Jump, Mover, Observer,
-    PhaseTimes, RunStop, StabilisedPassage, StepRecord, StepStart, TipGeometry, TipJudge, TipRecord, Warning,
-    WarningKind,
+    PhaseTimes, PopInTest, RunStop, StabilisedPassage, StepRecord, StepStart, TipGeometry, TipJudge,
+    TipRecord, Warning, WarningKind,
 };
+use crate::crack::CrackTip;
 use crate::fatigue::RUNAWAY;
 use crate::interruption::Interruption;
 use std::sync::Arc;
@@ -23,6 +24,9 @@ pub struct Growth<R: CrackedRail> {
     ahead: Option<Loaded<R::Site>>,
 }
 
+/// Ratio of the largest k1 to that of the last test from which a kink is tested again.
+const TESTED_AGAIN: f64 = 1.05;
+
 /// The cracks of a step under their stabilised passages.
 struct Loaded<S> {
     site: S,
@@ -34,6 +38,8 @@ struct Loaded<S> {
     /// For each tip, the largest k1 over the toughness.
     hazards: Vec<f64>,
     warnings: Vec<Warning>,
+    /// The test of a kink in this step; `None` before it is known whether there is one.
+    tested: Option<Option<PopInTest>>,
     /// Load cycles at the start of the step.
     load_cycles: f64,
     /// Load cycles of the previous step.
@@ -91,6 +97,15 @@ impl<R: CrackedRail> Growth<R> {
                 self.loaded(&state, observer, |_| true)?
             }
         };
+        if now.tested.is_none() {
+            match self.tested(&mut now, observer) {
+                Ok(tested) => now.tested = Some(tested),
+                Err(error) => {
+                    self.ahead = Some(now);
+                    return Err(error);
+                }
+            }
+        }
         let mut trial = Trial::default();
         let (tips, advance, next) = loop {
             let started = Instant::now();
@@ -144,9 +159,55 @@ impl<R: CrackedRail> Growth<R> {
             }
         };
         let after = self.state.after(&advance, now.load_cycles);
+        let tested_k1 = now.tested.flatten().map_or(self.state.tested_k1, |test| test.k1);
         let record = self.record(now, tips, &advance);
         (self.state, self.ahead) = next.unwrap_or((after, None));
+        self.state.tested_k1 = tested_k1;
         Ok(Some(record))
+    }
+
+    /// The test of a real kink at the tip with the largest k1, where that reaches the usual toughness
+    /// and clearly exceeds that of the last test.
+    ///
+    /// Errors: an interruption.
+    fn tested(
+        &mut self,
+        now: &mut Loaded<R::Site>,
+        observer: &dyn Observer,
+    ) -> Result<Option<PopInTest>, GrowthError> {
+        let settings = self.rail.settings();
+        let Some(usual) = settings.usual_toughness.filter(|_| settings.toughness.is_none()) else {
+            return Ok(None);
+        };
+        let least = usual.max(TESTED_AGAIN * self.state.tested_k1);
+        let opened = now.tips.iter().filter(|tip| !self.state.geometry.has_stopped(tip.tip));
+        let opened = opened.filter_map(|tip| Some((tip, tip.largest_k1?)));
+        let most = opened.reduce(|most, next| if next.1.k1 > most.1.k1 { next } else { most });
+        let Some((tip, largest)) = most.filter(|(_, largest)| largest.k1 >= least) else { return Ok(None) };
+        let CrackTip { crack, tip: index, .. } = tip.tip;
+        let mut test = PopInTest {
+            crack,
+            tip: index,
+            k1: largest.k1,
+            angle: largest.angle,
+            length: PopInTest::LENGTH,
+            k1_after: None,
+        };
+        let Some(geometry) = self.rail.popped_in(&now.site, &[tip], test.length) else {
+            return Ok(Some(test));
+        };
+        let state = GrowthState { geometry, ..self.state.clone() };
+        let kinked = match self.loaded(&state, observer, |_| false) {
+            Err(error) if error.is_interruption() => return Err(error),
+            // Cracks that cannot be computed give no evidence of an arrest.
+            Err(_) => return Ok(Some(test)),
+            Ok(kinked) => kinked,
+        };
+        let own = kinked.tips.iter().find(|tip| (tip.tip.crack, tip.tip.tip) == (crack, index));
+        // A kink that ends on another crack has no tip.
+        test.k1_after = Some(own.and_then(|tip| tip.largest_k1).map_or(0.0, |largest| largest.k1));
+        now.take_effort(&kinked);
+        Ok(Some(test))
     }
 
     /// The transition to the cracks with real kinks at the tips whose virtual kinks reach the
@@ -280,6 +341,7 @@ impl<R: CrackedRail> Growth<R> {
             tips,
             movers,
             warnings,
+            tested: None,
             load_cycles: state.load_cycles + passed,
             passed,
             body_s,
@@ -324,6 +386,7 @@ impl<R: CrackedRail> Growth<R> {
                 contact_s: now.contact_s,
                 growth_s: now.growth_s,
             },
+            pop_in_test: now.tested.flatten(),
             pieces: advance.pieces.clone(),
             warnings,
             stop: advance.stop,

@@ -1,8 +1,8 @@
 //! Records of a growth step.
 
 use super::{
-    DeferredGrowth, FaceRecord, FieldRecord, FrontTip, Geometry, Jump, PassageRecord, Piece, RunStop,
-    SolverCounts, TipStop, Warning, WheelShares,
+    DeferredGrowth, FaceRecord, FieldRecord, FrontTip, Geometry, Jump, PassageRecord, Piece, PopInTest,
+    RunStop, SolverCounts, TipStop, Warning, WheelShares,
 };
 use crate::body::BodyTimes;
 use crate::crack::{Crack, CrackTip, Junction};
@@ -156,6 +156,8 @@ pub struct StepRecord {
     pub counts: SolverCounts,
     /// Wall times.
     pub times: PhaseTimes,
+    /// The test of a kink in a rail whose toughness is not given, where k1 reaches the usual one.
+    pub pop_in_test: Option<PopInTest>,
     /// Pieces of the rail that were enclosed in this step.
     pub pieces: Vec<Piece>,
     /// Warnings.

@@ -82,6 +82,9 @@ pub struct GrowthSettings {
     /// Length (mm) of the kink on which k1 must still reach the toughness for the rail to
     /// fracture; `None` where k1 of a virtual kink decides.
     pub pop_in: Option<f64>,
+    /// K_Ic (MPa √mm) that the steel usually has, where `toughness` is not given: kinks that reach
+    /// it are tested ([`PopInTest`](super::PopInTest)), without effect on the run.
+    pub usual_toughness: Option<f64>,
     /// Wear and grinding of the running surface.
     pub maintenance: Option<Maintenance>,
 }
@@ -109,6 +112,7 @@ impl GrowthSettings {
         stop_after_cycles: None,
         toughness: None,
         pop_in: None,
+        usual_toughness: None,
         maintenance: None,
     };
 
@@ -130,6 +134,7 @@ impl GrowthSettings {
         at_least_zero("friction of virtual kinks", self.kink_friction)?;
         OutOfRange::unless_positive("tolerance of the life", self.tolerance.unwrap_or(1.0))?;
         OutOfRange::unless_positive("length of a pop-in (mm)", self.pop_in.unwrap_or(1.0))?;
+        OutOfRange::unless_positive("usual toughness (MPa \u{221a}mm)", self.usual_toughness.unwrap_or(1.0))?;
         at_least_zero("arrest rate (mm per cycle)", self.arrest_rate)?;
         at_least_zero("critical length (mm)", self.critical_length.unwrap_or(0.0))?;
         at_least_zero("cycles to stop after", self.stop_after_cycles.unwrap_or(0.0))?;

@@ -23,6 +23,8 @@ pub struct GrowthState {
     pub course: Course,
     /// The running surface after wear and grinding.
     pub worn: WornSurface,
+    /// The largest k1 (MPa √mm) for which a kink has been tested; 0 before the first test.
+    pub tested_k1: f64,
     /// Why the run has ended; `None` while it continues.
     pub ended: Option<RunStop>,
 }
@@ -45,6 +47,7 @@ impl GrowthState {
             earlier: None,
             course: Course::default(),
             worn: WornSurface::default(),
+            tested_k1: 0.0,
             ended: None,
         }
     }
@@ -75,6 +78,7 @@ impl GrowthState {
                 grindings: self.worn.grindings + usize::from(advance.ground),
                 longest,
             },
+            tested_k1: self.tested_k1,
             ended: advance.stop,
         }
     }

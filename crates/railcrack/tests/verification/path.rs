@@ -162,6 +162,33 @@ fn fracture_is_located() {
     assert!(off < 0.01, "{off}");
 }
 
+/// Without `[fracture]` a real kink is tested where k1 reaches the usual toughness, without effect on
+/// the run: under shear it arrests, in a cold rail it does not.
+#[test]
+fn kinks_are_tested_where_no_toughness_is_given() {
+    let sheared = "[contact]\npeak_pressure_mpa = 1200.0\nhalf_width_mm = 6.75\nfriction = -0.4\n\
+         [[crack]]\nmouth_mm = 0.0\nlength_mm = 4.4\nangle_deg = 45.0\nfriction = 0.1\n\
+         [growth]\nparis_c = 2e-11\nsteps = 2\n";
+    let records = run(sheared, "dislocation");
+    let test = records[0].pop_in_test.expect("k1 beyond 29 MPa√m");
+    let usual = 29.0 * MPA_SQRT_MM;
+    assert!(test.k1 > usual && test.arrests(usual), "{test:?}");
+    // The same kink as with a toughness.
+    let popped = run(&format!("{sheared}[fracture]\ntoughness_mpa_sqrt_m = 29.0\n"), "dislocation");
+    assert!(popped[0].pop_in_test.is_none());
+    let after = popped[1].tips[0].largest_k1.map_or(0.0, |largest| largest.k1);
+    assert_eq!(test.k1_after, Some(after));
+    assert_eq!(records[0].load_cycles, 0.0);
+
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+    let text = std::fs::read_to_string(folder.join("winter-rail.toml")).unwrap();
+    let (start, end) = (text.find("\n[fracture]").unwrap(), text.find("\n[growth]").unwrap());
+    let cold = format!("{}{}", &text[..start], &text[end..]);
+    let records = run(&cold, "dislocation");
+    let breaks = records.iter().filter_map(|record| record.pop_in_test).find(|test| !test.arrests(usual));
+    assert!(breaks.is_some_and(|test| test.k1_after.is_some_and(|k1| k1 >= usual)), "{breaks:?}");
+}
+
 /// Under a braked wheel, k1 of a virtual kink of a shallow head check exceeds a low toughness, but
 /// the kink closes: a pop-in. In the cold rail above, K_I keeps a kink open.
 #[test]
