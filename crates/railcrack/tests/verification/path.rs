@@ -182,7 +182,7 @@ fn kinks_are_tested_where_no_toughness_is_given() {
 
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
     let text = std::fs::read_to_string(folder.join("winter-rail.toml")).unwrap();
-    let (start, end) = (text.find("\n[fracture]").unwrap(), text.find("\n[growth]").unwrap());
+    let (start, end) = (text.find("\n[fracture]").unwrap(), text.find("\n[passage]").unwrap());
     let cold = format!("{}{}", &text[..start], &text[end..]);
     let records = run(&cold, "dislocation");
     let breaks = records.iter().filter_map(|record| record.pop_in_test).find(|test| !test.arrests(usual));
