@@ -146,7 +146,7 @@ impl std::fmt::Display for Steel {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let origin = match self.origin {
             SteelOrigin::Case => "the rail steel that [growth] names",
-            SteelOrigin::Assumed => "a rail steel, since the case names none",
+            SteelOrigin::Assumed => "assumed because the case names no steel",
         };
         write!(
             f,
@@ -156,7 +156,7 @@ impl std::fmt::Display for Steel {
     }
 }
 
-/// What becomes of a kink in a steel of `toughness`, all MPa√m.
+/// The fate of a kink in a steel of `toughness`, all MPa√m.
 fn kink_ends(after: Option<KinkAfter>, toughness: f64) -> String {
     match after {
         None => "such a rail may break, unless the kink arrests".to_owned(),
@@ -349,7 +349,7 @@ mod tests {
             (None, "may break, unless"),
         ] {
             let text = toughness(29.5 * MPA_SQRT_MM, after, &steel).unwrap().to_string();
-            assert!(text.contains(says) && text.contains("since the case names none"), "{text}");
+            assert!(text.contains(says) && text.contains("the case names no steel"), "{text}");
         }
         assert_eq!((depth_in_bending(20.0), half_width(0.1), crack_length(0.05)), (None, None, None));
         assert!(matches!(depth_in_bending(25.0), Some(ValidityWarning::DeepCrackInBending { .. })));

@@ -166,8 +166,8 @@ impl<R: CrackedRail> Growth<R> {
         Ok(Some(record))
     }
 
-    /// The test of a real kink at the tip with the largest k1, where that reaches the usual toughness
-    /// and clearly exceeds that of the last test.
+    /// The test of a real kink at the tip with the largest k1, where that reaches the usual
+    /// toughness and clearly exceeds that of the last test.
     ///
     /// Errors: an interruption.
     fn tested(

@@ -162,8 +162,8 @@ fn fracture_is_located() {
     assert!(off < 0.01, "{off}");
 }
 
-/// Without `[fracture]` a real kink is tested where k1 reaches the usual toughness, without effect on
-/// the run: under shear it arrests, in a cold rail it does not.
+/// Without `[fracture]` a real kink is tested where k1 reaches the usual toughness, without effect
+/// on the run: under shear it arrests, in a cold rail it does not.
 #[test]
 fn kinks_are_tested_where_no_toughness_is_given() {
     let sheared = "[contact]\npeak_pressure_mpa = 1200.0\nhalf_width_mm = 6.75\nfriction = -0.4\n\
