@@ -19,7 +19,6 @@ use crate::tables::{
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::CrackNetwork;
-use railcrack::fatigue::RailSteel;
 use railcrack::growth::GrowthSettings;
 use railcrack::load::{Passage, Temperature};
 use railcrack::material::IsotropicElastic;
@@ -165,10 +164,6 @@ pub(crate) fn build(
                 .as_ref()
                 .filter(|_| space.as_ref().is_some_and(Option::is_none))
                 .and_then(|fracture| fracture.pop_in),
-            usual_toughness: Some(
-                MPA_SQRT_MM * growth.as_ref()?.steel.unwrap_or(RailSteel::USUAL).mean_toughness,
-            )
-            .filter(|_| space.as_ref().is_some_and(Option::is_none)),
             maintenance: maintenance.zip(axle_load).map(|(plan, tonnes)| plan.per_axle(tonnes)),
             ..growth.as_ref()?.settings.clone()
         },

@@ -10,8 +10,11 @@ use railcrack::body::BodyEngine;
 use railcrack::bulk::Boundary;
 use railcrack::contact::{self, Latin, Newton};
 use railcrack::dislocation::FaceResolution;
+use railcrack::fatigue::RailSteel;
 use railcrack::field::{StressField, Sum};
-use railcrack::growth::{CrackedRail, FieldSettings, Growth, GrowthState, StepSource, TipJudge};
+use railcrack::growth::{
+    CrackedRail, FieldSettings, Growth, GrowthSettings, GrowthState, StepSource, TipJudge,
+};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::plane::{self, PlaneRail};
 use railcrack::residual::PlasticField;
@@ -238,6 +241,7 @@ impl Case {
         };
         let others = case.mix.iter().skip(1);
         let wheel = case.wheel.field(&case.steel).expect("the case is checked");
+        let usual = MPA_SQRT_MM * case.growth_steel.unwrap_or(RailSteel::USUAL).mean_toughness;
         let rail = PlaneRail {
             solver,
             fallback,
@@ -248,7 +252,7 @@ impl Case {
             residual: with_temperature(case, &case.wheel, residual),
             passages: case.passages,
             fields: case.field_settings(),
-            growth: case.growth.clone(),
+            growth: GrowthSettings { usual_toughness: Some(usual), ..case.growth.clone() },
             rail: case.rail.extent,
             ..PlaneRail::with(engine, wheel, case.crack_friction.clone())
         };
