@@ -17,6 +17,7 @@ mod error;
 mod figure;
 mod figures;
 mod files;
+mod increment;
 mod measure;
 mod page;
 mod path_shape;

@@ -4,6 +4,7 @@ use crate::claim::rounded;
 use crate::closest::closest;
 use crate::document::{FailureRecord, PaperRecord};
 use crate::figure::FIGURES;
+use crate::increment::on_the_increment;
 use crate::profile::StressProfile;
 use crate::results::Results;
 use crate::rolled::ROLLED_CLAIMS;
@@ -68,6 +69,7 @@ pub(super) fn page(
     let mut text = HEAD.replace("COMMAND", &command(figures));
     text.push_str(&summary(verdicts, record));
     text.push_str(&statements(verdicts));
+    text.push_str(&on_the_increment(verdicts.iter().map(|verdict| verdict.claim)));
     text.push_str(&numbers(verdicts, record));
     text.push_str(&reference_ranges(results));
     text.push_str(&fixed_steps(verdicts));
