@@ -223,7 +223,7 @@ pub(crate) const SHORTEST_HALF_WIDTH: f64 = 0.1;
 pub(crate) const SHORTEST_CRACK: f64 = 0.05;
 /// Opening (mm) of a crack under a wheel up to which the contact is not affected; larger openings
 /// exceed the indentation of the wheel.
-pub(crate) const UNFELT_OPENING: f64 = 0.05;
+pub const UNFELT_OPENING: f64 = 0.05;
 /// Largest |q|/p of dry steel on steel.
 pub(crate) const DRY_FRICTION: f64 = 0.6;
 /// ΔK_eq (MPa√m) between the threshold of rail steel and the end of stable growth: the usual range

@@ -12,6 +12,7 @@ use railcrack::words::Choice;
 use railcrack_case::Overrides;
 use railcrack_report::Pages;
 use railcrack_run::Summary;
+use railcrack_run::decision::VerdictLevel;
 use railcrack_run::machine::{Budget, Needs, long_step, step_seconds};
 use railcrack_run::simulation::{Ending, Finished, RunEntry, RunError, Simulation};
 use serde_json::{Value, json};
@@ -182,6 +183,32 @@ pub fn is_same_file(one: &Path, other: &Path) -> bool {
 fn decision(summary: &Summary) -> String {
     let Some(decision) = &summary.decision else { return String::new() };
     let mut text = String::new();
+    for (i, reason) in decision.verdict.reasons.iter().enumerate() {
+        let level = match decision.verdict.level {
+            VerdictLevel::Ok => "ok",
+            VerdictLevel::Act => "act",
+            VerdictLevel::Stop => "stop",
+            VerdictLevel::Outside => "outside of what the model describes",
+        };
+        let head = if i == 0 { format!("verdict: {level}: ") } else { "also: ".to_owned() };
+        text.push_str(&format!("{head}{}\n", reason.text));
+    }
+    if let Some(paths) = decision.paths {
+        let life = |mgt: Option<f64>| mgt.map_or_else(|| "none".to_owned(), |mgt| format!("{mgt:.3}"));
+        text.push_str(&format!(
+            "million gross tonnes to failure: straight ahead {}, as computed {}, limit path {}\n",
+            life(paths.straight),
+            life(paths.nominal),
+            life(paths.limit)
+        ));
+    }
+    for of in &decision.frictions {
+        let life = of.mgt.map_or_else(|| "none within the run".to_owned(), |mgt| format!("{mgt:.3}"));
+        text.push_str(&format!(
+            "million gross tonnes to failure with friction {} between the faces: {life}\n",
+            of.friction
+        ));
+    }
     for wheel in &decision.wheels {
         let turns = match wheel.turns_in_steps {
             0 => String::new(),

@@ -5,6 +5,7 @@ mod calibrate;
 mod case;
 mod common;
 mod compare;
+mod decision;
 mod documents;
 mod fluid;
 mod loads;

@@ -4,7 +4,7 @@ use super::support::{SMALL, Scratch, case, info, step};
 use railcrack::growth::{GrowthError, GrowthState, Observer, StepRecord, StepSource};
 use railcrack_report::Pages;
 use railcrack_run::OutputError;
-use railcrack_run::simulation::{Ending, Finished, Job, RunEntry, RunError, RunObserver, run_steps};
+use railcrack_run::simulation::{Ending, Finished, Job, RunEntry, RunError, RunObserver, Stage, run_steps};
 use std::fs;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -54,12 +54,13 @@ pub(super) fn run(
 ) -> Result<Finished, RunError> {
     let stopper = Stopper::default();
     let job = Job { case: case(), info: info() };
-    run_steps(folder, entry, job, &stopper, &Pages, |stage| {
+    let start = |stage: Stage| {
         let mut initial = step(SMALL, 0).1;
         initial.step = 0;
         let state = stage.state.unwrap_or(initial);
         Ok((Synthetic { state, interrupted_in, stopper: &stopper }, None))
-    })
+    };
+    run_steps(folder, entry, job, &stopper, &Pages, start, |_, _| Ok(()))
 }
 
 #[test]

@@ -1,5 +1,9 @@
-//! From growth to a decision: depth over traffic, inspection interval, scatter.
+//! From growth to a decision: failure, verdict, inspection interval, scatter.
 
+mod companions;
+mod course;
+mod failure;
+mod family;
 mod inspection;
 mod maintenance;
 mod path;
@@ -7,16 +11,25 @@ mod row;
 mod sampler;
 mod scatter;
 mod summary;
+mod verdict;
 mod walk;
 mod wheels;
 
-pub use inspection::{CriticalBy, InspectionSummary};
+pub(crate) use companions::slowed;
+pub use companions::{FrictionLife, PathLives};
+pub use course::{Course, CourseEnd, CourseEvent, CoursePoint, FailureMode};
+pub use failure::FailureSummary;
+pub(crate) use failure::{Nominal, Question};
+pub(crate) use family::Family;
+pub use inspection::InspectionSummary;
 pub use maintenance::MaintenanceSummary;
 pub use path::{GrowthPath, PathPoint};
 pub use row::DecisionRow;
-pub use sampler::Sampling;
-pub(crate) use sampler::{Draws, KEYS, Sampler};
-pub use scatter::{DepthQuantiles, Quantiles, ScatterSummary, Sensitivity, sampled};
+pub(crate) use sampler::{Draws, KEYS, Sampler, Sampling};
+pub use scatter::{DepthQuantiles, Outlived, Quantiles, ScatterSummary, Sensitivity};
 pub(crate) use scatter::{Gathered, spread, tonnages};
 pub use summary::Decision;
+pub(crate) use summary::course_of;
+pub use verdict::{Reason, ReasonKind, Verdict, VerdictLevel};
+pub(crate) use walk::Track;
 pub use wheels::WheelSummary;

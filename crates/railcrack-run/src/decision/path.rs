@@ -1,7 +1,7 @@
 //! Depth of one tip over traffic.
 
 use crate::log::StepDigest;
-use railcrack::growth::{RunStop, TipStop, WheelShares};
+use railcrack::growth::{RunStop, TipRecord, TipStop, WheelShares};
 
 /// A tip at the start of a growth step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,14 +38,26 @@ pub struct GrowthPath {
 }
 
 impl GrowthPath {
-    /// The path of the tip that is deepest in the last of `steps`; none without steps.
-    pub(crate) fn of(steps: &[StepDigest]) -> Option<Self> {
+    /// The path of the tip `followed` (crack and tip, from 0) or of the one that has grown most, of
+    /// equal ones the deepest; none without steps.
+    pub(crate) fn of(steps: &[StepDigest], followed: Option<(usize, usize)>) -> Option<Self> {
         let last = steps.last()?;
-        let deepest = last.tips.iter().reduce(|a, b| if b.y < a.y { b } else { a })?.tip;
-        let point = |step: &StepDigest| {
-            let same = |tip: &&railcrack::growth::TipRecord| {
-                (tip.tip.crack, tip.tip.tip) == (deepest.crack, deepest.tip)
+        let grown = |tip: &TipRecord| {
+            let same = |step: &StepDigest| {
+                step.tips.iter().find(|other| other.tip == tip.tip).map_or(0.0, |other| other.increment)
             };
+            steps.iter().map(same).sum::<f64>()
+        };
+        let own = last.tips.iter().find(|tip| followed == Some((tip.tip.crack, tip.tip.tip)));
+        let most = || {
+            last.tips.iter().max_by(|a, b| {
+                let deeper = a.depth().total_cmp(&b.depth());
+                grown(a).total_cmp(&grown(b)).then(deeper)
+            })
+        };
+        let deepest = own.or_else(most)?.tip;
+        let point = |step: &StepDigest| {
+            let same = |tip: &&TipRecord| (tip.tip.crack, tip.tip.tip) == (deepest.crack, deepest.tip);
             let tip = step.tips.iter().find(same)?;
             Some(PathPoint {
                 axles: step.load_cycles,

@@ -1,32 +1,31 @@
 //! One sampled crack on a computed path.
 
-use super::inspection::{CriticalBy, Place, detectable};
-use super::path::GrowthPath;
-use super::walk::{SampledRates, SampledShares, SampledWalk};
+use super::failure::Question;
+use super::family::{Family, Removal};
+use super::walk::{Fate, Limits, SampledRates, SampledShares, Track, Walk};
 use crate::log::MixInfo;
 use railcrack::growth::MOST_WHEELS;
-use railcrack_case::{Inspection, MaintenancePlan, Scatter};
+use railcrack_case::Scatter;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use std::f64::consts::PI;
 
-/// The crack that is sampled, and its scatter.
+/// The cracks that are sampled, and their scatter.
 #[derive(Debug, Clone, Copy)]
-pub struct Sampling<'a> {
-    /// The crack.
-    pub path: &'a GrowthPath,
+pub(crate) struct Sampling<'a> {
+    /// The cracks at different speeds.
+    pub family: &'a Family,
+    /// The question to them.
+    pub question: Question<'a>,
     /// Standard deviations.
     pub scatter: &'a Scatter,
-    /// The inspection, where there is one.
-    pub inspection: Option<&'a Inspection>,
-    /// A length that is critical, mm.
-    pub critical_length: Option<f64>,
-    /// Mean load of an axle, t.
-    pub tonnes: f64,
-    /// Wear and grinding, where there are any.
-    pub maintenance: Option<&'a MaintenancePlan>,
     /// The wheels of a mix.
     pub mix: &'a [MixInfo],
+    /// Rate (mm per axle) below which growth stops; zero where it is not looked at.
+    pub arrest_rate: f64,
+    /// Whether the samples break where k1 reaches their own toughness; otherwise where the run
+    /// does.
+    pub has_own_toughness: bool,
 }
 
 /// Keys of the quantities whose scatter is described by one deviate each.
@@ -114,84 +113,69 @@ pub(crate) struct Sample {
     pub draw: Draw,
     /// Whether the crack grows faster at first than it is removed.
     pub grows: bool,
-    /// Million gross tonnes until critical and from detectable to critical; infinite beyond the
-    /// path.
+    /// Million gross tonnes until the rail fails, and from the detectable crack to then; infinite
+    /// where it never does, or not as far as the courses go.
     pub to_critical: f64,
     pub way: f64,
+    /// Million gross tonnes at which its course ends without a failure, where it is not known what
+    /// follows; infinite otherwise.
+    pub outlives: f64,
+    /// How it ends.
+    pub fate: Fate,
 }
 
-/// A path along which samples are evaluated.
+/// Courses along which samples are evaluated.
 pub(crate) struct Sampler<'a> {
     of: Sampling<'a>,
     /// The wheels of a mix whose shares scatter.
     mix: &'a [MixInfo],
-    inspection: Inspection,
-    removal: Option<&'a MaintenancePlan>,
-    walk: SampledWalk<'a>,
-    /// Where the crack is critical, or its path ends.
-    end: Place,
+    limits: Limits,
+    removal: Removal,
+    walk: Walk<'a>,
 }
 
 impl<'a> Sampler<'a> {
     /// Samples of `of`.
     pub fn of(of: Sampling<'a>) -> Self {
-        let inspection = of.inspection.copied().unwrap_or_default();
-        let removal = of.maintenance.filter(|plan| plan.removal() > 0.0 || of.scatter.wear_std > 0.0);
-        let walk = SampledWalk::of(of.path, removal.is_some());
-        let critical = CriticalBy::first(walk.up(), &inspection, of.critical_length).map(|(_, place)| place);
-        let end = critical.unwrap_or((walk.up().points.len() - 1, 0.0));
         // Shares that do not scatter leave the rates as they are, to the last bit.
         let mix = if of.scatter.share_log_std > 0.0 { of.mix } else { &[] };
-        Self { of, mix, inspection, removal, walk, end }
+        let removal = of.question.removal();
+        let walk = Walk::through(of.family, of.question.tonnes, removal);
+        Self { limits: of.question.limits(), removal, mix, walk, of }
     }
 
-    /// Whether the surface is removed.
-    pub fn is_removed(&self) -> bool {
-        self.removal.is_some()
-    }
-
-    /// The sample `draw`; `mgt` receives the million gross tonnes at each point of its path.
-    pub fn sample(&self, draw: &Draw, mgt: &mut Vec<f64>) -> Sample {
+    /// The sample `draw`; `track` receives its depths over traffic.
+    pub fn sample(&self, draw: &Draw, track: &mut Track) -> Sample {
         let [c, m, toughness, detected, wear] = draw.deviates;
         let scatter = self.of.scatter;
         let shares = draw.shares.map(|z| (scatter.share_log_std * z).exp());
+        let wear = (self.removal.wear + scatter.wear_std * wear).max(0.0);
         let rates = SampledRates {
             faster: (scatter.c_log_std * c).exp(),
             steeper: scatter.m_std * m,
-            shares: SampledShares::of(self.mix, shares, self.of.tonnes),
-            removal: self.removal.map(|plan| {
-                let wear = (plan.wear + scatter.wear_std * wear).max(0.0);
-                wear + (plan.removal() - plan.wear)
-            }),
+            shares: SampledShares::of(self.mix, shares, self.of.question.tonnes),
+            removal: Removal { wear, ..self.removal },
+            arrest_rate: self.of.arrest_rate,
         };
-        let up = self.walk.up();
-        let grows = self.walk.tonnage(&rates, mgt);
-        let to = |place: Place| if grows { GrowthPath::at(place, mgt) } else { f64::INFINITY };
-        let breaks = scatter.toughness.and_then(|value| {
-            let toughness = value + scatter.toughness_std * toughness;
-            up.reaches(|point| point.largest_k1, toughness)
-        });
-        let to_critical = breaks.map_or(to(self.end), |place| to(place).min(to(self.end)));
-        let depth = self.inspection.detectable_depth;
-        let depth = depth.map(|depth| (depth + scatter.detectable_depth_std * detected).max(0.0));
-        let from = detectable(up, &self.inspection, depth).map_or(f64::INFINITY, to);
-        let way = if from.is_finite() { (to_critical - from).max(0.0) } else { f64::INFINITY };
-        Sample { draw: *draw, grows, to_critical, way }
-    }
-
-    /// Depth (mm) of `sample`, which reaches the points of its path at `mgt`, at the tonnage `at`;
-    /// infinite beyond the last point.
-    pub fn depth_at(&self, sample: &Sample, mgt: &[f64], at: f64) -> f64 {
-        let path = if sample.grows { self.walk.up() } else { self.walk.down() };
-        let next = mgt.partition_point(|here| *here <= at);
-        match (next.checked_sub(1), mgt.get(next)) {
-            (Some(i), Some(after)) => {
-                let share = (at - mgt[i]) / (after - mgt[i]);
-                path.points[i].depth + share * (path.points[i + 1].depth - path.points[i].depth)
-            }
-            (Some(i), None) if mgt[i] == at => path.points[i].depth,
-            (Some(_), None) => f64::INFINITY,
-            (None, _) => path.points[0].depth,
-        }
+        let own = scatter.toughness.filter(|_| self.of.has_own_toughness);
+        let depth = self.limits.detectable_depth;
+        let limits = Limits {
+            toughness: own.map(|value| value + scatter.toughness_std * toughness),
+            detectable_depth: depth.map(|depth| (depth + scatter.detectable_depth_std * detected).max(0.0)),
+            ..self.limits
+        };
+        let walked = self.walk.walk(&rates, &limits, track);
+        let to_critical = match walked.fate {
+            Fate::Fails(_, mgt) => mgt,
+            _ => f64::INFINITY,
+        };
+        let outlives = match walked.fate {
+            Fate::Outlives(mgt) => mgt,
+            _ => f64::INFINITY,
+        };
+        // A crack that is not detectable before the rail fails leaves no time to find it.
+        let way =
+            if to_critical.is_finite() { (to_critical - walked.detected).max(0.0) } else { f64::INFINITY };
+        Sample { draw: *draw, grows: walked.grows, to_critical, way, outlives, fate: walked.fate }
     }
 }

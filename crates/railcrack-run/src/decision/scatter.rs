@@ -1,9 +1,9 @@
 //! Scatter of what does not change the path of the crack, by sampling.
 
-use super::inspection::InspectionSummary;
-use super::path::GrowthPath;
-use super::sampler::{Draws, KEYS, Sample, Sampler, Sampling};
+use super::sampler::{Draw, Draws, KEYS, Sample, Sampler, Sampling};
+use super::walk::Track;
 use railcrack_case::Scatter;
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 /// Quantiles over all samples; null if the run does not reach that far.
@@ -35,6 +35,15 @@ pub struct Sensitivity {
     pub share: f64,
 }
 
+/// Samples that have not failed where the run that they follow ends: it is not known when they do.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Outlived {
+    /// Share of all samples.
+    pub share: f64,
+    /// Million gross tonnes that the first of them reaches: a quantile beyond is not known.
+    pub mgt: f64,
+}
+
 /// Results of the samples.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ScatterSummary {
@@ -42,8 +51,14 @@ pub struct ScatterSummary {
     pub samples: usize,
     /// Seed of the random numbers.
     pub seed: usize,
-    /// Million gross tonnes until critical, or to the end of the path where nothing is.
+    /// Million gross tonnes until the rail fails.
     pub mgt_to_critical: Quantiles,
+    /// Share of the samples that fail.
+    #[serde(default)]
+    pub probability_of_failure: f64,
+    /// The samples that outlive what is computed; left out where none does.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub outlived: Option<Outlived>,
     /// Million gross tonnes from detectable to critical.
     pub mgt_detectable_to_critical: Quantiles,
     /// Probability that a crack that was just missed is critical before the next inspection, one
@@ -59,27 +74,38 @@ pub struct ScatterSummary {
     pub sensitivities: Vec<Sensitivity>,
 }
 
-/// The samples.
+/// The samples, with quantiles of the depth up to `longest` million gross tonnes, where the crack
+/// is inspected every `interval` million gross tonnes.
 ///
 /// The histories of K along the path do not depend on C, nor on m, the wear and the shares of the
-/// wheels as long as the path is the same: each sample has the rates of the path times
+/// wheels as long as the path is the same: each sample has the rates of the courses times
 /// e^(σ_C z) (ΔK_eq/10)^(σ_m z′), and those of each wheel of a mix by its share; its cycles follow
-/// by the same rule as those of the run. Where the surface is removed, the length follows
-/// dl/dN = da/dN − w/sin θ with the rates that the run has at each length, grinding as wear in the
-/// mean.
-pub fn sampled(of: Sampling) -> ScatterSummary {
+/// by the same rule as those of the run, and without scatter they are those of the run.
+pub(crate) fn sampled(of: Sampling, longest: f64, interval: Option<f64>) -> ScatterSummary {
     let scatter = of.scatter;
     let sampler = Sampler::of(of);
-    let mut gathered = Gathered::new(scatter, tonnages(of.path, scatter, of.tonnes));
-    let mut mgt = Vec::new();
+    let mut gathered = Gathered::new(scatter, tonnages(longest, scatter));
     let mut draws = Draws::of(scatter, of.mix);
-    for _ in 0..scatter.samples {
-        let sample = sampler.sample(&draws.next(), &mut mgt);
-        let depths = gathered.tonnages.iter().map(|at| sampler.depth_at(&sample, &mgt, *at)).collect();
-        gathered.take(sample, depths);
+    let mut left = scatter.samples;
+    while left > 0 {
+        let piece: Vec<Draw> = (0..left.min(PIECE)).map(|_| draws.next()).collect();
+        left -= piece.len();
+        let tonnages = &gathered.tonnages;
+        let made: Vec<(Sample, Vec<f64>)> = piece
+            .par_chunks(CHUNK)
+            .flat_map_iter(|draws| {
+                let mut track = Track::default();
+                let of_one = |draw| {
+                    let sample = sampler.sample(draw, &mut track);
+                    let depth = |at: &f64| track.at(&track.own_depth, *at, sample.fate);
+                    let depths = tonnages.iter().map(depth).collect();
+                    (sample, depths)
+                };
+                draws.iter().map(of_one).collect::<Vec<_>>()
+            })
+            .collect();
+        made.into_iter().for_each(|(sample, depths)| gathered.take(sample, depths));
     }
-    let mean = of.inspection.copied().unwrap_or_default();
-    let nominal = InspectionSummary::of(of.path, &mean, of.critical_length, of.tonnes);
     let mut sensitivities: Vec<Sensitivity> = (0..KEYS.len())
         .filter(|&i| spread(scatter)[i] > 0.0)
         .map(|i| gathered.sensitivity(KEYS[i], |sample, _| sample.draw.deviates[i]))
@@ -89,12 +115,19 @@ pub fn sampled(of: Sampling) -> ScatterSummary {
         let share = (0..of.mix.len()).map(|wheel| of_wheel(wheel).share).sum();
         sensitivities.push(Sensitivity { key: "share_log_std".to_owned(), share });
     }
-    gathered.summary(scatter, nominal.interval_mgt, sampler.is_removed(), sensitivities)
+    let is_removed =
+        of.question.maintenance.is_some_and(|plan| plan.removal() > 0.0) || scatter.wear_std > 0.0;
+    gathered.summary(scatter, interval, is_removed, sensitivities)
 }
 
-/// Tonnages (million gross tonnes) at which quantiles of the depth are given along `path`, from 0.
-pub(crate) fn tonnages(path: &GrowthPath, scatter: &Scatter, tonnes: f64) -> Vec<f64> {
-    let longest = 1e-6 * tonnes * path.points.last().map_or(0.0, |point| point.axles);
+/// Samples that are in memory with all their deviates at once, and those that one thread makes at a
+/// time.
+const PIECE: usize = 1 << 14;
+const CHUNK: usize = 256;
+
+/// Tonnages (million gross tonnes) at which quantiles of the depth are given, from 0, for a run of
+/// `longest`.
+pub(crate) fn tonnages(longest: f64, scatter: &Scatter) -> Vec<f64> {
     let spread = 1.0 + 2.0 * scatter.c_log_std;
     (0..TONNAGES).map(|i| spread * longest * i as f64 / (TONNAGES - 1) as f64).collect()
 }
@@ -160,10 +193,17 @@ impl Gathered {
             self.samples.iter().filter(|sample| is_it(sample)).count() as f64 / count
         };
         sensitivities.sort_by(|a, b| b.share.total_cmp(&a.share));
+        let first = self.samples.iter().map(|sample| sample.outlives).fold(f64::INFINITY, f64::min);
+        let outlived = first
+            .is_finite()
+            .then(|| Outlived { share: share_of(&|sample| sample.outlives.is_finite()), mgt: first });
         ScatterSummary {
             samples: self.samples.len(),
             seed: scatter.seed,
-            mgt_to_critical: quantiles(self.samples.iter().map(|sample| sample.to_critical).collect()),
+            probability_of_failure: share_of(&|sample| sample.to_critical.is_finite()),
+            outlived,
+            mgt_to_critical: quantiles(self.samples.iter().map(|sample| sample.to_critical).collect())
+                .known(|mgt| share_of(&|sample| sample.outlives < mgt)),
             mgt_detectable_to_critical: quantiles(self.samples.iter().map(|sample| sample.way).collect()),
             probability_critical_before_inspection: interval
                 .map(|interval| share_of(&|sample| sample.way < interval)),
@@ -190,6 +230,21 @@ fn quantiles(mut values: Vec<f64>) -> Quantiles {
     };
     Quantiles { p05: at(0.05), p50: at(0.5), p95: at(0.95) }
 }
+
+impl Quantiles {
+    /// None.
+    pub(crate) const NONE: Self = Self { p05: None, p50: None, p95: None };
+
+    /// Only those before which at most a share of [`LOST`] of the samples got lost, which `lost`
+    /// counts.
+    fn known(self, lost: impl Fn(f64) -> f64) -> Self {
+        let known = |value: Option<f64>| value.filter(|value| lost(*value) <= LOST);
+        Self { p05: known(self.p05), p50: known(self.p50), p95: known(self.p95) }
+    }
+}
+
+/// Share of samples whose fate is not known that leaves a quantile as it is.
+const LOST: f64 = 2e-3;
 
 #[cfg(test)]
 #[path = "scatter_tests.rs"]

@@ -1,9 +1,8 @@
 //! Samples against closed forms.
 
 use super::*;
-use crate::decision::PathPoint;
+use crate::decision::{Course, Family, GrowthPath, InspectionSummary, Nominal, PathPoint, Question};
 use crate::log::MixInfo;
-use railcrack::growth::StressMoves;
 use railcrack_case::{Inspection, MaintenancePlan};
 
 /// A crack under Paris' law with ΔK = 4 √length, from 4 to 16 mm.
@@ -46,14 +45,54 @@ fn scatter() -> Scatter {
     }
 }
 
+/// Samples of a crack on `path`.
+struct Asked<'a> {
+    path: &'a GrowthPath,
+    scatter: &'a Scatter,
+    maintenance: Option<&'a MaintenancePlan>,
+    mix: &'a [MixInfo],
+}
+
+impl Asked<'_> {
+    fn question(&self) -> Question<'_> {
+        Question {
+            inspection: Some(&INSPECTION),
+            critical_length: None,
+            tonnes: 20.0,
+            maintenance: self.maintenance,
+        }
+    }
+
+    fn sampled(&self) -> ScatterSummary {
+        let course = Course::of_path(self.path);
+        let family = Family::alone(&course);
+        let of = Sampling {
+            family: &family,
+            question: self.question(),
+            scatter: self.scatter,
+            mix: self.mix,
+            arrest_rate: 0.0,
+            has_own_toughness: self.scatter.toughness_std > 0.0,
+        };
+        let inspection = nominal(self.path);
+        sampled(of, inspection.mgt_to_critical.unwrap(), inspection.interval_mgt)
+    }
+}
+
 /// Samples of an inspected path under one wheel.
-fn idle<'a>(path: &'a GrowthPath, scatter: &'a Scatter) -> Sampling<'a> {
-    let inspection = Some(&INSPECTION);
-    Sampling { path, scatter, inspection, critical_length: None, tonnes: 20.0, maintenance: None, mix: &[] }
+fn idle<'a>(path: &'a GrowthPath, scatter: &'a Scatter) -> Asked<'a> {
+    Asked { path, scatter, maintenance: None, mix: &[] }
+}
+
+/// The inspection of the run.
+fn nominal(path: &GrowthPath) -> InspectionSummary {
+    let question =
+        Question { inspection: Some(&INSPECTION), critical_length: None, tonnes: 20.0, maintenance: None };
+    InspectionSummary::of(&Nominal::of(&Course::of_path(path), &question), &INSPECTION, None)
 }
 
 fn sample(path: &GrowthPath, scatter: &Scatter) -> ScatterSummary {
-    sampled(idle(path, scatter))
+    idle(path, scatter).sampled()
 }
 
 const INSPECTION: Inspection = Inspection {
@@ -65,10 +104,10 @@ const INSPECTION: Inspection = Inspection {
 
 #[test]
 fn cycles_are_log_normal_where_c_is() {
-    let (path, tonnes) = (path(), 20.0);
+    let path = path();
     let begun = std::time::Instant::now();
     let sampled = sample(&path, &scatter());
-    let nominal = InspectionSummary::of(&path, &INSPECTION, None, tonnes);
+    let nominal = nominal(&path);
     let way = nominal.mgt_detectable_to_critical.unwrap();
     // N ∝ 1/C: quantiles are tonnage · e^(±1.6449 · 0.3). The sampled ones scatter by about
     // √(q (1−q)/n)/density: 0.2 % in the median, 0.4 % at 5 and 95 %.
@@ -94,7 +133,7 @@ fn the_same_seed_gives_the_same_bits_and_no_scatter_the_run_itself() {
     assert_eq!(run(&few), run(&few));
     assert_ne!(run(&few), run(&Scatter { seed: 2, ..few }));
     let still = run(&Scatter { c_log_std: 0.0, ..few });
-    let nominal = InspectionSummary::of(&path(), &INSPECTION, None, 20.0);
+    let nominal = nominal(&path());
     let Quantiles { p05, p95, .. } = still.mgt_to_critical;
     let want = nominal.mgt_to_critical.unwrap();
     assert!([p05, p95].iter().all(|p| (p.unwrap() / want - 1.0).abs() < 1e-12), "{still:?}");
@@ -107,47 +146,6 @@ fn a_brittle_rail_breaks_before_the_critical_depth() {
     let late = sample(&path(), &Scatter { toughness: None, ..brittle });
     assert!(early.mgt_to_critical.p50 < late.mgt_to_critical.p50);
     assert!(early.sensitivities.iter().any(|s| s.key == "toughness_std" && s.share > 0.01));
-}
-
-/// Wear that the crack of 4 mm outgrows: sin θ = 0.5, and the rate at 4 mm is 2.03e-7 mm per axle
-/// of 20 t, 0.0101 mm per MGT.
-#[test]
-fn wear_makes_the_way_longer_and_may_take_the_crack_away() {
-    let path = path();
-    let at = |wear: f64, scatter: Scatter| {
-        let plan =
-            MaintenancePlan { wear, grinding: None, first_grinding: None, stress: StressMoves::WithMetal };
-        sampled(Sampling { maintenance: Some(&plan), ..idle(&path, &scatter) })
-    };
-    let still = Scatter { c_log_std: 0.0, samples: 100, ..scatter() };
-    let growth = 1e6 / 20.0 * path.points[0].rate;
-    // With a constant share of the growth removed at the beginning, by quadrature over the path.
-    let wear = 0.25 * growth;
-    let way = |from: f64, to: f64| {
-        let steps = 20_000;
-        let d = (to - from) / f64::from(steps);
-        let net = |l: f64| 1e6 / 20.0 * 2e-9 * (4.0 * l.sqrt()).powf(3.33) - wear / 0.5;
-        (0..steps).map(|i| d / net(from + (f64::from(i) + 0.5) * d)).sum::<f64>()
-    };
-    let worn = at(wear, still);
-    // The trapezoidal rule over steps of 3.5 %: rates that wear halves at first.
-    let median = worn.mgt_detectable_to_critical.p50.unwrap();
-    assert!((median / way(6.0, 14.0) - 1.0).abs() < 2e-3, "{median} {}", way(6.0, 14.0));
-    assert_eq!(worn.probability_growing, Some(1.0));
-    // More wear than growth: nothing becomes critical, and the depth goes to nothing.
-    let gone = at(0.7 * growth, still);
-    assert_eq!((gone.probability_growing, gone.mgt_to_critical.p50), (Some(0.0), None));
-    assert!(gone.depth.last().unwrap().depth_mm.p50.unwrap() < 1.9);
-    // In the balance C decides, half and half: ln C is symmetrical.
-    let half = at(0.5 * growth, Scatter { samples: 20_000, ..scatter() });
-    let probability = half.probability_growing.unwrap();
-    assert!((probability - 0.5).abs() < 0.015, "4 standard deviations of 20 000: {probability}");
-    // Scatter of the wear contributes in addition to that of C.
-    let both = at(wear, Scatter { samples: 20_000, wear_std: 0.1 * growth, ..scatter() });
-    let keys: Vec<&str> = both.sensitivities.iter().map(|s| s.key.as_str()).collect();
-    assert_eq!(keys, ["c_log_std", "wear_std"]);
-    // A correlation of nothing would be 1/20 000.
-    assert!(both.sensitivities[1].share > 0.003, "{:?}", both.sensitivities);
 }
 
 #[test]
@@ -164,9 +162,9 @@ fn shares_of_a_mix_scatter() {
     let mix = [wheel(0.5, 20.0), wheel(0.5, 20.0)];
     let of = |std: f64| {
         let scatter = Scatter { c_log_std: 0.0, share_log_std: std, samples: 20_000, ..scatter() };
-        sampled(Sampling { mix: &mix, ..idle(&path, &scatter) })
+        Asked { mix: &mix, ..idle(&path, &scatter) }.sampled()
     };
-    let way = InspectionSummary::of(&path, &INSPECTION, None, 20.0).mgt_detectable_to_critical.unwrap();
+    let way = nominal(&path).mgt_detectable_to_critical.unwrap();
     let Quantiles { p05, p50, p95 } = of(0.2).mgt_detectable_to_critical;
     // The rate over that of the case is 1.6 s + 0.4 (1 − s) with the logit of s normal, of the
     // standard deviation 0.2 √2.

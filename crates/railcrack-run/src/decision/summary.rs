@@ -1,11 +1,16 @@
 //! The decision block of `summary.json`.
 
+use super::companions::{Companions, FrictionLife, PathLives};
+use super::course::{Course, FailureMode};
+use super::failure::{FailureSummary, Nominal, Question};
+use super::family::Family;
 use super::inspection::InspectionSummary;
 use super::maintenance::MaintenanceSummary;
 use super::path::{GrowthPath, PathPoint};
 use super::row::DecisionRow;
 use super::sampler::Sampling;
-use super::scatter::{ScatterSummary, sampled};
+use super::scatter::{Quantiles, ScatterSummary, sampled};
+use super::verdict::Verdict;
 use super::wheels::WheelSummary;
 use crate::log::{RunInfo, RunLog};
 use serde::{Deserialize, Serialize};
@@ -13,7 +18,14 @@ use serde::{Deserialize, Serialize};
 /// From growth to a decision: key `decision` of `summary.json`, and the first block of the page.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Decision {
-    /// Crack of the tip that is deepest in the last step, from 1.
+    /// The verdict, with its reasons.
+    pub verdict: Verdict,
+    /// The first failure over all cracks, tips and modes.
+    pub failure: FailureSummary,
+    /// The failure of another mode that follows first.
+    pub second: FailureSummary,
+    /// Crack of the tip that is followed, from 1: that of the failure, or where the rail does not
+    /// fail the one that has grown most.
     pub crack: usize,
     /// The tip within its crack, from 1.
     pub tip: usize,
@@ -24,7 +36,18 @@ pub struct Decision {
     /// Growth against wear and grinding, where the case has them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub maintenance: Option<MaintenanceSummary>,
-    /// The inspection interval, where the case asks for one.
+    /// Growth of the tip that is followed into the depth, the mean from detectable to failure or
+    /// over the run, mm per 10 million gross tonnes; null where there is none.
+    pub rate_mm_per_10_mgt: Option<f64>,
+    /// Lives along three paths; null where they were not computed.
+    #[serde(default)]
+    pub paths: Option<PathLives>,
+    /// Lives with other frictions between the faces, where one value is given for all cracks and
+    /// the rest scatters.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub frictions: Vec<FrictionLife>,
+    /// The inspection interval, where the case asks for one; null where the verdict is `stop` or
+    /// `outside`.
     pub inspection: Option<InspectionSummary>,
     /// The wheels of a mix.
     #[serde(default)]
@@ -34,10 +57,13 @@ pub struct Decision {
 }
 
 impl Decision {
-    /// The decision block of a run so far; none without axle loads or finished steps.
-    pub(crate) fn of(info: &RunInfo, log: &RunLog) -> Option<Self> {
+    /// The decision block of a run so far, with samples where it `is_sampled` and has ended; none
+    /// without axle loads or finished steps.
+    pub(crate) fn of(info: &RunInfo, log: &RunLog, is_sampled: bool) -> Option<Self> {
         let tonnes = info.axle_load?;
-        let path = GrowthPath::of(&log.steps)?;
+        let question = question(info, tonnes);
+        let (course, nominal) = course_of(info, log, tonnes)?;
+        let path = GrowthPath::of(&log.steps, followed(&nominal))?;
         let per_mgt = 1e6 / tonnes;
         let mgt = |axles: f64| axles / per_mgt;
         let row = |(i, point): (usize, &PathPoint)| {
@@ -61,29 +87,135 @@ impl Decision {
         let maintenance = info.maintenance.as_ref();
         let maintenance =
             maintenance.map(|plan| MaintenanceSummary::of(plan, &rows, path.is_worn_away, removed));
-        let inspection = info.inspection.as_ref();
         let has_ended = log.steps.last().is_some_and(|step| step.stop.is_some());
-        let scatter = info.scatter.as_ref().filter(|_| has_ended && path.points.len() > 1);
+        let verdict = Verdict::of(info, log, &nominal, tonnes, info.inspection.is_some());
+        let inspection = info.inspection.as_ref().map(|inspection| {
+            let found = inspection.detectable_depth.is_none().then_some(nominal.detected).flatten();
+            InspectionSummary::of(&nominal, inspection, found.and_then(|mgt| depth_at(&rows, mgt)))
+        });
+        let all = log.now.companions.as_deref().unwrap_or_default();
+        let companions = Companions { all, question, found: path.tip.0 - 1 };
+        let can_scatter = is_sampled && has_ended && path.points.len() > 1;
+        let scatter = info.scatter.as_ref().filter(|_| can_scatter);
+        let mut scatter = scatter.map(|scatter| {
+            let family = family_of(&course, &companions.speeds());
+            let interval = inspection.as_ref().and_then(|inspection| inspection.interval_mgt);
+            let of = Sampling {
+                family: &family,
+                question,
+                scatter,
+                mix: &info.mix,
+                arrest_rate: if info.maintenance.is_some() { 0.0 } else { info.arrest_rate },
+                has_own_toughness: scatter.toughness_std > 0.0,
+            };
+            let longest = course.points.last().map_or(0.0, |last| mgt(last.axles));
+            sampled(of, nominal.failure.mgt.unwrap_or(longest).max(MOST_BEFORE * longest), interval)
+        });
+        let inspection = inspection.filter(|_| verdict.gives_intervals());
+        if !verdict.gives_intervals()
+            && let Some(scatter) = &mut scatter
+        {
+            scatter.mgt_detectable_to_critical = Quantiles::NONE;
+            scatter.probability_critical_before_inspection = None;
+        }
         Some(Self {
+            rate_mm_per_10_mgt: rate(&rows, &nominal),
+            paths: companions.paths(nominal.failure.mgt),
+            frictions: companions.frictions(),
+            verdict,
+            failure: nominal.failure,
+            second: nominal.second,
             crack: path.tip.0,
             tip: path.tip.1,
             axle_load_t: tonnes,
             rows,
             maintenance,
-            inspection: inspection
-                .map(|inspection| InspectionSummary::of(&path, inspection, info.critical_length, tonnes)),
+            inspection,
             wheels: WheelSummary::of(&info.mix, &path, &log.steps),
-            scatter: scatter.map(|scatter| {
-                sampled(Sampling {
-                    path: &path,
-                    scatter,
-                    inspection,
-                    critical_length: info.critical_length,
-                    tonnes,
-                    maintenance: info.maintenance.as_ref(),
-                    mix: &info.mix,
-                })
-            }),
+            scatter,
         })
     }
+}
+
+/// Quantiles of the depth are given over this fraction of the run at least.
+const MOST_BEFORE: f64 = 0.1;
+
+/// The question of a case to its runs with axles of `tonnes`.
+fn question(info: &RunInfo, tonnes: f64) -> Question<'_> {
+    Question {
+        inspection: info.inspection.as_ref(),
+        critical_length: info.critical_length,
+        tonnes,
+        maintenance: info.maintenance.as_ref(),
+    }
+}
+
+/// The course of the run of `log` with its failures, for the crack that fails first; none without
+/// steps.
+pub(crate) fn course_of(info: &RunInfo, log: &RunLog, tonnes: f64) -> Option<(Course, Nominal)> {
+    let question = question(info, tonnes);
+    let plan = info.maintenance.as_ref();
+    let mut found = grown_most(log)?;
+    let mut course = Course::of(&log.steps, plan, tonnes, found);
+    let mut nominal = Nominal::of(&course, &question);
+    if let Some(crack) = nominal.failure.crack
+        && crack - 1 != found
+    {
+        found = crack - 1;
+        course = Course::of(&log.steps, plan, tonnes, found);
+        nominal = Nominal::of(&course, &question);
+    }
+    (!course.points.is_empty()).then_some((course, nominal))
+}
+
+/// The crack (from 0) at whose tips most has grown.
+fn grown_most(log: &RunLog) -> Option<usize> {
+    let last = log.steps.last()?;
+    let grown = |tip: &railcrack::growth::TipRecord| {
+        let same = |step: &crate::log::StepDigest| {
+            step.tips.iter().find(|other| other.tip == tip.tip).map_or(0.0, |other| other.increment)
+        };
+        log.steps.iter().map(same).sum::<f64>()
+    };
+    let most = last.tips.iter().max_by(|a, b| {
+        let deeper = a.depth().total_cmp(&b.depth());
+        grown(a).total_cmp(&grown(b)).then(deeper)
+    })?;
+    Some(most.tip.crack)
+}
+
+/// The tip of the failure, from 0.
+fn followed(nominal: &Nominal) -> Option<(usize, usize)> {
+    let FailureSummary { mode, crack, tip, .. } = nominal.failure;
+    // A length is that of a crack, at any of its tips.
+    let tip = tip.filter(|_| mode != Some(FailureMode::Length));
+    Some((crack? - 1, tip? - 1))
+}
+
+/// The courses among which samples of the run `course` are made; `speeds` are those at other
+/// speeds, the fastest first.
+fn family_of(course: &Course, speeds: &[(f64, Course)]) -> Family {
+    let of = |is_it: &dyn Fn(f64) -> bool| -> Vec<&Course> {
+        speeds.iter().filter(|(speed, _)| is_it(*speed)).map(|(_, course)| course).collect()
+    };
+    let nominal = of(&|speed| speed == 1.0).first().copied().unwrap_or(course);
+    Family::of(nominal, &of(&|speed| speed > 1.0), &of(&|speed| speed < 1.0))
+}
+
+/// Depth (mm) of the crack of `rows` at `mgt`.
+fn depth_at(rows: &[DecisionRow], mgt: f64) -> Option<f64> {
+    let next = rows.iter().position(|row| row.mgt >= mgt)?;
+    let after = &rows[next];
+    let Some(before) = next.checked_sub(1).map(|i| &rows[i]) else { return Some(after.depth_mm) };
+    let share = (mgt - before.mgt) / (after.mgt - before.mgt);
+    Some(before.depth_mm + share * (after.depth_mm - before.depth_mm))
+}
+
+/// Growth into the depth from detectable to failure, or over the run, mm per 10 MGT.
+fn rate(rows: &[DecisionRow], nominal: &Nominal) -> Option<f64> {
+    let (first, last) = (rows.first()?, rows.last()?);
+    let from = nominal.detected.filter(|_| nominal.failure.mgt.is_some()).unwrap_or(first.mgt);
+    let to = nominal.failure.mgt.map_or(last.mgt, |mgt| mgt.min(last.mgt));
+    let deeper = depth_at(rows, to)? - depth_at(rows, from)?;
+    (to > from).then(|| 10.0 * deeper / (to - from))
 }

@@ -57,6 +57,11 @@ pub struct RunInfo {
     pub critical_length: Option<f64>,
     /// Tables, plots and page that are written.
     pub output: Output,
+    /// Depths (mm) between which the steel flows in each passage of a wheel beyond the limit of
+    /// shakedown; none where it does not.
+    pub flowing: Option<[f64; 2]>,
+    /// Rate (mm per cycle) below which a tip is arrested.
+    pub arrest_rate: f64,
     /// Warnings that follow from the case, before any step.
     pub warnings: Vec<Warning>,
 }
@@ -85,6 +90,8 @@ impl RunInfo {
             scatter: None,
             critical_length: None,
             output: Output::ALL,
+            flowing: None,
+            arrest_rate: 0.0,
             warnings: Vec::new(),
         }
     }

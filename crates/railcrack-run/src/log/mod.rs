@@ -1,9 +1,13 @@
 //! Log of a run: facts of its case, its finished steps, its residual stress.
 
+mod companion;
+mod digest;
 mod info;
 mod residual;
 mod steps;
 
+pub(crate) use companion::{Companion, CompanionKind};
+pub(crate) use digest::StepDigest;
 pub use info::{MixInfo, RunInfo};
 pub use residual::{PlasticOrigin, ProjectionSummary, ReleaseSummary, ResidualSummary, RolledSummary};
-pub(crate) use steps::{Present, RunLog, StepDigest};
+pub(crate) use steps::{Present, RunLog};

@@ -1,43 +1,16 @@
 //! Run log: the data of the finished growth steps that are not in the tables.
 
+use super::companion::Companion;
+use super::digest::StepDigest;
 use super::residual::ResidualSummary;
 use crate::disk::Seal;
 use crate::fields::FieldFileEntry;
 use railcrack::crack::{Crack, Junction};
 use railcrack::fatigue::LargestK1;
 use railcrack::fracture::SifHistory;
-use railcrack::growth::{
-    PhaseTimes, Piece, PopInTest, RunStop, SolverCounts, StepRecord, TipRecord, Warning,
-};
+use railcrack::growth::{Piece, StepRecord, TipRecord, Warning};
 use railcrack::math::Vec2;
 use serde::{Deserialize, Serialize};
-
-/// A finished growth step: an entry of the run log, appended once and never changed.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(crate) struct StepDigest {
-    pub step: usize,
-    pub load_cycles: f64,
-    /// Their estimated error by the increments.
-    pub cycles_error: f64,
-    /// Removed of the running surface so far, mm.
-    pub removed: f64,
-    pub tips: Vec<TipRecord>,
-    /// x_c (mm) of the output position at which k1 of the step is largest.
-    pub largest_k1_at: Option<f64>,
-    pub dofs: usize,
-    pub face_points: usize,
-    /// Largest opening of the faces, mm.
-    pub largest_opening: f64,
-    pub counts: SolverCounts,
-    pub times: PhaseTimes,
-    pub stop: Option<RunStop>,
-    /// The test of a kink in a rail whose toughness is not given.
-    pub pop_in_test: Option<PopInTest>,
-    /// Pieces of the rail that were enclosed.
-    pub pieces: Vec<Piece>,
-    pub warnings: Vec<Warning>,
-    pub fields: Vec<FieldFileEntry>,
-}
 
 /// The run after its last finished growth step: replaced with every step.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -55,6 +28,8 @@ pub(crate) struct Present {
     pub residual: Option<ResidualSummary>,
     /// Its table.
     pub residual_table: Option<Seal>,
+    /// Other runs of the same cracks that the decision needs; none before the run has ended.
+    pub companions: Option<Vec<Companion>>,
     /// Wall time of the finished steps, resumptions counted, seconds.
     pub wall_s: f64,
     /// Part of it that went into writing, seconds.

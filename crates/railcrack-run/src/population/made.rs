@@ -3,8 +3,8 @@
 use super::interpolation::Interpolation;
 use super::shape::{NUMBERS, numbers_of, path_of, path_of_tip};
 use crate::decision::{
-    Draws, Gathered, GrowthPath, InspectionSummary, KEYS, Sampler, Sampling, ScatterSummary, Sensitivity,
-    spread, tonnages,
+    Course, Draws, Family, Gathered, GrowthPath, InspectionSummary, KEYS, Nominal, Question, Sampler,
+    Sampling, ScatterSummary, Sensitivity, Track, spread, tonnages,
 };
 use crate::study::{
     InterpolationError, Population, PopulationPlan, RunState, StudyAxis, StudyPlan, StudyResults, StudyRow,
@@ -97,7 +97,8 @@ impl Population {
         let breaks = !base.is_empty() && base.iter().all(|point| point.breaks);
         let inspection = plan.inspection();
         let way = |path: &GrowthPath| {
-            InspectionSummary::of(path, &inspection, plan.critical_length_mm, plan.axle_load_t)
+            let nominal = Nominal::of(&Course::of_path(path), &question(plan, &inspection));
+            InspectionSummary::of(&nominal, &inspection, None)
         };
         let known = |(point, numbers): (&Point, Vec<f64>)| {
             let exact = way(&GrowthPath { breaks: point.breaks, ..point.path.clone() });
@@ -143,6 +144,16 @@ impl Point {
     }
 }
 
+/// The question to each crack of a population.
+fn question<'a>(plan: &PopulationPlan, inspection: &'a Inspection) -> Question<'a> {
+    Question {
+        inspection: Some(inspection),
+        critical_length: plan.critical_length_mm,
+        tonnes: plan.axle_load_t,
+        maintenance: None,
+    }
+}
+
 impl InterpolationError {
     /// Errors of pairs of exact and interpolated tonnages. None without pairs.
     fn of(ways: &[(f64, f64)]) -> Option<Self> {
@@ -185,7 +196,10 @@ impl Samples<'_> {
             let end = |path: &GrowthPath| path.points.last().map_or(0.0, |point| point.axles);
             end(a).total_cmp(&end(b))
         });
-        let tonnages = longest.map_or_else(Vec::new, |path| tonnages(path, scatter, self.plan.axle_load_t));
+        let tonnages = longest.map_or_else(Vec::new, |path| {
+            let axles = path.points.last().map_or(0.0, |point| point.axles);
+            tonnages(1e-6 * self.plan.axle_load_t * axles, scatter)
+        });
         let mut gathered = Gathered::new(scatter, tonnages.clone());
         let mut draws = Draws::of(scatter, &[]);
         let mut inputs: Vec<Vec<f64>> = Vec::with_capacity(scatter.samples);
@@ -199,20 +213,20 @@ impl Samples<'_> {
             .par_chunks(PIECE)
             .zip(deviates.par_chunks(PIECE))
             .flat_map_iter(|(inputs, draws)| {
-                let mut mgt = Vec::new();
+                let mut track = Track::default();
                 let of_one = |(inputs, draw): (&Vec<f64>, _)| {
                     let path = path_of(&self.interpolation.at(inputs), self.breaks);
+                    let family = Family::alone(&Course::of_path(&path));
                     let sampler = Sampler::of(Sampling {
-                        path: &path,
+                        family: &family,
+                        question: question(self.plan, &self.inspection),
                         scatter,
-                        inspection: Some(&self.inspection),
-                        critical_length: self.plan.critical_length_mm,
-                        tonnes: self.plan.axle_load_t,
-                        maintenance: None,
                         mix: &[],
+                        arrest_rate: 0.0,
+                        has_own_toughness: false,
                     });
-                    let sample = sampler.sample(draw, &mut mgt);
-                    let depth = |at: &f64| sampler.depth_at(&sample, &mgt, *at);
+                    let sample = sampler.sample(draw, &mut track);
+                    let depth = |at: &f64| track.at(&track.own_depth, *at, sample.fate);
                     (sample, tonnages.iter().map(depth).collect::<Vec<f64>>())
                 };
                 inputs.iter().zip(draws).map(of_one).collect::<Vec<_>>()

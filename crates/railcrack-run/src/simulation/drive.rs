@@ -31,7 +31,8 @@ impl Observer for OfSteps<'_> {
 }
 
 /// Computes the steps of `source` into `recorder` until the run ends or is interrupted, and writes
-/// summary and plots. What the computation held is free before these are built.
+/// summary and plots. What the computation held is free before `accompany` adds what the decision
+/// needs, and these are built.
 ///
 /// Errors: a step cannot be computed (the steps before it are kept, with summary and plots); the
 /// system refuses to write.
@@ -39,14 +40,22 @@ pub(super) fn drive(
     source: impl StepSource,
     recorder: &mut Recorder,
     observer: &dyn RunObserver,
+    accompany: impl FnOnce(&mut Recorder, &GrowthState) -> Result<(), RunError>,
 ) -> Result<(Ending, Summary), RunError> {
+    let mut last = None;
     let computed = compute(source, observer, |record, state| {
         recorder.record(&record, &state)?;
         observer.finished(&record);
+        last = Some(state);
         Ok(())
     });
+    let accompanied = match (&computed, last.filter(|state| state.ended.is_some())) {
+        (Ok(Ending::Ended), Some(state)) => accompany(recorder, &state),
+        _ => Ok(()),
+    };
     observer.close();
     match computed {
+        Ok(Ending::Ended) => ended(accompanied, recorder),
         Ok(ending) => Ok((ending, recorder.finish()?)),
         // After a refusal to write, another attempt would hide it.
         Err(RunError::Output(error @ OutputError::Io { .. })) => Err(error.into()),
@@ -54,6 +63,21 @@ pub(super) fn drive(
             recorder.finish()?;
             Err(error)
         }
+    }
+}
+
+/// The summary of a run that ended, unless its companions were interrupted.
+///
+/// Errors: that of its companions; the system refuses to write.
+pub(super) fn ended(
+    accompanied: Result<(), RunError>,
+    recorder: &mut Recorder,
+) -> Result<(Ending, Summary), RunError> {
+    let summary = recorder.finish()?;
+    match accompanied {
+        Ok(()) => Ok((Ending::Ended, summary)),
+        Err(error) if error.is_interruption() => Ok((Ending::Interrupted, summary)),
+        Err(error) => Err(error),
     }
 }
 

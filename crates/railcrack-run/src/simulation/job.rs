@@ -57,6 +57,8 @@ impl Job {
                 inspection: case.inspection,
                 scatter: case.scatter,
                 critical_length: case.growth.critical_length,
+                flowing: validity::flowing(case),
+                arrest_rate: case.growth.arrest_rate,
                 warnings: validity::of_case(case),
             },
         }

@@ -10,7 +10,7 @@ use crate::csv::{FaceRow, ResidualRow, SifRow, SifScale, TipRow};
 use crate::disk::files::ROLLED_FOLDER;
 use crate::disk::{FolderLock, inner_folder};
 use crate::error::OutputError;
-use crate::log::{RunInfo, RunLog};
+use crate::log::{Companion, RunInfo, RunLog};
 use crate::machine::peak_memory_mb;
 use crate::presentation::Presentation;
 use crate::run_folder::Existing;
@@ -29,6 +29,7 @@ pub struct RunInMemory {
     steps: Vec<(StepRecord, GrowthState)>,
     /// Folder of the plastic state of the rolled rail, if the case requires it.
     rolled: Option<PathBuf>,
+    companions: Option<Vec<Companion>>,
     wall_s: f64,
 }
 
@@ -45,8 +46,14 @@ impl Simulation<'_> {
         before: Option<RunInMemory>,
     ) -> (RunInMemory, Result<Ending, RunError>) {
         let started = Instant::now();
-        let begun =
-            || RunInMemory { job: self.job(), residual: None, steps: Vec::new(), rolled: None, wall_s: 0.0 };
+        let begun = || RunInMemory {
+            job: self.job(),
+            residual: None,
+            steps: Vec::new(),
+            rolled: None,
+            companions: None,
+            wall_s: 0.0,
+        };
         let mut run = before.unwrap_or_else(begun);
         let ending = self.go_on(&mut run, scratch);
         self.observer.close();
@@ -80,11 +87,21 @@ impl Simulation<'_> {
         run.residual = residual;
         run.rolled = Some(scratch.join(ROLLED_FOLDER)).filter(|folder| folder.is_dir());
         let steps = &mut run.steps;
-        compute(growth, observer, |record, state| {
+        let ending = compute(growth, observer, |record, state| {
             observer.finished(&record);
             steps.push((record, state));
             Ok(())
-        })
+        })?;
+        if let Some((_, state)) = run.steps.last().filter(|(_, state)| state.ended.is_some())
+            && run.companions.is_none()
+        {
+            match self.companions(&run.job.info, &run.log(), state, scratch) {
+                Ok(companions) => run.companions = companions,
+                Err(error) if error.is_interruption() => return Ok(Ending::Interrupted),
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(ending)
     }
 }
 
@@ -131,12 +148,17 @@ impl RunInMemory {
 
     /// The run in numbers, as far as it was computed.
     pub fn summary(&self) -> Summary {
+        Summary::new(&self.job.info, &self.log(), true)
+    }
+
+    fn log(&self) -> RunLog {
         let mut log = RunLog::default();
         self.records().for_each(|record| log.add(record, Vec::new()));
         log.now.residual = self.residual.as_ref().map(|residual| residual.summary.clone());
+        log.now.companions.clone_from(&self.companions);
         log.now.wall_s = self.wall_s;
         log.now.peak_memory_mb = peak_memory_mb();
-        Summary::new(&self.job.info, &log)
+        log
     }
 
     /// The tables, plots and page that the case requests.
@@ -169,6 +191,9 @@ impl RunInMemory {
         }
         for (record, state) in &self.steps {
             recorder.record(record, state)?;
+        }
+        if let (Some(companions), Some((_, state))) = (&self.companions, self.steps.last()) {
+            recorder.accompany(companions.clone(), state)?;
         }
         recorder.was_computed_in(self.wall_s);
         recorder.finish()

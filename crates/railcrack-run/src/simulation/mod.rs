@@ -1,6 +1,7 @@
 //! Simulation: what `railcrack run`, `shakedown` and `sweep` compute, also for users of the
 //! library.
 
+mod companions;
 mod drive;
 mod error;
 #[cfg(test)]

@@ -5,7 +5,7 @@ use crate::disk::files::{CASE_FILE, FIELDS_FILE, SUMMARY_FILE};
 use crate::disk::{Durability, Seal, VERSION, replace_file, write_json};
 use crate::error::OutputError;
 use crate::fields::{write_collection, write_fields};
-use crate::log::{ResidualSummary, RunInfo, RunLog};
+use crate::log::{Companion, ResidualSummary, RunInfo, RunLog};
 use crate::machine::peak_memory_mb;
 use crate::presentation::{Presentation, RunPresentation};
 use crate::run_folder::{
@@ -183,14 +183,9 @@ impl Recorder {
             self.synced = Instant::now();
         }
         self.count_time(begun);
-        let checkpoint = Checkpoint {
-            program: VERSION.to_owned(),
-            state: state.clone(),
-            seals: self.seals(),
-            now: self.log.now.clone(),
-        };
-        checkpoint.write(&self.folder, durability)?;
-        self.write_summary(Durability::Cached)?;
+        self.checkpoint(state, durability)?;
+        let summary = Summary::new(&self.info, &self.log, false);
+        self.write_summary(summary, Durability::Cached)?;
         self.shown.keep();
         Ok(())
     }
@@ -201,15 +196,56 @@ impl Recorder {
         self.counted = Instant::now();
     }
 
+    /// The facts of the case.
+    pub(super) fn info(&self) -> &RunInfo {
+        &self.info
+    }
+
+    /// The finished steps.
+    pub(super) fn log(&self) -> &RunLog {
+        &self.log
+    }
+
+    /// Whether the companions of the run are known.
+    pub(super) fn has_companions(&self) -> bool {
+        self.log.now.companions.is_some()
+    }
+
+    /// Keeps the `companions` of the run, which has ended in `state`.
+    ///
+    /// Errors: the system refuses to write.
+    pub(super) fn accompany(
+        &mut self,
+        companions: Vec<Companion>,
+        state: &GrowthState,
+    ) -> Result<(), OutputError> {
+        self.log.now.companions = Some(companions);
+        self.count_time(Instant::now());
+        self.checkpoint(state, Durability::Synced)
+    }
+
+    fn checkpoint(&self, state: &GrowthState, durability: Durability) -> Result<(), OutputError> {
+        let checkpoint = Checkpoint {
+            program: VERSION.to_owned(),
+            state: state.clone(),
+            seals: self.seals(),
+            now: self.log.now.clone(),
+        };
+        checkpoint.write(&self.folder, durability)
+    }
+
     /// Writes summary, plots and report of the finished steps: at the end of a run, and when it is
     /// interrupted.
     pub fn finish(&mut self) -> Result<Summary, OutputError> {
         let begun = Instant::now();
         // Plots and report repeat the summary, so it must be written first.
-        self.write_summary(Durability::Cached)?;
+        let summary = self.write_summary(Summary::new(&self.info, &self.log, true), Durability::Cached)?;
         self.shown.finish(&self.folder)?;
         self.count_time(begun);
-        self.write_summary(Durability::Synced)
+        // The samples are made once.
+        let decision = summary.decision;
+        let summary = Summary { decision, ..Summary::new(&self.info, &self.log, false) };
+        self.write_summary(summary, Durability::Synced)
     }
 
     /// The scale of wheel positions, which the cracks of step 0 give.
@@ -274,8 +310,8 @@ impl Recorder {
         all.map(|(file, seal)| (file.to_owned(), seal.checksum.to_string())).collect()
     }
 
-    fn write_summary(&self, durability: Durability) -> Result<Summary, OutputError> {
-        let summary = Summary { checksums: self.checksums(), ..Summary::new(&self.info, &self.log) };
+    fn write_summary(&self, summary: Summary, durability: Durability) -> Result<Summary, OutputError> {
+        let summary = Summary { checksums: self.checksums(), ..summary };
         write_json(&self.folder, SUMMARY_FILE, &summary, durability)?;
         Ok(summary)
     }

@@ -1,6 +1,6 @@
 //! One run: from a case to its folder.
 
-use super::drive::{Ending, drive};
+use super::drive::{Ending, drive, ended};
 use super::error::RunError;
 use super::job::{Job, Stage};
 use super::observer::{RunObserver, Silent};
@@ -37,7 +37,9 @@ pub struct Simulation<'a> {
     pub(super) presentation: &'a dyn Presentation,
     pub(super) shared: Option<&'a SharedRail>,
     pub(super) judge: Option<&'a Arc<dyn TipJudge>>,
-    is_sampled: bool,
+    pub(super) is_sampled: bool,
+    /// Whether the decision has lives along other paths and with other friction.
+    pub(super) has_variants: bool,
 }
 
 impl<'a> Simulation<'a> {
@@ -50,6 +52,7 @@ impl<'a> Simulation<'a> {
             shared: None,
             judge: None,
             is_sampled: true,
+            has_variants: true,
         }
     }
 
@@ -84,15 +87,32 @@ impl<'a> Simulation<'a> {
         Self { is_sampled: false, ..self }
     }
 
+    /// Computes no lives along other paths and with other friction for the decision: a study has a
+    /// run for each value.
+    #[must_use]
+    pub fn of_a_study(self) -> Self {
+        Self { has_variants: false, ..self }
+    }
+
     /// Computes the run into `folder`, step by step, until it ends or is interrupted.
     ///
     /// Errors: the folder may not be written, holds another run or is damaged; the plastic state or
     /// a step cannot be computed (the steps before it are kept).
     pub fn run_in(&self, folder: &Path, entry: RunEntry) -> Result<Finished, RunError> {
-        run_steps(folder, entry, self.job(), self.observer, self.presentation, |stage| {
+        let start = |stage: Stage| {
             let stage = Stage { shared: self.shared, ..stage };
             self.growth(stage)
-        })
+        };
+        let accompany = |recorder: &mut Recorder, state: &GrowthState| {
+            if recorder.has_companions() {
+                return Ok(());
+            }
+            match self.companions(recorder.info(), recorder.log(), state, folder)? {
+                Some(companions) => Ok(recorder.accompany(companions, state)?),
+                None => Ok(()),
+            }
+        };
+        run_steps(folder, entry, self.job(), self.observer, self.presentation, start, accompany)
     }
 }
 
@@ -111,6 +131,18 @@ impl Simulation<'_> {
         let (prepared, residual) = prepare(self.case, &stage)?;
         Ok((prepared.growth_judged(stage.state, self.judge.cloned()), residual))
     }
+
+    /// The growth loop from `state` on, on a rail that is prepared from `stage`.
+    ///
+    /// Errors: those of [`Simulation::growth`].
+    pub(super) fn growth_from(
+        &self,
+        stage: &Stage,
+        state: Option<GrowthState>,
+    ) -> Result<Box<dyn StepSource>, RunError> {
+        let (prepared, _) = prepare(self.case, stage)?;
+        Ok(prepared.growth_judged(state, self.judge.cloned()))
+    }
 }
 
 /// A run that ended or was interrupted.
@@ -125,7 +157,8 @@ pub struct Finished {
 }
 
 /// Runs `job` in `folder`: checks and prepares the folder, then has `start` build what computes the
-/// steps with the residual stress that the rail carries, and writes step by step.
+/// steps with the residual stress that the rail carries, writes step by step, and has `accompany`
+/// add what the decision needs once the run has ended.
 ///
 /// Errors: see [`Simulation::run_in`].
 pub fn run_steps<S: StepSource>(
@@ -135,14 +168,16 @@ pub fn run_steps<S: StepSource>(
     observer: &dyn RunObserver,
     presentation: &dyn Presentation,
     start: impl FnOnce(Stage) -> Result<(S, Option<Residual>), RunError>,
+    accompany: impl FnOnce(&mut Recorder, &GrowthState) -> Result<(), RunError>,
 ) -> Result<Finished, RunError> {
     let _lock = lock(folder, entry)?;
     let (mut recorder, state) = open(folder, entry, job, presentation)?;
     observer.begins(state.as_ref().map_or(0, |state| state.step));
     let finished = |(ending, summary)| Finished { ending, summary, folder: folder.to_path_buf() };
-    if state.as_ref().is_some_and(|state| state.ended.is_some()) {
+    if let Some(state) = state.as_ref().filter(|state| state.ended.is_some()) {
+        let accompanied = accompany(&mut recorder, state);
         observer.close();
-        return Ok(finished((Ending::Ended, recorder.finish()?)));
+        return Ok(finished(ended(accompanied, &mut recorder)?));
     }
     let (source, residual) = match start(Stage { folder, observer, presentation, shared: None, state }) {
         Err(error) if error.is_interruption() => {
@@ -154,7 +189,7 @@ pub fn run_steps<S: StepSource>(
     if let Some(residual) = residual {
         residual.record(&mut recorder, observer)?;
     }
-    Ok(finished(drive(source, &mut recorder, observer)?))
+    Ok(finished(drive(source, &mut recorder, observer, accompany)?))
 }
 
 /// The lock of `folder`, which is created where the run may begin in it; none if it cannot be

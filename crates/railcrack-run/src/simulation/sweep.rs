@@ -118,7 +118,8 @@ impl StudyComputation<'_> {
         let simulation = Simulation::new(&run.case)
             .observed_by(observer.as_ref())
             .presented_by(self.presentation)
-            .sharing(next.shared_rail(&run.case));
+            .sharing(next.shared_rail(&run.case))
+            .of_a_study();
         let simulation = match &self.folder.plan().population {
             Some(_) => simulation.sampled_by_its_study(),
             None => simulation,

@@ -116,7 +116,8 @@ pub struct Summary {
 }
 
 impl Summary {
-    pub(crate) fn new(info: &RunInfo, log: &RunLog) -> Self {
+    /// The summary of a run so far; with the samples of its decision where it `is_sampled`.
+    pub(crate) fn new(info: &RunInfo, log: &RunLog, is_sampled: bool) -> Self {
         let steps = &log.steps;
         let last = steps.last();
         let sum = |count: fn(&StepDigest) -> usize| steps.iter().map(count).sum::<usize>();
@@ -140,7 +141,7 @@ impl Summary {
             load_cycles,
             load_cycles_error: last.map_or(0.0, |step| step.cycles_error),
             million_gross_tonnes: info.axle_load.map(|tonnes| load_cycles * tonnes / 1e6),
-            decision: Decision::of(info, log),
+            decision: Decision::of(info, log, is_sampled),
             wall_s: log.now.wall_s,
             phases_s: PhaseSeconds {
                 residual: log.now.residual.as_ref().map_or(0.0, |residual| residual.wall_s),

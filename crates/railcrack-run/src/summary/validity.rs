@@ -43,6 +43,34 @@ fn of_wheel(case: &Case, wheel: &GivenWheel) -> Vec<Warning> {
     all.into_iter().flatten().map(|warning| at_step(0, &warning)).collect()
 }
 
+/// Depths (mm) between which the steel flows in each passage: where a wheel is beyond the limit of
+/// shakedown of the depth. None where all wheels are within it.
+pub(crate) fn flowing(case: &Case) -> Option<[f64; 2]> {
+    let shear_yield = case.shakedown.hardening.yield_stress() / 3f64.sqrt();
+    let depths: Vec<f64> = (0..=FLOW_DEPTHS).map(|i| i as f64 * DEEPEST_FLOW / FLOW_DEPTHS as f64).collect();
+    let of_wheel = |wheel: &GivenWheel| {
+        let (peak, half_width) = (wheel.contact().peak_pressure(), wheel.half_width());
+        wheel.contact_bounds(&case.steel, |bounds: &ContactBounds| {
+            if peak <= shear_yield * bounds.shakedown_limit().ratio {
+                return None;
+            }
+            let by_depth = bounds.by_depth(&depths);
+            let flows = by_depth.iter().filter(|depth| peak > shear_yield * depth.shakedown);
+            let all = flows.map(|depth| depth.depth_over_a * half_width);
+            all.fold(None, |range: Option<[f64; 2]>, depth| {
+                Some(range.map_or([depth; 2], |[top, bottom]| [top.min(depth), bottom.max(depth)]))
+            })
+        })
+    };
+    let wheels = case.mix.iter().map(|mixed| &mixed.wheel).chain([&case.wheel]);
+    let ranges = wheels.filter_map(|wheel| of_wheel(wheel).flatten());
+    ranges.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
+}
+
+/// Depths over the half-width at which flow is looked for.
+const FLOW_DEPTHS: usize = 100;
+const DEEPEST_FLOW: f64 = 3.0;
+
 /// Warnings that follow from the finished steps: each where it first applies.
 pub(crate) fn of_steps(info: &RunInfo, log: &RunLog) -> Vec<Warning> {
     let first = |of: &dyn Fn(&StepDigest) -> Option<ValidityWarning>| {

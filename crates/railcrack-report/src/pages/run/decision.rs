@@ -6,7 +6,8 @@ use crate::page::Block;
 use crate::pages::ways::ways;
 use crate::table::{MISSING, Table};
 use railcrack_run::decision::{
-    CriticalBy, Decision, InspectionSummary, MaintenanceSummary, ScatterSummary, WheelSummary,
+    Decision, FailureMode, FrictionLife, InspectionSummary, MaintenanceSummary, PathLives, Reason,
+    ScatterSummary, VerdictLevel, WheelSummary,
 };
 
 /// Approximate number of rows in the table of depths; `summary.json` has all.
@@ -15,14 +16,16 @@ const ROWS: usize = 9;
 /// The first blocks of the page; none without axle loads.
 pub(super) fn decision(run: &RunFolder) -> Vec<Block> {
     let Some(decision) = &run.summary.decision else { return Vec::new() };
-    let mut sentences = Vec::new();
+    let mut sentences = vec![verdict(decision)];
+    sentences.extend(decision.verdict.reasons.iter().skip(1).map(reason));
+    sentences.extend(second(decision));
+    sentences.extend(decision.paths.as_ref().map(paths));
+    sentences.extend(frictions(&decision.frictions));
     sentences.extend(decision.inspection.as_ref().map(interval));
     sentences.extend(decision.maintenance.as_ref().map(maintenance));
     sentences.extend(decision.scatter.as_ref().and_then(scatter));
     let mut blocks = vec![Block::Heading("Decision".to_owned())];
-    if !sentences.is_empty() {
-        blocks.push(Block::List(sentences));
-    }
+    blocks.push(Block::List(sentences));
     if decision.rows.len() > 1 {
         blocks.push(Block::Table(depths(decision)));
     }
@@ -30,6 +33,64 @@ pub(super) fn decision(run: &RunFolder) -> Vec<Block> {
         blocks.push(Block::Table(wheels(&decision.wheels)));
     }
     if blocks.len() > 1 { blocks } else { Vec::new() }
+}
+
+/// The verdict with its first reason.
+fn verdict(decision: &Decision) -> String {
+    let level = match decision.verdict.level {
+        VerdictLevel::Ok => "OK",
+        VerdictLevel::Act => "Act",
+        VerdictLevel::Stop => "Stop",
+        VerdictLevel::Outside => "Outside of what the model describes",
+    };
+    let first = decision.verdict.reasons.first().map(reason);
+    first.map_or_else(|| format!("{level}."), |first| format!("{level}: {first}"))
+}
+
+/// A reason as a sentence.
+fn reason(reason: &Reason) -> String {
+    let place = reason
+        .crack
+        .zip(reason.step)
+        .map_or_else(String::new, |(crack, step)| format!(" (crack {crack}, step {step})"));
+    format!("{}{place}.", reason.text)
+}
+
+/// The failure that follows.
+fn second(decision: &Decision) -> Option<String> {
+    let (mode, mgt) = (decision.second.mode?, decision.second.mgt?);
+    let crack = decision.second.crack.map_or_else(String::new, |crack| format!(" of crack {crack}"));
+    Some(format!("Next: {}{crack} after {} MGT.", mode.words(), tonnage(mgt)))
+}
+
+/// The lives along three paths.
+fn paths(paths: &PathLives) -> String {
+    let life = |mgt: Option<f64>| {
+        mgt.map_or_else(|| "no failure within the run".to_owned(), |mgt| format!("{} MGT", tonnage(mgt)))
+    };
+    format!(
+        "Life by path: straight ahead {}, as computed {}, limit path {}. The spread is an uncertainty of the model.",
+        life(paths.straight),
+        life(paths.nominal),
+        life(paths.limit)
+    )
+}
+
+/// The lives with other frictions.
+fn frictions(lives: &[FrictionLife]) -> Option<String> {
+    let life = |of: &FrictionLife| {
+        let mgt = of
+            .mgt
+            .map_or_else(|| "no failure within the run".to_owned(), |mgt| format!("{} MGT", tonnage(mgt)));
+        format!("{mgt} with {}", given(of.friction))
+    };
+    let all: Vec<String> = lives.iter().map(life).collect();
+    (!all.is_empty()).then(|| {
+        format!(
+            "The friction between the faces is one value in the samples, and seldom known. Life with others: {}.",
+            all.join(", ")
+        )
+    })
 }
 
 /// The inspection interval.
@@ -47,10 +108,12 @@ fn interval(inspection: &InspectionSummary) -> String {
         }
         (None, _) => "The crack does not become detectable within the run".to_owned(),
     };
-    let by = |by: CriticalBy| match by {
-        CriticalBy::Depth => "the critical depth",
-        CriticalBy::Length => "the critical length",
-        CriticalBy::Fracture => "fracture",
+    let by = |by: FailureMode| match by {
+        FailureMode::Depth => "the critical depth",
+        FailureMode::Length => "the critical length",
+        FailureMode::Fracture => "fracture",
+        FailureMode::Spall => "a spall",
+        FailureMode::Detached => "the loss of a piece",
     };
     let critical = match (inspection.critical_by, inspection.mgt_to_critical) {
         (Some(what), Some(mgt)) => format!("{} is reached after {} MGT", by(what), tonnage(mgt)),

@@ -1,0 +1,183 @@
+//! Decisions: failure over all cracks, verdict, samples against the run and against whole runs.
+
+use super::common::{done, folder, read};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+
+/// A section that a case may have, and one that it may have instead.
+struct Part {
+    name: &'static str,
+    text: &'static str,
+}
+
+const RAIL: &str = "\
+title = \"Decision\"
+[passage]
+positions = 25
+[mesh]
+interface_elements = 8
+[growth]
+steps = 60
+paris_c = 2e-11
+arrest_rate_mm_per_cycle = 1e-14
+increment = 0.06
+turning_length_mm = inf
+[inspection]
+detectable_depth_mm = 2.05
+critical_depth_mm = 2.5
+[solver]
+engine = \"dislocation\"
+";
+
+const WHEEL: &str = "\
+[contact]
+peak_pressure_mpa = 845.0
+half_width_mm = 6.75
+friction = 0.3
+[traffic]
+axle_load_t = 20.0
+";
+
+const MIX: &str = "\
+[[wheel]]
+name = \"loaded\"
+share = 0.6
+axle_load_t = 22.5
+contact = { peak_pressure_mpa = 845.0, half_width_mm = 6.75, friction = 0.3 }
+[[wheel]]
+name = \"empty\"
+share = 0.4
+axle_load_t = 12.0
+contact = { peak_pressure_mpa = 700.0, half_width_mm = 5.5, friction = -0.2 }
+";
+
+const CRACK: &str = "\
+[[crack]]
+mouth_mm = 0.0
+length_mm = 4.0
+angle_deg = 30.0
+friction = 0.3
+";
+
+const SECOND: &str = "\
+[[crack]]
+mouth_mm = 9.0
+length_mm = 3.0
+angle_deg = 25.0
+friction = 0.2
+";
+
+const NETWORK: Part = Part { name: "two cracks", text: SECOND };
+const MAINTENANCE: Part = Part {
+    name: "wear and grinding",
+    text: "[maintenance]\nwear_mm_per_mgt = 0.001\ngrinding_mm = 0.05\ngrinding_interval_mgt = 20.0\n",
+};
+const FLUID: Part = Part { name: "fluid", text: "[fluid]\nmodel = \"trapped\"\n" };
+const FRACTURE: Part = Part { name: "fracture", text: "[fracture]\ntoughness_mpa_sqrt_m = 20.0\n" };
+const COLD: Part = Part { name: "cold", text: "[temperature]\nneutral_c = 25.0\nrail_c = 5.0\n" };
+
+fn decision(of: &Path) -> Value {
+    let summary: Value = serde_json::from_str(&read(&of.join("summary.json"))).unwrap();
+    summary["decision"].clone()
+}
+
+fn number(value: &Value) -> Option<f64> {
+    value.as_f64()
+}
+
+/// Without any scatter all samples are the run, whatever sections the case has.
+#[test]
+fn without_scatter_samples_are_the_run() {
+    let place = folder("decision", "product");
+    let scatter = "[scatter]\nsamples = 20\nparis_c_log_std = 0.0\n";
+    let parts = [NETWORK, MAINTENANCE, FLUID, FRACTURE, COLD];
+    let mut failed = 0;
+    for mask in 0..1 << (parts.len() + 1) {
+        // Pairs and everything at once: triples add nothing but time.
+        let chosen = (0..=parts.len()).filter(|i| mask >> i & 1 == 1).count();
+        if chosen > 2 && chosen < parts.len() + 1 {
+            continue;
+        }
+        let mixed = mask >> parts.len() & 1 == 1;
+        let mut text = format!("{RAIL}{}{CRACK}", if mixed { MIX } else { WHEEL });
+        let mut names = vec![if mixed { "mix" } else { "wheel" }];
+        for (i, part) in parts.iter().enumerate().filter(|(i, _)| mask >> i & 1 == 1) {
+            assert!(i < parts.len());
+            text.push_str(part.text);
+            names.push(part.name);
+        }
+        text.push_str(scatter);
+        fs::write(place.join("case.toml"), &text).unwrap();
+        done(&place, &["run", "case.toml", "--quiet", "--force", "--out", "run"]);
+        let decision = decision(&place.join("run"));
+        let life = number(&decision["failure"]["mgt"]);
+        failed += usize::from(life.is_some());
+        for key in ["p05", "p50", "p95"] {
+            let sampled = number(&decision["scatter"]["mgt_to_critical"][key]);
+            let is_same = match (life, sampled) {
+                (Some(life), Some(sampled)) => (sampled - life).abs() <= 1e-6 * life,
+                (life, sampled) => life.is_none() && sampled.is_none(),
+            };
+            assert!(is_same, "{names:?}: {life:?} in the run, {sampled:?} in the samples");
+        }
+    }
+    assert!(failed > 15, "{failed}");
+}
+
+/// Quantiles of the samples against whole runs with the coefficient at those quantiles.
+#[test]
+fn quantiles_of_samples_are_lives_of_whole_runs() {
+    let place = folder("decision", "quantiles");
+    for part in [MAINTENANCE, NETWORK] {
+        let std = 0.2;
+        let rail = RAIL.replace("increment = 0.06\n", "").replace("turning_length_mm = inf\n", "");
+        let case = format!("{rail}{WHEEL}{CRACK}{}", part.text);
+        let scatter = format!("[scatter]\nsamples = 20000\nparis_c_log_std = {std}\n");
+        fs::write(place.join("case.toml"), format!("{case}{scatter}")).unwrap();
+        done(&place, &["run", "case.toml", "--quiet", "--force", "--out", "sampled"]);
+        let sampled = decision(&place.join("sampled"));
+        for (key, z) in [("p05", 1.644_854_f64), ("p50", 0.0), ("p95", -1.644_854)] {
+            let coefficient = 2e-11 * (std * z).exp();
+            let whole = case.replace("paris_c = 2e-11", &format!("paris_c = {coefficient:e}"));
+            fs::write(place.join("whole.toml"), whole).unwrap();
+            done(&place, &["run", "whole.toml", "--quiet", "--force", "--out", "whole"]);
+            let life = number(&decision(&place.join("whole"))["failure"]["mgt"]).unwrap();
+            let found = number(&sampled["scatter"]["mgt_to_critical"][key]).unwrap();
+            assert!((found / life - 1.0).abs() < 0.02, "{} {key}: {found}, not {life}", part.name);
+        }
+    }
+}
+
+/// A steep crack whose faces stick is deep from the beginning and hardly grows: the other one
+/// fails, and is detectable later.
+#[test]
+fn the_first_failure_over_all_cracks_decides() {
+    let place = folder("decision", "network");
+    let still = "[[crack]]\nmouth_mm = -12.0\nlength_mm = 2.8\nangle_deg = 55.0\nfriction = 1.5\n";
+    fs::write(place.join("case.toml"), format!("{RAIL}{WHEEL}{still}{CRACK}")).unwrap();
+    let told = done(&place, &["run", "case.toml", "--quiet", "--out", "run"]);
+    assert!(told.contains("verdict: act: critical depth of crack 2"), "{told}");
+    let decision = decision(&place.join("run"));
+    assert_eq!((&decision["failure"]["mode"], &decision["failure"]["crack"]), (&"depth".into(), &2.into()));
+    assert_eq!(decision["crack"], 2);
+    let inspection = &decision["inspection"];
+    let detected = number(&inspection["mgt_to_detectable"]).unwrap();
+    let failed = number(&decision["failure"]["mgt"]).unwrap();
+    assert!(detected > 0.0 && detected < failed, "{inspection}");
+}
+
+/// A law that lets a crack get deeper by millimetres per million gross tonnes has no interval.
+#[test]
+fn what_the_model_does_not_describe_has_no_interval() {
+    let place = folder("decision", "outside");
+    let text = format!("{}{WHEEL}{CRACK}[scatter]\nsamples = 100\n", RAIL.replace("2e-11", "2e-8"));
+    fs::write(place.join("case.toml"), text).unwrap();
+    let told = done(&place, &["run", "case.toml", "--quiet", "--out", "run"]);
+    assert!(told.contains("verdict: outside") && !told.contains("inspection interval"), "{told}");
+    let decision = decision(&place.join("run"));
+    assert_eq!(decision["verdict"]["level"], "outside");
+    assert_eq!(decision["verdict"]["reasons"][0]["kind"], "rate");
+    assert!(decision["inspection"].is_null());
+    assert!(decision["scatter"]["mgt_detectable_to_critical"]["p50"].is_null());
+}

@@ -1,0 +1,265 @@
+//! A run as its decision sees it: what all its cracks have reached over traffic.
+
+use super::path::GrowthPath;
+use crate::log::StepDigest;
+use railcrack::growth::{PieceKind, RunStop, TipRecord, TipStop, WheelShares};
+use railcrack::math::MPA_SQRT_MM;
+use railcrack_case::MaintenancePlan;
+use serde::{Deserialize, Serialize};
+
+/// All cracks at one time.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct CoursePoint {
+    /// Axles so far.
+    pub axles: f64,
+    /// Growth of the fastest tip and removal of the surface so far, summed, mm: it never decreases.
+    pub work: f64,
+    /// Removal of the surface so far, mm.
+    pub removed: f64,
+    /// The largest da/dN of all tips, mm per axle.
+    pub rate: f64,
+    /// ΔK_eq of that tip, MPa√m.
+    pub delta_keq: f64,
+    /// The largest k1 of a virtual kink of all tips, MPa√m.
+    pub largest_k1: f64,
+    /// Depth of the deepest tip, mm.
+    pub depth: f64,
+    /// Crack and tip of it, from 0.
+    pub deepest: (usize, usize),
+    /// Length of the longest crack, mm.
+    pub length: f64,
+    /// That crack, from 0.
+    pub longest: usize,
+    /// Depth of the deepest tip of the crack that is looked for, mm.
+    pub own_depth: f64,
+    /// Its length, mm.
+    pub own_length: f64,
+    /// Shares of the wheels of a mix in the rate.
+    pub shares: WheelShares,
+}
+
+/// How the rail fails.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FailureMode {
+    /// A tip reaches the critical depth.
+    Depth,
+    /// A crack reaches the critical length.
+    Length,
+    /// The rail breaks.
+    Fracture,
+    /// A crack breaks out at the running surface: a piece of it is lost.
+    Spall,
+    /// A piece is wholly cut off.
+    Detached,
+}
+
+impl FailureMode {
+    /// All modes.
+    pub const ALL: [Self; 5] = [Self::Depth, Self::Length, Self::Fracture, Self::Spall, Self::Detached];
+
+    /// In words.
+    #[must_use]
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Depth => "critical depth",
+            Self::Length => "critical length",
+            Self::Fracture => "fracture",
+            Self::Spall => "spall",
+            Self::Detached => "detached piece",
+        }
+    }
+}
+
+/// An event on a course.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct CourseEvent {
+    /// Growth and removal at which it takes place, mm.
+    pub work: f64,
+    /// Axles until then.
+    pub axles: f64,
+    /// The mode of failure; none: the last crack is worn away.
+    pub mode: Option<FailureMode>,
+    /// Crack and tip, from 0.
+    pub tip: (usize, usize),
+}
+
+/// The end of a course.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum CourseEnd {
+    /// Nothing more: no crack grows any longer.
+    Rest,
+    /// Nothing more: the last crack is worn away.
+    Worn,
+    /// Something that was not computed.
+    Unknown,
+}
+
+/// A run over traffic.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Course {
+    /// At the start of each step, and just before each grinding.
+    pub points: Vec<CoursePoint>,
+    /// Its events, in order.
+    pub events: Vec<CourseEvent>,
+    /// Its end.
+    pub end: CourseEnd,
+}
+
+impl Course {
+    /// The course of `steps` with the removal of `plan`; `found` is the crack (from 0) that an
+    /// inspection looks for.
+    pub(crate) fn of(
+        steps: &[StepDigest],
+        plan: Option<&MaintenancePlan>,
+        tonnes: f64,
+        found: usize,
+    ) -> Self {
+        let mut points: Vec<CoursePoint> = Vec::with_capacity(steps.len());
+        let mut events: Vec<CourseEvent> = Vec::new();
+        let wear = plan.map_or(0.0, |plan| 1e-6 * tonnes * plan.wear);
+        let mut grown = 0.0;
+        for (i, step) in steps.iter().enumerate() {
+            let Some(point) = point(step, grown, found) else { continue };
+            if let Some(before) = points.last() {
+                let worn = wear * (point.axles - before.axles);
+                let ground = point.removed - before.removed - worn;
+                if ground > GROUND * (1e-3 + point.removed) {
+                    points.push(before_grinding(&point, ground, step, found));
+                }
+            }
+            points.push(point);
+            for event in events_of(step, point.work) {
+                let is_known = |known: &CourseEvent| (known.mode, known.tip) == (event.mode, event.tip);
+                if !events.iter().any(is_known) {
+                    events.push(event);
+                }
+            }
+            let largest = step.tips.iter().map(|tip| tip.increment).fold(0.0, f64::max);
+            // The increment of the last step was not made.
+            if i + 1 < steps.len() {
+                grown += largest;
+            }
+        }
+        let end = match steps.last().and_then(|step| step.stop) {
+            Some(RunStop::NoTipGrows(TipStop::WornAway)) => CourseEnd::Worn,
+            Some(RunStop::NoTipGrows(TipStop::Arrest | TipStop::Coalescence)) => CourseEnd::Rest,
+            _ => CourseEnd::Unknown,
+        };
+        Self { points, events, end }
+    }
+
+    /// The course of one crack along `path`.
+    pub(crate) fn of_path(path: &GrowthPath) -> Self {
+        let first = path.points.first().map_or(0.0, |point| point.length);
+        let tip = (path.tip.0.saturating_sub(1), path.tip.1.saturating_sub(1));
+        let points: Vec<CoursePoint> = path
+            .points
+            .iter()
+            .map(|point| CoursePoint {
+                axles: point.axles,
+                work: point.length - first,
+                removed: 0.0,
+                rate: point.rate,
+                delta_keq: point.delta_keq,
+                largest_k1: point.largest_k1,
+                depth: point.depth,
+                deepest: tip,
+                length: point.length,
+                longest: tip.0,
+                own_depth: point.depth,
+                own_length: point.length,
+                shares: point.shares,
+            })
+            .collect();
+        let breaks = points.last().filter(|_| path.breaks);
+        let mode = Some(FailureMode::Fracture);
+        let events =
+            breaks.map(|last| CourseEvent { work: last.work, axles: last.axles, mode, tip }).into_iter();
+        Self { events: events.collect(), points, end: CourseEnd::Unknown }
+    }
+
+    /// Axles until `mode` first happens as an event.
+    pub fn event(&self, mode: Option<FailureMode>) -> Option<&CourseEvent> {
+        self.events.iter().find(|event| event.mode == mode)
+    }
+}
+
+/// Removal beyond wear, as a fraction of all removal, from which a step was ground: more than the
+/// rounding of sums.
+const GROUND: f64 = 1e-6;
+
+/// All cracks of `step`, whose fastest tip has `grown` (mm) so far.
+fn point(step: &StepDigest, grown: f64, found: usize) -> Option<CoursePoint> {
+    let fastest = step.tips.iter().max_by(|a, b| a.rate.total_cmp(&b.rate))?;
+    let deepest = step.tips.iter().max_by(|a, b| a.depth().total_cmp(&b.depth()))?;
+    let longest = step.tips.iter().max_by(|a, b| a.length.total_cmp(&b.length))?;
+    let own = || step.tips.iter().filter(|tip| tip.tip.crack == found);
+    let opened = step.tips.iter().filter_map(|tip| tip.largest_k1);
+    Some(CoursePoint {
+        axles: step.load_cycles,
+        work: grown + step.removed,
+        removed: step.removed,
+        rate: fastest.rate,
+        delta_keq: fastest.delta_keq / MPA_SQRT_MM,
+        largest_k1: opened.map(|largest| largest.k1_mpa_sqrt_m()).fold(0.0, f64::max),
+        depth: deepest.depth(),
+        deepest: (deepest.tip.crack, deepest.tip.tip),
+        length: longest.length,
+        longest: longest.tip.crack,
+        own_depth: own().map(TipRecord::depth).fold(0.0, f64::max),
+        own_length: own().map(|tip| tip.length).fold(0.0, f64::max),
+        shares: fastest.shares,
+    })
+}
+
+/// `after` just before `ground` (mm) were taken from the surface.
+fn before_grinding(after: &CoursePoint, ground: f64, step: &StepDigest, found: usize) -> CoursePoint {
+    let cut = |crack: usize| {
+        let sine = step.tips.iter().find(|tip| tip.tip.crack == crack).and_then(|tip| tip.mouth_sine);
+        sine.filter(|sine| *sine > 0.0).map_or(0.0, |sine| ground / sine)
+    };
+    CoursePoint {
+        work: after.work - ground,
+        removed: after.removed - ground,
+        depth: after.depth + ground,
+        own_depth: after.own_depth + ground,
+        length: after.length + cut(after.longest),
+        own_length: after.own_length + cut(found),
+        ..*after
+    }
+}
+
+/// The events of `step`, which begins with `work`.
+fn events_of(step: &StepDigest, work: f64) -> Vec<CourseEvent> {
+    let axles = step.load_cycles;
+    let event = |mode, tip| CourseEvent { work, axles, mode, tip };
+    let mut events: Vec<CourseEvent> = Vec::new();
+    let stopped = |stop: TipStop| step.tips.iter().find(move |tip| tip.stop == Some(stop));
+    if step.stop == Some(RunStop::Fracture) {
+        let breaks = stopped(TipStop::Fracture).or_else(|| {
+            let k1 = |tip: &TipRecord| tip.largest_k1.map_or(0.0, |largest| largest.k1);
+            step.tips.iter().max_by(|a, b| k1(a).total_cmp(&k1(b)))
+        });
+        events.extend(breaks.map(|tip| event(Some(FailureMode::Fracture), (tip.tip.crack, tip.tip.tip))));
+    }
+    if let Some(tip) = stopped(TipStop::BreakOut) {
+        events.push(event(Some(FailureMode::Spall), (tip.tip.crack, tip.tip.tip)));
+    }
+    for piece in &step.pieces {
+        let mode = match piece.kind {
+            PieceKind::Spall => FailureMode::Spall,
+            PieceKind::Detached => FailureMode::Detached,
+        };
+        if !events.iter().any(|event| event.mode == Some(mode)) {
+            let last = step.tips.iter().filter(|tip| tip.tip.crack == piece.crack).map(|tip| tip.tip.tip);
+            events.push(event(Some(mode), (piece.crack, last.max().unwrap_or(0))));
+        }
+    }
+    if step.stop == Some(RunStop::NoTipGrows(TipStop::WornAway))
+        && let Some(tip) = stopped(TipStop::WornAway)
+    {
+        events.push(event(None, (tip.tip.crack, tip.tip.tip)));
+    }
+    events
+}

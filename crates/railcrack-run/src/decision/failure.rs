@@ -1,0 +1,137 @@
+//! Failure of the rail in the run: the first of all modes over all cracks and tips.
+
+use super::course::{Course, CourseEvent, FailureMode};
+use super::family::{Family, Removal};
+use super::walk::{Fate, Limits, SampledRates, Track, Walk};
+use railcrack_case::{Inspection, MaintenancePlan};
+use serde::{Deserialize, Serialize};
+
+/// A failure of the rail.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct FailureSummary {
+    /// The mode; null where the rail does not fail within the run.
+    #[serde(with = "mode_or_none")]
+    pub mode: Option<FailureMode>,
+    /// Million gross tonnes until then.
+    pub mgt: Option<f64>,
+    /// Its crack, from 1.
+    pub crack: Option<usize>,
+    /// The tip within its crack, from 1.
+    pub tip: Option<usize>,
+}
+
+/// `none` where there is no failure.
+mod mode_or_none {
+    use super::FailureMode;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    #[derive(Serialize, Deserialize)]
+    #[serde(rename_all = "kebab-case")]
+    enum Word {
+        None,
+        #[serde(untagged)]
+        Mode(FailureMode),
+    }
+
+    pub(super) fn serialize<S: Serializer>(mode: &Option<FailureMode>, to: S) -> Result<S::Ok, S::Error> {
+        mode.map_or(Word::None, Word::Mode).serialize(to)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Option<FailureMode>, D::Error> {
+        Ok(match Word::deserialize(from)? {
+            Word::None => None,
+            Word::Mode(mode) => Some(mode),
+        })
+    }
+}
+
+impl FailureSummary {
+    /// No failure within the run.
+    pub const NONE: Self = Self { mode: None, mgt: None, crack: None, tip: None };
+}
+
+/// Question to a run.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Question<'a> {
+    /// The inspection, where there is one.
+    pub inspection: Option<&'a Inspection>,
+    /// A length that is critical, mm.
+    pub critical_length: Option<f64>,
+    /// Mean load of an axle, t.
+    pub tonnes: f64,
+    /// Wear and grinding, where there are any.
+    pub maintenance: Option<&'a MaintenancePlan>,
+}
+
+impl Question<'_> {
+    pub(super) fn limits(&self) -> Limits {
+        let inspection = self.inspection.copied().unwrap_or_default();
+        Limits {
+            critical_depth: inspection.critical_depth,
+            critical_length: self.critical_length,
+            toughness: None,
+            detectable_depth: inspection.detectable_depth,
+            detectable_length: inspection.detectable_length,
+            ignored: None,
+        }
+    }
+
+    pub(super) fn removal(&self) -> Removal {
+        Removal::of(self.maintenance)
+    }
+}
+
+/// The run of a decision.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Nominal {
+    /// How it ends.
+    pub failure: FailureSummary,
+    /// The next failure, of another mode.
+    pub second: FailureSummary,
+    /// Million gross tonnes until the crack is detectable, where it becomes so.
+    pub detected: Option<f64>,
+    /// Million gross tonnes until the last crack is worn away.
+    pub worn: Option<f64>,
+}
+
+impl Nominal {
+    /// The run `course`.
+    pub fn of(course: &Course, question: &Question) -> Self {
+        let family = Family::alone(course);
+        let walk = Walk::through(&family, question.tonnes, question.removal());
+        let rates = SampledRates::of_case(question.tonnes, question.removal());
+        let limits = question.limits();
+        let mut track = Track::default();
+        let first = walk.walk(&rates, &limits, &mut track);
+        let failure = failure_of(course, first.fate, question.tonnes);
+        let second = failure.mode.map_or(FailureSummary::NONE, |mode| {
+            let again = walk.walk(&rates, &Limits { ignored: Some(mode), ..limits }, &mut track);
+            failure_of(course, again.fate, question.tonnes)
+        });
+        let worn = match first.fate {
+            Fate::Worn(mgt) => Some(mgt),
+            _ => None,
+        };
+        Self { failure, second, detected: Some(first.detected).filter(|mgt| mgt.is_finite()), worn }
+    }
+}
+
+/// The failure at the end of a walk along `course`.
+fn failure_of(course: &Course, fate: Fate, tonnes: f64) -> FailureSummary {
+    let Fate::Fails(mode, mgt) = fate else { return FailureSummary::NONE };
+    let axles = 1e6 * mgt / tonnes;
+    let after = course.points.iter().find(|point| point.axles >= axles * (1.0 - 1e-9));
+    let after = after.or(course.points.last());
+    let of_event = || course.event(Some(mode)).map(|event: &CourseEvent| event.tip);
+    let tip = match mode {
+        FailureMode::Depth => after.map(|point| point.deepest),
+        FailureMode::Length => after.map(|point| (point.longest, point.deepest.1)),
+        _ => of_event(),
+    };
+    FailureSummary {
+        mode: Some(mode),
+        mgt: Some(mgt),
+        crack: tip.map(|(crack, _)| crack + 1),
+        tip: tip.map(|(_, tip)| tip + 1),
+    }
+}

@@ -1,0 +1,303 @@
+//! The verdict: one level for the whole run, with its reasons.
+
+use super::failure::{FailureSummary, Nominal};
+use crate::log::{RunInfo, RunLog, StepDigest};
+use railcrack::fatigue::RailSteel;
+use railcrack::growth::{RunStop, TipRecord, TipStop};
+use railcrack::math::MPA_SQRT_MM;
+use railcrack::validity::{self, UNFELT_OPENING};
+use serde::{Deserialize, Serialize};
+
+/// Consequence of a run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum VerdictLevel {
+    /// The rail does not fail within the run.
+    Ok,
+    /// The rail fails within the run.
+    Act,
+    /// The rail fails at once, or before the crack is detectable.
+    Stop,
+    /// The model does not describe this.
+    Outside,
+}
+
+/// Kinds of reasons.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ReasonKind {
+    /// The rail fails within the run.
+    Failure,
+    /// It fails within the first increment.
+    AtOnce,
+    /// It fails before the crack is detectable.
+    BeforeDetectable,
+    /// The end of the run, not of the rail.
+    EndOfRun,
+    /// K_I beyond the toughness of the steel, without `[fracture]`.
+    Toughness,
+    /// Fluid lifts the flap from what would press it down.
+    LiftedFlap,
+    /// Growth into the depth faster than cracks grow.
+    Rate,
+    /// A tip in the layer that yields in each passage.
+    PlasticLayer,
+}
+
+/// A reason for a verdict.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Reason {
+    /// Its kind.
+    pub kind: ReasonKind,
+    /// A sentence.
+    pub text: String,
+    /// Crack, from 1.
+    pub crack: Option<usize>,
+    /// Tip, from 1.
+    pub tip: Option<usize>,
+    /// Growth step of the worst case.
+    pub step: Option<usize>,
+    /// Million gross tonnes until then.
+    pub mgt: Option<f64>,
+    /// The value in question.
+    pub value: Option<f64>,
+    /// Its limit.
+    pub limit: Option<f64>,
+}
+
+/// The verdict on a run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Verdict {
+    /// The level: that of the gravest reason.
+    pub level: VerdictLevel,
+    /// The reasons, the gravest first.
+    pub reasons: Vec<Reason>,
+}
+
+/// Growth into the depth (mm per million gross tonnes) beyond which the model does not describe
+/// what happens: ten times what the fastest head checks in track are found to grow.
+const LARGEST_RATE: f64 = 3.0;
+
+impl ReasonKind {
+    fn level(self) -> VerdictLevel {
+        match self {
+            Self::EndOfRun => VerdictLevel::Ok,
+            Self::Failure => VerdictLevel::Act,
+            Self::AtOnce | Self::BeforeDetectable => VerdictLevel::Stop,
+            Self::Toughness | Self::LiftedFlap | Self::Rate | Self::PlasticLayer => VerdictLevel::Outside,
+        }
+    }
+}
+
+impl Reason {
+    fn new(kind: ReasonKind, text: String) -> Self {
+        Self { kind, text, crack: None, tip: None, step: None, mgt: None, value: None, limit: None }
+    }
+}
+
+impl Verdict {
+    /// The verdict for `reasons`.
+    fn of_reasons(mut reasons: Vec<Reason>) -> Self {
+        reasons.sort_by_key(|reason| std::cmp::Reverse(reason.kind.level()));
+        let level = reasons.first().map_or(VerdictLevel::Ok, |reason| reason.kind.level());
+        Self { level, reasons }
+    }
+
+    /// The verdict on a run with the failures of `nominal` under axles of `tonnes`; cracks are
+    /// detected by something that the case gives where `is_inspected`.
+    pub(super) fn of(
+        info: &RunInfo,
+        log: &RunLog,
+        nominal: &Nominal,
+        tonnes: f64,
+        is_inspected: bool,
+    ) -> Self {
+        let mgt = |step: &StepDigest| 1e-6 * tonnes * step.load_cycles;
+        let end = nominal.failure.mgt.unwrap_or(f64::INFINITY);
+        // The steps up to the failure, the first among them in any case.
+        let steps: Vec<&StepDigest> = log
+            .steps
+            .iter()
+            .enumerate()
+            .filter(|(i, step)| *i == 0 || mgt(step) <= end * (1.0 + 1e-9))
+            .map(|(_, step)| step)
+            .collect();
+        let mut reasons = Vec::new();
+        reasons.extend(toughness(info, &steps).map(|reason| at(reason, &steps, mgt)));
+        reasons.extend(flap(info, &steps).map(|reason| at(reason, &steps, mgt)));
+        reasons.extend(rate(&steps, tonnes).map(|reason| at(reason, &steps, mgt)));
+        reasons.extend(layer(info, &steps).map(|reason| at(reason, &steps, mgt)));
+        reasons.extend(failure(nominal, log, mgt, is_inspected));
+        if reasons.is_empty() {
+            reasons.extend(end_of_run(log, nominal, mgt));
+        }
+        Self::of_reasons(reasons)
+    }
+
+    /// Whether intervals mean anything.
+    #[must_use]
+    pub fn gives_intervals(&self) -> bool {
+        self.level < VerdictLevel::Stop
+    }
+}
+
+/// A reason with the tonnage of its step.
+fn at(reason: Reason, steps: &[&StepDigest], mgt: impl Fn(&StepDigest) -> f64) -> Reason {
+    let step = steps.iter().find(|step| Some(step.step) == reason.step);
+    Reason { mgt: step.map(|step| mgt(step)), ..reason }
+}
+
+/// A reason at the tip of `worst`, with its step.
+fn of_tip(reason: Reason, step: &StepDigest, tip: &TipRecord, value: f64, limit: f64) -> Reason {
+    Reason {
+        crack: Some(tip.tip.crack + 1),
+        tip: Some(tip.tip.tip + 1),
+        step: Some(step.step),
+        value: Some(value),
+        limit: Some(limit),
+        ..reason
+    }
+}
+
+/// The tip of all steps with the largest value of `of`.
+fn worst<'a>(
+    steps: &[&'a StepDigest],
+    of: impl Fn(usize, &TipRecord) -> Option<f64>,
+) -> Option<(&'a StepDigest, &'a TipRecord, f64)> {
+    let tips =
+        steps.iter().enumerate().flat_map(|(i, step)| step.tips.iter().map(move |tip| (i, *step, tip)));
+    let valued = tips.filter_map(|(i, step, tip)| Some((step, tip, of(i, tip)?)));
+    valued.reduce(|most, next| if next.2 > most.2 { next } else { most })
+}
+
+fn toughness(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
+    if info.toughness.is_some() {
+        return None;
+    }
+    let steel = info.steel.unwrap_or(RailSteel::USUAL);
+    let limit = steel.mean_toughness;
+    let text = |what: &str, value: f64| {
+        format!(
+            "{what} is {value:.0} MPa√m, beyond the toughness of {limit:.0} MPa√m of {}: give [fracture], with which the run ends there",
+            steel.name
+        )
+    };
+    // A kink that arrests is a pop-in; in space no kink is tested, and open faces count.
+    let breaks = steps.iter().filter_map(|step| {
+        let test = step.pop_in_test.filter(|test| !test.arrests(MPA_SQRT_MM * limit))?;
+        Some((step, test.k1_after.unwrap_or(test.k1) / MPA_SQRT_MM))
+    });
+    if let Some((step, value)) = breaks.reduce(|most, next| if next.1 > most.1 { next } else { most }) {
+        let reason = Reason::new(ReasonKind::Toughness, text("k1 at the end of a real kink", value));
+        return Some(Reason { step: Some(step.step), value: Some(value), limit: Some(limit), ..reason });
+    }
+    let opened = |_, tip: &TipRecord| Some(tip.ki_max / MPA_SQRT_MM);
+    let (step, tip, value) = worst(steps, opened).filter(|(_, _, value)| *value > limit)?;
+    Some(of_tip(Reason::new(ReasonKind::Toughness, text("K_I", value)), step, tip, value, limit))
+}
+
+fn flap(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
+    let step =
+        steps.iter().filter(|_| info.fluid).max_by(|a, b| a.largest_opening.total_cmp(&b.largest_opening))?;
+    let opening = step.largest_opening;
+    validity::flap(opening)?;
+    let text = format!(
+        "fluid lifts the flap above a crack by {opening:.2} mm, which the wheel would press shut: limit the pressure ([fluid] pressure_cap_mpa) or take another model of the fluid"
+    );
+    let reason = Reason { step: Some(step.step), ..Reason::new(ReasonKind::LiftedFlap, text) };
+    Some(Reason { value: Some(opening), limit: Some(UNFELT_OPENING), ..reason })
+}
+
+/// Growth of each tip into the depth, from its rate and from its depths.
+fn rate(steps: &[&StepDigest], tonnes: f64) -> Option<Reason> {
+    let (step, tip, value) = deepening(steps, tonnes)?;
+    if value <= LARGEST_RATE {
+        return None;
+    }
+    let text = format!(
+        "a crack gets deeper by {value:.3} mm per million gross tonnes, ten times as fast as the fastest head checks in track: calibrate the growth law (railcrack calibrate) or check the loads"
+    );
+    Some(of_tip(Reason::new(ReasonKind::Rate, text), step, tip, value, LARGEST_RATE))
+}
+
+/// The tip that gets deeper fastest, mm per million gross tonnes.
+pub(super) fn deepening<'a>(
+    steps: &[&'a StepDigest],
+    tonnes: f64,
+) -> Option<(&'a StepDigest, &'a TipRecord, f64)> {
+    let deeper = |i: usize, tip: &TipRecord| {
+        let (here, next) = (steps.get(i)?, steps.get(i + 1)?);
+        let same = next.tips.iter().find(|other| other.tip == tip.tip)?;
+        let steel = (same.depth() + next.removed) - (tip.depth() + here.removed);
+        let grown = tip.increment;
+        // The sine of the way in the steel, and the rate at its start.
+        (grown > 0.0 && tip.rate.is_finite()).then(|| 1e6 / tonnes * tip.rate * (steel / grown).min(1.0))
+    };
+    worst(steps, deeper)
+}
+
+fn layer(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
+    let [top, bottom] = info.flowing?;
+    let below = |_, tip: &TipRecord| {
+        let flows = tip.depth() > top && tip.depth() < bottom && tip.rate > 0.0;
+        flows.then_some(bottom - tip.depth())
+    };
+    let (step, tip, _) = worst(steps, below)?;
+    let text = format!(
+        "the contact is beyond the limit of plastic shakedown, and a tip is {:.2} mm deep, in the layer from {top:.2} to {bottom:.2} mm that flows in each passage: K of an elastic rail does not describe it",
+        tip.depth()
+    );
+    Some(of_tip(Reason::new(ReasonKind::PlasticLayer, text), step, tip, tip.depth(), bottom))
+}
+
+fn failure(
+    nominal: &Nominal,
+    log: &RunLog,
+    mgt: impl Fn(&StepDigest) -> f64,
+    is_inspected: bool,
+) -> Option<Reason> {
+    let FailureSummary { mode, mgt: until, crack, tip } = nominal.failure;
+    let (mode, until) = (mode?, until?);
+    let second = log.steps.get(1).map_or(f64::INFINITY, &mgt);
+    let step = log.steps.iter().rev().find(|step| mgt(step) <= until * (1.0 + 1e-9));
+    let whose = crack.map_or_else(String::new, |crack| format!(" of crack {crack}"));
+    let what = format!("{}{whose}", mode.words());
+    let (kind, text) = if until == 0.0 {
+        (ReasonKind::AtOnce, format!("{what} at once"))
+    } else if until <= second {
+        (
+            ReasonKind::AtOnce,
+            format!("{what} within the first increment, after {until:.3} million gross tonnes"),
+        )
+    } else if is_inspected && nominal.detected.is_none_or(|detected| detected >= until) {
+        (
+            ReasonKind::BeforeDetectable,
+            format!("{what} after {until:.3} million gross tonnes, before the crack is detectable"),
+        )
+    } else {
+        (ReasonKind::Failure, format!("{what} after {until:.3} million gross tonnes"))
+    };
+    Some(Reason { crack, tip, step: step.map(|step| step.step), mgt: Some(until), ..Reason::new(kind, text) })
+}
+
+/// Whether no crack grows any longer, for whatever traffic.
+fn is_at_rest(stop: RunStop) -> bool {
+    matches!(stop, RunStop::NoTipGrows(TipStop::Arrest | TipStop::Coalescence | TipStop::WornAway))
+}
+
+fn end_of_run(log: &RunLog, nominal: &Nominal, mgt: impl Fn(&StepDigest) -> f64) -> Option<Reason> {
+    let last = log.steps.last()?;
+    let text = match (nominal.worn, last.stop) {
+        (Some(worn), _) => format!("the cracks are worn away after {worn:.3} million gross tonnes"),
+        (None, Some(stop)) if is_at_rest(stop) => "no crack grows any longer".to_owned(),
+        _ => format!(
+            "the run ends after {:.3} million gross tonnes without a failure: what follows is not known",
+            mgt(last)
+        ),
+    };
+    Some(Reason {
+        step: Some(last.step),
+        mgt: Some(nominal.worn.unwrap_or_else(|| mgt(last))),
+        ..Reason::new(ReasonKind::EndOfRun, text)
+    })
+}

@@ -1,0 +1,29 @@
+//! Other runs of the same cracks that a decision needs beside its own.
+
+use super::digest::StepDigest;
+use serde::{Deserialize, Serialize};
+
+/// Difference of a companion from its run.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) enum CompanionKind {
+    /// The cracks grow faster by this factor against the removal of the surface, and the rail does
+    /// not break before the toughest of the samples.
+    Speed(f64),
+    /// The cracks grow straight ahead.
+    Straight,
+    /// The cracks follow the limit path.
+    Limit,
+    /// Friction coefficient between the faces of all cracks.
+    Friction(f64),
+}
+
+/// A companion of a run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Companion {
+    /// The difference.
+    pub kind: CompanionKind,
+    /// Its finished steps.
+    pub steps: Vec<StepDigest>,
+    /// Why there are no more; none where it ended.
+    pub reason: Option<String>,
+}

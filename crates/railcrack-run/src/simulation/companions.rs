@@ -1,0 +1,230 @@
+//! The companions of a run: other runs of the same cracks that its decision needs.
+
+use super::drive::OfSteps;
+use super::error::RunError;
+use super::job::Stage;
+use super::observer::RunObserver;
+use super::run::Simulation;
+use crate::decision::{course_of, slowed};
+use crate::log::{Companion, CompanionKind, RunInfo, RunLog, StepDigest};
+use railcrack::growth::{GrowthState, Turning};
+use railcrack_case::{Case, Engine, Scatter};
+use rayon::prelude::*;
+use std::path::Path;
+
+/// Deviations of the speed, over that of all samples together, at which cracks are followed against
+/// the removal of the surface.
+const SPEEDS: [f64; 4] = [2.2, 1.1, -1.1, -2.2];
+/// Runs at most between a speed at which the rail fails and one at which it does not, and the
+/// distance, as a fraction of the largest deviation, at which these are near enough.
+const MOST_BETWEEN: usize = 5;
+const NEAR: f64 = 0.03;
+/// The smallest deviation of the logarithm of the speed: nearer runs differ by no more than their
+/// increments.
+const LEAST_DEVIATION: f64 = 0.02;
+/// Standard deviations of the toughness above its mean up to which samples do not break.
+const TOUGHEST: f64 = 3.0;
+/// Frictions between the faces that bracket what is measured on clean and on rough steel.
+const FRICTIONS: [f64; 2] = [0.1, 0.5];
+/// Depth over the critical one to which cracks at other speeds are followed.
+const BEYOND_CRITICAL: f64 = 1.1;
+/// Steps of a companion over those of the run: slower cracks and the limit path take more.
+const MORE_STEPS: usize = 3;
+
+impl Simulation<'_> {
+    /// The companions of the run of `log`, which ended in `state`; `folder` holds the plastic state
+    /// of a rolled rail. None where the decision needs none.
+    ///
+    /// Errors: an interruption. A companion that cannot be computed says why.
+    pub(super) fn companions(
+        &self,
+        info: &RunInfo,
+        log: &RunLog,
+        state: &GrowthState,
+        folder: &Path,
+    ) -> Result<Option<Vec<Companion>>, RunError> {
+        let kinds = self.kinds(info, log);
+        if kinds.is_empty() {
+            return Ok(None);
+        }
+        let count = kinds.len();
+        let text = format!("{count} more runs for the decision: other speeds, paths, friction of the faces");
+        self.observer.stage(&text);
+        let asked = AskedAlone(self.observer);
+        let of = |kind: &CompanionKind| self.companion(*kind, state, folder, &asked);
+        // The finite elements of several bodies at once may not fit into the memory.
+        let all: Result<Vec<Companion>, RunError> = if self.case.engine == Engine::Dislocation {
+            kinds.par_iter().map(of).collect()
+        } else {
+            kinds.iter().map(of).collect()
+        };
+        let mut all = all?;
+        for _ in 0..MOST_BETWEEN {
+            let Some(speed) = self.doubtful(info, &all, log) else { break };
+            all.push(of(&CompanionKind::Speed(speed))?);
+        }
+        Ok(Some(all))
+    }
+
+    /// A speed between two neighbours of which one fails and the other does not; none where these
+    /// are close together.
+    fn doubtful(&self, info: &RunInfo, all: &[Companion], log: &RunLog) -> Option<f64> {
+        let fails = |steps: &[StepDigest], speed: f64| {
+            let plan = info.maintenance.map(|plan| slowed(&plan, speed));
+            fails(&RunInfo { maintenance: plan, ..info.clone() }, steps)
+        };
+        let mut speeds: Vec<(f64, bool)> = all
+            .iter()
+            .filter(|companion| companion.reason.is_none())
+            .filter_map(|companion| match companion.kind {
+                CompanionKind::Speed(speed) => Some((speed, fails(&companion.steps, speed))),
+                _ => None,
+            })
+            .collect();
+        if speeds.is_empty() || info.maintenance.is_none() {
+            return None;
+        }
+        if !speeds.iter().any(|(speed, _)| *speed == 1.0) {
+            speeds.push((1.0, fails(&log.steps, 1.0)));
+        }
+        speeds.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let widest = speeds.iter().map(|(speed, _)| speed.ln().abs()).fold(0.0, f64::max);
+        let pair = speeds.windows(2).find(|pair| {
+            let apart = (pair[1].0 / pair[0].0).ln();
+            pair[0].1 != pair[1].1 && apart > NEAR * widest
+        })?;
+        Some((pair[0].0 * pair[1].0).sqrt())
+    }
+
+    fn kinds(&self, info: &RunInfo, log: &RunLog) -> Vec<CompanionKind> {
+        let case = self.case;
+        let Some((course, nominal)) = info.axle_load.and_then(|tonnes| course_of(info, log, tonnes)) else {
+            return Vec::new();
+        };
+        let mut kinds = Vec::new();
+        if let Some(scatter) = info.scatter.as_ref().filter(|_| course.points.len() > 1) {
+            let deviation = deviation(case, scatter, &course);
+            let is_removed = info.maintenance.is_some_and(|plan| plan.removal() > 0.0);
+            if scatter.toughness_std > 0.0 && case.fracture.is_some() {
+                kinds.push(CompanionKind::Speed(1.0));
+            }
+            if is_removed && deviation > 0.0 {
+                let deviation = deviation.max(LEAST_DEVIATION);
+                kinds.extend(SPEEDS.map(|z| CompanionKind::Speed((z * deviation).exp())));
+            }
+        }
+        let fails = nominal.failure.mode.is_some();
+        if self.has_variants && info.inspection.is_some() && fails && case.space.is_none() {
+            for (kind, turning) in [
+                (CompanionKind::Straight, Turning::Over(f64::INFINITY)),
+                (CompanionKind::Limit, Turning::Over(0.0)),
+            ] {
+                if case.growth.turning != turning {
+                    kinds.push(kind);
+                }
+            }
+            let one = case.crack_friction.first().copied();
+            let is_one = case.crack_friction.iter().all(|friction| Some(*friction) == one);
+            if info.scatter.is_some() && is_one {
+                kinds.extend(FRICTIONS.map(CompanionKind::Friction));
+            }
+        }
+        kinds
+    }
+
+    fn companion(
+        &self,
+        kind: CompanionKind,
+        state: &GrowthState,
+        folder: &Path,
+        observer: &dyn RunObserver,
+    ) -> Result<Companion, RunError> {
+        let case = case_of(self.case, kind);
+        let simulation = Simulation { case: &case, observer, ..*self };
+        // The plastic state that the run has computed is read back.
+        let stage = Stage {
+            folder,
+            observer,
+            presentation: self.presentation,
+            shared: self.shared,
+            state: Some(state.clone()),
+        };
+        let mut log = RunLog::default();
+        let margin = if matches!(kind, CompanionKind::Speed(_)) { BEYOND_CRITICAL } else { 1.0 };
+        let critical = case.inspection.and_then(|inspection| inspection.critical_depth);
+        match simulation.follow(&stage, &mut log, critical.map_or(f64::INFINITY, |depth| depth * margin)) {
+            Err(error) if error.is_interruption() => Err(error),
+            ended => {
+                let reason = ended.err().map(|error| error.to_string());
+                Ok(Companion { kind, steps: log.steps, reason })
+            }
+        }
+    }
+
+    /// The run from its beginning into `log`, until a tip is `deepest` (mm) deep.
+    fn follow(&self, stage: &Stage, log: &mut RunLog, deepest: f64) -> Result<(), RunError> {
+        let mut growth = self.growth_from(stage, None)?;
+        while let Some(record) = growth.next_step(&OfSteps(self.observer))? {
+            let is_deep = record.tips.iter().any(|tip| tip.depth() >= deepest);
+            log.add(&record, Vec::new());
+            if is_deep {
+                break;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether the rail fails in `steps`.
+fn fails(info: &RunInfo, steps: &[StepDigest]) -> bool {
+    let log = RunLog { steps: steps.to_vec(), ..RunLog::default() };
+    let course = info.axle_load.and_then(|tonnes| course_of(info, &log, tonnes));
+    course.is_some_and(|(_, nominal)| nominal.failure.mode.is_some())
+}
+
+/// Passes on only whether to stop.
+struct AskedAlone<'a>(&'a dyn RunObserver);
+
+impl RunObserver for AskedAlone<'_> {
+    fn interrupted(&self) -> bool {
+        self.0.interrupted()
+    }
+}
+
+/// The standard deviation of the logarithm of growth over removal in the samples of `scatter`.
+fn deviation(case: &Case, scatter: &Scatter, course: &crate::decision::Course) -> f64 {
+    let removal = case.maintenance.map_or(0.0, |plan| plan.removal());
+    let wear = if removal > 0.0 { scatter.wear_std / removal } else { 0.0 };
+    let steeper = course
+        .points
+        .iter()
+        .filter(|point| point.delta_keq > 0.0)
+        .map(|point| (scatter.m_std * (point.delta_keq / 10.0).ln()).abs())
+        .fold(0.0, f64::max);
+    let shares = if case.mix.len() > 1 { scatter.share_log_std } else { 0.0 };
+    [scatter.c_log_std, wear, steeper, shares].iter().map(|part| part * part).sum::<f64>().sqrt()
+}
+
+/// `case` as `kind` changes it.
+fn case_of(case: &Case, kind: CompanionKind) -> Case {
+    let mut case = case.clone();
+    case.growth.steps *= MORE_STEPS;
+    match kind {
+        CompanionKind::Straight => case.growth.turning = Turning::Over(f64::INFINITY),
+        CompanionKind::Limit => case.growth.turning = Turning::Over(0.0),
+        CompanionKind::Friction(friction) => {
+            case.crack_friction.iter_mut().for_each(|of_crack| *of_crack = friction);
+        }
+        CompanionKind::Speed(speed) => {
+            let plan = case.maintenance.map(|plan| slowed(&plan, speed));
+            case.maintenance = plan;
+            case.growth.maintenance = plan.zip(case.axle_load).map(|(plan, tonnes)| plan.per_axle(tonnes));
+            case.growth.arrest_rate /= speed;
+            case.growth.stop_after_cycles = case.growth.stop_after_cycles.map(|cycles| cycles * speed);
+            let above = case.scatter.map_or(0.0, |scatter| TOUGHEST * scatter.toughness_std);
+            case.growth.toughness =
+                case.growth.toughness.map(|toughness| toughness + above * railcrack::math::MPA_SQRT_MM);
+        }
+    }
+    case
+}
