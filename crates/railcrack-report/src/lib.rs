@@ -27,6 +27,7 @@
 //! let page = Page {
 //!     title: "Wheel–rail friction".into(),
 //!     kind: "Study".into(),
+//!     decision: None,
 //!     verdict: "One run.".into(),
 //!     facts: vec![Fact { name: "Runs".into(), value: "1".into(), note: String::new() }],
 //!     lead: vec![Block::Table(table)],
@@ -60,6 +61,6 @@ pub use chart::{
 pub use choices::{AtFirst, Choice, ChoiceGroup, ChoiceMark, Choices};
 pub use now::{PageNow, page_now};
 pub use numbers::{fixed, formula, grouped, short, significant, tonnage};
-pub use page::{Block, Fact, Page, Section};
+pub use page::{Banner, Block, Fact, Page, Section};
 pub use rebuild::{FolderKind, Pages, put, rebuild_report};
 pub use table::{Cell, CellTone, MISSING, Table};

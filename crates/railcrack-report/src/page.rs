@@ -100,6 +100,17 @@ pub struct Section {
     pub blocks: Vec<Block>,
 }
 
+/// One line in the colour of its level, first on its page.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Banner {
+    /// The level, as the name of its colour: `ok`, `act`, `stop` or `outside`.
+    pub level: &'static str,
+    /// The level in words.
+    pub word: &'static str,
+    /// The reason.
+    pub text: String,
+}
+
 /// A page under construction: one HTML file that needs no network.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Page {
@@ -107,6 +118,8 @@ pub struct Page {
     pub title: String,
     /// Kind of results: "Crack growth".
     pub kind: String,
+    /// The decision, where there is one: what it is and why.
+    pub decision: Option<Banner>,
     /// The main result in one or two sentences.
     pub verdict: String,
     /// Key figures.
@@ -140,6 +153,13 @@ impl Page {
         );
         self.write_contents(page);
         let _ = writeln!(page, "</header>\n<main>\n<section id=\"result\" aria-label=\"Result\">");
+        if let Some(Banner { level, word, text }) = &self.decision {
+            let text = typeset(text);
+            let _ = writeln!(
+                page,
+                "<p class=\"decision {level}\" role=\"status\"><strong>{word}</strong> {text}</p>"
+            );
+        }
         let _ = writeln!(page, "<p class=\"verdict\">{}</p>", typeset(&self.verdict));
         page.push_str("<dl class=\"facts\">\n");
         for fact in &self.facts {

@@ -48,6 +48,7 @@ pub(crate) fn paper_page(folder: &Path) -> Result<Page, OutputError> {
         blocks: vec![Block::Table(setups(&record.setups))],
     });
     Ok(Page {
+        decision: None,
         title: "The paper, recomputed".to_owned(),
         kind: "Trollé, Baietto, Gravouil, Mai & Prabel, Eng. Fract. Mech. 123 (2014) 163–181".to_owned(),
         verdict: statements::verdict(&record),

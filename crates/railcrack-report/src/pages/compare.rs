@@ -56,6 +56,7 @@ pub(crate) fn comparison_page(comparison: &Comparison, tolerance: Option<f64>, p
     Page {
         title: format!("{} and {}", names[0], names[1]),
         kind: "Comparison of two runs".to_owned(),
+        decision: None,
         verdict: verdict(comparison, tolerance),
         facts: facts(comparison, tolerance),
         lead,

@@ -30,6 +30,7 @@ pub(crate) fn shakedown_page(state: &ShakedownFolder, plots: &[Plot]) -> Page {
     Page {
         title: summary.title.clone(),
         kind: "Stabilised plastic state under repeated passages".to_owned(),
+        decision: None,
         verdict: verdict(summary),
         facts: facts(summary),
         lead,

@@ -12,6 +12,8 @@ use serde::{Deserialize, Serialize};
 pub struct CoursePoint {
     /// Axles so far.
     pub axles: f64,
+    /// Their estimated error by the increments.
+    pub axles_error: f64,
     /// Growth of the fastest tip and removal of the surface so far, summed, mm: it never decreases.
     pub work: f64,
     /// Removal of the surface so far, mm.
@@ -158,6 +160,7 @@ impl Course {
             .iter()
             .map(|point| CoursePoint {
                 axles: point.axles,
+                axles_error: 0.0,
                 work: point.length - first,
                 removed: 0.0,
                 rate: point.rate,
@@ -198,6 +201,7 @@ fn point(step: &StepDigest, grown: f64, found: usize) -> Option<CoursePoint> {
     let opened = step.tips.iter().filter_map(|tip| tip.largest_k1);
     Some(CoursePoint {
         axles: step.load_cycles,
+        axles_error: step.cycles_error,
         work: grown + step.removed,
         removed: step.removed,
         rate: fastest.rate,

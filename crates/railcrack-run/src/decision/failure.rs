@@ -14,6 +14,9 @@ pub struct FailureSummary {
     pub mode: Option<FailureMode>,
     /// Million gross tonnes until then.
     pub mgt: Option<f64>,
+    /// The estimated error of this tonnage by the increments, million gross tonnes.
+    #[serde(default)]
+    pub mgt_error: Option<f64>,
     /// Its crack, from 1.
     pub crack: Option<usize>,
     /// The tip within its crack, from 1.
@@ -47,7 +50,7 @@ mod mode_or_none {
 
 impl FailureSummary {
     /// No failure within the run.
-    pub const NONE: Self = Self { mode: None, mgt: None, crack: None, tip: None };
+    pub const NONE: Self = Self { mode: None, mgt: None, mgt_error: None, crack: None, tip: None };
 }
 
 /// Question to a run.
@@ -131,6 +134,7 @@ fn failure_of(course: &Course, fate: Fate, tonnes: f64) -> FailureSummary {
     FailureSummary {
         mode: Some(mode),
         mgt: Some(mgt),
+        mgt_error: after.map(|point| 1e-6 * tonnes * point.axles_error),
         crack: tip.map(|(crack, _)| crack + 1),
         tip: tip.map(|(_, tip)| tip + 1),
     }

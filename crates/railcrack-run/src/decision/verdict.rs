@@ -256,26 +256,26 @@ fn failure(
     mgt: impl Fn(&StepDigest) -> f64,
     is_inspected: bool,
 ) -> Option<Reason> {
-    let FailureSummary { mode, mgt: until, crack, tip } = nominal.failure;
+    let FailureSummary { mode, mgt: until, mgt_error, crack, tip } = nominal.failure;
     let (mode, until) = (mode?, until?);
     let second = log.steps.get(1).map_or(f64::INFINITY, &mgt);
     let step = log.steps.iter().rev().find(|step| mgt(step) <= until * (1.0 + 1e-9));
     let whose = crack.map_or_else(String::new, |crack| format!(" of crack {crack}"));
     let what = format!("{}{whose}", mode.words());
+    let life = match mgt_error.map(|error| 100.0 * error / until).filter(|percent| *percent > 0.0) {
+        Some(percent) => {
+            format!("{until:.3} million gross tonnes (± {:.1} % by the increments)", percent.max(0.1))
+        }
+        None => format!("{until:.3} million gross tonnes"),
+    };
     let (kind, text) = if until == 0.0 {
         (ReasonKind::AtOnce, format!("{what} at once"))
     } else if until <= second {
-        (
-            ReasonKind::AtOnce,
-            format!("{what} within the first increment, after {until:.3} million gross tonnes"),
-        )
+        (ReasonKind::AtOnce, format!("{what} within the first increment, after {life}"))
     } else if is_inspected && nominal.detected.is_none_or(|detected| detected >= until) {
-        (
-            ReasonKind::BeforeDetectable,
-            format!("{what} after {until:.3} million gross tonnes, before the crack is detectable"),
-        )
+        (ReasonKind::BeforeDetectable, format!("{what} after {life}, before the crack is detectable"))
     } else {
-        (ReasonKind::Failure, format!("{what} after {until:.3} million gross tonnes"))
+        (ReasonKind::Failure, format!("{what} after {life}"))
     };
     Some(Reason { crack, tip, step: step.map(|step| step.step), mgt: Some(until), ..Reason::new(kind, text) })
 }

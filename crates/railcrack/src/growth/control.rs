@@ -186,9 +186,10 @@ impl Control<'_> {
         let turn_error = course.turn_error + error.turn;
         let next = Course {
             share: self.next_share(&error, trial),
-            cycles_error: course.cycles_error + error.rate * passed,
+            // A step is not known to be wrong by more than its own cycles.
+            cycles_error: course.cycles_error + error.rate.min(1.0) * passed,
             turn_error,
-            path_error: course.path_error + error.sensitivity * turn_error * passed,
+            path_error: course.path_error + (error.sensitivity * turn_error).min(1.0) * passed,
         };
         Verdict::Accepted(next)
     }

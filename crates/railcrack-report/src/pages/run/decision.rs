@@ -2,7 +2,7 @@
 
 use super::stored::RunFolder;
 use crate::numbers::{fixed, given, significant, tonnage};
-use crate::page::Block;
+use crate::page::{Banner, Block};
 use crate::pages::ways::ways;
 use crate::table::{MISSING, Table};
 use railcrack_run::decision::{
@@ -14,10 +14,9 @@ use railcrack_run::decision::{
 const ROWS: usize = 9;
 
 /// The first blocks of the page; none without axle loads.
-pub(super) fn decision(run: &RunFolder) -> Vec<Block> {
+pub(in crate::pages) fn decision(run: &RunFolder) -> Vec<Block> {
     let Some(decision) = &run.summary.decision else { return Vec::new() };
-    let mut sentences = vec![verdict(decision)];
-    sentences.extend(decision.verdict.reasons.iter().skip(1).map(reason));
+    let mut sentences: Vec<String> = decision.verdict.reasons.iter().skip(1).map(reason).collect();
     sentences.extend(second(decision));
     sentences.extend(decision.paths.as_ref().map(paths));
     sentences.extend(frictions(&decision.frictions));
@@ -25,7 +24,9 @@ pub(super) fn decision(run: &RunFolder) -> Vec<Block> {
     sentences.extend(decision.maintenance.as_ref().map(maintenance));
     sentences.extend(decision.scatter.as_ref().and_then(scatter));
     let mut blocks = vec![Block::Heading("Decision".to_owned())];
-    blocks.push(Block::List(sentences));
+    if !sentences.is_empty() {
+        blocks.push(Block::List(sentences));
+    }
     if decision.rows.len() > 1 {
         blocks.push(Block::Table(depths(decision)));
     }
@@ -35,16 +36,16 @@ pub(super) fn decision(run: &RunFolder) -> Vec<Block> {
     if blocks.len() > 1 { blocks } else { Vec::new() }
 }
 
-/// The verdict with its first reason.
-fn verdict(decision: &Decision) -> String {
-    let level = match decision.verdict.level {
-        VerdictLevel::Ok => "OK",
-        VerdictLevel::Act => "Act",
-        VerdictLevel::Stop => "Stop",
-        VerdictLevel::Outside => "Outside of what the model describes",
+/// The verdict with its first reason; none without axle loads.
+pub(in crate::pages) fn banner(run: &RunFolder) -> Option<Banner> {
+    let verdict = &run.summary.decision.as_ref()?.verdict;
+    let (level, word) = match verdict.level {
+        VerdictLevel::Ok => ("ok", "OK"),
+        VerdictLevel::Act => ("act", "Act"),
+        VerdictLevel::Stop => ("stop", "Stop"),
+        VerdictLevel::Outside => ("outside", "Outside of what the model describes"),
     };
-    let first = decision.verdict.reasons.first().map(reason);
-    first.map_or_else(|| format!("{level}."), |first| format!("{level}: {first}"))
+    Some(Banner { level, word, text: verdict.reasons.first().map_or_else(String::new, reason) })
 }
 
 /// A reason as a sentence.

@@ -26,6 +26,7 @@ use railcrack_run::files::CASE_FILE;
 use serde_json::Value;
 
 pub(super) use assumptions::long_rail;
+pub(super) use decision::{banner, decision};
 pub(super) use facts::{ending, stop_sentence};
 pub(crate) use stored::RunFolder;
 pub(super) use warnings::warnings;
@@ -47,6 +48,7 @@ pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, plots: &[Plot]) -> Pag
     let mut page = Page {
         title: run.summary.title.clone(),
         kind: "Crack growth under rolling contact".to_owned(),
+        decision: decision::banner(run),
         verdict: facts::verdict(run),
         facts: facts::facts(run, warnings.len()),
         lead: Vec::new(),

@@ -1,7 +1,7 @@
 //! The page of a growth run in space.
 
 use super::pictures::{charts, still};
-use super::run::{RunFolder, case_section, ending, long_rail, stop_sentence, warnings};
+use super::run::{RunFolder, banner, case_section, decision, ending, long_rail, stop_sentence, warnings};
 use crate::figures::{Plot, near};
 use crate::numbers::{fixed, formula, given, grouped, number, numbers, significant, tonnage};
 use crate::page::{Block, Fact, Page, Section};
@@ -26,6 +26,7 @@ pub(crate) fn space_page(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, p
     let mut page = Page {
         title: run.summary.title.clone(),
         kind: "Crack growth in space under rolling contact".to_owned(),
+        decision: banner(run),
         verdict: verdict(run),
         facts: facts(run, warnings.len()),
         lead: Vec::new(),
@@ -38,6 +39,7 @@ pub(crate) fn space_page(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, p
         page.lead.push(charts(plots, &["length-cycles", "along-front"]));
         page.lead.push(Block::Table(front_table(run)));
     }
+    page.lead.extend(decision(run));
     page.lead.push(Block::Heading("Assumptions".to_owned()));
     page.lead.push(Block::List(assumptions(run, space)));
     if run.summary.steps_recorded > 0 {

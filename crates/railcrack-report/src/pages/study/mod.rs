@@ -53,6 +53,7 @@ fn page(
     Page {
         title: plan.title.clone(),
         kind: "Parametric study".to_owned(),
+        decision: None,
         verdict: facts::verdict(plan, runs),
         facts: facts::facts(plan, runs),
         lead,
