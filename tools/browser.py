@@ -165,5 +165,9 @@ class Browser:
         Path(path).write_bytes(base64.b64decode(data))
 
     def pdf(self, path):
+        Path(path).write_bytes(self.pdf_bytes())
+
+    def pdf_bytes(self):
+        """The page as a PDF file."""
         data = self.send("Page.printToPDF", printBackground=True, preferCSSPageSize=True, paperWidth=8.27, paperHeight=11.69)["data"]
-        Path(path).write_bytes(base64.b64decode(data))
+        return base64.b64decode(data)

@@ -9,6 +9,7 @@ pictures of every section (light, dark, printed) in PICTURES. Ends with 1 where 
 import base64
 import csv
 import json
+import math
 import re
 import struct
 import sys
@@ -116,6 +117,9 @@ OUTSIDE = """
 # A phone, a tablet, a desk; and A4 within its margins.
 WIDTHS = [390, 800, 1400]
 PAPER = 688
+# Height of A4 within its margins, and by how much more paper a page may take than its contents are high: figures and tables are not torn.
+PAPER_HEIGHT = 1005
+EMPTY = 1.4
 
 
 class Checks:
@@ -232,9 +236,21 @@ def check_page(browser, checks, name, path):
     text = browser.run("document.body.innerText")
     for screen in ["Point at a map", "Keys:", "Drawn with d3", "Click a heading"]:
         checks.that(screen not in text, f"{name}: on paper there is no {screen!r}")
+    menus = browser.run("[...document.querySelectorAll('select')].filter((s) => getComputedStyle(s).appearance !== 'none').map((s) => s.id)")
+    checks.that(not menus, f"{name}: on paper, menus are words", menus)
+    foot = browser.run("[...document.querySelectorAll('style')].map((s) => s.textContent).find((text) => text.includes('@bottom-left')) ?? ''")
+    checks.that("report of" in foot and "printed" in foot, f"{name}: the foot of printed pages has the dates", foot)
+    height = browser.run("document.body.scrollHeight")
     browser.run("dispatchEvent(new Event('afterprint'))")
     browser.media()
+    pages, most = pdf_pages(browser.pdf_bytes()), math.ceil(EMPTY * height / PAPER_HEIGHT) + 1
+    checks.that(0 < pages <= most, f"{name}: printed pages are full", pages, f"of at most {most}, for {height} px")
     check_without_scripts(browser, checks, name, path)
+
+
+def pdf_pages(data):
+    """Number of the pages of a PDF file."""
+    return len(re.findall(rb"/Type\s*/Page(?![a-zA-Z])", data))
 
 
 def check_without_scripts(browser, checks, name, path):
@@ -703,9 +719,22 @@ def check_many(browser, checks, name, folder):
     done = [row for row in runs if row["length_mm"]]
     text = lambda id: browser.run(f"document.getElementById('study-{id}').textContent")
     checks.that(text("count") == f"{len(runs)} of {len(runs)} runs", f"{name}: all runs are in the table", text("count"))
-    for figure in ["scatter", "heat", "rank", "sobol"]:
+    for figure in ["scatter", "heat", "histogram", "rank", "sobol"]:
         drawn = browser.run(f"document.querySelectorAll('#study-{figure} .drawing svg [aria-label=dot] circle, #study-{figure} .drawing svg rect').length")
         checks.that(drawn > 1, f"{name}: {figure} is drawn", drawn)
+    lines = browser.run("document.querySelectorAll('#study-parallel .drawing svg [aria-label=line] path').length")
+    checks.that(lines > 1, f"{name}: a line for each run through its keys", lines)
+    # A colour that stands for a number has a scale with both its ends.
+    for figure in ["scatter", "heat", "parallel"]:
+        colours, says = browser.run(
+            f"(() => {{ const ramp = document.querySelector('#study-{figure} .ramp'); return [ramp?.querySelectorAll('rect').length ?? 0, ramp?.textContent ?? '']; }})()")
+        checks.that(colours > 8 and len(re.findall(r"\d", says)) > 1, f"{name}: {figure} has a scale of its colours", colours, says)
+    # Quantiles of the results are those of the table.
+    lengths = sorted(float(row["length_mm"]) for row in done)
+    medians = browser.run("Object.fromEntries([...document.querySelectorAll('#study-quantiles tbody tr')].map((r) => [r.cells[0].textContent, r.cells[4].textContent]))")
+    middle = 0.5 * (lengths[(len(lengths) - 1) // 2] + lengths[len(lengths) // 2])
+    checks.near(medians.get("Length (mm)"), middle, f"{name}: the median length", relative=1e-3)
+    check_estimates(browser, checks, name)
     # Of many runs the dots are some that leave out no part of a key; the tails of a distribution have few.
     spans = browser.run(
         "(() => { const svg = document.querySelector('#study-scatter .drawing svg'); const dots = [...svg.querySelectorAll('[aria-label=dot] circle')];"
@@ -729,6 +758,7 @@ def check_many(browser, checks, name, folder):
     browser.run("(() => { const box = document.getElementById('study-filter'); box.value = 'run <= 10'; box.dispatchEvent(new Event('input')); })()")
     checks.that(text("count") == f"10 of {len(runs)} runs", f"{name}: a condition holds for some", text("count"))
     browser.run("(() => { const box = document.getElementById('study-filter'); box.value = ''; box.dispatchEvent(new Event('input')); })()")
+    check_conditions(browser, checks, name, len(runs))
     # One run on demand, with its own growth.
     browser.run("document.querySelector('#study-table tbody tr').click()")
     browser.settle()
@@ -739,6 +769,51 @@ def check_many(browser, checks, name, folder):
         browser.run(f"(() => {{ const s = document.getElementById('study-{select}'); s.selectedIndex = s.options.length - 1; s.dispatchEvent(new Event('change')); }})()")
     browser.settle()
     checks.that(not browser.complaints, f"{name}: no complaints after all this", browser.complaints)
+
+
+def check_conditions(browser, checks, name, count):
+    """Conditions act on table, charts and bars; the page says what of them it does not understand."""
+    said = "[document.getElementById('study-unknown').hidden, document.getElementById('study-unknown').textContent, document.getElementById('study-count').textContent]"
+
+    def ask(text):
+        browser.run(f"(() => {{ const box = document.getElementById('study-filter'); box.value = {json.dumps(text)}; box.dispatchEvent(new Event('input')); }})()")
+        browser.settle()
+        return browser.run(said)
+
+    for text, reason in [("nonsense > 3", "no column is called"), ("run > many", "not a number"), ("stop = neither", "no value of stop"), ("run", "no condition")]:
+        hidden, words, counted = ask(text)
+        checks.that(not hidden and reason in words, f"{name}: {text!r} is not understood, and the page says so", words)
+        checks.that(counted == f"{count} of {count} runs", f"{name}: and it leaves out no run", counted)
+    hidden, words, counted = ask("run > 5 and run <= 10; nonsense = 1")
+    checks.that(not hidden and counted == f"5 of {count} runs", f"{name}: what is understood holds", words, counted)
+    captions = browser.run("['rank', 'sobol', 'histogram'].map((id) => document.querySelector(`#study-${id} figcaption`).textContent)")
+    checks.that("too few runs" in captions[0] and "too few runs" in captions[1] and re.search(r"of [1-5] runs", captions[2]), f"{name}: the bars are those of the selected runs", captions)
+    hidden, words, counted = ask("")
+    checks.that(hidden and counted == f"{count} of {count} runs", f"{name}: without conditions all runs are there", words, counted)
+
+
+def check_estimates(browser, checks, name):
+    """What the page computes for selected runs is what the program computes, for all runs."""
+    apart = browser.run("""
+      (async () => {
+        const data = railcrack.pageData('study-data');
+        const values = new Map(await Promise.all(data.columns.map(async (c) => [c.name, await railcrack.singles(c.data)])));
+        const log = new Map(data.columns.map((c) => [c.name, c.log]));
+        let [most, count] = [0, 0];
+        for (const { name, rank, sobol } of data.results)
+          for (const [list, of] of [[rank, studyStatistics.rankCorrelation], [sobol, studyStatistics.firstOrder]])
+            for (const { key, estimate } of list) {
+              const y = Array.from(values.get(name), (value) => (log.get(name) ? Math.log(value) : value));
+              const there = y.flatMap((value, i) => (Number.isFinite(value) ? [i] : []));
+              const own = of(there.map((i) => values.get(key)[i]), there.map((i) => y[i]));
+              if (!estimate || !own) continue;
+              count++;
+              most = Math.max(most, Math.abs(own[0] - estimate[0]));
+            }
+        return [most, count];
+      })()""")
+    # Values on the page are in single precision, in which equal ranks may differ.
+    checks.that(apart[1] > 3 and apart[0] < 2e-3, f"{name}: the page estimates what the program does", apart)
 
 
 def check_paper(browser, checks, name, folder):

@@ -7,6 +7,7 @@
 //! commented first file, the page of documentation and the stored case.
 
 mod case;
+mod entries;
 mod files;
 mod normal;
 mod regular_file;
@@ -15,22 +16,24 @@ mod study;
 mod tables;
 
 pub use case::{
-    CarriedStress, CarriedStressError, Case, Coefficient, KnownSizes, MixedWheel, NoCoefficient, NoNumber,
-    Overrides, PreparedRun, Projection, RailKey, Release, RolledRailError, RunSize, SharedRail,
+    CarriedStress, CarriedStressError, Case, Coefficient, HeaviestWheel, KnownSizes, MixedWheel,
+    NoCoefficient, NoNumber, Overrides, PreparedRun, Projection, RailKey, Release, RunSize, SharedRail,
     SharedRailError, SpaceCase,
 };
+pub use entries::{Comparison, Entry, EntryValue, Grade, HowRead, Quantity, entry_schema};
 pub use files::{
-    CaseFile, Column, Columned, Columns, Companion, ContactFile, FieldFile, ProfileFile, RatesFile,
-    ToughnessFile,
+    CaseFile, Column, Columned, Columns, Companion, ContactFile, DetectionFile, DetectionTable, FieldFile,
+    ProfileFile, RatesFile, ToughnessFile,
 };
 pub use regular_file::open_regular;
+pub use schema::read_text_file;
 pub use schema::{
     Availability, CaseError, CaseErrors, Choice, Form, Key, Kind, NumberRange, OnlyWith, Pair, Presence,
     Preset, RangeEnd, Section, SectionPresence, Value, Word,
 };
 pub use study::{Axis, Distribution, Input, Keeping, SampleTable, Study, StudyRun, Variation, study_schema};
 pub use tables::{
-    Combine, ContactOrigin, ContactSolver, Engine, EngineDomain, FieldOutput, Fracture, GivenWheel,
-    Inspection, Kept, MaintenancePlan, MeshSettings, Output, PlasticSource, Rail, SECTIONS, STUDY, Scatter,
-    ShakedownSettings, init_text, json_schema, markdown,
+    CalibrationPrior, Combine, ContactOrigin, ContactSolver, Detection, Engine, EngineDomain, FieldOutput,
+    Fracture, GivenWheel, Inspection, InspectionRisk, Kept, MaintenancePlan, MeshSettings, Output,
+    PlasticSource, Rail, SECTIONS, STUDY, Scatter, ShakedownSettings, init_text, json_schema, markdown,
 };

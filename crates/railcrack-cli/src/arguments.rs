@@ -3,8 +3,9 @@
 use crate::commands::{
     calibrate::CalibrateArguments, check::CheckArguments, compare::CompareArguments,
     completions::CompletionsArguments, completions::ManArguments, init::InitArguments, paper::PaperArguments,
-    report::ReportArguments, run::RunArguments, schema::SchemaArguments, shakedown::ShakedownArguments,
-    show::ShowArguments, sweep::SweepArguments, verify::VerifyArguments, view::ViewArguments,
+    plan::PlanArguments, report::ReportArguments, run::RunArguments, schema::SchemaArguments,
+    shakedown::ShakedownArguments, show::ShowArguments, sweep::SweepArguments, validate::ValidateArguments,
+    verify::VerifyArguments, view::ViewArguments,
 };
 use clap::{Parser, Subcommand};
 
@@ -25,6 +26,8 @@ Getting started:
   railcrack sweep study.toml   compute many cases: a case file with lists of values
   railcrack show DIR           print the main table of a folder, or columns of any table
   railcrack calibrate case.toml --measured depths.csv   fit the growth law to measured depths
+  railcrack plan case.toml     find the least grinding that keeps the rail from failing
+  railcrack validate           compare the model with measured growth rates, and score it
   railcrack report DIR         rebuild plots and HTML report from the folder alone
   railcrack view DIR           show the report in a browser while the run computes
   railcrack verify DIR         check the files of a folder against their checksums
@@ -53,9 +56,11 @@ pub enum Command {
     Sweep(SweepArguments),
     Show(ShowArguments),
     Calibrate(CalibrateArguments),
+    Plan(PlanArguments),
     Report(ReportArguments),
     Shakedown(ShakedownArguments),
     View(ViewArguments),
+    Validate(ValidateArguments),
     Verify(VerifyArguments),
     Paper(PaperArguments),
     Schema(SchemaArguments),

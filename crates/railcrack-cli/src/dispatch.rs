@@ -2,8 +2,8 @@
 
 use crate::arguments::{Arguments, Command};
 use crate::commands::{
-    calibrate, check, compare, completions, init, paper, report, run, schema, shakedown, show, sweep, verify,
-    view,
+    calibrate, check, compare, completions, init, paper, plan, report, run, schema, shakedown, show, sweep,
+    validate, verify, view,
 };
 use crate::exit::{Exit, Failure};
 use clap::CommandFactory;
@@ -18,7 +18,9 @@ pub fn dispatch(command: Command) -> Result<Exit, Failure> {
         Command::Compare(arguments) => compare::compare(&arguments),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Report(arguments) => report::report(&arguments),
+        Command::Plan(arguments) => plan::plan(&arguments),
         Command::Shakedown(arguments) => shakedown::shakedown(&arguments),
+        Command::Validate(arguments) => validate::validate(&arguments),
         Command::Verify(arguments) => verify::verify(&arguments),
         Command::View(arguments) => view::view(&arguments),
         Command::Paper(arguments) => paper::paper(&arguments),

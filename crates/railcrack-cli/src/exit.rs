@@ -93,6 +93,14 @@ pub enum Failure {
         /// The file.
         path: PathBuf,
     },
+    /// A folder that cannot be read.
+    #[error("cannot read the folder {}: {source}", path.display())]
+    CannotRead {
+        /// The folder.
+        path: PathBuf,
+        /// Error of the operating system.
+        source: std::io::Error,
+    },
     /// A file that cannot be written.
     #[error("cannot write {}: {source}", path.display())]
     CannotWrite {
@@ -136,9 +144,11 @@ impl Failure {
             #[cfg(not(feature = "png"))]
             Self::NoPng => Exit::BadInput,
             Self::Show(_) => Exit::BadInput,
-            Self::Stdin(_) | Self::Exists { .. } | Self::CannotWrite { .. } | Self::Stdout(_) => {
-                Exit::CannotReadOrWrite
-            }
+            Self::Stdin(_)
+            | Self::Exists { .. }
+            | Self::CannotRead { .. }
+            | Self::CannotWrite { .. }
+            | Self::Stdout(_) => Exit::CannotReadOrWrite,
         }
     }
 }
@@ -171,7 +181,7 @@ fn exit_of_run(error: &RunError) -> Exit {
             | OutputError::Io { .. } => Exit::CannotReadOrWrite,
         },
         RunError::Rolled(_) | RunError::System { .. } => Exit::CannotReadOrWrite,
-        RunError::Contact(_) | RunError::Residual(CarriedStressError::Field(_)) => Exit::BadInput,
+        RunError::Plan(_) | RunError::Residual(CarriedStressError::Field(_)) => Exit::BadInput,
         RunError::Residual(_)
         | RunError::Growth(_)
         | RunError::NoLayers

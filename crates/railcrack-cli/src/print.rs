@@ -1,5 +1,6 @@
 //! Standard output and standard error.
 
+use crate::display::stderr_columns;
 use crate::exit::Failure;
 use miette::{GraphicalReportHandler, GraphicalTheme};
 use std::io::{ErrorKind, IsTerminal, Write};
@@ -30,7 +31,8 @@ pub fn failure(failure: &Failure) {
             } else {
                 GraphicalTheme::unicode()
             };
-            let handler = GraphicalReportHandler::new_themed(theme).with_width(100);
+            let handler =
+                GraphicalReportHandler::new_themed(theme).with_width(stderr_columns().unwrap_or(100).max(40));
             let mut text = String::new();
             for error in errors.errors() {
                 if handler.render_report(&mut text, error).is_err() {

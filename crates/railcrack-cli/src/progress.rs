@@ -1,15 +1,15 @@
 //! Progress of a run: a bar on a terminal, one line per step elsewhere.
 
-use crate::display::{Display, Verbosity, styled_bar};
+use crate::display::{Display, SteadyTime, Verbosity, styled_bar, time_text};
 use crate::interruption::Interruption;
-use indicatif::{HumanDuration, ProgressBar};
+use indicatif::ProgressBar;
 use railcrack::growth::{StepRecord, TipRecord, TipStop};
 use railcrack::words::Choice;
 use railcrack_run::simulation::RunObserver;
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// Parts of a step on the bar.
 const PARTS: u64 = 1000;
@@ -36,6 +36,8 @@ struct Pace {
     steps: VecDeque<f64>,
     /// Of the last finished step.
     state: String,
+    /// The time left as it is shown.
+    left: SteadyTime,
 }
 
 /// Number of recent steps from which the cost of the next ones is extrapolated.
@@ -46,7 +48,12 @@ impl<'a> Progress<'a> {
     pub fn new(verbosity: Verbosity, increments: usize, interruption: &'a Interruption) -> Self {
         let display = Display::new(verbosity, || bar(increments));
         let now = Instant::now();
-        let pace = Mutex::new(Pace { since: now, steps: VecDeque::new(), state: String::new() });
+        let pace = Mutex::new(Pace {
+            since: now,
+            steps: VecDeque::new(),
+            state: String::new(),
+            left: SteadyTime::default(),
+        });
         let step = AtomicUsize::new(0);
         Self { display, interruption, increments, step, begun: now, pace, tonnes: None }
     }
@@ -63,11 +70,11 @@ impl<'a> Progress<'a> {
 
     /// State and remaining time, shown after the bar.
     fn tell(&self, bar: &ProgressBar, fraction: f64) {
-        let pace = self.pace();
+        let mut pace = self.pace();
         let step = self.step.load(Ordering::Relaxed);
         let left = match time_left(&pace.steps, (self.increments + 1).saturating_sub(step), fraction) {
             _ if step > self.increments => "writing".to_owned(),
-            Some(seconds) => format!("{:#} left", HumanDuration(Duration::from_secs_f64(seconds.ceil()))),
+            Some(seconds) => format!("{} left", time_text(pace.left.left(seconds, Instant::now()))),
             None => String::new(),
         };
         let parts: Vec<&str> =

@@ -65,6 +65,11 @@ does not depend on the increment.
 | statement | travel | {headings} |
 |---|---|{}
 {rows}
+![Life and path over the increment](figures/increments.svg)
+
+The life to 11 mm and the depth of the tip there, in the half-plane along the travel; a path that met
+itself before has no dot.
+
 ",
         "---|".repeat(INCREMENTS.len())
     )

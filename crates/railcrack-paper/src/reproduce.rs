@@ -5,8 +5,8 @@ use crate::computation::{Computation, runs_table};
 use crate::error::PaperError;
 use crate::figure::{FIGURES, Figure, Kind};
 use crate::figures::{
-    FigureTable, OVERLAY_COLUMNS, Overlay, Quantity, distances, engines, forget_overlays, kept, path_table,
-    profile_table, sheet, sif_table,
+    FigureTable, OVERLAY_COLUMNS, Overlay, Quantity, distances, engines, forget_overlays, increments, kept,
+    path_table, profile_table, sheet, sif_table,
 };
 use crate::files::{FIG_21, FIG_22, PAGE, RUNS, TABLE_1};
 use crate::page;
@@ -182,6 +182,9 @@ fn write_figures(
     }
     if !overlay_rows.is_empty() {
         write(&folder.join("overlays.csv"), &format!("{OVERLAY_COLUMNS}\n{overlay_rows}"))?;
+    }
+    if FIGURES.iter().filter(chosen).any(|figure| figure.kind == Kind::Paths) {
+        write(&figures_folder.join("increments.svg"), &increments().svg())?;
     }
     if let Some(sheet) = engines(results) {
         write(&figures_folder.join("engines.svg"), &sheet.svg())?;

@@ -1,14 +1,16 @@
 //! Live page of a folder whose results may still be computed.
 
-use crate::figures::{StudyRun, Styles, comparison_plots, run_plots, shakedown_plots, study_plots};
-use crate::pages::{RunFolder, comparison_page, run_page, shakedown_page, study_page};
+use crate::figures::{
+    StudyRun, Styles, comparison_plots, plan_plots, run_plots, shakedown_plots, study_plots,
+};
+use crate::pages::{RunFolder, comparison_page, plan_page, run_page, shakedown_page, study_page};
 use crate::rebuild::FolderKind;
 use crate::shown::ShownRun;
 use railcrack::growth::RunStop;
 use railcrack::words::Choice;
 use railcrack_run::compare::stored_comparison;
 use railcrack_run::study::{RunState, StudyResults};
-use railcrack_run::{OutputError, ShakedownFolder, StudyFolder};
+use railcrack_run::{OutputError, PlanFolder, ShakedownFolder, StudyFolder};
 use std::path::Path;
 
 /// Snapshot of the page of a folder.
@@ -35,6 +37,10 @@ pub fn page_now(folder: &Path) -> Result<PageNow, OutputError> {
         FolderKind::Shakedown => {
             let state = ShakedownFolder::open(folder)?;
             whole(shakedown_page(&state, &shakedown_plots(&state)).html())
+        }
+        FolderKind::Plan => {
+            let plans = PlanFolder::open(folder)?;
+            whole(plan_page(&plans, &plan_plots(&plans.summary)).html())
         }
         FolderKind::Comparison => {
             let (comparison, tolerance) = stored_comparison(folder)?;

@@ -1,9 +1,10 @@
 //! Plots and report of a results folder, built from its files.
 
 use crate::figures::{
-    Plot, StudyRun, Styles, comparison_plots, run_plots, shakedown_plots, space_plots, study_plots,
+    Plot, StudyRun, Styles, comparison_plots, plan_plots, run_plots, shakedown_plots, space_plots,
+    study_plots,
 };
-use crate::pages::{RunFolder, comparison_page, run_page, shakedown_page, space_page, study_page};
+use crate::pages::{RunFolder, comparison_page, plan_page, run_page, shakedown_page, space_page, study_page};
 use crate::recomputed::recomputed;
 use crate::shown::{ShownRun, ShownStep};
 use railcrack::growth::StepRecord;
@@ -12,10 +13,12 @@ use railcrack_run::compare::stored_comparison;
 use railcrack_run::csv::SifScale;
 use railcrack_run::disk::{Durability, inner_folder, replace_file};
 use railcrack_run::files::{
-    COMPARE_FILE, PLAN_FILE, PLOTS_FOLDER, REPORT_FILE, SHAKEDOWN_FILE, STUDY_PLOTS, SUMMARY_FILE,
+    COMPARE_FILE, PLAN_FILE, PLANS_FILE, PLOTS_FOLDER, REPORT_FILE, SHAKEDOWN_FILE, STUDY_PLOTS, SUMMARY_FILE,
 };
 use railcrack_run::study::{StudyFolder, StudyResults};
-use railcrack_run::{FolderLock, OutputError, Presentation, RunPresentation, ShakedownFolder, TablesOnly};
+use railcrack_run::{
+    FolderLock, OutputError, PlanFolder, Presentation, RunPresentation, ShakedownFolder, TablesOnly,
+};
 use std::path::Path;
 
 /// Kind of results in a folder.
@@ -25,6 +28,8 @@ pub enum FolderKind {
     Run,
     /// A stabilised plastic state: `shakedown.json`.
     Shakedown,
+    /// Grinding plans: `plan.json`.
+    Plan,
     /// A comparison of two runs: `compare.json`.
     Comparison,
     /// A parametric study: `study.json`.
@@ -39,6 +44,7 @@ impl FolderKind {
         let kinds = [
             (Self::Run, SUMMARY_FILE),
             (Self::Shakedown, SHAKEDOWN_FILE),
+            (Self::Plan, PLANS_FILE),
             (Self::Comparison, COMPARE_FILE),
             (Self::Study, PLAN_FILE),
         ];
@@ -64,6 +70,7 @@ pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
     match kind {
         FolderKind::Run => rebuild_run(folder)?,
         FolderKind::Shakedown => Pages.shakedown(folder)?,
+        FolderKind::Plan => Pages.plan(folder)?,
         FolderKind::Comparison => Pages.comparison(folder)?,
         FolderKind::Study => {
             let results = StudyFolder::open(folder)?.write_results(&Pages)?;
@@ -186,6 +193,13 @@ impl Presentation for Pages {
         let plots = shakedown_plots(&state);
         write_plots(folder, &plots)?;
         put(&folder.join(REPORT_FILE), &shakedown_page(&state, &plots).html())
+    }
+
+    fn plan(&self, folder: &Path) -> Result<(), OutputError> {
+        let plans = PlanFolder::open(folder)?;
+        let plots = plan_plots(&plans.summary);
+        write_plots(folder, &plots)?;
+        put(&folder.join(REPORT_FILE), &plan_page(&plans, &plots).html())
     }
 
     fn comparison(&self, folder: &Path) -> Result<(), OutputError> {

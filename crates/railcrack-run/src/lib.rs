@@ -16,14 +16,17 @@ pub mod fuzzing;
 mod log;
 pub mod machine;
 mod parquet;
+pub mod planner;
 mod population;
 mod presentation;
 pub mod run_folder;
 pub mod shakedown;
 pub mod simulation;
+pub mod statistics;
 pub mod study;
 pub mod summary;
 mod tables;
+pub mod validation;
 mod verify;
 
 pub use compare::Comparison;
@@ -35,6 +38,7 @@ pub use fields::{FieldFile, field_file, field_files, field_grids};
 pub use log::{
     MixInfo, PlasticOrigin, ProjectionSummary, ReleaseSummary, ResidualSummary, RolledSummary, RunInfo,
 };
+pub use planner::{PlanFolder, PlanSummary};
 pub use presentation::{Presentation, RunPresentation, TablesOnly};
 pub use run_folder::{CaseFiles, Existing, RunFolder, Verification};
 pub use shakedown::{ShakedownFolder, ShakedownSummary};

@@ -2,6 +2,7 @@
 
 use crate::compare::{CompareRow, PositionRow};
 use crate::csv::{FaceRow, ResidualRow, SifRow, Table, TipRow, markdown};
+use crate::planner::PlanRow;
 use crate::shakedown::{LayerRow, PassRow};
 use crate::study::{StudySummaryRow, TimesRow};
 
@@ -21,5 +22,6 @@ pub fn table_descriptions() -> Vec<(&'static str, String)> {
         of::<TimesRow>(),
         of::<PassRow>(),
         of::<LayerRow>(),
+        of::<PlanRow>(),
     ]
 }

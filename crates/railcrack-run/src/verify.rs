@@ -2,8 +2,8 @@
 
 use crate::csv::Table;
 use crate::disk::files::{
-    CASE_FILE, CHECKPOINT_FILE, COMPARE_FILE, GROWTH_TABLE, PLAN_FILE, POPULATION_FILE, RUN_LOG_FILE,
-    RUNS_TABLE, SHAKEDOWN_FILE, SIF_TABLE, SUMMARY_FILE,
+    CASE_FILE, CHECKPOINT_FILE, COMPARE_FILE, GROWTH_TABLE, PLAN_FILE, PLANS_FILE, POPULATION_FILE,
+    RUN_LOG_FILE, RUNS_TABLE, SHAKEDOWN_FILE, SIF_TABLE, SUMMARY_FILE,
 };
 use crate::disk::{FolderLock, read_if_there};
 use crate::error::OutputError;
@@ -12,8 +12,8 @@ use crate::study::{StudyFolder, StudySummaryRow, listed_as_done};
 use std::path::Path;
 
 /// Compares the files in `folder` with the checksums that were stored with them: of a run, a
-/// stabilised plastic state, a comparison, or a study with all its runs. Plots and reports are not
-/// among them: `railcrack report` builds these anew.
+/// stabilised plastic state, a comparison, grinding plans, or a study with all its runs. Plots and
+/// reports are not among them: `railcrack report` builds these anew.
 ///
 /// Errors: the folder holds no such results, or is being computed; the system refuses.
 pub fn verify(folder: &Path) -> Result<Verification, OutputError> {
@@ -29,6 +29,8 @@ pub fn verify(folder: &Path) -> Result<Verification, OutputError> {
         verify_study(&mut found, folder)?;
     } else if has(COMPARE_FILE) {
         found.documented(folder, COMPARE_FILE)?;
+    } else if has(PLANS_FILE) {
+        found.documented(folder, PLANS_FILE)?;
     } else if has(SHAKEDOWN_FILE) {
         found.documented(folder, SHAKEDOWN_FILE)?;
     } else if [SUMMARY_FILE, CHECKPOINT_FILE, RUN_LOG_FILE].into_iter().any(has) {

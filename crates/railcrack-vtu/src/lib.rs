@@ -16,4 +16,4 @@ pub use cell_type::vtk_type;
 pub use error::VtuError;
 pub use pvd::{Snapshot, pvd_text, write_pvd};
 pub use read::{read_vtu, read_vtu_bytes};
-pub use write::{escaped, vtu_text, write_vtu};
+pub use write::{escaped, vtu_text, vtu_text_with, write_vtu};

@@ -32,14 +32,21 @@ pub(super) fn put(path: &Path, text: &[u8]) -> Result<(), VtuError> {
     fs::rename(&name, path).map_err(refused)
 }
 
-/// The contents of the file of `grid`: numbers in base64, little endian, with headers of 64 bits,
-/// compressed in blocks by zlib as VTK does by default. Points of the plane get z = 0. The text is
-/// ASCII except for the names of arrays.
+/// As [`vtu_text_with`], without data of the whole grid.
 ///
 /// Errors: an inconsistent grid; a number that is not finite.
 pub fn vtu_text(grid: &UnstructuredGrid) -> Result<Vec<u8>, GridError> {
+    vtu_text_with(grid, &[])
+}
+
+/// The contents of the file of `grid`, with the field data `of_all` of the whole grid: numbers in
+/// base64, little endian, with headers of 64 bits, compressed in blocks by zlib as VTK does by
+/// default. Points of the plane get z = 0. The text is ASCII except for the names of arrays.
+///
+/// Errors: an inconsistent grid; a number that is not finite.
+pub fn vtu_text_with(grid: &UnstructuredGrid, of_all: &[Array]) -> Result<Vec<u8>, GridError> {
     grid.check()?;
-    for array in grid.point_data.iter().chain(&grid.cell_data) {
+    for array in grid.point_data.iter().chain(&grid.cell_data).chain(of_all) {
         array.finite()?;
     }
     let mut points = Array::vectors("points", &grid.points);
@@ -53,6 +60,17 @@ pub fn vtu_text(grid: &UnstructuredGrid) -> Result<Vec<u8>, GridError> {
          compressor=\"vtkZLibDataCompressor\">",
     );
     line(&mut text, "<UnstructuredGrid>");
+    if !of_all.is_empty() {
+        line(&mut text, "<FieldData>");
+        for array in of_all {
+            let bytes: Vec<u8> = array.values.iter().flat_map(|value| value.to_le_bytes()).collect();
+            let count = array.values.len() / array.components.max(1);
+            let name = escaped(&array.name);
+            let attributes = format!("type=\"Float64\" Name=\"{name}\" NumberOfTuples=\"{count}\"");
+            binary_array(&mut text, &attributes, &bytes);
+        }
+        line(&mut text, "</FieldData>");
+    }
     let (count, cells) = (grid.points.len(), grid.cell_count());
     line(&mut text, &format!("<Piece NumberOfPoints=\"{count}\" NumberOfCells=\"{cells}\">"));
     line(&mut text, "<Points>");

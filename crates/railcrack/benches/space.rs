@@ -70,7 +70,7 @@ fn measure([block, ring]: [usize; 2], dip: f64) -> Result<Cost, Box<dyn Error>> 
     };
     let contact = SpaceContact { body: &body, friction: &[0.3] };
     let stress = |position: f64, point: [f64; 3]| wheel.stress(position, point, steel.poisson());
-    let load = SpaceLoad { wheel: &stress, bending: None, constant: None };
+    let load = SpaceLoad { wheel: &stress, bending: None, constant: None, fluid: None };
     let settings = PassageSettings::default();
     let passage = Passage { from: -6.0 * CONTACT, to: 6.0 * CONTACT, ..settings.passage };
     let begun = Instant::now();

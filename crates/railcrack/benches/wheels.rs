@@ -89,6 +89,7 @@ fn growth_steps<E: BodyEngine + 'static>(
             share,
             residual: None,
             passages: PassageSettings::default(),
+            fluid: None,
             toughness: None,
         };
         problem.others = contacts[1..wheels].iter().map(beside).collect();

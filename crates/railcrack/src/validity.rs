@@ -98,6 +98,23 @@ pub enum ValidityWarning {
         /// The largest opening without an influence on the contact, mm.
         limit: f64,
     },
+    /// A crack in space whose criterion asks for a kink out of its plane.
+    #[error(
+        "the direction criterion asks for a kink of {angle:.0} degrees out of the plane of the crack at its deepest point, where it \
+         would grow {ratio:.2} times as fast as straight ahead: the model grows the crack in its plane, and its life may be too long"
+    )]
+    OutOfPlane {
+        /// The kink, degrees.
+        angle: f64,
+        /// Rate along it over that straight ahead.
+        ratio: f64,
+    },
+    /// An angle that looks like radians.
+    #[error("the angle of a crack is {angle} degrees: if {angle} radians are meant, write {:.1} degrees", angle.to_degrees())]
+    AngleInRadians {
+        /// The angle, degrees.
+        angle: f64,
+    },
     /// A length that looks like metres.
     #[error("{quantity} is {value} mm: if {value} m is meant, write {} mm", 1e3 * value)]
     LengthInMetres {
@@ -224,6 +241,12 @@ pub(crate) const SHORTEST_CRACK: f64 = 0.05;
 /// Opening (mm) of a crack under a wheel up to which the contact is not affected; larger openings
 /// exceed the indentation of the wheel.
 pub const UNFELT_OPENING: f64 = 0.05;
+/// Angle (degrees) below which a crack was probably given in radians: flatter cracks are not seen
+/// in rails.
+pub(crate) const FLATTEST_CRACK: f64 = 2.0;
+/// Kink (degrees) out of the plane of a crack in space, and its gain in rate, from which the plane
+/// is no approximation of the path.
+pub(crate) const OUT_OF_PLANE: (f64, f64) = (20.0, 1.1);
 /// Largest |q|/p of dry steel on steel.
 pub(crate) const DRY_FRICTION: f64 = 0.6;
 /// ΔK_eq (MPa√m) between the threshold of rail steel and the end of stable growth: the usual range
@@ -300,6 +323,19 @@ pub fn crack_length(value: f64) -> Option<ValidityWarning> {
         .then_some(ValidityWarning::LengthInMetres { quantity: "the length of a crack", value })
 }
 
+/// Checks the angle of a crack (degrees, between 0 and 180) for an input in radians.
+pub fn crack_angle(angle: f64) -> Option<ValidityWarning> {
+    (angle < FLATTEST_CRACK).then_some(ValidityWarning::AngleInRadians { angle })
+}
+
+/// Checks the kink (degrees) that the direction criterion asks for at the deepest point of a crack
+/// in space, and its rate in relation to that straight ahead.
+pub fn out_of_plane(angle: f64, ratio: f64) -> Option<ValidityWarning> {
+    let (least_angle, least_ratio) = OUT_OF_PLANE;
+    (angle.abs() >= least_angle && ratio >= least_ratio)
+        .then_some(ValidityWarning::OutOfPlane { angle, ratio })
+}
+
 /// Checks that an axle of `track` is at the wheel, at 0.
 pub fn axles(track: &Track) -> Option<ValidityWarning> {
     track.axles.iter().all(|axle| axle.at != 0.0).then_some(ValidityWarning::NoAxleHere)
@@ -332,6 +368,16 @@ mod tests {
         let text = warned(1600.0, 0.4, ResidualStress::Absent).unwrap().to_string();
         assert!(text.starts_with("the peak pressure of 1600 MPa is beyond the limit of elastic"), "{text}");
         assert!(text.contains("500 MPa, the default of [shakedown]"), "{text}");
+    }
+
+    #[test]
+    fn angles_in_radians_and_kinks_out_of_a_plane_are_told() {
+        let text = crack_angle(0.7).unwrap().to_string();
+        assert!(text.contains("write 40.1 degrees"), "{text}");
+        assert_eq!(crack_angle(2.0), None);
+        let text = out_of_plane(-34.6, 1.7).unwrap().to_string();
+        assert!(text.contains("-35 degrees") && text.contains("1.70 times"), "{text}");
+        assert_eq!([out_of_plane(19.0, 1.7), out_of_plane(34.0, 1.05)], [None, None]);
     }
 
     #[test]

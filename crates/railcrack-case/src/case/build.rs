@@ -9,21 +9,23 @@ use super::space::{read_space, refuse_strike};
 use crate::files::read_profile;
 use crate::schema::{Report, SectionValues, Sections, Value, Written, short};
 use crate::tables::{
-    AXLE_LOAD, CENTRE, CONTACT, CRACK, ContactExtent, ContactSolver, ENGINE, Engine, EngineDomain, FLUID,
-    FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture, GROWTH, GivenWheel, INSPECTION, MAINTENANCE, MESH,
-    MeshSettings, NETWORK, OUTPUT, Output, PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL,
-    RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scattering,
-    ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL, WIDTH, WheelSections,
-    is_of_the_law, read_fluid, read_growth, read_inspection, read_maintenance, read_passage, read_passages,
-    read_scatter, read_steel, read_travel,
+    AXLE_LOAD, CALIBRATION, CENTRE, CONTACT, CRACK, ContactExtent, ContactSolver, ENGINE, Engine,
+    EngineDomain, FLUID, FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture, GROWTH, GivenWheel, INSPECTION,
+    MAINTENANCE, MESH, MGT_PER_YEAR, MeshSettings, NETWORK, OUTPUT, Output, PASSAGE, PLASTIC_STRESS, PROFILE,
+    PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER, SOLVER_CONTACT,
+    Scattering, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL, WHEEL_TEMPERATURE,
+    WHEEL_TRACK, WIDTH, WheelSections, YIELD_STRESS, is_of_the_law, read_calibration, read_fluid,
+    read_growth, read_inspection, read_maintenance, read_passage, read_passages, read_risk, read_scatter,
+    read_steel, read_travel,
 };
 use railcrack::bulk::Boundary;
+use railcrack::contact::FluidModel;
 use railcrack::crack::CrackNetwork;
 use railcrack::growth::GrowthSettings;
 use railcrack::load::{Passage, Temperature};
 use railcrack::material::IsotropicElastic;
 use railcrack::math::MPA_SQRT_MM;
-use railcrack::plane::NetworkContact;
+use railcrack::plane::{CrackFluid, NetworkContact};
 use std::path::Path;
 
 /// The case that `sections` describe; none if something is wrong or missing; errors are added to
@@ -44,11 +46,13 @@ pub(crate) fn build(
     } else {
         Some(None)
     };
+    let first = mix.as_ref().and_then(|mix| mix.as_ref()?.first());
     let wheel = match &mix {
-        Some(Some(mix)) => mix.first().map(|first| first.wheel.clone()),
+        Some(Some(_)) => first.map(|first| first.wheel.clone()),
         Some(None) => read_wheel(&sections, steel.as_ref(), folder, report),
         None => None,
     };
+    let travel = first.map(|first| first.travel).or_else(|| sections.one(&PASSAGE).and_then(read_travel));
     let crack_sections: Vec<&SectionValues> = sections.all(&CRACK).collect();
     let meetings = if is_in_space(&sections) { Meetings::InSpace } else { Meetings::InThePlane };
     let placed = place_cracks(&crack_sections, meetings, report);
@@ -59,14 +63,24 @@ pub(crate) fn build(
     }
     let passage = sections
         .one(&PASSAGE)
-        .and_then(|s| read_passage(s, wheel.as_ref().map(GivenWheel::half_width), network, report));
+        .and_then(|s| read_passage(s, wheel.as_ref().map(GivenWheel::half_width), travel, network, report));
     if let Some(rail) = rail.filter(|rail| rail.boundary != Boundary::HalfPlane) {
         check_block(&rail, &sections, wheel.as_ref().zip(passage.as_ref()), report);
     }
+    let fluid = match sections.one(&FLUID).zip(network) {
+        Some((section, network)) => read_fluid(section, network, report),
+        None => Some(None),
+    };
     let mix = mix.and_then(|mix| {
-        let place = |read: ReadWheel| place_wheel(read, &sections, network, report);
-        mix.unwrap_or_default().into_iter().map(place).collect::<Option<Vec<MixedWheel>>>()
+        let place = |read: ReadWheel| place_wheel(read, &sections, fluid.as_ref(), network, report);
+        // All of them, so that all errors are found at once.
+        let placed: Vec<Option<MixedWheel>> = mix.unwrap_or_default().into_iter().map(place).collect();
+        placed.into_iter().collect::<Option<Vec<MixedWheel>>>()
     });
+    let fluid = match mix.as_ref().and_then(|mix| mix.first()) {
+        Some(first) => Some(first.fluid.clone()),
+        None => fluid,
+    };
     if let (Some(mix), Some(rail)) = (&mix, rail.filter(|rail| rail.boundary != Boundary::HalfPlane)) {
         for other in mix.iter().skip(1) {
             check_block(&rail, &sections, Some((&other.wheel, &other.passages.passage)), report);
@@ -81,26 +95,18 @@ pub(crate) fn build(
     {
         refuse_counting_twice(section, report);
     }
-    if matches!(plastic_stress, Some(PlasticSource::Rolled)) {
-        check_rolled(&sections, report);
-    }
-    if let (Some(PlasticSource::Rolled), Some(section), true) =
-        (&plastic_stress, plastic_section, mix.as_ref().is_some_and(|mix| !mix.is_empty()))
-    {
-        let says = "without a field, this is the stress left by rolling under a single wheel, but [[wheel]] gives several";
-        report.add(section.fault_of_all(says).help("give a field or profile in [plastic_stress]"));
-    }
-    let shakedown = sections.one(&SHAKEDOWN).and_then(|s| ShakedownSettings::read(s, folder, report));
     let growth = sections.one(&GROWTH).and_then(|s| read_growth(s, folder, report));
     if growth.as_ref().is_some_and(|growth| growth.steel.is_some()) {
         sections.leave_out(&GROWTH, is_of_the_law);
     }
+    let of_law = growth.as_ref().and_then(|growth| growth.steel);
+    let shakedown = sections.one(&SHAKEDOWN).and_then(|s| ShakedownSettings::read(s, of_law, folder, report));
+    if shakedown.as_ref().is_some_and(|shakedown| shakedown.steel.is_some()) {
+        // A stored case takes the yield stress from the steel again.
+        sections.leave_out(&SHAKEDOWN, |key| key.name == YIELD_STRESS.key.name);
+    }
     let temperature = wheel.as_ref().and_then(|wheel| wheel.load.temperature);
     let fracture = read_fracture(&sections, temperature, folder, report);
-    let fluid = match sections.one(&FLUID).zip(network) {
-        Some((section, network)) => read_fluid(section, network, report),
-        None => Some(None),
-    };
     let traffic = sections.one(&TRAFFIC).and_then(|s| s.get(AXLE_LOAD));
     let mean = |mix: &Vec<MixedWheel>| -> Option<f64> {
         mix.iter().map(|wheel| Some(wheel.share * wheel.axle_load?)).sum()
@@ -109,6 +115,7 @@ pub(crate) fn build(
     let maintenance = sections.one(&MAINTENANCE);
     let maintenance = maintenance.map(|s| read_maintenance(s, axle_load.is_some(), report));
     let inspection = sections.one(&INSPECTION);
+    let risk = inspection.map(|s| read_risk(s, folder, report));
     let inspection = inspection.map(|s| read_inspection(s, axle_load.is_some(), report));
     let toughness = fracture.as_ref().and_then(|fracture| Some(fracture.as_ref()?.at_rail));
     let steel_of_law = growth.as_ref().and_then(|growth| growth.steel);
@@ -143,7 +150,10 @@ pub(crate) fn build(
     sections.settle(&RAIL, CENTRE, Value::Number(rail.extent.centre));
     sections.settle(&RAIL, WIDTH, Value::Number(rail.extent.width));
     let is_block = matches!(rail.boundary, Boundary::Block { .. });
-    check_network(&sections, (fluid.as_ref().is_some_and(Option::is_some), is_block), report);
+    let traps = |fluid: &CrackFluid| matches!(fluid.model, FluidModel::Trapped { .. });
+    let is_trapped = fluid.iter().flatten().any(&traps)
+        || mix.iter().flatten().filter_map(|wheel| wheel.fluid.as_ref()).any(&traps);
+    check_network(&sections, (is_trapped, is_block), report);
     let solver = sections.one(&SOLVER)?;
     let case = Case {
         title: sections.one(&TOP)?.get(TITLE)?,
@@ -184,27 +194,39 @@ pub(crate) fn build(
             Some(read) => Some(read?),
             None => None,
         },
+        inspection_risk: match risk {
+            Some(read) => Some(read?),
+            None => None,
+        },
+        mgt_per_year: sections.one(&TRAFFIC).and_then(|s| s.get(MGT_PER_YEAR)),
         scatter: match scatter {
             Some(read) => Some(read?),
             None => None,
         },
+        calibration: sections.one(&CALIBRATION).and_then(read_calibration).unwrap_or_default(),
         written: Written::of(&sections),
     };
     check_size(&case, &sections, sizes, report).then_some(case)
 }
 
-/// A wheel of a mix with its passage, in its own half-width.
+/// A wheel of a mix with its passage, in its own half-width, and its fluid, by default that of the
+/// case.
 fn place_wheel(
     read: ReadWheel,
     sections: &Sections,
+    of_case: Option<&Option<CrackFluid>>,
     network: Option<&CrackNetwork>,
     report: &mut Report,
 ) -> Option<MixedWheel> {
     let section = sections.one(&PASSAGE)?;
-    let passage = read_passage(section, Some(read.wheel.half_width()), network, report)?;
+    let ReadWheel { name, share, axle_load, wheel, travel, fluid } = read;
+    let fluid = match &fluid {
+        Some(own) => read_fluid(own, network?, report),
+        None => of_case.cloned(),
+    };
+    let passage = read_passage(section, Some(wheel.half_width()), Some(travel), network, report)?;
     let passages = read_passages(section, passage)?;
-    let ReadWheel { name, share, axle_load, wheel } = read;
-    Some(MixedWheel { name, share, axle_load, wheel, passages })
+    Some(MixedWheel { name, share, axle_load, wheel, fluid: fluid?, passages })
 }
 
 /// Whether the engine is that in space.
@@ -252,27 +274,12 @@ fn read_fracture(
     }
 }
 
-/// The plastic state is that of the contact alone.
-fn check_rolled(sections: &Sections, report: &mut Report) {
-    let help = "give a field or profile in [plastic_stress], computed for the same rail without this section";
-    if let Some(track) = sections.one(&TRACK) {
-        let says =
-            "bends the rail, but the plastic state of [plastic_stress] is computed for the contact alone";
-        report.add(track.fault(FOUNDATION, says).help(help));
-    }
-    if let Some(temperature) = sections.one(&TEMPERATURE) {
-        let says =
-            "stresses the rail, but the plastic state of [plastic_stress] is computed for the contact alone";
-        report.add(temperature.fault(RAIL_TEMPERATURE, says).help(help));
-    }
-}
-
 /// Smallest gap between the contact and the side of a block, over the half-width: if it is closer,
 /// the sides carry part of the contact load.
 const SIDE_GAP: f64 = 1.0;
 
-/// Groups are for dry cracks in a half-plane and Newton's method.
-fn check_network(sections: &Sections, (has_fluid, is_block): (bool, bool), report: &mut Report) {
+/// Groups are for cracks in a half-plane and Newton's method.
+fn check_network(sections: &Sections, (is_trapped, is_block): (bool, bool), report: &mut Report) {
     let Some(solver) = sections.one(&SOLVER) else { return };
     if solver.get(NETWORK) != Some(NetworkContact::Groups) {
         return;
@@ -285,11 +292,11 @@ fn check_network(sections: &Sections, (has_fluid, is_block): (bool, bool), repor
     if is_block {
         refuse("is \"groups\", which requires rail.boundary = \"half-plane\"");
     }
+    if is_trapped {
+        refuse("is \"groups\", which does not resolve the seal of trapped fluid");
+    }
     if solver.get(SOLVER_CONTACT) == Some(ContactSolver::Latin) {
         refuse("is \"groups\", which requires solver.contact = \"newton\"");
-    }
-    if has_fluid {
-        refuse("is \"groups\", which requires dry cracks, and there is a section [fluid]");
     }
 }
 
@@ -307,12 +314,13 @@ fn check_block(
         let help = "engine = \"xfem\" computes a block; boundary = \"half-plane\" suits both engines";
         report.add(solver.fault(ENGINE, says).help(help));
     }
-    if let Some(track) = sections.one(&TRACK) {
+    if let Some(track) = sections.one(&TRACK).or_else(|| sections.all(&WHEEL_TRACK).next()) {
         let says = "bends a rail over several metres, but a block of rail.width_mm bends on its own supports";
         let help = "use rail.boundary = \"half-plane\", or leave [track] out";
         report.add(track.fault(FOUNDATION, says).help(help));
     }
-    if let Some(temperature) = sections.one(&TEMPERATURE) {
+    let temperature = sections.one(&TEMPERATURE).or_else(|| sections.all(&WHEEL_TEMPERATURE).next());
+    if let Some(temperature) = temperature {
         let says = "describes a long rail that is restrained lengthwise, but the sides of a block would move";
         let help = "use rail.boundary = \"half-plane\", or leave [temperature] out";
         report.add(temperature.fault(RAIL_TEMPERATURE, says).help(help));

@@ -2,19 +2,20 @@
 
 use super::mix::MixedWheel;
 use super::space_case::SpaceCase;
-use crate::files::{Companion, ProfileFile, RatesFile, ToughnessFile};
+use crate::files::{Companion, DetectionFile, ProfileFile, RatesFile, ToughnessFile};
 use crate::schema::{Value, Written};
 use crate::tables::{
-    ContactSolver, Engine, FieldOutput, Fracture, GivenWheel, Inspection, MaintenancePlan, MeshSettings,
-    OUTPUT, Output, PlasticSource, RUN_FOLDERS, Rail, Scatter, ShakedownSettings, TITLE, TOP,
+    CalibrationPrior, ContactSolver, Detection, Engine, FieldOutput, Fracture, GivenWheel, Inspection,
+    InspectionRisk, MaintenancePlan, MeshSettings, OUTPUT, Output, PlasticSource, RUN_FOLDERS, Rail, Scatter,
+    ShakedownSettings, TITLE, TOP,
 };
 use railcrack::crack::CrackNetwork;
 use railcrack::fatigue::RailSteel;
 use railcrack::growth::{GrowthSettings, PassageSettings};
+use railcrack::load::Passage;
 use railcrack::material::IsotropicElastic;
 use railcrack::plane::{CrackFluid, NetworkContact};
 use railcrack::shakedown::{ContactBounds, RolledRail, Stabilisation};
-use thiserror::Error;
 
 /// Everything in a case file, checked, in the types of the mechanics. Two are equal when their
 /// values and the contents of their files are.
@@ -26,7 +27,7 @@ pub struct Case {
     pub steel: IsotropicElastic,
     /// Extent and boundary of the rail.
     pub rail: Rail,
-    /// The load of the wheel: contact, bending, temperature.
+    /// The load of the wheel: contact, bending, temperature; in a mix, the first one.
     pub wheel: GivenWheel,
     /// Output positions; repetition and resolution of the passages.
     pub passages: PassageSettings,
@@ -39,7 +40,7 @@ pub struct Case {
     pub residual_stress: Option<ProfileFile>,
     /// Plastic stress, still to be balanced.
     pub plastic_stress: Option<PlasticSource>,
-    /// Fluid in the cracks, where it is given.
+    /// Fluid in the cracks, where it is given; in a mix, under the first wheel.
     pub fluid: Option<CrackFluid>,
     /// Plastic behaviour under the repeated passage.
     pub shakedown: ShakedownSettings,
@@ -73,50 +74,80 @@ pub struct Case {
     pub maintenance: Option<MaintenancePlan>,
     /// The inspection, where it is given.
     pub inspection: Option<Inspection>,
+    /// The risk between inspections, where there is an inspection.
+    pub inspection_risk: Option<InspectionRisk>,
+    /// Million gross tonnes per year, where they are given.
+    pub mgt_per_year: Option<f64>,
     /// The scatter, where it is given.
     pub scatter: Option<Scatter>,
+    /// Prior of a calibration.
+    pub calibration: CalibrationPrior,
     /// Sections and values as written, defaults filled in.
     pub(super) written: Written,
 }
 
-/// A load under which no plastic state is computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-#[error(
-    "[{section}]: the plastic state is computed for the contact alone, whose stress passes and leaves; {reason}. Leave [{section}] out to compute it"
-)]
-pub struct RolledRailError {
-    /// The section that gives it.
-    pub section: &'static str,
-    /// Why not.
-    pub reason: &'static str,
+/// The wheel of a mix that comes nearest to its limit of elastic shakedown, or exceeds it most.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct HeaviestWheel {
+    /// Its number, from 0.
+    pub wheel: usize,
+    /// Its peak pressure over that at its limit of elastic shakedown.
+    pub of_limit: f64,
 }
 
 impl Case {
-    /// The rail without its cracks under the repeated passage of the contact.
-    ///
-    /// Errors: a rail that bends, or that is not at its neutral temperature.
-    pub fn rolled_rail(&self) -> Result<RolledRail, RolledRailError> {
-        if self.wheel.load.track.is_some() {
-            let reason = "bending is not a field of the yielding half-plane, and it reaches metres beyond it";
-            return Err(RolledRailError { section: "track", reason });
-        }
-        if self.wheel.load.temperature.is_some() {
-            let reason = "years of rolling cover all temperatures, not only the one of this section";
-            return Err(RolledRailError { section: "temperature", reason });
-        }
-        Ok(RolledRail {
+    /// The rail without its cracks under the repeated passage of the contact of one wheel, the
+    /// [heaviest](Case::heaviest) of a mix. Bending and thermal stress are not part of it: they are
+    /// added to the plastic stress that it leaves.
+    #[must_use]
+    pub fn rolled_rail(&self) -> RolledRail {
+        let (wheel, passages) = match self.mix.get(self.heaviest().wheel) {
+            Some(mixed) => (&mixed.wheel, &mixed.passages),
+            None => (&self.wheel, &self.passages),
+        };
+        RolledRail {
             steel: self.steel,
             hardening: self.shakedown.hardening,
-            contact: self.wheel.contact().clone(),
-            travel: self.passages.passage.travel(),
+            contact: wheel.contact().clone(),
+            travel: passages.passage.travel(),
             initial: self.shakedown.initial_residual.as_ref().map(|file| file.content().clone()),
-        })
+        }
+    }
+
+    /// The wheel with the largest peak pressure relative to its limit of elastic shakedown, the
+    /// first of equals.
+    ///
+    /// A lighter wheel rolls over a rail that the heaviest one has already hardened. Within the
+    /// limit of shakedown the backstress and the residual stress that make the passage of the
+    /// heaviest wheel elastic leave room for the smaller paths of the others.
+    #[must_use]
+    pub fn heaviest(&self) -> HeaviestWheel {
+        let shear_yield = self.shakedown.hardening.shear_yield_stress();
+        let of = |(i, wheel): (usize, &GivenWheel)| {
+            let limit = wheel.contact_bounds(&self.steel, |bounds| bounds.shakedown_limit().ratio);
+            let ratio = wheel.contact().peak_pressure() / shear_yield;
+            HeaviestWheel { wheel: i, of_limit: limit.map_or(0.0, |limit| ratio / limit) }
+        };
+        let wheels: Vec<&GivenWheel> = match self.mix.len() {
+            0 => vec![&self.wheel],
+            _ => self.mix.iter().map(|mixed| &mixed.wheel).collect(),
+        };
+        let heavier = |most: HeaviestWheel, next: HeaviestWheel| {
+            if next.of_limit > most.of_limit { next } else { most }
+        };
+        wheels.into_iter().enumerate().map(of).reduce(heavier).unwrap_or_default()
     }
 
     /// First yield and shakedown under the contact alone, as `of` asks for them.
     #[must_use]
     pub fn contact_bounds<T>(&self, of: impl FnOnce(&ContactBounds) -> T) -> Option<T> {
         self.wheel.contact_bounds(&self.steel, of)
+    }
+
+    /// Whether there is fluid in the cracks, under any wheel.
+    #[must_use]
+    pub fn has_fluid(&self) -> bool {
+        self.fluid.is_some() || self.mix.iter().any(|wheel| wheel.fluid.is_some())
     }
 
     /// a, mm: the unit of `[passage]` positions.
@@ -129,12 +160,18 @@ impl Case {
     /// `[passage]`, and where the rail bends those far away. Of the cracks at the beginning.
     #[must_use]
     pub fn positions(&self) -> Vec<f64> {
+        self.positions_under(&self.wheel, &self.passages.passage)
+    }
+
+    /// [`Case::positions`] of `wheel` in its `passage`.
+    #[must_use]
+    pub fn positions_under(&self, wheel: &GivenWheel, passage: &Passage) -> Vec<f64> {
         let points = || self.cracks.cracks().iter().flat_map(|crack| crack.points());
         let mut places: Vec<f64> = points().filter(|point| point.y == 0.0).map(|point| point.x).collect();
         if places.is_empty() {
             places.extend(points().next().map(|point| point.x));
         }
-        self.wheel.positions(&self.passages.passage, &places, &self.steel)
+        wheel.positions(passage, &places, &self.steel)
     }
 
     /// Settings of the computation of its stabilised state.
@@ -181,10 +218,15 @@ impl Case {
         let toughness = self.fracture.as_ref().and_then(|fracture| fracture.file.as_ref());
         let toughness = toughness.map(ToughnessFile::companion);
         let rates = self.growth_rates.as_ref().map(RatesFile::companion);
+        let detection = self.inspection_risk.as_ref().and_then(|risk| risk.detection.as_ref());
+        let detection = detection.and_then(|detection| match detection {
+            Detection::Table(file) => Some(DetectionFile::companion(file)),
+            Detection::LogNormal { .. } => None,
+        });
         // The tables of a mix are one file.
         let of_mix = || self.mix.iter().find_map(|wheel| wheel.wheel.companion());
         let contact = self.wheel.companion().or_else(of_mix);
         let stresses = residual.into_iter().chain(plastic).chain(initial);
-        contact.into_iter().chain(stresses).chain(toughness).chain(rates).collect()
+        contact.into_iter().chain(stresses).chain(toughness).chain(rates).chain(detection).collect()
     }
 }

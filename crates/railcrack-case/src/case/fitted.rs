@@ -3,7 +3,7 @@
 use super::case::Case;
 use super::overrides::Overrides;
 use super::setting::place_of;
-use crate::schema::{Kind, Value};
+use crate::schema::{Kind, NumberRange, Value};
 use railcrack::fatigue::{Constant, LawInput};
 use railcrack::words::Choice;
 use thiserror::Error;
@@ -87,6 +87,15 @@ impl Case {
             settings.push(format!("scatter.paris_c_log_std={:?}", scatter.c_log_std));
         }
         Overrides { settings, left_out: vec!["growth.steel".to_owned()], ..Overrides::default() }
+    }
+
+    /// The numbers that `key` accepts; none where there is no such key, or it takes no number.
+    #[must_use]
+    pub fn accepted_numbers(&self, key: &str) -> Option<NumberRange> {
+        match place_of(key).ok()?.2.kind {
+            Kind::Number { range, .. } => Some(range),
+            _ => None,
+        }
     }
 
     /// The number that the case has at `key`, `section.key` or `section[2].key`; of a section that

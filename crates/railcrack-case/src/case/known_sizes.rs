@@ -68,12 +68,12 @@ fn geometry(case: &Case) -> String {
         None => None,
     };
     let fronts = case.space.as_ref().map(|space| &space.shapes);
-    let growth = (case.growth.steps, case.growth.increment);
+    let grows = case.outgrows_first_mesh();
     format!(
         "{:?}",
         (
             (case.engine, case.network, &case.mesh, &case.rail, case.steel),
-            (growth, case.positions().len(), &case.cracks, fronts, plastic),
+            (grows, case.positions().len(), &case.cracks, fronts, plastic),
         )
     )
 }

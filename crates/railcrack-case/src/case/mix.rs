@@ -2,11 +2,14 @@
 
 use crate::schema::{Fault, Report, SectionValues, Sections};
 use crate::tables::{
-    AXLE_LOAD, CONTACT, ContactExtent, GivenWheel, PASSAGE, SHARE, TEMPERATURE, TRACK, TRAFFIC, WHEEL,
-    WHEEL_AXLE_LOAD, WHEEL_CONTACT, WHEEL_NAME, WHEEL_TEMPERATURE, WHEEL_TRACK, WheelSections, read_travel,
+    AXLE_LOAD, CONTACT, ContactExtent, DIRECTION, GivenWheel, PASSAGE, SHARE, TEMPERATURE, TRACK, TRAFFIC,
+    WHEEL, WHEEL_AXLE_LOAD, WHEEL_CONTACT, WHEEL_FLUID, WHEEL_NAME, WHEEL_TEMPERATURE, WHEEL_TRACK,
+    WheelSections, read_travel,
 };
 use railcrack::growth::{MOST_WHEELS, PassageSettings};
+use railcrack::load::Travel;
 use railcrack::material::IsotropicElastic;
+use railcrack::plane::CrackFluid;
 use std::path::Path;
 
 /// A wheel of a mix.
@@ -20,24 +23,29 @@ pub struct MixedWheel {
     pub axle_load: Option<f64>,
     /// Contact, track, temperature.
     pub wheel: GivenWheel,
-    /// Its passages: positions are measured in its own half-width.
+    /// Fluid in the cracks while it passes, if any.
+    pub fluid: Option<CrackFluid>,
+    /// Its passages, in its direction of travel: positions are measured in its own half-width.
     pub passages: PassageSettings,
 }
 
-/// A wheel of a mix before its passage is known.
+/// A wheel of a mix before the cracks are known.
 pub(super) struct ReadWheel {
     pub name: String,
     pub share: f64,
     pub axle_load: Option<f64>,
     pub wheel: GivenWheel,
+    pub travel: Travel,
+    /// Its own `[wheel.fluid]`; without it, that of the case applies.
+    pub fluid: Option<SectionValues>,
 }
 
 /// Shares whose sum differs from 1 by less add up to 1: they were rounded to six digits.
 const SUM: f64 = 1e-6;
 
 /// The wheels of `[[wheel]]`, shares adding up to 1; none if there are none or there is an error,
-/// which is added to `report`. Track and temperature of the case apply to every wheel that does not
-/// define its own. `extent` selects the part of the contacts that is read.
+/// which is added to `report`. Track, temperature, fluid and direction of the case apply to every
+/// wheel that does not define its own. `extent` selects the part of the contacts that is read.
 pub(super) fn read_mix(
     sections: &Sections,
     steel: Option<&IsotropicElastic>,
@@ -59,6 +67,7 @@ pub(super) fn read_mix(
     let travel = sections.one(&PASSAGE).and_then(read_travel)?;
     let traffic = sections.one(&TRAFFIC).and_then(|traffic| traffic.get(AXLE_LOAD));
     let read = |(i, given): (usize, &&SectionValues)| {
+        let travel = given.get(DIRECTION).unwrap_or(travel);
         let of_wheel = WheelSections {
             contact: sections.part(given, &WHEEL_CONTACT)?,
             track: sections.part(given, &WHEEL_TRACK).or_else(|| sections.one(&TRACK)),
@@ -71,6 +80,8 @@ pub(super) fn read_mix(
             share: given.get(SHARE)?,
             axle_load: given.get(WHEEL_AXLE_LOAD).or(traffic),
             wheel,
+            travel,
+            fluid: sections.part(given, &WHEEL_FLUID).cloned(),
         })
     };
     // All of them, so that all errors are found at once.

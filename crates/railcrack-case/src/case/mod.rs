@@ -21,7 +21,7 @@ mod space;
 mod space_case;
 
 pub use carried::{CarriedStress, CarriedStressError, Projection, Release};
-pub use case::{Case, RolledRailError};
+pub use case::{Case, HeaviestWheel};
 pub use fitted::{Coefficient, NoCoefficient, NoNumber};
 pub use known_sizes::KnownSizes;
 pub use mix::MixedWheel;

@@ -16,9 +16,9 @@ use railcrack::growth::{
     CrackedRail, FieldSettings, Growth, GrowthSettings, GrowthState, StepSource, TipJudge,
 };
 use railcrack::math::MPA_SQRT_MM;
-use railcrack::plane::{self, PlaneRail};
+use railcrack::plane::{self, CrackFluid, PlaneRail};
 use railcrack::residual::PlasticField;
-use railcrack::space::{SpaceRail, SpaceWheel};
+use railcrack::space::{SpaceFluid, SpaceRail, SpaceWheel};
 use railcrack::xfem::{
     EnrichmentRadius, MOST_MESH_UNKNOWNS, RailEnd, RefinedRegion, ResolvedLayers, XfemEngine, XfemSettings,
     default_element_sizes,
@@ -26,9 +26,10 @@ use railcrack::xfem::{
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
-/// Maximum growth of the length that the refined region allows for: it is enlarged for a crack that
-/// grows further.
-const LARGEST_WINDOW: f64 = 3.0;
+/// Growth of the length for which the refined regions of a run make room, one after the other: the
+/// last one is enlarged for a crack that grows further. They do not depend on the number of steps,
+/// so that a step is the same in a short run and in a long one.
+const WINDOWS: [f64; 3] = [1.25, 1.75, 3.0];
 
 /// Elements over the depth of the plastic stress, at least.
 const LAYERS_PER_PLASTIC_DEPTH: f64 = 40.0;
@@ -64,9 +65,8 @@ impl Case {
     #[must_use]
     pub fn xfem_engine(&self) -> XfemEngine {
         let sizes = self.element_sizes();
-        let expected_growth =
-            (1.0 + self.growth.increment).powf(self.growth.steps as f64).min(LARGEST_WINDOW);
-        let refined = RefinedRegion::with_sizes(&self.cracks, &sizes, expected_growth);
+        let [first, further @ ..] =
+            WINDOWS.map(|growth| RefinedRegion::with_sizes(&self.cracks, &sizes, growth));
         let defaults = XfemSettings::default();
         let settings = XfemSettings {
             enrichment: self.mesh.tip_enrichment_radius.map_or(defaults.enrichment, EnrichmentRadius::Fixed),
@@ -77,7 +77,12 @@ impl Case {
             Boundary::HalfPlane => RailEnd::HalfPlane { centre: self.rail.extent.centre },
             Boundary::Block { bottom, sides } => RailEnd::Block { extent: self.rail.extent, bottom, sides },
         };
-        XfemEngine::with_region(refined, self.steel, end, settings)
+        XfemEngine::with_region(first, self.steel, end, settings).followed_by(further.into())
+    }
+
+    /// Whether the steps are expected to make the cracks outgrow the first mesh.
+    pub(super) fn outgrows_first_mesh(&self) -> bool {
+        (1.0 + self.growth.increment).powf(self.growth.steps as f64) > WINDOWS[0]
     }
 
     /// The fields to be computed; none if none are requested.
@@ -157,6 +162,7 @@ fn other_wheel(
     plane::MixedWheel {
         wheel: other.wheel.field(&case.steel).expect("the case is checked"),
         share: other.share,
+        fluid: other.fluid.clone(),
         residual: with_temperature(case, &other.wheel, residual),
         passages: other.passages,
         toughness: toughness_under(case, &other.wheel),
@@ -164,9 +170,15 @@ fn other_wheel(
 }
 
 /// K_Ic (MPa √mm) at the temperature of the rail under `wheel`; none where the rail does not break.
+/// Where that under the first wheel differs from the one that the case gives, that under the others
+/// differs by as much.
 fn toughness_under(case: &Case, wheel: &GivenWheel) -> Option<f64> {
-    let rail = wheel.load.temperature.map_or(ROOM_TEMPERATURE, |temperature| temperature.rail);
-    case.fracture.as_ref().map(|fracture| MPA_SQRT_MM * fracture.toughness.at(rail))
+    let rail =
+        |wheel: &GivenWheel| wheel.load.temperature.map_or(ROOM_TEMPERATURE, |temperature| temperature.rail);
+    let fracture = case.fracture.as_ref()?;
+    let at = |rail: f64| MPA_SQRT_MM * fracture.toughness.at(rail);
+    let raised = case.growth.toughness.map_or(0.0, |toughness| toughness - MPA_SQRT_MM * fracture.at_rail);
+    Some(at(rail(wheel)) + raised)
 }
 
 /// Temperature (°C) of a rail if none is given.
@@ -278,6 +290,7 @@ impl Case {
             share: self.mix.first().map_or(1.0, |first| first.share),
             bending: self.wheel.bending(&self.steel),
             residual: with_temperature(self, &self.wheel, residual),
+            fluid: self.fluid.as_ref().map(in_space),
             passages: self.passages,
             toughness: self.growth.toughness,
         };
@@ -286,6 +299,7 @@ impl Case {
             share: mixed.share,
             bending: mixed.wheel.bending(&self.steel),
             residual: with_temperature(self, &mixed.wheel, residual),
+            fluid: mixed.fluid.as_ref().map(in_space),
             passages: mixed.passages,
             toughness: toughness_under(self, &mixed.wheel),
         });
@@ -302,4 +316,9 @@ impl Case {
         };
         Some(boxed(rail, state, judge))
     }
+}
+
+/// The same fluid in cracks in space.
+fn in_space(fluid: &CrackFluid) -> SpaceFluid {
+    SpaceFluid { model: fluid.model, profile: fluid.profile, cracks: fluid.cracks.clone() }
 }

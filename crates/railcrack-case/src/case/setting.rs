@@ -11,7 +11,7 @@ const EXAMPLE: &str = "such as contact.friction=0.2 or crack[1].angle_deg=30.0";
 pub(super) fn setting(given: &str, report: &mut Report) -> Option<Override> {
     let shown = format!("--set {given}");
     let mut refuse = |says: String, help: String| {
-        report.add(Fault::new(format!("`{shown}`: {says}")).help(help));
+        report.add_to_command_line(Fault::new(format!("`{shown}`: {says}")).help(help));
         None
     };
     let Some((path, written)) = given.split_once('=') else {

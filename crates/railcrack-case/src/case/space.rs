@@ -4,7 +4,7 @@ use super::cracks::PlacedCracks;
 use super::space_case::SpaceCase;
 use crate::schema::{Fault, Report, Section, SectionValues, Sections};
 use crate::tables::{
-    CONTACT, CRACK, CRACK_LATERAL, ContactOrigin, ContactSolver, FLUID, FRICTION, GROWTH, GivenWheel, KIND,
+    CONTACT, CRACK, CRACK_LATERAL, ContactOrigin, ContactSolver, FRICTION, GROWTH, GivenWheel, KIND,
     LATERAL_FRICTION, LATERAL_HALF_WIDTH, LAW, MODE_3_WEIGHT, PLASTIC_STRESS, Rail, SOLVER, SOLVER_CONTACT,
     SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL, WHEEL_CONTACT,
 };
@@ -16,10 +16,8 @@ use railcrack::space::{CloseCracks, EllipticWheel, SpaceCrack};
 use std::f64::consts::PI;
 
 /// Sections that the engine does not support, with reasons.
-const REFUSED: [(Section, &str); 2] = [
-    (FLUID, "computes dry cracks"),
-    (PLASTIC_STRESS, "accepts residual stress only as a balanced profile ([residual_stress])"),
-];
+const REFUSED: [(Section, &str); 1] =
+    [(PLASTIC_STRESS, "accepts residual stress only as a balanced profile ([residual_stress])")];
 
 /// The cracks, the wheel and the law of the engine in space; none if something is wrong or missing;
 /// errors are added to `report`.

@@ -13,6 +13,8 @@ pub enum Column {
     Alternative(&'static str),
     /// Optional; its values are 0 if it is missing.
     Optional(&'static str),
+    /// Optional, and so is each field: the values are NaN where they are missing or blank.
+    Blank(&'static str),
     /// Optional, with any text, and not read: its values are 0.
     PassedOver(&'static str),
 }
@@ -46,14 +48,33 @@ pub(super) const LARGEST: f64 = 1e6;
 impl Column {
     fn name(self) -> &'static str {
         match self {
-            Self::Needed(name) | Self::Alternative(name) | Self::Optional(name) | Self::PassedOver(name) => {
-                name
-            }
+            Self::Needed(name)
+            | Self::Alternative(name)
+            | Self::Optional(name)
+            | Self::Blank(name)
+            | Self::PassedOver(name) => name,
         }
+    }
+
+    /// Its value in a row without it.
+    fn if_missing(self) -> f64 {
+        if matches!(self, Self::Blank(_)) { f64::NAN } else { 0.0 }
     }
 }
 
 impl Columns {
+    /// The error that row `number`, from 1, of the file `path` is wrong as `message` says.
+    pub fn error_of_row(&self, path: &Path, number: usize, message: String) -> CaseErrors {
+        let source = match read_file(path) {
+            Ok(source) => source,
+            Err(errors) => return errors,
+        };
+        let span = lines(&source).nth(number).map_or(0..0, |(_, span)| span);
+        let mut report = Report::new(source);
+        report.add(*self.fault(message, &span));
+        report.into_errors()
+    }
+
     /// The table in the file `path`; lines that begin with # and empty lines are ignored.
     ///
     /// Errors: the file cannot be read; a column is unknown, missing or given twice; a row has a
@@ -76,16 +97,25 @@ impl Columns {
         let order = self.order(header, &header_span)?;
         let is_given = (0..self.columns.len()).map(|column| order.contains(&column)).collect();
         let mut read = Columned { rows: Vec::new(), is_given, header: header_span, spans: Vec::new() };
+        // Where a row has other columns to say what it says, its alternative may be blank.
+        let may_be_blank = self.columns.iter().any(|column| matches!(column, Column::Blank(_)));
         for (text, span) in lines {
             let fields: Vec<&str> = text.split(',').map(str::trim).collect();
             if fields.len() != order.len() {
-                let message = format!("{} values in a row of {} columns", fields.len(), order.len());
+                let mut message = format!("{} values in a row of {} columns", fields.len(), order.len());
+                if fields.len() == 2 * order.len() && fields.iter().all(|field| field.parse::<f64>().is_ok())
+                {
+                    message.push_str(": numbers have a decimal point, not a comma");
+                }
                 return Err(self.fault(message, &span));
             }
-            let mut row = vec![0.0; self.columns.len()];
+            let mut row: Vec<f64> = self.columns.iter().map(|column| column.if_missing()).collect();
             for (&column, given) in order.iter().zip(fields) {
                 match (self.columns[column], given.parse::<f64>()) {
                     (Column::PassedOver(_), _) => (),
+                    (Column::Blank(_) | Column::Alternative(_), _) if given.is_empty() && may_be_blank => {
+                        row[column] = f64::NAN;
+                    }
                     (_, Ok(value)) if value.abs() <= self.largest => row[column] = value,
                     (other, _) => {
                         let (name, most) = (other.name(), self.largest);
@@ -108,6 +138,13 @@ impl Columns {
         let mut words = header.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
         if !words.any(|word| self.columns.iter().any(|column| column.name() == word)) {
             return Err(Box::new(of_another_kind(self.help)));
+        }
+        if let Some(other) = [";", "\t"].into_iter().find(|other| names.len() == 1 && header.contains(other))
+        {
+            let other = if other == ";" { "semicolons" } else { "tabs" };
+            let message =
+                format!("columns are separated by commas, not by {other}; numbers have a decimal point");
+            return Err(self.fault(message, span));
         }
         let mut order = Vec::with_capacity(names.len());
         for (i, name) in names.iter().enumerate() {

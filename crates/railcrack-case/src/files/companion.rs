@@ -1,5 +1,6 @@
 //! Files that a case names, and how they are stored with it.
 
+use super::detection_table::DetectionTable;
 use crate::schema::{Fault, KeyRow, Kind, Report, SectionValues, Source, read_text};
 use railcrack::fatigue::{RateTable, Toughness};
 use railcrack::field::DepthProfile;
@@ -28,6 +29,9 @@ pub struct CaseFile<T> {
 
 /// A plastic stress on a mesh, and its file reduced to the mesh and this one array.
 pub type FieldFile = CaseFile<PlasticField>;
+
+/// Probability of detection by depth, and the text it was read from.
+pub type DetectionFile = CaseFile<DetectionTable>;
 
 /// Growth rates by equivalent range, and the text they were read from.
 pub type RatesFile = CaseFile<RateTable>;

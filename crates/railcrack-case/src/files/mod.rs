@@ -4,16 +4,22 @@ mod columns;
 mod companion;
 mod contact_mat;
 mod contact_table;
+mod detection;
+mod detection_table;
 mod field;
 mod profile;
 mod rates;
 mod toughness;
 
 pub use columns::{Column, Columned, Columns};
-pub use companion::{CaseFile, Companion, ContactFile, FieldFile, ProfileFile, RatesFile, ToughnessFile};
+pub use companion::{
+    CaseFile, Companion, ContactFile, DetectionFile, FieldFile, ProfileFile, RatesFile, ToughnessFile,
+};
+pub use detection_table::DetectionTable;
 
 pub(crate) use columns::{lines, of_another_kind};
 pub(crate) use contact_table::{ContactReading, read_contact_table};
+pub(crate) use detection::read_detection;
 pub(crate) use field::read_field;
 pub(crate) use profile::read_profile;
 pub(crate) use rates::read_rates;

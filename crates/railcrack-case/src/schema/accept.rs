@@ -40,7 +40,7 @@ impl Raw {
         }
     }
 
-    fn number(&self) -> Option<f64> {
+    pub(super) fn number(&self) -> Option<f64> {
         match self {
             Self::Integer(n) => Some(*n as f64),
             Self::Float(x) => Some(*x),
@@ -96,6 +96,12 @@ impl Kind {
                 (Some(_), _) | (None, Raw::TooLarge) => Err(self.must_be()),
                 _ => Err(self.wrong_type(raw, list)),
             },
+            Self::NumberOr { range, word, .. } => match (raw.number(), raw) {
+                (Some(value), _) if range.contains(value) => Ok(Value::Number(value)),
+                (None, Raw::Text(text)) if text == word => Ok(Value::Text(text.clone())),
+                (Some(_), _) | (None, Raw::TooLarge | Raw::Text(_)) => Err(self.must_be()),
+                _ => Err(self.wrong_type(raw, list)),
+            },
             Self::Integer { min, max } => match raw {
                 Raw::Integer(n) => match u64::try_from(*n) {
                     Ok(n) if (*min..=*max).contains(&n) => Ok(Value::Integer(n)),
@@ -108,8 +114,11 @@ impl Kind {
                 ))),
                 _ => Err(self.wrong_type(raw, list)),
             },
-            Self::Text => match raw {
-                Raw::Text(text) if text.chars().count() <= 200 && !text.chars().any(char::is_control) => {
+            Self::Text | Self::LongText => match raw {
+                Raw::Text(text)
+                    if text.chars().count() <= self.most_characters()
+                        && !text.chars().any(char::is_control) =>
+                {
                     Ok(Value::Text(text.clone()))
                 }
                 Raw::Text(_) => Err(self.must_be()),
@@ -148,6 +157,11 @@ impl Kind {
             Self::Points { unit, range } => self.points(raw, unit, *range, list),
             Self::Groups { example } => self.groups(raw, example, list),
         }
+    }
+
+    /// The length of a text.
+    fn most_characters(&self) -> usize {
+        if matches!(self, Self::LongText) { Self::LONG_TEXT } else { 200 }
     }
 
     fn groups(&self, raw: &Raw, example: &str, list: &'static str) -> Result<Value, Refusal> {
@@ -233,11 +247,15 @@ impl Kind {
 
     fn wrong_type(&self, raw: &Raw, list: &'static str) -> Refusal {
         let help = match (self, raw) {
-            (Self::Number { .. } | Self::Integer { .. }, Raw::Text(_)) => {
-                Some("numbers are written without quotes".into())
+            (Self::Number { .. } | Self::Integer { .. }, Raw::Text(text)) => {
+                Some(match point_for_comma(text) {
+                    Some(number) => format!("numbers have a decimal point and no quotes: {number}"),
+                    None => "numbers are written without quotes".into(),
+                })
             }
             (
                 Self::Number { .. }
+                | Self::NumberOr { .. }
                 | Self::Integer { .. }
                 | Self::Choice(_)
                 | Self::Switch
@@ -248,9 +266,22 @@ impl Kind {
             (Self::Numbers { .. }, Raw::Integer(_) | Raw::Float(_)) => {
                 Some("a list is written in brackets, one number included".into())
             }
-            (Self::Choice(_) | Self::Text | Self::Path { .. }, _) => Some("text is written in quotes".into()),
+            (Self::Choice(_) | Self::Text | Self::LongText | Self::Path { .. }, _) => {
+                Some("text is written in quotes".into())
+            }
             _ => None,
         };
         Refusal { message: format!("must be {}, not {}", self.accepted(), raw.kind()), help, part: None }
     }
+}
+
+/// A number with a decimal comma, `0,5`, as TOML writes it.
+pub(super) fn point_for_comma(text: &str) -> Option<String> {
+    let (whole, part) = text.trim().split_once(',')?;
+    let is_digits = |digits: &str| digits.chars().all(|digit| digit.is_ascii_digit() || digit == '_');
+    let is_number = !whole.is_empty() && is_digits(whole.trim_start_matches(['-', '+']));
+    let power = part.find(['e', 'E']).unwrap_or(part.len());
+    let has_part =
+        power > 0 && is_digits(&part[..power]) && format!("0{}", &part[power..]).parse::<f64>().is_ok();
+    (is_number && has_part).then(|| format!("{whole}.{part}"))
 }

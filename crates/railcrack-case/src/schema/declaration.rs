@@ -38,6 +38,17 @@ pub struct Section {
     pub parts: &'static [Section],
     /// The section that may replace it.
     pub instead: Option<&'static str>,
+    /// The choice that `false` in the position of the section stands for.
+    pub off: Option<Off>,
+}
+
+/// A choice for which a section within another one may be replaced by `false`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Off {
+    /// The key.
+    pub key: &'static str,
+    /// Its value.
+    pub choice: &'static str,
 }
 
 /// How often a section is written.
@@ -173,6 +184,15 @@ pub enum Kind {
         /// Accepted numbers.
         range: NumberRange,
     },
+    /// A number, or a word that stands for one that is still to be found.
+    NumberOr {
+        /// Its unit; empty for a pure number.
+        unit: &'static str,
+        /// Accepted numbers.
+        range: NumberRange,
+        /// The word.
+        word: &'static str,
+    },
     /// An integer, ends included.
     Integer {
         /// The smallest accepted.
@@ -182,6 +202,8 @@ pub enum Kind {
     },
     /// One line of text.
     Text,
+    /// One line of text of any reasonable length: a sentence, a source.
+    LongText,
     /// One of several words.
     Choice(fn() -> Vec<Word>),
     /// Yes or no.
@@ -280,6 +302,9 @@ pub(crate) fn short(value: f64) -> String {
 }
 
 impl Kind {
+    /// The most characters of a long text.
+    pub const LONG_TEXT: usize = 2000;
+
     /// The longest list of numbers.
     pub const MOST_NUMBERS: usize = 100;
 
@@ -289,7 +314,7 @@ impl Kind {
     /// Whether its values are text.
     #[must_use]
     pub fn is_text(&self) -> bool {
-        matches!(self, Self::Text | Self::Choice(_) | Self::Path { .. })
+        matches!(self, Self::Text | Self::LongText | Self::Choice(_) | Self::Path { .. })
     }
 
     /// The accepted values, to follow "must be".
@@ -298,8 +323,13 @@ impl Kind {
         match self {
             Self::Number { unit: "", range } => format!("a number in {range}"),
             Self::Number { unit, range } => format!("a number in {range} {unit}"),
+            Self::NumberOr { unit, range, word } => {
+                let number = Self::Number { unit, range: *range }.accepted();
+                format!("{number} or \"{word}\"")
+            }
             Self::Integer { min, max } => format!("an integer from {min} to {max}"),
             Self::Text => "one line of text of at most 200 characters".into(),
+            Self::LongText => format!("one line of text of at most {} characters", Self::LONG_TEXT),
             Self::Choice(words) => {
                 let names: Vec<String> = available(*words).map(|word| format!("\"{}\"", word.name)).collect();
                 let switches =

@@ -1,5 +1,6 @@
 //! From a file to its sections.
 
+use super::accept::point_for_comma;
 use super::declaration::{FileSchema, Section, SectionPresence};
 use super::error::{CaseErrors, Fault, Quoting, Report, Source};
 use super::reading::Reading;
@@ -22,6 +23,13 @@ pub(crate) fn read_file(path: &Path) -> Result<Source, CaseErrors> {
         report.add(fault);
         report.into_errors()
     })
+}
+
+/// The text of the file `path`.
+///
+/// Errors: it cannot be read, or is not text.
+pub fn read_text_file(path: &Path) -> Result<String, CaseErrors> {
+    Ok(read_file(path)?.text.to_string())
 }
 
 /// Reads the file `path` with `parse(text, name, folder)`: errors name it by its path, and relative
@@ -59,7 +67,11 @@ pub(crate) fn read_text(path: &Path, name: &str) -> Result<Source, Box<(Source, 
     let source = |text: &str| Source::new(name, text);
     let unreadable = |why: String| Box::new((source(""), Fault::new(format!("cannot read `{name}`: {why}"))));
     let bytes = read_bytes(path, MOST_TEXT).map_err(|e| match e.kind() {
-        std::io::ErrorKind::NotFound => unreadable("there is no such file".into()),
+        std::io::ErrorKind::NotFound => {
+            let mut missing = unreadable("there is no such file".into());
+            missing.1.help = similar_file(path).map(|name| format!("nearest: `{name}`"));
+            missing
+        }
         _ => unreadable(e.to_string()),
     })?;
     match String::from_utf8(bytes) {
@@ -80,6 +92,30 @@ pub(crate) fn read_text(path: &Path, name: &str) -> Result<Source, Box<(Source, 
             Err(Box::new((source(&shown).hidden(), fault)))
         }
     }
+}
+
+/// Likeness (Jaro and Winkler) of two file names from which one is suggested for the other.
+const ALIKE: f64 = 0.9;
+/// Maximum number of files of a folder that are looked at.
+const MOST_FILES: usize = 1000;
+
+/// The file in the folder of `path` whose name is most similar, as `path` would name it.
+fn similar_file(path: &Path) -> Option<String> {
+    let given = path.file_name()?.to_str()?.to_lowercase();
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let names = std::fs::read_dir(folder).ok()?.take(MOST_FILES);
+    let names = names.filter_map(|entry| {
+        let entry = entry.ok()?;
+        entry.file_type().ok()?.is_file().then(|| entry.file_name().into_string().ok())?
+    });
+    let likeness = |name: &String| strsim::jaro_winkler(&given, &name.to_lowercase());
+    let all = names.map(|name| (likeness(&name), name)).filter(|(likeness, _)| *likeness >= ALIKE);
+    // The order of a folder is that of the system: of equals the first by name.
+    let best = all.reduce(|best, next| {
+        let is_better = next.0 > best.0 || (next.0 == best.0 && next.1 < best.1);
+        if is_better { next } else { best }
+    });
+    Some(path.with_file_name(best?.1).display().to_string())
 }
 
 impl Source {
@@ -162,7 +198,7 @@ pub(crate) fn read_sections(root: &DeTable, reading: Reading, report: &mut Repor
         if repeats {
             reading.overrides_beyond(section.name, tables.len()).for_each(|given| {
                 let says = format!("`{}`: the file has no such `{}`", given.shown, section.header());
-                report.add(Fault::new(says).help(format!("it has {}", tables.len())));
+                report.add_to_command_line(Fault::new(says).help(format!("it has {}", tables.len())));
             });
         }
         if tables.is_empty() && (section.presence == SectionPresence::Defaulted || is_given) {
@@ -194,8 +230,10 @@ fn read_part(
         Some((span, DeValue::Table(given))) => {
             Some(read_section(part, number, Some((given, span)), reading, report))
         }
+        Some((span, DeValue::Boolean(false))) if part.off.is_some() => SectionValues::off(part, path, span),
         Some((span, _)) => {
-            let message = format!("`{path}` must be a section `[{}]`", part.name);
+            let or = if part.off.is_some() { " or `false`" } else { "" };
+            let message = format!("`{path}` must be a section `[{}]`{or}", part.name);
             report.add(Fault::of(path, span, message).help(part.doc));
             None
         }
@@ -220,8 +258,23 @@ fn syntax_fault(text: &str, message: &str, span: Option<Range<usize>>) -> Fault 
             ..Fault::new(format!("`{at}` is given twice")).help(help)
         };
     }
-    let help = "see https://toml.io for how values, lists and sections are written";
+    let help = slip_of(text, span.as_ref().map_or(0, |span| span.start))
+        .unwrap_or_else(|| "see https://toml.io for how values, lists and sections are written".into());
     Fault { span, ..Fault::new(format!("invalid TOML: {message}")).help(help) }
+}
+
+/// A slip in the line of the byte `at` that TOML does not name: a decimal comma, a semicolon at the
+/// end.
+fn slip_of(text: &str, at: usize) -> Option<String> {
+    let start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
+    let line = text.get(start..)?.lines().next()?;
+    let value = line.split_once('=')?.1.split('#').next()?.trim();
+    let without = value.trim_end_matches(';').trim();
+    if without.len() < value.len() {
+        let value = point_for_comma(without).unwrap_or_else(|| without.to_owned());
+        return Some(format!("no semicolon ends a line, and each key has a line of its own: {value}"));
+    }
+    point_for_comma(value).map(|number| format!("numbers have a decimal point, not a comma: {number}"))
 }
 
 /// The tables of a section with their places; an error where it is written as something else.

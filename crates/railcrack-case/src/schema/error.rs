@@ -214,6 +214,9 @@ pub(crate) struct Report {
     found: usize,
 }
 
+/// Name of the command line in messages.
+const COMMAND_LINE: &str = "command line";
+
 /// Maximum number of errors kept for a file: nobody corrects more at once.
 const MOST_ERRORS: usize = 50;
 
@@ -294,6 +297,14 @@ impl Report {
         }
         let Fault { message, key, span, help, also } = fault;
         let (message, help) = (shortened(escaped(&message)), help.map(|help| escaped(&help)));
+        // A section that several others share is read for each of them.
+        let is_same = |error: &CaseError| {
+            (&error.message, &error.span, &error.file) == (&message, &span, &escaped(&source.name))
+        };
+        if span.is_some() && self.errors.iter().any(is_same) {
+            self.found -= 1;
+            return;
+        }
         let primary = span.clone().map(|s| LabeledSpan::new_primary_with_span(Some("here".into()), s));
         let second = also.map(|(s, what)| LabeledSpan::new_with_span(Some(what.into()), s));
         let labels = primary.into_iter().chain(second).collect();
@@ -307,6 +318,27 @@ impl Report {
             labels,
             quoting: source.quoting,
         });
+    }
+
+    /// Adds an error about an option of the command line, which its message quotes.
+    pub fn add_to_command_line(&mut self, fault: Fault) {
+        self.add_to(&Source::new(COMMAND_LINE, ""), fault);
+    }
+
+    /// Number of errors kept so far.
+    pub fn count(&self) -> usize {
+        self.errors.len()
+    }
+
+    /// Errors from the one at `first` on are about the option `shown` of the command line.
+    pub fn move_to_command_line(&mut self, first: usize, shown: &str) {
+        for error in self.errors.iter_mut().skip(first).filter(|error| error.file != COMMAND_LINE) {
+            COMMAND_LINE.clone_into(&mut error.file);
+            error.message = format!("`{}`: {}", escaped(shown), error.message);
+            error.text = NamedSource::new(COMMAND_LINE, Arc::from(""));
+            error.span = None;
+            error.labels = Vec::new();
+        }
     }
 
     /// Adds an error that another report found in the same file or in one that it names.

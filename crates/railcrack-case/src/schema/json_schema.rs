@@ -57,7 +57,12 @@ pub(crate) fn section_schema(section: &Section) -> Value {
         properties.insert(key.name.into(), key_schema(key));
     }
     for part in section.parts {
-        properties.insert(part.own_name().into(), section_schema(part));
+        let schema = section_schema(part);
+        let schema = match part.off {
+            Some(_) => json!({ "description": part.doc, "anyOf": [{ "const": false }, schema] }),
+            None => schema,
+        };
+        properties.insert(part.own_name().into(), schema);
     }
     let needed = |key: &&Key| key.is_required() && !section.is_in_a_form(key);
     let is_always_required = |key: &&Key| needed(key) && key.only_with.is_none() && key.excused.is_none();
@@ -132,6 +137,12 @@ fn key_schema(key: &Key) -> Value {
             schema.insert("type".into(), "number".into());
             insert_range(&mut schema, range);
         }
+        Kind::NumberOr { range, word, .. } => {
+            let mut number = Map::new();
+            number.insert("type".into(), "number".into());
+            insert_range(&mut number, range);
+            schema.insert("anyOf".into(), json!([number, { "const": word }]));
+        }
         Kind::Integer { min, max } => {
             schema.insert("type".into(), "integer".into());
             schema.insert("minimum".into(), min.into());
@@ -143,6 +154,10 @@ fn key_schema(key: &Key) -> Value {
         Kind::Text => {
             schema.insert("type".into(), "string".into());
             schema.insert("maxLength".into(), 200.into());
+        }
+        Kind::LongText => {
+            schema.insert("type".into(), "string".into());
+            schema.insert("maxLength".into(), Kind::LONG_TEXT.into());
         }
         Kind::Path { .. } => {
             schema.insert("type".into(), "string".into());

@@ -23,15 +23,28 @@ pub(crate) fn page(file: &FileSchema) -> String {
         for key in section.keys {
             page.push_str(&row(section, key));
         }
-        let parts: Vec<String> = section.parts.iter().map(|part| format!("`[{}]`", part.name)).collect();
-        if !parts.is_empty() {
-            page.push_str(&format!(
-                "\nWithin each: {}, with the keys of the section of that name.\n",
-                parts.join(", ")
-            ));
-        }
+        page.push_str(&parts(section));
     }
     page
+}
+
+/// The sections within `section`.
+fn parts(section: &Section) -> String {
+    let names: Vec<String> = section.parts.iter().map(|part| format!("`[{}]`", part.name)).collect();
+    if names.is_empty() {
+        return String::new();
+    }
+    let mut text =
+        format!("\nWithin each: {}, with the keys of the section of that name.\n", names.join(", "));
+    for (part, off) in section.parts.iter().filter_map(|part| Some((part, part.off?))) {
+        text.push_str(&format!(
+            "`{} = false` stands for `{} = \"{}\"`.\n",
+            part.own_name(),
+            off.key,
+            off.choice
+        ));
+    }
+    text
 }
 
 fn forms(section: &Section) -> String {

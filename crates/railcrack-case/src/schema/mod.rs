@@ -16,17 +16,19 @@ mod sections;
 mod suggest;
 #[cfg(test)]
 mod tests;
+mod units;
 mod value;
 mod write;
 
 pub use declaration::{
-    FileSchema, Form, Key, Kind, NumberRange, OnlyWith, Pair, Presence, Preset, RangeEnd, Section,
+    FileSchema, Form, Key, Kind, NumberRange, Off, OnlyWith, Pair, Presence, Preset, RangeEnd, Section,
     SectionPresence,
 };
+pub use document::read_text_file;
 pub use error::{CaseError, CaseErrors};
 pub use railcrack::words::{Availability, Choice, Word};
 pub use value::Value;
-pub(crate) use value::{FromValue, read_by_word};
+pub(crate) use value::{FromValue, NumberOr, read_by_word};
 
 pub(crate) use accept::Raw;
 pub(crate) use declaration::short;
@@ -38,8 +40,8 @@ pub(crate) use json_schema::{file_schema, section_schema};
 pub(crate) use markdown::page;
 pub(crate) use reading::{Chosen, Defaults, Override, Reading};
 pub(crate) use row::{
-    KeyRow, choice, closed, count, file, given, groups, integer, joined, number, numbers, points, positive,
-    section, switch, text, within,
+    KeyRow, choice, closed, count, file, given, groups, integer, joined, long_text, number, number_or,
+    numbers, points, positive, section, switch, text, within,
 };
 pub(crate) use section::read_section;
 pub(crate) use sections::{SectionValues, Sections};

@@ -1,6 +1,7 @@
 //! Rows of a declaration: keys with the type of the values that they give.
 
 use super::declaration::{Key, Kind, NumberRange, OnlyWith, Pair, Presence, Preset};
+use super::value::NumberOr;
 use railcrack::words::{Choice, Word};
 use std::marker::PhantomData;
 
@@ -125,6 +126,16 @@ pub(crate) const fn number(
     KeyRow::new(name, Kind::Number { unit, range }, Preset::Number(default), doc)
 }
 
+/// A number or `word`, which is the default.
+pub(crate) const fn number_or(
+    name: &'static str,
+    range: NumberRange,
+    word: &'static str,
+    doc: &'static str,
+) -> KeyRow<NumberOr> {
+    KeyRow::new(name, Kind::NumberOr { unit: "", range, word }, Preset::Text(word), doc)
+}
+
 /// An integer of `range`, ends included, with a default or an example.
 pub(crate) const fn integer(
     name: &'static str,
@@ -153,6 +164,15 @@ pub(crate) const fn switch(name: &'static str, default: Preset, doc: &'static st
 /// One line of text.
 pub(crate) const fn text(name: &'static str, default: &'static str, doc: &'static str) -> KeyRow<String> {
     KeyRow::new(name, Kind::Text, Preset::Text(default), doc)
+}
+
+/// One line of text that may be long.
+pub(crate) const fn long_text(
+    name: &'static str,
+    default: &'static str,
+    doc: &'static str,
+) -> KeyRow<String> {
+    KeyRow::new(name, Kind::LongText, Preset::Text(default), doc)
 }
 
 /// The name of another file, and its name where a complete copy is kept.
@@ -246,6 +266,7 @@ macro_rules! section {
             forms: &[$($($crate::schema::Form { keys: &[$($OF.key.name),+] }),+)?],
             parts: &[$($($PART),+)?],
             instead: $crate::schema::given!($($instead)?),
+            off: None,
         };
     };
 }

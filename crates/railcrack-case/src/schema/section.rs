@@ -7,6 +7,7 @@ use super::forms::{check_pairs, choose_form};
 use super::reading::Reading;
 use super::sections::{Entry, SectionValues};
 use super::suggest::nearest;
+use super::units::guess;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -19,7 +20,7 @@ pub(crate) fn read_section(
     reading: Reading,
     report: &mut Report,
 ) -> SectionValues {
-    let file = reading.file;
+    let (file, before) = (reading.file, report.count());
     let path = section.path(number);
     let span = table.as_ref().map_or(0..0, |(_, span)| span.clone());
     let mut read = SectionValues { section, path, span, entries: Vec::new(), refused: Vec::new() };
@@ -61,15 +62,23 @@ pub(crate) fn read_section(
             Ok(value) => {
                 read.entries.push(Entry { key, value, span: None, parts: Vec::new(), is_given: true })
             }
-            Err(refusal) => report.add(Fault {
-                key: Some(read.dotted(key.name)),
-                help: refusal.help,
-                ..Fault::new(format!("`{}`: {}", given_instead.shown, refusal.message))
-            }),
+            Err(refusal) => {
+                let fault = Fault {
+                    key: Some(read.dotted(key.name)),
+                    help: refusal.help.or_else(|| guess(key, instead.number()?)),
+                    ..Fault::new(format!("`{}`: {}", given_instead.shown, refusal.message))
+                };
+                report.add_to_command_line(fault);
+            }
         }
     }
     leave_out_of_runs(&mut read, &mut given, &varied);
     fill(&mut read, &given, reading, report);
+    // A section of the command line alone has no place in the file.
+    let only = reading.overrides.iter().find(|given| given.section == section.name && given.value.is_some());
+    if let (None, Some(only)) = (table, only) {
+        report.move_to_command_line(before, &only.shown);
+    }
     read
 }
 
@@ -122,7 +131,8 @@ fn read_value(
             let shown = report.shown(&value.span());
             let span = refusal.part.unwrap_or(value.span());
             let message = format!("`{dotted} = {shown}`: {}", refusal.message);
-            report.add(Fault { help: refusal.help, ..Fault::of(dotted, span, message) });
+            let help = refusal.help.or_else(|| guess(key, raw.number()?));
+            report.add(Fault { help, ..Fault::of(dotted, span, message) });
         }
     }
 }

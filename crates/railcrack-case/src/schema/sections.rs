@@ -86,6 +86,20 @@ impl Entry {
 }
 
 impl SectionValues {
+    /// The values of `section` where `false` is written at `span` in its place; none where it has
+    /// no such choice.
+    pub(super) fn off(section: &'static Section, path: String, span: Range<usize>) -> Option<Self> {
+        let off = section.off?;
+        let entry = Entry {
+            key: section.key(off.key)?,
+            value: Value::Text(off.choice.into()),
+            span: Some(span.clone()),
+            parts: Vec::new(),
+            is_given: true,
+        };
+        Some(Self { section, path, span, entries: vec![entry], refused: Vec::new() })
+    }
+
     /// The value of a key; none where it is not given and has no default.
     pub fn get<T: FromValue>(&self, row: KeyRow<T>) -> Option<T> {
         T::from_value(&self.entry(row)?.value)

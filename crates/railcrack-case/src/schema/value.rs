@@ -23,6 +23,23 @@ pub enum Value {
     Switch(bool),
 }
 
+/// A number, or the word that replaces it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum NumberOr {
+    Number(f64),
+    Word,
+}
+
+impl FromValue for NumberOr {
+    fn from_value(value: &Value) -> Option<Self> {
+        match value {
+            Value::Number(number) => Some(Self::Number(*number)),
+            Value::Text(_) => Some(Self::Word),
+            _ => None,
+        }
+    }
+}
+
 impl From<Preset> for Value {
     fn from(preset: Preset) -> Self {
         match preset {

@@ -103,9 +103,15 @@ fn init_line(section: &Section, key: &Key) -> String {
         }
         Kind::Number { unit: "", range } => comment.push_str(&format!(" In {range}.")),
         Kind::Number { unit, range } => comment.push_str(&format!(" In {range} {unit}.")),
+        Kind::NumberOr { range, word, .. } => comment.push_str(&format!(" In {range}, or \"{word}\".")),
         Kind::Integer { min, max } => comment.push_str(&format!(" From {min} to {max}.")),
         Kind::Numbers { unit, range } => comment.push_str(&format!(" Each in {range} {unit}.")),
-        Kind::Switch | Kind::Text | Kind::Path { .. } | Kind::Points { .. } | Kind::Groups { .. } => (),
+        Kind::Switch
+        | Kind::Text
+        | Kind::LongText
+        | Kind::Path { .. }
+        | Kind::Points { .. }
+        | Kind::Groups { .. } => (),
     }
     if other_form && let Some(first) = section.forms.first() {
         comment.push_str(&format!(" Instead of {}.", first.keys.join(", ")));

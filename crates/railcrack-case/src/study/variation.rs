@@ -79,8 +79,10 @@ fn list_in_place<'d, 'i>(kind: Kind, value: &'d DeValue<'i>) -> Option<&'d [Span
         Kind::Numbers { .. } => items.first().is_some_and(is_list),
         Kind::Points { .. } | Kind::Groups { .. } => items.first().and_then(first_of).is_some_and(is_list),
         Kind::Number { .. }
+        | Kind::NumberOr { .. }
         | Kind::Integer { .. }
         | Kind::Text
+        | Kind::LongText
         | Kind::Choice(_)
         | Kind::Switch
         | Kind::Path { .. } => true,

@@ -1,5 +1,6 @@
 //! The case file: all sections, and the texts around them.
 
+use super::calibration::CALIBRATION;
 use super::contact::CONTACT;
 use super::crack::CRACK;
 use super::fluid::FLUID;
@@ -42,6 +43,7 @@ pub const SECTIONS: &[Section] = &[
     MAINTENANCE,
     INSPECTION,
     SCATTER,
+    CALIBRATION,
     OUTPUT,
 ];
 

@@ -4,12 +4,14 @@ use crate::schema::{
     Choice, Preset, Report, SectionValues, Word, choice, closed, number, numbers, read_by_word, section,
     switch,
 };
-use railcrack::contact::FluidModel;
+use railcrack::contact::{FluidModel, PressureProfile};
 use railcrack::crack::CrackNetwork;
-use railcrack::plane::{CrackFluid, PressureProfile};
+use railcrack::plane::CrackFluid;
 
 const MOUTH: &str = "mouth";
 const TRAPPED: &str = "trapped";
+/// The model of dry cracks.
+pub(super) const DRY: &str = "none";
 
 section! {
     FLUID "fluid", Optional, "Water or grease in the cracks, which exerts pressure on their faces.";
@@ -42,7 +44,7 @@ pub(crate) enum FluidKind {
 
 impl Choice for FluidKind {
     const WORDS: &'static [(Self, Word)] = &[
-        (Self::None, Word::now("none", "dry cracks, as without this section; useful in studies")),
+        (Self::None, Word::now(DRY, "dry cracks, as without this section; useful in studies")),
         (Self::Mouth, Word::now(MOUTH, "the contact pressure over the mouth acts inside the crack")),
         (
             Self::Trapped,

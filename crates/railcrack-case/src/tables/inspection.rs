@@ -1,7 +1,9 @@
 //! `[inspection]` and `[scatter]`: from growth to an interval with its uncertainty.
 
-use crate::schema::{Report, SectionValues, closed, integer, number, section};
+use crate::files::{DetectionFile, read_detection};
+use crate::schema::{Report, SectionValues, closed, file, integer, number, section};
 use railcrack::fatigue::RailSteel;
+use std::path::Path;
 
 section! {
     INSPECTION "inspection", Optional,
@@ -15,6 +17,14 @@ section! {
         "Tip depth that must not be reached; critical_length_mm of [growth] and fracture are critical too.").optional();
     SAFETY_FACTOR: f64 = number("safety_factor", "", closed(1.0, 100.0), 3.0,
         "Divisor of the traffic from a detectable to a critical crack.");
+    TARGET_RISK: f64 = number("target_risk", "", closed(1e-9, 1.0), 1e-3,
+        "Probability of failure before an inspection finds the crack that is accepted: the largest interval that keeps it is computed.").optional();
+    POD: String = file("pod", "inputs/pod.csv", "pod.csv",
+        "CSV file with the columns depth_mm,probability: the probability that an inspection finds a crack of that depth; interpolated linearly between rows, zero above the first depth, constant below the last. Without pod and pod_median_mm, every crack from detectable_depth_mm on is found.").optional();
+    POD_MEDIAN: f64 = number("pod_median_mm", "mm", closed(1e-3, 1e3), 2.0,
+        "Depth at which half of the cracks are found: the probability is Phi(ln(depth/median)/pod_log_std); requires pod_log_std.").optional();
+    POD_LOG_STD: f64 = number("pod_log_std", "", closed(1e-3, 10.0), 0.5,
+        "Standard deviation of the logarithm of the depth from which a crack is found; requires pod_median_mm.").optional();
 }
 
 section! {
@@ -103,6 +113,57 @@ pub(crate) fn read_inspection(
         return None;
     }
     Some(read)
+}
+
+/// Probability that an inspection finds a crack, by its depth.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Detection {
+    /// Φ(ln(depth / median) / σ).
+    LogNormal {
+        /// The median, mm.
+        median: f64,
+        /// σ.
+        log_std: f64,
+    },
+    /// A table.
+    Table(DetectionFile),
+}
+
+/// The detection and the accepted risk of the inspections.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InspectionRisk {
+    /// The probability of failure before detection that is accepted.
+    pub target: Option<f64>,
+    /// The probability of detection; `None` where every detectable crack is found.
+    pub detection: Option<Detection>,
+}
+
+/// The risk between inspections; files are relative to `folder`.
+pub(crate) fn read_risk(
+    section: &SectionValues,
+    folder: &Path,
+    report: &mut Report,
+) -> Option<InspectionRisk> {
+    let (median, log_std) = (section.get(POD_MEDIAN), section.get(POD_LOG_STD));
+    let detection = match (section.get(POD), median, log_std) {
+        (None, None, None) => None,
+        (None, Some(median), Some(log_std)) => Some(Detection::LogNormal { median, log_std }),
+        (Some(_), None, None) => Some(Detection::Table(read_detection(section, POD, folder, report)?)),
+        (Some(_), median, _) => {
+            let given = if median.is_some() { POD_MEDIAN } else { POD_LOG_STD };
+            let help = "give either pod or pod_median_mm and pod_log_std";
+            report.add(section.fault(given, "is given beside pod, which is a curve of its own").help(help));
+            return None;
+        }
+        (None, median, _) => {
+            let (given, other) =
+                if median.is_some() { (POD_MEDIAN, POD_LOG_STD) } else { (POD_LOG_STD, POD_MEDIAN) };
+            let help = "give both pod_median_mm and pod_log_std";
+            report.add(section.fault(given, format!("needs {} as well", other.key.name)).help(help));
+            return None;
+        }
+    };
+    Some(InspectionRisk { target: section.get(TARGET_RISK), detection })
 }
 
 /// The numbers of a case that may scatter.

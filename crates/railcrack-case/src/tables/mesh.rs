@@ -6,7 +6,7 @@ use railcrack::space::SpaceResolution;
 section! {
     MESH "mesh", Defaulted, "Discretisation.";
     ELEMENT_SIZE: f64 = number("element_size_mm", "mm", positive(100.0), 0.1,
-        "Element size at the cracks in the finite-element engine. By default, at each crack a sixtieth of the longest one (a thirtieth at a straight crack if there are more than three), but no more than a thirtieth of the crack or a seventh of the segment at its tip. It has no effect on the dislocation engine.").optional();
+        "Element size at the cracks in the finite-element engine. By default, at each crack a sixtieth of the longest one (a 75th at a kinked crack, a thirtieth at a straight one if there are more than three), but no more than a thirtieth of the crack or a tenth of the segment at its tip. It has no effect on the dislocation engine.").optional();
     TIP_ENRICHMENT_RADIUS: f64 = number("tip_enrichment_radius_mm", "mm", positive(100.0), 0.5,
         "Radius around a tip within which nodes carry the square-root functions of the crack tip; by default two and a half elements.").optional();
     INTERFACE_SPACING: f64 = number("interface_spacing_mm", "mm", positive(100.0), 0.2,

@@ -1,6 +1,7 @@
 //! Tables of keys, a file for each section: its rows, the words of its choices, and the type that
 //! it fills. A new key is a row and the line that reads it.
 
+mod calibration;
 mod contact;
 mod crack;
 mod file;
@@ -25,10 +26,11 @@ mod track;
 mod traffic;
 mod wheel_load;
 
+pub use calibration::CalibrationPrior;
 pub use contact::ContactOrigin;
 pub use file::{SECTIONS, init_text, json_schema, markdown};
 pub use fracture::Fracture;
-pub use inspection::{Inspection, Scatter};
+pub use inspection::{Detection, Inspection, InspectionRisk, Scatter};
 pub use maintenance::MaintenancePlan;
 pub use mesh::MeshSettings;
 pub use output::{FieldOutput, Kept, Output};
@@ -39,6 +41,7 @@ pub use stress::PlasticSource;
 pub use study::{Combine, STUDY, Sampling};
 pub use wheel_load::GivenWheel;
 
+pub(crate) use calibration::{CALIBRATION, read_calibration};
 pub(crate) use contact::{CONTACT, ContactExtent, FRICTION, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH};
 pub(crate) use crack::{
     ANGLE, ANGLE_SD, ANGLES, COUNT, CRACK, CRACK_FRICTION, CRACK_LATERAL, LENGTH, LENGTH_SD, MOUTH, POINTS,
@@ -49,20 +52,20 @@ pub(crate) use fluid::{FLUID, read_fluid};
 pub(crate) use fracture::FRACTURE;
 pub(crate) use growing::read_growth;
 pub(crate) use growth::{GROWTH, LAW, MODE_3_WEIGHT, STEPS, is_of_the_law};
-pub(crate) use inspection::{INSPECTION, SCATTER, Scattering, read_inspection, read_scatter};
+pub(crate) use inspection::{INSPECTION, SCATTER, Scattering, read_inspection, read_risk, read_scatter};
 pub(crate) use maintenance::{MAINTENANCE, read_maintenance};
 pub(crate) use mesh::{ELEMENT_SIZE, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH, SPACE_CELLS};
 pub(crate) use output::{OF_STUDY, OUTPUT, RUN_FOLDERS};
 pub(crate) use passage::{FROM, PASSAGE, POSITIONS, TO, read_passage, read_passages, read_travel};
 pub(crate) use rail::{CENTRE, RAIL, WIDTH, read_steel};
-pub(crate) use shakedown::SHAKEDOWN;
+pub(crate) use shakedown::{SHAKEDOWN, YIELD_STRESS};
 pub(crate) use solver::{ENGINE, NETWORK, SOLVER, SOLVER_CONTACT};
 pub(crate) use stress::{PLASTIC_STRESS, PROFILE, RESIDUAL_STRESS};
 pub(crate) use study::{COLOUR_BY, COMBINE, SAMPLES, SAMPLES_BY_DEFAULT, SAMPLING, SEED, TOGETHER};
 pub(crate) use title::{TITLE, TOP};
 pub(crate) use track::{FOUNDATION, RAIL_TEMPERATURE, TEMPERATURE, TRACK};
 pub(crate) use traffic::{
-    AXLE_LOAD, SHARE, TRAFFIC, WHEEL, WHEEL_AXLE_LOAD, WHEEL_CONTACT, WHEEL_NAME, WHEEL_TEMPERATURE,
-    WHEEL_TRACK,
+    AXLE_LOAD, DIRECTION, MGT_PER_YEAR, SHARE, TRAFFIC, WHEEL, WHEEL_AXLE_LOAD, WHEEL_CONTACT, WHEEL_FLUID,
+    WHEEL_NAME, WHEEL_TEMPERATURE, WHEEL_TRACK,
 };
 pub(crate) use wheel_load::WheelSections;

@@ -32,10 +32,13 @@ pub(crate) fn read_travel(section: &SectionValues) -> Option<Travel> {
     Some(if section.get(TO)? < section.get(FROM)? { Travel::Backward } else { Travel::Forward })
 }
 
-/// The positions of a wheel with the half-width a = `half_width` (mm), from the mouths of `cracks`.
+/// The positions of a wheel with the half-width a = `half_width` (mm) that runs towards `travel`,
+/// from the mouths of `cracks`; one that runs against the direction of the section has its passage
+/// mirrored.
 pub(crate) fn read_passage(
     section: &SectionValues,
     half_width: Option<f64>,
+    travel: Option<Travel>,
     cracks: Option<&CrackNetwork>,
     report: &mut Report,
 ) -> Option<Passage> {
@@ -47,6 +50,7 @@ pub(crate) fn read_passage(
         return None;
     }
     let (half_width, cracks) = (half_width?, cracks?);
+    let (from, to) = if travel == read_travel(section) { (from, to) } else { (-from, -to) };
     // The wheel meets the cracks one after the other: it starts before the first mouth that it
     // meets and ends behind the last one.
     let (first, last) = if from < to {

@@ -1,8 +1,10 @@
 //! `[shakedown]`: plastic behaviour of the rail, and the criterion of crack initiation.
 
 use crate::files::{ProfileFile, read_profile};
-use crate::schema::{Report, SectionValues, choice, closed, file, integer, number, read_by_word, section};
-use railcrack::fatigue::DangVan;
+use crate::schema::{
+    Choice, Report, SectionValues, Word, choice, closed, file, integer, number, read_by_word, section,
+};
+use railcrack::fatigue::{DangVan, RailSteel};
 use railcrack::material::KinematicHardening;
 use railcrack::shakedown::Method;
 use std::path::Path;
@@ -11,7 +13,9 @@ section! {
     SHAKEDOWN "shakedown", Defaulted,
         "Plastic behaviour of the rail under repeated passages, and the Dang Van criterion.";
     YIELD_STRESS: f64 = number("yield_stress_mpa", "MPa", closed(1.0, 1e4), 500.0,
-        "Yield stress in tension; in shear it is k = yield stress / sqrt(3).");
+        "Yield stress in tension; in shear it is k = yield stress / sqrt(3). Not with steel; where [growth] names a steel, that of this steel is the default.");
+    YIELDING_STEEL: YieldingSteel = choice("steel", "Rail steel with its typical 0.2 % proof stress as yield stress: a monotonic value, docs/shakedown.md has the sources.")
+        .optional();
     HARDENING_MODULUS: f64 = number("hardening_modulus_mpa", "MPa", closed(1.0, 1e7), 20e3,
         "Modulus C of the linear kinematic hardening X = (2/3) C eps_p.");
     METHOD: Method = choice("method", "Method of computing the stabilised state.");
@@ -24,13 +28,27 @@ section! {
         "Fatigue limit in pure shear of the Dang Van criterion.");
 }
 
-read_by_word!(Method);
+read_by_word!(Method, YieldingSteel);
+
+/// The steels whose yield stress is known by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum YieldingSteel {
+    R260,
+    R350Ht,
+}
+
+impl Choice for YieldingSteel {
+    const WORDS: &'static [(Self, Word)] =
+        &[(Self::R260, Word::now("R260", "480 MPa")), (Self::R350Ht, Word::now("R350HT", "800 MPa"))];
+}
 
 /// Plastic behaviour of the rail and the criterion of crack initiation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShakedownSettings {
     /// Yield stress and hardening of the steel.
     pub hardening: KinematicHardening,
+    /// The steel whose yield stress it is, where it is one with a name.
+    pub steel: Option<&'static RailSteel>,
     /// Method of computing the stabilised state.
     pub method: Method,
     /// Maximum number of passages, after which the rail counts as not stabilised.
@@ -42,15 +60,34 @@ pub struct ShakedownSettings {
 }
 
 impl ShakedownSettings {
-    /// Files are relative to `folder`.
-    pub(crate) fn read(section: &SectionValues, folder: &Path, report: &mut Report) -> Option<Self> {
+    /// Files are relative to `folder`; the yield stress is by default that of `of_law`, the steel
+    /// of the growth law.
+    pub(crate) fn read(
+        section: &SectionValues,
+        of_law: Option<&'static RailSteel>,
+        folder: &Path,
+        report: &mut Report,
+    ) -> Option<Self> {
         let initial_residual = read_profile(section, INITIAL_RESIDUAL, folder, report);
-        let (yield_stress, modulus) = (section.get(YIELD_STRESS)?, section.get(HARDENING_MODULUS)?);
+        let named = section.get(YIELDING_STEEL).and_then(|steel| RailSteel::of(steel.word()));
+        let is_given = section.is_given(YIELD_STRESS) || section.is_refused(YIELD_STRESS);
+        if named.is_some() && is_given {
+            let says = "says the same thing as `yield_stress_mpa`: give one or the other";
+            report.add(section.fault(YIELDING_STEEL, says));
+            return None;
+        }
+        let steel = named.or(of_law.filter(|_| !is_given));
+        let yield_stress = match steel {
+            Some(steel) => steel.yield_stress,
+            None => section.get(YIELD_STRESS)?,
+        };
+        let modulus = section.get(HARDENING_MODULUS)?;
         let hardening = KinematicHardening::new(yield_stress, modulus)
             .map_err(|error| report.add(section.fault_of_all(error)))
             .ok()?;
         Some(Self {
             hardening,
+            steel,
             method: section.get(METHOD)?,
             max_passes: section.get(MAX_PASSES)?,
             initial_residual,

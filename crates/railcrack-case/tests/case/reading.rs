@@ -1,6 +1,7 @@
 //! Good case files: what they mean, and that writing them back changes nothing.
 
 use proptest::prelude::*;
+use railcrack::contact::FluidModel;
 use railcrack::dislocation::cracked_body;
 use railcrack::fatigue::{GrowthLaw, RateLaw};
 use railcrack::growth::{GrowthSettings, PassageSettings, StepRecord, Unobserved};
@@ -158,7 +159,10 @@ fn the_command_line_takes_the_place_of_the_file() {
     let errors = Case::parse_with(&text, "case.toml", Path::new(""), &wrong).unwrap_err();
     let lines: Vec<String> = errors.errors().iter().map(|e| e.one_line()).collect();
     assert_eq!(lines.len(), 3, "{lines:?}");
-    assert!(lines[0].starts_with("case.toml: `--steps (too large)`: must be an integer from 0"), "{lines:?}");
+    assert!(
+        lines[0].starts_with("command line: `--steps (too large)`: must be an integer from 0"),
+        "{lines:?}"
+    );
     assert!(
         lines[1].contains("`--engine fem`: must be \"xfem\" or \"dislocation\" or \"space\""),
         "{lines:?}"
@@ -203,7 +207,7 @@ fn profile_errors_name_the_line_of_the_profile() {
         ("depth_mm,sxx_mpa\n0,1\n1,\n", 3, "`sxx_mpa = `"),
         ("depth_mm,sxx_mpa\n-1,25\n", 2, "must not be negative"),
         ("# a\r\ndepth_mm,sxx_mpa\r\n0,25\r\n0,30\r\n", 4, "must exceed"),
-        ("depth_mm;sxx_mpa\n0;25\n", 1, "unknown column"),
+        ("depth_mm;sxx_mpa\n0;25\n", 1, "separated by commas, not by semicolons"),
     ] {
         std::fs::write(folder.join("p.csv"), profile).unwrap();
         let errors = Case::read(&folder.join("case.toml")).unwrap_err();
@@ -393,4 +397,83 @@ fn a_mix_of_wheels_is_read_and_written() {
     assert_eq!((case.half_width(), case.scatter.unwrap().c_log_std), (7.0, 0.3));
     let again = parse(&case.to_toml());
     assert_eq!(again, case, "{}", case.to_toml());
+}
+
+/// Wheels that run either way, over wet and dry cracks.
+#[test]
+fn a_wheel_of_a_mix_has_its_own_direction_and_fluid() {
+    let text = |wheels: &str| {
+        format!(
+            "[[crack]]\nmouth_mm = 0\nlength_mm = 6\nangle_deg = 15\nfriction = 0.5\ncount = 2\nspacing_mm = 20\n\
+             [passage]\nfrom_over_a = -8.0\nto_over_a = 5.0\n[fluid]\nmodel = \"trapped\"\n{wheels}"
+        )
+    };
+    let contact = "contact = { peak_pressure_mpa = 1000, half_width_mm = 5, friction = 0.1 }\n";
+    let wheels = format!(
+        "[[wheel]]\nshare = 0.5\ndirection = \"-x\"\nfluid = false\n{contact}\
+         [[wheel]]\nshare = 0.3\n{contact}\
+         [[wheel]]\nshare = 0.2\ndirection = \"+x\"\nfluid = {{ model = \"mouth\", pressure_cap_mpa = 100 }}\n{contact}"
+    );
+    let case = parse(&text(&wheels));
+    let passages = [0, 1, 2].map(|i| case.mix[i].passages.passage);
+    assert_eq!(passages.map(|passage| passage.from), [20.0 + 40.0, -40.0, -40.0]);
+    assert_eq!(passages.map(|passage| passage.to), [-25.0, 20.0 + 25.0, 20.0 + 25.0]);
+    assert_eq!(case.passages.passage, passages[0], "that of the first wheel");
+    let fluids = [0, 1, 2].map(|i| case.mix[i].fluid.as_ref().map(|fluid| fluid.model));
+    assert_eq!(fluids[0], None);
+    assert!(matches!(fluids[1], Some(FluidModel::Trapped { .. })));
+    assert_eq!(fluids[2], Some(FluidModel::Mouth { cap: 100.0 }));
+    assert!(case.fluid.is_none() && case.has_fluid());
+    assert_eq!(parse(&case.to_toml()), case, "{}", case.to_toml());
+}
+
+/// The yield stress follows the steel of the section, or that of the growth law.
+#[test]
+fn the_yield_stress_of_a_steel() {
+    let of = |text: &str| {
+        let case = parse(&format!(
+            "[contact]\npeak_pressure_mpa = 845\nhalf_width_mm = 6.75\nfriction = 0.1\n\
+             [[crack]]\nmouth_mm = 0\nlength_mm = 6\nangle_deg = 15\nfriction = 0.5\n{text}"
+        ));
+        assert_eq!(parse(&case.to_toml()), case, "{}", case.to_toml());
+        case.shakedown.hardening.yield_stress()
+    };
+    assert_eq!(of(""), 500.0);
+    assert_eq!(of("[shakedown]\nsteel = \"R350HT\"\n"), 800.0);
+    assert_eq!(of("[growth]\nsteel = \"R260\"\n"), 480.0);
+    assert_eq!(of("[growth]\nsteel = \"R260\"\n[shakedown]\nsteel = \"R350HT\"\n"), 800.0);
+    assert_eq!(of("[growth]\nsteel = \"R260\"\n[shakedown]\nyield_stress_mpa = 450\n"), 450.0);
+}
+
+#[test]
+fn an_error_in_a_section_that_wheels_share_is_reported_once() {
+    let wheel = |name: &str| {
+        format!(
+            "[[wheel]]\nname = \"{name}\"\nshare = 0.5\n[wheel.contact]\npeak_pressure_mpa = 800.0\nhalf_width_mm = 6.0\nfriction = 0.1\n"
+        )
+    };
+    let text = format!(
+        "[[crack]]\nmouth_mm = 0.0\nlength_mm = 5.0\nangle_deg = 25.0\nfriction = 0.3\n\
+         [track]\nwheel_load_kn = 100.0\nsection = \"60E1\"\naxles_mm = [0.0, 1800.0]\naxle_loads_kn = [100.0]\n{}{}",
+        wheel("one"),
+        wheel("other")
+    );
+    let errors = Case::parse(&text, "case.toml", Path::new("")).unwrap_err();
+    let lines: Vec<String> = errors.errors().iter().map(|error| error.one_line()).collect();
+    assert!(lines.len() == 1 && lines[0].contains("axle_loads_kn"), "{lines:?}");
+}
+
+#[test]
+fn the_most_similar_file_is_named_where_there_is_none() {
+    let folder = std::env::temp_dir().join(format!("railcrack-similar-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join("base.toml"), init_text()).unwrap();
+    let missing = |name: &str| {
+        let errors = Case::read(&folder.join(name)).unwrap_err();
+        errors.errors()[0].help().map(str::to_owned)
+    };
+    let near = missing("base.tml").unwrap();
+    assert!(near.starts_with("nearest: `") && near.ends_with("base.toml`"), "{near}");
+    assert_eq!(missing("something-else.csv"), None);
+    std::fs::remove_dir_all(&folder).unwrap();
 }

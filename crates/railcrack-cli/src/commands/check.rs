@@ -1,6 +1,7 @@
 //! `railcrack check`.
 
 use super::check_study::{study_json, study_summary};
+use crate::display::{stdout_columns, wrapped};
 use crate::exit::{Exit, Failure};
 use crate::input::{self, Set, default_folder};
 use crate::json::Json;
@@ -8,14 +9,15 @@ use clap::Args;
 use railcrack::contact::{FluidModel, StepControl};
 use railcrack::crack::Crack;
 use railcrack::fatigue::{ACCEPTANCE_RANGES, DirectionCriterion, RAIL_STEELS, RateLaw};
-use railcrack::load::{Contact, HertzEllipse};
+use railcrack::load::{Contact, HertzEllipse, Passage};
 use railcrack::plane::CrackFluid;
 use railcrack::shakedown::DepthBounds;
 use railcrack::words::Choice;
-use railcrack_case::{Case, ContactOrigin, Input, MixedWheel, Overrides, PlasticSource};
+use railcrack_case::{Case, ContactOrigin, GivenWheel, Input, MixedWheel, Overrides, PlasticSource};
 use railcrack_report::{formula, short};
 use railcrack_run::machine::{Budget, Needs, long_step, mb, step_seconds};
-use railcrack_run::simulation::plastic_stress_left_out;
+use railcrack_run::simulation::{plastic_stress_left_out, rolled_by};
+use railcrack_run::summary::validity::of_case;
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
 
@@ -41,10 +43,12 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
         let overrides = Overrides { settings: arguments.set.set.clone(), ..Overrides::default() };
         match input::either(&arguments.case, &overrides)? {
             Input::Case(case) => {
-                arguments.json.print(|| summary(&case, &folder), || case_json(&case, &folder))?
+                let text = || wrapped(&summary(&case, &folder), stdout_columns());
+                arguments.json.print(text, || case_json(&case, &folder))?
             }
             Input::Study(study) => {
-                arguments.json.print(|| study_summary(&study, &folder), || study_json(&study))?;
+                let text = || wrapped(&study_summary(&study, &folder), stdout_columns());
+                arguments.json.print(text, || study_json(&study))?;
             }
         }
         Ok(Exit::Done)
@@ -60,7 +64,7 @@ fn case_json(case: &Case, folder: &Path) -> Value {
         let named = rows.into_iter().filter(|(name, _)| !name.is_empty());
         let lines: Map<String, Value> = named.map(|(name, value)| (name.to_owned(), value.into())).collect();
         if !lines.is_empty() {
-            said.insert(heading.to_owned(), Value::Object(lines));
+            said.insert(heading, Value::Object(lines));
         }
     }
     json!({
@@ -78,6 +82,7 @@ fn case_json(case: &Case, folder: &Path) -> Value {
         "memory_bytes": needs.memory,
         "disk_bytes": needs.disk,
         "step_seconds": step_seconds(case, &size),
+        "warnings": of_case(case).into_iter().map(|warning| warning.text).collect::<Vec<_>>(),
         "summary": said,
     })
 }
@@ -100,14 +105,21 @@ pub fn summary(case: &Case, folder: &Path) -> String {
     text
 }
 
-/// The parts of the summary.
-fn parts(case: &Case, folder: &Path) -> Vec<(&'static str, Vec<CheckLine>)> {
-    vec![
-        ("rail", rail(case)),
-        ("contact", contact(case)),
-        ("mix", mix(case)),
-        ("track", track(case)),
-        ("temperature", temperature(case)),
+/// The parts of the summary: of a mix, one for each wheel.
+fn parts(case: &Case, folder: &Path) -> Vec<(String, Vec<CheckLine>)> {
+    let mut parts = vec![("rail".to_owned(), rail(case))];
+    if case.mix.is_empty() {
+        parts.push(("contact".to_owned(), contact(case, &case.wheel)));
+        parts.push(("track".to_owned(), track(case, &case.wheel, &case.passages.passage)));
+        parts.push(("temperature".to_owned(), temperature(case, &case.wheel)));
+    } else {
+        parts.push(("mix".to_owned(), mix(case)));
+        let wheels = case.mix.iter().enumerate();
+        parts.extend(
+            wheels.map(|(i, wheel)| (format!("wheel {}, {}", i + 1, wheel.name), of_mix(case, wheel))),
+        );
+    }
+    let common = [
         ("passage", passage(case)),
         ("cracks", cracks(case)),
         ("crack in space", in_space(case)),
@@ -119,7 +131,10 @@ fn parts(case: &Case, folder: &Path) -> Vec<(&'static str, Vec<CheckLine>)> {
         ("plastic state", plastic_state(case)),
         ("bounds", bounds(case)),
         ("machine", machine(case, folder)),
-    ]
+        ("warnings", warnings(case)),
+    ];
+    parts.extend(common.map(|(heading, rows)| (heading.to_owned(), rows)));
+    parts
 }
 
 fn rail(case: &Case) -> Vec<CheckLine> {
@@ -138,9 +153,9 @@ fn rail(case: &Case) -> Vec<CheckLine> {
     ]
 }
 
-fn contact(case: &Case) -> Vec<CheckLine> {
-    let contact = case.wheel.contact();
-    let mut rows = origin(case);
+fn contact(case: &Case, wheel: &GivenWheel) -> Vec<CheckLine> {
+    let contact = wheel.contact();
+    let mut rows = origin(case, wheel);
     rows.extend([
         ("peak pressure p0", format!("{} MPa", short(contact.peak_pressure()))),
         ("half width a", format!("{} mm", short(contact.half_width()))),
@@ -159,7 +174,7 @@ fn contact(case: &Case) -> Vec<CheckLine> {
                     short(2.0 * stick)
                 ),
             ));
-            if let Some(radius) = case.wheel.origin.radius() {
+            if let Some(radius) = wheel.origin.radius() {
                 rows.push(("creepage", format!("{} %", short(100.0 * carter.creepage(radius)))));
             }
         }
@@ -177,8 +192,8 @@ fn contact(case: &Case) -> Vec<CheckLine> {
 }
 
 /// Origin of the contact data.
-fn origin(case: &Case) -> Vec<CheckLine> {
-    match &case.wheel.origin {
+fn origin(case: &Case, wheel: &GivenWheel) -> Vec<CheckLine> {
+    match &wheel.origin {
         ContactOrigin::Given | ContactOrigin::LineLoad { .. } => Vec::new(),
         ContactOrigin::Ellipse { wheel, ellipse, lateral } => vec![
             ("wheel load", format!("{} kN", short(1e-3 * wheel.wheel_load))),
@@ -232,7 +247,7 @@ fn in_space(case: &Case) -> Vec<CheckLine> {
     rows
 }
 
-/// The wheels of a mix; the other sections describe the first of them.
+/// The wheels of a mix, a line for each.
 fn mix(case: &Case) -> Vec<CheckLine> {
     let line = |wheel: &MixedWheel| {
         let contact = wheel.wheel.contact();
@@ -256,8 +271,52 @@ fn mix(case: &Case) -> Vec<CheckLine> {
     rows
 }
 
-fn track(case: &Case) -> Vec<CheckLine> {
-    let (Some(track), Some(bending)) = (&case.wheel.load.track, case.wheel.bending(&case.steel)) else {
+/// A wheel of a mix: its share, passage and fluid, its contact, track and temperature, and the
+/// pressure at which the rail yields under it.
+fn of_mix(case: &Case, mixed: &MixedWheel) -> Vec<CheckLine> {
+    let (wheel, passage) = (&mixed.wheel, &mixed.passages.passage);
+    let mut rows = vec![
+        ("share of the axles", format!("{} %", short(100.0 * mixed.share))),
+        ("runs towards", passage.travel().word().into()),
+        ("from, to", format!("x = {} to {} mm", short(passage.from), short(passage.to))),
+        ("fluid", mixed.fluid.as_ref().map_or_else(|| "none".into(), fluid_text)),
+    ];
+    rows.extend(mixed.axle_load.map(|load| ("axle load", format!("{} t", short(load)))));
+    rows.extend(contact(case, wheel));
+    rows.extend(track(case, wheel, passage));
+    rows.extend(temperature(case, wheel));
+    if let (Some(fracture), Some(at)) = (&case.fracture, wheel.load.temperature) {
+        rows.push(("breaks at k1", format!("{} MPa sqrt(m)", short(fracture.toughness.at(at.rail)))));
+    }
+    let shear_yield = case.shakedown.hardening.shear_yield_stress();
+    let ratio = wheel.contact().peak_pressure() / shear_yield;
+    let all = wheel.contact_bounds(&case.steel, |bounds| (bounds.first_yield(), bounds.shakedown_limit()));
+    rows.extend(all.map(|(first_yield, limit)| {
+        let state = yielding(ratio, first_yield.ratio, limit.ratio);
+        let says = format!(
+            "{}; first yield at {:.4}, shakedown limit {:.4}: {state}",
+            short(ratio),
+            first_yield.ratio,
+            limit.ratio
+        );
+        ("p0 / k", says)
+    }));
+    rows
+}
+
+/// The fate of a rail under p0/k = `ratio`.
+fn yielding(ratio: f64, first_yield: f64, limit: f64) -> &'static str {
+    if ratio <= first_yield {
+        "the virgin rail stays elastic"
+    } else if ratio <= limit {
+        "the rail yields; elastic shakedown is possible"
+    } else {
+        "beyond elastic shakedown: every passage yields"
+    }
+}
+
+fn track(case: &Case, wheel: &GivenWheel, passage: &Passage) -> Vec<CheckLine> {
+    let (Some(track), Some(bending)) = (&wheel.load.track, wheel.bending(&case.steel)) else {
         return Vec::new();
     };
     let axles: Vec<String> = track
@@ -266,7 +325,7 @@ fn track(case: &Case) -> Vec<CheckLine> {
         .map(|axle| format!("{} kN at {} mm", short(1e-3 * axle.wheel_load), short(axle.at)))
         .collect();
     let length = bending.length();
-    let positions = case.positions();
+    let positions = case.positions_under(wheel, passage);
     let (first, last) = (positions.first().copied().unwrap_or(0.0), positions.last().copied().unwrap_or(0.0));
     vec![
         ("axles", axles.join(", ")),
@@ -300,8 +359,8 @@ fn track(case: &Case) -> Vec<CheckLine> {
     ]
 }
 
-fn temperature(case: &Case) -> Vec<CheckLine> {
-    let Some(temperature) = case.wheel.load.temperature else { return Vec::new() };
+fn temperature(case: &Case, wheel: &GivenWheel) -> Vec<CheckLine> {
+    let Some(temperature) = wheel.load.temperature else { return Vec::new() };
     vec![
         (
             "rail, neutral",
@@ -315,11 +374,15 @@ fn passage(case: &Case) -> Vec<CheckLine> {
     let (passage, settings) = (&case.passages.passage, &case.passages);
     let first_mouth = case.cracks.cracks().first().map_or(0.0, |c| c.points()[0].x);
     let over_a = |x: f64| short((x - first_mouth) / case.half_width());
-    let towards = if passage.from < passage.to { "+x" } else { "-x" };
-    vec![
-        ("wheel runs towards", towards.into()),
-        ("from, to", format!("x = {} to {} mm", short(passage.from), short(passage.to))),
-        ("over a", format!("{} to {} from the first crack", over_a(passage.from), over_a(passage.to))),
+    let mut rows = Vec::new();
+    if case.mix.is_empty() {
+        rows.extend([
+            ("wheel runs towards", passage.travel().word().into()),
+            ("from, to", format!("x = {} to {} mm", short(passage.from), short(passage.to))),
+            ("over a", format!("{} to {} from the first crack", over_a(passage.from), over_a(passage.to))),
+        ]);
+    }
+    rows.extend([
         ("output positions", passage.positions.to_string()),
         (
             "passages",
@@ -341,7 +404,8 @@ fn passage(case: &Case) -> Vec<CheckLine> {
                 StepControl::Fixed => "one per output position".into(),
             },
         ),
-    ]
+    ]);
+    rows
 }
 
 fn cracks(case: &Case) -> Vec<CheckLine> {
@@ -398,7 +462,11 @@ fn plastic_stress(case: &Case) -> Vec<CheckLine> {
             ]
         }
         Some(PlasticSource::Profile(file)) => vec![("profile", file.given_name().into())],
-        Some(PlasticSource::Rolled) => vec![("stabilised state", "computed first, from [shakedown]".into())],
+        Some(PlasticSource::Rolled) => {
+            let mut rows = vec![("stabilised state", "computed first, from [shakedown]".into())];
+            rows.extend(rolled_by(case).map(|by| ("", by)));
+            rows
+        }
         None => plastic_stress_left_out(case).map(|note| ("none", note)).into_iter().collect(),
     }
 }
@@ -452,7 +520,7 @@ fn growth(case: &Case) -> Vec<CheckLine> {
     if let Some(cycles) = growth.stop_after_cycles {
         rows.push(("stops after", format!("{} cycles", crate::progress::cycles(cycles))));
     }
-    if let Some(fluid) = &case.fluid {
+    if let Some(fluid) = case.fluid.as_ref().filter(|_| case.mix.is_empty()) {
         rows.push(("fluid", fluid_text(fluid)));
     }
     if let Some(fracture) = &case.fracture {
@@ -516,7 +584,14 @@ fn plastic_state(case: &Case) -> Vec<CheckLine> {
     let mut rows = vec![
         (
             "yield, hardening",
-            format!("{} MPa, C = {} MPa", short(hardening.yield_stress()), short(hardening.modulus())),
+            format!(
+                "{} MPa{}, C = {} MPa",
+                short(hardening.yield_stress()),
+                shakedown
+                    .steel
+                    .map_or_else(String::new, |steel| format!(" ({}, 0.2 % proof stress)", steel.name)),
+                short(hardening.modulus())
+            ),
         ),
         ("method", format!("{}, at most {} passages", shakedown.method.word(), shakedown.max_passes)),
         (
@@ -528,6 +603,11 @@ fn plastic_state(case: &Case) -> Vec<CheckLine> {
         rows.push(("initial residual", file.given_name().into()));
     }
     rows
+}
+
+/// The warnings that a run would begin with.
+fn warnings(case: &Case) -> Vec<CheckLine> {
+    of_case(case).into_iter().map(|warning| ("", warning.text)).collect()
 }
 
 /// Needs of the run and the resources of the machine.
@@ -552,19 +632,15 @@ const BOUND_DEPTHS: [f64; 8] = [0.0, 0.125, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0];
 /// Peak pressure compared with first yield and the shakedown limit.
 fn bounds(case: &Case) -> Vec<CheckLine> {
     let shear_yield = case.shakedown.hardening.shear_yield_stress();
-    let ratio = case.wheel.contact().peak_pressure() / shear_yield;
-    let all = case.contact_bounds(|bounds| {
+    let heaviest = case.mix.get(case.heaviest().wheel);
+    let wheel = heaviest.map_or(&case.wheel, |mixed| &mixed.wheel);
+    let ratio = wheel.contact().peak_pressure() / shear_yield;
+    let all = wheel.contact_bounds(&case.steel, |bounds| {
         (bounds.first_yield(), bounds.shakedown_limit(), bounds.by_depth(&BOUND_DEPTHS))
     });
     let Some((first_yield, shakedown, by_depth)) = all else { return Vec::new() };
-    let state = if ratio <= first_yield.ratio {
-        "the virgin rail stays elastic"
-    } else if ratio <= shakedown.ratio {
-        "the rail yields; elastic shakedown is possible"
-    } else {
-        "beyond elastic shakedown: every passage yields"
-    };
-    let a = case.half_width();
+    let state = yielding(ratio, first_yield.ratio, shakedown.ratio);
+    let a = wheel.half_width();
     let verdict = |bounds: &DepthBounds| {
         let verdict = if ratio <= bounds.first_yield {
             "elastic"
@@ -582,13 +658,18 @@ fn bounds(case: &Case) -> Vec<CheckLine> {
         ("", line)
     };
     let at = |depth_over_a: f64| format!("depth {} mm", short(depth_over_a * a));
-    let mut rows = vec![
+    let mut rows = Vec::new();
+    rows.extend(heaviest.map(|mixed| {
+        let of_limit = case.heaviest().of_limit;
+        ("heaviest wheel", format!("{}: {of_limit:.2} of its shakedown limit", mixed.name))
+    }));
+    rows.extend([
         ("shear yield stress k", format!("{} MPa", short(shear_yield))),
         ("p0 / k", format!("{}: {state}", short(ratio))),
         ("first yield", format!("p0 / k = {:.4}, {}", first_yield.ratio, at(first_yield.depth_over_a))),
         ("shakedown limit", format!("p0 / k = {:.4}, {}", shakedown.ratio, at(shakedown.depth_over_a))),
         ("", "depth mm   first yield   shakedown limit   p0 / k of the case".into()),
-    ];
+    ]);
     rows.extend(by_depth.iter().map(verdict));
     rows
 }

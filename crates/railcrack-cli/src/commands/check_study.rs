@@ -3,8 +3,9 @@
 use railcrack::words::Choice;
 use railcrack_case::{Axis, KnownSizes, RailKey, RunSize, Study, StudyRun, Variation};
 use railcrack_run::machine::{Budget, Needs, long_step, mb, step_seconds};
+use railcrack_run::summary::validity::{of_case, pattern};
 use serde_json::{Value, json};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
 /// Maximum number of runs listed individually.
@@ -74,6 +75,11 @@ pub fn study_summary(study: &Study, folder: &Path) -> String {
     if let Some(says) = slow {
         text.push_str(&format!("  {:<20} {says} (the slowest run)\n", "slow"));
     }
+    let warnings = warnings(study);
+    if !warnings.is_empty() {
+        text.push_str("\nwarnings\n");
+        warnings.iter().for_each(|(run, warning)| text.push_str(&format!("  run {run}: {warning}\n")));
+    }
     text.push_str("\nruns\n");
     for run in study.runs.iter().take(MOST_LISTED) {
         let StudyRun { number, label, case, .. } = run;
@@ -108,8 +114,23 @@ pub fn study_json(study: &Study) -> Value {
         "combine": study.combine.word(),
         "axes": study.axes.iter().map(varies).collect::<Vec<_>>(),
         "disk_bytes": disk,
+        "warnings": warnings(study).into_iter().map(|(run, text)| json!({ "run": run, "text": text })).collect::<Vec<_>>(),
         "runs": runs,
     })
+}
+
+/// The warnings that runs would begin with, each with the first run that does; of many runs, some
+/// spread evenly over the study are asked.
+fn warnings(study: &Study) -> Vec<(usize, String)> {
+    let every = study.runs.len().div_ceil(MOST_SIZED).max(1);
+    let mut known = HashSet::new();
+    let mut found = Vec::new();
+    for run in study.runs.iter().step_by(every) {
+        let texts = of_case(&run.case).into_iter().map(|warning| warning.text);
+        let fresh = texts.filter(|text| known.insert(pattern(text)));
+        found.extend(fresh.map(|text| (run.number, text)));
+    }
+    found
 }
 
 /// The keys of an axis with their values.

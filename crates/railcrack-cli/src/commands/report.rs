@@ -11,9 +11,9 @@ use std::path::{Path, PathBuf};
 
 /// Rebuild plots and HTML report of a folder from its files alone
 ///
-/// The folder is that of a run, a plastic state, a comparison, a study or the paper. The rebuilt
-/// files are identical to the original ones, byte for byte. For an interrupted run the finished
-/// steps are shown, for an interrupted study the finished runs.
+/// The folder is that of a run, a plastic state, a comparison, grinding plans, a study or the
+/// paper. The rebuilt files are identical to the original ones, byte for byte. For an interrupted
+/// run the finished steps are shown, for an interrupted study the finished runs.
 #[derive(Debug, Args)]
 pub struct ReportArguments {
     /// Folder of results    #[arg(value_name = "DIR")]
@@ -57,6 +57,7 @@ pub fn report(arguments: &ReportArguments) -> Result<Exit, Failure> {
         match rebuild_report(folder).map_err(RunError::from)? {
             FolderKind::Run => "run",
             FolderKind::Shakedown => "plastic state",
+            FolderKind::Plan => "grinding plans",
             FolderKind::Comparison => "comparison",
             FolderKind::Study => "study",
         }

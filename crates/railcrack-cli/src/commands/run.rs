@@ -31,7 +31,7 @@ pub struct RunArguments {
     /// Run folder [default: name of the case file without its extension, in the same directory]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Engine, overriding the case: xfem or dislocation
+    /// Engine, overriding the case: xfem, dislocation or space
     #[arg(long, value_name = "ENGINE")]
     pub engine: Option<String>,
     /// Contact solver, overriding the case: latin or newton
@@ -223,6 +223,10 @@ fn decision(summary: &Summary) -> String {
     }
     if let Some(interval) = decision.inspection.and_then(|inspection| inspection.interval_mgt) {
         text.push_str(&format!("inspection interval {interval:.3} million gross tonnes\n"));
+    }
+    if let (Some(target), Some(interval)) = (decision.risk.target_risk, decision.risk.interval_for_target_mgt)
+    {
+        text.push_str(&format!("interval for a risk of {target}: {interval:.3} million gross tonnes\n"));
     }
     text
 }

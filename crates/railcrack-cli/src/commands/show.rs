@@ -10,9 +10,9 @@ use std::path::{Path, PathBuf};
 
 /// Print a table of results, or some of its columns
 ///
-/// The folder is that of a run, a plastic state, a comparison or a study. Without --table its main
-/// table is printed: growth, profile, compare or summary. Numbers have six significant digits,
-/// with --exact all digits.
+/// The folder is that of a run, a plastic state, a comparison, grinding plans or a study. Without
+/// --table its main table is printed: growth, profile, compare, plan or summary. Numbers have six
+/// significant digits, with --exact all digits.
 #[derive(Debug, Args)]
 pub struct ShowArguments {
     /// Folder of results    #[arg(value_name = "DIR")]
@@ -65,6 +65,7 @@ fn main_table(folder: &Path) -> Result<&'static str, Failure> {
     Ok(match FolderKind::of(folder).map_err(RunError::from)? {
         FolderKind::Run => "growth",
         FolderKind::Shakedown => "profile",
+        FolderKind::Plan => "plan",
         FolderKind::Comparison => "compare",
         FolderKind::Study => "summary",
     })

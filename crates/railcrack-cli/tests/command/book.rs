@@ -158,7 +158,9 @@ fn run_block(place: &Place, block: &Block) -> Result<(), String> {
     if let Some(name) = file_name(block) {
         let path = place.folder.join(name);
         fs::write(&path, &block.text).unwrap();
-        return if block.language == "toml" {
+        // An entry of `railcrack validate` is read with its folder.
+        let is_entry = block.text.lines().any(|line| line.starts_with("grade = "));
+        return if block.language == "toml" && !is_entry {
             succeed(place, &format!("railcrack check {name}"))
         } else {
             Ok(())

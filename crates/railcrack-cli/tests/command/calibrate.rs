@@ -41,9 +41,71 @@ fn the_fitted_case_has_the_coefficient_of_the_measurements() {
             "{}",
             read(&folder.join("fit/calibrated.toml"))
         );
-        assert_eq!(after.scatter, before.scatter);
+        // One site does not show how rails differ: the scatter of the case stays.
+        let scatter = |case: &Case| case.scatter.as_ref().unwrap().c_log_std;
+        assert!((scatter(&after) - scatter(&before)).abs() < 1e-3, "{}", scatter(&after));
+        let json = read(&folder.join("fit/calibration.json"));
+        assert!(json.contains("\"key\": \"growth.paris_c\""), "{json}");
+        let page = read(&folder.join("fit/calibration.html"));
+        assert!(page.contains("Calibration") && page.contains("measured.csv"));
         assert_eq!(after.growth.law.equivalent, before.growth.law.equivalent);
     }
+}
+
+/// Two sites of which one grows at the rate of the case and the other at a quarter of it, with
+/// readings, classes and no indication; the discrepancy is given.
+#[test]
+fn several_sites_are_weighed_and_carry_their_scatter() {
+    let folder = common::folder("calibrate", "sites");
+    let section = "[traffic]\naxle_load_t = 20.0\n[calibration]\ndiscrepancy_log_std = 0.5\n";
+    fs::write(folder.join("case.toml"), format!("{}{section}", *DISLOCATION_CASE)).unwrap();
+    done(&folder, &["run", "case.toml", "--out", "run", "--quiet"]);
+    let mgt = numbers(&folder.join("run/growth.csv"), "mgt");
+    let depth: Vec<f64> = numbers(&folder.join("run/growth.csv"), "depth_mm");
+    let site = |slower: f64, class: &str| {
+        let (mgt, depth) = (slower * mgt[2], depth[2]);
+        format!("mgt,depth_mm,at_least_mm,at_most_mm,std_mm\n{mgt},{depth},,,0.01\n{class}\n")
+    };
+    // Classes that both sites satisfy with certainty: they are read, and change nothing.
+    fs::write(folder.join("a.csv"), site(1.0, "1,,,100,")).unwrap();
+    fs::write(folder.join("b.csv"), site(4.0, "1,,0.5,,")).unwrap();
+    let line =
+        ["calibrate", "case.toml", "--measured", "a.csv", "--measured", "b.csv", "--out", "fit", "--quiet"];
+    let told = done(&folder, &line);
+    // m = 0 and −ln 4, v ≪ s² = ¼: precision 1 + 2/s² = 9, mean −(ln 4)·4/9, a new rail ⅑ + ¼.
+    let json: serde_json::Value = serde_json::from_str(&read(&folder.join("fit/calibration.json"))).unwrap();
+    let number = |of: &serde_json::Value| of.as_f64().unwrap();
+    assert!((number(&json["log_mean"]) + 4.0 / 9.0 * 4f64.ln()).abs() < 2e-3, "{json}");
+    assert!((number(&json["log_std"]) - 1.0 / 3.0).abs() < 2e-3, "{json}");
+    let new = (1.0_f64 / 9.0 + 0.25).sqrt();
+    assert!((number(&json["new_rail"]["log_std"]) - new).abs() < 2e-3, "{json}");
+    assert!(told.contains("sites differ by 0.5000 in ln C (as given)"), "{told}");
+    assert!(told.contains("4 of 4 measurements used"), "{told}");
+    let fitted = Case::read(&folder.join("fit/calibrated.toml")).unwrap();
+    assert!((fitted.scatter.unwrap().c_log_std - new).abs() < 2e-3);
+}
+
+/// The rate of the measured rail is a twentieth of that of the case, outside of twice and half of
+/// its coefficient; a range without it is refused.
+#[test]
+fn a_search_widens_its_bracket_and_refuses_an_end() {
+    let folder = common::folder("calibrate", "bracket");
+    let section = "[traffic]\naxle_load_t = 20.0\n";
+    fs::write(folder.join("case.toml"), format!("{}{section}", *DISLOCATION_CASE)).unwrap();
+    done(&folder, &["run", "case.toml", "--out", "run", "--quiet"]);
+    fs::write(folder.join("measured.csv"), depths(&folder, 20.0)).unwrap();
+    let line =
+        ["calibrate", "case.toml", "--measured", "measured.csv", "--parameter", "growth.paris_c", "--quiet"];
+    let told = done(&folder, &[&line[..], &["--out", "fit"]].concat());
+    let value: f64 = told["growth.paris_c = ".len()..].split(',').next().unwrap().parse().unwrap();
+    assert!((value / 1e-10 - 1.0).abs() < 5e-3, "{told}");
+    let refused =
+        stderr(&ends(&folder, &[&line[..], &["--between", "1e-9,4e-9", "--out", "end"]].concat(), 2));
+    assert!(refused.contains("is at an end, 1.0000e-9: it is no result"), "{refused}");
+    let two = ["--parameter", "crack.friction", "--parameter", "crack.angle_deg"];
+    let line = ["calibrate", "case.toml", "--measured", "measured.csv", "--quiet"];
+    let refused = stderr(&ends(&folder, &[&line[..], &two].concat(), 2));
+    assert!(refused.replace('\n', " ").contains("must be the coefficient, growth.paris_c"), "{refused}");
 }
 
 #[test]
@@ -71,6 +133,7 @@ fn refusals_say_why_and_where() {
         ),
     ] {
         let mut line = vec!["calibrate", case, "--measured", "measured.csv"];
+        let parameter: Option<&str> = parameter;
         line.extend(parameter.into_iter().flat_map(|key| ["--parameter", key]));
         let refused = stderr(&ends(&folder, &line, 2)).replace('\n', " ");
         assert!(refused.contains(says), "{says}: {refused}");

@@ -46,9 +46,12 @@ share = 0.6
 axle_load_t = 22.5
 contact = { peak_pressure_mpa = 845.0, half_width_mm = 6.75, friction = 0.3 }
 [[wheel]]
-name = \"empty\"
+name = \"empty, the other way, in the rain and the cold\"
 share = 0.4
 axle_load_t = 12.0
+direction = \"-x\"
+fluid = { model = \"trapped\" }
+temperature = { rail_c = 0.0, neutral_c = 15.0 }
 contact = { peak_pressure_mpa = 700.0, half_width_mm = 5.5, friction = -0.2 }
 ";
 
@@ -180,4 +183,95 @@ fn what_the_model_does_not_describe_has_no_interval() {
     assert_eq!(decision["verdict"]["reasons"][0]["kind"], "rate");
     assert!(decision["inspection"].is_null());
     assert!(decision["scatter"]["mgt_detectable_to_critical"]["p50"].is_null());
+}
+
+/// The probabilities of failure before detection with their intervals.
+fn risks(decision: &Value) -> Vec<(f64, f64)> {
+    let risk = decision["risk"].as_array().unwrap().iter();
+    risk.map(|at| (number(&at["interval_mgt"]).unwrap(), number(&at["probability"]).unwrap())).collect()
+}
+
+/// Each crack from the detectable depth on is found: the risk of the run, and of samples without
+/// scatter, is max(0, 1 − N/T) with the traffic N from detectable to failure.
+#[test]
+fn the_risk_of_a_step_is_its_closed_form() {
+    let place = folder("decision", "risk");
+    let rail = RAIL.replace("[inspection]\n", "[inspection]\ntarget_risk = 0.25\n");
+    for scatter in ["", "[scatter]\nsamples = 50\nparis_c_log_std = 0.0\n"] {
+        fs::write(place.join("case.toml"), format!("{rail}{WHEEL}{CRACK}{scatter}")).unwrap();
+        let told = done(&place, &["run", "case.toml", "--quiet", "--force", "--out", "run"]);
+        let decision = decision(&place.join("run"));
+        let way = number(&decision["inspection"]["mgt_detectable_to_critical"]).unwrap();
+        let risks = risks(&decision);
+        assert!(risks.len() > 8, "{risks:?}");
+        for (interval, probability) in risks {
+            let want = (1.0 - way / interval).max(0.0);
+            assert!((probability - want).abs() < 1e-9, "every {interval}: {probability}, not {want}");
+        }
+        let interval = number(&decision["interval_for_target_mgt"]).unwrap();
+        // Found by bisection to 0.1 %.
+        assert!((interval / (way / 0.75) - 1.0).abs() < 1.5e-3, "{interval} {way}");
+        assert!(told.contains("interval for a risk of 0.25: "), "{told}");
+        assert_eq!(number(&decision["risk_at_interval"]["probability"]), Some(0.0));
+    }
+}
+
+/// A probability of detection that does not depend on the depth: (1 − q)^n by n inspections, or one
+/// more, by the phase.
+#[test]
+fn a_constant_probability_of_detection_misses_with_its_power() {
+    let place = folder("decision", "constant");
+    fs::write(place.join("pod.csv"), "depth_mm,probability\n0.0,0.4\n9.0,0.4\n").unwrap();
+    let rail = RAIL.replace("[inspection]\n", "[inspection]\npod = \"pod.csv\"\n");
+    fs::write(place.join("case.toml"), format!("{rail}{WHEEL}{CRACK}")).unwrap();
+    done(&place, &["run", "case.toml", "--quiet", "--out", "run"]);
+    let decision = decision(&place.join("run"));
+    let life = number(&decision["failure"]["mgt"]).unwrap();
+    for (interval, probability) in risks(&decision) {
+        let count = life / interval;
+        let want = 0.6f64.powf(count.floor()) * (1.0 - 0.4 * count.fract());
+        assert!((probability - want).abs() < 1e-3, "every {interval}: {probability}, not {want}");
+    }
+}
+
+/// Scatter of the coefficient alone: some samples fail where the run does not, and their risk is
+/// above a small target.
+#[test]
+fn a_risk_above_its_target_asks_for_action() {
+    let place = folder("decision", "target");
+    let rail = RAIL.replace("[inspection]\n", "[inspection]\ntarget_risk = 1e-3\n");
+    let rail = rail.replace("steps = 60", "steps = 60\nstop_after_cycles = 3.5e6");
+    let grinding = "[maintenance]\nwear_mm_per_mgt = 0.001\n";
+    let scatter = "[scatter]\nsamples = 4000\nparis_c_log_std = 0.4\n";
+    let case = |detected: &str| {
+        let rail = rail.replace("detectable_depth_mm = 2.05", detected);
+        format!("{rail}{WHEEL}{CRACK}{grinding}{scatter}")
+    };
+    fs::write(place.join("case.toml"), case("detectable_depth_mm = 2.45")).unwrap();
+    let told = done(&place, &["run", "case.toml", "--quiet", "--force", "--out", "run"]);
+    let decision = decision(&place.join("run"));
+    assert_eq!(decision["failure"]["mode"], "none", "{told}");
+    assert_eq!(decision["verdict"]["level"], "act", "{told}");
+    let reason = &decision["verdict"]["reasons"][0];
+    assert_eq!(reason["kind"], "risk");
+    assert!(number(&reason["value"]).unwrap() > number(&reason["limit"]).unwrap());
+    let risks = risks(&decision);
+    assert!(risks.windows(2).all(|pair| pair[1].1 >= pair[0].1), "{risks:?}");
+}
+
+/// The rail is replaced at its wear limit: neither a failure nor a crack that is worn away.
+#[test]
+fn a_rail_worn_to_its_limit_is_replaced() {
+    let place = folder("decision", "wear-limit");
+    let wears = "[maintenance]\nwear_mm_per_mgt = 0.02\nwear_limit_mm = 0.8\n";
+    let scatter = "[scatter]\nsamples = 200\nparis_c_log_std = 0.2\nwear_std = 0.002\n";
+    fs::write(place.join("case.toml"), format!("{RAIL}{WHEEL}{CRACK}{wears}{scatter}")).unwrap();
+    let told = done(&place, &["run", "case.toml", "--quiet", "--out", "run"]);
+    assert!(told.contains("wear-limit at step") && told.contains("verdict: ok: the rail is worn"), "{told}");
+    let decision = decision(&place.join("run"));
+    assert_eq!((&decision["verdict"]["level"], &decision["failure"]["mode"]), (&"ok".into(), &"none".into()));
+    assert!((number(&decision["maintenance"]["mgt_to_wear_limit"]).unwrap() - 40.0).abs() < 1e-9);
+    assert!((number(&decision["verdict"]["reasons"][0]["mgt"]).unwrap() - 40.0).abs() < 1e-6);
+    // Samples that are replaced have not outlived the run.
+    assert!(decision["scatter"]["outlived"].is_null(), "{}", decision["scatter"]);
 }

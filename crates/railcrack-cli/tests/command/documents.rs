@@ -103,15 +103,34 @@ fn every_link_leads_to_a_file() {
         let text = std::fs::read_to_string(&document).unwrap();
         for (i, line) in text.lines().enumerate() {
             for after in line.split("](").skip(1) {
-                let target = after.split([')', '#']).next().unwrap();
-                if target.is_empty() || target.contains("://") {
+                let target = after.split(')').next().unwrap();
+                if target.contains("://") {
                     continue;
                 }
-                let path = document.parent().unwrap().join(target);
-                assert!(path.exists(), "{}:{}: {target} is not there", document.display(), i + 1);
+                let (file, anchor) = target.split_once('#').unwrap_or((target, ""));
+                let path =
+                    if file.is_empty() { document.clone() } else { document.parent().unwrap().join(file) };
+                let place = format!("{}:{}: {target}", document.display(), i + 1);
+                assert!(path.exists(), "{place} is not there");
+                if !anchor.is_empty() && path.extension().is_some_and(|extension| extension == "md") {
+                    let headings = headings(&std::fs::read_to_string(&path).unwrap());
+                    assert!(headings.contains(&anchor.to_owned()), "{place}: the page has {headings:?}");
+                }
             }
         }
     }
+}
+
+/// The anchors of the headings of a page: small letters, hyphens for spaces, no other marks.
+fn headings(text: &str) -> Vec<String> {
+    let lines =
+        text.lines().filter_map(|line| line.strip_prefix('#')?.trim_start_matches('#').strip_prefix(' '));
+    let anchor = |heading: &str| {
+        let kept = heading.to_lowercase();
+        let kept = kept.chars().filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_'));
+        kept.map(|c| if c == ' ' { '-' } else { c }).collect()
+    };
+    lines.map(anchor).collect()
 }
 
 /// The program of the README is the tested one of the library's pages.

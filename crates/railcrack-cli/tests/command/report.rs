@@ -91,7 +91,10 @@ fn a_study_is_built_again_bit_for_bit() {
     fs::remove_dir_all(folder.join("study/runs/002")).unwrap();
     done(&folder, &["report", "study"]);
     let page = fs::read_to_string(folder.join("study/report.html")).unwrap();
-    assert!(page.contains("Not computed yet, or stored in another folder: run 2."), "nothing said of run 2");
+    assert!(
+        page.contains("Not computed yet, or stored in another folder, 1 of 2 runs: run 2."),
+        "nothing said of run 2"
+    );
 }
 
 #[cfg(not(feature = "png"))]

@@ -2,6 +2,7 @@
 
 mod charts;
 mod engines;
+mod increments;
 mod overlay;
 mod sheets;
 mod tables;
@@ -9,6 +10,7 @@ mod write;
 
 pub(crate) use charts::{Quantity, TableCurve, page_chart};
 pub(crate) use engines::engines;
+pub(crate) use increments::increments;
 pub use overlay::Overlay;
 pub(crate) use overlay::{Distance, OVERLAY_COLUMNS, distances, forget_overlays, kept};
 pub(crate) use sheets::sheet;

@@ -79,18 +79,15 @@ fn facts(record: &PaperRecord) -> Vec<Fact> {
 const LOOKS: [CurveLook; 4] =
     [CurveLook::Line, CurveLook::FineDashed, CurveLook::Dashed, CurveLook::DashDotted];
 
-/// The look of the curves of the set-up at `index`: a variant has that of the main one that it
-/// varies.
+/// The look of the curves of the set-up at `index`, which no other one has: plain for the main
+/// set-ups, a varied pattern for the variants.
 fn look(setups: &[SetupRecord], index: usize) -> CurveLook {
-    let mut at = index;
-    // A variant may vary another one; none varies itself through others.
-    for _ in setups {
-        let Some(varied) = setups.get(at).and_then(|setup| setup.varies.as_ref()) else { break };
-        let Some(main) = setups.iter().position(|setup| setup.name == *varied) else { break };
-        at = main;
+    let is_variant = |setup: &SetupRecord| setup.varies.is_some();
+    let before = setups.iter().take(index).filter(|setup| is_variant(setup)).count();
+    match setups.get(index).is_some_and(is_variant) {
+        true => CurveLook::Varied(u8::try_from(before).unwrap_or(u8::MAX)),
+        false => LOOKS[(index - before) % LOOKS.len()],
     }
-    let main = setups.iter().take(at).filter(|setup| setup.varies.is_none()).count();
-    LOOKS[main % LOOKS.len()]
 }
 
 /// A text of the paper's table with its symbols set: `K_II` as `K_{II}`.

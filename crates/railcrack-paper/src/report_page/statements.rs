@@ -33,7 +33,9 @@ pub(super) fn verdict(record: &PaperRecord) -> String {
     let [everywhere, somewhere, nowhere] = counts(record);
     format!(
         "Of {} statements of the paper, {everywhere} hold in every main set-up that decides them, {somewhere} in some set-ups only, \
-         {nowhere} in none.",
+         {nowhere} in none. A statement that depends on the set-up depends on what the paper leaves open, such as supports and \
+         increments; it does not measure the program, whose accuracy against theory and independent programs is in its page on \
+         verification.",
         record.statements.len()
     )
 }

@@ -104,7 +104,14 @@
         const [x, y] = AXES.map((name) => aired(all.map((point) => point[name])));
         const fit = toScale(x, y, width - margin.left - margin.right, { most: 480, least: 140 });
         axes.x.domain = fit.x;
-        axes.y.domain = isByDepth ? [fit.y[1], fit.y[0]] : fit.y;
+        axes.y.domain = fit.y;
+        if (isByDepth) {
+          // Room is made below: above the running surface there is nothing.
+          const top = Math.max(fit.y[0], Math.min(0, y[0]));
+          const bottom = fit.y[1] + top - fit.y[0];
+          axes.y.domain = [bottom, top];
+          axes.y.ticks = d3.ticks(Math.max(0, top), bottom, Math.max(2, Math.min(6, fit.height / 40)));
+        }
         axes.y.reverse = false;
         return { axes, height: Math.round(fit.height) + margin.top + margin.bottom };
       }

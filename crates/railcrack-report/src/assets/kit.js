@@ -114,7 +114,7 @@ const railcrack = (() => {
     const parts = text.split(/_\{([^}]*)\}/);
     place.replaceChildren(
       ...parts.map((part, i) => {
-        if (i % 2 === 0) return part;
+        if (i % 2 === 0) return plain(part);
         const index = document.createElement("sub");
         index.textContent = part;
         return index;
@@ -196,7 +196,21 @@ const railcrack = (() => {
   // ---- Colours, legends, axes -------------------------------------------------------------------
 
   /** Dashes by the look of a curve. @type {Partial<Record<Look, string>>} */
-  const DASHES = { dashed: "6 4", fine: "2 3", "dash-dot": "9 3 2 3" };
+  const DASHES = {
+    dashed: "6 4",
+    fine: "2 3",
+    "dash-dot": "9 3 2 3",
+    "varied-0": "14 4",
+    "varied-1": "9 3 2 3 2 3",
+    "varied-2": "2 6",
+    "varied-3": "14 3 2 3",
+    "varied-4": "4 4",
+    "varied-5": "14 3 5 3",
+    "varied-6": "6 3 2 3 2 3 2 3",
+    "varied-7": "1 3",
+    "varied-8": "10 8",
+    "varied-9": "20 4 2 4",
+  };
 
   const AXES = /** @type {const} */ (["x", "y"]);
 
@@ -267,10 +281,58 @@ const railcrack = (() => {
         }
         if (dots) mark.append("circle").attr("cx", 13).attr("cy", 6).attr("r", 3).attr("fill", colour);
       }
-      item.append(/** @type {Element} */ (mark.node()), plain(name));
+      const words = document.createElement("span");
+      say(words, name);
+      item.append(/** @type {Element} */ (mark.node()), words);
       list.append(item);
     }
     return list;
+  }
+
+  /**
+   * The colours of a quantity from its smallest to its largest value.
+   * @typedef {object} Shade
+   * @property {Pair} domain
+   * @property {boolean} log
+   * @property {(value: number) => string} colour
+   */
+
+  /**
+   * The ordered colours over `values`, evenly or by the logarithm.
+   * @param {number[]} values
+   * @param {boolean} [log]
+   * @returns {Shade}
+   */
+  function shade(values, log = false) {
+    const domain = values.length ? extent(values, log) : /** @type {Pair} */ ([1, 10]);
+    const flat = log ? Math.log : (/** @type {number} */ value) => value;
+    const [low, high] = domain.map(flat);
+    /** @param {number} value */
+    const level = (value) => Math.round(20 * Math.max(0, Math.min(1, (flat(value) - low) / (high - low))));
+    return { domain, log, colour: (value) => `var(--s${level(value)})` };
+  }
+
+  /**
+   * The scale of colours of a quantity: its colours between its smallest and largest value.
+   * @param {string} title
+   * @param {Shade} shade
+   */
+  function ramp(title, { domain, log }) {
+    const [low, high] = domain;
+    const scale = document.createElement("p");
+    scale.className = "ramp";
+    const svg = d3.create("svg").attr("width", 126).attr("height", 12).attr("aria-hidden", "true");
+    for (const i of d3.range(21))
+      svg
+        .append("rect")
+        .attr("x", 6 * i)
+        .attr("width", 6.5)
+        .attr("height", 12)
+        .attr("fill", `var(--s${i})`);
+    const colours = document.createElement("span");
+    colours.append(words(low), /** @type {Element} */ (svg.node()), words(high));
+    scale.append(`${title}${log ? " (logarithmic)" : ""}:`, colours);
+    return scale;
   }
 
   /**
@@ -473,12 +535,45 @@ const railcrack = (() => {
   // too small.
   addEventListener("beforeprint", () => {
     document.documentElement.dataset.paper = "true";
-    for (const look of drawn) look();
+    foot.textContent = `@page { @bottom-left { content: "${footText()}"; font: 8pt Arial, sans-serif; color: #444444; } }`;
+    for (const look of [...themed, ...drawn]) look();
   });
   addEventListener("afterprint", () => {
     delete document.documentElement.dataset.paper;
-    for (const look of drawn) look();
+    for (const look of [...themed, ...drawn]) look();
   });
+
+  /** What draws images, whose colours are not those of the style. @type {(() => void)[]} */
+  const themed = [];
+  /** Draws again whenever the theme changes. @param {() => void} draw */
+  const onTheme = (draw) => themed.push(draw);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+    for (const draw of themed) draw();
+  });
+
+  /** A colour of the page by its name in the style: of paper while it is printed. @param {string} name */
+  function colourOf(name) {
+    const { dataset } = document.documentElement;
+    if (!dataset.paper)
+      return d3.rgb(getComputedStyle(document.documentElement).getPropertyValue(name).trim());
+    const light = document.createElement("div");
+    light.dataset.theme = "light";
+    document.body.append(light);
+    const colour = d3.rgb(getComputedStyle(light).getPropertyValue(name).trim());
+    light.remove();
+    return colour;
+  }
+
+  /** Foot of the printed pages: title, date of the file, day of the print. */
+  const foot = document.createElement("style");
+  document.head.append(foot);
+  function footText() {
+    /** @param {Date} date */
+    const day = (date) =>
+      date.toLocaleDateString("en-GB", { day: "numeric", month: "long", year: "numeric" });
+    const title = document.title.replace(/[\\"\n]/g, " ");
+    return `${title.length > 60 ? `${title.slice(0, 59)}\u2026` : title} \u00b7 report of ${day(new Date(document.lastModified))}, printed ${day(new Date())}`;
+  }
 
   /** The figure called `id`, drawn by a script. @param {string} id */
   function picture(id) {
@@ -492,6 +587,8 @@ const railcrack = (() => {
       show: (svg) => drawing.replaceChildren(typeset(svg)),
       /** @param {LegendEntry[]} entries */
       explain: (entries) => within(figure, ".legends").replaceChildren(legend(entries)),
+      /** @param {Element} legend */
+      legend: (legend) => within(figure, ".legends").replaceChildren(legend),
       /** @param {string} text */
       caption(text) {
         within(figure, "figcaption").textContent = text;
@@ -679,12 +776,13 @@ const railcrack = (() => {
     for (const [column, heading] of all.entries()) {
       const click = button("", () => {
         [down, chosen] = [chosen === column && !down, column];
-        for (const other of all) other.removeAttribute("aria-sort");
+        for (const other of all) other.setAttribute("aria-sort", "none");
         heading.setAttribute("aria-sort", down ? "descending" : "ascending");
         ordered(column, down);
       });
       click.append(...heading.childNodes);
       heading.append(click);
+      heading.setAttribute("aria-sort", "none");
     }
   }
 
@@ -863,6 +961,7 @@ const railcrack = (() => {
       now = order[(order.indexOf(now) + 1) % order.length];
       memory((store) => store.setItem("railcrack-theme", now));
       show(now);
+      for (const draw of themed) draw();
     });
   }
 
@@ -878,6 +977,7 @@ const railcrack = (() => {
     bringOut,
     button,
     charts,
+    colourOf,
     compared,
     crack,
     element,
@@ -892,6 +992,7 @@ const railcrack = (() => {
     linear,
     logarithmic,
     logarithmicAxis,
+    onTheme,
     onWidth,
     pageData,
     passageControls,
@@ -899,9 +1000,11 @@ const railcrack = (() => {
     plain,
     png,
     quantised,
+    ramp,
     say,
     scale,
     scaleOf,
+    shade,
     shades,
     short,
     signed,

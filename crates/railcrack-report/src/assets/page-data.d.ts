@@ -15,7 +15,7 @@ type Pair = [number, number];
 
 // ---- Charts and switches ----------------------------------------------------------------------
 
-type Look = "line" | "dashed" | "fine" | "dash-dot" | "dots";
+type Look = "line" | "dashed" | "fine" | "dash-dot" | "dots" | `varied-${number}`;
 
 interface AxisData {
   title: string;

@@ -136,7 +136,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   // ---- Colours and names ------------------------------------------------------------------------
 
   const STATUS = ["open", "stick", "slip"];
-  const STATUS_COLOURS = ["#e9ecef", "#0072b2", "#e69f00"];
+  const STATUS_COLOURS = ["var(--open)", "#0072b2", "#e69f00"];
   const KEPT_COLOURS = ["var(--c1)", "var(--c2)", "var(--c3)", "var(--c4)", "var(--c5)"];
 
   /** The colour of the first tip that `matches`. @param {(tip: TipData) => boolean} matches */
@@ -898,7 +898,11 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     line.attr("stroke", "#d55e00").attr("stroke-width", 2);
   }
 
-  const STATUS_RGB = STATUS_COLOURS.map((colour) => d3.rgb(colour));
+  /** The colours of an image: what is open has that of the theme. */
+  const statusRgb = () => [
+    railcrack.colourOf("--open"),
+    ...STATUS_COLOURS.slice(1).map((colour) => d3.rgb(colour)),
+  ];
   const PRESSURE_RGB = shades(256).map((colour) => d3.rgb(colour));
 
   function drawMaps() {
@@ -911,13 +915,14 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
       }
       return;
     }
-    drawMap("status", faces, (at) => STATUS_RGB[faces.status[at]], "Status of the crack faces");
+    const status = statusRgb();
+    drawMap("status", faces, (at) => status[faces.status[at]], "Status of the crack faces");
     figures.status.explain(STATUS.map((name, i) => ({ name, colour: STATUS_COLOURS[i], box: true })));
     const most = d3.max(faces.pressure) || 1;
     /** @param {number} at */
     const pressureColour = (at) => {
       const level = Math.round((255 * faces.pressure[at]) / most);
-      return faces.status[at] === 0 ? STATUS_RGB[0] : PRESSURE_RGB[Math.max(0, Math.min(255, level))];
+      return faces.status[at] === 0 ? status[0] : PRESSURE_RGB[Math.max(0, Math.min(255, level))];
     };
     drawMap("pressure", faces, pressureColour, "Contact pressure on the crack faces");
     figures.pressure.explain([
@@ -1062,5 +1067,6 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   figures.deformed.follow(drawDeformed);
   figures.status.follow(drawMaps);
   figures.pressure.follow(drawMaps);
+  railcrack.onTheme(drawMaps);
   if (data.residual) railcrack.tools(element("residual"));
 });

@@ -18,6 +18,9 @@ pub enum CurveLook {
     FineDashed,
     /// Of dashes and dots.
     DashDotted,
+    /// Of a pattern of its own, by its number modulo 10, for more curves than there are plain
+    /// looks.
+    Varied(u8),
     /// No line: dots only.
     Dots,
 }
@@ -91,6 +94,13 @@ impl CurveLook {
             Self::Dashed => "dashed",
             Self::FineDashed => "fine",
             Self::DashDotted => "dash-dot",
+            Self::Varied(number) => {
+                const NAMES: [&str; 10] = [
+                    "varied-0", "varied-1", "varied-2", "varied-3", "varied-4", "varied-5", "varied-6",
+                    "varied-7", "varied-8", "varied-9",
+                ];
+                NAMES[usize::from(number) % NAMES.len()]
+            }
             Self::Dots => "dots",
         }
     }

@@ -268,12 +268,27 @@ fn titled(axis: &ChartAxis, scale: &Axis) -> Vec<Span> {
     quantity(&format!("{} ({unit})", axis.label))
 }
 
+/// Dashes of the varied looks.
+const VARIED: [&str; 10] = [
+    "14 4",
+    "9 3 2 3 2 3",
+    "2 6",
+    "14 3 2 3",
+    "4 4",
+    "14 3 5 3",
+    "6 3 2 3 2 3 2 3",
+    "1 3",
+    "10 8",
+    "20 4 2 4",
+];
+
 fn stroke(look: CurveLook, width: CurveWidth, colour: CurveColour) -> Stroke {
     let dashes = match look {
         CurveLook::Line | CurveLook::Dots => "",
         CurveLook::Dashed => "6 4",
         CurveLook::FineDashed => "2 3",
         CurveLook::DashDotted => "9 3 2 3",
+        CurveLook::Varied(number) => VARIED[usize::from(number) % VARIED.len()],
     };
     let colour = match colour {
         CurveColour::Category(number) => CATEGORIES[number % CATEGORIES.len()].to_owned(),

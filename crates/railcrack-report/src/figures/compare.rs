@@ -1,5 +1,6 @@
 //! Two runs: K of both and its difference, crack paths, lengths.
 
+use super::near::ROUND_OFF;
 use super::plot::Plot;
 use super::sif::{self, Mode};
 use super::{cycles, paths};
@@ -38,22 +39,43 @@ fn sifs(comparison: &Comparison, step: usize) -> ChartSheet {
     let names = comparison.names();
     let all = comparison.tips.iter().zip(&comparison.aligned);
     let tips: Vec<Tip> = all.filter(|(tip, _)| tip.step == step).collect();
+    let near = |curve: Curve| near_part(curve, comparison);
     let row = |mode: Mode| {
         let symbol = mode.symbol();
         let both = sif::chart(
             &format!("{}-{step}", mode.id()),
             symbol,
             format!("{symbol} of both runs; second run dashed."),
-            tips.iter().enumerate().flat_map(|tip| both_runs(&names, mode, tip, tips.len())).collect(),
+            tips.iter()
+                .enumerate()
+                .flat_map(|tip| both_runs(&names, mode, tip, tips.len()))
+                .map(&near)
+                .collect(),
         );
         let difference = sif::chart(
             &format!("{}-difference-{step}", mode.id()),
             &format!("{symbol}, second − first"),
             format!("Difference of {symbol}, second minus first."),
-            tips.iter().enumerate().map(|tip| difference(mode, tip, tips.len())).collect(),
+            tips.iter().enumerate().map(|tip| difference(mode, tip, tips.len())).map(&near).collect(),
         );
         vec![both, difference]
     };
+    // A rail that bends has positions many metres away, at which K near the crack would be a line.
+    let far = |mode: Mode| {
+        let symbol = mode.symbol();
+        let curves = tips.iter().enumerate().flat_map(|tip| both_runs(&names, mode, tip, tips.len()));
+        let chart = sif::far_chart(
+            &format!("{}-far-{step}", mode.id()),
+            symbol,
+            format!("{symbol} of both runs over the whole passage; second run dashed."),
+            curves.map(|curve| in_metres(curve, comparison)).collect(),
+        );
+        vec![chart]
+    };
+    let mut rows = Mode::BOTH.map(row).to_vec();
+    if is_far(comparison, &tips) {
+        rows.extend(Mode::BOTH.map(far));
+    }
     let mut legend = Vec::new();
     if tips.len() > 1 {
         legend.extend(LegendEntry::solid_and_dashed([&names[0], &names[1]]));
@@ -67,9 +89,37 @@ fn sifs(comparison: &Comparison, step: usize) -> ChartSheet {
         subtitle: format!(
             "K of the stabilised passage at step {step}; left: both runs, right: second minus first"
         ),
-        rows: Mode::BOTH.map(row).to_vec(),
+        rows,
         legend: if legend.is_empty() { SheetLegend::default() } else { SheetLegend::Entries(legend) },
     }
+}
+
+/// Positions (x_c/a) near the cracks in both runs.
+fn near_ends(comparison: &Comparison) -> Option<[f64; 2]> {
+    let [first, second] = comparison.runs.each_ref().map(|run| run.near_over_a);
+    let ([a, b], [c, d]) = (first?, second?);
+    Some([a.max(c) - ROUND_OFF, b.min(d) + ROUND_OFF])
+}
+
+/// The part of a curve over x_c/a that is near the cracks.
+fn near_part(mut curve: Curve, comparison: &Comparison) -> Curve {
+    if let Some([from, to]) = near_ends(comparison) {
+        curve.points.retain(|point| (from..=to).contains(&point[0]));
+    }
+    curve
+}
+
+/// Whether some of the common positions are far from the cracks.
+fn is_far(comparison: &Comparison, tips: &[Tip]) -> bool {
+    let Some([from, to]) = near_ends(comparison) else { return false };
+    tips.iter().any(|(_, aligned)| aligned.xc_over_a.iter().any(|x| !(from..=to).contains(x)))
+}
+
+/// The same curve over the wheel position from the first mouth, metres.
+fn in_metres(mut curve: Curve, comparison: &Comparison) -> Curve {
+    let metres = 1e-3 * comparison.runs[0].half_width_mm;
+    curve.points.iter_mut().for_each(|point| point[0] *= metres);
+    curve
 }
 
 fn k(mode: Mode, aligned: &Aligned) -> &[Vec<f64>; 2] {

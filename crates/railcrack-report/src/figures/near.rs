@@ -4,7 +4,7 @@ use railcrack_run::Summary;
 use std::ops::Range;
 
 /// Round-off of a position that is an end of the passage, over a.
-const ROUND_OFF: f64 = 1e-6;
+pub(super) const ROUND_OFF: f64 = 1e-6;
 
 /// Output positions among `xc_over_a` within `[passage]` of the case; all of them unless the rail
 /// bends.

@@ -3,9 +3,7 @@
 use super::many::bundle;
 use super::near::{mouth_over_a, near, origin, window};
 use super::plot::Plot;
-use crate::chart::{
-    Chart, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour, CurveLook, LegendEntry, SheetLegend,
-};
+use crate::chart::{Chart, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour, CurveLook, SheetLegend};
 use crate::row::NamedCrack;
 use railcrack_run::Summary;
 use railcrack_run::run_folder::History;
@@ -118,8 +116,13 @@ pub(super) fn plot(
             return Curve::line(&words, points).with_colour(along);
         }
         let place = initial.iter().position(|&tip| tip == (history.crack, history.tip)).unwrap_or(0);
-        let curve = Curve::line(&name(crack, tip), points).with_colour(CurveColour::of(place, initial.len()));
-        if step == 0 { curve } else { curve.with_look(CurveLook::Dashed) }
+        let name = name(crack, tip);
+        let curve = if step == 0 {
+            Curve::line(&name, points)
+        } else {
+            Curve::line(&format!("{name}, step {step}"), points).with_look(CurveLook::Dashed)
+        };
+        curve.with_colour(CurveColour::of(place, initial.len()))
     };
     let close = |history: &&History| mode.points(history)[near(summary, &history.xc_over_a)].to_vec();
     let curves: Vec<Curve> = histories.iter().map(|history| curve(history, close(history))).collect();
@@ -133,10 +136,6 @@ pub(super) fn plot(
         let id = format!("{}-far", mode.id());
         let caption = format!("{words}, the whole passage.");
         sheet.rows.push(vec![far_chart(&id, mode.symbol(), caption, curves)]);
-    }
-    if let (true, [_, .., last]) = (initial.len() > 1, &steps[..]) {
-        let last = format!("step {last}");
-        sheet.legend = SheetLegend::Names(LegendEntry::solid_and_dashed(["initial cracks", &last]).into());
     }
     Plot::sheet(mode.file(), sheet)
 }

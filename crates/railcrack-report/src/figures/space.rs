@@ -6,7 +6,7 @@ use super::plot::Plot;
 use super::sif::far_chart;
 use crate::chart::{
     Chart, ChartAspect, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour, CurveDots, CurveLook,
-    CurveWidth, LegendEntry, SheetLegend,
+    CurveWidth, SheetLegend,
 };
 use crate::shown::ShownRun;
 use railcrack_run::Summary;
@@ -115,8 +115,7 @@ fn history_plot(summary: &Summary, model: &str, growth: &[TipRow], shown: &Shown
                 history.xc_over_a.iter().zip((mode.of)(history)).map(|(&x, &k)| [x, k]).collect();
             let curve = |values: Vec<[f64; 2]>| {
                 let colour = CurveColour::of(number, points.len());
-                let curve = Curve::line(name, values).with_colour(colour);
-                if place == 0 { curve } else { curve.with_look(CurveLook::Dashed) }
+                of_step(place, *step, name, values).with_colour(colour)
             };
             let near = near(summary, &history.xc_over_a);
             if near.len() < values.len() {
@@ -141,11 +140,15 @@ fn history_plot(summary: &Summary, model: &str, growth: &[TipRow], shown: &Shown
         let caption = format!("{words}, the whole passage.");
         sheet.rows.push(vec![far_chart(&format!("{}-far", mode.id), mode.symbol, caption, far)]);
     }
-    if ends.len() > 1 {
-        let last = format!("step {}", ends[1]);
-        sheet.legend = SheetLegend::Names(LegendEntry::solid_and_dashed(["initial crack", &last]).to_vec());
-    }
     Plot::sheet(mode.file, sheet)
+}
+
+/// A curve of the first step, or a dashed one of the last, which its name then says.
+fn of_step(place: usize, step: usize, name: &str, points: Vec<[f64; 2]>) -> Curve {
+    if place == 0 {
+        return Curve::line(name, points);
+    }
+    Curve::line(&format!("{name}, step {step}"), points).with_look(CurveLook::Dashed)
 }
 
 /// A quantity of a front point.
@@ -163,22 +166,22 @@ fn ranges(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     let ends: Vec<usize> = if last > 0 { vec![0, last] } else { vec![0] };
     let count = cracks(growth);
     let mut curves = Vec::new();
-    for &step in &ends {
-        let look = |curve: Curve| if step == 0 { curve } else { curve.with_look(CurveLook::Dashed) };
+    for (place, &step) in ends.iter().enumerate() {
         let along = |crack: usize, of: OfRow| {
             let own = rows_of(growth, step).filter(move |row| row.crack == crack);
             own.filter_map(move |row| Some([row.phi_deg?, of(row)])).collect()
         };
         if count > 1 {
             let of_crack = |crack: usize| {
-                let curve = Curve::line(&format!("crack {crack}"), along(crack, |row| row.delta_keq));
-                look(curve.with_dots(CurveDots::All).with_colour(CurveColour::of(crack - 1, count)))
+                let points = along(crack, |row| row.delta_keq);
+                let curve = of_step(place, step, &format!("crack {crack}"), points);
+                curve.with_dots(CurveDots::All).with_colour(CurveColour::of(crack - 1, count))
             };
             curves.extend((1..=count).map(of_crack));
         } else {
             let of_range = |(number, (name, of)): (usize, &(&str, OfRow))| {
-                let curve = Curve::line(name, along(1, *of));
-                look(curve.with_dots(CurveDots::All).with_colour(CurveColour::Category(number)))
+                let curve = of_step(place, step, name, along(1, *of));
+                curve.with_dots(CurveDots::All).with_colour(CurveColour::Category(number))
             };
             curves.extend(quantities.iter().enumerate().map(of_range));
         }
@@ -198,11 +201,7 @@ fn ranges(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
         curves,
         ..Chart::default()
     };
-    let mut sheet = ChartSheet::of(&summary.title, &format!("{words} · {model}"), chart);
-    if ends.len() > 1 {
-        let words = format!("step {last}");
-        sheet.legend = SheetLegend::Names(LegendEntry::solid_and_dashed(["initial crack", &words]).to_vec());
-    }
+    let sheet = ChartSheet::of(&summary.title, &format!("{words} · {model}"), chart);
     Plot::sheet("along-front.svg", sheet)
 }
 
@@ -281,18 +280,16 @@ fn half_axes(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
         count => (1..=count)
             .flat_map(|crack| {
                 let colour = CurveColour::of(crack - 1, count);
-                let solid = of(&format!("crack {crack}"), crack, down).with_colour(colour);
-                [solid, of("", crack, along).with_colour(colour).with_look(CurveLook::Dashed)]
+                let [down, along] =
+                    [("down the dip", down), ("along the surface", along)].map(|(axis, value)| {
+                        of(&format!("crack {crack}, {axis}"), crack, value).with_colour(colour)
+                    });
+                [down, along.with_look(CurveLook::Dashed)]
             })
             .collect(),
     };
     let caption = "Semi-axes of the cracks against load cycles (axles); dots mark the growth steps.";
     let chart = Chart { curves, ..super::cycles::chart(caption, Vec::new()) };
     let subtitle = format!("Semi-axes of the cracks, dots mark the growth steps · {model}");
-    let mut sheet = ChartSheet::of(&summary.title, &subtitle, chart);
-    if count > 1 {
-        let axes = ["down the dip", "along the surface"];
-        sheet.legend = SheetLegend::Names(LegendEntry::solid_and_dashed(axes).to_vec());
-    }
-    Plot::sheet("length-cycles.svg", sheet)
+    Plot::sheet("length-cycles.svg", ChartSheet::of(&summary.title, &subtitle, chart))
 }

@@ -2,12 +2,13 @@
 
 use crate::chart::Chart;
 use crate::figures::{Plot, chart, lengths_of_both, steps_of_both};
-use crate::numbers::{fixed, given, grouped, significant};
+use crate::numbers::{fixed, given, grouped, significant, tonnage};
 use crate::page::{Block, Fact, Page, Section};
-use crate::table::Table;
+use crate::table::{MISSING, Table};
 use railcrack::growth::RunStop;
 use railcrack::words::Choice;
 use railcrack_run::Comparison;
+use railcrack_run::compare::SameLength;
 
 /// Maximum number of rows of the table of tips; `compare.csv` has all.
 const TABLE_ROWS: usize = 500;
@@ -84,8 +85,10 @@ fn verdict(comparison: &Comparison, tolerance: Option<f64>) -> String {
             if parting.near_tie { ", a near tie of directions" } else { "" }
         ),
     };
+    let life =
+        comparison.life().map_or_else(String::new, |life| format!("{} ", life_sentence(comparison, &life)));
     format!(
-        "K differs by at most {} % of the largest |K| in the {} common steps{judged}. The tips are at most {} mm apart, and \
+        "{life}K differs by at most {} % of the largest |K| in the {} common steps{judged}. The tips are at most {} mm apart, and \
          {parting}.",
         significant(largest),
         comparison.common_steps,
@@ -93,9 +96,60 @@ fn verdict(comparison: &Comparison, tolerance: Option<f64>) -> String {
     )
 }
 
+/// The lives of both runs, and how they compare.
+fn life_sentence(comparison: &Comparison, life: &SameLength) -> String {
+    let crack =
+        if comparison.cracks[0].len() > 1 { format!(" of crack {}", life.crack) } else { String::new() };
+    let [first, second] = [0, 1].map(|run| {
+        let tonnes =
+            life.million_gross_tonnes.map_or_else(String::new, |mgt| format!(" ({} MGT)", tonnage(mgt[run])));
+        format!("{}{tonnes}", grouped(life.load_cycles[run]))
+    });
+    format!(
+        "To a length{crack} of {} mm, the first run needs {first} load cycles and the second {second}, {}.",
+        fixed(life.length, 2),
+        ratio(life.load_cycles)
+    )
+}
+
+/// The second of two lives in relation to the first.
+fn ratio([first, second]: [f64; 2]) -> String {
+    let times = second / first;
+    if (times - 1.0).abs() < 0.1 {
+        let sign = if times < 1.0 { "less" } else { "more" };
+        format!("{} % {sign}", significant(100.0 * (times - 1.0).abs()))
+    } else {
+        format!("{} times as many", significant(times))
+    }
+}
+
 fn facts(comparison: &Comparison, tolerance: Option<f64>) -> Vec<Fact> {
     let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
     let mut facts = Vec::new();
+    if let Some(life) = comparison.life() {
+        let of_both = |values: [String; 2]| values.join(" and ");
+        facts.push(fact(
+            "Load cycles",
+            of_both(life.load_cycles.map(grouped)),
+            format!(
+                "to {} mm of crack {}; second: {}",
+                fixed(life.length, 2),
+                life.crack,
+                ratio(life.load_cycles)
+            ),
+        ));
+        if let Some(mgt) = life.million_gross_tonnes {
+            let to = format!("to {} mm of crack {}", fixed(life.length, 2), life.crack);
+            facts.push(fact("Million gross tonnes", of_both(mgt.map(tonnage)), to));
+        }
+    }
+    if let [Some(first), Some(second)] = comparison.runs.each_ref().map(|run| run.failure_mgt) {
+        facts.push(fact(
+            "MGT to failure",
+            format!("{} and {}", tonnage(first), tonnage(second)),
+            format!("second: {}", ratio([first, second])),
+        ));
+    }
     for (name, largest) in [
         ("Difference of K_{I}", comparison.largest(|sifs| sifs.ki)),
         ("Difference of K_{II}", comparison.largest(|sifs| sifs.kii)),
@@ -120,14 +174,6 @@ fn facts(comparison: &Comparison, tolerance: Option<f64>) -> Vec<Fact> {
             format!("step {}, crack {}", tip.step, tip.crack),
         ));
     }
-    if let Some(tip) = comparison.tips.last() {
-        let [first, second] = tip.load_cycles;
-        facts.push(fact(
-            "Load cycles",
-            format!("{} and {}", grouped(first), grouped(second)),
-            format!("to step {}", tip.step),
-        ));
-    }
     if let Some(parting) = &comparison.parting {
         let how = format!("kinks {}° apart", fixed(parting.apart_deg, 1));
         facts.push(fact("Paths diverge", format!("step {}", parting.step), how));
@@ -144,9 +190,13 @@ fn facts(comparison: &Comparison, tolerance: Option<f64>) -> Vec<Fact> {
 }
 
 fn runs(comparison: &Comparison) -> Table {
-    let mut table = Table::new(["Run", "Engine", "Contact", "Boundary", "Steps", "Ended by", "Load cycles"]);
+    let has_tonnes = comparison.runs.iter().any(|run| run.million_gross_tonnes.is_some());
+    let mut headings = vec!["Run", "Engine", "Contact", "Boundary", "Steps", "Ended by", "Load cycles"];
+    headings.extend(has_tonnes.then_some("Million gross tonnes"));
+    let mut table = Table::new(headings);
+    table.caption = "The runs, and how they ended".to_owned();
     for run in &comparison.runs {
-        table.row([
+        let mut cells = vec![
             run.folder.display().to_string(),
             run.engine.word().to_owned(),
             run.contact.word().to_owned(),
@@ -154,13 +204,18 @@ fn runs(comparison: &Comparison) -> Table {
             run.steps_recorded.to_string(),
             run.stop.map_or("not ended", RunStop::word).replace('-', " "),
             grouped(run.load_cycles),
-        ]);
+        ];
+        if has_tonnes {
+            cells.push(run.million_gross_tonnes.map_or_else(|| MISSING.to_owned(), tonnage));
+        }
+        table.row(cells);
     }
     table
 }
 
 fn differences(comparison: &Comparison) -> Table {
     let mut table = Table::new(["Key of the case", "First", "Second"]);
+    table.caption = "Keys in which the two cases differ".to_owned();
     for difference in &comparison.case_differences {
         let [first, second] =
             difference.values.each_ref().map(|value| value.clone().unwrap_or_else(|| "–".to_owned()));
@@ -177,8 +232,8 @@ fn k_blocks(comparison: &Comparison, plots: &[Plot]) -> Vec<Block> {
         } else {
             format!("Step {step}, the last common one")
         }));
-        let ids = [format!("ki-{step}"), format!("ki-difference-{step}"), format!("kii-{step}")];
-        let shown = ids.into_iter().chain([format!("kii-difference-{step}")]);
+        let ids = ["ki", "ki-difference", "kii", "kii-difference", "ki-far", "kii-far"];
+        let shown = ids.into_iter().map(|id| format!("{id}-{step}"));
         blocks.push(Block::charts(shown.filter_map(|id| chart(plots, &id)).map(|chart| {
             let curves = chart.curves.iter().take(CURVES).cloned().collect();
             Chart { curves, ..chart }

@@ -2,6 +2,7 @@
 
 mod compare;
 mod pictures;
+mod plan;
 mod run;
 mod shakedown;
 mod space;
@@ -9,6 +10,7 @@ mod study;
 mod ways;
 
 pub(crate) use compare::comparison_page;
+pub(crate) use plan::plan_page;
 pub(crate) use run::{RunFolder, run_page};
 pub(crate) use shakedown::shakedown_page;
 pub(crate) use space::space_page;

@@ -71,6 +71,28 @@ fn a_known_difference_is_found_where_it_is() {
 }
 
 #[test]
+fn lives_are_those_to_the_shorter_of_both_lengths() {
+    let scratch = Scratch::new("compare-life");
+    let (first, second) = (run(&scratch, "first", SMALL), run(&scratch, "second", SMALL));
+    let equal = Comparison::of(&first, &second).unwrap().life().unwrap();
+    assert_eq!(equal.load_cycles[0], equal.load_cycles[1]);
+
+    // The second crack is longer by 1 mm in its last step: it reaches the length of the first in
+    // between.
+    edit(&second, "growth.csv", "length_mm", ["4", "1", "1"], add(1.0));
+    let comparison = Comparison::of(&first, &second).unwrap();
+    let life = comparison.life().unwrap();
+    let [before, last] = [&comparison.tips[3], &comparison.tips[4]];
+    assert_eq!((life.crack, life.length), (1, last.lengths[0]));
+    assert_eq!(life.load_cycles[0], last.load_cycles[0]);
+    let part = (last.lengths[0] - before.lengths[1]) / (last.lengths[1] - before.lengths[1]);
+    let cycles = before.load_cycles[1] + part * (last.load_cycles[1] - before.load_cycles[1]);
+    // Round-off of the interpolation.
+    assert!((life.load_cycles[1] - cycles).abs() < 1e-9 * cycles && part < 0.5, "{life:?}");
+    assert!(comparison.text(None).contains("life    to "), "{}", comparison.text(None));
+}
+
+#[test]
 fn an_earlier_passage_does_not_count() {
     let scratch = Scratch::new("compare-passage");
     let (first, second) = (run(&scratch, "first", SMALL), run(&scratch, "second", SMALL));

@@ -55,7 +55,7 @@ fn meshio_reads_the_fields_of_a_run() {
     let (quads, triangles, lines) = (grid.quads.len(), grid.triangles.len(), grid.lines.len());
     assert_eq!(cells, [("quad8", quads), ("triangle", triangles), ("line", lines)]);
     let arrays: Vec<&String> = read["point_data"].as_object().unwrap().keys().collect();
-    assert_eq!(arrays, ["displacement_mm", "stress_mpa", "traction"]);
+    assert_eq!(arrays, ["displacement_mm", "stress_mpa", "von_mises_mpa", "traction", "traction_mpa"]);
     assert_eq!(read["point_data"]["stress_mpa"][0].as_array().unwrap().len(), 6);
 
     // Points at one place that move differently: the crack.

@@ -128,6 +128,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         faces: faces(size, &now, &xc),
         fields: step.is_multiple_of(2).then(|| fields(step)),
         load_cycles: cycles(step),
+        largest_opening: 0.0,
         cycles_error: 0.0,
         removed: 0.0,
         dofs: 30_000 + step,
@@ -228,6 +229,7 @@ fn tip_record(i: usize, crack: &Crack, step: usize, is_last: bool) -> TipRecord 
         shares: Default::default(),
         mouth_sine: Some(0.5),
         opened_by: 0,
+        toughness_ratio: 1.0,
         geometry: TipGeometry::Plane(PlaneTip {
             secondary: (step == 1).then_some(65f64.to_radians()),
             secondary_ratio: (step == 1).then_some(0.99),

@@ -1,9 +1,15 @@
-//! Calibration by measured depths or lengths over traffic.
+//! Calibration by measured depths or lengths over traffic at one or several sites.
 
-mod coefficient;
+mod course;
+mod fit;
+mod measured;
+mod observed;
 mod parameter;
+mod posterior;
 
-pub use coefficient::{
-    Calibration, CalibrationError, Compared, Measure, Measured, calibrate, compared, read_measured,
-};
-pub use parameter::{ParameterFit, Trial, fit_parameter};
+pub use course::SizeCurve;
+pub use fit::{Calibration, CalibrationError, SiteFit, calibrate, observe, usual_error};
+pub use measured::{Finding, Measure, Measured, Site, read_measured};
+pub use observed::{Observations, Observed, UsualError};
+pub use parameter::{Bracket, Coefficient, Next, ParameterFit, Trial, fit_parameter};
+pub use posterior::{Posterior, Prior, SiteLikelihood, SitePosterior, log_evidence, posterior};

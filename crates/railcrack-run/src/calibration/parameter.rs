@@ -1,14 +1,25 @@
 //! Calibration of a parameter on which the path depends, by runs with several values of it.
 
-use super::coefficient::{CalibrationError, Compared, student};
+use super::fit::{CalibrationError, from_squares, unknown, usual_error};
+use super::observed::{Observations, Observed, UsualError};
+use super::posterior::{Posterior, Prior, SiteLikelihood, posterior};
 
 /// A run with one value of the parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trial {
     /// The value.
     pub value: f64,
-    /// Each measurement compared with the run; none for one outside its sizes.
-    pub compared: Vec<Option<Compared>>,
+    /// The measurements of each site compared with the run.
+    pub sites: Vec<Observations>,
+}
+
+/// The coefficient of the growth law while another parameter is fitted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Coefficient {
+    /// It stays that of the case.
+    OfCase,
+    /// It is fitted at every value of the parameter.
+    Fitted,
 }
 
 /// The value that fits best.
@@ -18,131 +29,339 @@ pub struct ParameterFit {
     pub value: f64,
     /// Measurements that were used.
     pub used: usize,
-    /// Standard deviation of ln N from measurement to measurement; none for a single one.
-    pub log_std: Option<f64>,
-    /// The value is between these with 95 %, for deviations of ln N that are normal; none for a
-    /// single measurement.
-    pub interval: Option<(f64, f64)>,
-    /// Whether it is at an end of the range of the trials: the best one may be beyond.
-    pub is_at_end: bool,
+    /// The value is between these with 95 %; none at a side where no trial is excluded.
+    pub interval: (Option<f64>, Option<f64>),
+    /// The end of the comparable trials at which the value is, if it is at one.
+    pub end: Option<BracketEnd>,
+    /// The posterior of ln(C/C0) at the value; without a fitted coefficient its mean is 0.
+    pub posterior: Posterior,
+    /// By how much the deviance of the worst comparable value exceeds that of the best one.
+    pub contrast: f64,
+    /// Deviance over value, less that of the best one.
+    pub profile: Vec<(f64, f64)>,
 }
 
-/// ln N of a measurement between two trials: deviation at the first one, and its change to the
-/// second one.
-type Line = (f64, f64);
+/// An end of a bracket.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BracketEnd {
+    /// The lower one.
+    Low,
+    /// The upper one.
+    High,
+}
 
-/// Fits a parameter, which errors call `key`, to runs with two values of it or more: the least
-/// squares of ln(computed/measured tonnage), each linear between neighbouring trials. Of the ranges
-/// between two trials those with most measurements within the sizes of both runs count.
+impl ParameterFit {
+    /// Whether the measurements exclude no value that was tried.
+    #[must_use]
+    pub fn is_indistinct(&self) -> bool {
+        self.contrast < EXCLUDED
+    }
+}
+
+/// χ² of 95 % with one degree of freedom: a deviance larger by that much excludes a value.
+const EXCLUDED: f64 = 3.841_459;
+/// A parameter that changes ln N by less over all trials is without influence: the error of a run.
+const FLAT: f64 = 1e-4;
+/// Standard deviation of ln C of a prior that says nothing.
+const VAGUE: f64 = 30.0;
+/// Points between two trials at which the deviance is evaluated, and with classes and a fitted
+/// coefficient, which are integrated numerically.
+const FINE: usize = 40;
+const COARSE: usize = 6;
+
+/// The scale on which values are compared: logarithms unless a value is zero or the signs differ.
+#[derive(Debug, Clone, Copy)]
+enum Scale {
+    Logarithmic { sign: f64 },
+    Linear,
+}
+
+impl Scale {
+    fn of(low: f64, high: f64) -> Self {
+        if low * high > 0.0 { Self::Logarithmic { sign: low.signum() } } else { Self::Linear }
+    }
+
+    fn to(self, value: f64) -> f64 {
+        match self {
+            Self::Logarithmic { sign } => sign * value.abs().ln(),
+            Self::Linear => value,
+        }
+    }
+
+    fn back(self, x: f64) -> f64 {
+        match self {
+            Self::Logarithmic { sign } => sign * (sign * x).exp(),
+            Self::Linear => x,
+        }
+    }
+}
+
+/// Fits a parameter, which errors call `key`, to runs with two values of it or more.
+///
+/// The deviance −2 ln(evidence) is evaluated along the values, with every measurement linear
+/// between neighbouring trials over the logarithm of the value. Of the ranges between two trials
+/// those with the same and most measurements within the sizes of both runs count. The 95 % interval
+/// is where the deviance is within 3.84 of the least.
 ///
 /// Errors: no measurement is within the sizes of two neighbouring runs; the parameter has no
 /// effect.
-pub fn fit_parameter(key: &str, trials: &[Trial]) -> Result<ParameterFit, CalibrationError> {
+pub fn fit_parameter(
+    key: &str,
+    trials: &[Trial],
+    prior: Prior,
+    coefficient: Coefficient,
+) -> Result<ParameterFit, CalibrationError> {
     let mut trials: Vec<&Trial> = trials.iter().collect();
     trials.sort_by(|a, b| a.value.total_cmp(&b.value));
-    let ranges: Vec<(&Trial, &Trial, Vec<Line>)> =
-        trials.windows(2).map(|pair| (pair[0], pair[1], lines(pair[0], pair[1]))).collect();
-    let most = ranges.iter().map(|(_, _, lines)| lines.len()).max().unwrap_or(0);
-    if most == 0 {
-        return Err(CalibrationError::NothingToCompare { from: 0.0, to: 0.0 });
-    }
-    let best = ranges
-        .iter()
-        .filter(|(_, _, lines)| lines.len() == most)
-        .map(|(low, high, lines)| {
-            let (share, squares) = least(lines);
-            (low, high, lines, share, squares)
-        })
-        .reduce(|a, b| if b.4 < a.4 { b } else { a });
-    let Some((low, high, lines, share, squares)) = best else {
-        return Err(CalibrationError::NothingToCompare { from: 0.0, to: 0.0 });
+    let nothing = || CalibrationError::NothingToCompare { from: 0.0, to: 0.0 };
+    let (Some(first), Some(last)) = (trials.first(), trials.last()) else { return Err(nothing()) };
+    let scale = Scale::of(first.value, last.value);
+    let masks: Vec<Vec<bool>> = trials.windows(2).map(|pair| mask(pair[0], pair[1])).collect();
+    let count = |mask: &[bool]| mask.iter().filter(|both| **both).count();
+    let Some(best) = masks.iter().max_by_key(|mask| count(mask)).filter(|mask| count(mask) > 0) else {
+        return Err(nothing());
     };
-    let width = high.value - low.value;
-    let slopes: f64 = lines.iter().map(|(_, change)| (change / width).powi(2)).sum();
-    if slopes.sqrt() * (trials[trials.len() - 1].value - trials[0].value) < FLAT {
+    // What the measurements say of the parameter must not come from the prior of the coefficient.
+    let (prior, vague) = match coefficient {
+        Coefficient::OfCase => (Prior { log_std: 0.0, ..prior }, Prior { log_std: 0.0, ..prior }),
+        Coefficient::Fitted => (prior, Prior { log_std: VAGUE, ..prior }),
+    };
+    let has_classes =
+        first.sites.iter().flatten().flatten().any(|observed| matches!(observed, Observed::Class(_)));
+    let parts = if has_classes && coefficient == Coefficient::Fitted { COARSE } else { FINE };
+    // Points along the values: x, and the measurements there.
+    let mut points: Vec<(f64, Vec<Observations>)> = Vec::new();
+    let mut is_beyond = [false; 2];
+    for (i, pair) in trials.windows(2).enumerate().filter(|(i, _)| masks[*i] == *best) {
+        is_beyond[0] |= points.is_empty() && i > 0;
+        is_beyond[1] = i + 2 < trials.len();
+        let (low, high) = (scale.to(pair[0].value), scale.to(pair[1].value));
+        for part in 0..=parts {
+            let share = part as f64 / parts as f64;
+            points.push((low + share * (high - low), between(pair[0], pair[1], share, best)));
+        }
+    }
+    if spread(&points) < FLAT {
         return Err(CalibrationError::NoInfluence { key: key.to_owned() });
     }
-    let value = low.value + share * width;
-    let log_std = (most > 1).then(|| (squares / (most - 1) as f64).sqrt());
-    let reach = log_std.map(|std| student(most - 1) * std / slopes.sqrt());
-    let ends = [trials[0].value, trials[trials.len() - 1].value];
-    let is_end = |end: &f64| (end - value).abs() <= ROUNDING * (ends[1] - ends[0]);
+    let usual = error_of_readings(&points, coefficient);
+    let at = |sites: &Vec<Observations>, prior: Prior| {
+        let sites: Vec<SiteLikelihood> = sites.iter().map(|site| SiteLikelihood::of(site, usual)).collect();
+        posterior(&sites, prior)
+    };
+    let deviances: Vec<f64> = points.iter().map(|(_, sites)| -2.0 * at(sites, vague).log_evidence).collect();
+    let least = (0..points.len()).fold(0, |least, i| if deviances[i] < deviances[least] { i } else { least });
+    let excess: Vec<(f64, f64)> =
+        points.iter().zip(&deviances).map(|((x, _), deviance)| (*x, deviance - deviances[least])).collect();
+    let end = match least {
+        0 => Some(BracketEnd::Low),
+        i if i + 1 == points.len() => Some(BracketEnd::High),
+        _ => None,
+    };
+    let crossing = |from: &(f64, f64), to: &(f64, f64)| {
+        scale.back(from.0 + (EXCLUDED - from.1) / (to.1 - from.1) * (to.0 - from.0))
+    };
+    let low = excess[..=least].windows(2).rev().find(|pair| pair[0].1 > EXCLUDED);
+    let high = excess[least..].windows(2).find(|pair| pair[1].1 > EXCLUDED);
     Ok(ParameterFit {
-        value,
-        used: most,
-        log_std,
-        interval: reach.map(|reach| (value - reach, value + reach)),
-        is_at_end: ends.iter().any(is_end),
+        value: scale.back(vertex(&excess, least)),
+        used: count(best),
+        interval: (
+            low.map(|pair| crossing(&pair[1], &pair[0])),
+            high.map(|pair| crossing(&pair[0], &pair[1])),
+        ),
+        end,
+        posterior: at(&points[least].1, prior),
+        contrast: excess.iter().map(|(_, deviance)| *deviance).fold(0.0, f64::max),
+        profile: excess.iter().map(|(x, deviance)| (scale.back(*x), *deviance)).collect(),
     })
 }
 
-/// A parameter that changes ln N by less over all trials is without influence: the error of a run.
-const FLAT: f64 = 1e-4;
-
-/// Values that differ by less over the range of the trials are one.
-const ROUNDING: f64 = 1e-12;
-
-/// ln(computed/measured) of every measurement that both trials have.
-fn lines(low: &Trial, high: &Trial) -> Vec<Line> {
-    let both = low.compared.iter().zip(&high.compared);
-    let line = |(a, b): (&Option<Compared>, &Option<Compared>)| {
-        let (from, to) = (a.as_ref()?.ratio.ln(), b.as_ref()?.ratio.ln());
-        Some((from, to - from))
-    };
-    both.filter_map(line).collect()
+/// Where the parabola through the least of `points` and its neighbours is least; the point itself
+/// at an end, and where two points are at one place.
+fn vertex(points: &[(f64, f64)], least: usize) -> f64 {
+    let (x, _) = points[least];
+    if least == 0 || least + 1 == points.len() {
+        return x;
+    }
+    let [(a, at_a), (b, at_b)] = [points[least - 1], points[least + 1]];
+    let (left, right) = (x - a, b - x);
+    if left <= 0.0 || right <= 0.0 {
+        return x;
+    }
+    let (slope_left, slope_right) = (at_a / left, at_b / right);
+    let turn = slope_left + slope_right;
+    if turn > 0.0 {
+        x + (0.5 * (slope_left * right - slope_right * left) / turn).clamp(-left, right)
+    } else {
+        x
+    }
 }
 
-/// The minimum of the sum of squares of lines between the first and the second trial: its position
-/// and value.
-fn least(lines: &[Line]) -> (f64, f64) {
-    let (mut product, mut square) = (0.0, 0.0);
-    for (from, change) in lines {
-        product += from * change;
-        square += change * change;
+/// Whether each measurement is within the sizes of both runs.
+fn mask(low: &Trial, high: &Trial) -> Vec<bool> {
+    let flat = |trial: &Trial| trial.sites.iter().flatten().map(Option::is_some).collect::<Vec<bool>>();
+    flat(low).into_iter().zip(flat(high)).map(|(a, b)| a && b).collect()
+}
+
+/// The measurements of `mask` at `share` of the range from one trial to another.
+fn between(low: &Trial, high: &Trial, share: f64, mask: &[bool]) -> Vec<Observations> {
+    let linear = |a: f64, b: f64| a + share * (b - a);
+    let mut counts = mask.iter();
+    let of = |(a, b): (&Option<Observed>, &Option<Observed>)| {
+        if !counts.next().copied().unwrap_or(false) {
+            return None;
+        }
+        match (a.as_ref()?, b.as_ref()?) {
+            (Observed::Reading { y, per_mm, std }, Observed::Reading { y: to, per_mm: slope, .. }) => {
+                Some(Observed::Reading { y: linear(*y, *to), per_mm: linear(*per_mm, *slope), std: *std })
+            }
+            (Observed::Class(a), Observed::Class(b)) => {
+                Some(Observed::Class(a.iter().zip(b).map(|(a, b)| linear(*a, *b)).collect()))
+            }
+            _ => None,
+        }
+    };
+    let mut of = of;
+    low.sites.iter().zip(&high.sites).map(|(a, b)| a.iter().zip(b).map(&mut of).collect()).collect()
+}
+
+/// The largest change of ln N or ln P of any measurement over all points.
+fn spread(points: &[(f64, Vec<Observations>)]) -> f64 {
+    let Some((_, first)) = points.first() else { return 0.0 };
+    let change = |a: &Option<Observed>, b: &Option<Observed>| match (a, b) {
+        (Some(Observed::Reading { y: a, .. }), Some(Observed::Reading { y: b, .. })) => (a - b).abs(),
+        (Some(Observed::Class(a)), Some(Observed::Class(b))) => {
+            a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+        }
+        _ => 0.0,
+    };
+    let of = |sites: &Vec<Observations>| {
+        let pairs = first.iter().flatten().zip(sites.iter().flatten());
+        pairs.map(|(a, b)| change(a, b)).fold(0.0, f64::max)
+    };
+    points.iter().map(|(_, sites)| of(sites)).fold(0.0, f64::max)
+}
+
+/// The error of readings without one, by their scatter about the best fit.
+fn error_of_readings(points: &[(f64, Vec<Observations>)], coefficient: Coefficient) -> UsualError {
+    let of = |sites: &Vec<Observations>| -> (f64, usize) {
+        let known: Vec<Vec<f64>> = sites.iter().map(unknown).filter(|site| !site.is_empty()).collect();
+        let about_means = known.len() > 1 || coefficient == Coefficient::Fitted;
+        let squares = known.iter().map(|site| {
+            let mean = if about_means { site.iter().sum::<f64>() / site.len() as f64 } else { 0.0 };
+            site.iter().map(|y| (y - mean).powi(2)).sum::<f64>()
+        });
+        let means = if about_means { known.len() } else { 0 };
+        let count: usize = known.iter().map(Vec::len).sum();
+        // The parameter itself takes another degree of freedom.
+        (squares.sum(), count.saturating_sub(means + 1))
+    };
+    let best = points.iter().map(|(_, sites)| of(sites)).reduce(|a, b| if b.0 < a.0 { b } else { a });
+    match (best, points.first()) {
+        (Some((squares, degrees)), _) if degrees > 0 => from_squares(squares, degrees),
+        (_, Some((_, sites))) if coefficient == Coefficient::Fitted => match usual_error(sites) {
+            UsualError::OfLife(_) => from_squares(0.0, 0),
+            size @ UsualError::OfSize(_) => size,
+        },
+        _ => from_squares(0.0, 0),
     }
-    let share = if square > 0.0 { (-product / square).clamp(0.0, 1.0) } else { 0.0 };
-    (share, lines.iter().map(|(from, change)| (from + share * change).powi(2)).sum())
+}
+
+/// The range in which a value is looked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bracket {
+    /// Its ends.
+    pub low: f64,
+    /// Its ends.
+    pub high: f64,
+    /// The accepted values of the key, both ends.
+    pub accepted: (f64, f64),
+    /// How often it may be doubled at an end.
+    pub widenings: usize,
+}
+
+/// The next step of a search.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Next {
+    /// A run with this value.
+    Try(f64),
+    /// The fit is settled.
+    Settled,
+    /// The best value is at this end, and the bracket is not widened.
+    AtEnd(BracketEnd),
+}
+
+/// Values over the range at first.
+const FIRST: usize = 5;
+/// Values that are added within the range at most, each where the fit so far is best.
+const ADDED: usize = 6;
+/// A fit that is as near to a value as this is settled: in the logarithm, or as a share of a range
+/// that includes zero.
+const SETTLED: f64 = 3e-3;
+
+/// Doublings of the range: 256 times the value, far beyond any that is meant.
+const WIDENINGS: usize = 7;
+
+impl Bracket {
+    /// From half to twice `value`, which is not zero; doubled where the best value is at an end.
+    #[must_use]
+    pub fn about(value: f64, accepted: (f64, f64)) -> Self {
+        let (low, high) = if value < 0.0 { (2.0 * value, 0.5 * value) } else { (0.5 * value, 2.0 * value) };
+        Self { low: low.max(accepted.0), high: high.min(accepted.1), accepted, widenings: WIDENINGS }
+    }
+
+    /// The given range, which is not widened.
+    #[must_use]
+    pub fn given(low: f64, high: f64) -> Self {
+        Self { low, high, accepted: (low, high), widenings: 0 }
+    }
+
+    /// The first values, evenly spaced in the logarithm where the ends have the same sign.
+    #[must_use]
+    pub fn values(&self) -> Vec<f64> {
+        let scale = Scale::of(self.low, self.high);
+        let (low, high) = (scale.to(self.low), scale.to(self.high));
+        let inner = (1..FIRST - 1).map(|i| scale.back(low + (high - low) * i as f64 / (FIRST - 1) as f64));
+        std::iter::once(self.low).chain(inner).chain([self.high]).collect()
+    }
+
+    /// The next step after `fit` of runs with `tried` values.
+    pub fn next(&mut self, fit: &ParameterFit, tried: &[f64]) -> Next {
+        if let Some(end) = fit.end {
+            let scale = Scale::of(self.low, self.high);
+            let doubled = |value: f64, outwards: f64| match scale {
+                Scale::Logarithmic { .. } => scale.back(scale.to(value) + outwards * 2f64.ln()),
+                Scale::Linear => value,
+            };
+            let wider = match end {
+                BracketEnd::Low => doubled(self.low, -1.0).max(self.accepted.0),
+                BracketEnd::High => doubled(self.high, 1.0).min(self.accepted.1),
+            };
+            let is_there = |value: &f64| (value - wider).abs() <= 1e-12 * wider.abs();
+            if self.widenings == 0 || tried.iter().any(is_there) || wider == 0.0 {
+                return Next::AtEnd(end);
+            }
+            self.widenings -= 1;
+            match end {
+                BracketEnd::Low => self.low = wider,
+                BracketEnd::High => self.high = wider,
+            }
+            return Next::Try(wider);
+        }
+        let scale = Scale::of(self.low, self.high);
+        let width = match scale {
+            Scale::Logarithmic { .. } => 1.0,
+            Scale::Linear => self.high - self.low,
+        };
+        let near = |value: &&f64| (scale.to(**value) - scale.to(fit.value)).abs() <= SETTLED * width;
+        if tried.iter().any(|value| near(&value)) || tried.len() >= FIRST + ADDED + WIDENINGS {
+            return Next::Settled;
+        }
+        Next::Try(fit.value)
+    }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::calibration::Measured;
-
-    /// N at three sizes is in proportion to e^(−3 p), and measured with deviations of ln N.
-    fn trial(value: f64, truth: f64, deviations: [f64; 3]) -> Trial {
-        let compared = [1.0, 2.0, 3.0].into_iter().zip(deviations).map(|(size, deviation)| {
-            let mgt = size * (-3.0 * truth + deviation).exp();
-            let computed_mgt = size * (-3.0 * value).exp();
-            Some(Compared { measured: Measured { mgt, size }, computed_mgt, ratio: computed_mgt / mgt })
-        });
-        Trial { value, compared: compared.collect() }
-    }
-
-    #[test]
-    fn synthetic_data_give_their_parameter_back() {
-        let trials = |deviations| [0.1, 0.3, 0.2, 0.4].map(|value| trial(value, 0.27, deviations));
-        let exact = fit_parameter("p", &trials([0.0; 3])).unwrap();
-        assert!((exact.value - 0.27).abs() < 1e-12 && exact.used == 3 && !exact.is_at_end, "{exact:?}");
-        let scattered = fit_parameter("p", &trials([0.1, -0.1, 0.0])).unwrap();
-        // Slopes of −3 each: the deviations have no mean, s = 0.1 and SE = s/(3 √3).
-        let reach = 4.303 * 0.1 / (3.0 * 3f64.sqrt());
-        let (low, high) = scattered.interval.unwrap();
-        assert!((scattered.value - 0.27).abs() < 1e-12, "{scattered:?}");
-        assert!((scattered.log_std.unwrap() - 0.1).abs() < 1e-12);
-        assert!((high - low - 2.0 * reach).abs() < 1e-12 && low < 0.27 && 0.27 < high);
-    }
-
-    #[test]
-    fn ends_and_parameters_without_influence_are_said() {
-        let beyond = [0.1, 0.2].map(|value| trial(value, 0.5, [0.0; 3]));
-        let fit = fit_parameter("p", &beyond).unwrap();
-        assert!(fit.is_at_end && fit.value == 0.2);
-        let mut flat = trial(0.1, 0.2, [0.0; 3]);
-        let other = Trial { value: 0.3, ..flat.clone() };
-        let error = fit_parameter("p", &[flat.clone(), other.clone()]).unwrap_err().to_string();
-        assert!(error.contains("p has no effect"), "{error}");
-        flat.compared.iter_mut().for_each(|compared| *compared = None);
-        assert!(fit_parameter("p", &[flat, other]).is_err());
-    }
-}
+#[path = "parameter_tests.rs"]
+mod tests;

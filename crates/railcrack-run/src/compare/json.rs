@@ -19,6 +19,12 @@ pub(super) fn json_text(
         "runs": comparison.runs,
         "case_differences": comparison.case_differences,
         "notes": comparison.notes,
+        "life": comparison.life().map(|life| json!({
+            "crack": life.crack,
+            "length_mm": life.length,
+            "load_cycles": life.load_cycles,
+            "million_gross_tonnes": life.million_gross_tonnes,
+        })),
         "common_steps": comparison.common_steps,
         "peak_mpa_sqrt_m": comparison.peak,
         "dki_largest": largest_of(comparison, |sifs| sifs.ki),

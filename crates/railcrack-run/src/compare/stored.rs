@@ -40,6 +40,16 @@ pub struct RunLabel {
     pub load_cycles: f64,
     /// Wall time, seconds.
     pub wall_s: f64,
+    /// Million gross tonnes of these load cycles; null without axle loads.
+    #[serde(default)]
+    pub million_gross_tonnes: Option<f64>,
+    /// Million gross tonnes to the failure; null where there is none within the run.
+    #[serde(default)]
+    pub failure_mgt: Option<f64>,
+    /// Ends of the passage near the cracks, x_c/a; beyond them are the positions of a rail that
+    /// bends.
+    #[serde(default)]
+    pub near_over_a: Option<[f64; 2]>,
 }
 
 /// Everything of a run that is compared.
@@ -94,7 +104,18 @@ impl StoredRun {
             stop: summary.stop,
             load_cycles: summary.load_cycles,
             wall_s: summary.wall_s,
+            million_gross_tonnes: summary.million_gross_tonnes,
+            failure_mgt: summary.decision.as_ref().and_then(|decision| decision.failure.mgt),
+            near_over_a: self.near_over_a(),
         }
+    }
+
+    fn near_over_a(&self) -> Option<[f64; 2]> {
+        let summary = self.summary();
+        let origin =
+            summary.cracks.first().and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |p| p[0]);
+        let [from, to] = summary.passage_mm?.map(|xc| (xc - origin) / summary.half_width_mm);
+        Some([from.min(to), from.max(to)])
     }
 
     /// K of a tip over the stabilised passage.

@@ -21,6 +21,7 @@ impl Comparison {
             add(&mut text, format_args!("the runs have no step and tip in common"));
             return text;
         }
+        self.add_life(&mut text);
         self.add_table(&mut text);
         self.add_largest(&mut text);
         self.add_paths(&mut text);
@@ -57,6 +58,23 @@ impl Comparison {
                 difference.values.each_ref().map(|value| value.as_deref().unwrap_or("(not there)"));
             add(text, format_args!("case    {}: {first} | {second}", difference.key));
         }
+    }
+
+    fn add_life(&self, text: &mut String) {
+        let Some(life) = self.life() else { return };
+        let [first, second] = life.load_cycles;
+        let tonnes = life.million_gross_tonnes.map_or_else(String::new, |[first, second]| {
+            format!(", {first:.3} | {second:.3} million gross tonnes")
+        });
+        add(
+            text,
+            format_args!(
+                "life    to {:.3} mm of crack {}: {first:.0} | {second:.0} load cycles{tonnes}; the second is {:.3} times the first",
+                life.length,
+                life.crack,
+                second / first
+            ),
+        );
     }
 
     fn add_table(&self, text: &mut String) {

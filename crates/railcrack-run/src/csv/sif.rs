@@ -38,7 +38,7 @@ table! {
         /// Pressure of the fluid in the crack of the tip, MPa; that at the mouth where it falls
         /// along the crack.
         fluid_pressure: Option<f64> = "fluid_mpa", with "fluid";
-        /// Volume of the crack per unit width, mm².
+        /// Volume of the crack per unit width, in space over the length of its mouth, mm².
         fluid_volume: Option<f64> = "fluid_mm2", with "fluid";
         /// Parametric angle of a front point in space, degrees: 0 and 180 at the surface, 90
         /// deepest.

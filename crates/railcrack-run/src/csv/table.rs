@@ -221,11 +221,12 @@ impl Cell for PlasticStrain {
     }
 }
 
-/// One field for each wheel.
+/// One field for each wheel; a single wheel has the whole growth.
 impl Cell for WheelShares {
     fn put(&self, rows: &mut Rows, columns: &[&'static str]) {
-        for (value, column) in self.values().iter().zip(columns) {
-            rows.real(column, *value);
+        let count = self.values().len().max(1);
+        for (wheel, column) in columns.iter().take(count).enumerate() {
+            rows.real(column, self.values().get(wheel).copied().unwrap_or(1.0));
         }
     }
 

@@ -198,7 +198,7 @@ fn point(step: &StepDigest, grown: f64, found: usize) -> Option<CoursePoint> {
     let deepest = step.tips.iter().max_by(|a, b| a.depth().total_cmp(&b.depth()))?;
     let longest = step.tips.iter().max_by(|a, b| a.length.total_cmp(&b.length))?;
     let own = || step.tips.iter().filter(|tip| tip.tip.crack == found);
-    let opened = step.tips.iter().filter_map(|tip| tip.largest_k1);
+    let k1 = step.tips.iter().map(TipRecord::compared_k1).fold(0.0, f64::max);
     Some(CoursePoint {
         axles: step.load_cycles,
         axles_error: step.cycles_error,
@@ -206,7 +206,7 @@ fn point(step: &StepDigest, grown: f64, found: usize) -> Option<CoursePoint> {
         removed: step.removed,
         rate: fastest.rate,
         delta_keq: fastest.delta_keq / MPA_SQRT_MM,
-        largest_k1: opened.map(|largest| largest.k1_mpa_sqrt_m()).fold(0.0, f64::max),
+        largest_k1: k1 / MPA_SQRT_MM,
         depth: deepest.depth(),
         deepest: (deepest.tip.crack, deepest.tip.tip),
         length: longest.length,
@@ -241,10 +241,8 @@ fn events_of(step: &StepDigest, work: f64) -> Vec<CourseEvent> {
     let mut events: Vec<CourseEvent> = Vec::new();
     let stopped = |stop: TipStop| step.tips.iter().find(move |tip| tip.stop == Some(stop));
     if step.stop == Some(RunStop::Fracture) {
-        let breaks = stopped(TipStop::Fracture).or_else(|| {
-            let k1 = |tip: &TipRecord| tip.largest_k1.map_or(0.0, |largest| largest.k1);
-            step.tips.iter().max_by(|a, b| k1(a).total_cmp(&k1(b)))
-        });
+        let breaks = stopped(TipStop::Fracture)
+            .or_else(|| step.tips.iter().max_by(|a, b| a.compared_k1().total_cmp(&b.compared_k1())));
         events.extend(breaks.map(|tip| event(Some(FailureMode::Fracture), (tip.tip.crack, tip.tip.tip))));
     }
     if let Some(tip) = stopped(TipStop::BreakOut) {

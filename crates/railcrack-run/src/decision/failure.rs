@@ -2,6 +2,7 @@
 
 use super::course::{Course, CourseEvent, FailureMode};
 use super::family::{Family, Removal};
+use super::risk::DepthCurve;
 use super::walk::{Fate, Limits, SampledRates, Track, Walk};
 use railcrack_case::{Inspection, MaintenancePlan};
 use serde::{Deserialize, Serialize};
@@ -95,6 +96,8 @@ pub(crate) struct Nominal {
     pub detected: Option<f64>,
     /// Million gross tonnes until the last crack is worn away.
     pub worn: Option<f64>,
+    /// Million gross tonnes until the rail is worn to the limit at which it is replaced.
+    pub replaced: Option<f64>,
 }
 
 impl Nominal {
@@ -111,11 +114,22 @@ impl Nominal {
             let again = walk.walk(&rates, &Limits { ignored: Some(mode), ..limits }, &mut track);
             failure_of(course, again.fate, question.tonnes)
         });
-        let worn = match first.fate {
-            Fate::Worn(mgt) => Some(mgt),
-            _ => None,
+        let (worn, replaced) = match first.fate {
+            Fate::Worn(mgt) => (Some(mgt), None),
+            Fate::Replaced(mgt) => (None, Some(mgt)),
+            _ => (None, None),
         };
-        Self { failure, second, detected: Some(first.detected).filter(|mgt| mgt.is_finite()), worn }
+        Self { failure, second, detected: Some(first.detected).filter(|mgt| mgt.is_finite()), worn, replaced }
+    }
+
+    /// The depth of the crack that is looked for in the run `course`, over traffic.
+    pub fn depths(course: &Course, question: &Question) -> DepthCurve {
+        let family = Family::alone(course);
+        let walk = Walk::through(&family, question.tonnes, question.removal());
+        let rates = SampledRates::of_case(question.tonnes, question.removal());
+        let mut track = Track::default();
+        walk.walk(&rates, &question.limits(), &mut track);
+        DepthCurve::through(track.own_depths())
     }
 }
 

@@ -324,7 +324,12 @@ pub(super) struct Removal {
     pub wear: f64,
     /// Depth (mm), interval and first time (million gross tonnes) of grindings.
     pub grinding: Option<(f64, f64, f64)>,
+    /// Removal at which the rail is replaced, mm, less what is rounding.
+    pub limit: Option<f64>,
 }
+
+/// Removal below the limit, relative to it, that is attributed to rounding.
+const AT_LIMIT: f64 = 1e-9;
 
 impl Removal {
     /// None without a `plan`.
@@ -333,7 +338,8 @@ impl Removal {
             let (depth, interval) = plan.grinding?;
             Some((depth, interval, plan.first_grinding.unwrap_or(interval)))
         });
-        Self { wear: plan.map_or(0.0, |plan| plan.wear), grinding }
+        let limit = plan.and_then(|plan| Some(plan.wear_limit? * (1.0 - AT_LIMIT)));
+        Self { wear: plan.map_or(0.0, |plan| plan.wear), grinding, limit }
     }
 
     /// Million gross tonnes until the next grinding after `done` of them.

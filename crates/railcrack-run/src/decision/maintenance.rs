@@ -25,11 +25,17 @@ pub struct MaintenanceSummary {
     pub balance_depth_mm: Option<f64>,
     /// Million gross tonnes until nothing of the crack is left; null where something stays.
     pub mgt_to_worn_away: Option<f64>,
+    /// Removed depth (mm) at which the rail is replaced, where the case gives it.
+    #[serde(default)]
+    pub wear_limit_mm: Option<f64>,
+    /// Million gross tonnes until then, by wear and grinding alone: the crack may fail before.
+    #[serde(default)]
+    pub mgt_to_wear_limit: Option<f64>,
 }
 
 impl MaintenanceSummary {
-    /// The balance for the crack of `rows`, which is gone after them if it `is_worn_away`, after
-    /// `removed` (mm) of the surface.
+    /// The balance for the crack of `rows`, which is gone at the last of them if it `is_worn_away`,
+    /// after `removed` (mm) of the surface.
     pub(super) fn of(plan: &MaintenancePlan, rows: &[DecisionRow], is_worn_away: bool, removed: f64) -> Self {
         let removal = plan.removal();
         let ratio =
@@ -43,7 +49,9 @@ impl MaintenanceSummary {
             removed_mm: removed,
             growth_over_removal: ends.map(|(first, last)| [first, last]),
             balance_depth_mm: rows.windows(2).find_map(|pair| balance(pair, ratio)),
-            mgt_to_worn_away: rows.last().filter(|_| is_worn_away).and_then(|last| end(plan, last)),
+            mgt_to_worn_away: rows.last().filter(|_| is_worn_away).map(|last| last.mgt),
+            wear_limit_mm: plan.wear_limit,
+            mgt_to_wear_limit: plan.replacement(),
         }
     }
 }
@@ -54,15 +62,3 @@ fn balance(pair: &[DecisionRow], ratio: impl Fn(&DecisionRow) -> Option<f64>) ->
     let share = from / (from - to);
     (from * to < 0.0).then(|| pair[0].depth_mm + share * (pair[1].depth_mm - pair[0].depth_mm))
 }
-
-/// Million gross tonnes at which what is left in the row `last` is gone: at the next grinding, or
-/// earlier by wear.
-fn end(plan: &MaintenancePlan, last: &DecisionRow) -> Option<f64> {
-    let net = plan.wear - last.balance_mm_per_mgt.unwrap_or(0.0);
-    let by_wear = if net > 0.0 { last.mgt + last.depth_mm / net } else { f64::INFINITY };
-    let next = |(_, interval): (f64, f64)| ((last.mgt / interval + ROUNDING).floor() + 1.0) * interval;
-    Some(by_wear.min(plan.grinding.map_or(f64::INFINITY, next))).filter(|mgt| mgt.is_finite())
-}
-
-/// A grinding that is due within this share of its interval has just taken place: rounding of sums.
-const ROUNDING: f64 = 1e-9;

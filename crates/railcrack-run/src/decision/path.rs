@@ -65,7 +65,7 @@ impl GrowthPath {
                 depth: tip.depth(),
                 rate: tip.rate,
                 delta_keq: tip.delta_keq / railcrack::math::MPA_SQRT_MM,
-                largest_k1: tip.largest_k1.map_or(0.0, |largest| largest.k1_mpa_sqrt_m()),
+                largest_k1: tip.compared_k1() / railcrack::math::MPA_SQRT_MM,
                 mouth_sine: tip.mouth_sine,
                 shares: tip.shares,
             })

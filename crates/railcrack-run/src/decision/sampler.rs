@@ -120,6 +120,8 @@ pub(crate) struct Sample {
     /// Million gross tonnes at which its course ends without a failure, where it is not known what
     /// follows; infinite otherwise.
     pub outlives: f64,
+    /// Its own depth (mm) from which it is detected.
+    pub found_from: Option<f64>,
     /// How it ends.
     pub fate: Fate,
 }
@@ -176,6 +178,14 @@ impl<'a> Sampler<'a> {
         // A crack that is not detectable before the rail fails leaves no time to find it.
         let way =
             if to_critical.is_finite() { (to_critical - walked.detected).max(0.0) } else { f64::INFINITY };
-        Sample { draw: *draw, grows: walked.grows, to_critical, way, outlives, fate: walked.fate }
+        Sample {
+            draw: *draw,
+            grows: walked.grows,
+            to_critical,
+            way,
+            outlives,
+            found_from: limits.detectable_depth,
+            fate: walked.fate,
+        }
     }
 }

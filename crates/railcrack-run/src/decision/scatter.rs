@@ -1,5 +1,6 @@
 //! Scatter of what does not change the path of the crack, by sampling.
 
+use super::risk::DepthCurve;
 use super::sampler::{Draw, Draws, KEYS, Sample, Sampler, Sampling};
 use super::walk::Track;
 use railcrack_case::Scatter;
@@ -81,17 +82,25 @@ pub struct ScatterSummary {
 /// wheels as long as the path is the same: each sample has the rates of the courses times
 /// e^(σ_C z) (ΔK_eq/10)^(σ_m z′), and those of each wheel of a mix by its share; its cycles follow
 /// by the same rule as those of the run, and without scatter they are those of the run.
-pub(crate) fn sampled(of: Sampling, longest: f64, interval: Option<f64>) -> ScatterSummary {
+///
+/// The lives of the samples follow where the `risk` of inspections is asked for; otherwise none.
+pub(crate) fn sampled(
+    of: Sampling,
+    longest: f64,
+    interval: Option<f64>,
+    risk: Lives,
+) -> (ScatterSummary, Vec<SampledLife>) {
     let scatter = of.scatter;
     let sampler = Sampler::of(of);
     let mut gathered = Gathered::new(scatter, tonnages(longest, scatter));
     let mut draws = Draws::of(scatter, of.mix);
+    let mut lives = Vec::new();
     let mut left = scatter.samples;
     while left > 0 {
         let piece: Vec<Draw> = (0..left.min(PIECE)).map(|_| draws.next()).collect();
         left -= piece.len();
         let tonnages = &gathered.tonnages;
-        let made: Vec<(Sample, Vec<f64>)> = piece
+        let made: Vec<(Sample, Vec<f64>, Option<SampledLife>)> = piece
             .par_chunks(CHUNK)
             .flat_map_iter(|draws| {
                 let mut track = Track::default();
@@ -99,12 +108,16 @@ pub(crate) fn sampled(of: Sampling, longest: f64, interval: Option<f64>) -> Scat
                     let sample = sampler.sample(draw, &mut track);
                     let depth = |at: &f64| track.at(&track.own_depth, *at, sample.fate);
                     let depths = tonnages.iter().map(depth).collect();
-                    (sample, depths)
+                    let life = (risk == Lives::Kept).then(|| SampledLife::of(&sample, &track));
+                    (sample, depths, life)
                 };
                 draws.iter().map(of_one).collect::<Vec<_>>()
             })
             .collect();
-        made.into_iter().for_each(|(sample, depths)| gathered.take(sample, depths));
+        for (sample, depths, life) in made {
+            gathered.take(sample, depths);
+            lives.extend(life);
+        }
     }
     let mut sensitivities: Vec<Sensitivity> = (0..KEYS.len())
         .filter(|&i| spread(scatter)[i] > 0.0)
@@ -117,7 +130,42 @@ pub(crate) fn sampled(of: Sampling, longest: f64, interval: Option<f64>) -> Scat
     }
     let is_removed =
         of.question.maintenance.is_some_and(|plan| plan.removal() > 0.0) || scatter.wear_std > 0.0;
-    gathered.summary(scatter, interval, is_removed, sensitivities)
+    (gathered.summary(scatter, interval, is_removed, sensitivities), lives)
+}
+
+/// Whether the lives of the samples are kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Lives {
+    /// Their depths over traffic.
+    Kept,
+    /// Only what the summary needs.
+    Dropped,
+}
+
+/// The life of a sample that nobody inspects.
+#[derive(Debug, Clone)]
+pub(crate) struct SampledLife {
+    /// Million gross tonnes until failure; infinite where it does not fail.
+    pub failure: f64,
+    /// Depth over traffic, to [`THINNED`] of its largest value.
+    pub depths: DepthCurve,
+    /// The depth (mm) from which it is detected.
+    pub found_from: Option<f64>,
+}
+
+/// Accuracy of the depth of a sample over its largest depth.
+const THINNED: f64 = 1e-3;
+
+impl SampledLife {
+    fn of(sample: &Sample, track: &Track) -> Self {
+        let deepest = track.own_depth.iter().copied().fold(0.0, f64::max);
+        let depths = if sample.to_critical.is_finite() {
+            DepthCurve::through(track.own_depths()).thinned(THINNED * deepest, sample.found_from)
+        } else {
+            DepthCurve::through([])
+        };
+        Self { failure: sample.to_critical, depths, found_from: sample.found_from }
+    }
 }
 
 /// Samples that are in memory with all their deviates at once, and those that one thread makes at a

@@ -75,7 +75,7 @@ impl Asked<'_> {
             has_own_toughness: self.scatter.toughness_std > 0.0,
         };
         let inspection = nominal(self.path);
-        sampled(of, inspection.mgt_to_critical.unwrap(), inspection.interval_mgt)
+        sampled(of, inspection.mgt_to_critical.unwrap(), inspection.interval_mgt, Lives::Dropped).0
     }
 }
 

@@ -7,10 +7,11 @@ use super::family::Family;
 use super::inspection::InspectionSummary;
 use super::maintenance::MaintenanceSummary;
 use super::path::{GrowthPath, PathPoint};
+use super::risk_summary::{RiskInputs, RiskSummary};
 use super::row::DecisionRow;
 use super::sampler::Sampling;
-use super::scatter::{Quantiles, ScatterSummary, sampled};
-use super::verdict::Verdict;
+use super::scatter::{Lives, Quantiles, ScatterSummary, sampled};
+use super::verdict::{Reason, Verdict};
 use super::wheels::WheelSummary;
 use crate::log::{RunInfo, RunLog};
 use serde::{Deserialize, Serialize};
@@ -49,6 +50,9 @@ pub struct Decision {
     /// The inspection interval, where the case asks for one; null where the verdict is `stop` or
     /// `outside`.
     pub inspection: Option<InspectionSummary>,
+    /// Risk between inspections of the run or its samples: its keys are those of the block.
+    #[serde(flatten)]
+    pub risk: RiskSummary,
     /// The wheels of a mix.
     #[serde(default)]
     pub wheels: Vec<WheelSummary>,
@@ -97,7 +101,7 @@ impl Decision {
         let companions = Companions { all, question, found: path.tip.0 - 1 };
         let can_scatter = is_sampled && has_ended && path.points.len() > 1;
         let scatter = info.scatter.as_ref().filter(|_| can_scatter);
-        let mut scatter = scatter.map(|scatter| {
+        let scatter = scatter.map(|scatter| {
             let family = family_of(&course, &companions.speeds());
             let interval = inspection.as_ref().and_then(|inspection| inspection.interval_mgt);
             let of = Sampling {
@@ -109,8 +113,11 @@ impl Decision {
                 has_own_toughness: scatter.toughness_std > 0.0,
             };
             let longest = course.points.last().map_or(0.0, |last| mgt(last.axles));
-            sampled(of, nominal.failure.mgt.unwrap_or(longest).max(MOST_BEFORE * longest), interval)
+            let until = nominal.failure.mgt.unwrap_or(longest).max(MOST_BEFORE * longest);
+            let is_asked = inspection.is_some() && verdict.gives_intervals();
+            sampled(of, until, interval, if is_asked { Lives::Kept } else { Lives::Dropped })
         });
+        let (mut scatter, lives) = scatter.unzip();
         let inspection = inspection.filter(|_| verdict.gives_intervals());
         if !verdict.gives_intervals()
             && let Some(scatter) = &mut scatter
@@ -118,6 +125,31 @@ impl Decision {
             scatter.mgt_detectable_to_critical = Quantiles::NONE;
             scatter.probability_critical_before_inspection = None;
         }
+        let asked = info.inspection_risk.as_ref();
+        let risk = inspection.as_ref().zip(asked).and_then(|(inspection, asked)| {
+            let detectable_depth = inspection.detectable_depth_mm.or_else(|| {
+                // Never detectable: no inspection finds it.
+                nominal.detected.is_none().then_some(f64::INFINITY)
+            })?;
+            let of = RiskInputs { asked, detectable_depth, mgt_per_year: info.mgt_per_year };
+            let interval = inspection.interval_mgt;
+            match (&lives, nominal.failure.mgt) {
+                (Some(lives), failure) => {
+                    let life =
+                        failure.unwrap_or_else(|| path.points.last().map_or(0.0, |last| mgt(last.axles)));
+                    Some(RiskSummary::of_samples(lives, life, interval, of))
+                }
+                (None, Some(failure)) => {
+                    Some(RiskSummary::of_run(&Nominal::depths(&course, &question), failure, interval, of))
+                }
+                (None, None) => None,
+            }
+        });
+        let risk = risk.unwrap_or_default();
+        let verdict = match risk.exceeds_target() {
+            Some((at, target)) => verdict.with(Reason::of_risk(at, target)),
+            None => verdict,
+        };
         Some(Self {
             rate_mm_per_10_mgt: rate(&rows, &nominal),
             paths: companions.paths(nominal.failure.mgt),
@@ -130,6 +162,7 @@ impl Decision {
             axle_load_t: tonnes,
             rows,
             maintenance,
+            risk,
             inspection,
             wheels: WheelSummary::of(&info.mix, &path, &log.steps),
             scatter,
@@ -166,6 +199,23 @@ pub(crate) fn course_of(info: &RunInfo, log: &RunLog, tonnes: f64) -> Option<(Co
         nominal = Nominal::of(&course, &question);
     }
     (!course.points.is_empty()).then_some((course, nominal))
+}
+
+/// A run with its failures and the verdict on it.
+pub(crate) struct Judged {
+    /// The run.
+    pub course: Course,
+    /// Its failures.
+    pub nominal: Nominal,
+    /// The verdict.
+    pub verdict: Verdict,
+}
+
+/// The run of `log` under axles of `tonnes`; none without steps.
+pub(crate) fn judged(info: &RunInfo, log: &RunLog, tonnes: f64) -> Option<Judged> {
+    let (course, nominal) = course_of(info, log, tonnes)?;
+    let verdict = Verdict::of(info, log, &nominal, tonnes, info.inspection.is_some());
+    Some(Judged { course, nominal, verdict })
 }
 
 /// The crack (from 0) at whose tips most has grown.

@@ -1,6 +1,7 @@
 //! The verdict: one level for the whole run, with its reasons.
 
 use super::failure::{FailureSummary, Nominal};
+use super::risk_summary::RiskAtInterval;
 use crate::log::{RunInfo, RunLog, StepDigest};
 use railcrack::fatigue::RailSteel;
 use railcrack::growth::{RunStop, TipRecord, TipStop};
@@ -14,12 +15,25 @@ use serde::{Deserialize, Serialize};
 pub enum VerdictLevel {
     /// The rail does not fail within the run.
     Ok,
-    /// The rail fails within the run.
+    /// The rail fails within the run, or too many cracks fail before an inspection finds them.
     Act,
     /// The rail fails at once, or before the crack is detectable.
     Stop,
     /// The model does not describe this.
     Outside,
+}
+
+impl VerdictLevel {
+    /// Its word in results.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Ok => "ok",
+            Self::Act => "act",
+            Self::Stop => "stop",
+            Self::Outside => "outside",
+        }
+    }
 }
 
 /// Kinds of reasons.
@@ -32,6 +46,8 @@ pub enum ReasonKind {
     AtOnce,
     /// It fails before the crack is detectable.
     BeforeDetectable,
+    /// The probability that a crack fails before it is found exceeds the target.
+    Risk,
     /// The end of the run, not of the rail.
     EndOfRun,
     /// K_I beyond the toughness of the steel, without `[fracture]`.
@@ -82,7 +98,7 @@ impl ReasonKind {
     fn level(self) -> VerdictLevel {
         match self {
             Self::EndOfRun => VerdictLevel::Ok,
-            Self::Failure => VerdictLevel::Act,
+            Self::Failure | Self::Risk => VerdictLevel::Act,
             Self::AtOnce | Self::BeforeDetectable => VerdictLevel::Stop,
             Self::Toughness | Self::LiftedFlap | Self::Rate | Self::PlasticLayer => VerdictLevel::Outside,
         }
@@ -92,6 +108,17 @@ impl ReasonKind {
 impl Reason {
     fn new(kind: ReasonKind, text: String) -> Self {
         Self { kind, text, crack: None, tip: None, step: None, mgt: None, value: None, limit: None }
+    }
+
+    /// A risk between inspections above its `target`.
+    pub(super) fn of_risk(at: RiskAtInterval, target: f64) -> Self {
+        let text = format!(
+            "with inspections every {:.3} million gross tonnes, the probability that a crack fails before it is found is {}, above the target of {}",
+            at.interval_mgt,
+            probability(at.probability),
+            probability(target)
+        );
+        Self { value: Some(at.probability), limit: Some(target), ..Self::new(ReasonKind::Risk, text) }
     }
 }
 
@@ -134,11 +161,23 @@ impl Verdict {
         Self::of_reasons(reasons)
     }
 
+    /// The verdict with one more `reason`; the end of a run is no reason beside it.
+    pub(super) fn with(mut self, reason: Reason) -> Self {
+        self.reasons.push(reason);
+        self.reasons.retain(|reason| reason.kind != ReasonKind::EndOfRun);
+        Self::of_reasons(self.reasons)
+    }
+
     /// Whether intervals mean anything.
     #[must_use]
     pub fn gives_intervals(&self) -> bool {
         self.level < VerdictLevel::Stop
     }
+}
+
+/// `value` with three digits.
+fn probability(value: f64) -> String {
+    if value > 0.0 && value < 1e-3 { format!("{value:.2e}") } else { format!("{value:.4}") }
 }
 
 /// A reason with the tonnage of its step.
@@ -288,6 +327,10 @@ fn is_at_rest(stop: RunStop) -> bool {
 fn end_of_run(log: &RunLog, nominal: &Nominal, mgt: impl Fn(&StepDigest) -> f64) -> Option<Reason> {
     let last = log.steps.last()?;
     let text = match (nominal.worn, last.stop) {
+        _ if nominal.replaced.is_some() => format!(
+            "the rail is worn to the limit at which it is replaced after {:.3} million gross tonnes",
+            nominal.replaced.unwrap_or_default()
+        ),
         (Some(worn), _) => format!("the cracks are worn away after {worn:.3} million gross tonnes"),
         (None, Some(stop)) if is_at_rest(stop) => "no crack grows any longer".to_owned(),
         _ => format!(
@@ -297,7 +340,7 @@ fn end_of_run(log: &RunLog, nominal: &Nominal, mgt: impl Fn(&StepDigest) -> f64)
     };
     Some(Reason {
         step: Some(last.step),
-        mgt: Some(nominal.worn.unwrap_or_else(|| mgt(last))),
+        mgt: Some(nominal.replaced.or(nominal.worn).unwrap_or_else(|| mgt(last))),
         ..Reason::new(ReasonKind::EndOfRun, text)
     })
 }

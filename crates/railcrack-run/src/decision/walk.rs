@@ -96,6 +96,8 @@ pub(crate) enum Fate {
     Fails(FailureMode, f64),
     /// The last crack is worn away after so many million gross tonnes.
     Worn(f64),
+    /// The rail is worn to the limit at which it is replaced after so many million gross tonnes.
+    Replaced(f64),
     /// No crack grows any longer.
     Rests,
     /// It has not failed after so many million gross tonnes, where the courses end.
@@ -126,10 +128,39 @@ pub(crate) struct Track {
 }
 
 impl Track {
+    fn clear(&mut self) {
+        self.mgt.clear();
+        self.depth.clear();
+        self.own_depth.clear();
+    }
+
     fn push(&mut self, mgt: f64, state: &State) {
         self.mgt.push(mgt);
         self.depth.push(state.reach - state.removed);
         self.own_depth.push(state.own_reach - state.removed);
+    }
+
+    /// The end of `part`, and before it the place where the crack looked for becomes as deep as
+    /// `found_from` (mm).
+    fn follow(&mut self, part: &Part, found_from: Option<f64>) {
+        if let Some(found) = found_from {
+            let own = |state: &State| state.own_reach - state.removed;
+            let (from, to) = (own(&part.from), own(&part.to));
+            let share = (found - from) / (to - from);
+            if from < found && found < to {
+                let between = part.from.to(&part.to, share);
+                self.mgt.push(part.at(share));
+                self.depth.push(between.reach - between.removed);
+                self.own_depth.push(found);
+            }
+        }
+        self.push(part.mgt[1], &part.to);
+    }
+
+    /// The depth of the crack that is looked for over traffic; two points at one tonnage are a
+    /// grinding.
+    pub fn own_depths(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.mgt.iter().copied().zip(self.own_depth.iter().copied())
     }
 
     /// The value of `of`, one for each tonnage, at `mgt`, where the walk ended with `fate`:
@@ -143,7 +174,7 @@ impl Track {
             }
             (Some(i), None) if self.mgt[i] == mgt => of[i],
             (Some(i), None) => match fate {
-                Fate::Worn(_) => 0.0,
+                Fate::Worn(_) | Fate::Replaced(_) => 0.0,
                 Fate::Rests => of[i],
                 Fate::Fails(..) | Fate::Outlives(_) => f64::INFINITY,
             },
@@ -267,9 +298,7 @@ impl<'a> Walk<'a> {
 
     /// The walk of a crack with `rates` up to the first of `limits`; its depths go to `track`.
     pub fn walk(&self, rates: &SampledRates, limits: &Limits, track: &mut Track) -> Walked {
-        track.mgt.clear();
-        track.depth.clear();
-        track.own_depth.clear();
+        track.clear();
         let per_mgt = 1e6 / rates.shares.tonnes;
         let removal = rates.removal;
         let mut spot = Spot { cell: 0, share: 0.0 };
@@ -367,9 +396,10 @@ impl<'a> Walk<'a> {
             if walked.detected == f64::INFINITY {
                 walked.detected = limits.detects(&part).unwrap_or(f64::INFINITY);
             }
-            track.push(mgt, &state);
-            if let Some(fate) = limits.first(&part, &events) {
-                let (Fate::Fails(_, at) | Fate::Worn(at)) = fate else { continue };
+            track.follow(&part, limits.detectable_depth);
+            let replaced = removal.limit.and_then(|limit| part.reaches(|state| state.removed, limit));
+            if let Some(fate) = earlier(limits.first(&part, &events), replaced) {
+                let (Fate::Fails(_, at) | Fate::Worn(at) | Fate::Replaced(at)) = fate else { continue };
                 if walked.detected > at {
                     walked.detected = f64::INFINITY;
                 }
@@ -407,6 +437,9 @@ impl<'a> Walk<'a> {
                 {
                     return Walked { fate, end: spot, ..walked };
                 }
+                if removal.limit.is_some_and(|limit| state.removed >= limit) {
+                    return Walked { fate: Fate::Replaced(mgt), end: spot, ..walked };
+                }
             }
         }
         Walked { fate: Fate::Outlives(mgt), end: spot, ..walked }
@@ -419,6 +452,15 @@ impl<'a> Walk<'a> {
             CourseEnd::Worn => Fate::Worn(mgt),
             CourseEnd::Unknown => Fate::Outlives(mgt),
         }
+    }
+}
+
+/// The earlier of the end `first` of a part and the replacement of the rail.
+fn earlier(first: Option<Fate>, replaced: Option<f64>) -> Option<Fate> {
+    match (first, replaced) {
+        (Some(Fate::Fails(_, at) | Fate::Worn(at)), Some(replaced)) if at <= replaced => first,
+        (_, Some(replaced)) => Some(Fate::Replaced(replaced)),
+        (first, None) => first,
     }
 }
 

@@ -25,10 +25,12 @@ impl WheelSummary {
             .iter()
             .filter_map(|step| step.tips.iter().find(|tip| (tip.tip.crack + 1, tip.tip.tip + 1) == path.tip))
             .collect();
+        // A single wheel has the whole growth.
+        let alone = if mix.len() == 1 { 1.0 } else { 0.0 };
         let grown: f64 = tips.iter().map(|tip| tip.increment.max(0.0)).sum();
         let of = |(i, wheel): (usize, &MixInfo)| {
             let share =
-                |tip: &&railcrack::growth::TipRecord| tip.shares.values().get(i).copied().unwrap_or(0.0);
+                |tip: &&railcrack::growth::TipRecord| tip.shares.values().get(i).copied().unwrap_or(alone);
             let weighted: f64 = tips.iter().map(|tip| tip.increment.max(0.0) * share(tip)).sum();
             // Without any increment, the initial crack.
             let first = tips.first().map_or(0.0, share);

@@ -42,6 +42,9 @@ pub const PLAN_FILE: &str = "study.json";
 /// Samples between the runs of a study.
 pub const POPULATION_FILE: &str = "population.json";
 
+/// Grinding plans in numbers.
+pub const PLANS_FILE: &str = "plan.json";
+
 /// Table of a study with a row per run.
 pub(crate) const RUNS_TABLE: &str = "runs.parquet";
 /// Table of a study with a row per run, step and tip.
@@ -57,7 +60,7 @@ pub(crate) const STUDY_TABLES: [&str; 6] =
 pub const STUDY_PLOTS: [&str; 4] = ["ki.svg", "kii.svg", "paths.svg", "length-cycles.svg"];
 
 /// Every plot of a run or of a stabilised plastic state.
-pub(crate) const PLOT_FILES: [&str; 17] = [
+pub(crate) const PLOT_FILES: [&str; 18] = [
     "ki.svg",
     "kii.svg",
     "kiii.svg",
@@ -75,11 +78,12 @@ pub(crate) const PLOT_FILES: [&str; 17] = [
     "shakedown-map.svg",
     "dang-van.svg",
     "field.svg",
+    "plan.svg",
 ];
 
 /// Files of a run other than `case.toml`, in the order in which a replaced run is removed: a run
 /// without its checkpoint counts as not started.
-pub(crate) const RUN_FILES: [&str; 22] = [
+pub(crate) const RUN_FILES: [&str; 25] = [
     CHECKPOINT_FILE,
     RUN_LOG_FILE,
     OUTCOME_FILE,
@@ -93,6 +97,8 @@ pub(crate) const RUN_FILES: [&str; 22] = [
     SHAKEDOWN_FILE,
     PLASTIC_FILE,
     CYCLE_FILE,
+    PLANS_FILE,
+    "plan.csv",
     REPORT_FILE,
     FIELDS_FILE,
     "inputs/residual-stress.csv",
@@ -102,4 +108,5 @@ pub(crate) const RUN_FILES: [&str; 22] = [
     "inputs/contact-table",
     "inputs/toughness.csv",
     "inputs/rates.csv",
+    "inputs/pod.csv",
 ];

@@ -1,14 +1,16 @@
 //! Fields of a run as files of VTK, and the collection that lists them.
 
 use super::names::name;
-use super::space::space_grids;
+use super::space::{space_grids, status_number};
 use crate::disk::files::FIELDS_FOLDER;
 use crate::disk::{Durability, Seal, inner_folder, replace_file};
 use crate::error::OutputError;
-use railcrack::body::{Face, FieldGrid};
+use railcrack::body::{Face, FieldGrid, FieldLine};
+use railcrack::contact::FaceState;
 use railcrack::growth::{FieldSnapshot, StepRecord};
+use railcrack::math::Stress;
 use railcrack::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
-use railcrack_vtu::{Snapshot, VtuError, pvd_text, vtu_text};
+use railcrack_vtu::{Snapshot, VtuError, pvd_text, vtu_text_with};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -34,7 +36,7 @@ pub fn field_grids(record: &StepRecord) -> impl Iterator<Item = (usize, String, 
     let plane = record.fields.iter().flat_map(|fields| {
         fields.snapshots.iter().map(|snapshot| {
             let position = snapshot.position + 1;
-            (position, field_file(record.step, position), grid_of(&fields.grid, snapshot))
+            (position, field_file(record.step, position), grid_of(&fields.grid, snapshot, record))
         })
     });
     plane.chain(space_grids(record))
@@ -56,7 +58,8 @@ pub(crate) fn write_fields(
     let positions = record.passages.last().map_or(1, |passage| passage.xc.len());
     let write = |(position, file, grid): (usize, String, UnstructuredGrid)| {
         let path = folder.join(&file);
-        let text = vtu_text(&grid).map_err(|reason| VtuError::Grid { path: path.clone(), reason })?;
+        let text = vtu_text_with(&grid, &of_all(record, position))
+            .map_err(|reason| VtuError::Grid { path: path.clone(), reason })?;
         replace_file(&path, &text, durability)?;
         let time = record.step as f64 + (position - 1) as f64 / positions as f64;
         Ok(FieldFileEntry { name: file, time, seal: Seal::of(&text) })
@@ -85,14 +88,45 @@ pub(crate) fn collection<'a>(
     Ok(pvd_text(&snapshots).map_err(|reason| VtuError::Grid { path: path.to_path_buf(), reason })?)
 }
 
+/// Data of a whole file: step, position (from 1) and the x coordinate of the contact centre.
+fn of_all(record: &StepRecord, position: usize) -> Vec<Array> {
+    let xc = record.passages.last().and_then(|passage| passage.xc.get(position - 1));
+    let mut arrays = vec![
+        Array::scalars("step", vec![record.step as f64]),
+        Array::scalars("position", vec![position as f64]),
+    ];
+    arrays.extend(xc.map(|xc| Array::scalars("wheel_position_mm", vec![*xc])));
+    arrays
+}
+
+/// The contact status of a piece of a face: that of the face point with the largest weight at its
+/// ends.
+fn status_of(line: &FieldLine, states: &[FaceState]) -> f64 {
+    let points = line.tractions.iter().flatten();
+    let nearest = points.max_by(|one, other| one.1.total_cmp(&other.1)).map(|(point, _)| *point);
+    nearest.and_then(|point| states.get(point)).map_or(NO_FACE, |state| status_number(state.status))
+}
+
+/// Von Mises stress, √(½[(σxx − σyy)² + (σyy − σzz)² + (σzz − σxx)²] + 3σxy²), MPa.
+fn von_mises(stress: &Stress) -> f64 {
+    let Stress { xx, yy, zz, xy } = *stress;
+    let normal = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
+    (0.5 * normal + 3.0 * xy * xy).sqrt()
+}
+
+/// `status` of cells that are no faces.
+const NO_FACE: f64 = -1.0;
+
 /// Elements, pieces of elements, faces.
-fn grid_of(grid: &FieldGrid, field: &FieldSnapshot) -> UnstructuredGrid {
+fn grid_of(grid: &FieldGrid, field: &FieldSnapshot, record: &StepRecord) -> UnstructuredGrid {
     let block = |shape, connectivity: Vec<usize>| CellBlock { shape, connectivity };
     let bulk = grid.quads.len() + grid.triangles.len();
     let side = grid.lines.iter().map(|line| match line.face {
         Face::Plus => 1.0,
         Face::Minus => -1.0,
     });
+    let states = record.faces.states.get(field.position).map_or(&[][..], |states| &states[..]);
+    let status = grid.lines.iter().map(|line| status_of(line, states));
     UnstructuredGrid {
         points: grid.points.clone(),
         z: Vec::new(),
@@ -104,8 +138,27 @@ fn grid_of(grid: &FieldGrid, field: &FieldSnapshot) -> UnstructuredGrid {
         point_data: vec![
             Array::vectors("displacement_mm", &field.displacement),
             Array::stresses("stress_mpa", &field.stress),
+            Array::scalars("von_mises_mpa", field.stress.iter().map(von_mises).collect()),
             Array::vectors("traction", &field.traction),
+            Array::vectors("traction_mpa", &field.traction),
         ],
-        cell_data: vec![Array::scalars("face", std::iter::repeat_n(0.0, bulk).chain(side).collect())],
+        cell_data: vec![
+            Array::scalars("face", std::iter::repeat_n(0.0, bulk).chain(side).collect()),
+            Array::scalars("status", std::iter::repeat_n(NO_FACE, bulk).chain(status).collect()),
+        ],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_equivalent_stress_is_that_of_von_mises() {
+        // Uniaxial tension, pure shear (√3 τ), pressure.
+        let stress = |xx, yy, zz, xy| Stress { xx, yy, zz, xy };
+        assert_eq!(von_mises(&stress(100.0, 0.0, 0.0, 0.0)), 100.0);
+        assert!((von_mises(&stress(0.0, 0.0, 0.0, 50.0)) - 50.0 * 3f64.sqrt()).abs() < 1e-12);
+        assert_eq!(von_mises(&stress(-70.0, -70.0, -70.0, 0.0)), 0.0);
     }
 }

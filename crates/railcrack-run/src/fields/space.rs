@@ -28,6 +28,15 @@ fn along_front(record: &StepRecord, cracks: &SpaceGeometry, crack: usize) -> Vec
     own().zip(own().skip(1).chain(closing)).flat_map(|(a, b)| [a, b]).collect()
 }
 
+/// A contact status as a number of the files.
+pub(super) fn status_number(status: FaceStatus) -> f64 {
+    match status {
+        FaceStatus::Open => 0.0,
+        FaceStatus::Stick => 1.0,
+        FaceStatus::Slip => 2.0,
+    }
+}
+
 fn grid_of(
     record: &StepRecord,
     cracks: &SpaceGeometry,
@@ -68,11 +77,7 @@ fn grid_of(
         Some(point) => point.crack,
         None => record.tips[i - free].tip.crack,
     };
-    let status = |i: usize| match states[i].status {
-        FaceStatus::Open => 0.0,
-        FaceStatus::Stick => 1.0,
-        FaceStatus::Slip => 2.0,
-    };
+    let status = |i: usize| status_number(states[i].status);
     UnstructuredGrid {
         points,
         z,

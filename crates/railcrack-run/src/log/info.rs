@@ -3,7 +3,7 @@
 use railcrack::bulk::Boundary;
 use railcrack::fatigue::RailSteel;
 use railcrack::growth::Warning;
-use railcrack_case::{ContactSolver, Engine, Inspection, MaintenancePlan, Output, Scatter};
+use railcrack_case::{ContactSolver, Engine, Inspection, InspectionRisk, MaintenancePlan, Output, Scatter};
 
 /// A wheel of a mix.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,6 +51,10 @@ pub struct RunInfo {
     pub maintenance: Option<MaintenancePlan>,
     /// The inspection, where the case has one.
     pub inspection: Option<Inspection>,
+    /// The risk between inspections, where the case has one.
+    pub inspection_risk: Option<InspectionRisk>,
+    /// Million gross tonnes per year, where the case gives them.
+    pub mgt_per_year: Option<f64>,
     /// The scatter, where the case gives it and the run is to sample it.
     pub scatter: Option<Scatter>,
     /// The length that ends the run, mm.
@@ -87,6 +91,8 @@ impl RunInfo {
             mix: Vec::new(),
             maintenance: None,
             inspection: None,
+            inspection_risk: None,
+            mgt_per_year: None,
             scatter: None,
             critical_length: None,
             output: Output::ALL,

@@ -57,6 +57,8 @@ pub struct RolledSummary {
     pub passes: usize,
     /// p0 over the yield stress in shear.
     pub p0_over_k: f64,
+    /// The wheel of a mix that has rolled the rail, the heaviest; null for one wheel.
+    pub wheel: Option<String>,
 }
 
 /// Norms are √∫ p:p dA of the plastic stress p.

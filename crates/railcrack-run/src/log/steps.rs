@@ -38,10 +38,10 @@ pub(crate) struct Present {
     pub peak_memory_mb: Option<f64>,
 }
 
-/// For the tip with the largest k1, the nearest output position of the stabilised passage: k1
-/// itself is evaluated at every load step.
+/// For the tip whose largest k1 is nearest to the toughness, the nearest output position of the
+/// stabilised passage: k1 itself is evaluated at every load step.
 fn largest_k1_at(record: &StepRecord) -> Option<f64> {
-    let k1 = |tip: &TipRecord| tip.largest_k1.map_or(0.0, |largest| largest.k1);
+    let k1 = TipRecord::compared_k1;
     let (tip, opened) = record.tips.iter().enumerate().max_by(|a, b| k1(a.1).total_cmp(&k1(b.1)))?;
     let other = opened.opened_by.checked_sub(1).and_then(|i| record.other_wheels.get(i));
     let passage = other.unwrap_or(&record.passages).last()?;
@@ -92,13 +92,7 @@ impl RunLog {
             largest_k1_at: largest_k1_at(record),
             dofs: record.dofs,
             face_points: record.faces.points.len(),
-            largest_opening: record
-                .faces
-                .states
-                .iter()
-                .flatten()
-                .map(|state| state.opening)
-                .fold(0.0, f64::max),
+            largest_opening: record.largest_opening,
             counts: record.counts,
             times: record.times,
             stop: record.stop,

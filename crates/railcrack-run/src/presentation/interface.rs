@@ -31,6 +31,13 @@ pub trait Presentation: Sync {
         Ok(())
     }
 
+    /// Plots and page of the grinding plans in `folder`.
+    ///
+    /// Errors: a file is damaged; the system refuses.
+    fn plan(&self, _folder: &Path) -> Result<(), OutputError> {
+        Ok(())
+    }
+
     /// Plots and page of the comparison in `folder`.
     ///
     /// Errors: a file is damaged; the system refuses.

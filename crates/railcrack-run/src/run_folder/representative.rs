@@ -60,13 +60,18 @@ pub fn representative_tip(growth: &[TipRow]) -> Option<Vec<&TipRow>> {
     tips.into_iter().rev().max_by(leads)
 }
 
-/// Load cycles until a crack of these `rows` is `length` long; none where it never is, or was from
-/// the beginning. Between two steps the rate is constant.
+/// Relative round-off of a length: runs with the same increments end at lengths that differ in
+/// their last digits, and all of them have reached the shortest of these.
+const ROUND_OFF: f64 = 1e-12;
+
+/// Load cycles until a crack of these `rows` is `length` long, up to round-off; none where it never
+/// is, or was from the beginning. Between two steps the rate is constant.
 pub fn cycles_to<R: Borrow<TipRow>>(rows: &[R], length: f64) -> Option<f64> {
-    let reached = |pair: &&[R]| pair[0].borrow().length < length && pair[1].borrow().length >= length;
+    let enough = length * (1.0 - ROUND_OFF);
+    let reached = |pair: &&[R]| pair[0].borrow().length < enough && pair[1].borrow().length >= enough;
     let pair = rows.windows(2).find(reached)?;
     let (from, to) = (pair[0].borrow(), pair[1].borrow());
-    let part = (length - from.length) / (to.length - from.length);
+    let part = ((length - from.length) / (to.length - from.length)).min(1.0);
     Some(from.load_cycles + part * (to.load_cycles - from.load_cycles))
 }
 
@@ -100,5 +105,7 @@ mod tests {
             assert!((found - cycles).abs() < 1e-9, "{length} mm: {found}");
         }
         assert_eq!([cycles_to(&rows, 6.0), cycles_to(&rows, 7.3)], [None, None]);
+        // A run that ends a last digit short of another one has reached its length.
+        assert_eq!(cycles_to(&rows, 7.2_f64.next_up()), Some(200.0));
     }
 }

@@ -8,7 +8,7 @@ use super::run::Simulation;
 use crate::decision::{course_of, slowed};
 use crate::log::{Companion, CompanionKind, RunInfo, RunLog, StepDigest};
 use railcrack::growth::{GrowthState, Turning};
-use railcrack_case::{Case, Engine, Scatter};
+use railcrack_case::{Case, Engine, MaintenancePlan, Scatter};
 use rayon::prelude::*;
 use std::path::Path;
 
@@ -28,6 +28,8 @@ const TOUGHEST: f64 = 3.0;
 const FRICTIONS: [f64; 2] = [0.1, 0.5];
 /// Depth over the critical one to which cracks at other speeds are followed.
 const BEYOND_CRITICAL: f64 = 1.1;
+/// Removal over the wear limit up to which cracks at other speeds are followed.
+const BEYOND_LIMIT: f64 = 1.3;
 /// Steps of a companion over those of the run: slower cracks and the limit path take more.
 const MORE_STEPS: usize = 3;
 
@@ -161,8 +163,14 @@ impl Simulation<'_> {
         }
     }
 
-    /// The run from its beginning into `log`, until a tip is `deepest` (mm) deep.
-    fn follow(&self, stage: &Stage, log: &mut RunLog, deepest: f64) -> Result<(), RunError> {
+    /// The run from its beginning into `log`, until a tip is `deepest` (mm) deep; the state after
+    /// its last step.
+    pub(super) fn follow(
+        &self,
+        stage: &Stage,
+        log: &mut RunLog,
+        deepest: f64,
+    ) -> Result<GrowthState, RunError> {
         let mut growth = self.growth_from(stage, None)?;
         while let Some(record) = growth.next_step(&OfSteps(self.observer))? {
             let is_deep = record.tips.iter().any(|tip| tip.depth() >= deepest);
@@ -171,7 +179,7 @@ impl Simulation<'_> {
                 break;
             }
         }
-        Ok(())
+        Ok(growth.state().clone())
     }
 }
 
@@ -192,7 +200,7 @@ impl RunObserver for AskedAlone<'_> {
 }
 
 /// The standard deviation of the logarithm of growth over removal in the samples of `scatter`.
-fn deviation(case: &Case, scatter: &Scatter, course: &crate::decision::Course) -> f64 {
+pub(super) fn deviation(case: &Case, scatter: &Scatter, course: &crate::decision::Course) -> f64 {
     let removal = case.maintenance.map_or(0.0, |plan| plan.removal());
     let wear = if removal > 0.0 { scatter.wear_std / removal } else { 0.0 };
     let steeper = course
@@ -216,7 +224,12 @@ fn case_of(case: &Case, kind: CompanionKind) -> Case {
             case.crack_friction.iter_mut().for_each(|of_crack| *of_crack = friction);
         }
         CompanionKind::Speed(speed) => {
-            let plan = case.maintenance.map(|plan| slowed(&plan, speed));
+            // Samples that wear faster still find a course at their wear limit.
+            let beyond = |plan: MaintenancePlan| MaintenancePlan {
+                wear_limit: plan.wear_limit.map(|limit| limit * BEYOND_LIMIT),
+                ..plan
+            };
+            let plan = case.maintenance.map(|plan| beyond(slowed(&plan, speed)));
             case.maintenance = plan;
             case.growth.maintenance = plan.zip(case.axle_load).map(|(plan, tonnes)| plan.per_axle(tonnes));
             case.growth.arrest_rate /= speed;

@@ -3,7 +3,7 @@
 use crate::error::OutputError;
 use railcrack::growth::GrowthError;
 use railcrack::shakedown::ShakedownError;
-use railcrack_case::{CarriedStressError, RolledRailError};
+use railcrack_case::CarriedStressError;
 use thiserror::Error;
 
 /// Why a run failed. What was computed is kept.
@@ -18,15 +18,15 @@ pub enum RunError {
     /// The plastic state.
     #[error(transparent)]
     Shakedown(#[from] ShakedownError),
-    /// A load under which no plastic state is computed.
-    #[error(transparent)]
-    Contact(#[from] RolledRailError),
     /// The residual stress.
     #[error(transparent)]
     Residual(#[from] CarriedStressError),
     /// The plastic stress that the first stage wrote cannot be read back.
     #[error("the plastic stress of the rolled rail: {0}")]
     Rolled(String),
+    /// Grinding plans that cannot be made.
+    #[error("{0}")]
+    Plan(String),
     /// A rail without layers has no state.
     #[error("the rail has no layers to evaluate")]
     NoLayers,

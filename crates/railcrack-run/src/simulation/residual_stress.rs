@@ -68,7 +68,7 @@ pub(super) fn prepare<'a>(
     let carried = prepared.residual();
     let Some(rows) = rows(case, carried) else { return Ok((prepared, None)) };
     let mut notes = Vec::new();
-    let rolled = rolled.map(|(_, summary)| rolled_summary(&summary, &mut notes));
+    let rolled = rolled.map(|(_, summary)| rolled_summary(case, &summary, &mut notes));
     notes.extend(carried.projection.and_then(|projection| narrow(case, &projection)));
     notes.extend(carried.release.map(release_note));
     let summary = ResidualSummary {
@@ -143,7 +143,7 @@ fn stored(folder: &Path) -> Option<ShakedownSummary> {
     serde_json::from_str(&text).ok()
 }
 
-fn rolled_summary(summary: &ShakedownSummary, notes: &mut Vec<String>) -> RolledSummary {
+fn rolled_summary(case: &Case, summary: &ShakedownSummary, notes: &mut Vec<String>) -> RolledSummary {
     if summary.state == RailState::PlasticShakedown {
         notes.push(
             "plastic shakedown: the rail yields in every passage, and the crack is loaded by the stress between passages".into(),
@@ -155,6 +155,7 @@ fn rolled_summary(summary: &ShakedownSummary, notes: &mut Vec<String>) -> Rolled
         state: summary.state,
         passes: summary.passes,
         p0_over_k: summary.p0_over_k,
+        wheel: case.mix.get(case.heaviest().wheel).map(|wheel| wheel.name.clone()),
     }
 }
 
@@ -185,16 +186,20 @@ fn release_note(release: Release) -> String {
     )
 }
 
-/// A wheel that causes yielding in a rail whose plastic stress the run ignores.
+/// A wheel that causes yielding in a rail whose plastic stress the run ignores: of a mix the
+/// heaviest.
 pub fn plastic_stress_left_out(case: &Case) -> Option<String> {
     if case.plastic_stress.is_some() || case.residual_stress.is_some() {
         return None;
     }
-    let ratio = case.wheel.contact().peak_pressure() / case.shakedown.hardening.shear_yield_stress();
-    let first = case.contact_bounds(|bounds| bounds.first_yield())?.ratio;
+    let mixed = case.mix.get(case.heaviest().wheel);
+    let wheel = mixed.map_or(&case.wheel, |mixed| &mixed.wheel);
+    let ratio = wheel.contact().peak_pressure() / case.shakedown.hardening.shear_yield_stress();
+    let first = wheel.contact_bounds(&case.steel, |bounds| bounds.first_yield())?.ratio;
+    let under = mixed.map_or_else(String::new, |mixed| format!(" under the wheel \"{}\"", mixed.name));
     (ratio > first).then(|| {
         format!(
-            "p0 / k = {ratio:.3} is beyond first yield at {first:.3}, but the run ignores the plastic stress: add an empty [plastic_stress] section to compute it first"
+            "p0 / k = {ratio:.3}{under} is beyond first yield at {first:.3}, but the run ignores the plastic stress: add an empty [plastic_stress] section to compute it first"
         )
     })
 }

@@ -37,7 +37,7 @@ pub fn roll(
     interruption: Interruption<'_>,
     mut observe: impl FnMut(&PassRecord),
 ) -> Result<ShakedownSummary, RunError> {
-    let (rail, settings) = (case.rolled_rail()?, case.stabilisation());
+    let (rail, settings) = (case.rolled_rail(), case.stabilisation());
     check_rail(&rail)?;
     let started = Instant::now();
     if !folder.exists() {
@@ -92,7 +92,10 @@ fn results(
         bounds: rail.bounds_by_depth(&depths)?,
         map: shakedown_map((1.2 * friction.abs()).max(MAP_FRICTION), MAP, poisson),
         extent: case.rail.extent,
-        warnings: warnings(&stabilised, pass_by_pass.as_ref(), settings),
+        warnings: rolled_by(case)
+            .into_iter()
+            .chain(warnings(&stabilised, pass_by_pass.as_ref(), settings))
+            .collect(),
         wall_s: started.elapsed().as_secs_f64(),
         rail,
         stabilised,
@@ -136,4 +139,28 @@ pub fn pass_text(pass: &PassRecord) -> String {
         "passage {}: residual stress changes by {:.3} MPa, plastic strain by {:.2e} ({} redistributions)",
         pass.pass, pass.stress_change, pass.strain_change, pass.iterations
     )
+}
+
+/// Which load of the case rolls the rail, and what is added to the state that it leaves; none where
+/// there is only one contact and nothing else.
+pub fn rolled_by(case: &Case) -> Option<String> {
+    let heaviest = case.heaviest();
+    let mut parts = Vec::new();
+    if case.mix.len() > 1 {
+        parts.push(format!(
+            "under the wheel \"{}\" alone, whose pressure is largest relative to its limit of elastic shakedown ({:.2} of it)",
+            case.mix[heaviest.wheel].name, heaviest.of_limit
+        ));
+    }
+    let wheels = || case.mix.iter().map(|mixed| &mixed.wheel).chain([&case.wheel]);
+    let bends = wheels().any(|wheel| wheel.load.track.is_some());
+    let is_heated = wheels().any(|wheel| wheel.load.temperature.is_some());
+    let added = match (bends, is_heated) {
+        (true, true) => Some("bending and thermal stress are"),
+        (true, false) => Some("bending stress is"),
+        (false, true) => Some("thermal stress is"),
+        (false, false) => None,
+    };
+    parts.extend(added.map(|added| format!("of the contact stress only; {added} added afterwards")));
+    (!parts.is_empty()).then(|| format!("the plastic state is that {}", parts.join(", ")))
 }

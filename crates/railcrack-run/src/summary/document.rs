@@ -220,12 +220,14 @@ fn front(steps: &[StepDigest], crack: usize) -> Option<FrontSummary> {
     })
 }
 
-/// The largest k1 of all steps and tips.
+/// The k1 of all steps and tips that is largest in relation to the toughness under its wheel.
 fn fracture(info: &RunInfo, log: &RunLog) -> Option<FractureSummary> {
     let tips = log.steps.iter().flat_map(|step| step.tips.iter().map(move |tip| (step, tip)));
     let opened = tips.filter_map(|(step, tip)| Some((step, tip, tip.largest_k1?)));
-    let (step, tip, largest) = opened.reduce(|most, next| if next.2.k1 > most.2.k1 { next } else { most })?;
+    let (step, tip, largest) =
+        opened.reduce(|most, next| if next.1.compared_k1() > most.1.compared_k1() { next } else { most })?;
     let k1 = largest.k1_mpa_sqrt_m();
+    let toughness = info.toughness.map(|first| first * tip.toughness_ratio);
     Some(FractureSummary {
         largest_k1_mpa_sqrt_m: k1,
         step: step.step,
@@ -235,8 +237,8 @@ fn fracture(info: &RunInfo, log: &RunLog) -> Option<FractureSummary> {
         y_mm: tip.y,
         xc_mm: step.largest_k1_at,
         kink_deg: largest.angle.to_degrees(),
-        toughness_mpa_sqrt_m: info.toughness,
-        of_toughness: info.toughness.map(|toughness| k1 / toughness),
+        toughness_mpa_sqrt_m: toughness,
+        of_toughness: toughness.map(|toughness| k1 / toughness),
     })
 }
 

@@ -115,8 +115,8 @@ pub struct JunctionSummary {
     pub y_mm: f64,
 }
 
-/// Margin against brittle fracture: the largest k1 of its stabilised passages, over all
-/// kink angles.
+/// Margin against brittle fracture: the k1 of its stabilised passages, over all kink angles, that
+/// is largest in relation to the toughness.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FractureSummary {
     /// k1, MPa √m.
@@ -136,7 +136,8 @@ pub struct FractureSummary {
     pub xc_mm: Option<f64>,
     /// Angle of the kink from straight ahead, degrees, counter-clockwise positive.
     pub kink_deg: f64,
-    /// K_Ic of `[fracture]`, MPa √m; null where the case has none.
+    /// K_Ic of `[fracture]` at the temperature under the wheel that causes it, MPa √m; null where
+    /// the case has none.
     pub toughness_mpa_sqrt_m: Option<f64>,
     /// k1 over K_Ic; at 1 the rail breaks.
     pub of_toughness: Option<f64>,

@@ -2,17 +2,23 @@
 
 use crate::log::{RunInfo, RunLog, StepDigest};
 use railcrack::fatigue::RailSteel;
-use railcrack::growth::{Warning, WarningKind};
+use railcrack::growth::{TipRecord, Warning, WarningKind};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::shakedown::ContactBounds;
 use railcrack::validity::{self, ResidualStress, Steel, SteelOrigin, ValidityWarning};
 use railcrack_case::{Case, GivenWheel};
+use std::f64::consts::FRAC_PI_2;
 
 /// Warnings that follow from the case alone.
 pub fn of_case(case: &Case) -> Vec<Warning> {
     let shortest = case.cracks.cracks().iter().map(|crack| crack.length()).fold(f64::INFINITY, f64::min);
-    let mut warnings: Vec<Warning> =
-        validity::crack_length(shortest).iter().map(|warning| at_step(0, warning)).collect();
+    let angles = case.cracks.cracks().iter().map(|crack| {
+        let (first, next) = crack.segment(0);
+        (next - first).angle().to_degrees().abs()
+    });
+    let flattest = angles.fold(f64::INFINITY, f64::min);
+    let of_cracks = [validity::crack_length(shortest), validity::crack_angle(flattest)];
+    let mut warnings: Vec<Warning> = of_cracks.iter().flatten().map(|warning| at_step(0, warning)).collect();
     if case.mix.is_empty() {
         warnings.extend(of_wheel(case, &case.wheel));
     }
@@ -25,6 +31,20 @@ pub fn of_case(case: &Case) -> Vec<Warning> {
         );
     }
     warnings
+}
+
+/// The text of a warning with `#` instead of its numbers: what runs that differ in numbers share.
+pub fn pattern(text: &str) -> String {
+    let mut pattern = String::with_capacity(text.len());
+    for letter in text.chars() {
+        let is_of_number = letter.is_ascii_digit() || (letter == '.' && pattern.ends_with('#'));
+        if !is_of_number {
+            pattern.push(letter);
+        } else if !pattern.ends_with('#') {
+            pattern.push('#');
+        }
+    }
+    pattern
 }
 
 /// Warnings that follow from the load of one wheel.
@@ -108,8 +128,14 @@ pub(crate) fn of_steps(info: &RunInfo, log: &RunLog) -> Vec<Warning> {
         let fastest = fastest.max_by(|a, b| a.rate.total_cmp(&b.rate))?;
         validity::growth(fastest.delta_keq / MPA_SQRT_MM, info.law_table)
     };
+    let wish = |step: &StepDigest| {
+        let distance =
+            |tip: &&TipRecord| tip.front().map_or(f64::INFINITY, |front| (front.phi - FRAC_PI_2).abs());
+        let deepest = step.tips.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?.front()?;
+        validity::out_of_plane(deepest.wanted_kink?.to_degrees(), deepest.wanted_ratio?)
+    };
     let flap = |step: &StepDigest| info.fluid.then(|| validity::flap(step.largest_opening)).flatten();
-    [first(&depth), kink.or_else(|| first(&in_space)), first(&growth), first(&flap)]
+    [first(&depth), kink.or_else(|| first(&in_space)), first(&growth), first(&flap), first(&wish)]
         .into_iter()
         .flatten()
         .collect()
@@ -117,4 +143,15 @@ pub(crate) fn of_steps(info: &RunInfo, log: &RunLog) -> Vec<Warning> {
 
 fn at_step(step: usize, warning: &ValidityWarning) -> Warning {
     Warning { step, kind: WarningKind::Validity, text: warning.to_string() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::pattern;
+
+    #[test]
+    fn a_pattern_has_no_numbers() {
+        assert_eq!(pattern("p0 of 845.5 MPa, step 12."), "p# of # MPa, step #");
+        assert_eq!(pattern("beyond 1.0: no"), pattern("beyond 23.75: no"));
+    }
 }

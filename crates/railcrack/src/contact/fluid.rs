@@ -1,5 +1,7 @@
 //! Fluid in cracks: models, and the pockets of the faces that it fills.
 
+use crate::words::{Choice, Word};
+
 /// Model of the pressure of the fluid under the wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FluidModel {
@@ -18,7 +20,22 @@ pub enum FluidModel {
     },
 }
 
-impl FluidModel {}
+/// Pressure profile along a crack whose mouth is under the contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum PressureProfile {
+    /// p(s) = p(mouth) (1 − s/l), s along the faces from the mouth, l the farthest tip.
+    #[default]
+    Linear,
+    /// p(s) = p(mouth).
+    Constant,
+}
+
+impl Choice for PressureProfile {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Linear, Word::now("linear", "p(s) = p(mouth) (1 - s/l)")),
+        (Self::Constant, Word::now("constant", "p(s) = p(mouth)")),
+    ];
+}
 
 /// The mouth of a pocket.
 #[derive(Debug, Clone, Copy, PartialEq)]

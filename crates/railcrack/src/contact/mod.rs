@@ -21,7 +21,9 @@ mod stepping;
 mod tableau;
 mod trace;
 
-pub use fluid::{FaceFluid, FluidModel, FluidState, Pocket, PocketMouth, PocketState, PocketStatus};
+pub use fluid::{
+    FaceFluid, FluidModel, FluidState, Pocket, PocketMouth, PocketState, PocketStatus, PressureProfile,
+};
 pub use latin::Latin;
 pub use law::{FaceState, FaceStatus};
 pub use newton::Newton;

@@ -170,13 +170,13 @@ pub(crate) struct FaceHistory {
 }
 
 impl FaceHistory {
-    /// Virgin faces of `points` points without load; `expected` as in [`Stepper::new`].
-    pub(crate) fn virgin(points: usize, expected: &[f64]) -> Self {
+    /// Virgin faces of `problem` without load; `expected` as in [`Stepper::new`].
+    pub(crate) fn virgin(problem: &FaceProblem, expected: &[f64]) -> Self {
         Self {
-            solution: FaceSolution::virgin(points),
+            solution: FaceSolution::virgin_of(problem),
             scale: expected.iter().map(|slip| EXPECTED_SHARE * slip.abs()).collect(),
             largest: FaceScale::NONE,
-            load: vec![0.0; 2 * points],
+            load: vec![0.0; 2 * problem.points()],
         }
     }
 }

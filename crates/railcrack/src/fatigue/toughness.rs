@@ -78,7 +78,9 @@ pub struct RailSteel {
     pub least_toughness: f64,
     /// Least mean of K_Ic, MPa√m.
     pub mean_toughness: f64,
-    /// Typical 0.2 % proof stress, MPa; the standard does not specify one.
+    /// Typical 0.2 % proof stress, MPa; the standard does not specify one. R260: grades of 880 MPa
+    /// have at least 460 MPa (catalogue of Indian rails). R350HT: 800 MPa are guaranteed of
+    /// differentially hardened rails of 1180 MPa and 352 HB (category DTO350, NPP TEK).
     pub yield_stress: f64,
     /// Fatigue crack growth at ΔK = 10 and 13.5 MPa√m, R = 0.5, accepted at most, m per 1e9 cycles.
     pub accepted_growth: [f64; 2],

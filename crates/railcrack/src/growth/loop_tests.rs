@@ -117,6 +117,7 @@ impl CrackedRail for Rule {
             stop: None,
             shares: WheelShares::default(),
             opened_by: 0,
+            toughness_ratio: 1.0,
             mouth_sine: Some(1.0),
             geometry: TipGeometry::Plane(PlaneTip::default()),
         }]
@@ -237,6 +238,7 @@ fn grinding_is_of_second_order() {
             wear: 0.0,
             grinding: Some(Grinding { depth, interval, first: interval }),
             stress: StressMoves::WithMetal,
+            limit: None,
         };
         let maintained = GrowthSettings {
             maintenance: Some(maintenance),

@@ -17,6 +17,8 @@ pub struct Maintenance {
     pub grinding: Option<Grinding>,
     /// Effect of surface removal on the residual stress.
     pub stress: StressMoves,
+    /// Depth of removal (mm) at which the rail is replaced, which ends the run.
+    pub limit: Option<f64>,
 }
 
 /// Grinding at regular intervals.
@@ -38,6 +40,9 @@ impl Grinding {
     }
 }
 
+/// Shortfall of the removed depth, relative to the wear limit, that is attributed to rounding.
+const LIMIT_ROUNDING: f64 = 1e-9;
+
 /// Effect of surface removal on the residual stress.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StressMoves {
@@ -56,15 +61,22 @@ impl Choice for StressMoves {
 }
 
 impl Maintenance {
-    /// Rejects negative wear and grinding that removes nothing or never takes place.
+    /// Rejects negative wear, a wear limit of zero, and grinding that removes nothing or never
+    /// takes place.
     pub fn check(&self) -> Result<(), OutOfRange> {
         let wears = self.wear >= 0.0 && self.wear.is_finite();
         OutOfRange::unless(wears, "wear (mm per cycle)", self.wear, "zero or more")?;
+        OutOfRange::unless_positive("wear limit (mm)", self.limit.unwrap_or(1.0))?;
         let Some(Grinding { depth, interval, first }) = self.grinding else { return Ok(()) };
         OutOfRange::unless_positive("grinding depth (mm)", depth)?;
         let later = first >= 0.0 && first.is_finite();
         OutOfRange::unless(later, "cycles until the first grinding", first, "zero or more")?;
         OutOfRange::unless_positive("cycles between grindings", interval)
+    }
+
+    /// Whether `removed` (mm) of the surface reaches the wear limit.
+    pub(crate) fn is_at_limit(&self, removed: f64) -> bool {
+        self.limit.is_some_and(|limit| removed >= limit * (1.0 - LIMIT_ROUNDING))
     }
 
     /// The mean removal of the surface, mm per load cycle.

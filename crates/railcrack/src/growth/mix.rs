@@ -1,6 +1,6 @@
 //! A mix of wheels: their passages over one body and their shares of the growth.
 
-use super::{GrowthError, Observer, TipRecord, Warning, WheelOfRail, WheelShares};
+use super::{GrowthError, Observer, Warning, WheelOfRail, WheelShares};
 use crate::fatigue::{LargestK1, RUNAWAY, SifRanges};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
@@ -29,6 +29,8 @@ pub(crate) struct MixedTip {
     /// The k1 that is largest relative to the toughness, and the wheel (from 0) that causes it.
     pub largest_k1: Option<LargestK1>,
     pub opened_by: usize,
+    /// K_Ic under that wheel over K_Ic under the first one; 1 where fracture is not considered.
+    pub toughness_ratio: f64,
 }
 
 impl MixedTip {
@@ -46,6 +48,9 @@ impl MixedTip {
             largest.k1 / wheels.get(*i).and_then(|wheel| wheel.toughness).unwrap_or(1.0)
         };
         let opened = opened.reduce(|a, b| if danger(&b) > danger(&a) { b } else { a });
+        let opened_by = opened.map_or(0, |(wheel, _)| wheel);
+        let toughness = |wheel: usize| wheels.get(wheel).and_then(|wheel| wheel.toughness);
+        let both = toughness(opened_by).zip(toughness(0)).filter(|_| opened_by > 0);
         let ki_max = demands.iter().map(|demand| demand.ranges.ki_max).fold(f64::NEG_INFINITY, f64::max);
         Self {
             ranges: SifRanges { ki_max, ..demands[most].ranges },
@@ -53,18 +58,10 @@ impl MixedTip {
             rate: rates.iter().sum::<f64>().min(RUNAWAY),
             shares: if demands.len() > 1 { WheelShares::of(&rates) } else { WheelShares::default() },
             largest_k1: opened.map(|(_, largest)| largest),
-            opened_by: opened.map_or(0, |(wheel, _)| wheel),
+            opened_by,
+            toughness_ratio: both.map_or(1.0, |(own, first)| own / first),
         }
     }
-}
-
-/// The largest k1 of `tip`, scaled for comparison with the toughness under the first of `wheels`,
-/// MPa √mm; 0 where the tip never opens.
-pub(crate) fn compared_k1(tip: &TipRecord, wheels: &[WheelOfRail<'_>]) -> f64 {
-    let toughness = |wheel: usize| wheels.get(wheel).and_then(|wheel| wheel.toughness);
-    let own = tip.opened_by.checked_sub(1).and_then(|_| toughness(tip.opened_by));
-    let scale = toughness(0).zip(own).map_or(1.0, |(first, own)| first / own);
-    tip.largest_k1.map_or(0.0, |largest| scale * largest.k1)
 }
 
 /// An observer that passes on interruptions but no progress: the progress of the first wheel
@@ -141,5 +138,7 @@ mod tests {
         // A cold rail fractures first under the wheel that passes at the low temperature.
         let cold = MixedTip::of(&demands, &[wheel(0.9, Some(100.0)), wheel(0.1, Some(1000.0))]);
         assert_eq!((cold.opened_by, cold.largest_k1.unwrap().k1), (0, 100.0));
+        let warm = MixedTip::of(&demands, &[wheel(0.9, Some(1000.0)), wheel(0.1, Some(200.0))]);
+        assert_eq!((warm.opened_by, warm.toughness_ratio), (1, 0.2));
     }
 }

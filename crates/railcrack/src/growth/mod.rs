@@ -61,7 +61,7 @@ pub use positions::output_positions;
 pub use rail::{BodyReport, CrackedRail, WheelOfRail};
 pub use record::{PhaseTimes, PlaneTip, StepRecord, TipGeometry, TipRecord};
 pub use settings::{GrowthSettings, PassageSettings};
-pub use stabilised::{GroupsError, PassageError, StabilisedPassage};
+pub use stabilised::{GroupsError, Overlap, PassageError, StabilisedPassage};
 pub use state::GrowthState;
 pub use step_source::StepSource;
 pub use step_start::StepStart;
@@ -73,7 +73,7 @@ pub use warnings::NEAR_TIE;
 pub use wheel_shares::{MOST_WHEELS, WheelShares};
 
 pub(crate) use maintenance::Uncovered;
-pub(crate) use mix::{MixedTip, WheelDemand, WithoutProgress, compared_k1, under_each_wheel};
+pub(crate) use mix::{MixedTip, WheelDemand, WithoutProgress, under_each_wheel};
 pub(crate) use pace::{Event, LEAST_PART, Moving, Pace, WearingCrack, is_worth_a_step};
 pub(crate) use repeat::{Memory, Repeated, Repeats, until_repeated};
 pub(crate) use stops::{TipDemand, least_length, nothing_grows, run_stop, spent_ligament, standstill};

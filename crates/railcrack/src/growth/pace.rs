@@ -225,18 +225,23 @@ impl Maintenance {
         due.then_some(grinding.depth)
     }
 
-    /// The cycles after which some crack has lost a full increment at its mouth, or the surface is
-    /// ground.
+    /// The cycles after which some crack has lost a full increment at its mouth, the surface is
+    /// ground, or the wear limit is reached.
     fn cycles_at_most(&self, wearing: &[WearingCrack], at: &StepStart<'_>) -> f64 {
         let by_wear = |crack: &WearingCrack| at.share * crack.longest * crack.mouth_sine / self.wear;
         let by_wear = wearing.iter().map(by_wear).fold(f64::INFINITY, f64::min);
         let next = self.grinding.map(|grinding| grinding.at(at.worn.grindings) - at.load_cycles);
-        by_wear.min(next.unwrap_or(f64::INFINITY)).max(0.0)
+        let limit = self.limit.map_or(f64::INFINITY, |limit| (limit - self.ground(at)) / self.wear);
+        by_wear.min(next.unwrap_or(f64::INFINITY)).min(limit - at.load_cycles).max(0.0)
+    }
+
+    /// Depth (mm) that grinding has removed so far.
+    fn ground(&self, at: &StepStart<'_>) -> f64 {
+        self.grinding.map_or(0.0, |grinding| grinding.depth * at.worn.grindings as f64)
     }
 
     /// Depth (mm) that the surface loses in `cycles` without grinding.
     fn removal_over(&self, cycles: f64, at: &StepStart<'_>) -> f64 {
-        let ground = self.grinding.map_or(0.0, |grinding| grinding.depth * at.worn.grindings as f64);
-        (self.wear * (at.load_cycles + cycles) + ground - at.worn.removed).max(0.0)
+        (self.wear * (at.load_cycles + cycles) + self.ground(at) - at.worn.removed).max(0.0)
     }
 }

@@ -45,6 +45,8 @@ pub struct TipRecord {
     pub shares: WheelShares,
     /// The wheel (from 0) that causes its largest k1.
     pub opened_by: usize,
+    /// K_Ic under that wheel over K_Ic under the first one; 1 where fracture is not considered.
+    pub toughness_ratio: f64,
     /// Sine of the angle of its crack at the mouth; `None` for a buried crack.
     pub mouth_sine: Option<f64>,
     /// Quantities specific to tips in the plane or to front points in space.
@@ -86,6 +88,13 @@ pub struct PlaneTip {
 }
 
 impl TipRecord {
+    /// The largest k1 for comparison with K_Ic under the first wheel, MPa √mm; 0 where the tip
+    /// never opens.
+    #[must_use]
+    pub fn compared_k1(&self) -> f64 {
+        self.largest_k1.map_or(0.0, |largest| largest.k1 / self.toughness_ratio)
+    }
+
     /// The quantities specific to a tip in the plane; `None` for a front point.
     #[must_use]
     pub fn plane(&self) -> Option<&PlaneTip> {
@@ -139,8 +148,11 @@ pub struct StepRecord {
     pub passages: Vec<PassageRecord>,
     /// All passages of each other wheel of a mix, the stabilised one last.
     pub other_wheels: Vec<Vec<PassageRecord>>,
-    /// The faces during the stabilised passage.
+    /// The faces during the stabilised passage; in a mix, of the first wheel.
     pub faces: FaceRecord,
+    /// Largest opening of the faces (mm) during the stabilised passages of the wheels under which
+    /// there is fluid in the cracks; of all wheels where there is none.
+    pub largest_opening: f64,
     /// The fields around the cracks, where they are requested and the engine provides them.
     pub fields: Option<FieldRecord>,
     /// Load cycles at the start of the step.

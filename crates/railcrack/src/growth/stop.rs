@@ -67,6 +67,8 @@ pub enum RunStop {
     NoTipGrows(TipStop),
     /// The largest k1 of a tip reaches the toughness: the rail fractures.
     Fracture,
+    /// Wear and grinding have removed as much as the rail may lose: it is replaced.
+    WearLimit,
 }
 
 /// Where no tip grows, the word is that of the last tip that stopped.
@@ -77,6 +79,7 @@ impl Choice for RunStop {
         (Self::CriticalLength, Word::now("critical-length", "a crack is as long as asked for")),
         (Self::Detached, Word::now("detached", "a piece of the rail is wholly cut off")),
         (Self::Fracture, FRACTURE),
+        (Self::WearLimit, Word::now("wear-limit", "the rail is worn to the limit at which it is replaced")),
         (Self::NoTipGrows(TipStop::Arrest), ARREST),
         (Self::NoTipGrows(TipStop::BreakOut), BREAK_OUT),
         (Self::NoTipGrows(TipStop::Coalescence), COALESCENCE),

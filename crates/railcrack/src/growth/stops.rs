@@ -72,7 +72,7 @@ pub(crate) fn standstill(runs_away: bool, grows: bool, settings: &GrowthSettings
 }
 
 /// Why the run ends at the start of a step, before any increment, in this order: fracture, critical
-/// length, cycles, steps. `longest` is the length (mm) of the longest crack.
+/// length, wear limit, cycles, steps. `longest` is the length (mm) of the longest crack.
 pub(crate) fn run_stop(
     settings: &GrowthSettings,
     at: &StepStart<'_>,
@@ -84,6 +84,9 @@ pub(crate) fn run_stop(
     }
     if longest >= settings.critical_length.unwrap_or(f64::INFINITY) * (1.0 - LENGTH_ROUNDING) {
         return Some(RunStop::CriticalLength);
+    }
+    if settings.maintained().is_some_and(|maintenance| maintenance.is_at_limit(at.worn.removed)) {
+        return Some(RunStop::WearLimit);
     }
     let cycles = settings.stop_after_cycles.unwrap_or(f64::INFINITY);
     if at.load_cycles >= cycles * (1.0 - CYCLES_ROUNDING) {

@@ -20,6 +20,8 @@ pub enum WarningKind {
     ResidualStress,
     /// Limits of validity of the model.
     Validity,
+    /// Accuracy of K where contact is followed in groups of cracks.
+    Groups,
 }
 
 impl WarningKind {
@@ -33,6 +35,7 @@ impl WarningKind {
             Self::Passages => "passages",
             Self::ResidualStress => "residual-stress",
             Self::Validity => "validity",
+            Self::Groups => "groups",
         }
     }
 }

@@ -1,17 +1,13 @@
 //! Warnings of a step, derived from its tips and passages.
 
 use super::{
-    GrowthSettings, GrowthState, StabilisedPassage, TipGeometry, TipRecord, Warning, WarningKind, WheelOfRail,
+    GrowthSettings, GrowthState, Overlap, StabilisedPassage, TipGeometry, TipRecord, Warning, WarningKind,
+    WheelOfRail,
 };
 use crate::math::MPA_SQRT_MM;
 
 /// Estimated error of K in groups, relative to its peak, above which every step issues a warning.
 const LARGE_GROUPS_ERROR: f64 = 0.01;
-
-/// A warning is issued where K_I at a closed tip is negative by more than this share of the largest
-/// |K|. At default settings it is at most 0.4 % where K is accurate to 1 %; a tip at which the
-/// engines differed by 3.9 % had −3.9 %.
-const OVERLAP: f64 = 0.01;
 
 /// Ratio of a rival kink's rate to the best rate above which the two count as a near tie.
 pub const NEAR_TIE: f64 = 0.98;
@@ -37,7 +33,8 @@ impl Warnings<'_> {
         let mut warnings: Vec<Warning> = tips.iter().filter_map(|tip| self.near_tie(state, tip)).collect();
         warnings.extend(tips.iter().filter_map(|tip| self.may_branch(state, tip)));
         for (wheel, passage) in passages.iter().enumerate() {
-            let own = [self.unrepeated(passage), self.coupled(passage), self.overlap(tips, passage)];
+            let [overlap, of_own] = self.overlaps(tips, passage);
+            let own = [self.unrepeated(passage), self.coupled(passage), overlap, of_own];
             let named = |warning: Warning| {
                 if passages.len() > 1 { warning.under_wheel(wheel) } else { warning }
             };
@@ -117,23 +114,40 @@ impl Warnings<'_> {
         } else if self.step > 0 && error.total() <= LARGE_GROUPS_ERROR {
             return None;
         }
-        Some(self.warning(WarningKind::Passages, text))
+        Some(self.warning(WarningKind::Groups, text))
     }
 
-    fn overlap(&self, tips: &[TipRecord], passage: &StabilisedPassage) -> Option<Warning> {
+    /// The warnings on the accuracy of K, and of K_I alone, at the tip where it is lowest.
+    fn overlaps(&self, tips: &[TipRecord], passage: &StabilisedPassage) -> [Option<Warning>; 2] {
+        let all = passage.overlaps(|tip| tips.get(tip).map_or(0, |tip| tip.tip.crack));
+        let tip = |overlap: &Overlap| tips.get(overlap.tip);
         // No cell resolves K where a front meets the surface.
         let counts =
-            |tip: usize| tips.get(tip).is_some_and(|tip| tip.front().is_none_or(|front| front.counts));
-        let lowest = passage.lowest_opening_where(counts);
-        let (tip, share) = lowest.filter(|(_, share)| *share < -OVERLAP)?;
-        let text = format!(
-            "{}: K_I falls to {:.1} % of the largest K of the step, as if the faces overlapped ahead of the tip; K is known to that \
-             accuracy, and {} resolve it better",
-            place(tips.get(tip)?),
-            100.0 * share,
-            self.refinement
-        );
-        Some(self.warning(WarningKind::Engine, text))
+            all.iter().filter(|one| tip(one).is_some_and(|tip| tip.front().is_none_or(|front| front.counts)));
+        let least = |a: &&Overlap, b: &&Overlap| a.of_crack().total_cmp(&b.of_crack());
+        let of_crack = counts.min_by(least).filter(|one| one.is_large()).and_then(|one| {
+            let text = format!(
+                "{}: K_I falls to {:.1} % of the largest K of its crack, as if the faces overlapped ahead of the tip; K is known to that \
+                 accuracy, and {} resolve it better",
+                place(tip(one)?),
+                100.0 * one.of_crack(),
+                self.refinement
+            );
+            Some(self.warning(WarningKind::Engine, text))
+        });
+        let opens = all.iter().filter(|one| tip(one).is_some_and(|tip| tip.plane().is_some()));
+        let least = |a: &&Overlap, b: &&Overlap| a.of_own().total_cmp(&b.of_own());
+        let of_own = opens.min_by(least).filter(|one| one.is_large_of_own()).and_then(|one| {
+            let text = format!(
+                "{}: K_I falls to {:.0} % of its own largest value: it is known to that accuracy, the direction depends on it, and {} \
+                 resolve it better",
+                place(tip(one)?),
+                100.0 * one.of_own(),
+                self.refinement
+            );
+            Some(self.warning(WarningKind::Engine, text))
+        });
+        [of_crack, of_own]
     }
 }
 

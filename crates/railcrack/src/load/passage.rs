@@ -1,6 +1,7 @@
 //! The passage of one wheel.
 
 use crate::math::OutOfRange;
+use crate::words::{Choice, Word};
 
 /// Direction of travel of a wheel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -10,6 +11,11 @@ pub enum Travel {
     Forward,
     /// Towards −x.
     Backward,
+}
+
+impl Choice for Travel {
+    const WORDS: &'static [(Self, Word)] =
+        &[(Self::Forward, Word::now("+x", "towards +x")), (Self::Backward, Word::now("-x", "towards -x"))];
 }
 
 impl Travel {

@@ -1,27 +1,9 @@
 //! Fluid in the cracks of a network: the cracks that it fills and the pressure along them.
 
 use crate::body::FaceMesh;
-use crate::contact::{FaceFluid, FluidModel, Pocket, PocketMouth};
+use crate::contact::{FaceFluid, FluidModel, Pocket, PocketMouth, PressureProfile};
 use crate::crack::{Crack, CrackNetwork, End, JunctionPoint};
 use crate::math::{Stress, Vec2};
-use crate::words::{Choice, Word};
-
-/// Pressure profile along a crack whose mouth is under the contact.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum PressureProfile {
-    /// p(s) = p(mouth) (1 − s/l), s along the faces from the mouth, l the farthest tip.
-    #[default]
-    Linear,
-    /// p(s) = p(mouth).
-    Constant,
-}
-
-impl Choice for PressureProfile {
-    const WORDS: &'static [(Self, Word)] = &[
-        (Self::Linear, Word::now("linear", "p(s) = p(mouth) (1 - s/l)")),
-        (Self::Constant, Word::now("constant", "p(s) = p(mouth)")),
-    ];
-}
 
 /// Fluid in the cracks of a rail.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,7 +2,7 @@
 //! coupled.
 
 use crate::body::{BlockStiffness, CrackedBody, RowPart, TipGain};
-use crate::contact::FaceProblem;
+use crate::contact::{FaceFluid, FaceProblem, Pocket, PocketMouth};
 use crate::linear::{LinearError, product, spd_inverse};
 use crate::math::Matrix;
 use rayon::prelude::*;
@@ -19,6 +19,8 @@ pub(super) struct Group {
     pub body: CrackedBody,
     /// Friction of its cracks.
     pub friction: Vec<f64>,
+    /// Fluid in its cracks, if there is any in the row.
+    pub fluid: Option<FaceFluid>,
     /// Points in the body that belong to the group's own unit, whose results count.
     pub own_points: Range<usize>,
     /// Tips of that unit: their numbers in the row and in the body.
@@ -79,9 +81,34 @@ fn group(
         point.map_or(0.0, |&p| problem.friction(p))
     };
     let friction = cracks.iter().map(friction).collect();
+    let fluid = problem.fluid().map(|fluid| FaceFluid {
+        model: fluid.model,
+        pockets: fluid.pockets.iter().filter_map(|pocket| in_part(pocket, &points, &cracks)).collect(),
+    });
     let ends = members.iter().map(|&k| blocks.extents[k]);
     let extent = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |all, e| (all.0.min(e.0), all.1.max(e.1)));
     let influence = TipGain::sif_influence(&gains, &compliance);
     let body = CrackedBody::new(faces, tips, [compliance, stiffness, influence]);
-    Ok(Group { members, body, friction, own_points, own_tips, extent })
+    Ok(Group { members, body, friction, fluid, own_points, own_tips, extent })
+}
+
+/// `pocket` on the face points `points` of a part with `cracks`; none where the pocket is not in
+/// the part. A unit holds all cracks that are connected, so that a pocket is in it or not.
+fn in_part(pocket: &Pocket, points: &[usize], cracks: &[usize]) -> Option<Pocket> {
+    let local = |point: usize| points.iter().position(|&own| own == point);
+    let forces = |whole: &[f64]| points.iter().flat_map(|&p| [whole[2 * p], whole[2 * p + 1]]).collect();
+    let crack = |crack: &usize| cracks.iter().position(|own| own == crack);
+    let mouth = match pocket.mouth {
+        Some(mouth) => Some(PocketMouth { point: local(mouth.point)?, ..mouth }),
+        None => None,
+    };
+    let pairs = pocket.neighbours.iter().map(|&(one, other)| Some((local(one)?, local(other)?)));
+    Some(Pocket {
+        cracks: pocket.cracks.iter().map(crack).collect::<Option<_>>()?,
+        unit: forces(&pocket.unit),
+        profile: forces(&pocket.profile),
+        mouth,
+        points: pocket.points.iter().map(|&point| local(point)).collect::<Option<_>>()?,
+        neighbours: pairs.collect::<Option<_>>()?,
+    })
 }

@@ -77,7 +77,7 @@ pub(super) struct PlaneAdvance {
 /// fastest tip at both ends ([`Interval`]). A step that would exceed the cycle limit at its initial
 /// rate is shortened to end there.
 ///
-/// The growth of a much slower tip is deferred until it amounts to a full increment
+/// The growth of a much slower tip is deferred until it amounts to a resolved segment
 /// ([`DeferredGrowth`]). Deferred growth counts towards the length of the crack, and in deciding
 /// whether the tip reaches the surface, the ends of the rail or another crack.
 ///
@@ -459,7 +459,9 @@ fn planned(
         let to = via.map_or(from + growth.direction * growth.length, |via| via + growth.direction * half);
         let length = state.length(drive.tip.crack);
         let keeps_pace = increment >= DeferredGrowth::KEEPS_PACE * pace.share * length;
-        let deferred = !keeps_pace && growth.length < state.at.share * length;
+        let full =
+            if growth.is_kinked { state.at.share } else { state.at.share.min(DeferredGrowth::LEAST_SMOOTH) };
+        let deferred = !keeps_pace && growth.length < full * length;
         let step = Step { tip: drive.tip, from, via, to, deferred: growth.share_of(drive.deferred) };
         Some(PlannedAdvance { increment, growth, turned, step, deferred })
     };

@@ -29,7 +29,7 @@ mod turning_wheel;
 mod wheel;
 mod worn;
 
-pub use crack_fluid::{CrackFluid, PressureProfile};
+pub use crack_fluid::CrackFluid;
 pub use network_contact::NetworkContact;
 pub use rail::{KnownEnds, PlaneBody, PlaneRail};
 pub use rail_load::RailLoad;

@@ -287,7 +287,7 @@ impl<'a> Rolling<'a> {
     }
 
     /// Traps the fluid of buried cracks permanently.
-    fn seal_buried(&mut self) {
+    pub fn seal_buried(&mut self) {
         for (k, pocket) in trapped(self.problem).iter().enumerate() {
             if pocket.mouth.is_none() {
                 self.stepper.seal(k);

@@ -22,7 +22,7 @@ use crate::growth::{
     Advance, BodyReport, CrackedRail, DeferredGrowth, FieldRecord, FieldSettings, Geometry, GrowthError,
     GrowthSettings, GrowthState, MixedTip, Mover, Observer, PassageSettings, PlaneGeometry, PlaneTip,
     StabilisedPassage, StepStart, StressMoves, TipCourse, TipGeometry, TipRecord, Uncovered, Warning,
-    WheelDemand, WheelOfRail, WornSurface, compared_k1, under_each_wheel,
+    WheelDemand, WheelOfRail, WornSurface, under_each_wheel,
 };
 use crate::interruption::Interruption;
 use crate::math::RailBox;
@@ -44,7 +44,7 @@ pub struct PlaneRail {
     pub wheel: Box<dyn Wheel>,
     /// Its share of the axles; 1 without a mix.
     pub share: f64,
-    /// Fluid in the cracks; `None` for dry cracks.
+    /// Fluid in the cracks under the first wheel; `None` for dry cracks.
     pub fluid: Option<CrackFluid>,
     /// The other wheels of a mix. The shares of all wheels add up to 1; recorded faces and fields
     /// are those under the first wheel.
@@ -167,20 +167,30 @@ impl PlaneRail {
         .collect()
     }
 
-    fn faces<'a>(&self, body: &'a PlaneBody) -> Result<FaceProblem<'a>, GrowthError> {
+    /// The fluid in the cracks under each wheel.
+    fn fluids(&self) -> impl Iterator<Item = Option<&CrackFluid>> {
+        std::iter::once(self.fluid.as_ref()).chain(self.others.iter().map(|other| other.fluid.as_ref()))
+    }
+
+    /// The faces of `body` with `fluid` in the cracks.
+    fn faces<'a>(
+        &self,
+        body: &'a PlaneBody,
+        fluid: Option<&CrackFluid>,
+    ) -> Result<FaceProblem<'a>, GrowthError> {
         let PlaneBody { network, body, .. } = body;
-        let fluid = self.fluid.as_ref().map(|fluid| fluid.on(network, &body.faces));
+        let fluid = fluid.map(|fluid| fluid.on(network, &body.faces));
         Ok(FaceProblem::new(body, &self.crack_friction)?.with_fluid(fluid))
     }
 
-    fn drive(&self, geometry: &PlaneGeometry, wheels: &[WheelOfRail], tip: &TipRecord) -> TipDrive {
+    fn drive(&self, geometry: &PlaneGeometry, tip: &TipRecord) -> TipDrive {
         let CrackTip { crack, tip: index, .. } = tip.tip;
         let plane = tip.plane().copied().unwrap_or_default();
         TipDrive {
             tip: tip.tip,
             kink: tip.kink,
             rate: tip.rate,
-            largest_k1: compared_k1(tip, wheels),
+            largest_k1: tip.compared_k1(),
             jump: plane.jump,
             kink_slope: plane.kink_slope,
             lean: lean(&geometry.cracks[crack], tip.tip.end),
@@ -264,7 +274,7 @@ impl CrackedRail for PlaneRail {
             true => GrowthError::Interrupted { step },
             false => GrowthError::Body { step, source },
         };
-        let by_groups = self.network == NetworkContact::Groups && self.fluid.is_none();
+        let by_groups = self.network == NetworkContact::Groups;
         let grouped = if by_groups { self.engine.body_by_groups(interruption, &network) } else { Ok(None) };
         let body = match grouped.map_err(failed)? {
             Some(body) => body,
@@ -285,14 +295,15 @@ impl CrackedRail for PlaneRail {
         warnings: &mut Vec<Warning>,
     ) -> Result<Vec<StabilisedPassage>, GrowthError> {
         let ends = self.ends_under_wheels(&body.body, at.step)?;
-        let faces = self.faces(body)?;
+        let faces: Vec<FaceProblem> =
+            self.fluids().map(|fluid| self.faces(body, fluid)).collect::<Result<_, _>>()?;
         let uncovered = self.uncovered(at.worn);
         let loads = self.loads(&uncovered);
         let mut face_loads = Vec::with_capacity(loads.len());
-        for (wheel, (load, _)) in loads.iter().enumerate() {
+        for (wheel, ((load, _), faces)) in loads.iter().zip(&faces).enumerate() {
             let end = ends.get(wheel).map(Arc::as_ref);
             let face_load =
-                FaceLoad::new(&faces, *load, end).map_err(|source| off_the_rail(source, at.step))?;
+                FaceLoad::new(faces, *load, end).map_err(|source| off_the_rail(source, at.step))?;
             face_loads.push(face_load);
         }
         let solvers = Solvers { first: self.solver.as_ref(), second: self.fallback.as_ref(), step: at.step };
@@ -310,7 +321,7 @@ impl CrackedRail for PlaneRail {
         let wanted = self.fields.as_ref().filter(|fields| at.step.is_multiple_of(fields.every.get()));
         let Some(settings) = wanted.cloned() else { return Ok(None) };
         let ends = self.ends_under_wheels(&body.body, at.step)?;
-        let faces = self.faces(body)?;
+        let faces = self.faces(body, self.fluid.as_ref())?;
         let uncovered = self.uncovered(at.worn);
         let (load, _) = self.loads(&uncovered)[0];
         let face_load = FaceLoad::new(&faces, load, ends.first().map(Arc::as_ref))
@@ -368,6 +379,7 @@ impl CrackedRail for PlaneRail {
                 stop: None,
                 shares: under.shares,
                 opened_by: under.opened_by,
+                toughness_ratio: under.toughness_ratio,
                 mouth_sine: mouth_sine(crack),
                 geometry: TipGeometry::Plane(PlaneTip {
                     deferred: geometry.deferred[tip.crack][tip.tip],
@@ -400,8 +412,7 @@ impl CrackedRail for PlaneRail {
 
     fn advance(&self, site: &PlaneSite, at: &StepStart<'_>, tips: &mut [TipRecord], _: &[Mover]) -> Advance {
         let PlaneSite { geometry, .. } = site;
-        let wheels = self.wheels();
-        let drives: Vec<TipDrive> = tips.iter().map(|tip| self.drive(geometry, &wheels, tip)).collect();
+        let drives: Vec<TipDrive> = tips.iter().map(|tip| self.drive(geometry, tip)).collect();
         let next = advance(&self.step_state(site, at, &drives), &self.growth);
         let PlaneGeometry { mut stopped, mut deferred, mut courses, .. } = geometry.clone();
         for (record, ahead) in tips.iter_mut().zip(&next.tips) {
@@ -438,14 +449,13 @@ impl CrackedRail for PlaneRail {
 
     fn hazard(&self, site: &PlaneSite, tip: &TipRecord) -> f64 {
         let PlaneSite { geometry, .. } = site;
-        let drive = self.drive(geometry, &self.wheels(), tip);
+        let drive = self.drive(geometry, tip);
         let Some(toughness) = self.growth.toughness.filter(|_| drive.demand().is_tip()) else { return 0.0 };
         drive.largest_k1 / toughness
     }
 
     fn popped_in(&self, site: &PlaneSite, tips: &[&TipRecord], length: f64) -> Option<Geometry> {
-        let wheels = self.wheels();
-        let drives: Vec<TipDrive> = tips.iter().map(|tip| self.drive(&site.geometry, &wheels, tip)).collect();
+        let drives: Vec<TipDrive> = tips.iter().map(|tip| self.drive(&site.geometry, tip)).collect();
         let worn = WornSurface::default();
         let at = StepStart::standing(&worn);
         let kinks: Vec<f64> =

@@ -16,7 +16,7 @@ use crate::growth::{Observer, PassageError, PassageSettings, StabilisedPassage};
 /// deflection of the beam.
 ///
 /// In a body built by groups, each crack is followed with its neighbours, in sweeps until K is
-/// within `network_tolerance`; the cracks of such a body are dry.
+/// within `network_tolerance`.
 ///
 /// Errors: inadmissible settings; a wheel that leaves the rail; contact that does not converge; an
 /// interruption by `observer`.

@@ -12,7 +12,8 @@ use super::tip_sifs::TipSifs;
 use super::track::{Track, every_second};
 use crate::body::BlockStiffness;
 use crate::contact::{
-    ContactSolver, FaceHistory, FaceProblem, FaceState, NotConverged, Stepper, SteppingCounts, SteppingError,
+    ContactSolver, FaceHistory, FaceProblem, FaceState, FluidState, NotConverged, Stepper, SteppingCounts,
+    SteppingError,
 };
 use crate::fracture::{Sif, SifHistory};
 use crate::growth::{
@@ -111,6 +112,8 @@ struct LegOfGroup {
     /// Its faces at the same places.
     faces: Vec<Vec<FaceState>>,
     histories: Vec<SifHistory>,
+    /// The fluid in the cracks of its tips at the stations; empty for dry cracks.
+    fluid: Vec<Vec<FluidState>>,
     end: GroupState,
     counts: SteppingCounts,
     edge_steps: usize,
@@ -155,7 +158,7 @@ impl GroupRow<'_> {
         let state = |(group, (_, stations)): (&Group, &(Vec<f64>, Vec<f64>))| {
             let problem = problem(group)?;
             let expected = FaceLoad::new(&problem, self.load, None)?.expected_slip(stations);
-            let faces = FaceHistory::virgin(problem.points(), &expected);
+            let faces = FaceHistory::virgin(&problem, &expected);
             Ok(GroupState { faces, tips: TipSifs::virgin(&problem) })
         };
         self.groups.par_iter().zip(&self.stations).map(state).collect()
@@ -360,6 +363,10 @@ impl GroupRow<'_> {
         let mut wheel = Rolling::new(&face_load, self.load, positions, self.settings.step_control, stepper);
         let own = group.own_points.clone();
         let (mut sifs, mut histories, mut states) = (Vec::new(), Vec::new(), Vec::new());
+        let mut fluid = Vec::new();
+        if leg == Leg::Passage(1) {
+            wheel.seal_buried();
+        }
         match leg {
             Leg::Residual => {
                 wheel.residual_stress(&mut tips)?;
@@ -369,6 +376,8 @@ impl GroupRow<'_> {
             Leg::Passage(number) => {
                 let pass = wheel.pass(number, None, &mut tips, &WithoutProgress(observer))?;
                 sifs.extend(group.own_tips.iter().map(|&(_, tip)| pass.record.sifs[tip].clone()));
+                let of_tip = |&(_, tip): &(usize, usize)| pass.record.fluid.get(tip).cloned();
+                fluid.extend(group.own_tips.iter().filter_map(of_tip));
                 histories.extend(group.own_tips.iter().map(|&(_, tip)| pass.histories[tip].clone()));
                 states.extend(pass.states.iter().map(|faces| faces[own.clone()].to_vec()));
             }
@@ -380,7 +389,7 @@ impl GroupRow<'_> {
         let history = parts.into_iter().map(|(part, _)| part).zip(tracks).collect();
         let (counts, edge_steps) = (wheel.stepper.counts(), wheel.edge_steps);
         let end = GroupState { faces: wheel.stepper.history(), tips };
-        Ok(LegOfGroup { history, sifs, faces: states, histories, end, counts, edge_steps })
+        Ok(LegOfGroup { history, sifs, faces: states, histories, fluid, end, counts, edge_steps })
     }
 
     /// Passage `number` of the row.
@@ -395,7 +404,7 @@ impl GroupRow<'_> {
         let mut record = PassageRecord {
             xc: self.xc.to_vec(),
             sifs: vec![Vec::with_capacity(self.xc.len()); tips],
-            fluid: Vec::new(),
+            fluid: vec![Vec::new(); if problem.fluid().is_some() { tips } else { 0 }],
             kiii: Vec::new(),
         };
         let mut histories = vec![SifHistory::default(); tips];
@@ -412,6 +421,9 @@ impl GroupRow<'_> {
                 };
                 record.sifs[*tip].extend(at.iter().map(sum));
                 histories[*tip] = history;
+            }
+            for ((tip, _), fluid) in group.own_tips.iter().zip(&run.fluid) {
+                record.fluid[*tip].extend(at.iter().map(|weights| fluid_between(fluid, weights)));
             }
             for (states, weights) in states.iter_mut().zip(&at) {
                 for (own, &point) in self.blocks.units[k].iter().enumerate() {
@@ -444,6 +456,16 @@ fn between(faces: &[Vec<FaceState>], point: usize, weights: &[(usize, f64)]) -> 
     }
 }
 
+/// The fluid between stations; pressure and volume are never negative.
+fn fluid_between(states: &[FluidState], weights: &[(usize, f64)]) -> FluidState {
+    let sum = |value: fn(&FluidState) -> f64| -> f64 {
+        weights.iter().map(|(i, weight)| weight * value(&states[*i])).sum::<f64>().max(0.0)
+    };
+    FluidState { pressure: sum(|state| state.pressure), volume: sum(|state| state.volume) }
+}
+
 fn problem(group: &Group) -> Result<FaceProblem<'_>, PassageError> {
-    FaceProblem::new(&group.body, &group.friction).map_err(|_| unsolvable(LinearError::Singular { order: 0 }))
+    let dry = FaceProblem::new(&group.body, &group.friction);
+    let dry = dry.map_err(|_| unsolvable(LinearError::Singular { order: 0 }))?;
+    Ok(dry.with_fluid(group.fluid.clone()))
 }

@@ -1,10 +1,12 @@
 //! The other wheels of a mix.
 
+use super::crack_fluid::CrackFluid;
 use super::rail_load::RailLoad;
 use crate::field::{StressField, Wheel};
 use crate::growth::PassageSettings;
 
-/// A wheel of a mix other than the first one, with its own stress state, passages and toughness.
+/// A wheel of a mix other than the first one, with its own stress state, fluid, passages and
+/// toughness.
 pub struct MixedWheel {
     /// Its field.
     pub wheel: Box<dyn Wheel>,
@@ -12,6 +14,8 @@ pub struct MixedWheel {
     pub share: f64,
     /// Stress of the rail that is present with and without the wheel, including thermal stress.
     pub residual: Option<Box<dyn StressField>>,
+    /// Fluid in the cracks while it passes; `None` for dry cracks.
+    pub fluid: Option<CrackFluid>,
     /// Its passages.
     pub passages: PassageSettings,
     /// K_Ic (MPa √mm) at its temperature; `None` where fracture is not considered.

@@ -70,7 +70,7 @@ fn due<'a>(cracks: &'a [Crack], tips: &'a [TipDrive]) -> StepState<'a> {
 }
 
 fn maintained(wear: f64, grinding: Option<Grinding>) -> GrowthSettings {
-    let maintenance = Maintenance { wear, grinding, stress: StressMoves::WithMetal };
+    let maintenance = Maintenance { wear, grinding, stress: StressMoves::WithMetal, limit: None };
     GrowthSettings { maintenance: Some(maintenance), turning: Turning::Over(1.0), ..SETTINGS }
 }
 

@@ -146,6 +146,8 @@ pub(super) struct LoadPoint {
 /// A crack of a body.
 #[derive(Debug, Clone)]
 pub struct CrackPart {
+    /// Its shape.
+    pub shape: SpaceCrack,
     /// The directions of its plane.
     pub frame: PlaneFrame,
     /// Its points.
@@ -221,13 +223,15 @@ impl SpaceBody {
             loads: Vec::new(),
             cells: Vec::new(),
         };
-        placed.iter().for_each(|crack| body.append(crack, steel, total));
+        for (crack, placed) in cracks.iter().zip(&placed) {
+            body.append(crack, placed, steel, total);
+        }
         body.sif_influence = crate::linear::product(&body.sif_of_jumps, &body.compliance)?;
         Ok(body)
     }
 
     /// Appends the points of a crack; all cracks together have `total` points.
-    fn append(&mut self, placed: &Placed, steel: &IsotropicElastic, total: usize) {
+    fn append(&mut self, shape: &SpaceCrack, placed: &Placed, steel: &IsotropicElastic, total: usize) {
         let (crack, grid) = (self.cracks.len(), placed.grid);
         let (first, first_of_front) = (self.points.len(), self.front.len());
         let vertex =
@@ -256,6 +260,7 @@ impl SpaceBody {
         }
         self.cells.extend(grid.cells.iter().map(|cell| cell.vertices.map(vertex)));
         self.cracks.push(CrackPart {
+            shape: shape.clone(),
             frame: placed.frame,
             points: first..self.points.len(),
             front: first_of_front..self.front.len(),
@@ -330,8 +335,16 @@ impl SpaceBody {
     /// Nodal forces (N), 3p, due to a stress field of the uncracked rail, given as a function of x,
     /// lateral and depth.
     pub fn nodal_forces(&self, stress: impl Fn([f64; 3]) -> Symmetric + Sync) -> Vec<f64> {
-        let tractions: Vec<_> =
-            self.loads.par_iter().map(|p| self.cracks[p.crack].frame.traction(&stress(p.position))).collect();
+        self.nodal_forces_by_crack(|_, point| stress(point))
+    }
+
+    /// [`Self::nodal_forces`] of a stress that depends on the crack, too.
+    pub(super) fn nodal_forces_by_crack(
+        &self,
+        stress: impl Fn(usize, [f64; 3]) -> Symmetric + Sync,
+    ) -> Vec<f64> {
+        let traction = |p: &LoadPoint| self.cracks[p.crack].frame.traction(&stress(p.crack, p.position));
+        let tractions: Vec<_> = self.loads.par_iter().map(traction).collect();
         let mut forces = vec![0.0; 3 * self.points.len()];
         for (point, traction) in self.loads.iter().zip(tractions) {
             for (a, weight) in point.hats {

@@ -12,7 +12,8 @@
 
 use super::body::SpaceBody;
 use super::linearised::{Change, Form, LaggedFactor, Linearised, size, times_sparse};
-use super::states::{PointState, SpaceStatus};
+use super::states::{PointState, SpaceFaces, SpaceStatus};
+use super::trapped::{PocketsOfStep, TrappedPressures};
 use crate::interruption::Interrupted;
 use crate::linear::LinearError;
 use thiserror::Error;
@@ -29,6 +30,8 @@ const FINEST: f64 = 1e-9;
 const CONVERGED: f64 = 1e-13;
 /// A residual this small relative to the forces on the faces is round-off.
 const ROUNDING: f64 = 1e-13;
+/// Relative residual of the response to a unit pressure, at most.
+const OF_A_PRESSURE: f64 = 1e-4;
 
 /// Reasons why a contact step fails.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -51,25 +54,6 @@ pub enum SpaceContactError {
     /// Interrupted on request.
     #[error("{0}")]
     Interrupted(#[from] Interrupted),
-}
-
-/// The faces of a crack at one instant.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SpaceFaces {
-    /// ⟦w⟧ (mm), 3p: opening, slip along the dip and along the trace.
-    pub jumps: Vec<f64>,
-    /// r (N), 3p: forces between the faces.
-    pub reactions: Vec<f64>,
-    /// The state of each point.
-    pub status: Vec<SpaceStatus>,
-}
-
-impl SpaceFaces {
-    /// Whether every point has the same state as in the other faces: open, sticking or slipping.
-    pub(super) fn keeps_states_of(&self, other: &Self) -> bool {
-        let kind = |status: &SpaceStatus| std::mem::discriminant(status);
-        self.status.iter().zip(&other.status).all(|(one, other)| kind(one) == kind(other))
-    }
 }
 
 /// Solver effort and accuracy of a step.
@@ -100,6 +84,7 @@ impl SpaceContact<'_> {
             jumps: vec![0.0; 3 * points],
             reactions: vec![0.0; 3 * points],
             status: vec![SpaceStatus::Stick; points],
+            fluid: Vec::new(),
         }
     }
 
@@ -111,12 +96,14 @@ impl SpaceContact<'_> {
         before: &SpaceFaces,
         forces: &[f64],
     ) -> Result<(SpaceFaces, StepReport), SpaceContactError> {
-        self.step_from(&before.jumps, &mut LaggedFactor::default(), &before.jumps, forces)
+        let dry = PocketsOfStep { pockets: &[], states: &[], bulk_modulus: f64::INFINITY };
+        self.step_from(&before.jumps, &mut LaggedFactor::default(), &before.jumps, (forces, dry))
     }
 
     /// The faces under `forces` (N), with slip that is measured from the jumps `origin` (mm). The
     /// iterations begin with the jumps `guess` (mm) and, if they fail to converge, again with
-    /// `origin`. On entry `factor` is that of a similar step, on return that of this one.
+    /// `origin`. On entry `factor` is that of a similar step, on return that of this one. The
+    /// pressures of `pockets` act on the faces in addition to `forces`.
     ///
     /// Errors: iterations that do not converge; a singular system.
     pub(super) fn step_from(
@@ -124,11 +111,11 @@ impl SpaceContact<'_> {
         guess: &[f64],
         factor: &mut LaggedFactor,
         origin: &[f64],
-        forces: &[f64],
+        load: (&[f64], PocketsOfStep<'_>),
     ) -> Result<(SpaceFaces, StepReport), SpaceContactError> {
-        match self.iterated(guess, factor, origin, forces) {
+        match self.iterated(guess, factor, origin, load) {
             Err(SpaceContactError::NotConverged { .. }) if guess != origin => {
-                self.iterated(origin, factor, origin, forces)
+                self.iterated(origin, factor, origin, load)
             }
             result => result,
         }
@@ -139,11 +126,13 @@ impl SpaceContact<'_> {
         guess: &[f64],
         factor: &mut LaggedFactor,
         origin: &[f64],
-        forces: &[f64],
+        (forces, pockets): (&[f64], PocketsOfStep<'_>),
     ) -> Result<(SpaceFaces, StepReport), SpaceContactError> {
         let points = origin.len() / 3;
         let mut jumps = guess.to_vec();
-        let mut reactions = self.reactions(&jumps, forces);
+        let mut fluid = TrappedPressures::of(pockets);
+        let mut forces = fluid.added_to(forces);
+        let mut reactions = self.reactions(&jumps, &forces);
         let mut last = (Vec::new(), f64::INFINITY);
         for iteration in 1..=ITERATIONS {
             let states: Vec<PointState> =
@@ -156,9 +145,9 @@ impl SpaceContact<'_> {
             (0..moved.len()).filter(|i| i % 3 > 0).for_each(|i| moved[i] -= origin[i]);
             let mut right = conditions.of(&sum(&reactions, &held.forces), &moved);
             right.iter_mut().for_each(|value| *value = -*value);
-            let whole = size(&sum(&reactions, forces));
-            if kinds == last.0 && size(&right) <= CONVERGED * whole {
-                return Ok(self.converged(jumps, &states, origin, forces, iteration - 1));
+            let whole = size(&sum(&reactions, &forces));
+            if kinds == last.0 && size(&right) <= CONVERGED * whole && fluid.holds(&jumps) {
+                return Ok(self.converged(jumps, &states, origin, (&forces, &fluid), iteration - 1));
             }
             // Without slip the conditions are linear; if no point changes its state, the error
             // falls as the square of the change.
@@ -173,6 +162,16 @@ impl SpaceContact<'_> {
             let rounding = ROUNDING * whole / size(&right).max(f64::MIN_POSITIVE);
             let mut change = held;
             factor.solve(&conditions, &right, wanted.max(rounding.min(0.5)), &mut change)?;
+            let units = fluid.pressing().into_iter().map(|k| {
+                let unit = &pockets.pockets[k].unit;
+                let mut response = self.unit_pressure(form, unit);
+                let mut right = conditions.of(&response.forces, &response.jumps);
+                right.iter_mut().for_each(|value| *value = -*value);
+                factor.solve(&conditions, &right, wanted.min(OF_A_PRESSURE), &mut response)?;
+                Ok((k, response))
+            });
+            let units = units.collect::<Result<Vec<_>, LinearError>>()?;
+            fluid.press(&jumps, &mut change, &units, &mut forces);
             jumps = sum(&jumps, &change.jumps);
             reactions = sum(&reactions, &change.forces);
             // Prescribed components are set to their exact values after a sum with round-off.
@@ -184,8 +183,8 @@ impl SpaceContact<'_> {
             // vanish.
             let scale = largest(&jumps).max(largest(origin)).max(f64::MIN_POSITIVE);
             last = (kinds, largest(&change.jumps) / scale);
-            if last.1 <= TOLERANCE {
-                return Ok(self.converged(jumps, &states, origin, forces, iteration));
+            if last.1 <= TOLERANCE && fluid.holds(&jumps) {
+                return Ok(self.converged(jumps, &states, origin, (&forces, &fluid), iteration));
             }
         }
         Err(SpaceContactError::NotConverged { iterations: ITERATIONS, change: last.1, tolerance: TOLERANCE })
@@ -197,7 +196,7 @@ impl SpaceContact<'_> {
         mut jumps: Vec<f64>,
         states: &[PointState],
         origin: &[f64],
-        forces: &[f64],
+        (forces, fluid): (&[f64], &TrappedPressures<'_>),
         iterations: usize,
     ) -> (SpaceFaces, StepReport) {
         hold(&mut jumps, states, origin);
@@ -205,9 +204,21 @@ impl SpaceContact<'_> {
         // Remaining forces on open faces are round-off.
         let_go(&mut reactions, states);
         let status = states.iter().map(|state| state.status).collect();
-        let faces = SpaceFaces { jumps, reactions, status };
+        let faces = SpaceFaces { jumps, reactions, status, fluid: fluid.states().to_vec() };
         let violation = self.violation(&faces, origin);
         (faces, StepReport { iterations, violation })
+    }
+
+    /// The effect of a unit pressure of a pocket while no unknown changes.
+    fn unit_pressure(&self, form: Form, unit: &[f64]) -> Change {
+        match form {
+            Form::Jumps => {
+                Change { jumps: vec![0.0; unit.len()], forces: unit.iter().map(|force| -force).collect() }
+            }
+            Form::Forces => {
+                Change { jumps: times_sparse(self.body.compliance(), unit), forces: vec![0.0; unit.len()] }
+            }
+        }
     }
 
     fn reactions(&self, jumps: &[f64], forces: &[f64]) -> Vec<f64> {

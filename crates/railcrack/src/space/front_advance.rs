@@ -307,7 +307,7 @@ mod tests {
     fn in_the_balance_of_growth_and_wear_the_length_stays() {
         let shapes = [FrontShape { dip: (0.6f64).asin(), ..circle(0.0, 0.0) }];
         let maintained = |wear, grinding| {
-            let maintenance = Maintenance { wear, grinding, stress: StressMoves::WithMetal };
+            let maintenance = Maintenance { wear, grinding, stress: StressMoves::WithMetal, limit: None };
             GrowthSettings { maintenance: Some(maintenance), ..settings() }
         };
         // w = sin(dip) dl/dN.

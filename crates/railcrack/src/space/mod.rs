@@ -6,6 +6,7 @@ mod contact;
 mod cross;
 mod distance;
 mod duffy;
+mod fluid;
 mod front_advance;
 mod front_motion;
 mod galerkin;
@@ -25,17 +26,21 @@ mod slip_origin;
 mod stabilised;
 mod states;
 mod tips;
+mod trapped;
 mod wheel;
 mod worn;
 
 pub use body::{CloseCracks, CrackPart, FrontPoint, FrontSif, SpaceBody, SpaceError, SpaceKernel};
-pub use contact::{SpaceContact, SpaceContactError, SpaceFaces, StepReport};
+pub use contact::{SpaceContact, SpaceContactError, StepReport};
+pub use fluid::SpaceFluid;
 pub use front_motion::VERTEX_LAYER;
 pub use grid::SpaceResolution;
 pub use nuclei::{Symmetric, image_stress, kelvin_stress, moment, traction};
-pub use passage::{SpaceHistory, SpaceLoad, SpacePassageSettings, SpacePassages, space_passage};
+pub use passage::{
+    SpaceFluidLoad, SpaceHistory, SpaceLoad, SpacePassageSettings, SpacePassages, space_passage,
+};
 pub use plane::{PlaneFrame, Surroundings};
 pub use rail::{CracksInSpace, SpaceRail, SpaceWheel};
 pub use shape::{Extent, ShapeError, SpaceCrack};
-pub use states::SpaceStatus;
+pub use states::{SpaceFaces, SpaceStatus};
 pub use wheel::EllipticWheel;

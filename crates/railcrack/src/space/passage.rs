@@ -1,10 +1,14 @@
 //! Passages of a wheel over a crack in space, until the history of K repeats.
 
 use super::body::{FrontSif, SpaceBody};
-use super::contact::{SpaceContact, SpaceContactError, SpaceFaces, StepReport};
+use super::contact::{SpaceContact, SpaceContactError, StepReport};
+use super::fluid::{ContactPressure, FluidOnFaces, SpaceFluid};
 use super::linearised::LaggedFactor;
 use super::nuclei::Symmetric;
 use super::slip_origin::{LONGEST, WheelInstant, slip_origin};
+use super::states::SpaceFaces;
+use super::trapped::PocketsOfStep;
+use crate::contact::{FluidState, PocketState};
 use crate::growth::{Observer, output_positions};
 use crate::interruption::{Interrupted, Interruption};
 use crate::load::{Bending, Passage};
@@ -25,6 +29,18 @@ pub struct SpaceLoad<'a> {
     pub bending: Option<&'a Bending>,
     /// Constant stress without the wheel, residual and thermal.
     pub constant: Option<&'a StressAt<'a>>,
+    /// Fluid in the cracks.
+    pub fluid: Option<SpaceFluidLoad<'a>>,
+}
+
+/// Fluid in cracks under a wheel.
+#[derive(Clone, Copy)]
+pub struct SpaceFluidLoad<'a> {
+    /// The fluid.
+    pub fluid: &'a SpaceFluid,
+    /// Pressure of the contact (MPa) with the wheel at an abscissa (mm), at x and lateral position
+    /// (mm); zero outside of the contact.
+    pub over: &'a (dyn Fn(f64, [f64; 2]) -> f64 + Sync),
 }
 
 impl SpaceLoad<'_> {
@@ -33,14 +49,26 @@ impl SpaceLoad<'_> {
         self.constant.map_or_else(|| vec![0.0; 3 * body.points().len()], |stress| body.nodal_forces(stress))
     }
 
-    /// Nodal forces (N) with the wheel at `position` (mm).
-    fn forces(&self, body: &SpaceBody, constant: &[f64], position: f64) -> Vec<f64> {
-        let stress = |point: [f64; 3]| {
+    /// Nodal forces (N) with the wheel at `position` (mm), those of `fluid` from the mouth
+    /// included.
+    fn forces(
+        &self,
+        body: &SpaceBody,
+        fluid: Option<&FluidUnderWheel<'_>>,
+        constant: &[f64],
+        position: f64,
+    ) -> Vec<f64> {
+        let stress = |crack: usize, point: [f64; 3]| {
             let mut stress = (self.wheel)(position, point);
             stress[0] += self.bending.map_or(0.0, |beam| beam.stress(point[0] - position, point[2]));
+            // Tension across the faces opens them like a pressure in the crack.
+            if let Some(FluidUnderWheel { faces, over }) = fluid {
+                let pressure = faces.mouth_pressure(body, crack, (position, *over), point);
+                stress[..3].iter_mut().for_each(|normal| *normal += pressure);
+            }
             stress
         };
-        body.nodal_forces(stress).iter().zip(constant).map(|(f, c)| f + c).collect()
+        body.nodal_forces_by_crack(stress).iter().zip(constant).map(|(f, c)| f + c).collect()
     }
 }
 
@@ -65,6 +93,8 @@ pub struct SpaceHistory {
     pub before: Vec<FrontSif>,
     /// The faces, by position.
     pub faces: Vec<SpaceFaces>,
+    /// The fluid in each crack, by position; empty without fluid.
+    pub fluid: Vec<Vec<FluidState>>,
     /// Number of load steps, including those of the step control.
     pub steps: usize,
     /// Newton iterations of all steps.
@@ -94,6 +124,12 @@ impl SpaceHistory {
     }
 }
 
+/// The fluid on the faces of a body, and the pressure of the wheel over their mouths.
+struct FluidUnderWheel<'a> {
+    faces: FluidOnFaces,
+    over: &'a ContactPressure<'a>,
+}
+
 /// Passages of one wheel over one body. Nodal forces are never interpolated between positions: they
 /// are not differentiable where the edge of the contact passes the mouth, and an overshoot of the
 /// interpolation would leave permanent slip.
@@ -102,6 +138,7 @@ pub struct SpacePassages<'a> {
     load: &'a SpaceLoad<'a>,
     observer: &'a dyn Observer,
     constant: Vec<f64>,
+    fluid: Option<FluidUnderWheel<'a>>,
     positions: Vec<f64>,
     /// Nodal forces by the bits of their position, kept for the next passage.
     forces: RefCell<HashMap<u64, Rc<[f64]>>>,
@@ -129,17 +166,27 @@ impl<'a> SpacePassages<'a> {
         let constant = load.constant_forces(body);
         let asked = || observer.interrupted();
         let interruption = Interruption::when(&asked);
-        let positions = output_positions(&passage, load.bending, &body.places());
+        let mut positions = output_positions(&passage, load.bending, &body.places());
+        let fluid = load.fluid.map(|load| FluidUnderWheel { faces: load.fluid.on(body), over: load.over });
+        if let Some(FluidUnderWheel { faces, over }) = &fluid {
+            let runs_back = positions.last() < positions.first();
+            positions.extend(faces.stations(&positions, *over));
+            positions.sort_by(f64::total_cmp);
+            positions.dedup();
+            if runs_back {
+                positions.reverse();
+            }
+        }
         // Forces do not depend on the contact: those needed in every passage are computed at once.
         let forces = positions
             .par_iter()
             .map(|&position| {
                 interruption.check()?;
-                Ok((position.to_bits(), load.forces(body, &constant, position)))
+                Ok((position.to_bits(), load.forces(body, fluid.as_ref(), &constant, position)))
             })
             .collect::<Result<Vec<_>, Interrupted>>()?;
         let forces = forces.into_iter().map(|(at, forces)| (at, Rc::from(forces))).collect();
-        Ok(Self { contact, load, observer, constant, positions, forces: RefCell::new(forces) })
+        Ok(Self { contact, load, observer, constant, fluid, positions, forces: RefCell::new(forces) })
     }
 
     /// A passage over the faces `faces`, which are updated to their state after it, without the
@@ -157,6 +204,7 @@ impl<'a> SpacePassages<'a> {
             sifs: Vec::with_capacity(positions),
             before: Vec::new(),
             faces: Vec::with_capacity(positions),
+            fluid: Vec::new(),
             positions: self.positions.clone(),
             steps: 0,
             iterations: 0,
@@ -174,14 +222,14 @@ impl<'a> SpacePassages<'a> {
             is_calm: false,
             level: 0,
         };
-        let constant = passage.step(&faces.jumps, &faces.jumps, &self.constant)?;
+        let last = Rc::clone(&passage.last);
+        let constant = passage.step(&faces.jumps, &faces.jumps, (&self.constant, &last, f64::NAN))?;
         passage.history.before = body.sifs_of_jumps(&constant.jumps);
         let (first, last) = (passage.history.positions[0], passage.history.positions[positions - 1]);
-        let first = WheelInstant {
-            position: first,
-            faces: passage.step(&constant.jumps, &constant.jumps, &self.forces_at(first))?,
-        };
-        passage.accept(Rc::new(first));
+        let before = WheelInstant { position: f64::NAN, faces: constant };
+        let jumps = &before.faces.jumps;
+        let faces_then = passage.step(jumps, jumps, (&self.forces_at(first), &before, first))?;
+        passage.accept(Rc::new(WheelInstant { position: first, faces: faces_then }));
         while passage.history.sifs.len() < positions {
             let done = passage.history.sifs.len();
             match passage.history.positions.get(done + 1) {
@@ -192,8 +240,9 @@ impl<'a> SpacePassages<'a> {
             }
             self.observer.progress(passage.history.sifs.len() as f64 / positions as f64);
         }
-        let jumps = &passage.last.faces.jumps.clone();
-        *faces = passage.step(jumps, jumps, &self.constant)?;
+        let last = Rc::clone(&passage.last);
+        let jumps = &last.faces.jumps;
+        *faces = passage.step(jumps, jumps, (&self.constant, &last, f64::NAN))?;
         Ok(passage.history)
     }
 
@@ -203,7 +252,8 @@ impl<'a> SpacePassages<'a> {
         if let Some(forces) = self.forces.borrow().get(&at) {
             return Rc::clone(forces);
         }
-        let forces: Rc<[f64]> = self.load.forces(self.contact.body, &self.constant, position).into();
+        let forces: Rc<[f64]> =
+            self.load.forces(self.contact.body, self.fluid.as_ref(), &self.constant, position).into();
         self.forces.borrow_mut().insert(at, Rc::clone(&forces));
         forces
     }
@@ -226,19 +276,37 @@ struct PassageInProgress<'a> {
 }
 
 impl PassageInProgress<'_> {
-    /// The faces under `forces`, with slip measured from the jumps `origin` and jumps close to
-    /// `guess`.
+    /// The faces under `forces` with the wheel at the position `to` (not a number without it) after
+    /// the instant `last`, with slip measured from the jumps `origin` and jumps close to `guess`.
     fn step(
         &mut self,
         guess: &[f64],
         origin: &[f64],
-        forces: &[f64],
+        (forces, last, to): (&[f64], &WheelInstant, f64),
     ) -> Result<SpaceFaces, SpaceContactError> {
-        let SpacePassages { contact, observer, .. } = self.passages;
+        let SpacePassages { contact, observer, fluid, .. } = self.passages;
         if observer.interrupted() {
             return Err(Interrupted.into());
         }
-        let (faces, report) = contact.step_from(guess, &mut self.factor, origin, forces)?;
+        let begin = |fluid: &FluidUnderWheel<'_>| {
+            let over = |position: f64, at: [f64; 2]| {
+                if position.is_nan() { 0.0 } else { (fluid.over)(position, at) }
+            };
+            fluid.faces.begin((last.position, &last.faces), to, &over)
+        };
+        let mut states = fluid.as_ref().map_or_else(Vec::new, begin);
+        let (mut faces, mut report) = self.solved(contact, guess, origin, forces, &states)?;
+        if let Some(FluidUnderWheel { faces: fluid, over }) = fluid {
+            if let Some(released) = fluid.released(to, over, &faces, &states) {
+                states = released;
+                (faces, report) = self.solved(contact, guess, origin, forces, &states)?;
+            }
+            if let Some(sealed) = fluid.refused(&states, &faces) {
+                states = sealed;
+                (faces, report) = self.solved(contact, guess, origin, forces, &states)?;
+            }
+            fluid.follow(&mut faces);
+        }
         let StepReport { iterations, violation } = report;
         let history = &mut self.history;
         history.steps += 1;
@@ -246,6 +314,22 @@ impl PassageInProgress<'_> {
         history.iterations_max = history.iterations_max.max(iterations);
         history.violation = history.violation.max(violation);
         Ok(faces)
+    }
+
+    /// The faces with the fluid of `states` at the beginning of the step.
+    fn solved(
+        &mut self,
+        contact: &SpaceContact<'_>,
+        guess: &[f64],
+        origin: &[f64],
+        forces: &[f64],
+        states: &[PocketState],
+    ) -> Result<(SpaceFaces, StepReport), SpaceContactError> {
+        let fluid = self.passages.fluid.as_ref().map(|fluid| &fluid.faces);
+        let pockets = fluid.filter(|fluid| fluid.is_trapped()).map_or(&[][..], |fluid| &fluid.pockets);
+        let bulk_modulus = fluid.map_or(f64::INFINITY, FluidOnFaces::bulk_modulus);
+        let pockets = PocketsOfStep { pockets, states, bulk_modulus };
+        contact.step_from(guess, &mut self.factor, origin, (forces, pockets))
     }
 
     /// The instant with the wheel at the position `to`, after the instants `earlier` and `last`.
@@ -258,9 +342,10 @@ impl PassageInProgress<'_> {
     ) -> Result<Rc<WheelInstant>, SpaceContactError> {
         let forces = self.passages.forces_at(to);
         let origin = slip_origin(earlier, last, to);
+        let load = (&*forces, last, to);
         let faces = match guess {
-            Some(guess) => self.step(guess, &origin, &forces)?,
-            None => self.step(&extrapolated_jumps(earlier, last, to), &origin, &forces)?,
+            Some(guess) => self.step(guess, &origin, load)?,
+            None => self.step(&extrapolated_jumps(earlier, last, to), &origin, load)?,
         };
         Ok(Rc::new(WheelInstant { position: to, faces }))
     }
@@ -278,6 +363,11 @@ impl PassageInProgress<'_> {
         if history.positions.get(history.sifs.len()) == Some(&instant.position) {
             history.sifs.push(self.passages.contact.body.sifs_of_jumps(&instant.faces.jumps));
             history.faces.push(instant.faces.clone());
+            if let Some(FluidUnderWheel { faces, over }) = &self.passages.fluid {
+                let cracks = 0..self.passages.contact.body.cracks().len();
+                let of = |crack| faces.state_of(crack, instant.position, *over, &instant.faces);
+                history.fluid.push(cracks.map(of).collect());
+            }
         }
         let before = std::mem::replace(&mut self.last, instant);
         self.earlier = (!before.position.is_nan()).then_some(before);

@@ -2,11 +2,12 @@
 
 use super::body::{CloseCracks, FrontPoint, SpaceBody, SpaceError, SpaceKernel};
 use super::contact::{SpaceContact, SpaceContactError};
+use super::fluid::SpaceFluid;
 use super::front_advance::{FrontAdvance, Start};
 use super::front_motion::{FrontSpeeds, counts};
 use super::grid::SpaceResolution;
 use super::nuclei::Symmetric;
-use super::passage::SpaceLoad;
+use super::passage::{SpaceFluidLoad, SpaceLoad};
 use super::plane::PlaneFrame;
 use super::records::stabilised_record;
 use super::shape::{Extent, ShapeError, SpaceCrack};
@@ -21,7 +22,7 @@ use crate::growth::{
     Advance, BodyReport, CrackedRail, FieldRecord, FieldSettings, FrontShape, Geometry, GrowthError,
     GrowthSettings, GrowthState, Mover, Observer, PassageSettings, SpaceGeometry, StabilisedPassage,
     StepStart, StressMoves, TipDemand, TipGeometry, TipRecord, TipStop, Uncovered, Warning, WarningKind,
-    WheelOfRail, compared_k1, under_each_wheel,
+    WheelOfRail, under_each_wheel,
 };
 use crate::interruption::Interruption;
 use crate::load::Bending;
@@ -68,6 +69,8 @@ pub struct SpaceWheel {
     /// Stress of the rail that is present with and without the wheel, including thermal stress: a
     /// function of depth alone, the same at all lateral positions.
     pub residual: Option<Box<dyn StressField>>,
+    /// Fluid in the cracks while it passes; `None` for dry ones.
+    pub fluid: Option<SpaceFluid>,
     /// Its passages.
     pub passages: PassageSettings,
     /// K_Ic (MPa √mm) at its temperature; `None` where fracture is not considered.
@@ -180,12 +183,8 @@ impl SpaceRail {
         if moves == Some(StressMoves::WithMetal) { at.worn.removed } else { 0.0 }
     }
 
-    fn demand(&self, geometry: &SpaceGeometry, wheels: &[WheelOfRail<'_>], tip: &TipRecord) -> TipDemand {
-        TipDemand {
-            rate: tip.rate,
-            largest_k1: compared_k1(tip, wheels),
-            stopped: geometry.stopped[tip.tip.crack],
-        }
+    fn demand(&self, geometry: &SpaceGeometry, tip: &TipRecord) -> TipDemand {
+        TipDemand { rate: tip.rate, largest_k1: tip.compared_k1(), stopped: geometry.stopped[tip.tip.crack] }
     }
 
     /// The rate (mm per cycle) at which a front point drives its front: zero below the arrest rate.
@@ -252,7 +251,8 @@ impl CrackedRail for SpaceRail {
         let poisson = self.steel.poisson();
         let removed = self.uncovered(at);
         under_each_wheel(self.wheels.len(), observer, warnings, |number, observer, _| {
-            let SpaceWheel { wheel, bending, residual, passages, .. } = &self.wheels[number];
+            let SpaceWheel { wheel, bending, residual, fluid, passages, .. } = &self.wheels[number];
+            let over = |position: f64, at: [f64; 2]| wheel.pressure(position, at);
             let wheel = |position: f64, point: [f64; 3]| wheel.stress(position, point, poisson);
             let uncovered = residual.as_deref().map(|field| Uncovered { field, removed });
             let stays = |point: [f64; 3]| residual_stress(uncovered.as_ref(), point);
@@ -260,6 +260,7 @@ impl CrackedRail for SpaceRail {
                 wheel: &wheel,
                 bending: bending.as_ref(),
                 constant: uncovered.is_some().then_some(&stays as &super::passage::StressAt),
+                fluid: fluid.as_ref().map(|fluid| SpaceFluidLoad { fluid, over: &over }),
             };
             let passage = stabilised_space_passage(&contact, &load, passages, observer)
                 .map_err(|error| of_contact(at.step, error))?;
@@ -311,7 +312,7 @@ impl CrackedRail for SpaceRail {
 
     /// As in the plane; points that do not count in growth break nothing.
     fn hazard(&self, SpaceSite { geometry, .. }: &SpaceSite, tip: &TipRecord) -> f64 {
-        let demand = self.demand(geometry, &self.wheels(), tip);
+        let demand = self.demand(geometry, tip);
         let counts = demand.is_tip() && tip.front().is_some_and(|front| front.counts);
         let Some(toughness) = self.growth.toughness.filter(|_| counts) else { return 0.0 };
         demand.largest_k1 / toughness
@@ -330,9 +331,8 @@ impl CrackedRail for SpaceRail {
         movers: &[Mover],
     ) -> Advance {
         let SpaceSite { geometry: before, front, .. } = site;
-        let wheels = self.wheels();
         let breaks = |tip: &TipRecord| {
-            let demand = self.demand(before, &wheels, tip);
+            let demand = self.demand(before, tip);
             tip.front().is_some_and(|front| front.counts) && demand.breaks(&self.growth)
         };
         let broken: Vec<bool> = tips.iter().map(breaks).collect();

@@ -1,6 +1,6 @@
 //! Records of passages in space, in the form used for the plane.
 
-use super::body::SpaceBody;
+use super::body::{FrontPoint, SpaceBody};
 use super::passage::SpaceHistory;
 use super::stabilised::StabilisedSpace;
 use super::states::SpaceStatus;
@@ -32,7 +32,7 @@ pub(super) fn stabilised_record(
     let history =
         |q: usize| SifHistory { samples: of_point(q).map(|k| Sif { ki: k.ki, kii: k.kii }).collect() };
     StabilisedPassage {
-        passages: passage.passages.iter().map(passage_record).collect(),
+        passages: passage.passages.iter().map(|history| passage_record(body, history)).collect(),
         histories: points.clone().map(history).collect(),
         faces: face_record(body, passage, written),
         counts: passage.counts,
@@ -43,13 +43,14 @@ pub(super) fn stabilised_record(
 }
 
 /// K of each front point over a passage.
-fn passage_record(history: &SpaceHistory) -> PassageRecord {
+fn passage_record(body: &SpaceBody, history: &SpaceHistory) -> PassageRecord {
     let points = history.sifs.first().map_or(0, Vec::len);
     let of_point = |q: usize| history.sifs.iter().map(move |sifs| sifs[q]);
+    let fluid = |point: &FrontPoint| history.fluid.iter().map(|cracks| cracks[point.crack]).collect();
     PassageRecord {
         xc: history.positions.clone(),
         sifs: (0..points).map(|q| of_point(q).map(|k| Sif { ki: k.ki, kii: k.kii }).collect()).collect(),
-        fluid: Vec::new(),
+        fluid: if history.fluid.is_empty() { Vec::new() } else { body.front().iter().map(fluid).collect() },
         kiii: (0..points).map(|q| of_point(q).map(|k| k.kiii).collect()).collect(),
     }
 }

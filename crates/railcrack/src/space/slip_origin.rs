@@ -6,8 +6,7 @@
 //! still open. Second-order backward differences (Gear 1971) take the slip of the previous step
 //! into account; closing points are held where their extrapolated jumps would have met.
 
-use super::contact::SpaceFaces;
-use super::states::SpaceStatus;
+use super::states::{SpaceFaces, SpaceStatus};
 
 /// The faces with the wheel at a position.
 #[derive(Debug, Clone)]
@@ -51,7 +50,12 @@ mod tests {
     const SLIP: SpaceStatus = SpaceStatus::Slip { direction: [1.0, 0.0] };
 
     fn instant(position: f64, status: SpaceStatus, jumps: [f64; 3]) -> WheelInstant {
-        let faces = SpaceFaces { jumps: jumps.to_vec(), reactions: vec![0.0; 3], status: vec![status] };
+        let faces = SpaceFaces {
+            jumps: jumps.to_vec(),
+            reactions: vec![0.0; 3],
+            status: vec![status],
+            fluid: Vec::new(),
+        };
         WheelInstant { position, faces }
     }
 

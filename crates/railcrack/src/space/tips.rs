@@ -95,6 +95,7 @@ impl FrontLaw<'_> {
             stop: None,
             shares: under.shares,
             opened_by: under.opened_by,
+            toughness_ratio: under.toughness_ratio,
             mouth_sine: shape.buried.is_none().then(|| shape.dip.sin()),
             geometry: TipGeometry::Space(FrontTip {
                 phi: point.phi,

@@ -74,6 +74,14 @@ struct Place {
 }
 
 impl EllipticWheel {
+    /// Pressure (MPa) at x and lateral position `at` (mm) with the centre at the abscissa
+    /// `position` (mm); zero outside of the contact.
+    #[must_use]
+    pub fn pressure(&self, position: f64, at: [f64; 2]) -> f64 {
+        let (u, v) = ((at[0] - position) / self.half_width, (at[1] - self.lateral) / self.lateral_half_width);
+        self.peak_pressure * (1.0 - u * u - v * v).max(0.0).sqrt()
+    }
+
     /// The stress (MPa) at x, lateral and depth (mm) of a contact centred at `position` (mm).
     pub fn stress(&self, position: f64, point: [f64; 3], poisson: f64) -> Symmetric {
         let place = Place {

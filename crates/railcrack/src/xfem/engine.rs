@@ -62,9 +62,11 @@ impl RailEnd {
 }
 
 /// Extended finite elements for all growth steps of a run. The mesh is refined around the initial
-/// cracks with room for their growth, and its stiffness is factored once. When a crack leaves the
-/// refined region, that region is enlarged in fixed steps. A clone shares the factor and the
-/// columns solved with it.
+/// cracks with room for some growth, and its stiffness is factored once. When a crack leaves the
+/// refined region, the mesh is made for the next of a fixed sequence of regions: first those given,
+/// then enlargements of the last one. The mesh of a step thus depends on its cracks and on the
+/// initial ones alone, not on the number of steps. A clone shares the factor and the columns solved
+/// with it.
 #[derive(Debug, Clone)]
 pub struct XfemEngine {
     steel: IsotropicElastic,
@@ -72,6 +74,8 @@ pub struct XfemEngine {
     settings: XfemSettings,
     /// The refined region of the initial cracks.
     initial: RefinedRegion,
+    /// The regions for cracks that have left it, in the order of their sizes.
+    further: Vec<RefinedRegion>,
     /// The refined region of the present mesh.
     refined: RefinedRegion,
     background: Option<Arc<BulkRail>>,
@@ -103,16 +107,24 @@ impl XfemEngine {
             end,
             settings,
             initial: refined.clone(),
+            further: Vec::new(),
             refined,
             background: None,
             columns: ColumnStore::default(),
         }
     }
 
+    /// This engine with a mesh that is fine in the first of the larger regions `further` that holds
+    /// the cracks, once they have left the region of this engine.
+    pub fn followed_by(self, further: Vec<RefinedRegion>) -> Self {
+        Self { further, ..self }
+    }
+
     /// This engine with a mesh that also resolves `layers`; to be called before the mesh is made.
     pub fn resolving(self, layers: ResolvedLayers) -> Self {
         let refined = self.initial.resolving(layers);
-        Self { initial: refined.clone(), refined, ..self }
+        let further = self.further.into_iter().map(|region| region.resolving(layers)).collect();
+        Self { initial: refined.clone(), further, refined, ..self }
     }
 
     /// A text of all data on which mesh and factor of the rail depend for the initial cracks. Two
@@ -136,20 +148,36 @@ impl XfemEngine {
         self.columns = other.columns.clone();
     }
 
-    /// Displacement unknowns of the mesh for the initial cracks, computed without making it;
-    /// infinite on overflow.
+    /// Displacement unknowns of the mesh for the largest of the given regions, computed without
+    /// making it; infinite on overflow.
     pub fn mesh_unknowns(&self) -> f64 {
-        self.initial.mesh_unknowns(self.end.extent(&self.initial))
+        let largest = self.largest();
+        largest.mesh_unknowns(self.end.extent(largest))
     }
 
     /// A number that [`XfemEngine::mesh_unknowns`] does not exceed, which takes no integration.
     pub fn most_mesh_unknowns(&self) -> f64 {
-        self.initial.most_mesh_unknowns(self.end.extent(&self.initial))
+        let largest = self.largest();
+        largest.most_mesh_unknowns(self.end.extent(largest))
+    }
+
+    /// The largest of the given regions.
+    fn largest(&self) -> &RefinedRegion {
+        self.further.last().unwrap_or(&self.initial)
     }
 
     /// Size of the system of `network`, without factoring it.
     pub fn size(&self, network: &CrackNetwork) -> Result<XfemSize, XfemError> {
-        let mesh = self.refined.mesh(self.end.extent(&self.refined))?;
+        self.size_within(&self.region_for(network).0, network)
+    }
+
+    /// [`XfemEngine::size`] with the mesh for the largest of the given regions.
+    pub fn largest_size(&self, network: &CrackNetwork) -> Result<XfemSize, XfemError> {
+        self.size_within(self.largest(), network)
+    }
+
+    fn size_within(&self, refined: &RefinedRegion, network: &CrackNetwork) -> Result<XfemSize, XfemError> {
+        let mesh = refined.mesh(self.end.extent(refined))?;
         // All but a few of the unknowns on the boundary are free.
         let mesh_unknowns = 2 * mesh.node_count();
         let Discretisation { space, interface, .. } = Discretisation::new(&mesh, network, &self.settings)?;
@@ -175,7 +203,8 @@ impl XfemEngine {
     /// The refined region that holds `network`, and its predecessor in the sequence of
     /// enlargements, if any.
     fn region_for(&self, network: &CrackNetwork) -> (RefinedRegion, Option<RefinedRegion>) {
-        let mut refined = self.initial.clone();
+        let mut given = std::iter::once(&self.initial).chain(&self.further);
+        let mut refined = given.find(|region| region.holds(network)).unwrap_or(self.largest()).clone();
         let mut before = None;
         for _ in 0..ENLARGEMENTS {
             if refined.holds(network) {
@@ -200,10 +229,12 @@ impl XfemEngine {
     ) -> Result<&Arc<BulkRail>, XfemError> {
         let (refined, _) = self.region_for(network);
         if refined != self.refined || self.background.is_none() {
+            // The memory of the previous mesh is freed first.
+            self.background = None;
+            self.columns = ColumnStore::default();
             let mesh = refined.mesh(self.end.extent(&refined))?;
             let rail = BulkRail::new_unless(interruption, mesh, &self.steel, self.end.boundary())?;
             self.background = Some(Arc::new(rail));
-            self.columns = ColumnStore::default();
             self.refined = refined;
         }
         Ok(self.background.as_ref().expect("made above"))
@@ -278,7 +309,7 @@ impl BodyEngine for XfemEngine {
     }
 
     fn resolution(&self, network: &CrackNetwork) -> f64 {
-        self.refined.resolution(network)
+        self.region_for(network).0.resolution(network)
     }
 }
 
@@ -300,5 +331,31 @@ mod tests {
         engine.forget();
         assert!(!engine.columns.is_kept());
         assert_eq!(bits(&engine.body(&network).unwrap()), bits(&before));
+    }
+
+    /// A crack that has outgrown the first mesh gets that of the next region, whatever the engine
+    /// did before; one that has become short again gets the first one.
+    #[test]
+    fn a_mesh_depends_on_the_cracks_alone() {
+        let of = |length: f64| CrackNetwork::from(Crack::surface_breaking(0.0, length, 0.5).unwrap());
+        let (short, long) = (of(4.0), of(7.0));
+        let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
+        let end = RailEnd::HalfPlane { centre: 0.0 };
+        let region = |growth: f64| RefinedRegion::with_sizes(&short, &[0.5], growth);
+        let fresh = || {
+            XfemEngine::with_region(region(1.5), steel, end, XfemSettings::default())
+                .followed_by(vec![region(3.0)])
+        };
+        let bits = |body: &CrackedBody| (body.dofs, body.sif_influence.entries().to_vec());
+        let [first, then] = [&short, &long].map(|network| bits(&fresh().body(network).unwrap()));
+        assert!(first.0 < then.0, "a larger mesh: {} {}", first.0, then.0);
+        let mut engine = fresh();
+        for (network, want) in [(&short, &first), (&long, &then), (&short, &first)] {
+            let body = engine.body(network).unwrap();
+            assert_eq!(&bits(&body), want);
+            assert!(body.remarks.is_empty(), "{:?}", body.remarks);
+        }
+        let beyond = engine.body(&of(13.0)).unwrap();
+        assert!(beyond.dofs > then.0, "{}", beyond.dofs);
     }
 }

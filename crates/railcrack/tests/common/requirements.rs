@@ -477,6 +477,16 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Engines: K of random networks, kinked and buried cracks among them, agrees where no warning is given.",
     ),
     requirement(
+        "xfem::random_networks::engines_agree_or_warn",
+        "K_I",
+        "Engines: K_I of each tip of these networks agrees, relative to its own largest value, where no warning is given.",
+    ),
+    requirement(
+        "xfem::random_networks::engines_agree_on_four_kinked_cracks",
+        "K_I",
+        "Engines: K_I of each tip of four kinked cracks agrees, relative to its own largest value.",
+    ),
+    requirement(
         "xfem::random_networks::engines_agree_on_four_kinked_cracks",
         "",
         "Engines: K of each of four kinked cracks with little friction agrees.",

@@ -24,11 +24,11 @@ pub struct Meshed {
 }
 
 impl Default for Meshed {
-    /// The default of a case file: room for 25 increments of 4 %.
+    /// The first mesh of a case file: room for growth by a quarter.
     fn default() -> Self {
         Self {
             element_size: None,
-            expected_growth: 1.04f64.powi(25),
+            expected_growth: 1.25,
             settings: XfemSettings::default(),
             end: RailEnd::HalfPlane { centre: 0.0 },
         }

@@ -149,3 +149,56 @@ fn threads_change_no_bit_of_a_run_in_groups() {
         }
     }
 }
+
+/// Wet cracks in groups: the pressure over the mouths, beside a dry buried crack.
+#[test]
+fn fluid_in_groups() {
+    let row = "
+[contact]
+peak_pressure_mpa = 845.0
+half_width_mm = 6.75
+friction = -0.2
+[[crack]]
+mouth_mm = 0.0
+length_mm = 4.0
+angle_deg = 25.0
+friction = 0.1
+count = 4
+spacing_mm = 3.4
+[[crack]]
+points_mm = [[20.0, -2.0], [22.0, -3.0]]
+friction = 0.2
+[passage]
+step_tolerance = 5e-4
+positions = 61
+[growth]
+steps = 0
+[mesh]
+interface_elements = 14
+[solver]
+engine = \"dislocation\"
+";
+    for fluid in ["model = \"mouth\"\ncracks = [1, 2, 3, 4]", "model = \"mouth\"\ncracks = [1, 3]"] {
+        let of = |network| {
+            let text = row.replace("[passage]", &format!("[fluid]\n{fluid}\n[passage]"));
+            steps(&case(&text, network), None).remove(0).0
+        };
+        let (groups, whole) = (of("groups"), of("whole"));
+        let [one, other] = [&groups, &whole].map(|step| step.passages.last().unwrap());
+        let mut largest = 0.0f64;
+        for (tip, (one_k, other_k)) in one.sifs.iter().zip(&other.sifs).enumerate() {
+            let peak = other_k.iter().map(|k| k.ki.abs().max(k.kii.abs())).fold(0.0, f64::max);
+            for (a, b) in one_k.iter().zip(other_k) {
+                largest = largest.max((a.ki - b.ki).abs().max((a.kii - b.kii).abs()) / peak);
+            }
+            let most = other.fluid[tip].iter().map(|state| state.pressure).fold(0.0, f64::max);
+            let apart = one.fluid[tip].iter().zip(&other.fluid[tip]);
+            let apart = apart.map(|(a, b)| (a.pressure - b.pressure).abs()).fold(0.0, f64::max);
+            assert!(apart <= 0.01 * most, "{fluid}: pressure at tip {tip} differs by {apart} of {most}");
+        }
+        println!("{fluid}: K in groups differs by {largest:.1e} of its peak");
+        assert!(largest < 5e-3, "{fluid}: {largest}");
+        let wet = other.fluid.iter().flatten().map(|state| state.pressure).fold(0.0, f64::max);
+        assert!(wet > 10.0, "{fluid}: {wet}");
+    }
+}

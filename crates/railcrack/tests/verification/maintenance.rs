@@ -33,7 +33,7 @@ fn run(problem: PlaneRail) -> Vec<StepRecord> {
 }
 
 fn wear(rate: f64) -> Maintenance {
-    Maintenance { wear: rate, grinding: None, stress: StressMoves::WithSurface }
+    Maintenance { wear: rate, grinding: None, stress: StressMoves::WithSurface, limit: None }
 }
 
 /// Cycles until the length is `length`, linear between steps.
@@ -97,12 +97,34 @@ fn in_the_balance_the_length_stays_and_the_surface_comes_down() {
 }
 
 #[test]
+fn the_run_ends_when_the_rail_is_worn_to_its_limit() {
+    let first = run(problem(None, 0, 0.04))[0].tips[0].rate;
+    let rate = 0.5 * first;
+    // A removal of 1.03 mm: by wear alone, by wear after two grindings, by the third grinding.
+    let plans = [(None, 1.03), (Some((0.3, 0.2)), 1.03 - 2.0 * 0.3), (Some((0.3, 0.1)), 3.0 * 0.1)];
+    for (ground, worn) in plans {
+        let want = worn / rate;
+        let grinding = ground.map(|(depth, worn)| {
+            let interval = worn / rate;
+            Grinding { depth, interval, first: interval }
+        });
+        let limited = Maintenance { grinding, limit: Some(1.03), ..wear(rate) };
+        let steps = run(problem(Some(limited), 200, 0.04));
+        let last = steps.last().unwrap();
+        assert_eq!((last.stop, last.tips[0].stop), (Some(RunStop::WearLimit), None));
+        assert!((last.load_cycles / want - 1.0).abs() < 1e-9, "{ground:?}: {} {want}", last.load_cycles);
+        assert!(last.removed > 1.03 * (1.0 - 1e-9) && last.removed < 1.03 + 0.3, "{}", last.removed);
+    }
+}
+
+#[test]
 fn grinding_wears_the_crack_away_at_last_and_a_resumed_run_is_the_same() {
     let first = run(problem(None, 0, 0.04))[0].tips[0].rate;
     // Every 0.5 mm of growth, 0.8 mm in depth: 1.6 mm of length.
     let grinding = Grinding { depth: 0.8, interval: 0.5 / first, first: 0.5 / first };
     let maintained = || {
-        let all = Maintenance { wear: 0.0, grinding: Some(grinding), stress: StressMoves::WithMetal };
+        let all =
+            Maintenance { wear: 0.0, grinding: Some(grinding), stress: StressMoves::WithMetal, limit: None };
         let mut problem = problem(Some(all), 40, 0.04);
         let rows = vec![(0.0, -50.0, 0.0), (2.0, 20.0, 0.0), (6.0, 0.0, 0.0)];
         problem.residual = Some(Box::new(DepthProfile::new(rows).unwrap()));
@@ -138,7 +160,8 @@ fn grinding_wears_the_crack_away_at_last_and_a_resumed_run_is_the_same() {
 fn residual_stress_stays_in_the_steel_or_moves_with_the_surface() {
     let rates = [StressMoves::WithMetal, StressMoves::WithSurface].map(|stress| {
         let grinding = Grinding { depth: 1.0, interval: 1.0, first: 1.0 };
-        let mut problem = problem(Some(Maintenance { wear: 0.0, grinding: Some(grinding), stress }), 2, 0.04);
+        let mut problem =
+            problem(Some(Maintenance { wear: 0.0, grinding: Some(grinding), stress, limit: None }), 2, 0.04);
         let rows = vec![(0.0, -300.0, 0.0), (1.0, -300.0, 0.0), (1.001, 0.0, 0.0)];
         problem.residual = Some(Box::new(DepthProfile::new(rows).unwrap()));
         run(problem).remove(2).tips[0].rate

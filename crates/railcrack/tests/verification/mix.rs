@@ -30,6 +30,7 @@ fn grown(wheels: &[(f64, HertzWheel)], increments: usize, length: f64) -> Vec<St
         share,
         residual: None,
         passages: PassageSettings::default(),
+        fluid: None,
         toughness: None,
     };
     problem.others = others.iter().map(mixed).collect();

@@ -233,6 +233,30 @@ fn a_shorter_run_is_the_beginning_of_a_longer_one() {
     }
 }
 
+/// The first step has the same bits in a run of one step and in long ones, in both engines: the
+/// mesh does not make room for the growth that is asked for.
+#[test]
+fn the_first_step_does_not_depend_on_the_number_of_steps() {
+    for engine in ["xfem", "dislocation"] {
+        let first = |growth: &str| {
+            let text = format!(
+                "[contact]\npeak_pressure_mpa = 845.0\nhalf_width_mm = 6.75\nfriction = 0.1\n\
+                 [[crack]]\nmouth_mm = 0.0\nlength_mm = 6.0\nangle_deg = 30.0\nfriction = 0.3\n\
+                 [growth]\n{growth}\n"
+            );
+            let overrides = Overrides { engine: Some(engine.into()), ..Overrides::default() };
+            let case = Case::parse_with(&text, "case.toml", Path::new(""), &overrides).unwrap();
+            let mut run = case.prepare(None).unwrap().growth(None);
+            let mut record = run.next_step(&Unobserved).unwrap().unwrap();
+            (record.passages.pop().unwrap().sifs, record.dofs, record.tips[0].kink)
+        };
+        let alone = first("steps = 0");
+        for growth in ["steps = 5", "steps = 25", "steps = 25\nincrement = 0.16", "steps = 2000"] {
+            assert!(first(growth) == alone, "{engine}, {growth}");
+        }
+    }
+}
+
 /// The threshold of ΔK_II arrests a crack that is sheared less, names the branch that is left out,
 /// and changes nothing where it is exceeded.
 #[test]

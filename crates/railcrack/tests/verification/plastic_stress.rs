@@ -73,7 +73,7 @@ const ROLLED: f64 = 0.01;
 #[test]
 fn rolled_rail_balances_to_its_own_residual_stress() {
     let case = case("dislocation", 1100.0, 0.3, "[plastic_stress]\n");
-    let rail = case.rolled_rail().unwrap();
+    let rail = case.rolled_rail();
     let state = stabilise(&rail, &case.stabilisation(), |_| ()).unwrap();
     let depths = state.layers.interfaces();
     let points = depths.iter().flat_map(|&d| [-200.0, 200.0].map(|x| Vec2::new(x, -d))).collect();

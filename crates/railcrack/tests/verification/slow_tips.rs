@@ -59,9 +59,10 @@ fn k_of_the_slow_tip_of_a_squat() {
             100.0 * off,
             record.tips[1].plane().unwrap().deferred.length
         );
-        close(off, 0.0, Absolute(0.04), "2.5 elements behind a kink of 76 degrees");
+        close(off, 0.0, Absolute(0.045), "2.5 elements behind a kink of 76 degrees");
         // The faces overlap ahead of a tip that is resolved no better: a warning says so.
-        assert_eq!(record.warnings.is_empty(), off < 0.01, "{:?}", record.warnings);
+        let warned = record.warnings.iter().any(|warning| warning.text.contains("largest K of its crack"));
+        assert_eq!(warned, off >= 0.01, "{:?}", record.warnings);
     }
     let turned = &records[7].0.cracks()[1];
     let (from, to) = turned.segment(turned.segment_count() - 1);

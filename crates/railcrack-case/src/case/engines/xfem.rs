@@ -16,6 +16,8 @@ impl CaseEngine for Xfem {
         // available.
         let engine = case.finite_elements(case.given_plastic().as_ref());
         let size = match case.network {
+            // Displacements and memory of the largest mesh that the growth is expected to need.
+            NetworkContact::Whole if case.outgrows_first_mesh() => engine.largest_size(&case.cracks),
             NetworkContact::Whole => engine.size(&case.cracks),
             NetworkContact::Groups => engine.size_by_groups(&case.cracks),
         };

@@ -6,20 +6,25 @@ use std::path::PathBuf;
 /// Fit the growth law, or another number of the case, to measured depths or lengths over traffic
 ///
 /// The case is computed, and each measurement gives a coefficient of the growth law: cycles are in
-/// proportion to 1/C. Another number is fitted by runs with several values of it. The run folder
-/// gets calibration.csv, calibration.svg and calibrated.toml, the case with the fitted value.
+/// proportion to 1/C. Several sites are weighed by their errors and by how much they differ
+/// ([calibration] of the case). Another number is fitted by runs with several values of it. The run
+/// folder gets calibration.html, .json, .csv, .svg and calibrated.toml, the case with the fitted
+/// value and its scatter.
 #[derive(Debug, Args)]
 pub struct CalibrateArguments {
     /// The case file: its crack is the one from which the tonnes of the measurements count
     #[arg(value_name = "CASE")]
     pub case: PathBuf,
-    /// CSV with the header mgt,depth_mm or mgt,length_mm
-    #[arg(long, value_name = "FILE")]
-    pub measured: PathBuf,
-    /// The number that is fitted in place of the coefficient: crack.friction, wheel[1].share
+    /// CSV with the header mgt,depth_mm or mgt,length_mm, also with at_least_mm, at_most_mm and
+    /// std_mm; given again for each further site
+    #[arg(long, value_name = "FILE", required = true)]
+    pub measured: Vec<PathBuf>,
+    /// The number that is fitted in place of the coefficient: crack.friction, wheel[1].share; given
+    /// a second time with the coefficient (growth.paris_c), both are fitted together
     #[arg(long, value_name = "SECTION.KEY")]
-    pub parameter: Option<String>,
-    /// Its range [default: from half to twice the value of the case]
+    pub parameter: Vec<String>,
+    /// Its range, which is not widened [default: from half to twice the value of the case, widened
+    /// as long as the best value is at an end]
     #[arg(long, value_name = "LOW,HIGH", requires = "parameter", value_parser = range, allow_hyphen_values = true)]
     pub between: Option<(f64, f64)>,
     /// The run folder [default: the case's name beside it]

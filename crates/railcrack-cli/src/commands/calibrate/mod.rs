@@ -2,6 +2,7 @@
 
 mod arguments;
 mod coefficient;
+mod page;
 mod parameter;
 mod results;
 

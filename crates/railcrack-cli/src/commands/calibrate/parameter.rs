@@ -2,7 +2,10 @@
 //! values of it.
 
 use super::arguments::CalibrateArguments;
-use super::results::{deepest, from_output, plot, write};
+use super::page::page;
+use super::results::{
+    Fitted, Found, New, curve, deepest, from_output, number, plot, refuse, table_of_trials, told, write,
+};
 use crate::commands::run::{is_same_file, listen};
 use crate::display::Verbosity;
 use crate::exit::{Exit, Failure};
@@ -10,61 +13,45 @@ use crate::input::default_folder;
 use crate::interruption::Interruption;
 use crate::print;
 use crate::progress::Progress;
-use railcrack_case::{Case, Overrides};
+use railcrack_case::{Case, NumberRange, Overrides, RangeEnd};
 use railcrack_report::Pages;
 use railcrack_run::RunFolder;
 use railcrack_run::calibration::{
-    CalibrationError, Measure, Measured, ParameterFit, Trial, compared, fit_parameter,
+    Bracket, CalibrationError, Coefficient, Next, ParameterFit, Prior, Site, Trial, fit_parameter, observe,
 };
 use railcrack_run::csv::TipRow;
 use railcrack_run::simulation::{Ending, RunEntry, Simulation};
 use std::path::{Path, PathBuf};
 
-/// Values over the range at first.
-const FIRST: usize = 5;
-/// Values that are added at most, each where the fit so far is best.
-const ADDED: usize = 6;
-/// A fit that is as near to a value as this share of the range is settled.
-const SETTLED: f64 = 2e-3;
-
-/// Fits the number `key` of the case, writes the folder and prints the result.
+/// Fits the number `--parameter` of the case, writes the folder and prints the result.
 pub(super) fn calibrate_parameter(
     arguments: &CalibrateArguments,
     case: &Case,
-    key: &str,
-    (measure, measured): (Measure, &[Measured]),
+    sites: &[Site],
 ) -> Result<Exit, Failure> {
-    let refuse = |reason: String| Failure::Calibration { reason };
-    let value = case.number(key).map_err(|error| refuse(format!("--parameter {error}")))?;
-    let doubled = if value < 0.0 { (2.0 * value, 0.5 * value) } else { (0.5 * value, 2.0 * value) };
-    let (low, high) = arguments.between.unwrap_or(doubled);
-    if low >= high {
-        return Err(refuse(format!(
-            "`--parameter {key}` is 0 in the case: give its range with --between LOW,HIGH"
-        )));
-    }
+    let (key, coefficient) = keys(arguments, case)?;
+    let value = case.number(&key).map_err(|error| refuse(format!("--parameter {error}")))?;
+    let mut bracket = bracket(arguments, case, &key, value)?;
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));
     if is_same_file(&arguments.case, &folder.join("case.toml")) {
         return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
     }
+    let prior = Prior { log_std: case.calibration.log_std, discrepancy: case.calibration.discrepancy };
+    let with = if coefficient.is_some() { Coefficient::Fitted } else { Coefficient::OfCase };
     let runs = Runs {
         arguments,
-        key,
+        key: &key,
         tonnes: case.axle_load.unwrap_or(1.0),
-        measure,
-        measured,
+        sites,
         folder: &folder,
         interruption: listen()?,
     };
-    // The main run is that of the fitted value, so that its folder is taken first.
     let entry = if arguments.force { RunEntry::Replace } else { RunEntry::Begin };
     let mut trials: Vec<(Trial, Vec<TipRow>)> = Vec::new();
-    let at = |i: usize| low + (high - low) * i as f64 / (FIRST - 1) as f64;
-    let mut waiting: Vec<f64> = (0..FIRST).map(at).collect();
-    if (low..=high).contains(&value) && !waiting.contains(&value) {
+    let mut waiting = bracket.values();
+    if (bracket.low..=bracket.high).contains(&value) && !waiting.contains(&value) {
         waiting.push(value);
     }
-    let mut added = 0;
     let fit = loop {
         for value in std::mem::take(&mut waiting) {
             match runs.trial(value, trials.len() + 1)? {
@@ -73,15 +60,35 @@ pub(super) fn calibrate_parameter(
             }
         }
         let known: Vec<Trial> = trials.iter().map(|(trial, _)| trial.clone()).collect();
-        let fit = fit_parameter(key, &known).map_err(|error| refuse(explained(&error, key, (low, high))))?;
-        let near = |trial: &Trial| (trial.value - fit.value).abs() <= SETTLED * (high - low);
-        if known.iter().any(near) || added == ADDED {
+        let fit = fit_parameter(&key, &known, prior, with)
+            .map_err(|error| refuse(explained(&error, &key, &bracket)))?;
+        // Runs at more values would not help to tell it from the coefficient.
+        if coefficient.is_some() && fit.is_indistinct() {
             break fit;
         }
-        added += 1;
-        waiting.push(fit.value);
+        let tried: Vec<f64> = known.iter().map(|trial| trial.value).collect();
+        match bracket.next(&fit, &tried) {
+            Next::Try(value) => waiting.push(value),
+            Next::Settled => break fit,
+            Next::AtEnd(_) => return Err(refuse(at_end(&fit, &key, &bracket, tried.len()))),
+        }
     };
-    let fitted = runs.case(fit.value)?;
+    let best = if fit.is_indistinct() { value } else { fit.value };
+    let mut overrides = Overrides::default();
+    let mut new = None;
+    if let Some((_, own)) = &coefficient {
+        let scatter = New::of(&fit.posterior, prior, sites.len(), case);
+        let of = case.coefficient().map_err(|error| refuse(error.to_string()))?;
+        overrides = of.overrides(own * fit.posterior.mean.exp());
+        overrides.settings.push(scatter.setting());
+        new = Some(scatter);
+    } else if case.coefficient().is_ok_and(|of| key == format!("growth.{}", of.key))
+        && let (Some(low), Some(high)) = fit.interval
+    {
+        overrides.settings.push(of_runs(&fit, (low, high), prior, sites.len(), case).setting());
+    }
+    overrides.settings.push(format!("{key}={best:?}"));
+    let fitted = Case::read_with(&arguments.case, &overrides)?;
     let progress = runs.progress(&fitted);
     let finished =
         Simulation::new(&fitted).observed_by(&progress).presented_by(&Pages).run_in(&folder, entry)?;
@@ -89,15 +96,93 @@ pub(super) fn calibrate_parameter(
         return Ok(Exit::Interrupted);
     }
     let rows = deepest(&RunFolder::open(&folder).and_then(|run| run.growth()).map_err(from_output)?);
-    write(&folder, "calibration.csv", &table(&trials, key, measure))?;
     let of_case = trials.iter().find(|(trial, _)| trial.value == value).map(|(_, rows)| &rows[..]);
     let drawn: Vec<(&str, &[TipRow], f64)> =
         of_case.map(|rows| ("case", rows, 1.0)).into_iter().chain([("fitted", &rows[..], 1.0)]).collect();
-    write(&folder, "calibration.svg", &plot(&case.title, runs.tonnes, measure, measured, &drawn))?;
+    let chart = plot(runs.tonnes, sites, &drawn);
+    let known: Vec<Trial> = trials.iter().map(|(trial, _)| trial.clone()).collect();
+    let found = Found {
+        title: &case.title,
+        key: key.clone(),
+        value,
+        prior,
+        sites,
+        fitted: Fitted::Parameter { fit: &fit, runs: trials.len() + 1, coefficient, new },
+    };
+    write(&folder, "calibration.csv", &table_of_trials(sites, &known))?;
+    write(&folder, "calibration.svg", &chart.sheet(&case.title).svg())?;
+    write(&folder, "calibration.json", &found.json())?;
+    write(&folder, "calibration.html", &page(&found, &chart).html())?;
     write(&folder, "calibrated.toml", &fitted.to_toml())?;
-    print::stdout(&told(&fit, key, value, (measured.len(), trials.len() + 1)))?;
+    print::stdout(&told(&found))?;
     print::stdout(&format!("results in {}\n", folder.display()))?;
     Ok(Exit::Done)
+}
+
+/// The key that is searched, and the coefficient with its value where it is fitted as well.
+type Keys = (String, Option<(String, f64)>);
+
+fn keys(arguments: &CalibrateArguments, case: &Case) -> Result<Keys, Failure> {
+    match arguments.parameter.as_slice() {
+        [key] => Ok((key.clone(), None)),
+        [a, b] => {
+            let own = case.coefficient().map_err(|error| refuse(error.to_string()))?;
+            let name = format!("growth.{}", own.key);
+            let other = match (*a == name, *b == name) {
+                (true, false) => b,
+                (false, true) => a,
+                _ => {
+                    return Err(refuse(format!(
+                        "--parameter {a} --parameter {b}: one of the two must be the coefficient, {name}"
+                    )));
+                }
+            };
+            if case.maintenance.is_some() {
+                return Err(refuse(format!(
+                    "--parameter {name}: with [maintenance] tonnages are not in proportion to 1/C; fit one number at a time"
+                )));
+            }
+            Ok((other.clone(), Some((name, own.value))))
+        }
+        more => Err(refuse(format!(
+            "--parameter is given {} times: at most one number and the coefficient are fitted together",
+            more.len()
+        ))),
+    }
+}
+
+fn bracket(arguments: &CalibrateArguments, case: &Case, key: &str, value: f64) -> Result<Bracket, Failure> {
+    if let Some((low, high)) = arguments.between {
+        return Ok(Bracket::given(low, high));
+    }
+    let end = |end: RangeEnd, inwards: f64| match end {
+        RangeEnd::Closed(value) => value,
+        RangeEnd::Open(value) => value + inwards * f64::EPSILON * value.abs().max(f64::MIN_POSITIVE),
+    };
+    let everything = NumberRange::closed(f64::NEG_INFINITY, f64::INFINITY);
+    let accepted = case.accepted_numbers(key).unwrap_or(everything);
+    let bracket = Bracket::about(value, (end(accepted.min, 1.0), end(accepted.max, -1.0)));
+    if value == 0.0 || bracket.low >= bracket.high {
+        return Err(refuse(format!(
+            "`--parameter {key}` is {value} in the case: give its range with --between LOW,HIGH"
+        )));
+    }
+    Ok(bracket)
+}
+
+/// The scatter of a coefficient that was fitted by runs.
+fn of_runs(fit: &ParameterFit, ends: (f64, f64), prior: Prior, sites: usize, case: &Case) -> New {
+    let std = (ends.1 / ends.0).ln() / (2.0 * 1.96);
+    let posterior = railcrack_run::calibration::Posterior {
+        std,
+        new_std: std.hypot(fit.posterior.discrepancy),
+        new_interval: {
+            let reach = 1.96 * std.hypot(fit.posterior.discrepancy);
+            (-reach, reach)
+        },
+        ..fit.posterior.clone()
+    };
+    New::of(&posterior, prior, sites, case)
 }
 
 /// The runs of a calibration.
@@ -105,8 +190,7 @@ struct Runs<'a> {
     arguments: &'a CalibrateArguments,
     key: &'a str,
     tonnes: f64,
-    measure: Measure,
-    measured: &'a [Measured],
+    sites: &'a [Site],
     folder: &'a Path,
     interruption: Interruption,
 }
@@ -134,8 +218,8 @@ impl Runs<'_> {
             return Ok(None);
         }
         let rows = deepest(&RunFolder::open(&folder).and_then(|run| run.growth()).map_err(from_output)?);
-        let compared = compared(&rows, self.tonnes, self.measure, self.measured);
-        Ok(Some((Trial { value, compared }, rows)))
+        let sites = self.sites.iter().map(|site| observe(site, &curve(&rows, self.tonnes, site.measure)));
+        Ok(Some((Trial { value, sites: sites.collect() }, rows)))
     }
 }
 
@@ -146,54 +230,27 @@ fn trial_folder(folder: &Path, number: usize) -> PathBuf {
     folder.with_file_name(name).join(format!("{number:03}"))
 }
 
-fn explained(error: &CalibrationError, key: &str, (low, high): (f64, f64)) -> String {
+fn explained(error: &CalibrationError, key: &str, bracket: &Bracket) -> String {
     match error {
         CalibrationError::NothingToCompare { .. } => format!(
-            "no measurement is within the sizes that the runs with {key} from {low} to {high} reach, at more than 0 MGT"
+            "no measurement is within the sizes that the runs with {key} from {} to {} reach, at more than 0 MGT",
+            number(bracket.low),
+            number(bracket.high)
         ),
         error => error.to_string(),
     }
 }
 
-fn table(trials: &[(Trial, Vec<TipRow>)], key: &str, measure: Measure) -> String {
-    let name = match measure {
-        Measure::Depth => "depth_mm",
-        Measure::Length => "length_mm",
-    };
-    let mut text = format!("# {key}: value of the run\nvalue,mgt,{name},computed_mgt\n");
-    for (trial, _) in trials {
-        for used in trial.compared.iter().flatten() {
-            let measured = used.measured;
-            text.push_str(&format!(
-                "{},{},{},{}\n",
-                trial.value, measured.mgt, measured.size, used.computed_mgt
-            ));
-        }
-    }
-    text
-}
-
-fn told(fit: &ParameterFit, key: &str, value: f64, (measured, runs): (usize, usize)) -> String {
-    let mut text = format!("{key} = {}, {} in the case", number(fit.value), number(value));
-    if let Some((low, high)) = fit.interval {
-        text.push_str(&format!(", 95 % from {} to {}", number(low), number(high)));
-    }
-    text.push('\n');
-    if fit.is_at_end {
-        text.push_str("this is an end of the range: the best value may be beyond (--between LOW,HIGH)\n");
-    }
-    if let Some(std) = fit.log_std {
-        text.push_str(&format!("scatter of ln N from measurement to measurement {std:.4}\n"));
-    }
-    text.push_str(&format!("{} of {measured} measurements used, {runs} runs\n", fit.used));
-    text
-}
-
-/// Four digits behind the point, or of a number that is small or large.
-fn number(value: f64) -> String {
-    if value == 0.0 || (0.01..1e5).contains(&value.abs()) {
-        format!("{value:.4}")
+/// The refusal of a fit at the end of its range.
+fn at_end(fit: &ParameterFit, key: &str, bracket: &Bracket, runs: usize) -> String {
+    let range = format!("from {} to {}", number(bracket.low), number(bracket.high));
+    let remedy = if bracket.widenings == 0 && bracket.accepted == (bracket.low, bracket.high) {
+        "give another range with --between LOW,HIGH, or leave it out to have it widened"
     } else {
-        format!("{value:.4e}")
-    }
+        "the measurements call for another number, or the runs beyond do not reach the measured sizes"
+    };
+    format!(
+        "the best {key} of {runs} runs {range} is at an end, {}: it is no result; {remedy}",
+        number(fit.value)
+    )
 }

@@ -40,7 +40,7 @@ pub struct SweepArguments {
     /// crack[1].angle_deg) and one row for each run; STUDY can then be a case file
     #[arg(long, value_name = "FILE")]
     table: Option<PathBuf>,
-    /// Engine, overriding the study: xfem or dislocation
+    /// Engine, overriding the study: xfem, dislocation or space
     #[arg(long, value_name = "ENGINE")]
     engine: Option<String>,
     /// Contact solver, overriding the study: latin or newton

@@ -1,12 +1,14 @@
 //! Progress of a study: one bar for all runs on a terminal, one line per finished run elsewhere.
 
-use crate::display::{Display, Verbosity, styled_bar};
+use crate::display::{Display, SteadyTime, Verbosity, styled_bar, time_text};
 use crate::interruption::Interruption;
 use indicatif::ProgressBar;
 use railcrack::growth::StepRecord;
 use railcrack_run::simulation::{RunObserver, StudyObserver};
 use railcrack_run::study::PlannedRun;
 use std::sync::atomic::{AtomicI64, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
 
 /// Parts of a step on the bar.
 const PARTS: i64 = 1000;
@@ -19,13 +21,19 @@ pub struct StudyProgress<'a> {
     done: AtomicI64,
     runs: usize,
     over: AtomicUsize,
+    begun: Instant,
+    left: Mutex<SteadyTime>,
 }
+
+/// Seconds after which the time left can be estimated.
+const SETTLED: f64 = 2.0;
 
 impl<'a> StudyProgress<'a> {
     /// `runs` runs with `steps` steps in total, which `interruption` can stop.
     pub fn new(verbosity: Verbosity, runs: usize, steps: usize, interruption: &'a Interruption) -> Self {
         let display = Display::new(verbosity, || bar(runs, steps));
-        Self { display, interruption, done: AtomicI64::new(0), runs, over: AtomicUsize::new(0) }
+        let (begun, left) = (Instant::now(), Mutex::default());
+        Self { display, interruption, done: AtomicI64::new(0), runs, over: AtomicUsize::new(0), begun, left }
     }
 
     /// Removes the bar.
@@ -33,10 +41,23 @@ impl<'a> StudyProgress<'a> {
         self.display.close();
     }
 
+    /// The time left, from the share that is done of what was to do.
+    fn tell(&self, bar: &ProgressBar, done: i64) {
+        let elapsed = self.begun.elapsed().as_secs_f64();
+        let whole = bar.length().unwrap_or(0) as f64;
+        if elapsed < SETTLED || done <= 0 {
+            return;
+        }
+        let estimate = elapsed * (whole - done as f64).max(0.0) / done as f64;
+        let left = self.left.lock().unwrap_or_else(PoisonError::into_inner).left(estimate, Instant::now());
+        bar.set_message(format!(", {} left", time_text(left)));
+    }
+
     fn add(&self, parts: i64) {
         let done = self.done.fetch_add(parts, Ordering::Relaxed) + parts;
         if let Some(bar) = self.display.bar() {
             bar.set_position(u64::try_from(done).unwrap_or(0));
+            self.tell(bar, done);
         }
     }
 }
@@ -55,6 +76,10 @@ impl StudyObserver for StudyProgress<'_> {
         let over = self.over.fetch_add(1, Ordering::Relaxed) + 1;
         if let Some(bar) = self.display.bar() {
             bar.set_prefix(format!("{over}/{}", self.runs));
+            // The bar is the one line of a study; only a failed run is worth another.
+            if !text.contains("failed") {
+                return;
+            }
         }
         self.display.say(&format!("[{over}/{}] {text}", self.runs));
     }
@@ -65,7 +90,7 @@ impl StudyObserver for StudyProgress<'_> {
 }
 
 fn bar(runs: usize, steps: usize) -> ProgressBar {
-    let template = "run {prefix} [{wide_bar}] {percent}%  {elapsed}, {eta} left";
+    let template = "run {prefix} [{wide_bar}] {percent}%  {elapsed}{msg}";
     let bar = styled_bar(steps as u64 * PARTS as u64, template);
     bar.set_prefix(format!("0/{runs}"));
     bar

@@ -54,8 +54,16 @@ fn over_passage(mode: Mode, tips: &[&RepresentativeTip]) -> Option<Chart> {
     Some(banded(chart, &rows, |x, y| [x, y]))
 }
 
-/// The value of `points`, which go along x in either direction, at `x`; NaN beyond them.
+/// Relative round-off of a coordinate: runs with the same increments end at lengths that differ in
+/// their last digits.
+const ROUND_OFF: f64 = 1e-12;
+
+/// The value of `points`, which go along x in either direction, at `x`; NaN beyond them, up to
+/// round-off.
 fn between(points: &[[f64; 2]], x: f64) -> f64 {
+    let nearest =
+        |one: f64, end: &[f64; 2]| if (one - end[0]).abs() <= ROUND_OFF * one.abs() { end[0] } else { one };
+    let x = points.first().into_iter().chain(points.last()).fold(x, nearest);
     let pair = points.windows(2).find(|pair| (pair[0][0] - x) * (pair[1][0] - x) <= 0.0);
     pair.map_or(f64::NAN, |pair| {
         let span = pair[1][0] - pair[0][0];
@@ -166,5 +174,6 @@ mod tests {
         assert!(with_more[1].is_finite() && with_more[3] == f64::INFINITY);
         assert_eq!(between(&[[2.0, 5.0], [0.0, 1.0]], 0.5), 2.0);
         assert!(between(&[[2.0, 5.0], [0.0, 1.0]], 3.0).is_nan());
+        assert_eq!(between(&[[0.0, 1.0], [2.0, 5.0]], 2.0_f64.next_up()), 5.0);
     }
 }

@@ -7,7 +7,7 @@ use crate::pages::ways::ways;
 use crate::table::{MISSING, Table};
 use railcrack_run::decision::{
     Decision, FailureMode, FrictionLife, InspectionSummary, MaintenanceSummary, PathLives, Reason,
-    ScatterSummary, VerdictLevel, WheelSummary,
+    RiskSummary, ScatterSummary, TargetKept, VerdictLevel, WheelSummary,
 };
 
 /// Approximate number of rows in the table of depths; `summary.json` has all.
@@ -21,6 +21,7 @@ pub(in crate::pages) fn decision(run: &RunFolder) -> Vec<Block> {
     sentences.extend(decision.paths.as_ref().map(paths));
     sentences.extend(frictions(&decision.frictions));
     sentences.extend(decision.inspection.as_ref().map(interval));
+    sentences.extend(target(&decision.risk));
     sentences.extend(decision.maintenance.as_ref().map(maintenance));
     sentences.extend(decision.scatter.as_ref().and_then(scatter));
     let mut blocks = vec![Block::Heading("Decision".to_owned())];
@@ -29,6 +30,9 @@ pub(in crate::pages) fn decision(run: &RunFolder) -> Vec<Block> {
     }
     if decision.rows.len() > 1 {
         blocks.push(Block::Table(depths(decision)));
+    }
+    if !decision.risk.risk.is_empty() {
+        blocks.push(Block::Table(risks(&decision.risk)));
     }
     if !decision.wheels.is_empty() {
         blocks.push(Block::Table(wheels(&decision.wheels)));
@@ -130,6 +134,30 @@ fn interval(inspection: &InspectionSummary) -> String {
     format!("{found}; {critical}.{interval}")
 }
 
+/// The interval for the target risk.
+fn target(risk: &RiskSummary) -> Option<String> {
+    let target = given(risk.target_risk?);
+    let accepted = format!("A probability of {target} that the crack fails before it is found");
+    Some(match (risk.target_kept?, risk.interval_for_target_mgt) {
+        (TargetKept::UpToInterval, Some(mgt)) => {
+            let months = risk.interval_for_target_months;
+            let months = months.map_or_else(String::new, |months| format!(", {} months", tonnage(months)));
+            format!("{accepted} is kept by inspections every {} MGT{months}, or more often.", tonnage(mgt))
+        }
+        (TargetKept::AtAnyInterval, _) => format!("{accepted} is kept without inspections."),
+        _ => format!("{accepted} is kept by no inspection interval."),
+    })
+}
+
+fn risks(risk: &RiskSummary) -> Table {
+    let mut table = Table::new(["Inspections every (MGT)", "Probability of failure before detection"]);
+    table.caption = "Risk between inspections whose first moment is unknown".to_owned();
+    for at in &risk.risk {
+        table.row([tonnage(at.interval_mgt), significant(at.probability)]);
+    }
+    table
+}
+
 /// Growth compared with wear and grinding.
 fn maintenance(maintenance: &MaintenanceSummary) -> String {
     let mut text = format!(
@@ -149,6 +177,13 @@ fn maintenance(maintenance: &MaintenanceSummary) -> String {
     }
     if let Some(mgt) = maintenance.mgt_to_worn_away {
         text.push_str(&format!(" The crack is worn away completely after {} MGT.", tonnage(mgt)));
+    }
+    if let (Some(limit), Some(mgt)) = (maintenance.wear_limit_mm, maintenance.mgt_to_wear_limit) {
+        text.push_str(&format!(
+            " The rail is worn to its limit of {} mm after {} MGT.",
+            fixed(limit, 2),
+            tonnage(mgt)
+        ));
     }
     text
 }

@@ -34,7 +34,7 @@ pub(super) fn verdict(run: &RunFolder) -> String {
         2 => format!("The faster of 2 cracks, crack {},", first.crack),
         _ => format!("The fastest of {count} cracks, crack {},", first.crack),
     };
-    let mut text = if last.length > first.length {
+    let text = if last.length > first.length {
         let tonnes = run.case.axle_load.map_or_else(String::new, |load| {
             format!(
                 " ({} million gross tonnes at {} t per axle)",
@@ -67,13 +67,25 @@ pub(super) fn verdict(run: &RunFolder) -> String {
             significant(first.rate)
         )
     };
-    for sentence in events::sentences(run) {
-        text.push(' ');
-        text.push_str(&sentence);
-    }
-    text.push(' ');
-    text.push_str(&stop_sentence(run));
-    text
+    // What has come loose counts more than what grows.
+    let mut sentences = events::sentences(run);
+    sentences.push(text);
+    sentences.extend(deepest_beside(run, last));
+    sentences.push(stop_sentence(run));
+    sentences.join(" ")
+}
+
+/// The deepest tip, where it is not that of the representative crack.
+fn deepest_beside(run: &RunFolder, representative: &TipRow) -> Option<String> {
+    let deepest = run.last().reduce(|one, other| if other.place[1] < one.place[1] { other } else { one })?;
+    (deepest.crack != representative.crack && deepest.place[1] < representative.place[1]).then(|| {
+        format!(
+            "The deepest is crack {}, {} mm below the surface, which grows by {} mm per load cycle.",
+            deepest.crack,
+            fixed(-deepest.place[1], 2),
+            significant(deepest.rate)
+        )
+    })
 }
 
 /// Reason for the end of the run.
@@ -106,6 +118,9 @@ pub(in crate::pages) fn stop_sentence(run: &RunFolder) -> String {
                 .to_owned()
         }
         Some("worn-away") => "The run ended because the crack was worn away completely.".to_owned(),
+        Some("wear-limit") => {
+            "The run ended because the rail is worn to the limit at which it is replaced.".to_owned()
+        }
         Some("meets-crack") => "The run ended because the last growing tip reached another crack.".to_owned(),
         Some("leaves-rail") => "The run ended because the last growing tip would leave the rail.".to_owned(),
         Some(other) => format!("The run ended: {}.", other.replace('-', " ")),
@@ -171,7 +186,7 @@ pub(in crate::pages) fn ending(run: &RunFolder, warnings: usize) -> [Fact; 2] {
         Fact {
             name: "Warnings".to_owned(),
             value: if warnings == 0 { "none".to_owned() } else { warnings.to_string() },
-            note: if warnings == 0 { String::new() } else { "below".to_owned() },
+            note: if warnings == 0 { String::new() } else { "below, by kind".to_owned() },
         },
     ]
 }
@@ -225,8 +240,17 @@ pub(super) fn cracks(run: &RunFolder) -> Option<Table> {
             significant(row.delta_keq),
             significant(row.rate),
             run.heading(row).as_ref().map_or_else(String::new, Heading::note),
-            row.stop_word().replace('-', " "),
+            stop_of(run, row),
         ]);
     }
     Some(table)
+}
+
+/// Why a tip stopped. The run ends with the fracture at one tip; the others end with it.
+pub(in crate::pages) fn stop_of(run: &RunFolder, row: &TipRow) -> String {
+    let broken = run.summary.fracture.filter(|_| row.stop == Some(RunStop::Fracture));
+    match broken {
+        Some(at) if (at.crack, at.tip) != (row.crack, row.tip) => format!("ends with crack {}", at.crack),
+        _ => row.stop_word().replace('-', " "),
+    }
 }

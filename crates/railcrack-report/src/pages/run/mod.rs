@@ -13,7 +13,7 @@ mod stored;
 mod warnings;
 
 use super::pictures::still;
-use crate::chart::{Chart, ChartAxis, Curve, CurveColour, CurveDots};
+use crate::chart::{Chart, ChartAxis, Curve, CurveColour, CurveDots, CurveLook};
 use crate::figures::{Plot, bundle, chart};
 use crate::numbers::{fixed, given, grouped, significant, tonnage};
 use crate::page::{Block, Page, Section};
@@ -27,9 +27,9 @@ use serde_json::Value;
 
 pub(super) use assumptions::long_rail;
 pub(super) use decision::{banner, decision};
-pub(super) use facts::{ending, stop_sentence};
+pub(super) use facts::{ending, stop_of, stop_sentence};
 pub(crate) use stored::RunFolder;
-pub(super) use warnings::warnings;
+pub(super) use warnings::{count as warning_count, warnings};
 
 const EXPLORER: &str = include_str!("../../assets/run.html");
 const EXPLORER_SCRIPT: &str = include_str!("../../assets/run.js");
@@ -50,22 +50,27 @@ pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, plots: &[Plot]) -> Pag
         kind: "Crack growth under rolling contact".to_owned(),
         decision: decision::banner(run),
         verdict: facts::verdict(run),
-        facts: facts::facts(run, warnings.len()),
+        facts: facts::facts(run, warnings::count(run)),
         lead: Vec::new(),
         sections: Vec::new(),
     };
     if !warnings.is_empty() {
         page.lead.push(Block::Warnings(warnings));
     }
-    page.lead.extend(depth_by_tonnage(run, told).map(|chart| Block::charts([chart])));
+    let lengths = lengths::lengths(run, told);
+    let mut by_cycles = chart(plots, "length-cycles").filter(|_| lengths.is_some());
+    if let Some(depths) = depth_by_tonnage(run, told) {
+        page.lead.push(Block::charts([depths].into_iter().chain(by_cycles.take())));
+    }
     page.lead.extend(decision::decision(run));
-    if let Some(table) = lengths::lengths(run, told) {
-        let chart = Block::charts(chart(plots, "length-cycles"));
+    match (lengths, by_cycles) {
         // A table of many cracks needs the whole width.
-        if table.headings.len() <= BESIDE_COLUMNS {
-            page.lead.push(Block::Beside(vec![Block::Table(table), chart]));
-        } else {
-            page.lead.extend([Block::Table(table), chart]);
+        (Some(table), Some(chart)) if table.headings.len() <= BESIDE_COLUMNS => {
+            page.lead.push(Block::Beside(vec![Block::Table(table), Block::charts([chart])]));
+        }
+        (table, chart) => {
+            page.lead.extend(table.map(Block::Table));
+            page.lead.extend(chart.map(|chart| Block::charts([chart])));
         }
     }
     if row.is_none() {
@@ -155,12 +160,23 @@ fn quantiles(run: &RunFolder) -> Vec<Curve> {
     let Some(scatter) = decision.and_then(|decision| decision.scatter.as_ref()) else { return Vec::new() };
     let of = |name: &str, quantile: fn(&Quantiles) -> Option<f64>| {
         let points = scatter.depth.iter().filter_map(|at| Some([at.mgt, quantile(&at.depth_mm)?]));
-        Curve::line(name, points.collect())
+        Curve::line(name, points.collect()).with_look(CurveLook::Dashed)
     };
     vec![
         of("5 % quantile of the samples", |depth| depth.p05),
         of("95 % quantile of the samples", |depth| depth.p95),
     ]
+}
+
+/// The `curves` of the run and others: then the curve of a single tip needs a name, too.
+fn named_beside(mut curves: Vec<Curve>, others: Vec<Curve>) -> Vec<Curve> {
+    if let ([only], false) = (&mut curves[..], others.is_empty())
+        && only.name.is_empty()
+    {
+        only.name = "this run".to_owned();
+    }
+    curves.extend(others);
+    curves
 }
 
 /// Depth of the tips against million gross tonnes; none without growth or without axle loads.
@@ -173,11 +189,11 @@ fn depth_by_tonnage(run: &RunFolder, told: Option<&[NamedCrack]>) -> Option<Char
             given(load)
         ),
         x: ChartAxis::linear("Traffic", "million gross tonnes"),
-        y: ChartAxis::linear("Depth", "mm"),
-        curves: curves(run, told, |row| [1e-6 * load * row.load_cycles, -row.place[1]])
-            .into_iter()
-            .chain(quantiles(run))
-            .collect(),
+        y: ChartAxis::depth(),
+        curves: named_beside(
+            curves(run, told, |row| [1e-6 * load * row.load_cycles, -row.place[1]]),
+            quantiles(run),
+        ),
         ..Chart::default()
     })
 }
@@ -246,7 +262,7 @@ fn steps(run: &RunFolder) -> Section {
             grouped(row.load_cycles),
         ];
         cells.extend(load.map(|load| tonnage(row.load_cycles * load / 1e6)));
-        cells.push(row.stop_word().replace('-', " "));
+        cells.push(facts::stop_of(run, row));
         table.row(cells);
     }
     table.caption = "State at the start of each growth step; ranges over the stabilised passage".to_owned();

@@ -40,11 +40,18 @@ pub(in crate::pages) fn warnings(run: &RunFolder) -> Vec<String> {
     texts
 }
 
+/// Number of warnings, each counted, which [`warnings`] groups by kind.
+pub(in crate::pages) fn count(run: &RunFolder) -> usize {
+    let notes = [!run.summary.complete, run.case.rail.boundary != Boundary::HalfPlane];
+    run.summary.warnings.len() + notes.into_iter().filter(|is_so| *is_so).count()
+}
+
 fn grouped_text(kind: WarningKind, warnings: &[&Warning]) -> String {
     let heading = match kind {
         WarningKind::NearTie => "Near ties of the direction criterion: the path is sensitive to this choice",
         WarningKind::PopIn => "Pop-ins: a tip extends at once under one load, and arrests",
         WarningKind::Passages => "Passages not stabilised within the limit",
+        WarningKind::Groups => "Accuracy of the contact in groups of cracks",
         WarningKind::ContactFallback => "Contact solved by the alternative solver",
         WarningKind::Engine => "Remarks of the engine",
         WarningKind::ResidualStress => "Residual stress",

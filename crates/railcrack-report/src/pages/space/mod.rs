@@ -1,12 +1,16 @@
 //! The page of a growth run in space.
 
 use super::pictures::{charts, still};
-use super::run::{RunFolder, banner, case_section, decision, ending, long_rail, stop_sentence, warnings};
+use super::run::{
+    RunFolder, banner, case_section, decision, ending, long_rail, stop_of, stop_sentence, warning_count,
+    warnings,
+};
 use crate::figures::{Plot, near};
 use crate::numbers::{fixed, formula, given, grouped, number, numbers, significant, tonnage};
 use crate::page::{Block, Fact, Page, Section};
 use crate::shown::{Deflated, ShownRun};
 use crate::table::Table;
+use railcrack::contact::FluidModel;
 use railcrack::fatigue::GrowthLaw;
 use railcrack::growth::RunStop;
 use railcrack::space::{EllipticWheel, VERTEX_LAYER};
@@ -28,7 +32,7 @@ pub(crate) fn space_page(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, p
         kind: "Crack growth in space under rolling contact".to_owned(),
         decision: banner(run),
         verdict: verdict(run),
-        facts: facts(run, warnings.len()),
+        facts: facts(run, warning_count(run)),
         lead: Vec::new(),
         sections: Vec::new(),
     };
@@ -37,7 +41,7 @@ pub(crate) fn space_page(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, p
     }
     if run.summary.steps_recorded > 0 {
         page.lead.push(charts(plots, &["length-cycles", "along-front"]));
-        page.lead.push(Block::Table(front_table(run)));
+        page.lead.push(front_table(run));
     }
     page.lead.extend(decision(run));
     page.lead.push(Block::Heading("Assumptions".to_owned()));
@@ -159,7 +163,7 @@ fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
 }
 
 /// The front in the last finished step.
-fn front_table(run: &RunFolder) -> Table {
+fn front_table(run: &RunFolder) -> Block {
     let headings = [
         "Crack",
         "φ (°)",
@@ -173,7 +177,8 @@ fn front_table(run: &RunFolder) -> Table {
         "Preferred kink (°)",
     ];
     let mut table = Table::new(headings);
-    table.caption = format!("The front in the last finished step, {}; K in MPa√m", run.summary.steps);
+    let what = if cracks(run) == 1 { "The front" } else { "The fronts" };
+    table.caption = format!("{what} in the last finished step, {}; K in MPa√m", run.summary.steps);
     for row in run.last() {
         table.row([
             row.crack.to_string(),
@@ -188,7 +193,12 @@ fn front_table(run: &RunFolder) -> Table {
             row.wanted_kink_deg.map_or_else(String::new, |kink| fixed(kink, 0)),
         ]);
     }
-    table
+    // The points of several fronts are pages of rows.
+    if cracks(run) == 1 {
+        return Block::Table(table);
+    }
+    let heading = format!("Points of the {} fronts in the last step, {} rows", cracks(run), table.rows.len());
+    Block::Folded { heading, blocks: vec![Block::Table(table)] }
 }
 
 fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
@@ -205,6 +215,7 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
         given(case.steel.poisson())
     )];
     lines.extend(space.wheels.iter().enumerate().map(|(i, wheel)| wheel_line(case, i, wheel)));
+    lines.extend(fluid_line(case));
     if case.growth.maintenance.is_some() {
         lines.push(
             "Wear and grinding: the running surface is removed, and with it the mouths of the cracks. The remaining part of a front is \
@@ -223,7 +234,7 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
             "Growth: {} mm per cycle at each point of the front, with K_{{III}} in the equivalent range. The front remains an ellipse in its \
              plane, fitted to the local growth rates. Points within {:.0}° of the surface are excluded from the fit, because the cells do not \
              resolve the surface layer of K.",
-            formula(&rate_text(&case.growth.law)),
+            powers(&formula(&rate_text(&case.growth.law))),
             VERTEX_LAYER.to_degrees()
         ),
         format!(
@@ -233,11 +244,37 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
             grouped(run.summary.contact_solves as f64),
             run.summary.complementarity_max
         ),
-        "Limits: plane cracks, growth in their planes; cracks stop before they meet. Small-scale yielding, no fluid. Load \
-         cycles are uncertain by a factor of several, the scatter of the growth law."
+        "Limits: plane cracks, growth in their planes; cracks stop before they meet. Small-scale yielding, no fluid except as given in the \
+         case. Load cycles are uncertain by a factor of several, the scatter of the growth law."
             .to_owned(),
     ]);
     lines
+}
+
+/// The fluid in the cracks; none of dry ones.
+fn fluid_line(case: &Case) -> Option<String> {
+    let model = match case.fluid.as_ref()?.model {
+        FluidModel::Mouth { cap } if cap.is_finite() => {
+            format!("the contact pressure over the mouth, at most {} MPa, acts down the dip", grouped(cap))
+        }
+        FluidModel::Mouth { .. } => "the contact pressure over the mouth acts down the dip".to_owned(),
+        FluidModel::Trapped { .. } => {
+            "the fluid keeps its volume while the contact covers all open points of the mouth, at one pressure in each crack".to_owned()
+        }
+    };
+    Some(format!("Fluid: {model}. The contact is not affected by the fluid."))
+}
+
+/// A formula with its powers of numbers raised: `ΔK^3.33` as `ΔK^{3.33}`.
+fn powers(formula: &str) -> String {
+    let mut parts = formula.split('^');
+    let mut text = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let end = part.find(|letter: char| !(letter.is_ascii_digit() || letter == '.')).unwrap_or(part.len());
+        let (power, rest) = part.split_at(end);
+        text.push_str(&if power.is_empty() { format!("^{rest}") } else { format!("^{{{power}}}{rest}") });
+    }
+    text
 }
 
 /// The rate of `law`, and the threshold of shear if it has one.
@@ -386,7 +423,7 @@ fn steps(run: &RunFolder) -> Section {
             fixed(row.increment, 4),
             row.followed.map_or_else(String::new, |share| fixed(share, 2)),
             grouped(row.load_cycles),
-            row.stop_word().replace('-', " "),
+            stop_of(run, row),
         ]);
     }
     table.caption = "State at the start of each growth step; ranges over the stabilised passage".to_owned();

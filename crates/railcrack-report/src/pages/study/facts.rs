@@ -1,21 +1,15 @@
 //! The first screen of the report of a study.
 
+use super::grinding;
 use crate::direction::Course;
 use crate::figures::{StudyRun, values};
 use crate::numbers::{fixed, grouped, significant};
 use crate::page::Fact;
-use railcrack::bulk::Boundary;
-use railcrack::growth::WarningKind;
 use railcrack::growth::{RunStop, TipStop};
 use railcrack::words::Choice;
 use railcrack_run::run_folder::cycles_to;
 use railcrack_run::study::{RunState, StudyPlan};
 use std::collections::BTreeMap;
-
-/// Maximum number of failed runs listed individually.
-const MOST_TOLD: usize = 20;
-/// Maximum number of runs listed by number.
-const MOST_LISTED: usize = 12;
 
 /// The runs with the most and the least of a quantity.
 struct Span<'a, 'b> {
@@ -32,6 +26,26 @@ impl<'a, 'b> Span<'a, 'b> {
                 most: if value.0 > most.0 { value } else { most },
             })
         })
+    }
+}
+
+/// Relative difference of two values up to which they are equal, less than a page shows.
+const EQUAL: f64 = 1e-6;
+
+impl Span<'_, '_> {
+    /// Whether all values are the same.
+    fn is_equal(&self) -> bool {
+        (self.most.0 - self.least.0).abs() <= EQUAL * self.most.0.abs()
+    }
+
+    /// The range of the values, written by `shown`, and the runs of its ends.
+    fn range(&self, shown: fn(f64) -> String) -> (String, String) {
+        if self.is_equal() {
+            return (shown(self.most.0), "the same in every run".to_owned());
+        }
+        let [least, most] = [&self.least, &self.most];
+        let runs = format!("in run {} and run {}", least.1.number(), most.1.number());
+        (format!("{} – {}", shown(least.0), shown(most.0)), runs)
     }
 }
 
@@ -75,15 +89,27 @@ pub(super) fn verdict(plan: &StudyPlan, all: &[StudyRun]) -> String {
             fixed(length, 2),
             grouped(cycles.most.0)
         ),
+        (Some(Race { length, runs, cycles }), _) if cycles.is_equal() => format!(
+            "The life to a length of {} mm is {} load cycles in {}.",
+            fixed(length, 2),
+            grouped(cycles.least.0),
+            of_all(runs, all.len())
+        ),
         (Some(Race { length, runs, cycles }), _) => format!(
             "The life to a length of {} mm, reached in {}, ranges from {} load cycles in {} to {} in {}.",
             fixed(length, 2),
-            if runs == all.len() { format!("all {runs} runs") } else { format!("{runs} runs") },
+            of_all(runs, all.len()),
             grouped(cycles.least.0),
             run(cycles.least.1),
             grouped(cycles.most.0),
             run(cycles.most.1)
         ),
+        (None, Some(rates)) if rates.is_equal() => {
+            format!(
+                "The initial cracks grow by {} mm per load cycle in every run.",
+                significant(rates.most.0)
+            )
+        }
         (None, Some(rates)) => format!(
             "The initial cracks grow fastest, by {} mm per load cycle, in {} and slowest, by {} mm, in {}.",
             significant(rates.most.0),
@@ -102,7 +128,10 @@ pub(super) fn verdict(plan: &StudyPlan, all: &[StudyRun]) -> String {
     if still > 0 {
         text.push_str(&format!(" Growth ends in arrest in {still} of {} runs.", all.len()));
     }
-    text
+    match grinding::least(all) {
+        Some(least) => format!("{least} {text}"),
+        None => text,
+    }
 }
 
 /// The key figures.
@@ -119,24 +148,17 @@ pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
     let names: Vec<String> = plan.axes.iter().map(|axis| axis.name()).collect();
     let values: Vec<String> = plan.axes.iter().map(|axis| axis.len().to_string()).collect();
     facts.push(fact("Parameters", names.join("; "), format!("{} values", values.join(" × "))));
-    let between = |span: &Span| format!("run {}, run {}", span.least.1.number(), span.most.1.number());
-    if let Some(Race { length, cycles, .. }) = Race::of(all) {
+    if let Some(Race { length, runs, cycles }) = Race::of(all) {
+        let (range, which) = cycles.range(grouped);
         facts.push(fact(
             &format!("Load cycles to {} mm", fixed(length, 2)),
-            if cycles.least.0 == cycles.most.0 {
-                grouped(cycles.least.0)
-            } else {
-                format!("{} – {}", grouped(cycles.least.0), grouped(cycles.most.0))
-            },
-            format!("{}: shortest and longest", between(&cycles)),
+            range,
+            if runs == 1 { "in the one run that grows".to_owned() } else { which },
         ));
     }
     if let Some(rates) = rates(all) {
-        facts.push(fact(
-            "Rate of the initial crack",
-            format!("{} – {}", significant(rates.least.0), significant(rates.most.0)),
-            format!("mm per load cycle; {}", between(&rates)),
-        ));
+        let (range, which) = rates.range(significant);
+        facts.push(fact("Rate of the initial crack", range, format!("mm per load cycle; {which}")));
     }
     let courses: Vec<Course> = all.iter().filter_map(|run| Some(run.heading()?.course())).collect();
     if !courses.is_empty() {
@@ -167,69 +189,7 @@ fn told(counts: &[(&str, usize)]) -> String {
     there.map(|(name, count)| format!("{count} {name}")).collect::<Vec<_>>().join(", ")
 }
 
-/// Warnings: failed and missing runs, warnings of the runs by kind.
-pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
-    let mut texts = Vec::new();
-    let failed = all.iter().filter_map(|run| match &run.row.state {
-        RunState::Failed { reason, .. } => Some((run, reason)),
-        _ => None,
-    });
-    let failed: Vec<_> = failed.collect();
-    for (run, reason) in failed.iter().take(MOST_TOLD) {
-        let dot = if reason.ends_with('.') { "" } else { "." };
-        texts.push(format!("{} failed: {reason}{dot}", run.name.replacen("run", "Run", 1)));
-    }
-    if failed.len() > MOST_TOLD {
-        texts.push(format!("{} more runs failed; summary.csv gives the reasons.", failed.len() - MOST_TOLD));
-    }
-    let mut list = |heading: &str, runs: Vec<usize>| {
-        if !runs.is_empty() {
-            texts.push(format!("{heading}: {}.", listed(&runs)));
-        }
-    };
-    let in_state = |state: &RunState| -> Vec<usize> {
-        all.iter().filter(|run| run.row.state == *state).map(StudyRun::number).collect()
-    };
-    list("Not computed yet, or stored in another folder", in_state(&RunState::Missing));
-    list("Not ended; continue with --resume", in_state(&RunState::Unfinished));
-    let with = |is_so: &dyn Fn(&StudyRun) -> bool| -> Vec<usize> {
-        all.iter().filter(|run| is_so(run)).map(StudyRun::number).collect()
-    };
-    let mut kinds: Vec<WarningKind> = Vec::new();
-    for warning in all.iter().filter_map(|run| run.row.summary.as_ref()).flat_map(|s| &s.warnings) {
-        if !kinds.contains(&warning.kind) {
-            kinds.push(warning.kind);
-        }
-    }
-    for kind in kinds {
-        let has = |run: &StudyRun| {
-            run.row.summary.as_ref().is_some_and(|s| s.warnings.iter().any(|warning| warning.kind == kind))
-        };
-        let heading = match kind {
-            WarningKind::NearTie => {
-                "Near ties of the direction criterion: the path is sensitive to this choice"
-            }
-            WarningKind::PopIn => "Pop-ins: a tip extends at once under one load, and arrests",
-            WarningKind::Passages => "Passages not stabilised within the limit",
-            WarningKind::ContactFallback => "Contact solved by the alternative solver",
-            WarningKind::Engine => "Remarks of the engine",
-            WarningKind::ResidualStress => "Remarks on the residual stress",
-            WarningKind::Validity => "Outside the validity of the model",
-        };
-        list(heading, with(&has));
-    }
-    let block = |run: &StudyRun| run.row.summary.as_ref().is_some_and(|s| s.boundary != Boundary::HalfPlane);
-    list("Block on supports: its bending opens cracks that stay closed in a half-plane", with(&block));
-    texts
-}
-
-/// `run 3`, `runs 1, 2, 5`.
-fn listed(runs: &[usize]) -> String {
-    if let [run] = runs {
-        return format!("run {run}");
-    }
-    let numbers: Vec<String> = runs.iter().take(MOST_LISTED).map(usize::to_string).collect();
-    let more = runs.len().saturating_sub(MOST_LISTED);
-    let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
-    format!("runs {}{rest}", numbers.join(", "))
+/// `all 12 runs`, `3 of 12 runs`.
+pub(super) fn of_all(count: usize, all: usize) -> String {
+    if count == all { format!("all {all} runs") } else { format!("{count} of {all} runs") }
 }

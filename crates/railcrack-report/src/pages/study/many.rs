@@ -6,6 +6,7 @@ use crate::page::Block;
 use crate::sensitivity::{Estimate, first_order, rank_correlation};
 use crate::shown::Deflated;
 use railcrack::words::Choice;
+use railcrack_run::Summary;
 use railcrack_run::run_folder::{RepresentativeTip, cycles_to};
 use railcrack_run::study::StudyPlan;
 use serde_json::{Value, json};
@@ -37,7 +38,11 @@ pub(super) fn blocks(plan: &StudyPlan, runs: &[StudyRun]) -> Vec<Block> {
         html: include_str!("../../assets/study.html"),
         data_id: "study-data",
         data: data(plan, runs),
-        script: include_str!("../../assets/study.js"),
+        script: concat!(
+            include_str!("../../assets/study-statistics.js"),
+            include_str!("../../assets/study-conditions.js"),
+            include_str!("../../assets/study.js")
+        ),
     });
     blocks
 }
@@ -84,8 +89,11 @@ fn depends(result: &Column, columns: &[Column]) -> Value {
         let keys = columns.iter().filter(|column| column.is_key && (words_too || column.words.is_empty()));
         keys.map(|key| {
             let pairs = key.values.iter().zip(&result.values);
-            let level = |value: f64| if result.is_logarithmic { value.ln() } else { value };
-            let pairs = pairs.map(|(x, y)| (*x, level(*y))).filter(|(x, y)| x.is_finite() && y.is_finite());
+            // In the precision of the page: lengths that differ in their last digits have one rank.
+            let single = |value: f64| f64::from(value as f32);
+            let level = |value: f64| if result.is_logarithmic { single(value).ln() } else { single(value) };
+            let pairs =
+                pairs.map(|(x, y)| (single(*x), level(*y))).filter(|(x, y)| x.is_finite() && y.is_finite());
             let (x, y): (Vec<f64>, Vec<f64>) = pairs.unzip();
             let shown = |estimate: Estimate| {
                 [estimate.value, estimate.low, estimate.high].map(|x| (x * 1e4).round() / 1e4)
@@ -119,6 +127,9 @@ fn columns(plan: &StudyPlan, runs: &[StudyRun]) -> Vec<Column> {
     let of_tip = |value: &dyn Fn(&RepresentativeTip) -> f64| -> Vec<f64> {
         runs.iter().map(|run| run.tip().map_or(f64::NAN, value)).collect()
     };
+    let of_summary = |value: &dyn Fn(&Summary) -> Option<f64>| -> Vec<f64> {
+        runs.iter().map(|run| run.row.summary.as_ref().and_then(value).unwrap_or(f64::NAN)).collect()
+    };
     if let Some(length) = common_length(runs) {
         let title = format!("Load cycles to {length:.2} mm");
         let lives = of_tip(&|tip| cycles_to(&tip.rows, length).unwrap_or(f64::NAN));
@@ -128,9 +139,24 @@ fn columns(plan: &StudyPlan, runs: &[StudyRun]) -> Vec<Column> {
         logarithmic("rate_mm_per_cycle", "Initial rate (mm/cycle)", of_tip(&|tip| tip.first.rate)),
         numbers("delta_keq_mpa_sqrt_m", "Initial ΔK_{eq} (MPa√m)", of_tip(&|tip| tip.first.delta_keq)),
         numbers("length_mm", "Length (mm)", of_tip(&|tip| tip.last().length)),
-        numbers("tip_y_mm", "Height of the tip (mm)", of_tip(&|tip| tip.last().place[1])),
+        numbers("depth_mm", "Depth of the tip (mm)", of_tip(&|tip| -tip.last().place[1])),
         logarithmic("load_cycles", "Load cycles", of_tip(&|tip| tip.last().load_cycles)),
     ]);
+    let of_traffic = [
+        logarithmic("mgt", "Million gross tonnes", of_summary(&|summary| summary.million_gross_tonnes)),
+        logarithmic(
+            "failure_mgt",
+            "MGT to failure",
+            of_summary(&|summary| summary.decision.as_ref()?.failure.mgt),
+        ),
+        logarithmic(
+            "interval_mgt",
+            "Inspection interval (MGT)",
+            of_summary(&|summary| summary.decision.as_ref()?.inspection.as_ref()?.interval_mgt),
+        ),
+    ];
+    columns
+        .extend(of_traffic.into_iter().filter(|column| column.values.iter().any(|value| value.is_finite())));
     let state = |run: &StudyRun| -> String {
         let stop = run.row.summary.as_ref().and_then(|summary| summary.stop);
         stop.map_or_else(|| run.row.state.name().to_owned(), |stop| stop.word().to_owned())

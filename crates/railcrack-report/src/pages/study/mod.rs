@@ -2,9 +2,11 @@
 
 mod charts;
 mod facts;
+mod grinding;
 mod many;
 mod population;
 mod runs;
+mod warnings;
 
 use crate::figures::{MANY, Plot, StudyRun, Styles};
 use crate::page::{Block, Page, Section};
@@ -47,7 +49,7 @@ fn page(
     decision: Vec<Block>,
     together: Vec<Block>,
 ) -> Page {
-    let warnings = facts::warnings(runs);
+    let warnings = warnings::warnings(runs);
     let mut lead = if warnings.is_empty() { Vec::new() } else { vec![Block::Warnings(warnings)] };
     lead.extend(decision);
     Page {

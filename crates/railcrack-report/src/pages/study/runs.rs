@@ -13,19 +13,24 @@ const TABLE_ROWS: usize = 500;
 /// A row per run, with a link to its report.
 pub(super) fn table(plan: &StudyPlan, all: &[StudyRun]) -> Table {
     let keys = plan.axes.iter().flat_map(|axis| &axis.keys).map(|key| key.name.clone());
-    let has_tonnes =
-        all.iter().any(|run| run.row.summary.as_ref().is_some_and(|s| s.million_gross_tonnes.is_some()));
+    let shown = TrafficColumns {
+        tonnes: all.iter().any(|run| tonnes(run).is_some()),
+        interval: all.iter().any(|run| interval(run).is_some()),
+    };
     let mut headings: Vec<String> = vec!["Run".to_owned()];
     headings.extend(keys);
-    headings.extend(["Length (mm)", "Load cycles"].map(str::to_owned));
-    if has_tonnes {
+    headings.extend(["Length (mm)", "Tip depth (mm)", "Load cycles"].map(str::to_owned));
+    if shown.tonnes {
         headings.push("Million gross tonnes".to_owned());
+    }
+    if shown.interval {
+        headings.push("Inspection interval (MGT)".to_owned());
     }
     headings.extend(
         ["Initial ΔK_{eq} (MPa√m)", "Initial rate (mm/cycle)", "Direction", "Ended by", "Warnings"]
             .map(str::to_owned),
     );
-    let mut table = Table::new(headings);
+    let mut table = Table::new(headings).sortable();
     table.caption =
         "Tip of the crack with the largest growth in each run. The run number links to the report of the run, which \
          railcrack report builds from its folder"
@@ -34,12 +39,29 @@ pub(super) fn table(plan: &StudyPlan, all: &[StudyRun]) -> Table {
         table.caption.push_str(&format!("; the first {TABLE_ROWS} rows of summary.csv"));
     }
     for run in all.iter().take(TABLE_ROWS) {
-        table.row_of(&run.name, &run.planned.choice, cells(plan, run, has_tonnes));
+        table.row_of(&run.name, &run.planned.choice, cells(plan, run, shown));
     }
     table
 }
 
-fn cells(plan: &StudyPlan, run: &StudyRun, has_tonnes: bool) -> Vec<Cell> {
+/// Which columns of traffic some run fills.
+#[derive(Debug, Clone, Copy)]
+struct TrafficColumns {
+    tonnes: bool,
+    interval: bool,
+}
+
+/// Million gross tonnes of a run.
+fn tonnes(run: &StudyRun) -> Option<f64> {
+    run.row.summary.as_ref()?.million_gross_tonnes
+}
+
+/// The inspection interval of a run, million gross tonnes.
+fn interval(run: &StudyRun) -> Option<f64> {
+    run.row.summary.as_ref()?.decision.as_ref()?.inspection.as_ref()?.interval_mgt
+}
+
+fn cells(plan: &StudyPlan, run: &StudyRun, shown: TrafficColumns) -> Vec<Cell> {
     let number = run.number().to_string();
     let mut cells: Vec<Cell> = vec![match run.row.summary {
         Some(_) if run.has_report => {
@@ -54,10 +76,13 @@ fn cells(plan: &StudyPlan, run: &StudyRun, has_tonnes: bool) -> Vec<Cell> {
         tip.map_or_else(missing, |tip| text(tip).into())
     };
     cells.push(of_tip(&|tip| format!("{} → {}", fixed(tip.first.length, 2), fixed(tip.last().length, 2))));
+    cells.push(of_tip(&|tip| fixed(-tip.last().place[1], 2)));
     cells.push(of_tip(&|tip| grouped(tip.last().load_cycles)));
-    if has_tonnes {
-        let tonnes = summary.and_then(|summary| summary.million_gross_tonnes);
-        cells.push(tonnes.map_or_else(missing, |tonnes| tonnage(tonnes).into()));
+    if shown.tonnes {
+        cells.push(tonnes(run).map_or_else(missing, |tonnes| tonnage(tonnes).into()));
+    }
+    if shown.interval {
+        cells.push(interval(run).map_or_else(missing, |mgt| tonnage(mgt).into()));
     }
     cells.push(of_tip(&|tip| significant(tip.first.delta_keq)));
     cells.push(of_tip(&|tip| significant(tip.first.rate)));

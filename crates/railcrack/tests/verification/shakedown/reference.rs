@@ -75,6 +75,6 @@ fn table_1_is_elastic() {
 fn the_case_file_describes_the_same_rail() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/shakedown.toml");
     let case = railcrack_case::Case::read(&path).unwrap();
-    assert_eq!(case.rolled_rail().unwrap(), rail(1100.0, 0.1, 20e3));
+    assert_eq!(case.rolled_rail(), rail(1100.0, 0.1, 20e3));
     assert_eq!(case.stabilisation(), Stabilisation::default());
 }

@@ -59,7 +59,7 @@ fn roll(degrees: f64, friction: f64, lateral: f64, lateral_friction: f64) -> (Ve
     let settings = SpacePassageSettings { tolerance: f64::INFINITY, halvings: 0 };
     let contact = SpaceContact { body: &body, friction: &[friction] };
     let wheel = |position: f64, point: [f64; 3]| wheel.stress(position, point, 0.3);
-    let load = SpaceLoad { wheel: &wheel, bending: None, constant: None };
+    let load = SpaceLoad { wheel: &wheel, bending: None, constant: None, fluid: None };
     let history = space_passage(&contact, &load, passage, &settings, &mut contact.virgin()).unwrap();
     assert!(history.violation < 1e-8, "{}", history.violation);
     (body.front().iter().map(|front| front.phi).collect(), history)
@@ -82,7 +82,7 @@ fn passages_are_steps_one_by_one() {
     let passage = Passage { from: -20.0, to: 20.0, positions: 21 };
     let contact = SpaceContact { body: &body, friction: &[0.3] };
     let field = |position: f64, point: [f64; 3]| wheel.stress(position, point, 0.3);
-    let load = SpaceLoad { wheel: &field, bending: None, constant: None };
+    let load = SpaceLoad { wheel: &field, bending: None, constant: None, fluid: None };
     let settings = SpacePassageSettings { tolerance: 0.0, halvings: 2 };
     let history = space_passage(&contact, &load, passage, &settings, &mut contact.virgin()).unwrap();
     assert!(history.violation < 1e-10, "{}", history.violation);
@@ -137,7 +137,7 @@ fn slip_that_turns_is_of_second_order() {
         let size = 60.0 + 40.0 * position;
         stress(1f64.to_degrees(), [-100.0, size * cos, size * sin])
     };
-    let load = SpaceLoad { wheel: &wheel, bending: None, constant: None };
+    let load = SpaceLoad { wheel: &wheel, bending: None, constant: None, fluid: None };
     let settings = SpacePassageSettings { tolerance: f64::INFINITY, halvings: 0 };
     let last = |steps: usize| {
         let passage = Passage { from: 0.0, to: 1.0, positions: steps + 1 };

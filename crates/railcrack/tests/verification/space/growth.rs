@@ -34,6 +34,7 @@ fn wheel(lateral: f64, share: f64) -> SpaceWheel {
         share,
         bending: None,
         residual: None,
+        fluid: None,
         passages: PassageSettings {
             passage: Passage { from: -18.0, to: 18.0, positions: 21 },
             ..PassageSettings::default()
@@ -43,7 +44,7 @@ fn wheel(lateral: f64, share: f64) -> SpaceWheel {
 }
 
 fn rail(wheels: Vec<SpaceWheel>, friction: f64, wear: f64) -> SpaceRail {
-    let maintenance = Maintenance { wear, grinding: None, stress: StressMoves::WithSurface };
+    let maintenance = Maintenance { wear, grinding: None, stress: StressMoves::WithSurface, limit: None };
     SpaceRail {
         steel: steel(),
         wheels,

@@ -2,6 +2,7 @@
 //! the 2D engine.
 
 mod contact;
+mod fluid;
 mod fronts;
 mod growth;
 mod kernel;

@@ -26,7 +26,7 @@ const WHEEL: EllipticWheel = EllipticWheel {
 fn pass(crack: &SpaceCrack, wheel: &(dyn Fn(f64, [f64; 3]) -> Symmetric + Sync)) -> SpaceHistory {
     let body = body(crack, Surroundings::HalfSpace, 2);
     let contact = SpaceContact { body: &body, friction: &[0.3] };
-    let load = SpaceLoad { wheel, bending: None, constant: None };
+    let load = SpaceLoad { wheel, bending: None, constant: None, fluid: None };
     let settings = SpacePassageSettings { tolerance: f64::INFINITY, halvings: 0 };
     let passage = Passage { from: -20.0, to: 20.0, positions: 31 };
     space_passage(&contact, &load, passage, &settings, &mut contact.virgin()).unwrap()

@@ -41,7 +41,8 @@ fn wide_crack_in_bending_alone() {
     let crack = SpaceCrack::surface_breaking(FRAC_PI_2, 25.0 * length, length).unwrap();
     let body = body(&crack, Surroundings::HalfSpace, 4);
     let none = |_: f64, _: [f64; 3]| [0.0; 6];
-    let history = pass(&body, &SpaceLoad { wheel: &none, bending: Some(&bending), constant: None });
+    let history =
+        pass(&body, &SpaceLoad { wheel: &none, bending: Some(&bending), constant: None, fluid: None });
     let ki = |sifs: &Vec<railcrack::space::FrontSif>| sifs[sifs.len() / 2].ki;
     let top = largest(history.positions.iter().map(|xc| bending.stress(-xc, 0.0).max(0.0)));
     close(top, 13.1639, Absolute(1e-3), "tension beside an axle: positions hold the place of the largest");
@@ -70,9 +71,16 @@ fn loads_of_an_open_crack_add() {
     let contact = |position: f64, point: [f64; 3]| wheel.stress(position, point, 0.3);
     let none = |_: f64, _: [f64; 3]| [0.0; 6];
     let tension = |_: [f64; 3]| [1000.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-    let both = pass(&body, &SpaceLoad { wheel: &contact, bending: Some(&bending), constant: Some(&tension) });
-    let beam = pass(&body, &SpaceLoad { wheel: &none, bending: Some(&bending), constant: Some(&tension) });
-    let alone = pass(&body, &SpaceLoad { wheel: &contact, bending: None, constant: Some(&tension) });
+    let both = pass(
+        &body,
+        &SpaceLoad { wheel: &contact, bending: Some(&bending), constant: Some(&tension), fluid: None },
+    );
+    let beam = pass(
+        &body,
+        &SpaceLoad { wheel: &none, bending: Some(&bending), constant: Some(&tension), fluid: None },
+    );
+    let alone =
+        pass(&body, &SpaceLoad { wheel: &contact, bending: None, constant: Some(&tension), fluid: None });
     assert_eq!(both.positions, output_positions(&NEAR, Some(&bending), &[0.0]), "as in the plane");
     assert_eq!(both.positions, beam.positions);
     assert_eq!(alone.positions, NEAR.abscissae());
@@ -130,7 +138,7 @@ fn wide_crack_under_axles_of_a_cold_rail() {
     let wheel = |position: f64, point: [f64; 3]| line_contact(position, point, &field);
     let bending = beam(&axles);
     let constant = |_: [f64; 3]| [cold, 0.0, 0.0, 0.0, 0.0, 0.0];
-    let load = SpaceLoad { wheel: &wheel, bending: Some(&bending), constant: Some(&constant) };
+    let load = SpaceLoad { wheel: &wheel, bending: Some(&bending), constant: Some(&constant), fluid: None };
     let contact = SpaceContact { body: &body, friction: &[0.3] };
     let steps = SpacePassageSettings { tolerance: 1.0, halvings: 8 };
     let space = space_passage(&contact, &load, NEAR, &steps, &mut contact.virgin()).unwrap();

@@ -41,7 +41,7 @@ impl Wide {
         let body = SpaceBody::new(&[crack.unwrap()], &steel(), Surroundings::HalfSpace, resolution).unwrap();
         let contact = SpaceContact { body: &body, friction: &[self.friction] };
         let settings = SpacePassageSettings { tolerance: 0.3, halvings: 8 };
-        let load = SpaceLoad { wheel, bending: None, constant: None };
+        let load = SpaceLoad { wheel, bending: None, constant: None, fluid: None };
         space_passage(&contact, &load, self.passage(POSITIONS), &settings, &mut contact.virgin()).unwrap()
     }
 

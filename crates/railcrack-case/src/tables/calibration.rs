@@ -1,0 +1,37 @@
+//! `[calibration]`: prior and discrepancy of a calibration by measurements.
+
+use crate::schema::{NumberOr, SectionValues, closed, number, number_or, positive, section};
+
+section! {
+    CALIBRATION "calibration", Optional,
+        "Calibration by `railcrack calibrate`: what is assumed about the coefficient C of the growth law before anything is measured.";
+    PRIOR_LOG_STD: f64 = number("prior_log_std", "", positive(10.0), 1.0,
+        "Standard deviation of ln C before the measurements; 1.0 is the scatter of measured rates from place to place.");
+    DISCREPANCY_LOG_STD: NumberOr = number_or("discrepancy_log_std", closed(0.0, 10.0), "evidence",
+        "Standard deviation by which ln C differs from site to site; \"evidence\" takes the value under which the measurements are most probable.");
+}
+
+/// Prior of a calibration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CalibrationPrior {
+    /// Standard deviation of ln C before the measurements.
+    pub log_std: f64,
+    /// Standard deviation of ln C from site to site; `None` for that of the largest evidence.
+    pub discrepancy: Option<f64>,
+}
+
+/// The defaults of the section.
+impl Default for CalibrationPrior {
+    fn default() -> Self {
+        Self { log_std: 1.0, discrepancy: None }
+    }
+}
+
+/// The prior of `section`.
+pub(crate) fn read_calibration(section: &SectionValues) -> Option<CalibrationPrior> {
+    let discrepancy = match section.get(DISCREPANCY_LOG_STD)? {
+        NumberOr::Number(value) => Some(value),
+        NumberOr::Word => None,
+    };
+    Some(CalibrationPrior { log_std: section.get(PRIOR_LOG_STD)?, discrepancy })
+}

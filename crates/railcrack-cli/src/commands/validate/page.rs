@@ -1,0 +1,289 @@
+//! `validation.html` and its plots.
+
+use railcrack_case::{Entry, Grade, Quantity};
+use railcrack_report::{
+    Block, Chart, ChartArea, ChartAxis, ChartSheet, Curve, CurveColour, CurveDots, CurveLook, CurveWidth,
+    Fact, Page, Section, Table, significant,
+};
+use railcrack_run::validation::{GradeScore, Validated, Validation};
+
+/// The charts and tables of a validation.
+pub(super) struct Drawn<'a> {
+    validated: &'a [Validated],
+    grades: &'a [GradeScore],
+    /// Name of the file, heading, chart.
+    charts: Vec<(String, String, Chart)>,
+}
+
+/// Depths (mm) between which the predicted rate is drawn.
+const DEPTHS: [f64; 12] = [0.35, 0.5, 0.8, 1.3, 1.8, 2.3, 3.2, 5.0, 6.5, 8.0, 10.0, 14.0];
+const GRADES: [(Grade, &str); 3] =
+    [(Grade::Track, "Track"), (Grade::Rig, "Rigs"), (Grade::Law, "Growth laws")];
+
+impl<'a> Drawn<'a> {
+    pub fn of(validation: &Validation, validated: &'a [Validated], grades: &'a [GradeScore]) -> Self {
+        let mut charts = Vec::new();
+        for (grade, name) in GRADES {
+            for unit in ["mm/MGT", "mm/cycle", ""] {
+                let of = |one: &&Validated| {
+                    let comparison = one.entry.comparison.as_ref();
+                    one.entry.grade == grade && comparison.is_some_and(|of| of.quantity.unit() == unit)
+                };
+                let own: Vec<&Validated> =
+                    validated.iter().filter(of).filter(|one| one.score.is_some()).collect();
+                if !own.is_empty() {
+                    let what = if unit.is_empty() { "ratio" } else { unit };
+                    let id = format!("{}-{}", grade.word(), what.replace('/', "-per-").to_lowercase());
+                    let heading =
+                        format!("{name}: {}", if unit.is_empty() { "ratios and exponents" } else { "rates" });
+                    charts.push((format!("{id}.svg"), heading, against(&id, unit, &own)));
+                }
+            }
+        }
+        for study in validation.studies() {
+            let chart = over_depth(validation, validated, study);
+            charts.push(("rate-over-depth.svg".to_owned(), "Rate over depth".to_owned(), chart));
+        }
+        Self { validated, grades, charts }
+    }
+
+    /// Name and text of each plot.
+    pub fn plots(&self) -> Vec<(String, String)> {
+        let svg = |(name, heading, chart): &(String, String, Chart)| {
+            (name.clone(), ChartSheet::of("Predicted and measured", heading, chart.clone()).svg())
+        };
+        self.charts.iter().map(svg).collect()
+    }
+
+    pub fn page(&self) -> Page {
+        let of = |grade: Grade| self.grades.iter().find(|of| of.grade == grade);
+        let verdict = match of(Grade::Track) {
+            Some(track) => format!(
+                "Of {} scored entries of rails in service, {} lie within the 95 % of the prediction, and {} medians within a factor of 5. Predicted over measured is {} in the mean.",
+                track.entries,
+                track.inside,
+                track.within_5,
+                significant(track.factor)
+            ),
+            None => "No entry of rails in service is scored.".to_owned(),
+        };
+        let facts = self.grades.iter().map(|of| Fact {
+            name: format!("{}: within 95 %", of.grade.word()),
+            value: format!("{} of {}", of.inside, of.entries),
+            note: format!("predicted over measured {}", significant(of.factor)),
+        });
+        let mut sections = vec![Section {
+            id: "scores".into(),
+            heading: "Scores by grade".into(),
+            blocks: vec![Block::Table(self.by_grade()), Block::List(MEANING.map(str::to_owned).to_vec())],
+        }];
+        for (i, (_, heading, chart)) in self.charts.iter().enumerate() {
+            sections.push(Section {
+                id: format!("chart-{}", i + 1),
+                heading: heading.clone(),
+                blocks: vec![Block::Chart(chart.clone())],
+            });
+        }
+        sections.push(Section {
+            id: "compared".into(),
+            heading: "Compared entries".into(),
+            blocks: vec![Block::Table(self.compared())],
+        });
+        sections.push(Section {
+            id: "entries".into(),
+            heading: "All entries and their sources".into(),
+            blocks: vec![Block::Table(self.sources())],
+        });
+        Page {
+            title: "Measured numbers against the model".into(),
+            kind: "Validation".into(),
+            decision: None,
+            verdict,
+            facts: facts.collect(),
+            lead: Vec::new(),
+            sections,
+        }
+    }
+
+    fn by_grade(&self) -> Table {
+        let mut table = Table::new([
+            "grade",
+            "scored",
+            "within 95 %",
+            "factor 2",
+            "factor 5",
+            "predicted/measured",
+            "CRPS of ln",
+        ]);
+        for of in self.grades {
+            table.row([
+                of.grade.word().to_owned(),
+                of.entries.to_string(),
+                of.inside.to_string(),
+                of.within_2.to_string(),
+                of.within_5.to_string(),
+                significant(of.factor),
+                significant(of.crps),
+            ]);
+        }
+        table
+    }
+
+    fn compared(&self) -> Table {
+        let mut table = Table::new([
+            "entry",
+            "quantity",
+            "unit",
+            "measured",
+            "predicted",
+            "95 % of the samples",
+            "factor",
+            "PIT",
+            "CRPS of ln",
+            "scored",
+        ]);
+        for one in self.validated {
+            let (Some(comparison), Some(score)) = (&one.entry.comparison, &one.score) else { continue };
+            let [low, median, high] = score.predicted.map(significant);
+            table.row([
+                one.entry.id.clone(),
+                one.entry.quantity.clone(),
+                comparison.quantity.unit().to_owned(),
+                range(comparison.measured),
+                median,
+                format!("{low} to {high}"),
+                significant(score.factor),
+                significant(score.pit),
+                significant(score.crps),
+                if one.entry.is_scored() { "yes" } else { "no: from memory" }.to_owned(),
+            ]);
+        }
+        table
+    }
+
+    fn sources(&self) -> Table {
+        let mut table = Table::new(["entry", "grade", "quantity", "numbers", "conditions", "read", "source"]);
+        for Validated { entry, .. } in self.validated {
+            table.row([
+                entry.id.clone(),
+                entry.grade.word().to_owned(),
+                entry.quantity.clone(),
+                numbers(entry),
+                entry.conditions.clone(),
+                entry.read.word().to_owned(),
+                entry.source.clone(),
+            ]);
+        }
+        table
+    }
+}
+
+const MEANING: [&str; 4] = [
+    "PIT: the probability, by the samples and the error of measurement, of a value at or below the measured one; over many entries it is even between 0 and 1. An entry is within 95 % if it lies between 0.025 and 0.975.",
+    "CRPS: the continuous ranked probability score of the logarithm. For a sure prediction it is the distance in ln; the smaller the better.",
+    "Conditions are ranges of the literature. Nothing in them, and nothing in the defaults of the program, is fitted to these growth rates.",
+    "What is known from memory alone is drawn hollow and never scored. Grades are never mixed.",
+];
+
+fn numbers(entry: &Entry) -> String {
+    let all: Vec<String> =
+        entry.values.iter().map(|value| format!("{} = {}", value.name, value.value)).collect();
+    all.join("; ")
+}
+
+fn range((low, high): (f64, f64)) -> String {
+    format!("{} to {}", significant(low), significant(high))
+}
+
+/// Predicted against measured, with lines of equality and of factors 2 and 5.
+fn against(id: &str, unit: &str, own: &[&Validated]) -> Chart {
+    let scores = || own.iter().filter_map(|one| Some((one, one.score?)));
+    let ends = scores().flat_map(|(one, score)| {
+        let measured = one.entry.comparison.as_ref().map_or((1.0, 1.0), |of| of.measured);
+        [measured.0, measured.1, score.predicted[0], score.predicted[2]]
+    });
+    let (low, high) = ends.fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
+    let (low, high) = (0.7 * low, high / 0.7);
+    let line = |name: &str, factor: f64, look: CurveLook| {
+        Curve::line(name, vec![[low, factor * low], [high, factor * high]])
+            .with_look(look)
+            .with_colour(CurveColour::Quiet)
+    };
+    let mut curves = vec![
+        line("equal", 1.0, CurveLook::Line),
+        line("factor 2", 2.0, CurveLook::Dashed),
+        line("", 0.5, CurveLook::Dashed),
+        line("factor 5", 5.0, CurveLook::FineDashed),
+        line("", 0.2, CurveLook::FineDashed),
+    ];
+    let (mut scored, mut hollow) = (0, 0);
+    for (one, score) in scores() {
+        let measured = one.entry.comparison.as_ref().map_or((1.0, 1.0), |of| of.measured);
+        let is_scored = one.entry.is_scored();
+        let colour = CurveColour::Category(if is_scored { 0 } else { 1 });
+        let [from, median, to] = score.predicted;
+        let x = score.measured;
+        for bar in [vec![[measured.0, median], [measured.1, median]], vec![[x, from], [x, to]]] {
+            let bar = Curve::line("", bar).with_colour(colour);
+            curves.push(Curve { note: one.entry.id.clone(), width: CurveWidth::Fine, ..bar });
+        }
+        let count = if is_scored { &mut scored } else { &mut hollow };
+        let name = match (*count, is_scored) {
+            (0, true) => "scored",
+            (0, false) => "from memory, not scored",
+            _ => "",
+        };
+        *count += 1;
+        let mark = if is_scored {
+            Curve::line(name, vec![[x, median]]).with_look(CurveLook::Dots).with_dots(CurveDots::All)
+        } else {
+            // A hollow mark: the outline of a lozenge, of the same size on both logarithmic axes.
+            let by = (high / low).powf(0.012);
+            let corners =
+                [[x * by, median], [x, median * by], [x / by, median], [x, median / by], [x * by, median]];
+            Curve::line(name, corners.to_vec())
+        };
+        curves.push(Curve { note: one.entry.id.clone(), ..mark.with_colour(colour) });
+    }
+    Chart {
+        id: id.to_owned(),
+        caption: "Predicted median with the 95 % of the samples against the measured value with its range."
+            .into(),
+        x: ChartAxis::logarithmic("Measured", unit),
+        y: ChartAxis::logarithmic("Predicted", unit),
+        curves,
+        ..Chart::default()
+    }
+}
+
+/// The predicted rate of growth over depth with the bands of the measured ones.
+fn over_depth(validation: &Validation, validated: &[Validated], study: &str) -> Chart {
+    let rates = validation.rate_over_depth(study, &DEPTHS);
+    let curve = |name: &str, which: usize, look: CurveLook| {
+        let points = rates.iter().map(|(depth, quantiles)| [*depth, quantiles[which]]).collect();
+        Curve::line(name, points).with_look(look).with_colour(CurveColour::Category(0))
+    };
+    let mut areas = Vec::new();
+    for Validated { entry, .. } in validated.iter().filter(|one| one.entry.is_scored()) {
+        let Some(comparison) = &entry.comparison else { continue };
+        if let (Quantity::DepthRate { from, to }, (low, high)) = (comparison.quantity, comparison.measured) {
+            let outline = vec![[from, low], [to, low], [to, high], [from, high]];
+            areas.push(ChartArea { name: "measured".into(), outline });
+        }
+    }
+    Chart {
+        id: "rate-over-depth".into(),
+        caption:
+            "Growth in depth by depth: median and 95 % of the samples, and the ranges of the measured means."
+                .into(),
+        x: ChartAxis::logarithmic("Depth", "mm"),
+        y: ChartAxis::logarithmic("Growth in depth", "mm per million gross tonnes"),
+        areas,
+        curves: vec![
+            curve("median", 1, CurveLook::Line),
+            curve("95 % of the samples", 0, CurveLook::Dashed),
+            curve("", 2, CurveLook::Dashed),
+        ],
+        ..Chart::default()
+    }
+}

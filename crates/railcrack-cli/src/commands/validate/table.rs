@@ -1,0 +1,56 @@
+//! `validation.csv`.
+
+use railcrack_run::validation::Validated;
+
+const HEADER: &str = "id,grade,scored,certainty,read,unit,measured,measured_low,measured_high,predicted,predicted_low,predicted_high,predicted_log_std,factor,pit,crps_ln,inside_95,within_factor_2,within_factor_5,without,quantity";
+
+/// A row for each entry that is compared.
+pub(super) fn csv(validated: &[Validated]) -> String {
+    let mut text = String::from(
+        "# predicted: median, 95 % and sd of ln of the samples; factor: predicted over measured; pit, crps_ln: of the logarithm, with the error of measurement; without: share of samples that do not reach the depth\n",
+    );
+    text.push_str(HEADER);
+    text.push('\n');
+    for one in validated {
+        let (entry, Some(comparison)) = (&one.entry, &one.entry.comparison) else { continue };
+        let (low, high) = comparison.measured;
+        let mut row = vec![
+            entry.id.clone(),
+            entry.grade.word().to_owned(),
+            entry.is_scored().to_string(),
+            entry.certainty.to_string(),
+            entry.read.word().to_owned(),
+            comparison.quantity.unit().to_owned(),
+        ];
+        match &one.score {
+            Some(score) => {
+                let [from, median, to] = score.predicted;
+                let numbers = [
+                    score.measured,
+                    low,
+                    high,
+                    median,
+                    from,
+                    to,
+                    score.log_std,
+                    score.factor,
+                    score.pit,
+                    score.crps,
+                ];
+                row.extend(numbers.map(|number| number.to_string()));
+                let is = [score.is_inside(), score.is_within(2.0), score.is_within(5.0)];
+                row.extend(is.map(|is| is.to_string()));
+                row.push(score.without.to_string());
+            }
+            None => {
+                row.extend([(low * high).sqrt(), low, high].map(|number| number.to_string()));
+                row.extend(std::iter::repeat_n(String::new(), 10));
+                row.push("1".to_owned());
+            }
+        }
+        row.push(format!("\"{}\"", entry.quantity.replace('"', "'")));
+        text.push_str(&row.join(","));
+        text.push('\n');
+    }
+    text
+}

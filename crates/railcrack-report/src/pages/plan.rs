@@ -1,0 +1,191 @@
+//! The report of grinding plans: a page that can be printed and signed.
+
+use crate::figures::Plot;
+use crate::numbers::{fixed, given, rounded, significant};
+use crate::page::{Banner, Block, Fact, Page, Section};
+use crate::table::{Cell, CellTone, MISSING, Table};
+use railcrack_run::PlanFolder;
+use railcrack_run::decision::VerdictLevel;
+use railcrack_run::files::CASE_FILE;
+use railcrack_run::planner::{LeastGrinding, PlanSummary, PlannedGrinding};
+
+/// The page of `plans`, with their plots.
+pub(crate) fn plan_page(plans: &PlanFolder, plots: &[Plot]) -> Page {
+    let summary = &plans.summary;
+    let mut lead = Vec::new();
+    lead.extend(
+        plots.iter().map(|plot| Block::Picture {
+            svg: plot.svg.clone(),
+            caption: "What becomes of the rail by depth and interval of grinding; plan.csv has the numbers."
+                .to_owned(),
+        }),
+    );
+    if !summary.warnings.is_empty() {
+        lead.push(Block::Warnings(summary.warnings.iter().map(|text| format!("{text}.")).collect()));
+    }
+    let section =
+        |id: &str, heading: &str, blocks| Section { id: id.to_owned(), heading: heading.to_owned(), blocks };
+    Page {
+        title: summary.title.clone(),
+        kind: "Grinding plan".to_owned(),
+        decision: Some(banner(summary)),
+        verdict: verdict(summary),
+        facts: facts(summary),
+        lead,
+        sections: vec![
+            section("plans", "All plans", vec![Block::Table(table(summary)), Block::Table(least(summary))]),
+            section("assumptions", "Assumptions", vec![Block::List(summary.assumptions.clone())]),
+            section("approval", "Approval", vec![Block::Table(approval(summary))]),
+            section(
+                "case",
+                "Case",
+                vec![Block::Folded {
+                    heading: format!("{CASE_FILE}, defaults filled in"),
+                    blocks: vec![Block::Verbatim(plans.case_text.clone())],
+                }],
+            ),
+        ],
+    }
+}
+
+/// The verdict on the rail without grinding.
+fn banner(summary: &PlanSummary) -> Banner {
+    let (level, word) = match summary.verdict.level {
+        VerdictLevel::Ok => ("ok", "Without grinding: OK"),
+        VerdictLevel::Act => ("act", "Without grinding: act"),
+        VerdictLevel::Stop => ("stop", "Without grinding: stop"),
+        VerdictLevel::Outside => ("outside", "Outside of what the model describes"),
+    };
+    let reason =
+        summary.verdict.reasons.first().map_or_else(String::new, |reason| format!("{}.", reason.text));
+    Banner { level, word, text: reason }
+}
+
+fn verdict(summary: &PlanSummary) -> String {
+    if summary.verdict.level >= VerdictLevel::Stop {
+        return "No grinding plan is derived from this case: the reason above says why.".to_owned();
+    }
+    match &summary.least {
+        Some(LeastGrinding { grinding_interval_mgt: None, .. }) => {
+            "The rail holds without grinding.".to_owned()
+        }
+        Some(least) => format!(
+            "The least grinding of these plans that holds is {}, {} mm per MGT with the wear.",
+            shown(least),
+            significant(least.removal_mm_per_mgt)
+        ),
+        None => "None of these plans holds.".to_owned(),
+    }
+}
+
+fn shown(least: &LeastGrinding) -> String {
+    match least.grinding_interval_mgt {
+        Some(interval) => format!("{} mm every {} MGT", given(least.grinding_mm), given(interval)),
+        None => "none".to_owned(),
+    }
+}
+
+/// Traffic with months, where they are known.
+fn traffic(mgt: f64, months: Option<f64>) -> String {
+    let months = months.map_or_else(String::new, |months| format!(" ({months:.0} months)"));
+    format!("{} MGT{months}", given(rounded(mgt, 4)))
+}
+
+fn facts(summary: &PlanSummary) -> Vec<Fact> {
+    let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
+    let without = &summary.without_grinding;
+    let mut facts = vec![fact(
+        "Without grinding",
+        without.outcome.words().to_owned(),
+        format!("after {}", traffic(without.mgt, without.months)),
+    )];
+    if let Some(least) = &summary.least {
+        let removal = format!("{} mm per MGT with the wear", significant(least.removal_mm_per_mgt));
+        facts.push(fact("Least grinding", shown(least), removal));
+        if let Some(mgt) = least.mgt_to_wear_limit {
+            let limit = summary.wear_limit_mm.map_or_else(String::new, |limit| {
+                format!("at a removal of {} mm, with the least grinding", fixed(limit, 1))
+            });
+            let when = match &least.replacement_date {
+                Some(date) => format!("{date}, after {}", traffic(mgt, least.months_to_wear_limit)),
+                None => format!("after {}", traffic(mgt, least.months_to_wear_limit)),
+            };
+            facts.push(fact("Replacement", when, limit));
+        }
+    }
+    facts.push(fact("Horizon", format!("{} MGT", given(rounded(summary.horizon_mgt, 4))), String::new()));
+    facts.push(fact("Date", summary.date.clone(), format!("railcrack {}", summary.version)));
+    facts.push(fact("Case", summary.case_checksum.clone(), format!("FNV-1a of {CASE_FILE}")));
+    facts
+}
+
+fn table(summary: &PlanSummary) -> Table {
+    let mut table = Table::new([
+        "Depth (mm)",
+        "Every (MGT)",
+        "Removal (mm/MGT)",
+        "Outcome",
+        "After (MGT)",
+        "After (months)",
+        "Largest depth (mm)",
+        "P(failure)",
+        "Wear limit (MGT)",
+        "Wear limit (months)",
+    ]);
+    table.caption = "The first row is the rail without grinding".to_owned();
+    let months =
+        |value: Option<f64>| value.map_or_else(|| MISSING.to_owned(), |months| format!("{months:.0}"));
+    for plan in std::iter::once(&summary.without_grinding).chain(&summary.plans) {
+        let cells: [Cell; 10] = [
+            given(plan.grinding_mm).into(),
+            plan.grinding_interval_mgt.map_or_else(|| MISSING.to_owned(), given).into(),
+            significant(plan.removal_mm_per_mgt).into(),
+            outcome(plan),
+            given(rounded(plan.mgt, 5)).into(),
+            months(plan.months).into(),
+            fixed(plan.largest_depth_mm, 2).into(),
+            plan.probability_of_failure
+                .map_or_else(|| MISSING.to_owned(), |found| given(rounded(found, 3)))
+                .into(),
+            plan.mgt_to_wear_limit.map_or_else(|| MISSING.to_owned(), |mgt| given(rounded(mgt, 5))).into(),
+            months(plan.months_to_wear_limit).into(),
+        ];
+        table.row(cells);
+    }
+    table
+}
+
+fn outcome(plan: &PlannedGrinding) -> Cell {
+    let words = match plan.level {
+        VerdictLevel::Outside => "outside the model",
+        _ => plan.outcome.words(),
+    };
+    Cell::toned(words, if plan.holds { CellTone::Holds } else { CellTone::Fails })
+}
+
+fn least(summary: &PlanSummary) -> Table {
+    let mut table = Table::new(["Every (MGT)", "Least depth that holds (mm)", "Removal (mm/MGT)"]);
+    table.caption = "Least grinding by interval".to_owned();
+    for (interval, least) in summary.grinding_interval_mgt.iter().zip(&summary.least_by_interval) {
+        let (depth, removal) = match least {
+            Some(least) => (given(least.grinding_mm), significant(least.removal_mm_per_mgt)),
+            None => ("none of those tried".to_owned(), MISSING.to_owned()),
+        };
+        table.row([given(*interval), depth, removal]);
+    }
+    table
+}
+
+/// Space for names.
+fn approval(summary: &PlanSummary) -> Table {
+    let mut table = Table::new(["", "Name", "Date", "Signature"]);
+    table.caption = format!(
+        "Computed on {} with railcrack {} from the case {}",
+        summary.date, summary.version, summary.case_checksum
+    );
+    for role in ["Prepared by", "Checked by", "Approved by"] {
+        let line = "_".repeat(18);
+        table.row([role.to_owned(), line.clone(), line.clone(), line]);
+    }
+    table
+}

@@ -1,0 +1,180 @@
+//! Measurements of cracks over traffic.
+
+use railcrack_case::{CaseErrors, Column, Columns};
+use std::path::Path;
+
+/// The measured quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    /// Depth of the tip.
+    Depth,
+    /// Length of the crack.
+    Length,
+}
+
+impl Measure {
+    /// Its column.
+    #[must_use]
+    pub fn column(self) -> &'static str {
+        match self {
+            Self::Depth => "depth_mm",
+            Self::Length => "length_mm",
+        }
+    }
+}
+
+/// The result of an inspection.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Finding {
+    /// A size, mm.
+    Size(f64),
+    /// A size above the first and at or below the second number, mm: a class of depths, or with −∞
+    /// no indication, with +∞ an open class.
+    Within(f64, f64),
+}
+
+/// A measured crack.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measured {
+    /// Million gross tonnes since the crack had the size with which the case begins.
+    pub mgt: f64,
+    /// The result.
+    pub finding: Finding,
+    /// Standard deviation of the reading, mm, where it is given.
+    pub std: Option<f64>,
+}
+
+/// The measurements at one place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Site {
+    /// Its name: that of its file.
+    pub name: String,
+    /// The measured quantity.
+    pub measure: Measure,
+    /// The measurements.
+    pub measured: Vec<Measured>,
+}
+
+/// A file of measurements.
+const COLUMNS: Columns = Columns {
+    columns: &[
+        Column::Needed("mgt"),
+        Column::Alternative("depth_mm"),
+        Column::Alternative("length_mm"),
+        Column::Blank("at_least_mm"),
+        Column::Blank("at_most_mm"),
+        Column::Blank("std_mm"),
+    ],
+    largest: 1e6,
+    help: "a file of measurements begins with the header mgt,depth_mm or mgt,length_mm, with at_least_mm,at_most_mm for classes (the size is then left blank) and std_mm for errors of reading, and has a row for each measurement",
+};
+
+/// The measurements in the CSV file `path`, with the columns mgt and depth_mm or length_mm, and
+/// optionally at_least_mm, at_most_mm and std_mm.
+///
+/// Errors: it cannot be read; another header; a field that is not a number; a row without a size
+/// and a bound, or with both; bounds in descending order; a std_mm that is not positive.
+pub fn read_measured(path: &Path) -> Result<Site, CaseErrors> {
+    let read = COLUMNS.read_file(path)?;
+    let (measure, column) = if read.is_given[1] { (Measure::Depth, 1) } else { (Measure::Length, 2) };
+    let mut measured = Vec::with_capacity(read.rows.len());
+    for (i, row) in read.rows.iter().enumerate() {
+        let refuse = |says: String| Err(COLUMNS.error_of_row(path, i + 1, says));
+        let given = |column: usize| Some(row[column]).filter(|value| !value.is_nan());
+        let (at_least, at_most) = (given(3), given(4));
+        let finding = match (given(column), at_least.is_some() || at_most.is_some()) {
+            (Some(size), false) => Finding::Size(size),
+            (None, true) => {
+                let bounds = (at_least.unwrap_or(f64::NEG_INFINITY), at_most.unwrap_or(f64::INFINITY));
+                if bounds.0 >= bounds.1 {
+                    return refuse(format!(
+                        "`at_least_mm = {}` must be less than `at_most_mm = {}`",
+                        bounds.0, bounds.1
+                    ));
+                }
+                Finding::Within(bounds.0, bounds.1)
+            }
+            (Some(size), true) => {
+                return refuse(format!(
+                    "`{} = {size}` is given beside a class: leave it blank, or both bounds",
+                    measure.column()
+                ));
+            }
+            (None, false) => {
+                return refuse(format!(
+                    "neither {} nor at_least_mm or at_most_mm is given",
+                    measure.column()
+                ));
+            }
+        };
+        let std = given(5);
+        if let Some(std) = std.filter(|std| *std <= 0.0) {
+            return refuse(format!("`std_mm = {std}`: must be positive, or blank"));
+        }
+        measured.push(Measured { mgt: row[0], finding, std });
+    }
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    Ok(Site { name, measure, measured })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_of_measurements() {
+        let folder = std::env::temp_dir().join(format!("railcrack-measured-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let read = |text: &str| {
+            let path = folder.join("m.csv");
+            std::fs::write(&path, text).unwrap();
+            read_measured(&path)
+        };
+        let of = |mgt: f64, size: f64| Measured { mgt, finding: Finding::Size(size), std: None };
+        let site = read("# a rail\nmgt,length_mm\n10, 5.5\n").unwrap();
+        assert_eq!((site.measure, site.measured), (Measure::Length, vec![of(10.0, 5.5)]));
+        let site = read("depth_mm,mgt\n2,1\n").unwrap();
+        assert_eq!((site.measure, site.measured), (Measure::Depth, vec![of(1.0, 2.0)]));
+        let classes =
+            "mgt,depth_mm,at_least_mm,at_most_mm,std_mm\n1,,,2.7,\n2,,0.5,1.0,0.3\n3,,2.1,,\n4,3.5,,,0.5\n";
+        let site = read(classes).unwrap();
+        assert_eq!(site.measured[0].finding, Finding::Within(f64::NEG_INFINITY, 2.7));
+        assert_eq!(
+            site.measured[1],
+            Measured { mgt: 2.0, finding: Finding::Within(0.5, 1.0), std: Some(0.3) }
+        );
+        assert_eq!(site.measured[2].finding, Finding::Within(2.1, f64::INFINITY));
+        assert_eq!(site.measured[3].std, Some(0.5));
+        for (text, line, says) in [
+            ("depth,mgt\n", 1, "unknown column `depth`; nearest known column: `depth_mm`"),
+            ("mgt\n1\n", 1, "column `depth_mm` or `length_mm` is missing"),
+            (
+                "mgt,depth_mm,length_mm\n1,2,3\n",
+                1,
+                "column `depth_mm` or `length_mm` must be given, and only one of them",
+            ),
+            ("mgt,depth_mm\n1,2\n3,x\n", 3, "`depth_mm = x`: must be a number in [-1e6, 1e6]"),
+            ("mgt,depth_mm\n1,2,3\n", 2, "3 values in a row of 2 columns"),
+            ("mgt,depth_mm,at_least_mm\n1,2,1\n", 2, "`depth_mm = 2` is given beside a class"),
+            ("mgt,depth_mm,at_least_mm\n1,,\n", 2, "neither depth_mm nor at_least_mm"),
+            ("mgt,depth_mm,at_least_mm,at_most_mm\n1,,2,1\n", 2, "`at_least_mm = 2` must be less than"),
+            ("mgt,depth_mm,std_mm\n1,2,0\n", 2, "`std_mm = 0`: must be positive"),
+        ] {
+            let errors = read(text).unwrap_err();
+            let error = &errors.errors()[0];
+            assert!(error.message().starts_with(says) && error.file().ends_with("m.csv"), "{says}: {error}");
+            assert!(
+                error.help().is_some_and(|help| help.contains("mgt,depth_mm or mgt,length_mm")),
+                "{text}"
+            );
+            assert_eq!(error.position().map(|place| place.0), Some(line), "{text}");
+        }
+        assert!(
+            read_measured(&folder.join("none.csv"))
+                .unwrap_err()
+                .to_string()
+                .contains("there is no such file")
+        );
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+}

@@ -1,0 +1,107 @@
+//! Measurements as statements about the coefficient of the growth law.
+
+use super::course::SizeCurve;
+use super::measured::{Finding, Site};
+use crate::statistics::distribution;
+
+/// ln(C/C0) at which the probability of a class is tabulated: from −`REACH` to `REACH`.
+const REACH: f64 = 12.0;
+/// Intervals of the table: 0.006 each, less than a hundredth of any change of a rate.
+const INTERVALS: usize = 4000;
+/// The logarithm of the least probability of a class: a finding that contradicts every value of the
+/// coefficient still leaves a posterior.
+const IMPOSSIBLE: f64 = -700.0;
+
+/// The statement of a measurement about ln(C/C0) of its site, C0 the coefficient of the run.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Observed {
+    /// y = ln(N_pred(C0)/N_meas), with the standard deviation σ_depth |d ln N/d depth|.
+    Reading {
+        /// y.
+        y: f64,
+        /// |d ln N/d depth|, 1/mm.
+        per_mm: f64,
+        /// σ_depth, mm, where it is given.
+        std: Option<f64>,
+    },
+    /// ln P(finding | ln(C/C0)), tabulated.
+    Class(Vec<f64>),
+}
+
+/// The measurements of a site, each as such a statement; none for a size outside those of the run.
+pub type Observations = Vec<Option<Observed>>;
+
+/// The error of readings whose standard deviation is not given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum UsualError {
+    /// Standard deviation of y.
+    OfLife(f64),
+    /// Standard deviation of the size, mm.
+    OfSize(f64),
+}
+
+impl Observed {
+    /// y and its standard deviation; none of a class.
+    #[must_use]
+    pub fn reading(&self, usual: UsualError) -> Option<(f64, f64)> {
+        let Self::Reading { y, per_mm, std } = self else { return None };
+        let sigma = match (*std, usual) {
+            (Some(std), _) | (None, UsualError::OfSize(std)) => std * per_mm,
+            (None, UsualError::OfLife(sigma)) => sigma,
+        };
+        Some((*y, sigma))
+    }
+}
+
+/// The measurements of `site` compared with a run whose crack grows along `curve`.
+///
+/// With the coefficient C = C0 e^θ the crack reaches after N what the run reaches after N e^θ, so
+/// that a class from a to b is found with the probability Φ((b − size)/σ) − Φ((a − size)/σ), sharp
+/// without an error of reading.
+pub(super) fn observations(site: &Site, curve: &SizeCurve) -> Observations {
+    let observed = |measured: &super::Measured| -> Option<Observed> {
+        if measured.mgt <= 0.0 {
+            return None;
+        }
+        match measured.finding {
+            Finding::Size(size) => {
+                let (mgt, per_mm) = curve.reaches(size)?;
+                Some(Observed::Reading { y: (mgt / measured.mgt).ln(), per_mm, std: measured.std })
+            }
+            Finding::Within(from, to) => {
+                let at = |i: usize| {
+                    let theta = REACH * (2.0 * i as f64 / INTERVALS as f64 - 1.0);
+                    log_of_class(curve.at(measured.mgt * theta.exp()), (from, to), measured.std)
+                };
+                Some(Observed::Class((0..=INTERVALS).map(at).collect()))
+            }
+        }
+    };
+    site.measured.iter().map(observed).collect()
+}
+
+/// ln P of the class `from` to `to` for a crack of `size`.
+fn log_of_class(size: f64, (from, to): (f64, f64), std: Option<f64>) -> f64 {
+    let share = match std {
+        Some(std) => {
+            // Both tails from the nearer side: a difference of two numbers near one loses digits.
+            let (low, high) = ((from - size) / std, (to - size) / std);
+            if low > 0.0 {
+                distribution(-low) - distribution(-high)
+            } else {
+                distribution(high) - distribution(low)
+            }
+        }
+        None => f64::from(u8::from(size > from && size <= to)),
+    };
+    if share > 0.0 { share.ln().max(IMPOSSIBLE) } else { IMPOSSIBLE }
+}
+
+/// A tabulated ln P at `theta`, linear between its points, constant outside.
+pub(super) fn tabulated(table: &[f64], theta: f64) -> f64 {
+    let last = table.len().saturating_sub(1);
+    let at = ((theta / REACH + 1.0) * 0.5 * last as f64).clamp(0.0, last as f64);
+    let below = at.floor() as usize;
+    let above = (below + 1).min(last);
+    table[below] + (at - below as f64) * (table[above] - table[below])
+}

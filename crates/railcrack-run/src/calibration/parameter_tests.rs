@@ -1,0 +1,117 @@
+//! Searches for a parameter in synthetic measurements.
+
+use super::*;
+
+const PRIOR: Prior = Prior { log_std: 1.0, discrepancy: None };
+
+/// N at three sizes is in proportion to p^(−3), and measured with deviations of ln N.
+fn trial(value: f64, truth: f64, deviations: [f64; 3]) -> Trial {
+    let y = |deviation: f64| -3.0 * (value / truth).ln() - deviation;
+    let of = |deviation| Some(Observed::Reading { y: y(deviation), per_mm: 1.0, std: None });
+    Trial { value, sites: vec![deviations.map(of).to_vec()] }
+}
+
+/// Runs `bracket` to its end; the fit, and the values that were tried.
+fn search(
+    mut bracket: Bracket,
+    run: impl Fn(f64) -> Trial,
+    with: Coefficient,
+) -> (ParameterFit, Next, Vec<f64>) {
+    let mut trials: Vec<Trial> = bracket.values().into_iter().map(&run).collect();
+    loop {
+        let fit = fit_parameter("p", &trials, PRIOR, with).unwrap();
+        let tried: Vec<f64> = trials.iter().map(|trial| trial.value).collect();
+        match bracket.next(&fit, &tried) {
+            Next::Try(value) => trials.push(run(value)),
+            end => return (fit, end, tried),
+        }
+    }
+}
+
+const EVERY: (f64, f64) = (0.0, 1e9);
+
+#[test]
+fn synthetic_data_give_their_parameter_back() {
+    let run = |value| trial(value, 0.27, [0.1, -0.1, 0.0]);
+    let (fit, end, _) = search(Bracket::about(0.25, EVERY), run, Coefficient::OfCase);
+    assert_eq!((end, fit.used), (Next::Settled, 3));
+    assert!((fit.value / 0.27 - 1.0).abs() < 1e-3, "{} {:?} {}", fit.value, fit.interval, fit.contrast);
+    // Slopes of −3 each: s = 0.1, SE = s/(3 √3), and Student's t of two degrees of freedom.
+    let reach = 4.303 * 0.1 / (3.0 * 3f64.sqrt());
+    let (low, high) = (fit.interval.0.unwrap(), fit.interval.1.unwrap());
+    assert!(
+        ((high / low).ln() / (2.0 * reach) - 1.0).abs() < 0.02,
+        "{} {:?} {}",
+        fit.value,
+        fit.interval,
+        fit.contrast
+    );
+    // Negative values likewise.
+    let mirrored = |value: f64| Trial { value, ..trial(-value, 0.27, [0.1, -0.1, 0.0]) };
+    let (fit, _, _) = search(Bracket::about(-0.25, (-1e9, 0.0)), mirrored, Coefficient::OfCase);
+    assert!((fit.value / -0.27 - 1.0).abs() < 1e-3, "{} {:?} {}", fit.value, fit.interval, fit.contrast);
+}
+
+#[test]
+fn a_value_far_away_is_found_by_widening() {
+    for truth in [1e-10, 4e-8] {
+        let run = |value| trial(value, truth, [0.05, -0.05, 0.0]);
+        let (fit, end, tried) = search(Bracket::about(2e-9, EVERY), run, Coefficient::OfCase);
+        assert!(
+            (fit.value / truth - 1.0).abs() < 2e-3 && end == Next::Settled,
+            "{} {:?} {}",
+            fit.value,
+            fit.interval,
+            fit.contrast
+        );
+        assert!(tried.len() < 20, "{tried:?}");
+    }
+}
+
+#[test]
+fn an_optimum_at_an_end_is_not_a_result() {
+    let run = |value| trial(value, 0.5, [0.0; 3]);
+    let (_, end, _) = search(Bracket::given(0.1, 0.2), run, Coefficient::OfCase);
+    assert_eq!(end, Next::AtEnd(BracketEnd::High));
+    let (_, end, _) = search(Bracket::about(0.2, (0.0, 0.3)), run, Coefficient::OfCase);
+    assert_eq!(end, Next::AtEnd(BracketEnd::High));
+    let far = |value| trial(value, 1e6, [0.0; 3]);
+    let (_, end, _) = search(Bracket::about(0.2, EVERY), far, Coefficient::OfCase);
+    assert_eq!(end, Next::AtEnd(BracketEnd::High));
+}
+
+#[test]
+fn a_parameter_that_acts_like_the_coefficient_is_not_told_from_it() {
+    let run = |value| trial(value, 0.27, [0.1, -0.1, 0.05]);
+    let trials: Vec<Trial> = Bracket::about(0.25, EVERY).values().into_iter().map(run).collect();
+    let fit = fit_parameter("p", &trials, PRIOR, Coefficient::Fitted).unwrap();
+    assert!(fit.is_indistinct(), "{} {:?} {}", fit.value, fit.interval, fit.contrast);
+    // One that also changes the shape of growth is: the third size counts twice.
+    let shaped = |value: f64| {
+        let mut trial = trial(value, 0.27, [0.01, -0.01, 0.0]);
+        if let Some(Some(Observed::Reading { y, .. })) = trial.sites[0].get_mut(2) {
+            *y *= 2.0;
+        }
+        trial
+    };
+    let (fit, end, _) = search(Bracket::about(0.25, EVERY), shaped, Coefficient::Fitted);
+    assert!(
+        !fit.is_indistinct() && end == Next::Settled,
+        "{} {:?} {}",
+        fit.value,
+        fit.interval,
+        fit.contrast
+    );
+    assert!((fit.value / 0.27 - 1.0).abs() < 0.02, "{} {:?} {}", fit.value, fit.interval, fit.contrast);
+    assert!(fit.posterior.mean.abs() < 0.05, "{} {:?} {}", fit.value, fit.interval, fit.contrast);
+}
+
+#[test]
+fn a_parameter_without_influence_is_refused() {
+    let flat = trial(0.1, 0.2, [0.0; 3]);
+    let other = Trial { value: 0.3, ..flat.clone() };
+    let error = fit_parameter("p", &[flat.clone(), other], PRIOR, Coefficient::OfCase).unwrap_err();
+    assert!(error.to_string().contains("p has no effect"), "{error}");
+    let none = |value| Trial { value, sites: vec![vec![None; 3]] };
+    assert!(fit_parameter("p", &[none(0.1), none(0.3)], PRIOR, Coefficient::OfCase).is_err());
+}

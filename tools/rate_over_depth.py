@@ -1,0 +1,244 @@
+"""Growth rate over depth, one cause at a time and together, against the rates measured in track.
+
+python3 tools/rate_over_depth.py RAILCRACK [CAUSE ...] computes verification/rate-over-depth/rates.csv
+with that program, all causes or those named; without arguments it draws
+docs/figures/rate-over-depth.svg, which needs matplotlib.
+
+The crack is straight at 25 degrees: every depth is the initial crack of a run of its own, so that a
+cause acts on the rate and not on the way to that depth. Only "turning" grows a crack.
+"""
+
+import csv
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+root = pathlib.Path(__file__).resolve().parent.parent
+table = root / "verification/rate-over-depth/rates.csv"
+
+ANGLE = 25.0
+DEPTHS = [0.5, 0.8, 1.3, 2.0, 3.0, 5.0, 7.0, 9.0, 12.0]
+IN_SPACE = [0.8, 2.0, 5.0, 9.0]
+SINE = math.sin(math.radians(ANGLE))
+AXLE = 18.0
+
+# Net of small falls, and forward only: mm per MGT between two depths (validation/track).
+MEASURED = [(0.3, 0.8, 0.0495, 0.0928), (0.8, 1.3, 0.0148, 0.1197), (1.3, 1.8, 0.0682, 0.1518),
+            (1.8, 2.3, 0.0707, 0.1636), (5, 8, 0.236, 0.324), (8, 10, 0.3, 0.661), (10, 14, 0.529, 0.851)]
+
+PLANE = """
+[contact]
+{contact}
+[passage]
+positions = 121
+{cracks}
+[growth]
+steps = 0
+{growth}
+[mesh]
+interface_elements = 24
+[solver]
+engine = "dislocation"
+[traffic]
+axle_load_t = 18.0
+[output]
+faces = "none"
+plots = false
+report = false
+{more}
+"""
+
+SPACE = """
+[passage]
+from_over_a = -5.0
+to_over_a = 7.0
+positions = 61
+step_tolerance = 0.01
+{cracks}
+{wheels}
+[growth]
+steps = 0
+{growth}
+[mesh]
+space_cells = 3
+space_rings = 3
+[solver]
+engine = "space"
+[output]
+faces = "none"
+plots = false
+report = false
+{more}
+"""
+
+
+def hertz(friction=0.2, pressure=1000.0, half_width=6.0):
+    return f"peak_pressure_mpa = {pressure}\nhalf_width_mm = {half_width}\nfriction = {friction}"
+
+
+def carter(ratio, friction=0.4):
+    return f'kind = "carter"\npeak_pressure_mpa = 1000.0\nhalf_width_mm = 6.0\nfriction = {friction}\ntraction = {ratio}'
+
+
+def crack(depth, faces=0.5, more=""):
+    return f"[[crack]]\nmouth_mm = 0.0\nlength_mm = {depth / SINE}\nangle_deg = {ANGLE}\nfriction = {faces}\n{more}"
+
+
+def plane(contact=None, growth="", more="", faces=0.5, crack_more="", middle=0):
+    def text(depth):
+        return PLANE.format(contact=contact or hertz(), cracks=crack(depth, faces, crack_more), growth=growth, more=more)
+    return text, DEPTHS, middle
+
+
+def space(ratio, lateral_half_width=6.0, offsets=((0.0, 1.0),), faces=0.5, growth="", contact=None, more="", cells=3):
+    """A semi-ellipse whose length on the surface is `ratio` times its depth along its plane."""
+    def text(depth):
+        half = 0.5 * ratio * depth / SINE
+        cracks = crack(depth, faces, f"surface_half_length_mm = {half}\n")
+        wheels = ""
+        for z, share in offsets:
+            inner = (contact or hertz()) + f"\nlateral_half_width_mm = {lateral_half_width}\nlateral_mm = {z}\n"
+            wheels += f"[[wheel]]\nshare = {share}\naxle_load_t = {AXLE}\n[wheel.contact]\n{inner}"
+        text = SPACE.format(cracks=cracks, wheels=wheels, growth=growth, more=more)
+        return text.replace("space_cells = 3", f"space_cells = {cells}").replace("space_rings = 3", f"space_rings = {cells}")
+    return text, IN_SPACE, 0
+
+
+def scattered(std):
+    """Three wheels with the mean and the standard deviation of a normal distribution (Gauss-Hermite)."""
+    far = math.sqrt(3.0) * std
+    return ((-far, 1 / 6), (0.0, 2 / 3), (far, 1 / 6))
+
+
+RESIDUAL = "[residual_stress]\nprofile = \"residual.csv\"\n"
+# Compression below the running surface, tension under it: balanced, of the kind that is measured.
+PROFILE = "depth_mm,sxx_mpa\n0,{0}\n2,{0}\n8,{1}\n20,{1}\n60,0\n"
+
+CAUSES = {
+    "plane": plane(),
+    "plane, faces 0.3": plane(faces=0.3),
+    "plane, faces 0.7": plane(faces=0.7),
+    "plane, wheel 0.3": plane(contact=hertz(0.3)),
+    "plane, pressure 1500": plane(contact=hertz(0.2, 1500.0)),
+    "partial slip": plane(contact=carter(0.5)),
+    "five neighbours at 4 mm": plane(crack_more="count = 5\nspacing_mm = 4.0\n", middle=2),
+    "threshold 6": plane(growth='law = "paris-threshold"\nthreshold_mpa_sqrt_m = 6.0'),
+    "threshold of mode II 10": plane(growth='law = "paris-threshold"\nthreshold_mpa_sqrt_m = 6.0\nthreshold_2_mpa_sqrt_m = 10.0'),
+    "exponent 2": plane(growth="paris_c = 4.28e-8\nparis_m = 2.0"),
+    "exponent 4": plane(growth="paris_c = 4.28e-10\nparis_m = 4.0"),
+    "ratio of mode I (Walker)": plane(growth='law = "walker"'),
+    "compression 100 MPa to 2 mm": plane(more=RESIDUAL),
+    "plane, together: faces 0.7, partial slip, neighbours":
+        plane(contact=carter(0.5), faces=0.7, crack_more="count = 5\nspacing_mm = 4.0\n", middle=2),
+    "plane, together: faces 0.7, wheel 0.3": plane(contact=hertz(0.3), faces=0.7),
+    "line contact, width 4:1": space(4.0, lateral_half_width=120.0),
+    "ellipse, width 6:1": space(6.0),
+    "ellipse, width 4:1": space(4.0),
+    "ellipse, width 2:1": space(2.0),
+    "ellipse, width 4:1, 6 cells": space(4.0, cells=6),
+    "ellipse, width 4:1, wheels within 5 mm": space(4.0, offsets=scattered(5.0)),
+    "ellipse, width 4:1, faces 0.3": space(4.0, faces=0.3),
+    "ellipse, width 4:1, faces 0.7": space(4.0, faces=0.7),
+    "ellipse, width 4:1, wheel 0.3": space(4.0, contact=hertz(0.3)),
+    "together: 2:1, wheels within 5 mm, wheel 0.3": space(2.0, offsets=scattered(5.0), contact=hertz(0.3)),
+    "together: 2:1, wheels within 5 mm, wheel 0.3, faces 0.7":
+        space(2.0, offsets=scattered(5.0), contact=hertz(0.3), faces=0.7),
+}
+# Growth along a path instead of straight: steps at which the depth passes those of the table.
+TURNING = {"turning length 0.5 mm": "turning_length_mm = 0.5", "turning length 2 mm": "turning_length_mm = 2.0"}
+
+
+def rows(folder):
+    with open(folder / "growth.csv") as lines:
+        return list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+
+def run(program, text, folder, wanted=0):
+    (folder / "case.toml").write_text(text)
+    (folder / "residual.csv").write_text(PROFILE.format(-100.0, 20.0))
+    subprocess.run([program, "run", "case.toml", "--out", "out", "--force", "--quiet"], cwd=folder, check=True,
+                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return rows(folder / "out")
+
+
+def depth_rate(row, sine=SINE):
+    """mm of depth per million gross tonnes."""
+    return 1e6 / AXLE * float(row["rate_mm_per_cycle"]) * sine
+
+
+def of_cause(program, cause, folder):
+    text, depths, middle = CAUSES[cause]
+    for depth in depths:
+        found = run(program, text(depth), folder)
+        if "phi_deg" in found[0]:
+            row = found[len(found) // 2]  # the deepest point of the front is the middle one
+        elif middle:
+            row = next(row for row in found if int(row["crack"]) == middle + 1)
+        else:
+            row = min(found, key=lambda row: float(row["tip_y_mm"]))
+        yield depth, depth_rate(row)
+
+
+def of_turning(program, setting, folder):
+    text = PLANE.format(contact=hertz(), cracks=crack(0.5), more="",
+                        growth=setting + "\ntolerance = 0.03\ncritical_length_mm = 30.0")
+    text = text.replace("steps = 0", "steps = 150")
+    points = [(float(row["depth_mm"]), float(row["mgt"])) for row in run(program, text, folder)]
+    for depth in DEPTHS:
+        for (from_depth, from_mgt), (to_depth, to_mgt) in zip(points, points[1:]):
+            if from_depth <= depth < to_depth and to_mgt > from_mgt:
+                yield depth, (to_depth - from_depth) / (to_mgt - from_mgt)
+                break
+
+
+def compute(program, named):
+    known = {}
+    if table.exists():
+        for row in csv.DictReader(open(table)):
+            known.setdefault(row["cause"], []).append((float(row["depth_mm"]), float(row["rate_mm_per_mgt"])))
+    for cause in [*CAUSES, *TURNING]:
+        if named and cause not in named or not named and cause in known:
+            continue
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            of = of_turning(program, TURNING[cause], folder) if cause in TURNING else of_cause(program, cause, folder)
+            try:
+                known[cause] = list(of)
+            except Exception as error:
+                print(cause, "failed:", error, file=sys.stderr)
+                continue
+        print(cause, known[cause], flush=True)
+        with open(table, "w") as out:
+            out.write("cause,depth_mm,rate_mm_per_mgt\n")
+            for name in [*CAUSES, *TURNING]:
+                for depth, rate in known.get(name, []):
+                    out.write(f'"{name}",{depth},{rate:.4g}\n')
+
+
+def draw():
+    import matplotlib.pyplot as plot
+    known = {}
+    for row in csv.DictReader(open(table)):
+        known.setdefault(row["cause"], []).append((float(row["depth_mm"]), float(row["rate_mm_per_mgt"])))
+    shown = ["plane", "plane, faces 0.3", "plane, wheel 0.3", "ellipse, width 6:1", "ellipse, width 2:1",
+             "ellipse, width 4:1, wheels within 5 mm", "together: 2:1, wheels within 5 mm, wheel 0.3",
+             "together: 2:1, wheels within 5 mm, wheel 0.3, faces 0.7"]
+    figure, axes = plot.subplots(figsize=(8, 5))
+    for low, high, net, forward in MEASURED:
+        axes.fill_between([low, high], net, forward, color="0.75", lw=0)
+    axes.fill_between([], [], color="0.75", label="measured, net to forward only")
+    for name in shown:
+        points = [point for point in known.get(name, []) if point[1] > 0]
+        axes.plot([x for x, _ in points], [y for _, y in points], "o-", ms=3, lw=1, label=name)
+    axes.set(xscale="log", yscale="log", xlabel="depth, mm", ylabel="growth in depth, mm per MGT")
+    axes.legend(fontsize=7)
+    figure.tight_layout()
+    figure.savefig(root / "docs/figures/rate-over-depth.svg", metadata={"Date": None})
+
+
+if len(sys.argv) > 1:
+    compute(str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:])
+else:
+    draw()
