@@ -1,17 +1,16 @@
-//! `paper.md`: runs, every statement with its verdict and numbers, reasons for differences.
+//! `paper.md`: every statement with its verdict, reasons for differences, set-ups.
 
 use crate::claim::rounded;
 use crate::closest::closest;
 use crate::document::{FailureRecord, PaperRecord};
 use crate::figure::FIGURES;
+use crate::figure_group::GROUPS;
 use crate::increment::on_the_increment;
 use crate::profile::StressProfile;
 use crate::results::Results;
 use crate::rolled::ROLLED_CLAIMS;
 use crate::setup::SETUPS;
-use crate::verdict::{MAIN, Verdict};
-use railcrack::shakedown::RailState;
-use railcrack::words::Choice;
+use crate::verdict::Verdict;
 use railcrack_run::VERSION;
 
 /// The columns of `claims.csv`.
@@ -58,25 +57,15 @@ are assumptions.
 
 ";
 
-/// The page.
-pub(super) fn page(
-    figures: &[u8],
-    results: &Results,
-    verdicts: &[Verdict],
-    profiles: Option<&[StressProfile]>,
-    record: &PaperRecord,
-) -> String {
+/// The page with the result; rules, numbers and pictures are on the pages of the groups of figures.
+pub(super) fn page(figures: &[u8], results: &Results, verdicts: &[Verdict], record: &PaperRecord) -> String {
     let mut text = HEAD.replace("COMMAND", &command(figures));
     text.push_str(&summary(verdicts, record));
     text.push_str(&statements(verdicts));
     text.push_str(&on_the_increment(verdicts.iter().map(|verdict| verdict.claim)));
-    text.push_str(&numbers(verdicts, record));
+    text.push_str(&groups(figures, verdicts));
     text.push_str(&reference_ranges(results));
     text.push_str(&fixed_steps(verdicts));
-    if let Some(profiles) = profiles {
-        text.push_str(&profile_section(profiles));
-    }
-    text.push_str(&pictures(figures, results));
     text.push_str(&setups(results));
     if !record.failures.is_empty() {
         text.push_str("## Runs that ended early\n\n");
@@ -127,8 +116,8 @@ fn statements(verdicts: &[Verdict]) -> String {
 
 In the order of the paper: \u{2705} holds, \u{274c} does not hold, empty: not decided. *Along*: the cracks
 lean along the travel of the wheel, which meets the mouth first and then passes over the tip;
-*against*: they lean against it. The rule for each statement and its numbers are given below. A
-variant is listed if its decision differs from that of the set-up that it varies.
+*against*: they lean against it. The rule for each statement and its numbers are on the pages of
+its figures. A variant is listed if its decision differs from that of the set-up that it varies.
 
 | statement | where | half-plane, along | half-plane, against | block, along | block, against | variants that differ | verdict | why |
 |---|---|---|---|---|---|---|---|---|
@@ -155,43 +144,6 @@ variant is listed if its decision differs from that of the set-up that it varies
         ));
     }
     text.push('\n');
-    text
-}
-
-fn numbers(verdicts: &[Verdict], record: &PaperRecord) -> String {
-    let mut text = "## Rules and numbers
-
-K in MPa\u{221a}m, depths in mm. Numbers of all set-ups, unrounded, are in `claims.csv`; the texts of the
-warnings of the runs behind a decision are in `statements.json` and on the page.
-
-"
-    .to_owned();
-    for verdict in verdicts {
-        let claim = verdict.claim;
-        text.push_str(&format!(
-            "**{}** ({}). {} *Rule:* {}.\n\n",
-            claim.id, claim.place, claim.statement, claim.rule
-        ));
-        let departing: Vec<usize> = verdict.departures().iter().map(|(at, _)| *at).collect();
-        let shown = verdict.decisions.iter().filter(|(at, _)| {
-            *at < MAIN || departing.contains(at) || verdict.decision_of_varied(*at).is_none()
-        });
-        for (at, decision) in shown {
-            let says = if decision.holds { "yes" } else { "no" };
-            let name = SETUPS[*at].name;
-            let told = record.statements.iter().find(|statement| statement.id == claim.id);
-            let warnings = told.and_then(|statement| statement.decision(name)).map(|d| d.warnings.as_slice());
-            let runs: Vec<&str> = warnings
-                .unwrap_or_default()
-                .iter()
-                .filter_map(|warning| warning.split(", ").next())
-                .collect();
-            let warned =
-                if runs.is_empty() { String::new() } else { format!(" (warnings: {})", runs.join("; ")) };
-            text.push_str(&format!("* {name}: {says}; {}{warned}\n", decision.text()));
-        }
-        text.push('\n');
-    }
     text
 }
 
@@ -271,58 +223,19 @@ fn fixed_steps(verdicts: &[Verdict]) -> String {
     text
 }
 
-fn profile_section(profiles: &[StressProfile]) -> String {
-    let mut text = "## Fig. 21
-
-The largest residual stress \u{3c3}_xx due to rolling alone under the wheel of Table 1, for steels that the
-paper might have used, and for the two readings of the figure.
-
-| profile | state | largest \u{3c3}_xx, MPa | at depth, mm |
-|---|---|---|---|
-"
-    .to_owned();
-    for profile in profiles {
-        let (depth, stress) = profile.extreme();
-        let state = profile.state.map_or("", RailState::word);
-        let depth = if stress == 0.0 { String::new() } else { rounded(depth) };
-        text.push_str(&format!("| {} | {state} | {} | {depth} |\n", profile.name, rounded(stress)));
-    }
-    text.push('\n');
-    text.push_str("Statements of the paper on the stabilised state, decided for these steels in this order:\n\n| statement | where | rule |");
-    let steels = profiles.iter().filter(|profile| profile.state.is_some()).count();
-    text.push_str(&format!(
-        "{} verdict |\n|---|---|---|{}---|\n",
-        " |".repeat(steels),
-        "---|".repeat(steels)
-    ));
-    for claim in ROLLED_CLAIMS {
-        let decisions = claim.decisions(profiles);
-        let cells: String =
-            decisions.iter().map(|(_, holds)| if *holds { " yes |" } else { " no |" }).collect();
-        let holding = decisions.iter().filter(|(_, holds)| *holds).count();
-        let verdict = match holding {
-            0 => "does not hold".to_owned(),
-            all if all == decisions.len() => "holds".to_owned(),
-            some => format!("holds in {some} of {}", decisions.len()),
+/// Links to the pages of the groups.
+fn groups(figures: &[u8], verdicts: &[Verdict]) -> String {
+    let mut text = "## Figures, rules and numbers\n\n".to_owned();
+    for group in GROUPS.iter().filter(|group| group.is_computed(figures)) {
+        let count = verdicts.iter().filter(|verdict| group.decides(verdict.claim)).count();
+        let statements = match count {
+            0 => String::new(),
+            1 => ": 1 statement".to_owned(),
+            more => format!(": {more} statements"),
         };
-        text.push_str(&format!(
-            "| {} | {} | {} |{cells} {verdict} |\n",
-            claim.statement, claim.place, claim.rule
-        ));
+        text.push_str(&format!("* [{}]({}){statements}\n", group.heading(), group.file()));
     }
     text.push('\n');
-    text
-}
-
-fn pictures(figures: &[u8], results: &Results) -> String {
-    let mut text = "## Figures\n\nK: half-plane solid, block dashed. The numbers of all set-ups are in `figures/*.csv` of the folder.\n\n".to_owned();
-    for figure in FIGURES.iter().filter(|figure| figures.contains(&figure.number)) {
-        let stem = figure.file_stem();
-        text.push_str(&format!("![Fig. {}: {}](figures/{stem}.svg)\n\n", figure.number, figure.title));
-    }
-    if crate::figures::engines(results).is_some() {
-        text.push_str("![Two engines on the case of Fig. 13](figures/engines.svg)\n\n");
-    }
     text
 }
 

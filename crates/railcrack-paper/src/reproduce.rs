@@ -4,11 +4,13 @@ use crate::claims::CLAIMS;
 use crate::computation::{Computation, runs_table};
 use crate::error::PaperError;
 use crate::figure::{FIGURES, Figure, Kind};
+use crate::figure_group::GROUPS;
 use crate::figures::{
     FigureTable, OVERLAY_COLUMNS, Overlay, Quantity, distances, engines, forget_overlays, increments, kept,
     path_table, profile_table, sheet, sif_table,
 };
 use crate::files::{FIG_21, FIG_22, PAGE, RUNS, TABLE_1};
+use crate::group_page::group_page;
 use crate::page;
 use crate::plan::{Job, plan};
 use crate::profile::{StressProfile, profiles};
@@ -41,7 +43,8 @@ pub struct Reproduction {
 }
 
 /// Computes what `figures` need and writes to `folder`: `cases/` (every case file that was run),
-/// `figures/` (a picture and a table each), `claims.csv`, `runs.csv`, `paper.md`,
+/// `figures/` (a picture and a table each), `claims.csv`, `runs.csv`, `paper.md`
+/// and the pages of the groups of figures,
 /// `statements.json`, `report.html`, and `runs/` as runs finish. Runs go to the threads of rayon;
 /// apart from times the files do not depend on their number. Digitised curves of a figure go to
 /// `overlays/`, are drawn with ours, and their distances are in `overlays.csv`.
@@ -99,8 +102,11 @@ pub fn reproduce(
     )?;
     let page_path = folder.join(PAGE);
     let record = record(figures, &results, &verdicts, &failures, jobs.len());
-    let text = page::page(figures, &results, &verdicts, profiles.as_deref(), &record);
-    write(&page_path, &text)?;
+    write(&page_path, &page::page(figures, &results, &verdicts, &record))?;
+    for group in GROUPS.iter().filter(|group| group.is_computed(figures)) {
+        let text = group_page(group, figures, &results, &verdicts, profiles.as_deref(), &record);
+        write(&folder.join(group.file()), &text)?;
+    }
     record.write(folder)?;
     rebuild_report(folder)?;
     Ok(Reproduction { results, verdicts, failures, runs: jobs.len(), page: page_path })

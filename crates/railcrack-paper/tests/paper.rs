@@ -2,7 +2,8 @@
 
 use railcrack::growth::Observer;
 use railcrack_paper::{
-    Decision, Earlier, FIGURES, PaperError, Reproduction, SETUPS, Telling, parse_figures, reproduce,
+    Decision, Earlier, FIGURES, GROUPS, PaperError, Reproduction, SETUPS, Telling, Verdict, parse_figures,
+    reproduce,
 };
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
@@ -37,6 +38,11 @@ fn docs(name: &str) -> String {
     std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
+/// The page in docs with the rules and numbers of the statement.
+fn page_of(verdict: &Verdict) -> String {
+    docs(&GROUPS.iter().find(|group| group.decides(verdict.claim)).unwrap().file())
+}
+
 /// The paragraph of `page` on the statement `id`: its rule and numbers.
 fn paragraph<'a>(page: &'a str, id: &str) -> &'a str {
     let start = page.find(&format!("**{id}**")).unwrap_or_else(|| panic!("no {id} on the page"));
@@ -68,18 +74,15 @@ fn the_page_in_docs_has_the_deciding_numbers_of_the_cheap_statements() {
     let page = docs("paper.md");
     let mut checked = 0;
     for verdict in &done.verdicts {
-        let lines: Vec<&str> = paragraph(&page, verdict.claim.id).lines().collect();
+        let of_group = page_of(verdict);
+        let lines: Vec<&str> = paragraph(&of_group, verdict.claim.id).lines().collect();
         for (at, decision) in &verdict.decisions {
             let setup = SETUPS[*at].name;
             // Variants that agree with what they vary are in claims.csv only.
             let shown = lines.iter().find(|line| line.starts_with(&format!("* {setup}: ")));
             let Some(line) = shown else { continue };
             let wanted = decision.text();
-            assert!(
-                says(line, setup, decision),
-                "docs/paper.md, {}: \n{line}\nnow {wanted}",
-                verdict.claim.id
-            );
+            assert!(says(line, setup, decision), "{}: \n{line}\nnow {wanted}", verdict.claim.id);
             checked += 1;
         }
         let row = format!("| {} | {} |", verdict.claim.statement, verdict.claim.place);
@@ -101,8 +104,12 @@ fn a_line_that_says_something_else_is_seen() {
 #[test]
 fn the_page_in_docs_shows_every_figure_and_set_up() {
     let page = docs("paper.md");
+    let groups: String = GROUPS.iter().map(|group| docs(&group.file())).collect();
+    for group in GROUPS {
+        assert!(page.contains(&format!("[{}]({})", group.heading(), group.file())));
+    }
     for figure in FIGURES {
-        assert!(page.contains(&format!("(figures/{}.svg)", figure.file_stem())), "Fig. {}", figure.number);
+        assert!(groups.contains(&format!("(figures/{}.svg)", figure.file_stem())), "Fig. {}", figure.number);
         assert!(docs(&format!("figures/{}.svg", figure.file_stem())).starts_with("<svg"));
     }
     for setup in SETUPS {

@@ -19,7 +19,7 @@ use std::sync::Mutex;
 /// Recomputes Figs 13 to 25 and 27 to 30 for each choice that the paper leaves open: half-plane or
 /// block, direction of travel, friction, load steps, criterion. Written to the folder: the case
 /// files (cases/), a plot and a table of each figure (figures/), the numbers that decide each
-/// statement (claims.csv), and the page (paper.md).
+/// statement (claims.csv), and the pages (paper.md and, for each group of figures, paper-fig….md).
 #[derive(Debug, Args)]
 pub struct PaperArguments {
     /// Folder for the results

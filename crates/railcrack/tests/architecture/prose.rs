@@ -8,6 +8,13 @@ const WIDTH: usize = 100;
 
 /// Pages that a program writes, held to their generators by tests of their own.
 const GENERATED: [&str; 3] = ["case-file.md", "verification.md", "paper.md"];
+/// Pages of the groups of figures, generated too, begin with this.
+const PAPER_PAGES: &str = "paper-fig";
+
+fn is_generated(path: &Path) -> bool {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    GENERATED.contains(&name.as_ref()) || name.starts_with(PAPER_PAGES)
+}
 
 /// Folders and pages, relative to the workspace, whose prose must be free of [`CRUTCHES`]: pages,
 /// and comments of sources.
@@ -88,7 +95,7 @@ pub fn faults_of_source(path: &Path, text: &str) -> Vec<String> {
 
 /// Lines of prose in a Markdown page that are too wide.
 pub fn faults_of_page(path: &Path, text: &str) -> Vec<String> {
-    if path.file_name().is_some_and(|name| GENERATED.iter().any(|page| name == *page)) {
+    if is_generated(path) {
         return Vec::new();
     }
     let mut in_code = false;
@@ -125,7 +132,7 @@ fn prose(path: &Path, text: &str) -> Vec<String> {
 
 /// Phrases among the [`CRUTCHES`], within a line or across its end.
 pub fn crutches(path: &Path, text: &str) -> Vec<String> {
-    if path.file_name().is_some_and(|name| GENERATED.iter().any(|page| name == *page)) {
+    if is_generated(path) {
         return Vec::new();
     }
     let lines = prose(path, text);
