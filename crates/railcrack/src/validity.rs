@@ -98,6 +98,17 @@ pub enum ValidityWarning {
         /// The largest opening without an influence on the contact, mm.
         limit: f64,
     },
+    /// A crack that gets deeper faster than cracks in track.
+    #[error(
+        "a crack gets deeper by {rate:.3} mm per million gross tonnes, more than {limit}, which is ten times what head checks in track \
+         are found to grow: calibrate C of the growth law (railcrack calibrate)"
+    )]
+    FastGrowth {
+        /// Growth into the depth, mm per million gross tonnes.
+        rate: f64,
+        /// Ten times the usual growth, mm per million gross tonnes.
+        limit: f64,
+    },
     /// A crack in space whose criterion asks for a kink out of its plane.
     #[error(
         "the direction criterion asks for a kink of {angle:.0} degrees out of the plane of the crack at its deepest point, where it \
@@ -241,6 +252,9 @@ pub(crate) const SHORTEST_CRACK: f64 = 0.05;
 /// Opening (mm) of a crack under a wheel up to which the contact is not affected; larger openings
 /// exceed the indentation of the wheel.
 pub const UNFELT_OPENING: f64 = 0.05;
+/// Growth into the depth (mm per million gross tonnes) that is ten times that of head checks in
+/// track: 0.4 to 1.1 mm per 10 million gross tonnes at depths of 0.3 to 2.3 mm.
+pub const TEN_TIMES_HEAD_CHECKS: f64 = 0.3;
 /// Angle (degrees) below which a crack was probably given in radians: flatter cracks are not seen
 /// in rails.
 pub(crate) const FLATTEST_CRACK: f64 = 2.0;
@@ -309,6 +323,13 @@ pub fn depth_in_bending(depth: f64) -> Option<ValidityWarning> {
 pub fn flap(opening: f64) -> Option<ValidityWarning> {
     let limit = UNFELT_OPENING;
     (opening > limit).then_some(ValidityWarning::LiftedFlap { opening, limit })
+}
+
+/// Compares the growth of a crack into the depth (mm per million gross tonnes) = `rate` with ten
+/// times that of head checks in track.
+pub fn depth_rate(rate: f64) -> Option<ValidityWarning> {
+    let limit = TEN_TIMES_HEAD_CHECKS;
+    (rate > limit).then_some(ValidityWarning::FastGrowth { rate, limit })
 }
 
 /// Checks the half-width of the contact (mm) for an input in metres.

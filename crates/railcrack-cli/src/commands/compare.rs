@@ -1,6 +1,6 @@
 //! `railcrack compare`.
 
-use crate::commands::run::{self, RunArguments};
+use crate::commands::run::{self, Execution, RunArguments};
 use crate::exit::{Exit, Failure};
 use crate::input::Set;
 use crate::json::Json;
@@ -128,12 +128,10 @@ fn run_with(arguments: &CompareArguments, engine: &str, out: &Path) -> RunArgume
         engine: Some(engine.to_owned()),
         contact: None,
         steps: arguments.steps,
-        threads: None,
-        quiet: arguments.quiet,
         resume: false,
         force: arguments.force,
         no_limits: arguments.no_limits,
-        set: Set::default(),
+        execution: Execution { set: Set::default(), threads: None, quiet: arguments.quiet },
         json: Json::default(),
     }
 }

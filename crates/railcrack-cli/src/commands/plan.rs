@@ -1,9 +1,8 @@
 //! `railcrack plan`.
 
-use super::run::{is_same_file, listen, threads, use_threads};
-use crate::display::Verbosity;
+use super::run::{Execution, is_same_file, listen, use_threads};
 use crate::exit::{Exit, Failure};
-use crate::input::{self, Set, default_folder};
+use crate::input::{self, default_folder};
 use crate::json::Json;
 use crate::print;
 use crate::progress::Progress;
@@ -14,7 +13,6 @@ use railcrack_run::decision::VerdictLevel;
 use railcrack_run::simulation::{PlanRequest, Simulation};
 use railcrack_run::{Existing, PlanSummary};
 use serde_json::json;
-use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 /// Find the least grinding that keeps the rail from failing
@@ -42,13 +40,7 @@ pub struct PlanArguments {
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     #[command(flatten)]
-    pub set: Set,
-    /// Number of threads [default: all]; it does not affect the results
-    #[arg(long, value_name = "N", value_parser = threads)]
-    pub threads: Option<NonZeroUsize>,
-    /// Suppress progress output
-    #[arg(long)]
-    pub quiet: bool,
+    pub execution: Execution,
     /// Replace existing results in the folder
     #[arg(long)]
     pub force: bool,
@@ -72,16 +64,16 @@ const SHORT: f64 = 10.0;
 /// Computes the plans and prints a summary.
 pub fn plan(arguments: &PlanArguments) -> Result<Exit, Failure> {
     arguments.json.told(|| {
-        use_threads(arguments.threads)?;
-        let overrides = Overrides { settings: arguments.set.set.clone(), ..Overrides::default() };
+        use_threads(arguments.execution.threads)?;
+        let settings = arguments.execution.set.set.clone();
+        let overrides = Overrides { settings, ..Overrides::default() };
         let case = input::case(&arguments.case, &overrides)?;
         let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));
         if is_same_file(&arguments.case, &folder.join("case.toml")) {
             return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
         }
         let interruption = listen()?;
-        let verbosity = if arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress };
-        let progress = Progress::new(verbosity, 0, &interruption);
+        let progress = Progress::new(arguments.execution.verbosity(), 0, &interruption);
         let request = PlanRequest {
             depths: arguments.grinding.clone(),
             intervals: arguments.interval.clone(),

@@ -12,7 +12,7 @@ use railcrack::words::Choice;
 use railcrack_case::Overrides;
 use railcrack_report::Pages;
 use railcrack_run::Summary;
-use railcrack_run::decision::VerdictLevel;
+use railcrack_run::decision::{Reason, Verdict, VerdictLevel};
 use railcrack_run::machine::{Budget, Needs, long_step, step_seconds};
 use railcrack_run::simulation::{Ending, Finished, RunEntry, RunError, Simulation};
 use serde_json::{Value, json};
@@ -41,13 +41,7 @@ pub struct RunArguments {
     #[arg(long, value_name = "N")]
     pub steps: Option<u64>,
     #[command(flatten)]
-    pub set: Set,
-    /// Number of threads [default: all]; it does not affect the results
-    #[arg(long, value_name = "N", value_parser = threads)]
-    pub threads: Option<NonZeroUsize>,
-    /// Suppress progress output
-    #[arg(long)]
-    pub quiet: bool,
+    pub execution: Execution,
     /// Continue the run in the folder after its last finished step
     #[arg(long, conflicts_with = "force")]
     pub resume: bool,
@@ -61,10 +55,30 @@ pub struct RunArguments {
     pub json: Json,
 }
 
+/// Settings of the case and of the computation.
+#[derive(Debug, Args)]
+pub struct Execution {
+    #[command(flatten)]
+    pub set: Set,
+    /// Number of threads [default: all]; it does not affect the results
+    #[arg(long, value_name = "N", value_parser = threads)]
+    pub threads: Option<NonZeroUsize>,
+    /// Suppress progress output
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+impl Execution {
+    /// What is shown while it computes.
+    pub fn verbosity(&self) -> Verbosity {
+        if self.quiet { Verbosity::Quiet } else { Verbosity::Progress }
+    }
+}
+
 /// Runs the case and prints a summary.
 pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
     arguments.json.told(|| {
-        use_threads(arguments.threads)?;
+        use_threads(arguments.execution.threads)?;
         let finished = compute(arguments, &listen()?)?;
         let exit = match finished.ending {
             Ending::Ended => Exit::Done,
@@ -113,7 +127,7 @@ pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<
         steps: arguments.steps,
         engine: arguments.engine.clone(),
         contact: arguments.contact.clone(),
-        settings: arguments.set.set.clone(),
+        settings: arguments.execution.set.set.clone(),
         ..Overrides::default()
     };
     let case = input::case(&arguments.case, &overrides)?;
@@ -126,11 +140,11 @@ pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<
     if !arguments.no_limits {
         Budget::of(&folder).allows(Needs::with(&case, &size), 1, 1)?;
     }
-    if let Some(says) = long_step(step_seconds(&case, &size), &size).filter(|_| !arguments.quiet) {
+    if let Some(says) = long_step(step_seconds(&case, &size), &size).filter(|_| !arguments.execution.quiet) {
         print::warning(&says);
     }
-    let verbosity = if arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress };
-    let progress = Progress::new(verbosity, case.growth.steps, interruption).with_axle_load(case.axle_load);
+    let progress = Progress::new(arguments.execution.verbosity(), case.growth.steps, interruption)
+        .with_axle_load(case.axle_load);
     let simulation = Simulation::new(&case).observed_by(&progress).presented_by(&Pages);
     Ok(simulation.run_in(&folder, entry)?)
 }
@@ -179,20 +193,21 @@ pub fn is_same_file(one: &Path, other: &Path) -> bool {
     }
 }
 
+/// One line for each reason of a verdict.
+fn verdict(verdict: &Verdict) -> String {
+    let level = match verdict.level {
+        VerdictLevel::Outside => "outside of what the model describes",
+        level => level.word(),
+    };
+    let head = |i: usize| if i == 0 { format!("verdict: {level}: ") } else { "also: ".to_owned() };
+    let line = |(i, reason): (usize, &Reason)| format!("{}{}\n", head(i), reason.text);
+    verdict.reasons.iter().enumerate().map(line).collect()
+}
+
 /// One line for each wheel of a mix, and one for the inspection interval.
 fn decision(summary: &Summary) -> String {
-    let Some(decision) = &summary.decision else { return String::new() };
-    let mut text = String::new();
-    for (i, reason) in decision.verdict.reasons.iter().enumerate() {
-        let level = match decision.verdict.level {
-            VerdictLevel::Ok => "ok",
-            VerdictLevel::Act => "act",
-            VerdictLevel::Stop => "stop",
-            VerdictLevel::Outside => "outside of what the model describes",
-        };
-        let head = if i == 0 { format!("verdict: {level}: ") } else { "also: ".to_owned() };
-        text.push_str(&format!("{head}{}\n", reason.text));
-    }
+    let mut text = summary.verdict.as_ref().map_or_else(String::new, verdict);
+    let Some(decision) = &summary.decision else { return text };
     if let Some(paths) = decision.paths {
         let life = |mgt: Option<f64>| mgt.map_or_else(|| "none".to_owned(), |mgt| format!("{mgt:.3}"));
         text.push_str(&format!(
@@ -310,7 +325,7 @@ const WARNINGS: usize = 8;
 fn warnings(summary: &Summary) -> String {
     let mut texts: Vec<String> = Vec::new();
     for warning in &summary.warnings {
-        let text = format!("warning, step {}: {}\n", warning.step, warning.text);
+        let text = format!("warning, {}: {}\n", warning.place(), warning.text);
         if !texts.contains(&text) {
             texts.push(text);
         }

@@ -25,4 +25,5 @@ mod space;
 mod sweep;
 mod traffic;
 mod validate;
+mod verdict;
 mod view;

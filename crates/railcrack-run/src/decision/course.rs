@@ -60,6 +60,18 @@ impl FailureMode {
     /// All modes.
     pub const ALL: [Self; 5] = [Self::Depth, Self::Length, Self::Fracture, Self::Spall, Self::Detached];
 
+    /// Its word in results.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Depth => "depth",
+            Self::Length => "length",
+            Self::Fracture => "fracture",
+            Self::Spall => "spall",
+            Self::Detached => "detached",
+        }
+    }
+
     /// In words.
     #[must_use]
     pub fn words(self) -> &'static str {

@@ -34,6 +34,7 @@ pub use scatter::{DepthQuantiles, Outlived, Quantiles, ScatterSummary, Sensitivi
 pub(crate) use scatter::{Gathered, spread, tonnages};
 pub use summary::Decision;
 pub(crate) use summary::{Judged, course_of, judged};
+pub(crate) use verdict::deepening;
 pub use verdict::{Reason, ReasonKind, Verdict, VerdictLevel};
 pub(crate) use walk::Track;
 pub use wheels::WheelSummary;

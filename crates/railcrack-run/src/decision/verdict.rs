@@ -50,6 +50,9 @@ pub enum ReasonKind {
     Risk,
     /// The end of the run, not of the rail.
     EndOfRun,
+    /// The steps of the case end before a failure that it asks for, and before the traffic at
+    /// which it would end.
+    StepLimit,
     /// K_I beyond the toughness of the steel, without `[fracture]`.
     Toughness,
     /// Fluid lifts the flap from what would press it down.
@@ -95,10 +98,44 @@ pub struct Verdict {
 const LARGEST_RATE: f64 = 3.0;
 
 impl ReasonKind {
+    /// Its word in results.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Failure => "failure",
+            Self::AtOnce => "at-once",
+            Self::BeforeDetectable => "before-detectable",
+            Self::Risk => "risk",
+            Self::EndOfRun => "end-of-run",
+            Self::StepLimit => "step-limit",
+            Self::Toughness => "toughness",
+            Self::LiftedFlap => "lifted-flap",
+            Self::Rate => "rate",
+            Self::PlasticLayer => "plastic-layer",
+        }
+    }
+
+    /// What it says of a run, in a few words.
+    #[must_use]
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Failure => "failure within the run",
+            Self::AtOnce => "failure within the first increment",
+            Self::BeforeDetectable => "failure before the crack is detectable",
+            Self::Risk => "risk between inspections above the target",
+            Self::EndOfRun => "no failure within the run",
+            Self::StepLimit => "the steps end before the traffic that is asked for",
+            Self::Toughness => "K beyond the toughness of the steel",
+            Self::LiftedFlap => "fluid lifts the flap",
+            Self::Rate => "growth faster than cracks grow",
+            Self::PlasticLayer => "a tip in the layer that flows",
+        }
+    }
+
     fn level(self) -> VerdictLevel {
         match self {
             Self::EndOfRun => VerdictLevel::Ok,
-            Self::Failure | Self::Risk => VerdictLevel::Act,
+            Self::Failure | Self::Risk | Self::StepLimit => VerdictLevel::Act,
             Self::AtOnce | Self::BeforeDetectable => VerdictLevel::Stop,
             Self::Toughness | Self::LiftedFlap | Self::Rate | Self::PlasticLayer => VerdictLevel::Outside,
         }
@@ -149,16 +186,21 @@ impl Verdict {
             .filter(|(i, step)| *i == 0 || mgt(step) <= end * (1.0 + 1e-9))
             .map(|(_, step)| step)
             .collect();
-        let mut reasons = Vec::new();
-        reasons.extend(toughness(info, &steps).map(|reason| at(reason, &steps, mgt)));
-        reasons.extend(flap(info, &steps).map(|reason| at(reason, &steps, mgt)));
-        reasons.extend(rate(&steps, tonnes).map(|reason| at(reason, &steps, mgt)));
-        reasons.extend(layer(info, &steps).map(|reason| at(reason, &steps, mgt)));
+        let mut reasons = limits_of_model(info, &steps);
+        reasons.extend(rate(&steps, tonnes));
+        reasons = reasons.into_iter().map(|reason| at(reason, &steps, mgt)).collect();
         reasons.extend(failure(nominal, log, mgt, is_inspected));
         if reasons.is_empty() {
-            reasons.extend(end_of_run(log, nominal, mgt));
+            reasons.extend(end_of_run(info, log, nominal, mgt));
         }
         Self::of_reasons(reasons)
+    }
+
+    /// The verdict on a run without axle loads: whether the model describes it; none if it does.
+    pub(crate) fn without_traffic(info: &RunInfo, log: &RunLog) -> Option<Self> {
+        let steps: Vec<&StepDigest> = log.steps.iter().collect();
+        let reasons = limits_of_model(info, &steps);
+        (!reasons.is_empty()).then(|| Self::of_reasons(reasons))
     }
 
     /// The verdict with one more `reason`; the end of a run is no reason beside it.
@@ -166,6 +208,18 @@ impl Verdict {
         self.reasons.push(reason);
         self.reasons.retain(|reason| reason.kind != ReasonKind::EndOfRun);
         Self::of_reasons(self.reasons)
+    }
+
+    /// The kinds of its reasons, the gravest first, each once, separated by spaces.
+    #[must_use]
+    pub fn kinds(&self) -> String {
+        let mut kinds: Vec<&str> = Vec::new();
+        for reason in &self.reasons {
+            if !kinds.contains(&reason.kind.word()) {
+                kinds.push(reason.kind.word());
+            }
+        }
+        kinds.join(" ")
     }
 
     /// Whether intervals mean anything.
@@ -201,12 +255,16 @@ fn of_tip(reason: Reason, step: &StepDigest, tip: &TipRecord, value: f64, limit:
 /// The tip of all steps with the largest value of `of`.
 fn worst<'a>(
     steps: &[&'a StepDigest],
-    of: impl Fn(usize, &TipRecord) -> Option<f64>,
+    of: impl Fn(&TipRecord) -> Option<f64>,
 ) -> Option<(&'a StepDigest, &'a TipRecord, f64)> {
-    let tips =
-        steps.iter().enumerate().flat_map(|(i, step)| step.tips.iter().map(move |tip| (i, *step, tip)));
-    let valued = tips.filter_map(|(i, step, tip)| Some((step, tip, of(i, tip)?)));
+    let tips = steps.iter().flat_map(|step| step.tips.iter().map(move |tip| (*step, tip)));
+    let valued = tips.filter_map(|(step, tip)| Some((step, tip, of(tip)?)));
     valued.reduce(|most, next| if next.2 > most.2 { next } else { most })
+}
+
+/// What in `steps` the model does not describe, whatever the traffic.
+fn limits_of_model(info: &RunInfo, steps: &[&StepDigest]) -> Vec<Reason> {
+    [toughness(info, steps), flap(info, steps), layer(info, steps)].into_iter().flatten().collect()
 }
 
 fn toughness(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
@@ -230,7 +288,7 @@ fn toughness(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
         let reason = Reason::new(ReasonKind::Toughness, text("k1 at the end of a real kink", value));
         return Some(Reason { step: Some(step.step), value: Some(value), limit: Some(limit), ..reason });
     }
-    let opened = |_, tip: &TipRecord| Some(tip.ki_max / MPA_SQRT_MM);
+    let opened = |tip: &TipRecord| Some(tip.ki_max / MPA_SQRT_MM);
     let (step, tip, value) = worst(steps, opened).filter(|(_, _, value)| *value > limit)?;
     Some(of_tip(Reason::new(ReasonKind::Toughness, text("K_I", value)), step, tip, value, limit))
 }
@@ -249,35 +307,44 @@ fn flap(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
 
 /// Growth of each tip into the depth, from its rate and from its depths.
 fn rate(steps: &[&StepDigest], tonnes: f64) -> Option<Reason> {
-    let (step, tip, value) = deepening(steps, tonnes)?;
-    if value <= LARGEST_RATE {
-        return None;
-    }
+    let all = (0..steps.len()).filter_map(|i| Some((steps[i], deepening(steps, i, tonnes)?)));
+    let fastest = all.reduce(|most, next| if next.1.1 > most.1.1 { next } else { most });
+    let (step, (tip, value)) = fastest.filter(|(_, (_, value))| *value > LARGEST_RATE)?;
     let text = format!(
         "a crack gets deeper by {value:.3} mm per million gross tonnes, ten times as fast as the fastest head checks in track: calibrate the growth law (railcrack calibrate) or check the loads"
     );
     Some(of_tip(Reason::new(ReasonKind::Rate, text), step, tip, value, LARGEST_RATE))
 }
 
-/// The tip that gets deeper fastest, mm per million gross tonnes.
-pub(super) fn deepening<'a>(
+/// The tip that gets deeper fastest in step `i`, mm per million gross tonnes.
+pub(crate) fn deepening<'a>(
     steps: &[&'a StepDigest],
+    i: usize,
     tonnes: f64,
-) -> Option<(&'a StepDigest, &'a TipRecord, f64)> {
-    let deeper = |i: usize, tip: &TipRecord| {
-        let (here, next) = (steps.get(i)?, steps.get(i + 1)?);
-        let same = next.tips.iter().find(|other| other.tip == tip.tip)?;
-        let steel = (same.depth() + next.removed) - (tip.depth() + here.removed);
-        let grown = tip.increment;
-        // The sine of the way in the steel, and the rate at its start.
-        (grown > 0.0 && tip.rate.is_finite()).then(|| 1e6 / tonnes * tip.rate * (steel / grown).min(1.0))
+) -> Option<(&'a TipRecord, f64)> {
+    let here = *steps.get(i)?;
+    let next = steps.get(i + 1);
+    let deeper = |tip: &TipRecord| {
+        // The sine of the way in the steel; of cracks that were not followed, that at the mouth.
+        let sine = match next {
+            Some(next) => {
+                let same = next.tips.iter().find(|other| other.tip == tip.tip)?;
+                let steel = (same.depth() + next.removed) - (tip.depth() + here.removed);
+                (tip.increment > 0.0).then(|| (steel / tip.increment).min(1.0))?
+            }
+            None if steps.len() == 1 => tip.mouth_sine?,
+            None => return None,
+        };
+        let value = 1e6 / tonnes * tip.rate * sine;
+        value.is_finite().then_some(value)
     };
-    worst(steps, deeper)
+    let all = here.tips.iter().filter_map(|tip| Some((tip, deeper(tip)?)));
+    all.reduce(|most, next| if next.1 > most.1 { next } else { most })
 }
 
 fn layer(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
     let [top, bottom] = info.flowing?;
-    let below = |_, tip: &TipRecord| {
+    let below = |tip: &TipRecord| {
         let flows = tip.depth() > top && tip.depth() < bottom && tip.rate > 0.0;
         flows.then_some(bottom - tip.depth())
     };
@@ -324,8 +391,23 @@ fn is_at_rest(stop: RunStop) -> bool {
     matches!(stop, RunStop::NoTipGrows(TipStop::Arrest | TipStop::Coalescence | TipStop::WornAway))
 }
 
-fn end_of_run(log: &RunLog, nominal: &Nominal, mgt: impl Fn(&StepDigest) -> f64) -> Option<Reason> {
+/// Whether the case says what a failure is.
+fn asks_for_failure(info: &RunInfo) -> bool {
+    let critical_depth = info.inspection.and_then(|inspection| inspection.critical_depth);
+    critical_depth.or(info.critical_length).or(info.toughness).is_some()
+}
+
+fn end_of_run(
+    info: &RunInfo,
+    log: &RunLog,
+    nominal: &Nominal,
+    mgt: impl Fn(&StepDigest) -> f64,
+) -> Option<Reason> {
     let last = log.steps.last()?;
+    let is_over = nominal.worn.or(nominal.replaced).is_some();
+    let is_cut = !is_over && last.stop == Some(RunStop::StepsDone) && last.step > 0;
+    let kind =
+        if is_cut && asks_for_failure(info) { ReasonKind::StepLimit } else { ReasonKind::EndOfRun };
     let text = match (nominal.worn, last.stop) {
         _ if nominal.replaced.is_some() => format!(
             "the rail is worn to the limit at which it is replaced after {:.3} million gross tonnes",
@@ -333,6 +415,11 @@ fn end_of_run(log: &RunLog, nominal: &Nominal, mgt: impl Fn(&StepDigest) -> f64)
         ),
         (Some(worn), _) => format!("the cracks are worn away after {worn:.3} million gross tonnes"),
         (None, Some(stop)) if is_at_rest(stop) => "no crack grows any longer".to_owned(),
+        _ if kind == ReasonKind::StepLimit => format!(
+            "the {} steps of the case end after {:.3} million gross tonnes without a failure, and what follows is not known: give more steps in [growth], or stop_after_cycles for the traffic in question",
+            last.step,
+            mgt(last)
+        ),
         _ => format!(
             "the run ends after {:.3} million gross tonnes without a failure: what follows is not known",
             mgt(last)
@@ -341,6 +428,6 @@ fn end_of_run(log: &RunLog, nominal: &Nominal, mgt: impl Fn(&StepDigest) -> f64)
     Some(Reason {
         step: Some(last.step),
         mgt: Some(nominal.replaced.or(nominal.worn).unwrap_or_else(|| mgt(last))),
-        ..Reason::new(ReasonKind::EndOfRun, text)
+        ..Reason::new(kind, text)
     })
 }

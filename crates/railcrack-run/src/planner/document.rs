@@ -8,16 +8,6 @@ use std::collections::BTreeMap;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PlanOutcome {
-    /// A tip reaches the critical depth.
-    Depth,
-    /// A crack reaches the critical length.
-    Length,
-    /// The rail breaks.
-    Fracture,
-    /// A piece of the running surface is lost.
-    Spall,
-    /// A piece is wholly cut off.
-    Detached,
     /// The last crack is worn away.
     WornAway,
     /// The rail is worn to the limit at which it is replaced.
@@ -28,6 +18,9 @@ pub enum PlanOutcome {
     Holds,
     /// The computation ends before the horizon: what follows is not known.
     Unknown,
+    /// The rail fails.
+    #[serde(untagged)]
+    Fails(FailureMode),
 }
 
 impl PlanOutcome {
@@ -35,16 +28,12 @@ impl PlanOutcome {
     #[must_use]
     pub fn words(self) -> &'static str {
         match self {
-            Self::Depth => "critical depth",
-            Self::Length => "critical length",
-            Self::Fracture => "fracture",
-            Self::Spall => "spall",
-            Self::Detached => "detached piece",
             Self::WornAway => "worn away",
             Self::WearLimit => "wear limit",
             Self::Arrest => "arrest",
             Self::Holds => "holds",
             Self::Unknown => "not known",
+            Self::Fails(mode) => mode.words(),
         }
     }
 
@@ -52,41 +41,25 @@ impl PlanOutcome {
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
-            Self::Depth => "depth",
-            Self::Length => "length",
-            Self::Fracture => "fracture",
-            Self::Spall => "spall",
-            Self::Detached => "detached",
             Self::WornAway => "worn-away",
             Self::WearLimit => "wear-limit",
             Self::Arrest => "arrest",
             Self::Holds => "holds",
             Self::Unknown => "unknown",
+            Self::Fails(mode) => mode.word(),
         }
     }
 
     /// Whether the rail fails.
     #[must_use]
     pub fn is_failure(self) -> bool {
-        !self.is_safe() && self != Self::Unknown
+        matches!(self, Self::Fails(_))
     }
 
     /// Whether the rail does not fail.
     #[must_use]
     pub fn is_safe(self) -> bool {
-        matches!(self, Self::WornAway | Self::WearLimit | Self::Arrest | Self::Holds)
-    }
-}
-
-impl From<FailureMode> for PlanOutcome {
-    fn from(mode: FailureMode) -> Self {
-        match mode {
-            FailureMode::Depth => Self::Depth,
-            FailureMode::Length => Self::Length,
-            FailureMode::Fracture => Self::Fracture,
-            FailureMode::Spall => Self::Spall,
-            FailureMode::Detached => Self::Detached,
-        }
+        !self.is_failure() && self != Self::Unknown
     }
 }
 

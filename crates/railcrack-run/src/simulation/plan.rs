@@ -5,7 +5,7 @@ use super::job::{Job, Stage, case_files};
 use super::observer::RunObserver;
 use super::run::Simulation;
 use crate::decision::{
-    Course, Draw, Draws, Family, Judged, Question, Sampler, Sampling, Track, VerdictLevel, judged,
+    Course, Draw, Draws, FailureMode, Family, Judged, Question, Sampler, Sampling, Track, VerdictLevel, judged,
 };
 use crate::disk::{FolderLock, VERSION};
 use crate::error::OutputError;
@@ -355,7 +355,7 @@ impl Planning<'_> {
         let by = |mgt: Option<f64>| mgt.filter(|mgt| *mgt <= horizon);
         let failure = nominal.failure.mode.zip(by(nominal.failure.mgt));
         let (outcome, mgt) = match (failure, by(nominal.worn), by(nominal.replaced)) {
-            (Some((mode, mgt)), ..) => (PlanOutcome::from(mode), mgt),
+            (Some((mode, mgt)), ..) => (PlanOutcome::Fails(mode), mgt),
             (_, Some(mgt), _) => (PlanOutcome::WornAway, mgt),
             (_, _, Some(mgt)) => (PlanOutcome::WearLimit, mgt),
             _ if is_at_rest => (PlanOutcome::Arrest, end.min(horizon)),
@@ -369,7 +369,7 @@ impl Planning<'_> {
             .iter()
             .filter(|point| 1e-6 * self.tonnes * point.axles <= mgt * (1.0 + 1e-9));
         let critical = case.inspection.and_then(|inspection| inspection.critical_depth);
-        let reached = critical.filter(|_| outcome == PlanOutcome::Depth).unwrap_or(0.0);
+        let reached = critical.filter(|_| outcome == PlanOutcome::Fails(FailureMode::Depth)).unwrap_or(0.0);
         let (mut deepest, mut removed) = (reached, 0.0);
         for point in until {
             deepest = f64::max(deepest, point.depth);

@@ -24,8 +24,10 @@ pub(super) fn append(file: &mut ParquetFile, before: &[&str], text: &str) {
 pub(super) fn kind_of(column: &str) -> ColumnKind {
     match column {
         "run" | "step" | "steps" | "passage" | "passages" | "crack" | "tip" | "position" | "wheel"
-        | "segment" | "warnings" => ColumnKind::Integer,
-        "folder" | "state" | "stop" | "status" | "reason" => ColumnKind::Text,
+        | "segment" | "warnings" | "failure_crack" => ColumnKind::Integer,
+        "folder" | "state" | "stop" | "status" | "reason" | "verdict" | "reasons" | "failure" => {
+            ColumnKind::Text
+        }
         _ => ColumnKind::Number,
     }
 }

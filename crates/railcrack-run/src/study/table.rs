@@ -4,6 +4,7 @@ use super::plan::StudyPlan;
 use super::results::StudyResults;
 use super::state::{RunState, StudyRow};
 use crate::csv::{Rows, Table, column_names, header_of, line_fields, table, whole};
+use crate::decision::{FailureMode, Verdict};
 use crate::error::OutputError;
 use railcrack::growth::RunStop;
 use std::collections::HashSet;
@@ -18,6 +19,7 @@ table! {
         "crack, tip: the tip of the crack that grew most (in a tie, the one with the largest delta_keq); the following columns refer to this tip",
         "initial_length_mm, length_mm: of its crack at step 0 and at the last finished step; tip_x_mm, tip_y_mm: position at that step, y upwards",
         "ki_max ... rate: step 0, stabilised passage; K: MPa sqrt(m); kii_peak: the largest |K_II|; angle: from straight ahead",
+        "verdict, reasons (kinds, the gravest first), failure (mode), failure_mgt, failure_crack: as in the decision of summary.json",
         "empty: not computed, or not applicable. Wall times are in times.csv",
     ] {
         /// `done`; `not-converged` or `cannot-read-or-write`, with the `reason`; `unfinished`:
@@ -65,6 +67,17 @@ table! {
         warnings: Option<usize> = "warnings";
         /// Why a failed run failed.
         reason: Option<String> = "reason";
+        /// Level of the verdict: `ok`, `act`, `stop` or `outside`; without axle loads only
+        /// `outside`, or empty.
+        verdict: Option<String> = "verdict";
+        /// Kinds of the reasons of the verdict, the gravest first, separated by spaces.
+        reasons: Option<String> = "reasons";
+        /// Mode of the first failure over all cracks and tips, or `none`; empty without axle loads.
+        failure: Option<String> = "failure";
+        /// Million gross tonnes until then.
+        failure_mgt: Option<f64> = "failure_mgt";
+        /// Its crack.
+        failure_crack: Option<usize> = "failure_crack";
     }
 }
 
@@ -97,6 +110,8 @@ impl From<&StudyRow> for StudySummaryRow {
         let summary = row.summary.as_ref();
         let tip = row.representative.as_ref();
         let (first, last) = (tip.map(|tip| &tip.first), tip.map(|tip| tip.last()));
+        let verdict = summary.and_then(|summary| summary.verdict.as_ref());
+        let failure = summary.and_then(|summary| Some(summary.decision.as_ref()?.failure));
         let peak = |values: &[f64]| values.iter().fold(0.0, |peak: f64, k| peak.max(k.abs()));
         Self {
             state: row.state.name().to_owned(),
@@ -123,6 +138,11 @@ impl From<&StudyRow> for StudySummaryRow {
                 RunState::Failed { reason, .. } => Some(reason.clone()),
                 _ => None,
             },
+            verdict: verdict.map(|verdict| verdict.level.word().to_owned()),
+            reasons: verdict.map(Verdict::kinds),
+            failure: failure.map(|failure| failure.mode.map_or("none", FailureMode::word).to_owned()),
+            failure_mgt: failure.and_then(|failure| failure.mgt),
+            failure_crack: failure.and_then(|failure| failure.crack),
         }
     }
 }

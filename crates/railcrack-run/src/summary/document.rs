@@ -3,9 +3,10 @@
 use super::outcome::Outcome;
 use super::parts::{
     CrackSummary, FractureSummary, FrontSummary, JunctionSummary, PhaseSeconds, PieceSummary, TipSummary,
+    WarningSummary,
 };
 use super::validity;
-use crate::decision::Decision;
+use crate::decision::{Decision, Verdict};
 use crate::disk::files::SUMMARY_FILE;
 use crate::disk::{VERSION, words};
 use crate::error::OutputError;
@@ -56,6 +57,10 @@ pub struct Summary {
     pub load_cycles_error: f64,
     /// The same in million gross tonnes, where the case gives the axle load.
     pub million_gross_tonnes: Option<f64>,
+    /// The verdict of the decision; without axle loads only whether the model describes the run,
+    /// null if it does.
+    #[serde(default)]
+    pub verdict: Option<Verdict>,
     /// From growth to a decision; null without axle loads.
     #[serde(default)]
     pub decision: Option<Decision>,
@@ -89,7 +94,7 @@ pub struct Summary {
     #[serde(default)]
     pub fracture: Option<FractureSummary>,
     /// Warnings, in order.
-    pub warnings: Vec<Warning>,
+    pub warnings: Vec<WarningSummary>,
     /// Tips in the last finished step.
     pub tips: Vec<TipSummary>,
     /// Paths.
@@ -126,6 +131,8 @@ impl Summary {
         let solves = sum(|step| step.counts.solves);
         let load_cycles = last.map_or(0.0, |step| step.load_cycles);
         let stop = last.and_then(|step| step.stop);
+        let decision = Decision::of(info, log, is_sampled);
+        let of_decision = decision.as_ref().map(|decision| decision.verdict.clone());
         Self {
             version: VERSION.to_owned(),
             title: info.title.clone(),
@@ -141,7 +148,8 @@ impl Summary {
             load_cycles,
             load_cycles_error: last.map_or(0.0, |step| step.cycles_error),
             million_gross_tonnes: info.axle_load.map(|tonnes| load_cycles * tonnes / 1e6),
-            decision: Decision::of(info, log, is_sampled),
+            verdict: of_decision.or_else(|| Verdict::without_traffic(info, log)),
+            decision,
             wall_s: log.now.wall_s,
             phases_s: PhaseSeconds {
                 residual: log.now.residual.as_ref().map_or(0.0, |residual| residual.wall_s),
@@ -171,8 +179,9 @@ impl Summary {
                 .iter()
                 .cloned()
                 .chain(of_residual(log))
+                .map(WarningSummary::of_case)
                 .chain(validity::of_steps(info, log))
-                .chain(log.warnings().cloned())
+                .chain(log.warnings().cloned().map(WarningSummary::of_step))
                 .collect(),
             fracture: fracture(info, log),
             tips: last.map_or_else(Vec::new, |step| step.tips.iter().map(tip_summary).collect()),

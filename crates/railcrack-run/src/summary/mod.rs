@@ -10,4 +10,5 @@ pub(crate) use document::finite_summary;
 pub use outcome::{Outcome, RunEnd};
 pub use parts::{
     CrackSummary, FractureSummary, FrontSummary, JunctionSummary, PhaseSeconds, PieceSummary, TipSummary,
+    WarningSummary,
 };

@@ -2,7 +2,7 @@
 
 use crate::disk::words;
 use railcrack::crack::End;
-use railcrack::growth::{PieceKind, TipStop};
+use railcrack::growth::{PieceKind, TipStop, Warning, WarningKind};
 use serde::{Deserialize, Serialize};
 
 /// Wall time by phase, of the run and its resumptions, seconds.
@@ -29,6 +29,41 @@ pub struct PhaseSeconds {
     pub growth: f64,
     /// Tables, checkpoints, plots.
     pub output: f64,
+}
+
+/// A warning to the reader of the results.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct WarningSummary {
+    /// The growth step to which its numbers belong: the worst of those concerned.
+    pub step: usize,
+    /// Number of growth steps concerned; null where it follows from the case.
+    #[serde(default)]
+    pub steps: Option<usize>,
+    /// Its kind.
+    pub kind: WarningKind,
+    /// One sentence with its numbers.
+    pub text: String,
+}
+
+impl WarningSummary {
+    /// A warning that follows from the case, before any step.
+    pub(crate) fn of_case(warning: Warning) -> Self {
+        Self { step: warning.step, steps: None, kind: warning.kind, text: warning.text }
+    }
+
+    /// A warning that arose in one step.
+    pub(crate) fn of_step(warning: Warning) -> Self {
+        Self { steps: Some(1), ..Self::of_case(warning) }
+    }
+
+    /// Its step in words: `step 3`, `step 3, the worst of 12`.
+    #[must_use]
+    pub fn place(&self) -> String {
+        match self.steps {
+            Some(steps) if steps > 1 => format!("step {}, the worst of {steps}", self.step),
+            _ => format!("step {}", self.step),
+        }
+    }
 }
 
 /// A tip in the last finished step.

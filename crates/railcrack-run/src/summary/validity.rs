@@ -1,5 +1,7 @@
 //! Warnings where a case or its results are outside the validity of the model.
 
+use super::parts::WarningSummary;
+use crate::decision::deepening;
 use crate::log::{RunInfo, RunLog, StepDigest};
 use railcrack::fatigue::RailSteel;
 use railcrack::growth::{TipRecord, Warning, WarningKind};
@@ -91,54 +93,99 @@ pub(crate) fn flowing(case: &Case) -> Option<[f64; 2]> {
 const FLOW_DEPTHS: usize = 100;
 const DEEPEST_FLOW: f64 = 3.0;
 
-/// Warnings that follow from the finished steps: each where it first applies.
-pub(crate) fn of_steps(info: &RunInfo, log: &RunLog) -> Vec<Warning> {
-    let first = |of: &dyn Fn(&StepDigest) -> Option<ValidityWarning>| {
-        log.steps.iter().find_map(|step| Some(at_step(step.step, &of(step)?)))
+/// Warnings that follow from the finished steps: each with the numbers of the worst step, and the
+/// number of steps concerned.
+pub(crate) fn of_steps(info: &RunInfo, log: &RunLog) -> Vec<WarningSummary> {
+    let steps: Vec<&StepDigest> = log.steps.iter().collect();
+    let depth = |i: usize| {
+        let deepest = steps[i].tips.iter().map(|tip| -tip.y).fold(0.0, f64::max);
+        let warning = info.bends.then(|| validity::depth_in_bending(deepest)).flatten();
+        Some((deepest, warning?))
     };
-    let depth = |step: &StepDigest| {
-        let deepest = step.tips.iter().map(|tip| -tip.y).fold(0.0, f64::max);
-        info.bends.then(|| validity::depth_in_bending(deepest)).flatten()
+    // The fastest tip determines the life of the rail.
+    let delta_k = |i: usize| {
+        let growing = steps[i].tips.iter().filter(|tip| tip.increment > 0.0);
+        let fastest = growing.max_by(|a, b| a.rate.total_cmp(&b.rate))?;
+        Some(fastest.delta_keq / MPA_SQRT_MM)
     };
+    let beyond = |i: usize, sign: f64| {
+        let delta_k = delta_k(i)?;
+        let warning = validity::growth(delta_k, info.law_table)?;
+        let ValidityWarning::OutsideLaw { least, .. } = warning else { return None };
+        let above = if delta_k < least { -1.0 } else { 1.0 };
+        (above == sign).then_some((sign * delta_k, warning))
+    };
+    let deeper = |i: usize| {
+        let (_, rate) = deepening(&steps, i, info.axle_load?)?;
+        Some((rate, validity::depth_rate(rate)?))
+    };
+    let flap = |i: usize| {
+        let opening = steps[i].largest_opening;
+        Some((opening, info.fluid.then(|| validity::flap(opening)).flatten()?))
+    };
+    let wish = |i: usize| {
+        let distance =
+            |tip: &&TipRecord| tip.front().map_or(f64::INFINITY, |front| (front.phi - FRAC_PI_2).abs());
+        let deepest = steps[i].tips.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?.front()?;
+        let (kink, ratio) = (deepest.wanted_kink?.to_degrees(), deepest.wanted_ratio?);
+        Some((ratio, validity::out_of_plane(kink, ratio)?))
+    };
+    let worst = |of: &dyn Fn(usize) -> Option<(f64, ValidityWarning)>| worst(&steps, of);
+    let all = [
+        worst(&depth),
+        kinks(info, &steps),
+        worst(&deeper),
+        worst(&|i| beyond(i, 1.0)),
+        worst(&|i| beyond(i, -1.0)),
+        worst(&flap),
+        worst(&wish),
+    ];
+    all.into_iter().flatten().collect()
+}
+
+/// The worst of the warnings `of` the steps, by the larger of the first members, and the number of
+/// steps with one.
+fn worst(
+    steps: &[&StepDigest],
+    of: &dyn Fn(usize) -> Option<(f64, ValidityWarning)>,
+) -> Option<WarningSummary> {
+    let concerned: Vec<_> = (0..steps.len()).filter_map(|i| Some((steps[i].step, of(i)?))).collect();
+    let (step, (_, warning)) =
+        concerned.iter().reduce(|most, next| if next.1.0 > most.1.0 { next } else { most })?;
+    let own = WarningSummary::of_step(at_step(*step, warning));
+    Some(WarningSummary { steps: Some(concerned.len()), ..own })
+}
+
+/// Kinks beyond the usual toughness in a case without a toughness: those that break the rail; if
+/// none does, those that arrest.
+fn kinks(info: &RunInfo, steps: &[&StepDigest]) -> Option<WarningSummary> {
+    if info.toughness.is_some() {
+        return None;
+    }
     let steel = Steel {
         toughness: info.steel.unwrap_or(RailSteel::USUAL).mean_toughness,
         name: info.steel.unwrap_or(RailSteel::USUAL).name,
         origin: if info.steel.is_some() { SteelOrigin::Case } else { SteelOrigin::Assumed },
     };
-    let tests = || {
-        let tests = log.steps.iter().filter_map(|step| Some((step.step, step.pop_in_test?)));
-        tests.filter(|_| info.toughness.is_none())
+    let limit = MPA_SQRT_MM * steel.toughness;
+    let tested = |breaks: bool| {
+        worst(steps, &|i| {
+            let test = steps[i].pop_in_test.filter(|test| test.arrests(limit) != breaks)?;
+            let after = validity::KinkAfter { length: test.length, k1: test.k1_after };
+            Some((test.k1_after.unwrap_or(test.k1), validity::toughness(test.k1, Some(after), &steel)?))
+        })
     };
     // In space no kink is tested.
-    let in_space = |step: &StepDigest| {
-        info.engine.is_in_space().then_some(()).filter(|()| info.toughness.is_none())?;
-        let k1 = step.tips.iter().filter_map(|tip| Some(tip.largest_k1?.k1)).fold(0.0, f64::max);
-        validity::toughness(k1, None, &steel)
+    let in_space = |i: usize| {
+        info.engine.is_in_space().then_some(())?;
+        let k1 = steps[i].tips.iter().filter_map(|tip| Some(tip.largest_k1?.k1)).fold(0.0, f64::max);
+        Some((k1, validity::toughness(k1, None, &steel)?))
     };
-    let limit = MPA_SQRT_MM * steel.toughness;
-    // The first kink that breaks the rail; if there is none, the first that arrests.
-    let kink = tests().find(|(_, test)| !test.arrests(limit)).or_else(|| tests().next());
-    let kink = kink.and_then(|(step, test)| {
-        let after = validity::KinkAfter { length: test.length, k1: test.k1_after };
-        Some(at_step(step, &validity::toughness(test.k1, Some(after), &steel)?))
-    });
-    // The fastest tip determines the life of the rail.
-    let growth = |step: &StepDigest| {
-        let fastest = step.tips.iter().filter(|tip| tip.increment > 0.0);
-        let fastest = fastest.max_by(|a, b| a.rate.total_cmp(&b.rate))?;
-        validity::growth(fastest.delta_keq / MPA_SQRT_MM, info.law_table)
-    };
-    let wish = |step: &StepDigest| {
-        let distance =
-            |tip: &&TipRecord| tip.front().map_or(f64::INFINITY, |front| (front.phi - FRAC_PI_2).abs());
-        let deepest = step.tips.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?.front()?;
-        validity::out_of_plane(deepest.wanted_kink?.to_degrees(), deepest.wanted_ratio?)
-    };
-    let flap = |step: &StepDigest| info.fluid.then(|| validity::flap(step.largest_opening)).flatten();
-    [first(&depth), kink.or_else(|| first(&in_space)), first(&growth), first(&flap), first(&wish)]
-        .into_iter()
-        .flatten()
-        .collect()
+    let warning = tested(true).or_else(|| tested(false)).or_else(|| worst(steps, &in_space))?;
+    // A kink is tested again only where k1 has grown.
+    let opened = |step: &&&StepDigest| step.tips.iter().any(|tip| tip.compared_k1() > limit);
+    let concerned = steps.iter().filter(opened).count();
+    Some(WarningSummary { steps: warning.steps.map(|steps| steps.max(concerned)), ..warning })
 }
 
 fn at_step(step: usize, warning: &ValidityWarning) -> Warning {

@@ -40,9 +40,10 @@ pub(in crate::pages) fn decision(run: &RunFolder) -> Vec<Block> {
     if blocks.len() > 1 { blocks } else { Vec::new() }
 }
 
-/// The verdict with its first reason; none without axle loads.
+/// The verdict with its first reason; without axle loads only where the model does not describe
+/// the run.
 pub(in crate::pages) fn banner(run: &RunFolder) -> Option<Banner> {
-    let verdict = &run.summary.decision.as_ref()?.verdict;
+    let verdict = run.summary.verdict.as_ref()?;
     let (level, word) = match verdict.level {
         VerdictLevel::Ok => ("ok", "OK"),
         VerdictLevel::Act => ("act", "Act"),

@@ -10,6 +10,7 @@ use crate::table::Table;
 use railcrack::growth::{RunStop, TipStop};
 use railcrack::words::Choice;
 use railcrack_run::csv::TipRow;
+use railcrack_run::decision::{Verdict, VerdictLevel};
 use railcrack_run::run_folder::representative_tip as representative;
 
 /// The first and the last row of the representative tip.
@@ -96,10 +97,10 @@ pub(in crate::pages) fn stop_sentence(run: &RunFolder) -> String {
         Some("steps-done") if steps == 0 => "The case requests the initial geometry only.".to_owned(),
         Some("steps-done") => {
             let increments = if steps == 1 { "increment".to_owned() } else { format!("{steps} increments") };
-            format!("The run ended after the {increments} requested; growth would continue.")
+            format!("The run ended after the {increments} requested{}.", what_follows(run))
         }
         Some("cycles") => {
-            "The run ended at the load cycles given in the case; growth would continue.".to_owned()
+            format!("The run ended at the load cycles given in the case{}.", what_follows(run))
         }
         Some("critical-length") => {
             let length = run.case.growth.critical_length;
@@ -125,6 +126,13 @@ pub(in crate::pages) fn stop_sentence(run: &RunFolder) -> String {
         Some("leaves-rail") => "The run ended because the last growing tip would leave the rail.".to_owned(),
         Some(other) => format!("The run ended: {}.", other.replace('-', " ")),
     }
+}
+
+/// What follows the end of a run that ended before its cracks: nothing is known where the rail
+/// fails, or where the model does not describe it.
+fn what_follows(run: &RunFolder) -> &'static str {
+    let is_grave = |verdict: &Verdict| verdict.level >= VerdictLevel::Stop;
+    if run.summary.verdict.as_ref().is_some_and(is_grave) { "" } else { "; growth would continue" }
 }
 
 /// The estimated error of the load cycles of `row`, as a text; `None` where it is not known.

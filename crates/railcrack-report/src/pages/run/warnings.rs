@@ -6,7 +6,8 @@ use crate::numbers::{fixed, significant};
 use crate::row::NamedCrack;
 use crate::shown::ShownRun;
 use railcrack::bulk::Boundary;
-use railcrack::growth::{Warning, WarningKind};
+use railcrack::growth::WarningKind;
+use railcrack_run::summary::WarningSummary;
 use std::fmt::Write;
 
 /// Maximum number of warnings of a kind shown; the others are counted.
@@ -34,7 +35,7 @@ pub(in crate::pages) fn warnings(run: &RunFolder) -> Vec<String> {
         }
     }
     for kind in kinds {
-        let of_kind: Vec<&Warning> = all.iter().filter(|warning| warning.kind == kind).collect();
+        let of_kind: Vec<&WarningSummary> = all.iter().filter(|warning| warning.kind == kind).collect();
         texts.push(grouped_text(kind, &of_kind));
     }
     texts
@@ -46,7 +47,7 @@ pub(in crate::pages) fn count(run: &RunFolder) -> usize {
     run.summary.warnings.len() + notes.into_iter().filter(|is_so| *is_so).count()
 }
 
-fn grouped_text(kind: WarningKind, warnings: &[&Warning]) -> String {
+fn grouped_text(kind: WarningKind, warnings: &[&WarningSummary]) -> String {
     let heading = match kind {
         WarningKind::NearTie => "Near ties of the direction criterion: the path is sensitive to this choice",
         WarningKind::PopIn => "Pop-ins: a tip extends at once under one load, and arrests",
@@ -63,7 +64,8 @@ fn grouped_text(kind: WarningKind, warnings: &[&Warning]) -> String {
     let shown = if several { OF_A_KIND } else { 1 };
     for warning in warnings.iter().take(shown) {
         // Writing to a string does not fail.
-        let _ = write!(text, "Step {}: {}. ", warning.step, warning.text.trim_end_matches('.'));
+        let place = warning.place().replacen('s', "S", 1);
+        let _ = write!(text, "{place}: {}. ", warning.text.trim_end_matches('.'));
     }
     if warnings.len() > shown {
         let steps: Vec<String> =

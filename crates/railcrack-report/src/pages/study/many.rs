@@ -1,12 +1,14 @@
 //! The page of a study with too many runs for individual curves: quantile bands, scatter plots,
 //! sensitivities, a sortable table.
 
+use super::runs::verdict;
 use crate::figures::{StudyRun, band_charts};
 use crate::page::Block;
 use crate::sensitivity::{Estimate, first_order, rank_correlation};
 use crate::shown::Deflated;
 use railcrack::words::Choice;
 use railcrack_run::Summary;
+use railcrack_run::decision::Verdict;
 use railcrack_run::run_folder::{RepresentativeTip, cycles_to};
 use railcrack_run::study::StudyPlan;
 use serde_json::{Value, json};
@@ -162,6 +164,17 @@ fn columns(plan: &StudyPlan, runs: &[StudyRun]) -> Vec<Column> {
         stop.map_or_else(|| run.row.state.name().to_owned(), |stop| stop.word().to_owned())
     };
     let stops: Vec<String> = runs.iter().map(state).collect();
+    let of_verdict = |of: &dyn Fn(&Verdict) -> String| -> Vec<String> {
+        runs.iter().map(|run| verdict(run).map_or_else(|| "none".to_owned(), of)).collect()
+    };
+    if runs.iter().any(|run| verdict(run).is_some()) {
+        let as_words = |name, title, texts: &[String]| {
+            words(name, title, &texts.iter().map(String::as_str).collect::<Vec<_>>())
+        };
+        let levels = of_verdict(&|verdict| verdict.level.word().to_owned());
+        columns.push(as_words("verdict", "Verdict", &levels));
+        columns.push(as_words("reasons", "Reasons", &of_verdict(&Verdict::kinds)));
+    }
     columns.push(words("stop", "Ended by", &stops.iter().map(String::as_str).collect::<Vec<_>>()));
     columns
 }

@@ -5,6 +5,7 @@ use crate::numbers::{brief, fixed, grouped, significant, tonnage};
 use crate::table::{Cell, MISSING, Table};
 use railcrack::growth::RunStop;
 use railcrack::words::Choice;
+use railcrack_run::decision::Verdict;
 use railcrack_run::study::{RunState, StudyPlan};
 
 /// Maximum number of rows of the table; `summary.csv` has all.
@@ -16,6 +17,7 @@ pub(super) fn table(plan: &StudyPlan, all: &[StudyRun]) -> Table {
     let shown = TrafficColumns {
         tonnes: all.iter().any(|run| tonnes(run).is_some()),
         interval: all.iter().any(|run| interval(run).is_some()),
+        verdict: all.iter().any(|run| verdict(run).is_some()),
     };
     let mut headings: Vec<String> = vec!["Run".to_owned()];
     headings.extend(keys);
@@ -25,6 +27,9 @@ pub(super) fn table(plan: &StudyPlan, all: &[StudyRun]) -> Table {
     }
     if shown.interval {
         headings.push("Inspection interval (MGT)".to_owned());
+    }
+    if shown.verdict {
+        headings.extend(["Verdict", "Reasons", "Failure"].map(str::to_owned));
     }
     headings.extend(
         ["Initial ΔK_{eq} (MPa√m)", "Initial rate (mm/cycle)", "Direction", "Ended by", "Warnings"]
@@ -49,6 +54,19 @@ pub(super) fn table(plan: &StudyPlan, all: &[StudyRun]) -> Table {
 struct TrafficColumns {
     tonnes: bool,
     interval: bool,
+    verdict: bool,
+}
+
+/// The verdict on a run.
+pub(super) fn verdict<'a>(run: &'a StudyRun) -> Option<&'a Verdict> {
+    run.row.summary.as_ref()?.verdict.as_ref()
+}
+
+/// How a run fails, and when.
+fn failure(run: &StudyRun) -> Option<String> {
+    let failure = run.row.summary.as_ref()?.decision.as_ref()?.failure;
+    let Some((mode, mgt)) = failure.mode.zip(failure.mgt) else { return Some("none".to_owned()) };
+    Some(format!("{}, {} MGT", mode.words(), tonnage(mgt)))
 }
 
 /// Million gross tonnes of a run.
@@ -83,6 +101,11 @@ fn cells(plan: &StudyPlan, run: &StudyRun, shown: TrafficColumns) -> Vec<Cell> {
     }
     if shown.interval {
         cells.push(interval(run).map_or_else(missing, |mgt| tonnage(mgt).into()));
+    }
+    if shown.verdict {
+        cells.push(verdict(run).map_or_else(missing, |verdict| verdict.level.word().into()));
+        cells.push(verdict(run).map_or_else(missing, |verdict| verdict.kinds().into()));
+        cells.push(failure(run).map_or_else(missing, Cell::from));
     }
     cells.push(of_tip(&|tip| significant(tip.first.delta_keq)));
     cells.push(of_tip(&|tip| significant(tip.first.rate)));

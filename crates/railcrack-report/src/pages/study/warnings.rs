@@ -126,7 +126,7 @@ fn told(warning: &SharedWarning, count: usize) -> String {
 }
 
 /// `run 3`, `runs 1, 2, 5`.
-fn listed(runs: &[usize]) -> String {
+pub(super) fn listed(runs: &[usize]) -> String {
     if let [run] = runs {
         return format!("run {run}");
     }
