@@ -26,6 +26,7 @@ interface_elements = 8
 [growth]
 steps = 3
 increment = 0.05
+arrest_rate_mm_per_cycle = 1e-18
 [solver]
 engine = \"dislocation\"
 ";
@@ -71,7 +72,7 @@ fn what_the_model_does_not_describe_is_said_everywhere() {
     let cases = [
         // What the case is, and the reasons that it must give.
         (format!("{NETWORK}{PRESSURE}"), vec!["toughness", "lifted-flap"]),
-        (format!("{NETWORK}{PRESSURE}{TRAFFIC}{INSPECTION}"), vec!["toughness", "lifted-flap", "rate"]),
+        (format!("{NETWORK}{PRESSURE}{TRAFFIC}{INSPECTION}"), vec!["toughness", "lifted-flap"]),
         (format!("{slow}{PRESSURE}{TRAFFIC}{INSPECTION}"), vec!["toughness", "lifted-flap"]),
         (format!("{slow}{PRESSURE}{TRAFFIC}{INSPECTION}{tough}"), vec!["lifted-flap"]),
         (format!("{NETWORK}{TRAFFIC}{INSPECTION}"), vec!["rate"]),
@@ -122,17 +123,18 @@ fn growth_continues_only_where_it_is_known() {
 #[test]
 fn warnings_are_those_of_the_worst_step() {
     let place = folder("verdict", "worst");
-    let capped = PRESSURE.replace("constant\"", "linear\"\npressure_cap_mpa = 200.0");
     // Not outside: 0.3 to 3 mm per million gross tonnes.
-    let law = "increment = 0.05\nparis_c = 2e-10";
+    let law = "increment = 0.05\nparis_c = 1e-10";
     let text = NETWORK.replace("increment = 0.05", law).replace("steps = 3", "steps = 6");
-    fs::write(place.join("case.toml"), format!("{text}{capped}{TRAFFIC}")).unwrap();
-    let told = done(&place, &["run", "case.toml", "--quiet", "--out", "run"]);
-    let run = place.join("run");
-    let summary = summary(&run);
-    let warning = |part: &str| {
+    let trapped = "[fluid]\nmodel = \"trapped\"\n";
+    fs::write(place.join("rate.toml"), format!("{text}{trapped}{TRAFFIC}")).unwrap();
+    let told = done(&place, &["run", "rate.toml", "--quiet", "--out", "rate"]);
+    let run = place.join("rate");
+    let of_run = summary(&run);
+    let warning = |summary: &Value, part: &str| {
         let all = summary["warnings"].as_array().unwrap().iter();
-        let own: Vec<&Value> = all.filter(|warning| warning["text"].as_str().unwrap().contains(part)).collect();
+        let own: Vec<&Value> =
+            all.filter(|warning| warning["text"].as_str().unwrap().contains(part)).collect();
         assert_eq!(own.len(), 1, "{part}: {own:?}");
         own[0].clone()
     };
@@ -154,7 +156,7 @@ fn warnings_are_those_of_the_worst_step() {
     let fastest = rates.iter().copied().reduce(|a, b| if b.0 > a.0 { b } else { a }).unwrap();
     let fast: std::collections::BTreeSet<u64> =
         rates.iter().filter(|(rate, _)| *rate > 0.3).map(|(_, step)| *step as u64).collect();
-    let rate = warning("ten times what head checks");
+    let rate = warning(&of_run, "ten times what head checks");
     assert!((first_number(&rate, "deeper by ") / fastest.0 - 1.0).abs() < 0.01, "{rate}, {fastest:?}");
     assert_eq!(rate["step"].as_f64().unwrap(), fastest.1);
     assert_eq!(rate["steps"].as_u64().unwrap() as usize, fast.len());
@@ -162,14 +164,18 @@ fn warnings_are_those_of_the_worst_step() {
     assert!(told.contains(&format!("warning, step {}, the worst of {}: a crack", fastest.1, fast.len())));
 
     // The largest opening of the faces.
+    let capped = PRESSURE.replace("constant\"", "linear\"\npressure_cap_mpa = 200.0");
+    fs::write(place.join("flap.toml"), format!("{NETWORK}{capped}{TRAFFIC}")).unwrap();
+    done(&place, &["run", "flap.toml", "--quiet", "--out", "flap"]);
+    let run = place.join("flap");
     let faces = numbers(&read(&run.join("faces.csv")), &["step", "opening_mm"]);
-    let flap = warning("the wheel would feel the flap");
+    let flap = warning(&summary(&run), "the wheel would feel the flap");
     let widest = faces.iter().map(|row| row[1]).fold(0.0, f64::max);
     let found = first_number(&flap, "by up to ");
     // Between output positions the faces may open a little more.
     assert!(found > widest - 5e-4 && found < 1.02 * widest + 5e-4, "{flap}, {widest}");
     let lifted = |step: u64| faces.iter().any(|row| row[0] as u64 == step && row[1] > 0.05);
-    let steps = (0..=6).filter(|step| lifted(*step)).count() as u64;
+    let steps = (0..=3).filter(|step| lifted(*step)).count() as u64;
     assert!(flap["steps"].as_u64().unwrap() >= steps && steps > 1, "{flap}, {steps}");
 }
 
@@ -197,7 +203,8 @@ fn a_study_has_the_reasons_of_its_runs() {
     fs::write(place.join("study.toml"), format!("{text}{TRAFFIC}{short}")).unwrap();
     done(&place, &["sweep", "study.toml", "--quiet", "--out", "study"]);
     let study = place.join("study");
-    let rows = columns(&read(&study.join("summary.csv")), &["verdict", "reasons", "failure", "failure_crack"]);
+    let rows =
+        columns(&read(&study.join("summary.csv")), &["verdict", "reasons", "failure", "failure_crack"]);
     assert_eq!(rows.len(), 3);
     for (run, row) in rows.iter().enumerate() {
         let decision = summary(&study.join(format!("runs/00{}", run + 1)))["decision"].clone();

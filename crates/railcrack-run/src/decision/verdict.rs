@@ -317,11 +317,7 @@ fn rate(steps: &[&StepDigest], tonnes: f64) -> Option<Reason> {
 }
 
 /// The tip that gets deeper fastest in step `i`, mm per million gross tonnes.
-pub(crate) fn deepening<'a>(
-    steps: &[&'a StepDigest],
-    i: usize,
-    tonnes: f64,
-) -> Option<(&'a TipRecord, f64)> {
+pub(crate) fn deepening<'a>(steps: &[&'a StepDigest], i: usize, tonnes: f64) -> Option<(&'a TipRecord, f64)> {
     let here = *steps.get(i)?;
     let next = steps.get(i + 1);
     let deeper = |tip: &TipRecord| {
@@ -406,8 +402,7 @@ fn end_of_run(
     let last = log.steps.last()?;
     let is_over = nominal.worn.or(nominal.replaced).is_some();
     let is_cut = !is_over && last.stop == Some(RunStop::StepsDone) && last.step > 0;
-    let kind =
-        if is_cut && asks_for_failure(info) { ReasonKind::StepLimit } else { ReasonKind::EndOfRun };
+    let kind = if is_cut && asks_for_failure(info) { ReasonKind::StepLimit } else { ReasonKind::EndOfRun };
     let text = match (nominal.worn, last.stop) {
         _ if nominal.replaced.is_some() => format!(
             "the rail is worn to the limit at which it is replaced after {:.3} million gross tonnes",

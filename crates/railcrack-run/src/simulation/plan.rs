@@ -5,7 +5,8 @@ use super::job::{Job, Stage, case_files};
 use super::observer::RunObserver;
 use super::run::Simulation;
 use crate::decision::{
-    Course, Draw, Draws, FailureMode, Family, Judged, Question, Sampler, Sampling, Track, VerdictLevel, judged,
+    Course, Draw, Draws, FailureMode, Family, Judged, Question, Sampler, Sampling, Track, VerdictLevel,
+    judged,
 };
 use crate::disk::{FolderLock, VERSION};
 use crate::error::OutputError;
