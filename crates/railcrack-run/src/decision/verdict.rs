@@ -282,10 +282,15 @@ fn toughness(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
     // A kink that arrests is a pop-in; in space no kink is tested, and open faces count.
     let breaks = steps.iter().filter_map(|step| {
         let test = step.pop_in_test.filter(|test| !test.arrests(MPA_SQRT_MM * limit))?;
-        Some((step, test.k1_after.unwrap_or(test.k1) / MPA_SQRT_MM))
+        // A kink that cannot be computed is not known to arrest.
+        Some(match test.k1_after {
+            Some(after) => (step, after / MPA_SQRT_MM, "k1 at the end of a real kink"),
+            None => (step, test.k1 / MPA_SQRT_MM, "k1 of a kink"),
+        })
     });
-    if let Some((step, value)) = breaks.reduce(|most, next| if next.1 > most.1 { next } else { most }) {
-        let reason = Reason::new(ReasonKind::Toughness, text("k1 at the end of a real kink", value));
+    let largest = breaks.reduce(|most, next| if next.1 > most.1 { next } else { most });
+    if let Some((step, value, what)) = largest {
+        let reason = Reason::new(ReasonKind::Toughness, text(what, value));
         return Some(Reason { step: Some(step.step), value: Some(value), limit: Some(limit), ..reason });
     }
     let opened = |tip: &TipRecord| Some(tip.ki_max / MPA_SQRT_MM);
@@ -299,7 +304,7 @@ fn flap(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
     let opening = step.largest_opening;
     validity::flap(opening)?;
     let text = format!(
-        "fluid lifts the flap above a crack by {opening:.2} mm, which the wheel would press shut: limit the pressure ([fluid] pressure_cap_mpa) or take another model of the fluid"
+        "fluid lifts the flap above a crack by {opening:.3} mm, which the wheel would press shut: limit the pressure ([fluid] pressure_cap_mpa) or take another model of the fluid"
     );
     let reason = Reason { step: Some(step.step), ..Reason::new(ReasonKind::LiftedFlap, text) };
     Some(Reason { value: Some(opening), limit: Some(UNFELT_OPENING), ..reason })
@@ -311,7 +316,7 @@ fn rate(steps: &[&StepDigest], tonnes: f64) -> Option<Reason> {
     let fastest = all.reduce(|most, next| if next.1.1 > most.1.1 { next } else { most });
     let (step, (tip, value)) = fastest.filter(|(_, (_, value))| *value > LARGEST_RATE)?;
     let text = format!(
-        "a crack gets deeper by {value:.3} mm per million gross tonnes, ten times as fast as the fastest head checks in track: calibrate the growth law (railcrack calibrate) or check the loads"
+        "a crack gets deeper by {value:.3} mm per million gross tonnes, more than {LARGEST_RATE}, which is ten times what the fastest head checks in track are found to grow: calibrate the growth law (railcrack calibrate) or check the loads"
     );
     Some(of_tip(Reason::new(ReasonKind::Rate, text), step, tip, value, LARGEST_RATE))
 }
