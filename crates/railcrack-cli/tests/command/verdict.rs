@@ -165,7 +165,7 @@ fn warnings_are_those_of_the_worst_step() {
     assert!(told.contains(&format!("warning, step {}, the worst of {}: a crack", fastest.1, fast.len())));
 
     // The largest opening of the faces.
-    let capped = PRESSURE.replace("constant\"", "linear\"\npressure_cap_mpa = 300.0");
+    let capped = PRESSURE.replace("constant\"", "constant\"\npressure_cap_mpa = 300.0");
     fs::write(place.join("flap.toml"), format!("{NETWORK}{capped}{TRAFFIC}")).unwrap();
     done(&place, &["run", "flap.toml", "--quiet", "--out", "flap"]);
     let run = place.join("flap");
