@@ -69,7 +69,7 @@ pub struct Execution {
 }
 
 impl Execution {
-    /// What is shown while it computes.
+    /// The progress that is shown.
     pub fn verbosity(&self) -> Verbosity {
         if self.quiet { Verbosity::Quiet } else { Verbosity::Progress }
     }

@@ -115,7 +115,7 @@ impl ReasonKind {
         }
     }
 
-    /// What it says of a run, in a few words.
+    /// Its meaning in a few words.
     #[must_use]
     pub fn words(self) -> &'static str {
         match self {
@@ -262,7 +262,7 @@ fn worst<'a>(
     valued.reduce(|most, next| if next.2 > most.2 { next } else { most })
 }
 
-/// What in `steps` the model does not describe, whatever the traffic.
+/// The limits of the model that `steps` exceed, whatever the traffic.
 fn limits_of_model(info: &RunInfo, steps: &[&StepDigest]) -> Vec<Reason> {
     [toughness(info, steps), flap(info, steps), layer(info, steps)].into_iter().flatten().collect()
 }

@@ -128,7 +128,7 @@ pub(in crate::pages) fn stop_sentence(run: &RunFolder) -> String {
     }
 }
 
-/// What follows the end of a run that ended before its cracks: nothing is known where the rail
+/// The continuation of a run that ended before its cracks: nothing is known where the rail
 /// fails, or where the model does not describe it.
 fn what_follows(run: &RunFolder) -> &'static str {
     let is_grave = |verdict: &Verdict| verdict.level >= VerdictLevel::Stop;
