@@ -131,7 +131,7 @@ fn rates_are_what_a_load_adds_before_and_after_a_new_base() {
         let with = solution(&mut tableau, &more);
         let without = solution(&mut tableau, &LOAD);
         let mut rate = [FaceRate { jump: vec![1.0; N], contact: vec![1.0; N] }];
-        tableau.rates(1, &mut rate).unwrap();
+        tableau.rates(&mut [(1, &mut rate)]).unwrap();
         let [FaceRate { jump, contact }] = &rate;
         for i in 0..N {
             assert!((with.0[i] - without.0[i] - jump[i]).abs() < 1e-16, "{step}, {i}");
@@ -146,10 +146,10 @@ fn rates_are_what_a_load_adds_before_and_after_a_new_base() {
             assert!(tableau.loads.are_answered());
             // The former input of a coupled component is missing under another condition.
             tableau.set(0, Free(-0.2));
-            tableau.rates(1, &mut rate).unwrap();
+            tableau.rates(&mut [(1, &mut rate)]).unwrap();
             let [FaceRate { jump, contact }] = rate.clone();
             tableau.loads.begin_basis();
-            tableau.rates(1, &mut rate).unwrap();
+            tableau.rates(&mut [(1, &mut rate)]).unwrap();
             let [FaceRate { jump: again, contact: forces }] = &rate;
             for i in 0..N {
                 assert!(
