@@ -121,6 +121,12 @@ impl Loads {
         self.list.iter().all(|load| load.answer.is_some())
     }
 
+    /// The loads whose responses are unknown.
+    #[cfg(test)]
+    pub(super) fn missing(&self) -> Vec<usize> {
+        (0..self.list.len()).filter(|&k| self.list[k].answer.is_none()).collect()
+    }
+
     /// Whether the response to the first load will be a sum.
     #[cfg(test)]
     pub(super) fn is_sum(&self) -> bool {

@@ -192,6 +192,9 @@ impl PocketTrace {
         use PocketStatus::{Cavity, Leaking, Sealed, Vented};
         let pocket = &problem.pockets()[k];
         let PocketState { status, pressure, content } = now.fluid[k];
+        if status == Vented || (status == Cavity && content == 0.0) {
+            return None;
+        }
         let (small_pressure, small_volume) = round_off(pocket, scale);
         let [first, second] = self.pressures[k];
         let inside = Parabola::of(pressure, first, second, share);
@@ -214,7 +217,6 @@ impl PocketTrace {
                 };
                 leaks.or(empties)
             }
-            Cavity if content == 0.0 => None,
             Cavity => {
                 let missing = volume.plus(Parabola::constant(-content));
                 missing.first_fall(small_volume, span).map(|after| (after, Becomes(Sealed)))
