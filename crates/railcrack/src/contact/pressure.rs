@@ -45,8 +45,9 @@ pub(super) fn may_press(state: &PocketState, driven: bool) -> bool {
 /// The conditions of all pockets: one row for each pressure.
 ///
 /// With fixed statuses jumps and contact forces are linear in the pressures; `units` are the
-/// responses to a unit pressure of each pocket, empty where the pressure is zero and stays so. The matrix of volumes per unit pressure is positive
-/// on the diagonal of a sealed pocket as soon as one of its points can move.
+/// responses to a unit pressure of each pocket, empty where the pressure is zero and stays so. The
+/// matrix of volumes per unit pressure is positive on the diagonal of a sealed pocket as soon as
+/// one of its points can move.
 pub(super) struct PocketRows<'e> {
     pub pockets: &'e [Pocket],
     /// Volumes of a unit pressure on free faces, mm²/MPa.

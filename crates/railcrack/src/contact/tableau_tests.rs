@@ -235,7 +235,7 @@ fn loads_that_stay_keep_their_responses() {
             assert_eq!((&kept.jump, &kept.contact), (&again.jump, &again.contact), "{step}");
         }
         if step == 1 {
-            // Carried over to the new basis with its round-off, and computed again at the next step.
+            // Carried over to the new basis with round-off, and computed again at the next step.
             tableau.change_basis().unwrap();
             assert!(tableau.loads.are_answered());
         }
