@@ -1,12 +1,14 @@
 //! Passages of the default settings over the crack of Table 1 under every kind of wheel, and tables
 //! of more and more rows: one of 200 rows may cost a passage twice of what full sliding does. A
 //! growth step under one wheel and under three: on two cores, three wheels of equal cost are two
-//! passages after one another beside each other.
+//! passages after one another beside each other. A growth step of fifteen cracks under two wheels
+//! of opposite directions, the first one with fluid in the cracks.
 
 use divan::Bencher;
+use railcrack::contact::{FluidModel, PressureProfile};
 use railcrack::dislocation::cracked_body;
 use railcrack::load::ContactRow;
-use railcrack::plane::MixedWheel;
+use railcrack::plane::{CrackFluid, MixedWheel};
 use railcrack::prelude::*;
 
 fn main() {
@@ -97,6 +99,40 @@ fn growth_steps<E: BodyEngine + 'static>(
         for _ in 0..=STEPS {
             growth.next_step(&Unobserved).unwrap();
         }
+    });
+}
+
+/// A growth step of fifteen cracks under two wheels. RAYON_NUM_THREADS = 1 gives processor time.
+#[divan::bench(sample_count = 3, sample_size = 1, args = ["dry", "trapped", "mouth"])]
+fn fifteen_cracks(bencher: Bencher, fluid: &str) {
+    let (cap, leak, bulk_modulus) = (100.0, true, f64::INFINITY);
+    let model = match fluid {
+        "trapped" => Some(FluidModel::Trapped { bulk_modulus, leak }),
+        "mouth" => Some(FluidModel::Mouth { cap }),
+        _ => None,
+    };
+    let of = |(peak_pressure, half_width, friction)| {
+        HertzWheel::new(&HertzianContact { peak_pressure, half_width, friction }, &steel()).unwrap()
+    };
+    let crack = |i: usize| Crack::surface_breaking(4.0 * i as f64, 4.0, 25f64.to_radians()).unwrap();
+    let network = CrackNetwork::new((0..15).map(crack).collect()).unwrap();
+    bencher.bench_local(|| {
+        let engine = DislocationEngine { steel: steel(), resolution: FaceResolution::default() };
+        let mut problem = PlaneRail::new(engine, of((1000.0, 6.0, 0.25)), vec![0.4; 15]);
+        (problem.share, problem.growth.steps) = (0.6, 0);
+        problem.fluid =
+            model.map(|model| CrackFluid { model, profile: PressureProfile::default(), cracks: None });
+        problem.passages.passage = Passage { from: -36.0, to: 92.0, positions: 241 };
+        let back = Passage { from: 92.0, to: -36.0, positions: 241 };
+        problem.others.push(MixedWheel {
+            wheel: Box::new(of((850.0, 5.5, -0.2))),
+            share: 0.4,
+            residual: None,
+            passages: PassageSettings { passage: back, ..PassageSettings::default() },
+            fluid: None,
+            toughness: None,
+        });
+        Growth::new(problem, GrowthState::initial(&network)).next_step(&Unobserved).unwrap()
     });
 }
 

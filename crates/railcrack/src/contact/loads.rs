@@ -9,6 +9,18 @@ struct AnsweredLoad {
     forces: Vec<f64>,
     /// None until it is computed.
     answer: Option<Answer>,
+    origin: Origin,
+}
+
+/// Origin of the response to a load.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+enum Origin {
+    /// Computed from the forces: it holds for these forces as long as the basis does.
+    #[default]
+    Forces,
+    /// A sum of other responses, or that of a previous basis under other conditions, either with
+    /// its round-off.
+    OtherResponses,
 }
 
 /// Response of the basis to an action.
@@ -45,18 +57,24 @@ struct Answering {
 }
 
 impl Loads {
-    /// Replaces the loads by `loads` (N/mm).
+    /// Replaces the loads by `loads` (N/mm). The response to a load that stays in its place is
+    /// kept.
     pub(super) fn set(&mut self, loads: impl IntoIterator<Item = impl AsRef<[f64]>>) {
-        self.begin_basis();
+        self.onward = None;
         let mut count = 0;
         for forces in loads {
+            let forces = forces.as_ref();
             if count == self.list.len() {
                 self.list.push(AnsweredLoad::default());
             }
-            forces.as_ref().clone_into(&mut self.list[count].forces);
+            let load = &mut self.list[count];
+            if load.origin != Origin::Forces || load.forces != forces {
+                self.spare.extend(load.answer.take());
+                forces.clone_into(&mut load.forces);
+            }
             count += 1;
         }
-        self.list.truncate(count);
+        self.spare.extend(self.list.drain(count..).filter_map(|load| load.answer));
     }
 
     /// Replaces the loads by `end` (N/mm) and `others`, where `end` is the sum of `start` and the
@@ -69,8 +87,7 @@ impl Loads {
         others: impl Iterator<Item = &'l [f64]>,
     ) {
         let before = self.list.first_mut().filter(|load| load.forces == start);
-        let known = before.and_then(|load| load.answer.as_mut());
-        let known = known.map(|answer| std::mem::take(&mut answer.output));
+        let known = before.and_then(|load| load.answer.take()).map(|answer| answer.output);
         self.set(std::iter::once(end).chain(others));
         let count = self.list.len();
         self.onward = known.map(|output| Onward { output, others: [count - 2, count - 1] });
@@ -78,7 +95,7 @@ impl Loads {
 
     /// Appends a load (N/mm).
     pub(super) fn add(&mut self, forces: Vec<f64>) {
-        self.list.push(AnsweredLoad { forces, answer: None });
+        self.list.push(AnsweredLoad { forces, ..AnsweredLoad::default() });
     }
 
     /// Number of loads.
@@ -104,6 +121,12 @@ impl Loads {
         self.list.iter().all(|load| load.answer.is_some())
     }
 
+    /// The loads whose responses are unknown.
+    #[cfg(test)]
+    pub(super) fn missing(&self) -> Vec<usize> {
+        (0..self.list.len()).filter(|&k| self.list[k].answer.is_none()).collect()
+    }
+
     /// Whether the response to the first load will be a sum.
     #[cfg(test)]
     pub(super) fn is_sum(&self) -> bool {
@@ -113,7 +136,7 @@ impl Loads {
     /// Stores `answers` as the responses of the basis.
     pub(super) fn take_over(&mut self, answers: Vec<Answer>) {
         for (load, answer) in self.list.iter_mut().zip(answers) {
-            load.answer = Some(answer);
+            (load.answer, load.origin) = (Some(answer), Origin::OtherResponses);
         }
     }
 
@@ -140,11 +163,12 @@ impl Loads {
             }
             let mut answer = self.blank(n);
             free.iter().for_each(|&i| answer.input[i] = driven(&self.list[k].forces, i));
-            if k > 0 || onward.is_none() {
+            let origin = if k == 0 && onward.is_some() { Origin::OtherResponses } else { Origin::Forces };
+            if origin == Origin::Forces {
                 loads.push(k);
                 outputs.push(std::mem::take(&mut answer.output));
             }
-            self.list[k].answer = Some(answer);
+            (self.list[k].answer, self.list[k].origin) = (Some(answer), origin);
         }
         weights.resize_with(loads.len(), Vec::new);
         for (weights, answer) in weights.iter_mut().zip(loads.iter().map(|&k| &self.list[k].answer)) {

@@ -2,10 +2,10 @@
 
 use super::condition::Degenerate;
 use super::parabola::Parabola;
-use super::pressure::{PocketRows, content, has_open_path, is_empty, round_off};
+use super::pressure::{PocketRows, content, has_open_path, is_empty, may_press, round_off};
 use super::problem::ROUND_OFF;
 use super::tableau::FaceRate;
-use super::{FaceProblem, FaceScale, FaceSolution, PocketState, PocketStatus};
+use super::{FaceProblem, FaceResponse, FaceScale, FaceSolution, PocketState, PocketStatus};
 
 /// The pressure (MPa) over the mouth of each pocket within a step, at share τ of it: c0 + τ c1 +
 /// τ² c2.
@@ -24,6 +24,11 @@ impl OutsidePressure {
         self.0.iter().map(|[c0, c1, c2]| c0 + share * (c1 + share * c2)).collect()
     }
 
+    /// Whether the pressure over the mouth of pocket `k` differs from zero or changes.
+    fn drives(&self, k: usize) -> bool {
+        self.0[k] != [0.0; 3]
+    }
+
     fn of(&self, k: usize, share: f64) -> Parabola {
         let [c0, c1, c2] = self.0[k];
         Parabola::of(c0 + share * (c1 + share * c2), c1, c2, share)
@@ -34,6 +39,7 @@ impl OutsidePressure {
 pub(super) struct PocketTrace {
     /// The pressure over the mouths.
     outside: OutsidePressure,
+    /// Responses to a unit pressure of each pocket that may be or come under pressure.
     units: Vec<FaceRate>,
     /// Coefficients of τ and τ² of the pressure and of the volume of each pocket.
     pressures: Vec<[f64; 2]>,
@@ -60,7 +66,7 @@ impl PocketTrace {
         let m = problem.pockets().len();
         Self {
             outside,
-            units: Vec::new(),
+            units: vec![FaceRate::default(); m],
             pressures: vec![[0.0; 2]; m],
             volumes: vec![[0.0; 2]; m],
             release_excess,
@@ -77,16 +83,17 @@ impl PocketTrace {
     }
 
     /// Adds the contribution of the changing pressures to `rates` of jumps and contact forces,
-    /// which contain that of the load.
+    /// which contain that of the load. `faces` have the statuses of `now`.
     pub(super) fn press(
         &mut self,
         problem: &FaceProblem,
-        units: &[FaceRate],
+        faces: &mut FaceResponse<'_>,
         now: &FaceSolution,
         rates: &mut [FaceRate; 2],
         share: f64,
     ) -> Result<(), Degenerate> {
-        self.units = units.to_vec();
+        let outside = &self.outside;
+        faces.unit_rates(|k| may_press(&now.fluid[k], outside.drives(k)), &mut self.units)?;
         let rows = self.rows(problem);
         let states = &now.fluid;
         let bulk = problem.bulk_modulus();
@@ -185,6 +192,9 @@ impl PocketTrace {
         use PocketStatus::{Cavity, Leaking, Sealed, Vented};
         let pocket = &problem.pockets()[k];
         let PocketState { status, pressure, content } = now.fluid[k];
+        if status == Vented || (status == Cavity && content == 0.0) {
+            return None;
+        }
         let (small_pressure, small_volume) = round_off(pocket, scale);
         let [first, second] = self.pressures[k];
         let inside = Parabola::of(pressure, first, second, share);
@@ -207,7 +217,6 @@ impl PocketTrace {
                 };
                 leaks.or(empties)
             }
-            Cavity if content == 0.0 => None,
             Cavity => {
                 let missing = volume.plus(Parabola::constant(-content));
                 missing.first_fall(small_volume, span).map(|after| (after, Becomes(Sealed)))

@@ -30,11 +30,24 @@ pub(super) fn compressed(pressure: f64, bulk: f64) -> f64 {
     (-pressure / bulk).clamp(-MOST_EXPONENT, MOST_EXPONENT).exp()
 }
 
+/// Whether a pocket in `state` may be or come under pressure: a cavity and a pocket that is open to
+/// a mouth without pressure cannot. `driven` says whether the pressure over its mouth differs from
+/// zero or changes.
+pub(super) fn may_press(state: &PocketState, driven: bool) -> bool {
+    let follows = match state.status {
+        PocketStatus::Sealed => true,
+        PocketStatus::Vented | PocketStatus::Leaking => driven,
+        PocketStatus::Cavity => false,
+    };
+    follows || state.pressure != 0.0
+}
+
 /// The conditions of all pockets: one row for each pressure.
 ///
 /// With fixed statuses jumps and contact forces are linear in the pressures; `units` are the
-/// responses to a unit pressure of each pocket. The matrix of volumes per unit pressure is positive
-/// on the diagonal of a sealed pocket as soon as one of its points can move.
+/// responses to a unit pressure of each pocket, empty where the pressure is zero and stays so. The
+/// matrix of volumes per unit pressure is positive on the diagonal of a sealed pocket as soon as
+/// one of its points can move.
 pub(super) struct PocketRows<'e> {
     pub pockets: &'e [Pocket],
     /// Volumes of a unit pressure on free faces, mm²/MPa.

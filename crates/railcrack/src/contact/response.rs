@@ -1,7 +1,7 @@
 //! Linear response of the faces for fixed statuses.
 
 use super::condition::{Condition, Degenerate};
-use super::pressure::PocketRows;
+use super::pressure::{PocketRows, may_press};
 use super::tableau::{FaceRate, Tableau};
 use super::{FaceProblem, FaceSolution, PocketState, PointStatus};
 
@@ -13,7 +13,8 @@ pub struct FaceResponse<'a> {
     tableau: Tableau<'a>,
     solution: FaceSolution,
     kept: FaceSolution,
-    /// Responses to a unit pressure of each pocket, with the statuses of the last equilibrium.
+    /// Responses to a unit pressure of each pocket whose pressure may differ from zero, with the
+    /// statuses of the last equilibrium; empty for other pockets.
     units: Vec<FaceRate>,
     /// Pressure (MPa) over the mouth of each pocket.
     outside: Vec<f64>,
@@ -22,13 +23,12 @@ pub struct FaceResponse<'a> {
 impl<'a> FaceResponse<'a> {
     /// Virgin unloaded faces that just touch.
     pub(super) fn virgin(problem: &'a FaceProblem<'a>) -> Self {
-        let points = problem.points();
         Self {
             problem,
             tableau: Tableau::new(problem.stiffness()),
             solution: FaceSolution::virgin_of(problem),
             kept: FaceSolution::virgin_of(problem),
-            units: vec![FaceRate::zero(2 * points); problem.pockets().len()],
+            units: vec![FaceRate::default(); problem.pockets().len()],
             outside: vec![0.0; problem.pockets().len()],
         }
     }
@@ -90,10 +90,24 @@ impl<'a> FaceResponse<'a> {
         self.solution.fluid[k] = state;
     }
 
-    /// Responses to a unit pressure of each pocket with the present statuses.
-    pub(super) fn unit_rates(&mut self) -> Result<&[FaceRate], Degenerate> {
-        self.tableau.rates(1, &mut self.units)?;
-        Ok(&self.units)
+    /// Responses to a unit pressure of each pocket with the present statuses, in `units`; empty for
+    /// pockets that are not `needed`.
+    pub(super) fn unit_rates(
+        &mut self,
+        needed: impl Fn(usize) -> bool,
+        units: &mut [FaceRate],
+    ) -> Result<(), Degenerate> {
+        let components = 2 * self.problem.points();
+        let mut rates = Vec::with_capacity(units.len());
+        for (k, unit) in units.iter_mut().enumerate() {
+            let components = if needed(k) { components } else { 0 };
+            unit.jump.resize(components, 0.0);
+            unit.contact.resize(components, 0.0);
+            if components > 0 {
+                rates.push((1 + k, unit));
+            }
+        }
+        if rates.is_empty() { Ok(()) } else { self.tableau.rates(&mut rates) }
     }
 
     /// Adds the response to the pressures of the pockets.
@@ -101,7 +115,11 @@ impl<'a> FaceResponse<'a> {
         if self.units.is_empty() {
             return Ok(());
         }
-        self.tableau.rates(1, &mut self.units)?;
+        let mut units = std::mem::take(&mut self.units);
+        let (states, outside) = (self.solution.fluid.clone(), self.outside.clone());
+        let answered = self.unit_rates(|k| may_press(&states[k], outside[k] != 0.0), &mut units);
+        self.units = units;
+        answered?;
         let (problem, units) = (self.problem, &self.units[..]);
         let rows = PocketRows {
             pockets: problem.pockets(),
@@ -135,7 +153,9 @@ impl<'a> FaceResponse<'a> {
     /// Contributions of the loads from number `first` on to jumps and contact forces with the
     /// present statuses, one after the other in `rates`.
     pub(super) fn rates(&mut self, first: usize, rates: &mut [FaceRate]) -> Result<(), Degenerate> {
-        self.tableau.rates(first + self.units.len(), rates)
+        let first = first + self.units.len();
+        let mut numbered: Vec<_> = rates.iter_mut().enumerate().map(|(k, rate)| (first + k, rate)).collect();
+        self.tableau.rates(&mut numbered)
     }
 
     /// Contributions (mm) of load number `load` to the slip and the opening of `point` with the

@@ -6,6 +6,7 @@ use super::loads::{Answer, Loads};
 use super::probe::Probe;
 use crate::linear::{LinearError, SmallFactor, add_product, general_inverse, product};
 use crate::math::{Matrix, add_rows_to_each, axpy};
+use std::mem::take;
 
 /// The equations A w = load + q of the faces under a condition for each component: its jump w_i is
 /// held, or it is free with q_i + c_i q_{i+1} = 0, where c_i ≠ 0 couples the shear of a slipping
@@ -141,16 +142,28 @@ impl<'a> Tableau<'a> {
         self.solve_checked(jump, contact)
     }
 
-    /// Contributions of the loads from number `first` on to jumps and contact forces with held
-    /// components fixed, one after the other in `rates`.
+    /// Contributions of loads, each given by its number, to jumps and contact forces with held
+    /// components fixed. The responses of the basis are read once for all of them.
     ///
     /// Errors: conditions that leave a component undetermined.
-    pub(super) fn rates(&mut self, first: usize, rates: &mut [FaceRate]) -> Result<(), Degenerate> {
+    pub(super) fn rates(&mut self, rates: &mut [(usize, &mut FaceRate)]) -> Result<(), Degenerate> {
         self.change_basis_beyond(self.many());
         self.prepare()?;
-        for (k, rate) in rates.iter_mut().enumerate() {
-            let answer = self.answer_to(Action { load: Some(first + k), held: false })?;
-            self.write(first + k, false, &answer, (&mut rate.jump, &mut rate.contact));
+        let mut answers = Vec::with_capacity(rates.len());
+        for &(load, _) in &*rates {
+            let action = Action { load: Some(load), held: false };
+            let mut answer = self.of_basis(action);
+            self.meet_conditions(action, &mut answer)?;
+            answers.push(answer);
+        }
+        let components = &self.differences.components;
+        let of_answer = |Answer { changes, output, .. }: &mut Answer| (take(changes), take(output));
+        let (changes, mut outputs): (Vec<_>, Vec<_>) = answers.iter_mut().map(of_answer).unzip();
+        add_rows_to_each(&changes, |k| self.responses.row(components[k]), &mut outputs);
+        let all = rates.iter_mut().zip(answers).zip(changes.into_iter().zip(outputs));
+        for (((load, rate), mut answer), (changes, output)) in all {
+            (answer.changes, answer.output) = (changes, output);
+            self.write(*load, false, &answer, (&mut rate.jump, &mut rate.contact));
             self.loads.take_back(answer);
         }
         Ok(())
@@ -261,7 +274,7 @@ impl<'a> Tableau<'a> {
 
     /// Factors the equations of the components that differ from the basis.
     fn factor(&mut self) -> Result<(), Degenerate> {
-        let mut differences = std::mem::take(&mut self.differences);
+        let mut differences = take(&mut self.differences);
         let entry =
             |k: usize, m: usize| self.coefficient(differences.components[k], differences.components[m]);
         let n = differences.components.len();

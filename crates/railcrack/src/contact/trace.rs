@@ -245,9 +245,8 @@ impl TracedStep<'_, '_> {
         if self.trace.now.fluid.is_empty() {
             return Ok(());
         }
-        let units = self.faces.unit_rates()?;
         let Trace { now, rates, .. } = &mut *self.trace;
-        self.pockets.press(self.problem, units, now, rates, self.share)
+        self.pockets.press(self.problem, self.faces, now, rates, self.share)
     }
 
     /// The first change of status within the step.

@@ -20,7 +20,12 @@ pub(crate) fn axpy(a: f64, x: &[f64], y: &mut [f64]) {
 /// Rows added in one pass over the sum.
 const ROWS: usize = 4;
 
+/// Components of the sums of a pass over the rows: those of a dozen sums fit into the fastest
+/// memory.
+const COLUMNS: usize = 256;
+
 /// y += Σ weights_i rows(i) for each of `ys`, each with its own weights; every row is read once.
+/// Rows and sums have the same length.
 pub(crate) fn add_rows_to_each<'m>(
     weights: &[impl AsRef<[f64]>],
     rows: impl Fn(usize) -> &'m [f64],
@@ -70,20 +75,25 @@ impl<'m, W: AsRef<[f64]>, R: Fn(usize) -> &'m [f64], Y: AsMut<[f64]>> WithSimd f
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
         let count = self.weights.iter().map(|weights| weights.as_ref().len()).min().unwrap_or(0);
+        let length = self.ys.iter_mut().map(|y| y.as_mut().len()).max().unwrap_or(0);
         let rest = count - count % ROWS;
-        for first in (0..rest).step_by(ROWS) {
-            let [x, z, u, v] = [0, 1, 2, 3].map(|k| (self.rows)(first + k));
-            for (weights, y) in self.weights.iter().zip(self.ys.iter_mut()) {
-                let [a, b, c, d] = weights.as_ref().as_chunks::<ROWS>().0[first / ROWS];
-                for ((((y, x), z), u), v) in y.as_mut().iter_mut().zip(x).zip(z).zip(u).zip(v) {
-                    *y = (((*y + a * x) + b * z) + c * u) + d * v;
+        for from in (0..length).step_by(COLUMNS) {
+            let columns = from..(from + COLUMNS).min(length);
+            for first in (0..rest).step_by(ROWS) {
+                let [x, z, u, v] = [0, 1, 2, 3].map(|k| &(self.rows)(first + k)[columns.clone()]);
+                for (weights, y) in self.weights.iter().zip(self.ys.iter_mut()) {
+                    let [a, b, c, d] = weights.as_ref().as_chunks::<ROWS>().0[first / ROWS];
+                    let y = y.as_mut()[columns.clone()].iter_mut();
+                    for ((((y, x), z), u), v) in y.zip(x).zip(z).zip(u).zip(v) {
+                        *y = (((*y + a * x) + b * z) + c * u) + d * v;
+                    }
                 }
             }
-        }
-        for k in rest..count {
-            let x = (self.rows)(k);
-            for (weights, y) in self.weights.iter().zip(self.ys.iter_mut()) {
-                inlined::axpy(weights.as_ref()[k], x, y.as_mut());
+            for k in rest..count {
+                let x = &(self.rows)(k)[columns.clone()];
+                for (weights, y) in self.weights.iter().zip(self.ys.iter_mut()) {
+                    inlined::axpy(weights.as_ref()[k], x, &mut y.as_mut()[columns.clone()]);
+                }
             }
         }
     }
@@ -133,7 +143,7 @@ mod tests {
 
     #[test]
     fn agree_with_plain_loops() {
-        for n in [0, 1, 7, 8, 15, 16, 17, 40, 100] {
+        for n in [0, 1, 7, 8, 15, 16, 17, 40, 100, 256, 700] {
             let a: Vec<f64> = (0..n).map(|i| (i as f64 * 0.7).sin()).collect();
             let b: Vec<f64> = (0..n).map(|i| (i as f64 * 1.3).cos()).collect();
             let plain: f64 = a.iter().zip(&b).map(|(x, y)| x * y).sum();
