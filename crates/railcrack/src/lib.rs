@@ -64,6 +64,7 @@ pub mod prelude;
 pub mod residual;
 pub mod shakedown;
 pub mod space;
+pub mod stopwatch;
 pub mod validity;
 pub mod words;
 pub mod xfem;
