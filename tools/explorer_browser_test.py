@@ -1,13 +1,15 @@
 """The explorer in a real browser.
 
-    explorer_browser_test.py BROWSER PICTURES PAGE PROGRAM
+    explorer_browser_test.py BROWSER PICTURES PAGE PROGRAM RUN
 
 Opens the explorer PAGE in the headless Chromium BROWSER from a file, drags its sliders, types into its case, stops it, narrows it to
-a phone, and compares a life with that of the railcrack PROGRAM. Pictures of every width, dark and printed, are left in PICTURES.
+a phone, and compares a life with that of the railcrack PROGRAM. The report of the folder RUN, which computes too, must have the life
+of the run. Pictures of every width, dark and printed, are left in PICTURES.
 Ends with 1 where a check fails, the page asks for anything from anywhere, or a growth step takes more than 150 ms.
 """
 
 import csv
+import json
 import subprocess
 import sys
 import tempfile
@@ -163,6 +165,24 @@ def check_life(explorer, checks, program):
     checks.that(depth == len(rows), "a dot for each step", f"{depth} for {len(rows)}")
 
 
+def check_report(browser, checks, folder):
+    """The part of a report that computes: the life of its run, and another one."""
+    decision = json.loads((folder / "summary.json").read_text())["decision"]
+    explorer = Explorer(browser, folder / "report.html")
+    browser.open(explorer.page)
+    checks.that(explorer.data("state") is None, "the engine of a report waits until it is seen")
+    browser.run("document.getElementById('what-if').scrollIntoView()")
+    explorer.until("done")
+    words = explorer.text("#what-if-readout")
+    checks.that(f"{decision['failure']['mgt']:.4g} MGT" in words, "a report has the life of its run", words)
+    checks.that("Recomputed here and now" in explorer.text("#what-if"), "and is marked as recomputed")
+    browser.run("document.getElementById('what-if-contact-friction').focus()")
+    browser.key("PageDown")
+    explorer.until("done")
+    checks.that("As at first" in explorer.text("#what-if-readout"), "another value has another life")
+    checks.that(not browser.complaints, "report: the browser has nothing to complain about", str(browser.complaints)[:300])
+
+
 def check_layout(explorer, checks, out):
     browser = explorer.browser
     for width in WIDTHS:
@@ -179,7 +199,7 @@ def check_layout(explorer, checks, out):
 
 
 def main():
-    program, out, page, railcrack = sys.argv[1], Path(sys.argv[2]), sys.argv[3], sys.argv[4]
+    program, out, page, railcrack, run = sys.argv[1], Path(sys.argv[2]), sys.argv[3], sys.argv[4], Path(sys.argv[5])
     out.mkdir(parents=True, exist_ok=True)
     checks = Checks()
     browser = Browser(program)
@@ -191,6 +211,7 @@ def main():
             foreign = [url for url in browser.requests if not url.startswith(("file:", "blob:", "data:"))]
             checks.that(not foreign, f"{check.__name__}: no request to anywhere", str(foreign))
         check_life(explorer, checks, railcrack)
+        check_report(browser, checks, run)
         check_layout(explorer, checks, out)
     finally:
         browser.close()

@@ -436,6 +436,7 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     if (!whole) return;
     const { summary, steps } = whole;
     const verdict = summary.decision?.verdict;
+    banner.hidden = false;
     banner.className = `decision ${verdict?.level ?? "act"}`;
     within(banner, "strong").textContent = verdict ? LEVELS[verdict.level] : "Life";
     const interval = summary.decision?.inspection?.interval_mgt;
