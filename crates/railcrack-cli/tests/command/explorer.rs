@@ -2,6 +2,7 @@
 //! compute, `.ci/run web` compares with the program.
 
 use crate::common::{DISLOCATION_CASE, QUICK_CASE, command, folder, read, stderr, stdout};
+use std::path::Path;
 use std::process::Output;
 
 /// A file that is named and begins as the module of a page.
