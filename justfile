@@ -32,3 +32,7 @@ bench:
 # Compute a case
 run case="cases/reference.toml":
     cargo run --release -- run {{case}}
+
+# The engine of pages, the explorer and the book as a site, made and checked
+web:
+    .ci/run web

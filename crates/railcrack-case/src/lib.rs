@@ -17,8 +17,8 @@ mod tables;
 
 pub use case::{
     CarriedStress, CarriedStressError, Case, Coefficient, HeaviestWheel, KnownSizes, MixedWheel,
-    NoCoefficient, NoNumber, Overrides, PreparedRun, Projection, RailKey, Release, RunSize, SharedRail,
-    SharedRailError, SpaceCase,
+    NoCoefficient, NoNumber, NotInPage, Overrides, PreparedRun, Projection, RailKey, Release, RunSize,
+    SharedRail, SharedRailError, SpaceCase,
 };
 pub use entries::{Comparison, Entry, EntryValue, Grade, HowRead, Quantity, entry_schema};
 pub use files::{

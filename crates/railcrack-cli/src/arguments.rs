@@ -2,10 +2,10 @@
 
 use crate::commands::{
     calibrate::CalibrateArguments, check::CheckArguments, compare::CompareArguments,
-    completions::CompletionsArguments, completions::ManArguments, init::InitArguments, paper::PaperArguments,
-    plan::PlanArguments, report::ReportArguments, run::RunArguments, schema::SchemaArguments,
-    shakedown::ShakedownArguments, show::ShowArguments, sweep::SweepArguments, validate::ValidateArguments,
-    verify::VerifyArguments, view::ViewArguments,
+    completions::CompletionsArguments, completions::ManArguments, explorer::ExplorerArguments,
+    init::InitArguments, paper::PaperArguments, plan::PlanArguments, report::ReportArguments,
+    run::RunArguments, schema::SchemaArguments, shakedown::ShakedownArguments, show::ShowArguments,
+    sweep::SweepArguments, validate::ValidateArguments, verify::VerifyArguments, view::ViewArguments,
 };
 use clap::{Parser, Subcommand};
 
@@ -30,6 +30,7 @@ Getting started:
   railcrack validate           compare the model with measured growth rates, and score it
   railcrack report DIR         rebuild plots and HTML report from the folder alone
   railcrack view DIR           show the report in a browser while the run computes
+  railcrack explorer case.toml   write a page that computes the case in any browser
   railcrack verify DIR         check the files of a folder against their checksums
   railcrack shakedown case.toml   compute the stabilised plastic state under the same wheel
   railcrack paper              recompute the figures and statements of Trolle et al. (2014)
@@ -60,6 +61,7 @@ pub enum Command {
     Report(ReportArguments),
     Shakedown(ShakedownArguments),
     View(ViewArguments),
+    Explorer(ExplorerArguments),
     Validate(ValidateArguments),
     Verify(VerifyArguments),
     Paper(PaperArguments),

@@ -2,8 +2,8 @@
 
 use crate::arguments::{Arguments, Command};
 use crate::commands::{
-    calibrate, check, compare, completions, init, paper, plan, report, run, schema, shakedown, show, sweep,
-    validate, verify, view,
+    calibrate, check, compare, completions, explorer, init, paper, plan, report, run, schema, shakedown,
+    show, sweep, validate, verify, view,
 };
 use crate::exit::{Exit, Failure};
 use clap::CommandFactory;
@@ -22,6 +22,7 @@ pub fn dispatch(command: Command) -> Result<Exit, Failure> {
         Command::Shakedown(arguments) => shakedown::shakedown(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::Verify(arguments) => verify::verify(&arguments),
+        Command::Explorer(arguments) => explorer::explorer(&arguments),
         Command::View(arguments) => view::view(&arguments),
         Command::Paper(arguments) => paper::paper(&arguments),
         Command::Show(arguments) => show::show(&arguments),

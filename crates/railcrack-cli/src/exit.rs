@@ -160,6 +160,7 @@ fn exit_of_run(error: &RunError) -> Exit {
             OutputError::HoldsRun { .. }
             | OutputError::NoRun { .. }
             | OutputError::NotARun { .. }
+            | OutputError::NoPageEngine { .. }
             | OutputError::NothingToReport { .. }
             | OutputError::NoFolder { .. }
             | OutputError::HoldsComparison { .. }

@@ -39,6 +39,7 @@
 mod chart;
 mod choices;
 mod direction;
+mod engine;
 mod figures;
 mod html;
 mod markup;
@@ -59,8 +60,10 @@ pub use chart::{
     Curve, CurveColour, CurveDots, CurveLook, CurveWidth, LegendEntry, LegendMark, SheetLegend,
 };
 pub use choices::{AtFirst, Choice, ChoiceGroup, ChoiceMark, Choices};
+pub use engine::PageEngine;
 pub use now::{PageNow, page_now};
 pub use numbers::{fixed, formula, grouped, short, significant, tonnage};
 pub use page::{Banner, Block, Fact, Page, Section};
+pub use pages::explorer_page;
 pub use rebuild::{FolderKind, Pages, put, rebuild_report};
 pub use table::{Cell, CellTone, MISSING, Table};

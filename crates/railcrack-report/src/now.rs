@@ -4,7 +4,7 @@ use crate::figures::{
     StudyRun, Styles, comparison_plots, plan_plots, run_plots, shakedown_plots, study_plots,
 };
 use crate::pages::{RunFolder, comparison_page, plan_page, run_page, shakedown_page, study_page};
-use crate::rebuild::FolderKind;
+use crate::rebuild::{FolderKind, engine_of};
 use crate::shown::ShownRun;
 use railcrack::growth::RunStop;
 use railcrack::words::Choice;
@@ -66,7 +66,7 @@ fn run_now(folder: &Path) -> Result<PageNow, OutputError> {
             None => format!("step {} of {}", summary.steps, run.case.growth.steps),
         },
         is_over: summary.stop.is_some(),
-        html: run_page(&run, &shown, &plots).html(),
+        html: run_page(&run, &shown, &plots, engine_of(&run)?.as_ref()).html(),
     })
 }
 

@@ -1,5 +1,6 @@
 //! Plots and report of a results folder, built from its files.
 
+use crate::engine::PageEngine;
 use crate::figures::{
     Plot, StudyRun, Styles, comparison_plots, plan_plots, run_plots, shakedown_plots, space_plots,
     study_plots,
@@ -118,11 +119,18 @@ fn write_chosen(run: &RunFolder, shown: &ShownRun, output: Output) -> Result<(),
     if output.report {
         let page = match &run.case.space {
             Some(space) => space_page(run, space, shown, &plots),
-            None => run_page(run, shown, &plots),
+            None => run_page(run, shown, &plots, engine_of(run)?.as_ref()),
         };
         put(&run.path.join(REPORT_FILE), &page.html())?;
     }
     Ok(())
+}
+
+/// The engine in the page of `run`, where its case requests one.
+///
+/// Errors: those of [`PageEngine::find`].
+pub(crate) fn engine_of(run: &RunFolder) -> Result<Option<PageEngine>, OutputError> {
+    run.case.output.explorer.then(PageEngine::find).transpose()
 }
 
 /// Writes the files of `plots` into the folder for plots in `folder`.

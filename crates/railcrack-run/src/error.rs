@@ -18,6 +18,17 @@ pub enum OutputError {
         /// A file of the existing run.
         file: &'static str,
     },
+    /// A page that is to compute, without the module that does.
+    #[error(
+        "a page that computes (`[output] explorer = true`) needs the file {file}, which is not there: looked for {}; the variable RAILCRACK_ENGINE names another place",
+        shown(places)
+    )]
+    NoPageEngine {
+        /// Its name.
+        file: String,
+        /// Where it was looked for.
+        places: Vec<PathBuf>,
+    },
     /// A folder that is not that of a run.
     #[error("{} is not a run folder: it has no {file}", folder.display())]
     NotARun {
@@ -238,6 +249,11 @@ pub enum OutputError {
         /// The system's reason.
         reason: std::io::Error,
     },
+}
+
+/// Paths in a sentence.
+fn shown(places: &[PathBuf]) -> String {
+    places.iter().map(|place| place.display().to_string()).collect::<Vec<String>>().join(", ")
 }
 
 impl From<VtuError> for OutputError {

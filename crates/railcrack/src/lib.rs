@@ -65,6 +65,7 @@ pub mod residual;
 pub mod rolling;
 pub mod shakedown;
 pub mod space;
+pub mod stopwatch;
 pub mod validity;
 pub mod words;
 pub mod xfem;

@@ -2,6 +2,7 @@
 
 use super::case::Case;
 use super::cracks::{Meetings, check_fit, place_cracks};
+use super::in_page::check_explorer;
 use super::known_sizes::KnownSizes;
 use super::limits::check_size;
 use super::mix::{MixedWheel, ReadWheel, read_mix};
@@ -206,7 +207,11 @@ pub(crate) fn build(
         calibration: sections.one(&CALIBRATION).and_then(read_calibration).unwrap_or_default(),
         written: Written::of(&sections),
     };
-    check_size(&case, &sections, sizes, report).then_some(case)
+    let is_possible = check_size(&case, &sections, sizes, report);
+    if is_possible {
+        check_explorer(&case, &sections, sizes, report);
+    }
+    is_possible.then_some(case)
 }
 
 /// A wheel of a mix with its passage, in its own half-width, and its fluid, by default that of the

@@ -56,7 +56,7 @@ pub(crate) use growth::{GROWTH, LAW, MODE_3_WEIGHT, STEPS, is_of_the_law};
 pub(crate) use inspection::{INSPECTION, SCATTER, Scattering, read_inspection, read_risk, read_scatter};
 pub(crate) use maintenance::{MAINTENANCE, read_maintenance};
 pub(crate) use mesh::{ELEMENT_SIZE, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH, SPACE_CELLS};
-pub(crate) use output::{OF_STUDY, OUTPUT, RUN_FOLDERS};
+pub(crate) use output::{EXPLORER, OF_STUDY, OUTPUT, RUN_FOLDERS};
 pub(crate) use passage::{FROM, PASSAGE, POSITIONS, TO, read_passage, read_passages, read_travel};
 pub(crate) use rail::{CENTRE, RAIL, WIDTH, read_steel};
 pub(crate) use shakedown::{SHAKEDOWN, YIELD_STRESS};

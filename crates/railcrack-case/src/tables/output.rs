@@ -17,6 +17,8 @@ section! {
     SIF: Kept = choice("sif", "Growth steps written to `sif.csv`.");
     PLOTS: bool = switch("plots", Preset::Switch(true), "Whether plots are drawn.");
     REPORT: bool = switch("report", Preset::Switch(true), "Whether the page `report.html` is written.");
+    EXPLORER: bool = switch("explorer", Preset::Switch(false),
+        "Whether the page can compute the case again with other values (dislocation engine only, without files that the case would name): it is larger by 2 MB, and the program needs the engine of pages.");
     RUN_FOLDERS: bool = switch("run_folders", Preset::Switch(true),
         "In a study, whether each run has a folder of its own; if not, all runs are stored in a few files.");
 }
@@ -69,17 +71,31 @@ pub struct Output {
     pub plots: bool,
     /// Whether the page is made.
     pub report: bool,
+    /// Whether the page computes.
+    pub explorer: bool,
     /// In a study, whether each run keeps a folder of its own.
     pub run_folders: bool,
 }
 
 impl Output {
     /// Written by a single run by default.
-    pub const ALL: Self =
-        Self { faces: Kept::All, sif: Kept::All, plots: true, report: true, run_folders: true };
+    pub const ALL: Self = Self {
+        faces: Kept::All,
+        sif: Kept::All,
+        plots: true,
+        report: true,
+        explorer: false,
+        run_folders: true,
+    };
     /// Growth, case and summary only.
-    pub const LEAST: Self =
-        Self { faces: Kept::None, sif: Kept::None, plots: false, report: false, run_folders: true };
+    pub const LEAST: Self = Self {
+        faces: Kept::None,
+        sif: Kept::None,
+        plots: false,
+        report: false,
+        explorer: false,
+        run_folders: true,
+    };
 
     pub(crate) fn read(section: &SectionValues) -> Option<Self> {
         Some(Self {
@@ -87,6 +103,7 @@ impl Output {
             sif: section.get(SIF)?,
             plots: section.get(PLOTS)?,
             report: section.get(REPORT)?,
+            explorer: section.get(EXPLORER)?,
             run_folders: section.get(RUN_FOLDERS)?,
         })
     }

@@ -15,9 +15,9 @@ use railcrack::rolling::{Creepage, RollingPatch};
 use railcrack::shakedown::DepthBounds;
 use railcrack::words::Choice;
 use railcrack_case::{Case, ContactOrigin, GivenWheel, Input, MixedWheel, Overrides, PlasticSource};
-use railcrack_report::{formula, short};
+use railcrack_report::{PageEngine, formula, short};
 use railcrack_run::machine::{Budget, Needs, long_step, mb, step_seconds};
-use railcrack_run::simulation::{plastic_stress_left_out, rolled_by};
+use railcrack_run::simulation::{RunError, plastic_stress_left_out, rolled_by};
 use railcrack_run::summary::validity::of_case;
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
@@ -44,6 +44,9 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
         let overrides = Overrides { settings: arguments.set.set.clone(), ..Overrides::default() };
         match input::either(&arguments.case, &overrides)? {
             Input::Case(case) => {
+                if case.output.explorer {
+                    PageEngine::find().map_err(RunError::from)?;
+                }
                 let text = || wrapped(&summary(&case, &folder), stdout_columns());
                 arguments.json.print(text, || case_json(&case, &folder))?
             }

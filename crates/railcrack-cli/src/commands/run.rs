@@ -10,7 +10,7 @@ use crate::progress::{Progress, cycles};
 use clap::Args;
 use railcrack::words::Choice;
 use railcrack_case::Overrides;
-use railcrack_report::Pages;
+use railcrack_report::{PageEngine, Pages};
 use railcrack_run::Summary;
 use railcrack_run::decision::{Reason, Verdict, VerdictLevel};
 use railcrack_run::machine::{Budget, Needs, long_step, step_seconds};
@@ -135,6 +135,10 @@ pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<
     let entry = arguments.entry();
     if entry != RunEntry::Resume && is_same_file(&arguments.case, &folder.join("case.toml")) {
         return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
+    }
+    if case.output.explorer {
+        // Said now, not when the page is written.
+        PageEngine::find().map_err(RunError::from)?;
     }
     let size = case.size();
     if !arguments.no_limits {

@@ -8,6 +8,7 @@ mod common;
 mod compare;
 mod decision;
 mod documents;
+mod explorer;
 mod fluid;
 mod loads;
 mod long_runs;

@@ -224,3 +224,39 @@ interface StudyData {
   cycles: Packed;
   lengths: Packed;
 }
+
+// ---- What if -----------------------------------------------------------------------------------
+
+interface WhatIfData {
+  version: string;
+  /** The engine, a WebAssembly module. */
+  module: Packed;
+  /** Text of the worker that runs it. */
+  worker: string;
+  /** The case of the page. */
+  case: string;
+  /** What the curves of that case are called. */
+  first: string;
+}
+
+/** The case of a life, as the engine has read it. */
+interface WhatIfCase {
+  title: string;
+  toml: string;
+  steps: number;
+  half_width_mm: number;
+  axle_load_t: number | null;
+  face_points: number;
+}
+
+/** A growth step, as the engine gives it. */
+interface WhatIfStep {
+  step: number;
+  load_cycles: number;
+  mgt: number | null;
+  removed_mm: number;
+  stop: string | null;
+  tips: { depth_mm: number; delta_ki_mpa_sqrt_m: number; delta_kii_mpa_sqrt_m: number }[];
+  cracks: Pair[][];
+  passage: { xc_mm: number[]; tips: { ki_mpa_sqrt_m: number[]; kii_mpa_sqrt_m: number[] }[] } | null;
+}

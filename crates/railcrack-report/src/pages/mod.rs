@@ -8,6 +8,7 @@ mod shakedown;
 mod space;
 mod study;
 mod ways;
+mod what_if;
 
 pub(crate) use compare::comparison_page;
 pub(crate) use plan::plan_page;
@@ -15,3 +16,4 @@ pub(crate) use run::{RunFolder, run_page};
 pub(crate) use shakedown::shakedown_page;
 pub(crate) use space::space_page;
 pub(crate) use study::study_page;
+pub use what_if::explorer_page;

@@ -27,4 +27,4 @@ pub use residual::ResidualRow;
 pub use rows::Rows;
 pub use sif::{SifRow, SifScale};
 pub use table::{Cell, Table, column_names};
-pub(crate) use table::{header, header_of, markdown, table, whole};
+pub(crate) use table::{header, header_of, markdown, table, table_text, whole};

@@ -52,6 +52,18 @@ pub(crate) fn header_of(comments: &[&str], columns: &[&str]) -> String {
     text + &columns.join(",") + "\n"
 }
 
+/// A whole table of a run whose case has `sections`.
+///
+/// Errors: a number that is not finite.
+pub(crate) fn table_text<T: Table>(
+    sections: &[&'static str],
+    content: impl IntoIterator<Item = T>,
+) -> Result<String, OutputError> {
+    let mut rows = Rows::with_sections(sections);
+    content.into_iter().for_each(|row| row.put(&mut rows));
+    Ok(header::<T>(sections) + &String::from_utf8_lossy(rows.text(T::FILE)?))
+}
+
 /// A whole table.
 ///
 /// Errors: a number that is not finite.

@@ -34,7 +34,7 @@ pub(crate) const KEYS: [&str; 5] =
 
 /// A separate stream of random numbers for later quantities, so that the samples of the first four
 /// do not change.
-const LATER: usize = 0x5EED_0000_0000;
+const LATER: u64 = 0x5EED_0000_0000;
 
 /// Standard normal deviates, two at a time (Box & Muller), the same on any machine.
 struct Deviates {
@@ -43,8 +43,8 @@ struct Deviates {
 }
 
 impl Deviates {
-    fn new(seed: usize) -> Self {
-        Self { source: Pcg64Mcg::seed_from_u64(seed as u64), spare: None }
+    fn new(seed: u64) -> Self {
+        Self { source: Pcg64Mcg::seed_from_u64(seed), spare: None }
     }
 
     /// In (0, 1].
@@ -84,8 +84,8 @@ impl Draws {
     /// Draws of the quantities that `scatter`, with the wheels of `mix`.
     pub fn of(scatter: &Scatter, mix: &[MixInfo]) -> Self {
         Self {
-            first: Deviates::new(scatter.seed),
-            later: Deviates::new(scatter.seed ^ LATER),
+            first: Deviates::new(scatter.seed as u64),
+            later: Deviates::new(scatter.seed as u64 ^ LATER),
             wears: scatter.wear_std > 0.0,
             wheels: if scatter.share_log_std > 0.0 { mix.len() } else { 0 },
         }

@@ -6,7 +6,7 @@ use super::job::{Job, Stage};
 use super::recorder::Recorder;
 use super::residual_stress::Residual;
 use super::run::Simulation;
-use crate::csv::{FaceRow, ResidualRow, SifRow, SifScale, TipRow};
+use crate::csv::{FaceRow, ResidualRow, SifRow, SifScale, TipRow, table_text};
 use crate::disk::files::ROLLED_FOLDER;
 use crate::disk::{FolderLock, inner_folder};
 use crate::error::OutputError;
@@ -16,21 +16,21 @@ use crate::presentation::Presentation;
 use crate::run_folder::Existing;
 use crate::summary::Summary;
 use railcrack::growth::{GrowthState, StepRecord};
+use railcrack::stopwatch::Stopwatch;
 use railcrack_case::Output;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 /// The finished steps of a run, kept in memory.
 #[derive(Debug, Clone)]
 pub struct RunInMemory {
-    job: Job,
-    residual: Option<Residual>,
+    pub(super) job: Job,
+    pub(super) residual: Option<Residual>,
     /// Each step, and the state after it.
-    steps: Vec<(StepRecord, GrowthState)>,
+    pub(super) steps: Vec<(StepRecord, GrowthState)>,
     /// Folder of the plastic state of the rolled rail, if the case requires it.
-    rolled: Option<PathBuf>,
-    companions: Option<Vec<Companion>>,
-    wall_s: f64,
+    pub(super) rolled: Option<PathBuf>,
+    pub(super) companions: Option<Vec<Companion>>,
+    pub(super) wall_s: f64,
 }
 
 impl Simulation<'_> {
@@ -45,19 +45,11 @@ impl Simulation<'_> {
         scratch: &Path,
         before: Option<RunInMemory>,
     ) -> (RunInMemory, Result<Ending, RunError>) {
-        let started = Instant::now();
-        let begun = || RunInMemory {
-            job: self.job(),
-            residual: None,
-            steps: Vec::new(),
-            rolled: None,
-            companions: None,
-            wall_s: 0.0,
-        };
-        let mut run = before.unwrap_or_else(begun);
+        let started = Stopwatch::start();
+        let mut run = before.unwrap_or_else(|| RunInMemory::begun(self.job()));
         let ending = self.go_on(&mut run, scratch);
         self.observer.close();
-        run.wall_s += started.elapsed().as_secs_f64();
+        run.wall_s += started.seconds();
         (run, ending)
     }
 
@@ -92,20 +84,30 @@ impl Simulation<'_> {
             steps.push((record, state));
             Ok(())
         })?;
+        match self.accompany(run, scratch) {
+            Ok(()) => Ok(ending),
+            Err(error) if error.is_interruption() => Ok(Ending::Interrupted),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Adds the other runs that the decision needs to a `run` that has ended and lacks them.
+    pub(super) fn accompany(&self, run: &mut RunInMemory, scratch: &Path) -> Result<(), RunError> {
         if let Some((_, state)) = run.steps.last().filter(|(_, state)| state.ended.is_some())
             && run.companions.is_none()
         {
-            match self.companions(&run.job.info, &run.log(), state, scratch) {
-                Ok(companions) => run.companions = companions,
-                Err(error) if error.is_interruption() => return Ok(Ending::Interrupted),
-                Err(error) => return Err(error),
-            }
+            run.companions = self.companions(&run.job.info, &run.log(), state, scratch)?;
         }
-        Ok(ending)
+        Ok(())
     }
 }
 
 impl RunInMemory {
+    /// The run of `job` before its first step.
+    pub(super) fn begun(job: Job) -> Self {
+        Self { job, residual: None, steps: Vec::new(), rolled: None, companions: None, wall_s: 0.0 }
+    }
+
     /// The finished steps, in order.
     pub fn records(&self) -> impl Iterator<Item = &StepRecord> {
         self.steps.iter().map(|(record, _)| record)
@@ -149,6 +151,25 @@ impl RunInMemory {
     /// The run in numbers, as far as it was computed.
     pub fn summary(&self) -> Summary {
         Summary::new(&self.job.info, &self.log(), true)
+    }
+
+    /// [`RunInMemory::summary`] without the samples of `[scatter]`.
+    pub fn summary_without_samples(&self) -> Summary {
+        Summary::new(&self.job.info, &self.log(), false)
+    }
+
+    /// The text of `growth.csv`.
+    ///
+    /// Errors: a number that is not finite.
+    pub fn growth_table(&self) -> Result<String, OutputError> {
+        table_text(&self.sections(), self.growth_rows())
+    }
+
+    /// The text of `sif.csv` with all steps.
+    ///
+    /// Errors: a number that is not finite.
+    pub fn sif_table(&self) -> Result<String, OutputError> {
+        table_text(&self.sections(), self.sif_rows())
     }
 
     fn log(&self) -> RunLog {

@@ -1,6 +1,7 @@
 //! Simulation: what `railcrack run`, `shakedown` and `sweep` compute, also for users of the
 //! library.
 
+mod by_step;
 mod companions;
 mod drive;
 mod error;
@@ -17,6 +18,7 @@ mod rolling;
 mod run;
 mod sweep;
 
+pub use by_step::RunByStep;
 pub use drive::Ending;
 pub use error::RunError;
 pub use job::{Job, Stage, case_files};

@@ -16,10 +16,10 @@ use railcrack::interruption::Interruption;
 use railcrack::math::Vec2;
 use railcrack::residual::PlasticField;
 use railcrack::shakedown::RailState;
+use railcrack::stopwatch::Stopwatch;
 use railcrack_case::{CarriedStress, Case, PlasticSource, PreparedRun, Projection, Release};
 use railcrack_vtu::read_vtu;
 use std::path::Path;
-use std::time::Instant;
 
 /// Residual stress of a run, for its folder.
 #[derive(Debug, Clone)]
@@ -56,7 +56,7 @@ pub(super) fn prepare<'a>(
     case: &'a Case,
     stage: &Stage,
 ) -> Result<(PreparedRun<'a>, Option<Residual>), RunError> {
-    let started = Instant::now();
+    let started = Stopwatch::start();
     let rolled = match case.plastic_stress {
         Some(PlasticSource::Rolled) => Some(rolled_state(case, stage)?),
         _ => None,
@@ -88,7 +88,7 @@ pub(super) fn prepare<'a>(
             free_sxx_mpa: release.free,
             carried: release.carried,
         }),
-        wall_s: started.elapsed().as_secs_f64(),
+        wall_s: started.seconds(),
         notes,
     };
     Ok((prepared, Some(Residual { rows, summary })))

@@ -11,8 +11,8 @@ use super::{
 use crate::crack::CrackTip;
 use crate::fatigue::RUNAWAY;
 use crate::interruption::Interruption;
+use crate::stopwatch::Stopwatch;
 use std::sync::Arc;
-use std::time::Instant;
 
 /// A run over growth steps, in the plane or in space. [`Growth::next_step`] computes one step;
 /// [`Growth::state`] is the state to store after it.
@@ -108,11 +108,11 @@ impl<R: CrackedRail> Growth<R> {
         }
         let mut trial = Trial::default();
         let (tips, advance, next) = loop {
-            let started = Instant::now();
+            let started = Stopwatch::start();
             let mut tips = now.tips.clone();
             let at = start_of(&self.state, &now, &trial, self.rail.settings().increment);
             let mut advance = self.rail.advance(&now.site, &at, &mut tips, &now.movers);
-            now.growth_s += started.elapsed().as_secs_f64();
+            now.growth_s += started.seconds();
             if advance.stop == Some(RunStop::Fracture)
                 && let Some(popped) = self.pop_in(&mut now, &mut tips, observer)?
             {
@@ -303,20 +303,20 @@ impl<R: CrackedRail> Growth<R> {
     ) -> Result<Loaded<R::Site>, GrowthError> {
         let rail = &mut self.rail;
         let step = state.step;
-        let started = Instant::now();
+        let started = Stopwatch::start();
         let asked = || observer.interrupted();
         let body = rail.body(state, Interruption::when(&asked))?;
         let report = rail.report(&body);
-        let body_s = started.elapsed().as_secs_f64();
+        let body_s = started.seconds();
 
-        let started = Instant::now();
+        let started = Stopwatch::start();
         let before = state.start();
         let remark = |text: &String| Warning { step, kind: WarningKind::Engine, text: text.clone() };
         let mut warnings: Vec<Warning> = report.remarks.iter().map(remark).collect();
         let passages = rail.passages(&body, &before, observer, &mut warnings)?;
-        let contact_s = started.elapsed().as_secs_f64();
+        let contact_s = started.seconds();
 
-        let started = Instant::now();
+        let started = Stopwatch::start();
         let first = passages.first().ok_or(GrowthError::Interrupted { step })?;
         let mut tips = rail.demands(&body, &passages);
         if let Some(judge) = &self.judge {
@@ -330,7 +330,7 @@ impl<R: CrackedRail> Growth<R> {
         let movers = rail.movers(&body, &tips);
         let slowest = rail.settings().arrest_rate;
         let passed = state.interval.map_or(0.0, |interval| interval.cycles_until(&movers, slowest));
-        let growth_s = started.elapsed().as_secs_f64();
+        let growth_s = started.seconds();
         let site = rail.site(&body);
         let mut loaded = Loaded {
             hazards: tips.iter().map(|tip| rail.hazard(&site, tip)).collect(),
@@ -349,11 +349,11 @@ impl<R: CrackedRail> Growth<R> {
             growth_s,
         };
         if accept(&loaded) {
-            let started = Instant::now();
+            let started = Stopwatch::start();
             if let Some(first) = loaded.passages.first() {
                 loaded.fields = rail.fields(&body, &before, first)?;
             }
-            loaded.body_s += started.elapsed().as_secs_f64();
+            loaded.body_s += started.seconds();
             if step >= rail.settings().steps {
                 rail.forget();
             }

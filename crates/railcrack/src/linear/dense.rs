@@ -1,6 +1,7 @@
 //! Products and inverses of dense matrices.
 
 use super::LinearError;
+use super::blocks::column_blocks;
 use crate::interruption::{Interrupted, Interruption};
 use crate::math::{Matrix, axpy, dot};
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -73,12 +74,12 @@ pub(super) fn eliminate(
         let (mut own, mut below) = block.split_at_row_mut(width);
         factor_in_place(own.rb_mut()).map_err(|pivot| EliminationError::Pivot(start + pivot))?;
         let own = own.rb();
-        below.rb_mut().par_row_chunks_mut(BLOCK).for_each(|rows| {
-            solve_lower_triangular_in_place(own, rows.transpose_mut(), Par::Seq);
+        column_blocks(below.rb_mut().transpose_mut(), BLOCK).for_each(|columns| {
+            solve_lower_triangular_in_place(own, columns, Par::Seq);
         });
         let below = below.rb();
         let rest = rest.get_mut(width.., ..);
-        rest.par_col_chunks_mut(BLOCK).enumerate().for_each(|(k, columns)| {
+        column_blocks(rest, BLOCK).enumerate().for_each(|(k, columns)| {
             if interruption.asked() {
                 return;
             }

@@ -1,6 +1,7 @@
 //! Triangular factors of large unsymmetric dense matrices.
 
 use super::LinearError;
+use super::blocks::column_blocks;
 use crate::math::Matrix;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::factor::{lu_in_place, lu_in_place_scratch};
@@ -63,7 +64,7 @@ impl LargeFactor {
             let before = rows[start..].to_vec();
             (0..below).for_each(|i| rows[start + i] = before[forward[i]]);
             let panel = panel.rb();
-            rest.par_col_chunks_mut(PANEL).for_each(|mut columns| {
+            column_blocks(rest, PANEL).for_each(|mut columns| {
                 permuted(columns.rb_mut());
                 let (mut own, under) = columns.get_mut(start.., ..).split_at_row_mut(width);
                 solve_unit_lower_triangular_in_place(panel.get(..width, ..), own.rb_mut(), Par::Seq);

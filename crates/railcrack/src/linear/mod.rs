@@ -2,6 +2,7 @@
 //! any number of threads: parallel tasks are independent blocks and columns whose division does not
 //! depend on that number.
 
+mod blocks;
 mod bordered;
 mod cholesky;
 mod dense;

@@ -1,6 +1,7 @@
 //! Dense Cholesky factors whose leading rows can be reused.
 
 use super::LinearError;
+use super::blocks::column_blocks;
 use super::dense::factor_in_place;
 use crate::interruption::Interruption;
 use crate::math::Matrix;
@@ -114,7 +115,7 @@ impl SpdFactor {
         let all = MatMut::from_row_major_slice_mut(rows.entries_mut(), width, stride);
         let (left, mut own) = all.split_at_col_mut(start);
         let left = left.as_ref();
-        own.rb_mut().par_col_chunks_mut(TOGETHER).enumerate().for_each(|(chunk, columns)| {
+        column_blocks(own.rb_mut(), TOGETHER).enumerate().for_each(|(chunk, columns)| {
             // The part on and below the diagonal.
             let from = chunk * TOGETHER;
             let across = left.get(from..from + columns.ncols(), ..).transpose();

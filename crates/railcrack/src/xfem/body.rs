@@ -21,8 +21,8 @@ use crate::interruption::Interruption;
 use crate::linear::{LinearError, spd_inverse_unless};
 use crate::math::Vec2;
 use crate::mesh::QuadMesh;
+use crate::stopwatch::Stopwatch;
 use std::sync::Arc;
-use std::time::Instant;
 
 /// The rail on `background` with `network` of cracks.
 pub fn cracked_body(
@@ -84,8 +84,8 @@ pub(super) fn of_some_cracks(
     interruption: Interruption<'_>,
 ) -> Result<Reduced, XfemError> {
     let mut times = BodyTimes::default();
-    let mut clock = Instant::now();
-    let mut lap = || std::mem::replace(&mut clock, Instant::now()).elapsed().as_secs_f64();
+    let mut clock = Stopwatch::start();
+    let mut lap = || clock.lap();
     let mesh = background.mesh();
     let Discretisation { cuts, sizes, space, interface } = Discretisation::new(mesh, network, &settings)?;
     interruption.check()?;

@@ -13,8 +13,8 @@ use crate::crack::CrackNetwork;
 use crate::interruption::Interruption;
 use crate::material::IsotropicElastic;
 use crate::math::RailBox;
+use crate::stopwatch::Stopwatch;
 use std::sync::Arc;
-use std::time::Instant;
 
 /// Boundary of the rail in the finite-element engine.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -245,9 +245,9 @@ impl XfemEngine {
         interruption: Interruption<'_>,
         network: &CrackNetwork,
     ) -> Result<CrackedBody, XfemError> {
-        let started = Instant::now();
+        let started = Stopwatch::start();
         self.background_unless(interruption, network)?;
-        let mesh_s = started.elapsed().as_secs_f64();
+        let mesh_s = started.seconds();
         let background = self.background.as_ref().expect("made above");
         let mut body =
             cracked_body_with(background, network, self.settings, &mut self.columns, interruption)?;

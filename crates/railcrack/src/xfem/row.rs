@@ -15,10 +15,10 @@ use crate::material::IsotropicElastic;
 use crate::math::{Matrix, RailBox};
 use crate::mesh::{MeshError, QuadMesh};
 use crate::nuclei::{FarRow, Source, Units};
+use crate::stopwatch::Stopwatch;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
-use std::time::Instant;
 
 /// Number of units in a part of the row; a part has more if one of its units has more neighbours.
 /// The force between two cracks is independent of all other cracks; parts differ in where their
@@ -68,7 +68,7 @@ fn home(parts: &[Range<usize>], count: usize, k: usize, l: usize) -> usize {
 impl MeshedRow<'_> {
     /// The body, with A in blocks.
     pub(crate) fn body(&self, interruption: Interruption<'_>) -> Result<CrackedBody, XfemError> {
-        let started = Instant::now();
+        let started = Stopwatch::start();
         let curves = self.network.curves();
         let units = Units::new(self.network, &curves);
         let parts = parts(&units);
@@ -81,7 +81,7 @@ impl MeshedRow<'_> {
             let some: Vec<Taken> = some.par_iter().map(|&i| taken(i)).collect::<Result<_, _>>()?;
             all.extend(some);
         }
-        let made = started.elapsed().as_secs_f64();
+        let made = started.seconds();
         let mut body = self.assembled(&curves, &units, all);
         // Remarks of parts that were computed simultaneously.
         let BodyTimes { mesh_s, enrichment_s, border_s, sif_s, condensation_s } = body.times;
@@ -150,12 +150,12 @@ impl MeshedRow<'_> {
         lines: &(Vec<f64>, Vec<f64>),
         interruption: Interruption<'_>,
     ) -> Result<Taken, XfemError> {
-        let started = Instant::now();
+        let started = Stopwatch::start();
         let (own, count) = (parts[i].clone(), units.cracks.len());
         let mesh = self.mesh_of(units, &own, lines)?;
         let rail = Arc::new(BulkRail::unfactored(mesh, self.steel, Boundary::HalfPlane)?);
         let part = PartOfRow::new(self.network, units, own.clone());
-        let mesh_s = started.elapsed().as_secs_f64();
+        let mesh_s = started.seconds();
         let mut columns = ColumnStore::default();
         let number = |crack: usize| part.number(crack);
         let made = of_some_cracks(&rail, &part.network, &number, self.settings, &mut columns, interruption);

@@ -13,7 +13,9 @@ mod stored;
 mod warnings;
 
 use super::pictures::still;
+use super::what_if;
 use crate::chart::{Chart, ChartAxis, Curve, CurveColour, CurveDots, CurveLook};
+use crate::engine::PageEngine;
 use crate::figures::{Plot, bundle, chart};
 use crate::numbers::{fixed, given, grouped, significant, tonnage};
 use crate::page::{Block, Page, Section};
@@ -33,13 +35,20 @@ pub(super) use warnings::{count as warning_count, warnings};
 
 const EXPLORER: &str = include_str!("../../assets/run.html");
 const EXPLORER_SCRIPT: &str = include_str!("../../assets/run.js");
+/// Introduction of the part that computes.
+const WHAT_IF: &str = "Recomputed here and now, in this browser, from the case of this run: nothing below is a result of the run folder. Move a slider or edit the case file; the dashed curves are those of the run.";
 /// Maximum number of columns of a table with a chart to its right, also in print.
 const BESIDE_COLUMNS: usize = 5;
 /// Maximum number of rows of the table of steps; `growth.csv` has all.
 const TABLE_ROWS: usize = 500;
 
-/// The page of a run with its long tables `shown` and its `plots`.
-pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, plots: &[Plot]) -> Page {
+/// The page of a run with its long tables `shown` and its `plots`; with `engine` it computes.
+pub(crate) fn run_page(
+    run: &RunFolder,
+    shown: &ShownRun,
+    plots: &[Plot],
+    engine: Option<&PageEngine>,
+) -> Page {
     let warnings = warnings(run);
     let row =
         is_many(run.summary.cracks.len()).then(|| CrackRow::of(&run.summary.cracks, &run.growth)).flatten();
@@ -90,6 +99,7 @@ pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, plots: &[Plot]) -> Pag
         page.sections.push(growth(run, told, warnings::remarks(run, shown, told)));
         page.sections.push(steps(run));
     }
+    page.sections.extend(engine.map(|engine| what_if::section(engine, &run.text, "this run", WHAT_IF)));
     page.sections.push(case_section(run));
     page
 }

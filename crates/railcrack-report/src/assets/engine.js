@@ -1,0 +1,52 @@
+// The engine: railcrack compiled to WebAssembly, for a worker of the page, and for tests.
+"use strict";
+
+/**
+ * An answer of the module: 0, or 1 where no step follows, or 2 for errors.
+ * @typedef {{ code: number, value: any }} EngineAnswer
+ */
+
+/**
+ * What the module exports.
+ * @typedef {object} EngineExports
+ * @property {WebAssembly.Memory} memory
+ * @property {(length: number) => number} input
+ * @property {() => number} output
+ * @property {() => number} output_length
+ * @property {() => number} begin
+ * @property {() => number} step
+ * @property {() => number} summary
+ * @property {() => number} decide
+ * @property {() => number} tables
+ */
+
+/**
+ * The engine of a compiled module. `begin` takes the text of a case; then `step` computes one
+ * growth step after another.
+ * @param {WebAssembly.Module} module
+ */
+function openEngine(module) {
+  const exports = /** @type {EngineExports} */ (
+    /** @type {unknown} */ (new WebAssembly.Instance(module, {}).exports)
+  );
+  const [encoder, decoder] = [new TextEncoder(), new TextDecoder()];
+  /** @param {"begin" | "step" | "summary" | "decide" | "tables"} name @returns {EngineAnswer} */
+  function ask(name) {
+    const code = exports[name]();
+    const bytes = new Uint8Array(exports.memory.buffer, exports.output(), exports.output_length());
+    return { code, value: JSON.parse(decoder.decode(bytes)) };
+  }
+  return {
+    /** @param {string} text */
+    begin(text) {
+      const bytes = encoder.encode(text);
+      const place = exports.input(bytes.length);
+      new Uint8Array(exports.memory.buffer, place, bytes.length).set(bytes);
+      return ask("begin");
+    },
+    step: () => ask("step"),
+    summary: () => ask("summary"),
+    decide: () => ask("decide"),
+    tables: () => ask("tables"),
+  };
+}

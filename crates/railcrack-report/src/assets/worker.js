@@ -1,0 +1,79 @@
+// A worker of the page: computes the lives of the cases that the page sends, one growth step at a
+// time. What comes while a life is computed waits for its end, unless that takes long.
+"use strict";
+
+(() => {
+  /** A life that takes longer than this (ms) gives way to the next one. */
+  const PATIENCE = 700;
+
+  /**
+   * What the page asks for: the life of a case, or something about the last one.
+   * @typedef {{ id: number, text?: string, about?: "decide" | "tables" }} EngineRequest
+   */
+
+  /** @type {ReturnType<typeof openEngine>} */
+  let engine;
+  /** @type {EngineRequest | null} */
+  let asked = null;
+  let isBusy = false;
+
+  /** @param {object} message */
+  const tell = (message) => postMessage(message);
+
+  /** Lets messages in: a timer would wait for milliseconds. @returns {Promise<void>} */
+  const breath = () =>
+    new Promise((done) => {
+      const { port1, port2 } = new MessageChannel();
+      port1.onmessage = () => {
+        port1.close();
+        done();
+      };
+      port2.postMessage(0);
+    });
+
+  /** @param {number} id @param {string} text */
+  async function life(id, text) {
+    const from = performance.now();
+    const begun = engine.begin(text);
+    if (begun.code === 2) return tell({ id, errors: begun.value.errors });
+    tell({ id, begun: begun.value, ms: performance.now() - from });
+    for (let code = 0; code === 0; ) {
+      await breath();
+      if (asked && performance.now() - from > PATIENCE) return tell({ id, abandoned: true });
+      const before = performance.now();
+      const answer = engine.step();
+      code = answer.code;
+      if (code === 2) return tell({ id, errors: answer.value.errors });
+      tell({ id, step: answer.value, ms: performance.now() - before });
+    }
+    tell({ id, summary: engine.summary().value, ms: performance.now() - from });
+  }
+
+  /** @param {number} id @param {"decide" | "tables"} about */
+  function more(id, about) {
+    const { code, value } = engine[about]();
+    tell(code === 2 ? { id, errors: value.errors } : { id, about, value });
+  }
+
+  async function serve() {
+    isBusy = true;
+    while (asked) {
+      const { id, text, about } = asked;
+      asked = null;
+      try {
+        if (text !== undefined) await life(id, text);
+        else if (about) more(id, about);
+      } catch (error) {
+        // The module has stopped in the middle of something: the page begins another worker.
+        tell({ id, failed: String(error) });
+      }
+    }
+    isBusy = false;
+  }
+
+  addEventListener("message", ({ data }) => {
+    if (data instanceof WebAssembly.Module) engine = openEngine(data);
+    else asked = data;
+    if (asked && !isBusy) serve();
+  });
+})();

@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# The engine of the pages as a WebAssembly module, in target/web/railcrack-VERSION.wasm:
+#
+#     tools/web_module.sh
+#
+# Needs Rust with rustup, which brings the target. It is compiled below target/web, so that nothing that other builds made is
+# compiled again.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+target=wasm32-unknown-unknown
+rustup target list --installed | grep -q "^$target$" || rustup target add "$target"
+# The stack of a page is 1 MB by default; the module itself says what it needs.
+cargo rustc --quiet --locked --profile web --target "$target" --target-dir target/web --package railcrack-web --lib \
+    --crate-type cdylib -- -C link-arg=-zstack-size=4194304
+version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
+module=target/web/railcrack-$version.wasm
+cp "target/web/$target/web/railcrack_web.wasm" "$module"
+printf '%s: %s bytes\n' "$module" "$(stat -c %s "$module")"
