@@ -152,6 +152,30 @@ fn quantiles_of_samples_are_lives_of_whole_runs() {
     }
 }
 
+/// A rail that the computed steps do not bring to failure has no quantiles: its samples outlive
+/// what is computed, and are not cut off there.
+#[test]
+fn samples_that_outlive_the_run_have_no_quantile() {
+    let place = folder("decision", "censored");
+    let rail = RAIL.replace("steps = 60", "steps = 60\nstop_after_cycles = 2e6");
+    let scatter = "[scatter]\nsamples = 2000\nparis_c_log_std = 0.2\n";
+    fs::write(place.join("case.toml"), format!("{rail}{WHEEL}{CRACK}{scatter}")).unwrap();
+    done(&place, &["run", "case.toml", "--quiet", "--out", "run"]);
+    let decision = decision(&place.join("run"));
+    assert_eq!(decision["failure"]["mode"], "none");
+    let scatter = &decision["scatter"];
+    for key in ["p05", "p50", "p95"] {
+        assert!(scatter["mgt_to_critical"][key].is_null(), "{scatter}");
+    }
+    assert_eq!(number(&scatter["outlived"]["share"]), Some(1.0));
+    // The fastest of 2000 samples, about 3.3 deviations above the mean.
+    let first = number(&scatter["outlived"]["mgt"]).unwrap() / 40.0;
+    assert!((-4.5..-2.8).contains(&(first.ln() / 0.2)), "{first}");
+    // A rail that holds with the friction of the case may fail with another one.
+    let lives = decision["frictions"].as_array().unwrap();
+    assert_eq!(lives.iter().map(|of| number(&of["friction"]).unwrap()).collect::<Vec<_>>(), [0.1, 0.5]);
+}
+
 /// A steep crack whose faces stick is deep from the beginning and hardly grows: the other one
 /// fails, and is detectable later.
 #[test]

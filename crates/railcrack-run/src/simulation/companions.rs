@@ -115,8 +115,10 @@ impl Simulation<'_> {
                 kinds.extend(SPEEDS.map(|z| CompanionKind::Speed((z * deviation).exp())));
             }
         }
-        let fails = nominal.failure.mode.is_some();
-        if self.has_variants && info.inspection.is_some() && fails && case.space.is_none() {
+        if !self.has_variants || info.inspection.is_none() || case.space.is_some() {
+            return kinds;
+        }
+        if nominal.failure.mode.is_some() {
             for (kind, turning) in [
                 (CompanionKind::Straight, Turning::Over(f64::INFINITY)),
                 (CompanionKind::Limit, Turning::Over(0.0)),
@@ -125,11 +127,12 @@ impl Simulation<'_> {
                     kinds.push(kind);
                 }
             }
-            let one = case.crack_friction.first().copied();
-            let is_one = case.crack_friction.iter().all(|friction| Some(*friction) == one);
-            if info.scatter.is_some() && is_one {
-                kinds.extend(FRICTIONS.map(CompanionKind::Friction));
-            }
+        }
+        // A rail that holds with the friction of the case may fail with another one.
+        let one = case.crack_friction.first().copied();
+        let is_one = case.crack_friction.iter().all(|friction| Some(*friction) == one);
+        if info.scatter.is_some() && is_one && course.points.len() > 1 {
+            kinds.extend(FRICTIONS.map(CompanionKind::Friction));
         }
         kinds
     }
