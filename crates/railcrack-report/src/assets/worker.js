@@ -3,8 +3,11 @@
 "use strict";
 
 (() => {
-  /** A life that takes longer than this (ms) gives way to the next one. */
-  const PATIENCE = 700;
+  /**
+   * A life that takes longer than this (ms) gives way to the next one; after one that did, the
+   * longer time counts, so that on a slow machine lives are seen while one drags.
+   */
+  const [PATIENCE, LONG_PATIENCE] = [700, 4000];
 
   /**
    * What the page asks for: the life of a case, or something about the last one.
@@ -16,6 +19,7 @@
   /** @type {EngineRequest | null} */
   let asked = null;
   let isBusy = false;
+  let hasGivenWay = false;
 
   /** @param {object} message */
   const tell = (message) => postMessage(message);
@@ -39,13 +43,17 @@
     tell({ id, begun: begun.value, ms: performance.now() - from });
     for (let code = 0; code === 0; ) {
       await breath();
-      if (asked && performance.now() - from > PATIENCE) return tell({ id, abandoned: true });
+      if (asked && performance.now() - from > (hasGivenWay ? LONG_PATIENCE : PATIENCE)) {
+        hasGivenWay = true;
+        return tell({ id, abandoned: true });
+      }
       const before = performance.now();
       const answer = engine.step();
       code = answer.code;
       if (code === 2) return tell({ id, errors: answer.value.errors });
       tell({ id, step: answer.value, ms: performance.now() - before });
     }
+    hasGivenWay = false;
     tell({ id, summary: engine.summary().value, ms: performance.now() - from });
   }
 
