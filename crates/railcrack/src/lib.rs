@@ -62,6 +62,7 @@ mod nuclei;
 pub mod plane;
 pub mod prelude;
 pub mod residual;
+pub mod rolling;
 pub mod shakedown;
 pub mod space;
 pub mod validity;

@@ -1,14 +1,16 @@
 //! `[contact]`: wheel on rail.
 
+use super::rolling::read_rolling;
 use crate::files::{ContactFile, ContactReading, read_contact_table};
 use crate::schema::{
-    KeyRow, Kind, NumberRange, RangeEnd, Report, SectionValues, choice, closed, file, number, read_by_word,
-    section, within,
+    KeyRow, Kind, NumberRange, RangeEnd, Report, SectionValues, choice, closed, file, number, numbers,
+    read_by_word, section, within,
 };
 use railcrack::load::{
     CarterContact, Contact, ContactKind, HertzEllipse, HertzianContact, Travel, WheelOnRail,
 };
 use railcrack::material::IsotropicElastic;
+use railcrack::rolling::{CreepageSign, RollingPatch, RollingTheory};
 use std::path::Path;
 
 /// Curvatures across the rail: straight, or a radius of either sign.
@@ -16,44 +18,48 @@ const PROFILE_RADII: NumberRange =
     NumberRange { min: RangeEnd::Closed(-1e6), max: RangeEnd::Closed(f64::INFINITY) };
 
 const TABLE: &str = "table";
+const ROLLING: &str = "rolling";
+const SLIDING: &str = "creepage belongs to rolling contact";
 const HERTZIAN: &str = "a table defines its own pressure and extent";
+const SIZED: &str = "a table defines its own pressure and extent, and rolling contact follows from normal_kn";
 
 section! {
     CONTACT "contact", Required, "Wheel-rail contact; one passage is one axle.",
         forms [[PEAK_PRESSURE, HALF_WIDTH, LATERAL_HALF_WIDTH], [LINE_LOAD, WHEEL_RADIUS, RAIL_RADIUS],
             [WHEEL_LOAD, WHEEL_RADIUS, RAIL_HEAD_RADIUS, WHEEL_PROFILE_RADIUS],
-            [CONTACT_PROFILE, SCALE, STRIP]],
+            [CONTACT_PROFILE, SCALE, STRIP],
+            [NORMAL, WHEEL_RADIUS, RAIL_HEAD_RADIUS, WHEEL_PROFILE_RADIUS], [NORMAL, SEMI_AXES]],
         instead "wheel";
     KIND: ContactKind = choice("kind", "Description of the contact.");
     PEAK_PRESSURE: f64 = number("peak_pressure_mpa", "MPa", closed(1e-3, 1e4), 845.0, "Peak pressure p0.")
-        .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
+        .required().only_with_any(KIND, "hertz", &["carter"], SIZED);
     HALF_WIDTH: f64 =
         number("half_width_mm", "mm", closed(0.01, 100.0), 6.75,
             "Half-width a of the contact; below 0.01 mm it would be smaller than the roughness of a rail.")
-        .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
+        .required().only_with_any(KIND, "hertz", &["carter"], SIZED);
     LINE_LOAD: f64 =
         number("line_load_n_per_mm", "N/mm", closed(1e-5, 1e7), 8959.4, "Wheel load per unit width.")
-        .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
+        .required().only_with_any(KIND, "hertz", &["carter"], SIZED);
     WHEEL_RADIUS: f64 = number("wheel_radius_mm", "mm", closed(1e-2, 1e5), 460.9, "Radius of the wheel.")
-        .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
+        .required().only_with_any(KIND, "hertz", &["carter", ROLLING], HERTZIAN);
     RAIL_RADIUS: f64 = number("rail_radius_mm", "mm", closed(0.01, f64::INFINITY), f64::INFINITY,
         "Radius of the rail in the plane of the model; inf for a flat rail.")
-        .only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
+        .only_with_any(KIND, "hertz", &["carter"], SIZED);
     WHEEL_LOAD: f64 = number("wheel_load_kn", "kN", closed(1e-3, 1e4), 100.0,
         "Wheel load. Together with the radii it defines the Hertz contact ellipse, of which the plane engines use a strip along the rail.")
-        .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
+        .required().only_with_any(KIND, "hertz", &["carter"], SIZED);
     RAIL_HEAD_RADIUS: f64 = number("rail_head_radius_mm", "mm", closed(0.01, f64::INFINITY), 300.0,
         "Transverse radius of the rail head; inf for a flat head.")
-        .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
+        .required().only_with_any(KIND, "hertz", &["carter", ROLLING], HERTZIAN);
     WHEEL_PROFILE_RADIUS: f64 = number("wheel_profile_radius_mm", "mm", PROFILE_RADII, f64::INFINITY,
         "Transverse radius of the wheel profile; inf for a straight profile, negative for a concave one.")
-        .only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
+        .only_with_any(KIND, "hertz", &["carter", ROLLING], HERTZIAN);
     LATERAL_HALF_WIDTH: f64 = number("lateral_half_width_mm", "mm", closed(0.1, 1e3), 6.0,
         "Lateral semi-axis b of the contact ellipse; peak_pressure_mpa and half_width_mm then describe the ellipse. The space engine needs this key or the radii; the plane engines use the strip of the ellipse above the middle of the crack.")
-        .only_with_any(KIND, "hertz", &["carter"], HERTZIAN).optional();
+        .only_with_any(KIND, "hertz", &["carter"], SIZED).optional();
     LATERAL: f64 = number("lateral_mm", "mm", within(100.0), 0.0,
-        "Lateral offset between the middle of the ellipse and the strip used by the plane engines; in the space engine, the lateral position of the ellipse. 0 if not given.")
-        .only_with_any(KIND, "hertz", &["carter"], HERTZIAN).optional();
+        "Lateral offset of the strip used by the plane engines from the middle of the ellipse; in the space engine, the lateral position of the ellipse. With rolling, y of the crack in the patch. 0 if not given.")
+        .only_with_any(KIND, "hertz", &["carter", ROLLING], HERTZIAN).optional();
     CONTACT_PROFILE: String = file("profile", "inputs/contact-table", "contact.csv",
         "CSV file with the columns u_mm,p_mpa,q_mpa, where u is measured from the wheel centre along +x; interpolated linearly between rows, zero outside. Or a .mat file written by the rolling-contact program CONTACT.")
         .required().only_with(KIND, TABLE, "pressure and shear are computed");
@@ -63,7 +69,7 @@ section! {
         "Lateral position, in CONTACT's own frame, of the strip along the rail that is taken from a .mat file.")
         .only_with(KIND, TABLE, "lateral_mm chooses the strip of an ellipse").optional();
     FRICTION: f64 = number("friction", "", closed(-1.0, 1.0), 0.025,
-        "Wheel-rail friction coefficient. With hertz it is signed: > 0 drags the rail along +x (a braking wheel running towards +x). With carter it is that of the slip zone and not negative. With table it is optional; if given, |q| <= friction p is required.")
+        "Wheel-rail friction coefficient. With hertz it is signed: > 0 drags the rail along +x (a braking wheel running towards +x). With carter it is that of the slip zone and not negative. With rolling it is that of the slip zone and not negative. With table it is optional; if given, |q| <= friction p is required.")
         .required_but_with(KIND, TABLE, "a table defines its own shear");
     LATERAL_FRICTION: f64 = number("lateral_friction", "", closed(-1.0, 1.0), 0.0,
         "Ratio of lateral shear to pressure, > 0 towards +z; space engine only, 0 if not given.")
@@ -71,9 +77,24 @@ section! {
     TRACTION: f64 = number("traction", "", closed(-1.0, 1.0), -0.5,
         "Traction ratio Q/(friction P), with the sign of the shear on the rail along +x: < 0 drives a wheel that runs towards +x; 1 and -1 are full sliding.")
         .required().only_with(KIND, "carter", "full sliding mobilises all friction, and a table defines its own shear");
+    NORMAL: f64 = number("normal_kn", "kN", closed(1e-3, 1e4), 100.0,
+        "Normal force of the patch, with the radii of wheel and rail or with semi_axes_mm.")
+        .required().only_with(KIND, ROLLING, "wheel_load_kn is the load of the other contacts");
+    SEMI_AXES: Vec<f64> = numbers("semi_axes_mm", "mm", closed(0.01, 100.0), &[6.0, 5.0],
+        "Semi-axes [a, b] of the contact ellipse, along and across the rail.")
+        .required().only_with(KIND, ROLLING, "half_width_mm and lateral_half_width_mm are the semi-axes of the other contacts");
+    CREEPAGE_X: f64 = number("creepage_x", "", within(1.0), 0.0, "Longitudinal creepage, signed as creepage_sign says.")
+        .only_with(KIND, ROLLING, SLIDING);
+    CREEPAGE_Y: f64 = number("creepage_y", "", within(1.0), 0.0, "Lateral creepage.")
+        .only_with(KIND, ROLLING, SLIDING);
+    SPIN: f64 = number("spin_per_mm", "1/mm", within(1.0), 0.0, "Spin creepage; turns +x, the direction of travel, towards +y.")
+        .only_with(KIND, ROLLING, SLIDING);
+    SIGN: CreepageSign = choice("creepage_sign", "Convention for the signs of creepages and spin.")
+        .required().only_with(KIND, ROLLING, SLIDING);
+    THEORY: RollingTheory = choice("theory", "Theory of the shear.").only_with(KIND, ROLLING, SLIDING);
 }
 
-read_by_word!(ContactKind);
+read_by_word!(ContactKind, CreepageSign, RollingTheory);
 
 /// Origin of the numbers of a contact.
 #[derive(Debug, Clone, PartialEq)]
@@ -103,6 +124,13 @@ pub enum ContactOrigin {
     },
     /// A table.
     Table(ContactFile),
+    /// A strip of a patch in rolling contact.
+    Rolling {
+        /// The patch.
+        patch: RollingPatch,
+        /// y of the strip in the patch, mm.
+        lateral: f64,
+    },
 }
 
 impl ContactOrigin {
@@ -112,7 +140,7 @@ impl ContactOrigin {
         match self {
             Self::LineLoad { radius } => Some(*radius),
             Self::Ellipse { wheel, .. } => Some(wheel.wheel_radius),
-            Self::Given | Self::GivenEllipse { .. } | Self::Table(_) => None,
+            Self::Given | Self::GivenEllipse { .. } | Self::Table(_) | Self::Rolling { .. } => None,
         }
     }
 }
@@ -139,6 +167,9 @@ pub(crate) fn read_contact(
     let kind = section.get(KIND)?;
     if kind == ContactKind::Table {
         return read_table(section, travel, folder, report);
+    }
+    if kind == ContactKind::Rolling {
+        return read_rolling(section, steel, travel, extent, report);
     }
     let friction = section.get(FRICTION)?;
     if kind == ContactKind::Carter && friction < 0.0 {
@@ -304,7 +335,7 @@ fn read_ellipse(
 }
 
 /// Reason why a derived value is outside the range of its key.
-fn out_of_range(row: KeyRow<f64>, value: f64) -> Option<String> {
+pub(super) fn out_of_range(row: KeyRow<f64>, value: f64) -> Option<String> {
     match row.key.kind {
         Kind::Number { range, .. } if !range.contains(value) => {
             Some(format!("gives {} = {value:.4}, which must be in {range}", row.key.name))

@@ -17,6 +17,7 @@ mod mesh;
 mod output;
 mod passage;
 mod rail;
+mod rolling;
 mod shakedown;
 mod solver;
 mod stress;

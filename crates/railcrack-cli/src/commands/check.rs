@@ -11,6 +11,7 @@ use railcrack::crack::Crack;
 use railcrack::fatigue::{ACCEPTANCE_RANGES, DirectionCriterion, RAIL_STEELS, RateLaw};
 use railcrack::load::{Contact, HertzEllipse, Passage};
 use railcrack::plane::CrackFluid;
+use railcrack::rolling::{Creepage, RollingPatch};
 use railcrack::shakedown::DepthBounds;
 use railcrack::words::Choice;
 use railcrack_case::{Case, ContactOrigin, GivenWheel, Input, MixedWheel, Overrides, PlasticSource};
@@ -204,7 +205,29 @@ fn origin(case: &Case, wheel: &GivenWheel) -> Vec<CheckLine> {
             vec![hertz_ellipse(ellipse), offset(case, *lateral)]
         }
         ContactOrigin::Table(file) => vec![("table", file.given_name().into())],
+        ContactOrigin::Rolling { patch, lateral } => rolling(case, patch, *lateral),
     }
+}
+
+/// A patch in rolling contact, with its forces.
+fn rolling(case: &Case, patch: &RollingPatch, lateral: f64) -> Vec<CheckLine> {
+    let Creepage { longitudinal, lateral: across, spin } = patch.creepage;
+    let forces = patch.forces();
+    let [along, over] = forces.force.map(|force| short(1e-3 * force));
+    vec![
+        ("normal force", format!("{} kN", short(1e-3 * patch.normal_force()))),
+        hertz_ellipse(&patch.ellipse),
+        offset(case, lateral),
+        ("creepage", format!("x {}, y {}, spin {} per mm", short(longitudinal), short(across), short(spin))),
+        (
+            "patch forces",
+            format!(
+                "x {along} kN, y {over} kN; {} % of the patch slips, Tgamma = {} N",
+                short(100.0 * forces.slip_share),
+                short(forces.t_gamma)
+            ),
+        ),
+    ]
 }
 
 fn hertz_ellipse(ellipse: &HertzEllipse) -> CheckLine {

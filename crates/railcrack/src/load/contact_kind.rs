@@ -12,6 +12,8 @@ pub enum ContactKind {
     Carter,
     /// [`TableContact`](super::TableContact).
     Table,
+    /// A strip of [`RollingPatch`](crate::rolling::RollingPatch).
+    Rolling,
 }
 
 impl Choice for ContactKind {
@@ -31,6 +33,10 @@ impl Choice for ContactKind {
             ),
         ),
         (Self::Table, Word::now("table", "pressure and shear from a table, measured or computed")),
+        (
+            Self::Rolling,
+            Word::now("rolling", "a Hertz ellipse in rolling contact, from normal force, creepages and spin"),
+        ),
     ];
 }
 
@@ -42,6 +48,7 @@ impl ContactKind {
             Self::Hertz => "Hertzian line contact in full sliding",
             Self::Carter => "Hertzian line contact in partial slip (Carter)",
             Self::Table => "contact from a table",
+            Self::Rolling => "strip of a patch in rolling contact",
         }
     }
 }

@@ -90,6 +90,18 @@ fn wheel(case: &Case) -> String {
             fixed(ellipse.along, 2),
             fixed(ellipse.across, 2)
         ),
+        ContactOrigin::Rolling { patch, lateral } => format!(
+            " The plane of the model is {} mm off the centre of a patch with semi-axes {} mm along and {} mm across the rail under {} kN; its \
+             shear follows from creepages of {} along and {} across the rail and a spin of {} per mm (theory: {}).",
+            given(*lateral),
+            fixed(patch.ellipse.along, 2),
+            fixed(patch.ellipse.across, 2),
+            fixed(1e-3 * patch.normal_force(), 1),
+            given(patch.creepage.longitudinal),
+            given(patch.creepage.lateral),
+            given(patch.creepage.spin),
+            patch.theory.word()
+        ),
         _ => String::new(),
     };
     format!(
