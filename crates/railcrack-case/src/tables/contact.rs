@@ -1,6 +1,5 @@
 //! `[contact]`: wheel on rail.
 
-use super::rolling::read_rolling;
 use crate::files::{ContactFile, ContactReading, read_contact_table};
 use crate::schema::{
     KeyRow, Kind, NumberRange, RangeEnd, Report, SectionValues, choice, closed, file, number, numbers,
@@ -154,8 +153,8 @@ pub(crate) enum ContactExtent {
     Ellipse,
 }
 
-/// Contact of a wheel that runs towards `travel` with a rail of `steel`; files are relative to
-/// `folder`. For a whole ellipse, this is its middle strip.
+/// Contact, of a kind other than rolling, of a wheel that runs towards `travel` with a rail of
+/// `steel`; files are relative to `folder`. For a whole ellipse, this is its middle strip.
 pub(crate) fn read_contact(
     section: &SectionValues,
     steel: &IsotropicElastic,
@@ -167,9 +166,6 @@ pub(crate) fn read_contact(
     let kind = section.get(KIND)?;
     if kind == ContactKind::Table {
         return read_table(section, travel, folder, report);
-    }
-    if kind == ContactKind::Rolling {
-        return read_rolling(section, steel, travel, extent, report);
     }
     let friction = section.get(FRICTION)?;
     if kind == ContactKind::Carter && friction < 0.0 {

@@ -1,12 +1,13 @@
 //! The load of one wheel: `[contact]`, `[track]`, `[temperature]`.
 
-use super::contact::{ContactExtent, ContactOrigin, read_contact};
+use super::contact::{ContactExtent, ContactOrigin, KIND, read_contact};
+use super::rolling::read_rolling;
 use super::track::{read_temperature, read_track};
 use crate::files::Companion;
 use crate::schema::{Report, SectionValues};
 use railcrack::field::{Uniform, Wheel, wheel_under};
 use railcrack::growth::output_positions;
-use railcrack::load::{Bending, Contact, Passage, Travel, WheelLoad};
+use railcrack::load::{Bending, Contact, ContactKind, Passage, Travel, WheelLoad};
 use railcrack::material::IsotropicElastic;
 use railcrack::math::OutOfRange;
 use railcrack::shakedown::ContactBounds;
@@ -40,7 +41,12 @@ impl GivenWheel {
         folder: &Path,
         report: &mut Report,
     ) -> Option<Self> {
-        let contact = read_contact(sections.contact, steel, travel, sections.extent, folder, report);
+        let contact = match sections.contact.get(KIND) {
+            Some(ContactKind::Rolling) => {
+                read_rolling(sections.contact, steel, travel, sections.extent, report)
+            }
+            _ => read_contact(sections.contact, steel, travel, sections.extent, folder, report),
+        };
         let track = sections.track.map(|s| read_track(s, Some(sections.contact), report));
         let temperature = sections.temperature.map(|s| read_temperature(s, report));
         let (contact, origin) = contact?;

@@ -2,8 +2,8 @@
 
 use super::RollingPatch;
 
-/// Limits of the shear along the strip at y, u from its middle: μp of Hertz, and the parabola of the
-/// same normal force.
+/// Limits of the shear along the strip at y, u from its middle: μp of Hertz, and the parabola of
+/// the same normal force.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StripBound {
     /// Half the length of the strip, mm.

@@ -16,9 +16,9 @@ use std::f64::consts::PI;
 /// e_1 = √(a_y² − x²),  e_2 = √((a_y−d)² − (x−d)²):
 ///
 /// the strip theory of Kalker (1967). (kD, η′D + φ′) is a unit vector, so that the shear reaches μp
-/// where the stick zone ends, and for small creepage its force is that of the linear theory. Without
-/// a real root, with d > a_y or a denominator that is not positive the whole strip slips; the
-/// direction of slip is that of FASTSIM. The denominator, not the numerator of the quadratic
+/// where the stick zone ends, and for small creepage its force is that of the linear theory.
+/// Without a real root, with d > a_y or a denominator that is not positive the whole strip slips;
+/// the direction of slip is that of FASTSIM. The denominator, not the numerator of the quadratic
 /// formula, remains regular at |φ′| = 1.
 ///
 /// Source: Sichani, Enblom, Berg 2016, Vehicle System Dynamics 54, 748–764.

@@ -4,11 +4,12 @@ use super::bound::StripBound;
 use super::patch::Flexibilities;
 use super::{Creepage, RollingPatch};
 
-/// The shear on its way through the patch, from the leading edge of a strip backwards.
+/// The shear of a strip, followed from its leading edge backwards.
 ///
 /// Displacements are proportional to the shear at the same point, u = L q. Where wheel and rail
-/// stick, dq_x/dx = ξ/L1 − φ y/L3 and dq_y/dx = η/L2 + φ x/L3. Where |q| would exceed the limit they
-/// slip, and q keeps its direction at the limit, μ times the parabola 2N/(πab)(1 − (x/a)² − (y/b)²).
+/// stick, dq_x/dx = ξ/L1 − φ y/L3 and dq_y/dx = η/L2 + φ x/L3. Where |q| would exceed the limit
+/// they slip, and q keeps its direction at the limit, μ times the parabola 2N/(πab)(1 − (x/a)² −
+/// (y/b)²).
 ///
 /// Source: Kalker 1982, Vehicle System Dynamics 11, 1–13.
 #[derive(Debug, Clone, Copy)]

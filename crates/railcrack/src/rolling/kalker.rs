@@ -53,8 +53,8 @@ const LONG: [[ByPoisson; 3]; 10] = [
 const STEP: f64 = 0.1;
 
 impl KalkerCoefficients {
-    /// The coefficients of an ellipse with the axis ratio a/b = `ratio` (a along the rail, positive)
-    /// of bodies with Poisson's ratio `poisson`.
+    /// The coefficients of an ellipse with the axis ratio a/b = `ratio` (a along the rail,
+    /// positive) of bodies with Poisson's ratio `poisson`.
     #[must_use]
     pub fn of(ratio: f64, poisson: f64) -> Self {
         let (table, slender): (&[[ByPoisson; 3]; 10], fn(f64, f64) -> [f64; 3]) =

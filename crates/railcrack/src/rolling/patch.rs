@@ -7,8 +7,8 @@ use crate::math::OutOfRange;
 use std::f64::consts::PI;
 use thiserror::Error;
 
-/// A Hertz ellipse on which a wheel rolls with creepage. x runs with the travel, y across; tractions
-/// and forces act on the rail.
+/// A Hertz ellipse on which a wheel rolls with creepage. x runs with the travel, y across;
+/// tractions and forces act on the rail.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RollingPatch {
     /// Pressure and semi-axes: a along the rail, b across.

@@ -128,8 +128,8 @@ fn without_slip_all_theories_have_the_linear_force() {
 
 #[test]
 fn the_example_of_contact_with_spin() {
-    // CONTACT's user guide, steady rolling with spin: a 8, b 4 mm, 82 kN, μ 0.3, G 82000 MPa, ν 0.28;
-    // the exact theory gives F_y = −14940 N.
+    // CONTACT's user guide, steady rolling with spin: a 8, b 4 mm, 82 kN, μ 0.3, G 82000 MPa, ν
+    // 0.28; the exact theory gives F_y = −14940 N.
     let steel = IsotropicElastic::new(2.0 * 82e3 * 1.28, 0.28).unwrap();
     let fastrip = RollingPatch { steel, ..patch([8.0, 4.0], 82e3, 0.3, [0.0, -6.25e-4, 6.25e-4]) };
     let forces = fastrip.forces();
