@@ -21,8 +21,12 @@ pub struct KalkerCoefficients {
 /// Coefficients for ν = 0, ¼ and ½.
 type ByPoisson = [f64; 3];
 
-/// C11, C22, C23 for the ratios 0.1, 0.2, … 1 of a to b, a ≤ b.
-const NARROW: [[ByPoisson; 3]; 10] = [
+/// C11, C22 and C23 for the ratios 0.1, 0.2, … 1 of the shorter to the longer semi-axis.
+type ByRatio = [[ByPoisson; 3]; 10];
+
+/// Of a to b, a ≤ b.
+#[expect(clippy::approx_constant, reason = "3.14 is a coefficient")]
+const NARROW: ByRatio = [
     [[2.51, 3.31, 4.85], [2.51, 2.52, 2.53], [0.334, 0.473, 0.731]],
     [[2.59, 3.37, 4.81], [2.59, 2.63, 2.66], [0.483, 0.603, 0.809]],
     [[2.68, 3.44, 4.80], [2.68, 2.75, 2.81], [0.607, 0.715, 0.889]],
@@ -35,8 +39,8 @@ const NARROW: [[ByPoisson; 3]; 10] = [
     [[3.40, 4.12, 5.20], [3.40, 3.67, 3.98], [1.33, 1.47, 1.63]],
 ];
 
-/// C11, C22, C23 for the ratios 0.1, 0.2, … 1 of b to a, a ≥ b.
-const LONG: [[ByPoisson; 3]; 10] = [
+/// Of b to a, a ≥ b.
+const LONG: ByRatio = [
     [[10.7, 11.7, 12.9], [10.7, 12.8, 16.0], [12.2, 14.6, 18.0]],
     [[6.96, 7.78, 8.82], [6.96, 8.14, 9.79], [5.72, 6.63, 7.89]],
     [[5.57, 6.34, 7.34], [5.57, 6.40, 7.51], [3.79, 4.32, 5.01]],
@@ -49,6 +53,9 @@ const LONG: [[ByPoisson; 3]; 10] = [
     [[3.40, 4.12, 5.20], [3.40, 3.67, 3.98], [1.33, 1.47, 1.63]],
 ];
 
+/// C11, C22 and C23 of a slender ellipse by the ratio of its axes and ν.
+type Asymptote = fn(f64, f64) -> [f64; 3];
+
 /// The smallest ratio of the tables, and their step.
 const STEP: f64 = 0.1;
 
@@ -57,8 +64,10 @@ impl KalkerCoefficients {
     /// positive) of bodies with Poisson's ratio `poisson`.
     #[must_use]
     pub fn of(ratio: f64, poisson: f64) -> Self {
-        let (table, slender): (&[[ByPoisson; 3]; 10], fn(f64, f64) -> [f64; 3]) =
-            if ratio <= 1.0 { (&NARROW, narrow_limit) } else { (&LONG, long_limit) };
+        let (table, slender) = match ratio <= 1.0 {
+            true => (&NARROW, narrow_limit as Asymptote),
+            false => (&LONG, long_limit as Asymptote),
+        };
         let shorter = ratio.min(1.0 / ratio);
         let row = |i: usize| table[i].map(|by_poisson| at_poisson(by_poisson, poisson));
         let [c11, c22, c23] = if shorter < STEP {
