@@ -229,10 +229,6 @@ fn all_of_it_together_is_computed() {
     std::fs::write(place.join("case.toml"), text(&TOGETHER)).unwrap();
     done(&place, &["run", "case.toml", "--quiet", "--out", "run"]);
     assert!(read(&place.join("run/summary.json")).contains("\"rolled\""));
-    // Grinding is planned for any case that has axle loads and a failure.
-    let plan = ["plan", "case.toml", "--grinding", "0.1", "--interval", "2", "--horizon", "3"];
-    done(&place, &[&plan[..], &["--quiet", "--out", "plan"]].concat());
-    assert!(read(&place.join("plan/plan.csv")).lines().any(|line| line.starts_with("0.1,2,")));
 }
 
 #[test]
