@@ -45,7 +45,7 @@ pub(crate) struct Heading {
     now: f64,
     /// The same at the beginning.
     before: f64,
-    /// The largest kink: step, degrees.
+    /// The largest kink that the path made: step, degrees.
     branch: Option<(usize, f64)>,
     /// Whether the tip broke out at the surface.
     spalled: bool,
@@ -59,7 +59,7 @@ pub(crate) fn heading(crack: &CrackSummary, history: &[&TipRow]) -> Option<Headi
     let before = below_surface(&crack.initial_points_mm, first.place)?;
     let kinks = history.iter().filter(|row| row.increment > 0.0);
     let branch = kinks
-        .filter_map(|row| Some((row.step, row.kink_deg?)))
+        .filter_map(|row| Some((row.step, row.turn_deg.or(row.kink_deg)?)))
         .reduce(|most, next| if next.1.abs() > most.1.abs() { next } else { most })
         .filter(|kink| kink.1.abs() > BRANCH_DEG);
     Some(Heading { now, before, branch, spalled: last.stop == Some(RunStop::NoTipGrows(TipStop::BreakOut)) })

@@ -192,6 +192,10 @@ fn the_first_failure_over_all_cracks_decides() {
     let detected = number(&inspection["mgt_to_detectable"]).unwrap();
     let failed = number(&decision["failure"]["mgt"]).unwrap();
     assert!(detected > 0.0 && detected < failed, "{inspection}");
+    // The run goes straight ahead.
+    let paths = &decision["paths"];
+    assert_eq!((number(&paths["straight"]), number(&paths["nominal"])), (Some(failed), Some(failed)));
+    assert!(number(&paths["limit"]).is_some_and(|limit| limit != failed), "{paths}");
 }
 
 /// A law that lets a crack get deeper by millimetres per million gross tonnes has no interval.

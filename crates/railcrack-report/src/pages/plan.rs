@@ -144,15 +144,21 @@ fn table(summary: &PlanSummary) -> Table {
             given(rounded(plan.mgt, 5)).into(),
             months(plan.months).into(),
             fixed(plan.largest_depth_mm, 2).into(),
-            plan.probability_of_failure
-                .map_or_else(|| MISSING.to_owned(), |found| given(rounded(found, 3)))
-                .into(),
+            probability(plan).into(),
             plan.mgt_to_wear_limit.map_or_else(|| MISSING.to_owned(), |mgt| given(rounded(mgt, 5))).into(),
             months(plan.months_to_wear_limit).into(),
         ];
         table.row(cells);
     }
     table
+}
+
+/// The share of the samples that fail; with those whose fate is not known where there are any.
+fn probability(plan: &PlannedGrinding) -> String {
+    let Some(fails) = plan.probability_of_failure else { return MISSING.to_owned() };
+    let unknown = plan.probability_not_known.unwrap_or(0.0);
+    let least = given(rounded(fails, 3));
+    if unknown > 0.0 { format!("{least} to {}", given(rounded(fails + unknown, 3))) } else { least }
 }
 
 fn outcome(plan: &PlannedGrinding) -> Cell {

@@ -67,12 +67,13 @@ impl Companions<'_> {
     }
 
     /// The lives along the three paths, where the others were computed; `nominal` is that of the
-    /// run.
+    /// run, which is one of the others where it goes straight ahead or along the limit path.
     pub fn paths(&self, nominal: Option<f64>) -> Option<PathLives> {
-        let straight = self.life(CompanionKind::Straight);
-        let limit = self.life(CompanionKind::Limit);
-        let is_known = straight.is_some() || limit.is_some();
-        is_known.then(|| PathLives { straight: straight.flatten(), nominal, limit: limit.flatten() })
+        use CompanionKind::{Limit, Straight};
+        let was_asked = |kind: CompanionKind| self.all.iter().any(|companion| companion.kind == kind);
+        let of = |kind| if was_asked(kind) { self.life(kind).flatten() } else { nominal };
+        let is_known = [Straight, Limit].iter().any(|kind| self.life(*kind).is_some());
+        is_known.then(|| PathLives { straight: of(Straight), nominal, limit: of(Limit) })
     }
 
     /// The lives with other frictions.
