@@ -22,7 +22,7 @@ impl Case {
         };
         let all: Vec<Vec<(f64, Contact)>> = places.par_iter().map(at).collect();
         let widths: Vec<f64> = all.iter().flatten().map(|(_, contact)| contact.half_width()).collect();
-        let open = open_crack(&widths, &self.cracks, &self.steel)?;
+        let open = open_crack(&widths, &self.cracks, *self.crack_friction.first()?, &self.steel)?;
         let mean = |contacts: &Vec<(f64, Contact)>| {
             let rate = |contact: &Contact| open.rate(&open.history(contact), &self.growth.law);
             let rates = contacts.iter().map(|(share, contact)| share * rate(contact));

@@ -10,12 +10,14 @@ use railcrack::load::Contact;
 use railcrack::material::IsotropicElastic;
 use railcrack::traffic::{Grouped, Groups, OpenCrack};
 
-/// Groups of the wheels `loaded`, by K of the first crack while it is open.
+/// Groups of the wheels `loaded`, at most `most`, by what drives the first crack; `friction` is that
+/// of its faces.
 pub(super) fn group(
     wheels: &[TabledWheel],
     loaded: &[usize],
     most: usize,
-    (network, steel, law): (&CrackNetwork, &IsotropicElastic, &GrowthLaw),
+    (network, friction): (&CrackNetwork, f64),
+    (steel, law): (&IsotropicElastic, &GrowthLaw),
 ) -> Groups {
     let alone = |i: &usize| Grouped { share: wheels[*i].share, effect: vec![*i as f64], rate: 1.0 };
     if loaded.len() <= most {
@@ -23,7 +25,7 @@ pub(super) fn group(
     }
     let contacts: Vec<&Contact> = loaded.iter().filter_map(|i| wheels[*i].contact.as_ref()).collect();
     let widths: Vec<f64> = contacts.iter().map(|contact| contact.half_width()).collect();
-    let Some(open) = open_crack(&widths, network, steel) else {
+    let Some(open) = open_crack(&widths, network, friction, steel) else {
         return Groups::of(&loaded.iter().map(alone).collect::<Vec<_>>(), most);
     };
     let histories: Vec<_> = contacts.iter().map(|contact| open.history(contact)).collect();
@@ -45,10 +47,12 @@ pub(super) fn group(
 /// patch, shorter than that, load it by next to nothing.
 const SHORTEST: f64 = 0.05;
 
-/// The first crack, open, under contacts of the half-widths `widths` (mm).
+/// The first crack, open, under contacts of the half-widths `widths` (mm); `friction` is that of
+/// its faces.
 pub(super) fn open_crack(
     widths: &[f64],
     network: &CrackNetwork,
+    friction: f64,
     steel: &IsotropicElastic,
 ) -> Option<OpenCrack> {
     let first: Crack = network.cracks().first()?.clone();
@@ -56,5 +60,5 @@ pub(super) fn open_crack(
     let body = DislocationEngine::new(*steel).body(&first.into()).ok()?;
     let most = widths.iter().copied().fold(0.0, f64::max);
     let least = widths.iter().copied().fold(most, f64::min).max(SHORTEST * most);
-    (most > 0.0).then(|| OpenCrack::new(&body, [mouth, mouth], [least, most], steel.poisson()))
+    (most > 0.0).then(|| OpenCrack::new(&body, [mouth, mouth], [least, most], steel.poisson(), friction))
 }

@@ -6,7 +6,7 @@ use super::wheel_table::{TabledWheel, WheelTable};
 use crate::files::{TableWheel, WheelReading, WheelTableFile, read_wheel_table};
 use crate::schema::{Report, SectionValues, Sections};
 use crate::tables::{
-    CRACK, CRACK_LATERAL, ContactOrigin, GivenWheel, PLACE, PLACE_WINDOW, REPRESENTATIVES,
+    CRACK, CRACK_FRICTION, CRACK_LATERAL, ContactOrigin, GivenWheel, PLACE, PLACE_WINDOW, REPRESENTATIVES,
     REPRESENTATIVES_ERROR, TABLE, TABLE_SIGN, TABLE_THEORY, TEMPERATURE, TRACK, WHEEL_CONTACT, WHEEL_FLUID,
     WHEEL_TEMPERATURE, WHEEL_TRACK, read_temperature, read_track,
 };
@@ -64,7 +64,8 @@ pub(super) fn read_wheels_of_table(
         return None;
     }
     let most = given.get(REPRESENTATIVES)?;
-    let groups = group(&wheels, &loaded, most, (network, steel, law));
+    let friction = sections.all(&CRACK).next().and_then(|crack| crack.get(CRACK_FRICTION))?;
+    let groups = group(&wheels, &loaded, most, (network, friction), (steel, law));
     for (i, group) in loaded.iter().zip(&groups.group_of) {
         wheels[*i].represented_by = first + group;
     }

@@ -29,7 +29,7 @@ pub struct Groups {
 const ROUNDS: usize = 12;
 
 /// Wheels nearest to the middle of a group from which its representative is chosen.
-const CANDIDATES: usize = 8;
+const CANDIDATES: usize = 4;
 
 impl Groups {
     /// At most `most` groups of `wheels`: centres by weighted distance (the farthest next), then

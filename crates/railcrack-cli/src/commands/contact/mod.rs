@@ -35,6 +35,9 @@ pub struct ContactArguments {
     pub out: Option<PathBuf>,
     #[command(flatten)]
     pub set: Set,
+    /// Suppress the summary
+    #[arg(long)]
+    pub quiet: bool,
 }
 
 /// Wheels that are drawn at most: those that grow the cracks most.
@@ -64,6 +67,9 @@ pub fn contact(arguments: &ContactArguments) -> Result<Exit, Failure> {
     }
     let page = page::page(&case, &rows, &drawn, across.as_ref());
     write(&folder.join("contact.html"), &page.html())?;
+    if arguments.quiet {
+        return Ok(Exit::Done);
+    }
     print::stdout(&told(&case, &rows, across.as_ref()))?;
     print::stdout(&format!("results in {}\n", folder.display()))?;
     Ok(Exit::Done)
