@@ -9,6 +9,7 @@ use railcrack::fracture::Sif;
 use railcrack::load::Contact;
 use railcrack::material::IsotropicElastic;
 use railcrack::traffic::{Grouped, Groups, OpenCrack};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// Groups of the wheels `loaded`, at most `most`, by what drives the first crack; `friction` is that
 /// of its faces.
@@ -28,7 +29,7 @@ pub(super) fn group(
     let Some(open) = open_crack(&widths, network, friction, steel) else {
         return Groups::of(&loaded.iter().map(alone).collect::<Vec<_>>(), most);
     };
-    let histories: Vec<_> = contacts.iter().map(|contact| open.history(contact)).collect();
+    let histories: Vec<Vec<Sif>> = contacts.par_iter().map(|contact| open.history(contact)).collect();
     let rates = |law: &GrowthLaw| histories.iter().map(|own| open.rate(own, law)).collect::<Vec<f64>>();
     let mut rated = rates(law);
     if rated.iter().all(|rate| *rate == 0.0) {

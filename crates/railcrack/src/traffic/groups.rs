@@ -16,7 +16,8 @@ pub struct Grouped {
 pub struct Groups {
     /// The representative of each wheel: an index into `representatives`.
     pub group_of: Vec<usize>,
-    /// The representatives: indices of wheels, increasing.
+    /// The representatives, indices of wheels: in order where every wheel has its own group,
+    /// otherwise those whose groups grow the crack most first.
     pub representatives: Vec<usize>,
     /// The share of each group.
     pub shares: Vec<f64>,
@@ -29,7 +30,7 @@ pub struct Groups {
 const ROUNDS: usize = 12;
 
 /// Wheels nearest to the middle of a group from which its representative is chosen.
-const CANDIDATES: usize = 4;
+const CANDIDATES: usize = 2;
 
 impl Groups {
     /// At most `most` groups of `wheels`: centres by weighted distance (the farthest next), then
@@ -61,10 +62,20 @@ impl Groups {
             move_centres(&mut centres, wheels, &weights, &group_of);
         }
         let chosen = choose(wheels, &centres, &group_of);
-        let mut representatives: Vec<usize> = chosen.iter().flatten().copied().collect();
-        representatives.sort_unstable();
-        let place = |wheel: usize| representatives.partition_point(|other| *other < wheel);
-        let group_of: Vec<usize> = group_of.iter().map(|group| place(chosen[*group].unwrap_or(0))).collect();
+        let growth = |group: usize| {
+            let own = group_of.iter().zip(wheels).filter(|(own, _)| **own == group);
+            own.map(|(_, wheel)| wheel.share * wheel.rate).sum::<f64>()
+        };
+        let mut order: Vec<(usize, usize, f64)> = chosen
+            .iter()
+            .enumerate()
+            .filter_map(|(group, wheel)| Some((group, (*wheel)?, growth(group))))
+            .collect();
+        order.sort_by(|a, b| b.2.total_cmp(&a.2).then(a.1.cmp(&b.1)));
+        let representatives: Vec<usize> = order.iter().map(|(_, wheel, _)| *wheel).collect();
+        let mut place = vec![0; chosen.len()];
+        order.iter().enumerate().for_each(|(i, (group, ..))| place[*group] = i);
+        let group_of: Vec<usize> = group_of.iter().map(|group| place[*group]).collect();
         let mut shares = vec![0.0; representatives.len()];
         for (group, wheel) in group_of.iter().zip(wheels) {
             shares[*group] += wheel.share;

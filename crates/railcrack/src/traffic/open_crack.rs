@@ -1,4 +1,4 @@
-//! An open crack under a wheel: K is linear in pressure and shear.
+//! An open crack under a wheel, as a surrogate for the closed one.
 
 use crate::body::CrackedBody;
 use crate::fatigue::{GrowthLaw, LoadRange};
@@ -7,20 +7,23 @@ use crate::fracture::Sif;
 use crate::load::{Contact, HertzianContact};
 use std::f64::consts::PI;
 
-/// K of the tips of open cracks under half-ellipses of pressure and of shear, for half-widths
-/// between which those of all wheels lie. It ranks wheels: with C and S of the open crack alone, the
-/// contact of its faces is replaced by the friction of K_II under a negative K_I, and the shear of a
-/// wheel by a half-ellipse with the same force and moment.
+/// Nodal forces on the faces of open cracks under half-ellipses of pressure and of shear, for
+/// half-widths between which those of all wheels lie, and K = S f of what friction leaves of them.
+///
+/// It ranks wheels: forces that close the faces are carried by the faces, and of the shear at such
+/// a point |t| − μ_c |n| drives the crack. Compliance, stick and the order of events are absent,
+/// and the shear of a wheel is a half-ellipse with the same force and moment.
 #[derive(Debug, Clone)]
 pub struct OpenCrack {
     half_widths: Vec<f64>,
-    /// K per MPa of peak pressure and of peak shear: `[half-width][position · tips + tip]`.
-    pressed: Vec<Vec<Sif>>,
-    sheared: Vec<Vec<Sif>>,
-    tips: usize,
-    face_friction: f64,
+    /// Nodal forces per MPa of peak pressure and of peak shear: `[half-width][position]`, 2p each.
+    pressed: Vec<Vec<Vec<f64>>>,
+    sheared: Vec<Vec<Vec<f64>>>,
     /// Distance of the positions of each half-width, mm.
     spacing: Vec<f64>,
+    /// S, row by row.
+    influence: Vec<Vec<f64>>,
+    face_friction: f64,
 }
 
 /// Half-widths of the table, positions of the wheel, and how far these reach beyond the mouths.
@@ -54,27 +57,27 @@ impl OpenCrack {
             let (mut normal, mut shear) = (Vec::new(), Vec::new());
             for i in 0..POSITIONS {
                 let xc = from + (to - from) * i as f64 / (POSITIONS - 1) as f64;
-                let under = body.sifs_of_free_faces(|point| smooth.stress(point, xc));
-                let both = body.sifs_of_free_faces(|point| rough.stress(point, xc));
-                let less =
-                    |(both, under): (&Sif, &Sif)| Sif { ki: both.ki - under.ki, kii: both.kii - under.kii };
-                shear.extend(both.iter().zip(&under).map(less));
-                normal.extend(under);
+                let under = body.faces.nodal_forces(|point| smooth.stress(point, xc));
+                let both = body.faces.nodal_forces(|point| rough.stress(point, xc));
+                shear.push(both.iter().zip(&under).map(|(both, under)| both - under).collect());
+                normal.push(under);
             }
             pressed.push(normal);
             sheared.push(shear);
         }
         let apart = |width: &f64| (mouths[1] - mouths[0] + 2.0 * REACH * width) / (POSITIONS - 1) as f64;
         let spacing = half_widths.iter().map(apart).collect();
-        Self { half_widths, pressed, sheared, tips: body.tips.len().max(1), face_friction, spacing }
+        let rows = &body.sif_influence;
+        let influence = (0..rows.rows()).map(|i| rows.row(i).to_vec()).collect();
+        Self { half_widths, pressed, sheared, spacing, influence, face_friction }
     }
 
-    /// What drives the tips at all positions under `contact`, MPa √mm: K_I where it is positive, and
-    /// of K_II what friction leaves, |K_II| − μ_c |K_I| where K_I is negative.
+    /// K_I and K_II (MPa √mm) of what drives the tips under `contact`, at all positions, those of
+    /// one position side by side.
     #[must_use]
     pub fn history(&self, contact: &Contact) -> Vec<Sif> {
         let (peak, shear) = (contact.peak_pressure(), contact.peak_pressure() * contact.adhesion());
-        // A moment M of the shear moves it by M/Q: K changes by M/Q times its slope.
+        // A moment M of the shear moves it by M/Q: forces change by M/Q times their slope.
         let moved = 2.0 * contact.shear_moment() / (PI * contact.half_width());
         let most = self.half_widths.len() - 1;
         let above = self.half_widths.partition_point(|width| *width < contact.half_width());
@@ -83,40 +86,54 @@ impl OpenCrack {
         let (from, to) = (self.half_widths[low], self.half_widths[high]);
         let part =
             if to > from { ((contact.half_width() - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 };
-        let count = self.pressed[0].len();
-        let of_width = |width: usize, i: usize| {
-            let (normal, along) = (self.pressed[width][i], &self.sheared[width]);
-            let (before, after) = (i.saturating_sub(self.tips), (i + self.tips).min(count - 1));
-            let steps = ((after - before) / self.tips).max(1) as f64;
-            let slope = moved / (steps * self.spacing[width]);
-            let of = |k: fn(&Sif) -> f64| {
-                peak * k(&normal) + shear * k(&along[i]) + slope * (k(&along[after]) - k(&along[before]))
-            };
-            [of(|k| k.ki), of(|k| k.kii)]
-        };
-        (0..count)
-            .map(|i| {
-                let (a, b) = (of_width(low, i), of_width(high, i));
-                let [ki, kii] = [0, 1].map(|mode| a[mode] + part * (b[mode] - a[mode]));
-                let left = (kii.abs() - self.face_friction * (-ki).max(0.0)).max(0.0);
-                Sif { ki: ki.max(0.0), kii: left.copysign(kii) }
-            })
-            .collect()
+        let unknowns = self.influence.first().map_or(0, Vec::len);
+        let mut history = Vec::with_capacity(POSITIONS * self.influence.len() / 2);
+        let mut forces = vec![0.0; unknowns];
+        for i in 0..POSITIONS {
+            forces.fill(0.0);
+            let (before, after) = (i.saturating_sub(1), (i + 1).min(POSITIONS - 1));
+            for (width, weight) in [(low, 1.0 - part), (high, part)] {
+                let slope = weight * moved / ((after - before) as f64 * self.spacing[width]);
+                let (normal, along) = (&self.pressed[width], &self.sheared[width]);
+                for (j, force) in forces.iter_mut().enumerate() {
+                    *force += weight * (peak * normal[i][j] + shear * along[i][j])
+                        + slope * (along[after][j] - along[before][j]);
+                }
+            }
+            self.leave_to_the_faces(&mut forces);
+            history.extend(self.influence.chunks_exact(2).map(|rows| {
+                let k = |row: &[f64]| row.iter().zip(&forces).map(|(a, b)| a * b).sum();
+                Sif { ki: k(&rows[0]), kii: k(&rows[1]) }
+            }));
+        }
+        history
+    }
+
+    /// Takes from nodal `forces` what closed faces carry.
+    fn leave_to_the_faces(&self, forces: &mut [f64]) {
+        for force in forces.as_chunks_mut::<2>().0 {
+            let [along, across] = *force;
+            if across < 0.0 {
+                let left = (along.abs() + self.face_friction * across).max(0.0);
+                *force = [left.copysign(along), 0.0];
+            }
+        }
     }
 
     /// The rate (mm per cycle) of the fastest tip through `history` by `law`.
     #[must_use]
     pub fn rate(&self, history: &[Sif], law: &GrowthLaw) -> f64 {
+        let tips = (self.influence.len() / 2).max(1);
         let of_tip = |tip: usize| {
-            let own = || history.iter().skip(tip).step_by(self.tips);
+            let own = || history.iter().skip(tip).step_by(tips);
             let range = |of: fn(&Sif) -> f64| {
-                let (low, high) =
-                    own().fold((0.0f64, 0.0f64), |(low, high), k| (low.min(of(k)), high.max(of(k))));
+                let wider = |(low, high): (f64, f64), k: &Sif| (low.min(of(k)), high.max(of(k)));
+                let (low, high) = own().fold((0.0, 0.0), wider);
                 high - low
             };
-            let opening = range(|k| k.ki);
+            let opening = range(|k| k.ki.max(0.0));
             law.rate(LoadRange::new(opening, range(|k| k.kii), opening))
         };
-        (0..self.tips).map(of_tip).fold(0.0, f64::max)
+        (0..tips).map(of_tip).fold(0.0, f64::max)
     }
 }
