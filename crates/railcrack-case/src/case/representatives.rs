@@ -11,8 +11,8 @@ use railcrack::material::IsotropicElastic;
 use railcrack::traffic::{Grouped, Groups, OpenCrack};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
-/// Groups of the wheels `loaded`, at most `most`, by what drives the first crack; `friction` is that
-/// of its faces.
+/// Groups of the wheels `loaded`, at most `most`, by what drives the first crack; `friction` is
+/// that of its faces.
 pub(super) fn group(
     wheels: &[TabledWheel],
     loaded: &[usize],

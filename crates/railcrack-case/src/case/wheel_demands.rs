@@ -1,4 +1,4 @@
-//! What each wheel makes of the cracks as they are at the beginning.
+//! The loading of the initial cracks by each wheel.
 
 use super::carried::CarriedStressError;
 use super::case::Case;

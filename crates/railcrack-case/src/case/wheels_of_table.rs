@@ -21,7 +21,7 @@ use std::path::Path;
 /// the crack by nothing that counts, and keeps their share, their fluid and their bending.
 const NOTHING: f64 = 1e-3;
 
-/// What the wheels of a table have in common.
+/// Common properties of the wheels of a table.
 pub(super) struct TableContext<'a> {
     pub sections: &'a Sections,
     pub steel: &'a IsotropicElastic,

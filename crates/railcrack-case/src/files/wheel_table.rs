@@ -80,7 +80,7 @@ impl TableWheel {
 /// A table of wheels and the text it was read from.
 pub type WheelTableFile = CaseFile<Vec<TableWheel>>;
 
-/// What the file does not say about its wheels.
+/// Properties of the wheels that are not in the file.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct WheelReading<'a> {
     pub steel: &'a IsotropicElastic,

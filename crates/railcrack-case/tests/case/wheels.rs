@@ -87,7 +87,8 @@ fn two_patches_over_one_crack_are_one_history() {
     assert!((sum.line_load() / load - 1.0).abs() < 5e-4, "{} {load}", sum.line_load());
     let shear = a.line_load() * a.adhesion() + b.line_load() * b.adhesion();
     assert!((sum.line_load() * sum.adhesion() / shear - 1.0).abs() < 5e-3);
-    // The second patch follows the first one at 9 mm: it ends at −9 − a_y, the first one begins at a_y.
+    // The second patch follows the first one at 9 mm: it ends at −9 − a_y, the first one begins at
+    // a_y.
     let Contact::Table(table) = sum else { panic!("{sum:?}") };
     let rows = table.rows();
     let ends = (rows[0].u, rows[rows.len() - 1].u);

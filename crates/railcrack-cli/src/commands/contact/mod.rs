@@ -1,4 +1,4 @@
-//! `railcrack contact`: the patches of the wheels, and what they make of the cracks.
+//! `railcrack contact`: the patches of the wheels, and the growth that each wheel causes.
 
 mod across;
 mod page;

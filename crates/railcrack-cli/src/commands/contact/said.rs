@@ -4,7 +4,7 @@ use super::across::Across;
 use super::rows::WheelRow;
 use railcrack_case::Case;
 
-/// What follows from the rows: who grows the cracks, the error of the representatives, the worst
+/// Conclusions from the rows: who grows the cracks, the error of the representatives, the worst
 /// place.
 pub(super) fn sentences(case: &Case, rows: &[WheelRow], across: Option<&Across>) -> Vec<String> {
     let mut said = Vec::new();
