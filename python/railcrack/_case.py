@@ -22,6 +22,7 @@ from ._plot import RunPlots
 from ._progress import Progress, teller
 from ._results import RunResults
 from ._source import Source, Sourced
+from ._table import Table
 
 History = NDArray[np.float64]
 """K through the stabilised passage: shape (samples, 2), K_I and K_II in MPa√m, in the order of
@@ -119,6 +120,32 @@ class Case(Sourced):
         """Sizes, bounds and warnings; nothing is computed."""
         return Check(**self._core.check())
 
+    def wheels(self) -> Table:
+        """What each wheel makes of the cracks as they are at the beginning: `wheels.csv` of
+        `railcrack contact`, with a row per wheel of the case or of its table, in its order. A table
+        of wheels may be given as a data frame:
+
+        >>> case = Case({"wheel": [{"table": frame, "creepage_sign": "vehicle"}], "crack": …})
+        >>> joined = frame.merge(case.wheels().to_pandas(), on="wheel")
+
+        Raises `RailcrackError` if a passage cannot be computed.
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder)
+            for name, content in self._source.files:
+                file = path / "case" / name
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_bytes(content)
+            (path / "case").mkdir(exist_ok=True)
+            (path / "case" / "case.toml").write_text(self._source.text, encoding="utf-8")
+            out = path / "out"
+            code = _railcrack.command(
+                ["railcrack", "contact", str(path / "case" / "case.toml"), "--out", str(out), "--quiet"]
+            )
+            if code:
+                raise RailcrackError(f"`railcrack contact` ended with exit code {code}")
+            return _wheels((out / "wheels.csv").read_text(encoding="utf-8"))
+
     def run(
         self,
         *,
@@ -173,6 +200,21 @@ class Case(Sourced):
         rows = [("engine", self.engine), ("cracks", len(self._core.cracks)), ("increments", self.steps)]
         text = f"<details><summary>all values</summary><pre>{escape(self.to_toml())}</pre></details>"
         return facts(self.title, rows, text)
+
+
+_COUNTS = ("wheel", "representative")
+
+
+def _wheels(text: str) -> Table:
+    """The table in the text of `wheels.csv`."""
+    header, *rows = [line.split(",") for line in text.splitlines() if line and not line.startswith("#")]
+    columns: dict[str, tuple[Any, list[str] | None, str]] = {}
+    for i, name in enumerate(header):
+        values = np.array([float(row[i]) if row[i] else np.nan for row in rows])
+        whole = name in _COUNTS and not np.isnan(values).any()
+        columns[name] = (values.astype(np.int64) if whole else values, None, "")
+    return Table("wheels", columns)
+
 
 class Run(RunResults):
     """A run, computed by `Case.run` or stored in a run folder (`Run.open`).

@@ -24,7 +24,11 @@ class Source:
     def of(cls, sections: Mapping[str, Any] | str, name: str) -> Source:
         """A source from a text or from a dictionary of sections; file names are relative to the
         working directory."""
-        return cls.gathered(sections if isinstance(sections, str) else _toml.write(sections), name, Path())
+        if isinstance(sections, str):
+            return cls.gathered(sections, name, Path())
+        named, tables = _toml.without_tables(sections, "table")
+        source = cls.gathered(_toml.write(named), name, Path())
+        return cls(source.text, name, (*source.files, *tables))
 
     @classmethod
     def gathered(cls, text: str, name: str, folder: Path, under: str = "") -> Source:
@@ -52,9 +56,10 @@ class Source:
 
     def changed(self, changes: Mapping[str, Any]) -> Source:
         """The source with `changes`, whose file names are relative to the working directory."""
+        changes, tables = _toml.without_tables(changes, f"changed-{len(self.files)}")
         new = Source.gathered(_toml.write(changes), self.name, Path(), f"changed-{len(self.files)}")
         text = _toml.write(_toml.changed(_toml.read(self.text), _toml.read(new.text) | _removed(changes)))
-        return Source(text, self.name, (*self.files, *new.files))
+        return Source(text, self.name, (*self.files, *new.files, *tables))
 
 
 Made = TypeVar("Made", bound="Sourced")

@@ -34,6 +34,31 @@ def write(sections: Mapping[str, Any]) -> str:
     return text
 
 
+def without_tables(sections: Mapping[str, Any], prefix: str) -> tuple[dict[str, Any], list[tuple[str, bytes]]]:
+    """`sections` with data frames (pandas, polars) replaced by names of CSV files, and these files."""
+    files: list[tuple[str, bytes]] = []
+
+    def named(value: Any) -> Any:
+        text = _csv(value)
+        if text is not None:
+            files.append((f"{prefix}-{len(files)}.csv", text.encode()))
+            return files[-1][0]
+        if isinstance(value, Mapping):
+            return {key: named(inner) for key, inner in value.items()}
+        return [named(inner) for inner in value] if isinstance(value, list) else value
+
+    return {name: named(value) for name, value in sections.items()}, files
+
+
+def _csv(value: Any) -> str | None:
+    """The text of a data frame; None of anything else."""
+    if hasattr(value, "write_csv"):
+        return str(value.write_csv())
+    if hasattr(value, "to_csv"):
+        return str(value.to_csv(index=False))
+    return None
+
+
 def changed(sections: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
     """`sections` with `changes`: sections are changed key by key; a list of sections is replaced,
     or changed crack by crack if the change is a dictionary; None removes a key."""

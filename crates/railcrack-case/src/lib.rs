@@ -16,14 +16,14 @@ mod study;
 mod tables;
 
 pub use case::{
-    CarriedStress, CarriedStressError, Case, Coefficient, HeaviestWheel, KnownSizes, MixedWheel,
+    CarriedStress, CarriedStressError, Case, Coefficient, DemandError, HeaviestWheel, KnownSizes, MixedWheel,
     NoCoefficient, NoNumber, NotInPage, Overrides, PreparedRun, Projection, RailKey, Release, RunSize,
-    SharedRail, SharedRailError, SpaceCase,
+    SharedRail, SharedRailError, SpaceCase, TabledWheel, WheelDemand, WheelTable,
 };
 pub use entries::{Comparison, Entry, EntryValue, Grade, HowRead, Quantity, entry_schema};
 pub use files::{
     CaseFile, Column, Columned, Columns, Companion, ContactFile, DetectionFile, DetectionTable, FieldFile,
-    ProfileFile, RatesFile, ToughnessFile,
+    ProfileFile, RatesFile, TablePatch, TableWheel, ToughnessFile, WheelTableFile,
 };
 pub use regular_file::open_regular;
 pub use schema::read_text_file;

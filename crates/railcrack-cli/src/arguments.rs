@@ -2,10 +2,11 @@
 
 use crate::commands::{
     calibrate::CalibrateArguments, check::CheckArguments, compare::CompareArguments,
-    completions::CompletionsArguments, completions::ManArguments, explorer::ExplorerArguments,
-    init::InitArguments, paper::PaperArguments, plan::PlanArguments, report::ReportArguments,
-    run::RunArguments, schema::SchemaArguments, shakedown::ShakedownArguments, show::ShowArguments,
-    sweep::SweepArguments, validate::ValidateArguments, verify::VerifyArguments, view::ViewArguments,
+    completions::CompletionsArguments, completions::ManArguments, contact::ContactArguments,
+    explorer::ExplorerArguments, init::InitArguments, paper::PaperArguments, plan::PlanArguments,
+    report::ReportArguments, run::RunArguments, schema::SchemaArguments, shakedown::ShakedownArguments,
+    show::ShowArguments, sweep::SweepArguments, validate::ValidateArguments, verify::VerifyArguments,
+    view::ViewArguments,
 };
 use clap::{Parser, Subcommand};
 
@@ -22,6 +23,7 @@ Getting started:
   railcrack init case.toml     write a commented case file, the reference case
   railcrack check case.toml    validate it and show what would be computed
   railcrack run case.toml      compute crack growth
+  railcrack contact case.toml  draw the contact patches and rate the wheels
   railcrack compare A B        compare two runs
   railcrack sweep study.toml   compute many cases: a case file with lists of values
   railcrack show DIR           print the main table of a folder, or columns of any table
@@ -53,6 +55,7 @@ pub enum Command {
     Init(InitArguments),
     Check(CheckArguments),
     Run(RunArguments),
+    Contact(ContactArguments),
     Compare(CompareArguments),
     Sweep(SweepArguments),
     Show(ShowArguments),

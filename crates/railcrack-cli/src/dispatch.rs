@@ -2,8 +2,8 @@
 
 use crate::arguments::{Arguments, Command};
 use crate::commands::{
-    calibrate, check, compare, completions, explorer, init, paper, plan, report, run, schema, shakedown,
-    show, sweep, validate, verify, view,
+    calibrate, check, compare, completions, contact, explorer, init, paper, plan, report, run, schema,
+    shakedown, show, sweep, validate, verify, view,
 };
 use crate::exit::{Exit, Failure};
 use clap::CommandFactory;
@@ -15,6 +15,7 @@ pub fn dispatch(command: Command) -> Result<Exit, Failure> {
         Command::Calibrate(arguments) => calibrate::calibrate(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Run(arguments) => run::run(&arguments),
+        Command::Contact(arguments) => contact::contact(&arguments),
         Command::Compare(arguments) => compare::compare(&arguments),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Report(arguments) => report::report(&arguments),

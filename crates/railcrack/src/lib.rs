@@ -66,6 +66,7 @@ pub mod rolling;
 pub mod shakedown;
 pub mod space;
 pub mod stopwatch;
+pub mod traffic;
 pub mod validity;
 pub mod words;
 pub mod xfem;

@@ -5,7 +5,8 @@ use super::cracks::{Meetings, check_fit, place_cracks};
 use super::in_page::check_explorer;
 use super::known_sizes::KnownSizes;
 use super::limits::check_size;
-use super::mix::{MixedWheel, ReadWheel, read_mix};
+use super::mix::{MixedWheel, read_mix};
+use super::read_wheel::ReadWheel;
 use super::space::{read_space, refuse_strike};
 use crate::files::read_profile;
 use crate::schema::{Report, SectionValues, Sections, Value, Written, short};
@@ -42,8 +43,20 @@ pub(crate) fn build(
 ) -> Option<Case> {
     let rail_section = sections.one(&RAIL);
     let steel = rail_section.and_then(|s| read_steel(s, report));
+    let crack_sections: Vec<&SectionValues> = sections.all(&CRACK).collect();
+    let meetings = if is_in_space(&sections) { Meetings::InSpace } else { Meetings::InThePlane };
+    let placed = place_cracks(&crack_sections, meetings, report);
+    let network = placed.as_ref().map(|placed| &placed.network);
+    let growth = sections.one(&GROWTH).and_then(|s| read_growth(s, folder, report));
+    let mut wheel_table = None;
     let mix = if sections.all(&WHEEL).next().is_some() {
-        read_mix(&sections, steel.as_ref(), contact_extent(&sections), folder, report).map(Some)
+        let law = growth.as_ref().map(|growth| &growth.settings.law);
+        let extent = contact_extent(&sections);
+        let read = read_mix(&sections, steel.as_ref(), extent, (network, law), folder, report);
+        read.map(|(wheels, table)| {
+            wheel_table = table;
+            Some(wheels)
+        })
     } else {
         Some(None)
     };
@@ -54,10 +67,6 @@ pub(crate) fn build(
         None => None,
     };
     let travel = first.map(|first| first.travel).or_else(|| sections.one(&PASSAGE).and_then(read_travel));
-    let crack_sections: Vec<&SectionValues> = sections.all(&CRACK).collect();
-    let meetings = if is_in_space(&sections) { Meetings::InSpace } else { Meetings::InThePlane };
-    let placed = place_cracks(&crack_sections, meetings, report);
-    let network = placed.as_ref().map(|placed| &placed.network);
     let rail = rail_section.and_then(|s| Rail::read(s, network));
     if let (Some(rail), Some(placed)) = (&rail, &placed) {
         check_fit(placed, rail, &crack_sections, report);
@@ -96,7 +105,6 @@ pub(crate) fn build(
     {
         refuse_counting_twice(section, report);
     }
-    let growth = sections.one(&GROWTH).and_then(|s| read_growth(s, folder, report));
     if growth.as_ref().is_some_and(|growth| growth.steel.is_some()) {
         sections.leave_out(&GROWTH, is_of_the_law);
     }
@@ -190,6 +198,7 @@ pub(crate) fn build(
         output: Output::read(sections.one(&OUTPUT)?)?,
         axle_load,
         mix: mix?,
+        wheel_table,
         maintenance,
         inspection: match inspection {
             Some(read) => Some(read?),

@@ -2,7 +2,8 @@
 
 use super::mix::MixedWheel;
 use super::space_case::SpaceCase;
-use crate::files::{Companion, DetectionFile, ProfileFile, RatesFile, ToughnessFile};
+use super::wheel_table::WheelTable;
+use crate::files::{CaseFile, Companion, DetectionFile, ProfileFile, RatesFile, ToughnessFile};
 use crate::schema::{Value, Written};
 use crate::tables::{
     CalibrationPrior, ContactSolver, Detection, Engine, FieldOutput, Fracture, GivenWheel, Inspection,
@@ -70,6 +71,8 @@ pub struct Case {
     pub axle_load: Option<f64>,
     /// The wheels of a mix, the first of which is `wheel`; empty for one wheel.
     pub mix: Vec<MixedWheel>,
+    /// The table of which wheels of the mix are representatives, where one is given.
+    pub wheel_table: Option<WheelTable>,
     /// Wear and grinding, where they are given.
     pub maintenance: Option<MaintenancePlan>,
     /// The inspection, where it is given.
@@ -226,7 +229,15 @@ impl Case {
         // The tables of a mix are one file.
         let of_mix = || self.mix.iter().find_map(|wheel| wheel.wheel.companion());
         let contact = self.wheel.companion().or_else(of_mix);
+        let wheels = self.wheel_table.as_ref().map(|table| CaseFile::companion(&table.file));
         let stresses = residual.into_iter().chain(plastic).chain(initial);
-        contact.into_iter().chain(stresses).chain(toughness).chain(rates).chain(detection).collect()
+        contact
+            .into_iter()
+            .chain(wheels)
+            .chain(stresses)
+            .chain(toughness)
+            .chain(rates)
+            .chain(detection)
+            .collect()
     }
 }

@@ -1,13 +1,17 @@
 //! A mix of wheels: shares of the axles, and the load of each.
 
+use super::read_wheel::ReadWheel;
+use super::wheel_table::WheelTable;
+use super::wheels_of_table::{TableContext, read_wheels_of_table};
 use crate::schema::{Fault, Report, SectionValues, Sections};
 use crate::tables::{
-    AXLE_LOAD, CONTACT, ContactExtent, DIRECTION, GivenWheel, PASSAGE, SHARE, TEMPERATURE, TRACK, TRAFFIC,
-    WHEEL, WHEEL_AXLE_LOAD, WHEEL_CONTACT, WHEEL_FLUID, WHEEL_NAME, WHEEL_TEMPERATURE, WHEEL_TRACK,
+    AXLE_LOAD, CONTACT, ContactExtent, DIRECTION, GivenWheel, PASSAGE, SHARE, TABLE, TEMPERATURE, TRACK,
+    TRAFFIC, WHEEL, WHEEL_AXLE_LOAD, WHEEL_CONTACT, WHEEL_FLUID, WHEEL_NAME, WHEEL_TEMPERATURE, WHEEL_TRACK,
     WheelSections, read_travel,
 };
+use railcrack::crack::CrackNetwork;
+use railcrack::fatigue::GrowthLaw;
 use railcrack::growth::{MOST_WHEELS, PassageSettings};
-use railcrack::load::Travel;
 use railcrack::material::IsotropicElastic;
 use railcrack::plane::CrackFluid;
 use std::path::Path;
@@ -29,17 +33,6 @@ pub struct MixedWheel {
     pub passages: PassageSettings,
 }
 
-/// A wheel of a mix before the cracks are known.
-pub(super) struct ReadWheel {
-    pub name: String,
-    pub share: f64,
-    pub axle_load: Option<f64>,
-    pub wheel: GivenWheel,
-    pub travel: Travel,
-    /// Its own `[wheel.fluid]`; without it, that of the case applies.
-    pub fluid: Option<SectionValues>,
-}
-
 /// Shares whose sum differs from 1 by less add up to 1: they were rounded to six digits.
 const SUM: f64 = 1e-6;
 
@@ -50,9 +43,10 @@ pub(super) fn read_mix(
     sections: &Sections,
     steel: Option<&IsotropicElastic>,
     extent: ContactExtent,
+    cracks: (Option<&CrackNetwork>, Option<&GrowthLaw>),
     folder: &Path,
     report: &mut Report,
-) -> Option<Vec<ReadWheel>> {
+) -> Option<(Vec<ReadWheel>, Option<WheelTable>)> {
     let given: Vec<&SectionValues> = sections.all(&WHEEL).collect();
     let last = given.last()?;
     if let Some(contact) = sections.one(&CONTACT) {
@@ -66,7 +60,19 @@ pub(super) fn read_mix(
     }
     let travel = sections.one(&PASSAGE).and_then(read_travel)?;
     let traffic = sections.one(&TRAFFIC).and_then(|traffic| traffic.get(AXLE_LOAD));
-    let read = |(i, given): (usize, &&SectionValues)| {
+    let (tables, single): (Vec<(usize, &SectionValues)>, Vec<(usize, &SectionValues)>) =
+        given.iter().copied().enumerate().partition(|(_, wheel)| wheel.get(TABLE).is_some());
+    if let Some((_, second)) = tables.get(1) {
+        let says = "is the second table of a mix, which takes one";
+        report.add(second.fault(TABLE, says).help("one table holds all wheels"));
+        return None;
+    }
+    if let (Some((_, table)), ContactExtent::Ellipse) = (tables.first(), extent) {
+        let says = "loads the plane by strips of its patches; the space engine computes the Hertz ellipse in full sliding only";
+        report.add(table.fault(TABLE, says).help("use a plane engine, or [[wheel]] with contacts"));
+        return None;
+    }
+    let read = |(i, given): &(usize, &SectionValues)| {
         let travel = given.get(DIRECTION).unwrap_or(travel);
         let of_wheel = WheelSections {
             contact: sections.part(given, &WHEEL_CONTACT)?,
@@ -75,6 +81,7 @@ pub(super) fn read_mix(
             extent,
         };
         let wheel = GivenWheel::read(of_wheel, steel?, travel, folder, report)?;
+        let given = *given;
         Some(ReadWheel {
             name: given.get(WHEEL_NAME).unwrap_or_else(|| format!("wheel {}", i + 1)),
             share: given.get(SHARE)?,
@@ -85,10 +92,39 @@ pub(super) fn read_mix(
         })
     };
     // All of them, so that all errors are found at once.
-    let wheels: Vec<Option<ReadWheel>> = given.iter().enumerate().map(read).collect();
-    let wheels: Vec<ReadWheel> = wheels.into_iter().collect::<Option<_>>()?;
+    let wheels: Vec<Option<ReadWheel>> = single.iter().map(read).collect();
+    let mut wheels: Vec<ReadWheel> = wheels.into_iter().collect::<Option<_>>()?;
+    let mut table = None;
+    if let Some((_, given)) = tables.first() {
+        let others: f64 = wheels.iter().map(|wheel| wheel.share).sum();
+        if others >= 1.0 {
+            let says = format!("the other wheels have {others} of all axles and leave none for the table");
+            report.add(given.fault(TABLE, says));
+            return None;
+        }
+        let context = TableContext {
+            sections,
+            steel: steel?,
+            travel: given.get(DIRECTION).unwrap_or(travel),
+            network: cracks.0?,
+            law: cracks.1?,
+            share: 1.0 - others,
+            axle_load: given.get(WHEEL_AXLE_LOAD).or(traffic),
+            first: wheels.len(),
+            folder,
+        };
+        let (read, used) = read_wheels_of_table(given, &context, report)?;
+        wheels.extend(read);
+        table = Some(used);
+        if wheels.len() > MOST_WHEELS {
+            let says =
+                format!("has {} wheels with the others of the mix; the limit is {MOST_WHEELS}", wheels.len());
+            report.add(given.fault(TABLE, says).help("use fewer representatives"));
+            return None;
+        }
+    }
     let sum: f64 = wheels.iter().map(|wheel| wheel.share).sum();
-    if (sum - 1.0).abs() > SUM {
+    if table.is_none() && (sum - 1.0).abs() > SUM {
         let says = format!("the shares of all wheels add up to {sum}; they must add up to 1");
         report.add(
             last.fault(SHARE, says).help("shares are fractions of the number of axles, not of the tonnes"),
@@ -97,7 +133,7 @@ pub(super) fn read_mix(
     }
     check_axle_loads(&given, &wheels, report)?;
     check_files(&given, &wheels, report)?;
-    Some(wheels)
+    Some((wheels, table))
 }
 
 /// Million gross tonnes need the load of every axle.
@@ -106,13 +142,14 @@ fn check_axle_loads(given: &[&SectionValues], wheels: &[ReadWheel], report: &mut
     let (Some(without), true) = (without, wheels.iter().any(|wheel| wheel.axle_load.is_some())) else {
         return Some(());
     };
-    let dotted = given[without].dotted(WHEEL_AXLE_LOAD.key.name);
+    let section = given[without.min(given.len() - 1)];
+    let dotted = section.dotted(WHEEL_AXLE_LOAD.key.name);
     let message = format!(
         "`{dotted}` is missing: other wheels have it, and counting tonnes requires the load of every axle"
     );
     let help =
         "give axle_load_t to every wheel or to none; [traffic] axle_load_t applies to wheels without one";
-    report.add(Fault::of(dotted, given[without].span.clone(), message).help(help));
+    report.add(Fault::of(dotted, section.span.clone(), message).help(help));
     None
 }
 

@@ -13,13 +13,19 @@ mod limits;
 mod mix;
 mod overrides;
 mod prepared;
+mod rates_across;
 mod read;
+mod read_wheel;
+mod representatives;
 mod row_scatter;
 mod setting;
 mod shared;
 mod size;
 mod space;
 mod space_case;
+mod wheel_demands;
+mod wheel_table;
+mod wheels_of_table;
 
 pub use carried::{CarriedStress, CarriedStressError, Projection, Release};
 pub use case::{Case, HeaviestWheel};
@@ -32,6 +38,8 @@ pub use prepared::PreparedRun;
 pub use shared::{RailKey, SharedRail, SharedRailError};
 pub use size::RunSize;
 pub use space_case::SpaceCase;
+pub use wheel_demands::{DemandError, WheelDemand};
+pub use wheel_table::{TabledWheel, WheelTable};
 
 pub(crate) use build::build;
 pub(crate) use setting::place_of;

@@ -140,7 +140,7 @@ impl Case {
 }
 
 /// The stress that stays between passages of `wheel`: `residual` and that of temperature.
-fn with_temperature(
+pub(super) fn with_temperature(
     case: &Case,
     wheel: &GivenWheel,
     residual: Option<&Arc<dyn StressField>>,
@@ -197,6 +197,11 @@ impl PreparedRun<'_> {
     #[must_use]
     pub fn residual(&self) -> &CarriedStress {
         &self.residual
+    }
+
+    /// The field of that residual stress; none where the rail carries nothing.
+    pub(super) fn into_residual(self) -> Option<Box<dyn StressField>> {
+        self.residual.field
     }
 
     /// The growth loop from `state` on, or from the beginning where there is none.

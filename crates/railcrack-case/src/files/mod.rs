@@ -10,6 +10,7 @@ mod field;
 mod profile;
 mod rates;
 mod toughness;
+mod wheel_table;
 
 pub use columns::{Column, Columned, Columns};
 pub use companion::{
@@ -24,3 +25,5 @@ pub(crate) use field::read_field;
 pub(crate) use profile::read_profile;
 pub(crate) use rates::read_rates;
 pub(crate) use toughness::read_toughness;
+pub use wheel_table::{TablePatch, TableWheel, WheelTableFile};
+pub(crate) use wheel_table::{WheelReading, read_wheel_table};

@@ -36,7 +36,7 @@ pub struct Section {
     pub forms: &'static [Form],
     /// Sections within this one, named with it: `outer.inner`.
     pub parts: &'static [Section],
-    /// The section that may replace it.
+    /// The section that may replace it; of a section within another one, the key.
     pub instead: Option<&'static str>,
     /// The choice that `false` in the position of the section stands for.
     pub off: Option<Off>,

@@ -237,7 +237,7 @@ fn read_part(
             report.add(Fault::of(path, span, message).help(part.doc));
             None
         }
-        None if part.must_be_written() => {
+        None if part.must_be_written() && !part.instead.is_some_and(|key| table.contains_key(key)) => {
             let end = report.source.text.len();
             let message = format!("`{path}` is missing: it has no default");
             report.add(Fault::of(path, end..end, message).help(part.doc));

@@ -66,7 +66,8 @@ pub(crate) fn section_schema(section: &Section) -> Value {
     }
     let needed = |key: &&Key| key.is_required() && !section.is_in_a_form(key);
     let is_always_required = |key: &&Key| needed(key) && key.only_with.is_none() && key.excused.is_none();
-    let parts = section.parts.iter().filter(|part| part.must_be_written()).map(Section::own_name);
+    let is_always = |part: &&Section| part.must_be_written() && part.instead.is_none();
+    let parts = section.parts.iter().filter(is_always).map(Section::own_name);
     let required: Vec<&str> =
         section.keys.iter().filter(is_always_required).map(|k| k.name).chain(parts).collect();
     let mut schema = json!({

@@ -21,7 +21,7 @@ section! {
     SURFACE_HALF_LENGTH: f64 = number("surface_half_length_mm", "mm", closed(1e-3, 1e4), 6.0,
         "Semi-axis of the elliptical crack along the surface, for the space engine; length_mm is then the other semi-axis. The plane engines assume a crack that is long along the surface.").optional();
     CRACK_LATERAL: f64 = number("lateral_mm", "mm", within(1e3), 0.0,
-        "Lateral position of the centre of the crack and of its copies, for the space engine; 0 if not given. Cracks in space must be at least a twentieth of their smallest semi-axis apart.").optional();
+        "Lateral position of the centre of the crack and of its copies, for the space engine and for a table of wheels; 0 if not given. Cracks in space must be at least a twentieth of their smallest semi-axis apart.").optional();
     STRIKE: f64 = number("strike_deg", "degrees", closed(-180.0, 180.0), 0.0,
         "Rotation of the crack about the vertical, for the space engine: a crack with angle_deg < 90 descends towards +x at 0 and towards +z (laterally) at 90. 0 if not given, the only value that the plane engines accept.").optional();
     COUNT: usize = integer("count", (1, 256), 1, "Number of cracks in a row, including the copies to the right.");

@@ -181,7 +181,7 @@ fn wheels_that_make_no_mix() {
         (format!("share = 0.4\naxle_load_t = 20\n{contact}"), "wheel[2].share", "add up to 0.9"),
         (format!("share = 0.5\n{contact}"), "wheel[2].axle_load_t", "is missing"),
         ("share = 0.5\naxle_load_t = 20".to_owned(), "wheel[2].contact", "is missing"),
-        (format!("axle_load_t = 20\n{contact}"), "wheel[2].share", "is missing"),
+        (format!("axle_load_t = 20\n{contact}"), "wheel[2]", "needs `share`, or `table` and"),
         (
             "share = 0.5\naxle_load_t = 20\n[wheel.contact]\npeak_pressure_mpa = 845\nhalf_width_mm = 6\nfriction = 2.0"
                 .to_owned(),

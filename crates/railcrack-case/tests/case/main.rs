@@ -11,6 +11,7 @@ mod rows;
 mod samples;
 mod studies;
 mod table;
+mod wheels;
 
 #[path = "../../../railcrack/tests/common/random.rs"]
 mod random;

@@ -288,6 +288,26 @@ fn mix(case: &Case) -> Vec<CheckLine> {
         )
     };
     let mut rows: Vec<CheckLine> = case.mix.iter().map(|wheel| ("wheel", line(wheel))).collect();
+    if let Some(table) = &case.wheel_table {
+        rows.push((
+            "table",
+            format!(
+                "{}: {} wheels, {} representatives, mean rate off by {} % by the open crack",
+                table.file.given_name(),
+                table.wheels.len(),
+                table.representatives,
+                short(100.0 * table.error)
+            ),
+        ));
+        rows.push((
+            "missed",
+            format!(
+                "{} % of the axles have no patch over the crack at lateral_mm = {}",
+                short(100.0 * table.missed),
+                short(table.lateral)
+            ),
+        ));
+    }
     if !rows.is_empty() {
         rows.push((
             "",

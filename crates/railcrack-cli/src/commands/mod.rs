@@ -5,6 +5,7 @@ pub mod check;
 mod check_study;
 pub mod compare;
 pub mod completions;
+pub mod contact;
 pub mod explorer;
 pub mod init;
 pub mod paper;

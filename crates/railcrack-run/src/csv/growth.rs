@@ -66,7 +66,10 @@ table! {
         shares: WheelShares = "share_wheel_1" "share_wheel_2" "share_wheel_3" "share_wheel_4" "share_wheel_5"
             "share_wheel_6" "share_wheel_7" "share_wheel_8" "share_wheel_9" "share_wheel_10" "share_wheel_11"
             "share_wheel_12" "share_wheel_13" "share_wheel_14" "share_wheel_15" "share_wheel_16" "share_wheel_17"
-            "share_wheel_18" "share_wheel_19" "share_wheel_20", with "wheel";
+            "share_wheel_18" "share_wheel_19" "share_wheel_20"
+            "share_wheel_21" "share_wheel_22" "share_wheel_23" "share_wheel_24" "share_wheel_25"
+            "share_wheel_26" "share_wheel_27" "share_wheel_28" "share_wheel_29" "share_wheel_30"
+            "share_wheel_31" "share_wheel_32", with "wheel";
         /// Depth removed from the running surface by wear and grinding up to the start of the step,
         /// mm: coordinates and depths are measured from the remaining surface. With
         /// `[maintenance]`.

@@ -24,13 +24,52 @@ pub fn of_case(case: &Case) -> Vec<Warning> {
     if case.mix.is_empty() {
         warnings.extend(of_wheel(case, &case.wheel));
     }
-    for mixed in &case.mix {
+    let of_table = case.wheel_table.as_ref().map_or(case.mix.len(), |table| table.first);
+    for mixed in &case.mix[..of_table] {
         let of_one = of_wheel(case, &mixed.wheel);
         warnings.extend(
             of_one
                 .into_iter()
                 .map(|warning| Warning { text: format!("{}: {}", mixed.name, warning.text), ..warning }),
         );
+    }
+    warnings.extend(of_wheel_table(case));
+    warnings
+}
+
+/// Warnings about the wheels of a table: of its representatives one of each kind, and the error of
+/// their mean rate.
+fn of_wheel_table(case: &Case) -> Vec<Warning> {
+    let Some(table) = &case.wheel_table else { return Vec::new() };
+    let representatives = case.mix.iter().skip(table.first).take(table.representatives);
+    let mut kinds: Vec<(String, Warning, usize)> = Vec::new();
+    for mixed in representatives {
+        for warning in of_wheel(case, &mixed.wheel) {
+            let kind = pattern(&warning.text);
+            match kinds.iter_mut().find(|(known, ..)| *known == kind) {
+                Some((_, _, count)) => *count += 1,
+                None => {
+                    let text = format!("{}: {}", mixed.name, warning.text);
+                    kinds.push((kind, Warning { text, ..warning }, 1));
+                }
+            }
+        }
+    }
+    let of = |(_, warning, count): (String, Warning, usize)| match count {
+        1 => warning,
+        _ => {
+            let text =
+                format!("{count} of {} representatives, such as {}", table.representatives, warning.text);
+            Warning { text, ..warning }
+        }
+    };
+    let mut warnings: Vec<Warning> = kinds.into_iter().map(of).collect();
+    if table.error.abs() > table.accepted {
+        let text = format!(
+            "the mean growth rate of the representatives is off by {:.2} % of that of all wheels by the open crack, more than representatives_error",
+            100.0 * table.error
+        );
+        warnings.push(Warning { step: 0, kind: WarningKind::Validity, text });
     }
     warnings
 }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// The largest number of wheels of a mix.
-pub const MOST_WHEELS: usize = 20;
+pub const MOST_WHEELS: usize = 32;
 
 /// Shares of the wheels of a mix in the growth of a tip; empty where there is only one wheel.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]

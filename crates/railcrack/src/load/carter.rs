@@ -79,6 +79,13 @@ impl CarterContact {
         0.5 * PI * self.half_width * self.peak_pressure
     }
 
+    /// ∫ u q du, N: that of the half-ellipse which the stick zone takes off.
+    pub(crate) fn shear_moment(&self) -> f64 {
+        let c = self.stick_half_width();
+        let taken = 0.5 * PI * self.signed_friction() * self.peak_pressure * c * c / self.half_width;
+        -taken * self.stick_centre()
+    }
+
     /// The creepage (μ a/R) (1 − √(1 − |ξ|)), without sign; R (mm) = `radius` of
     /// 1/R = 1/R_wheel + 1/R_rail.
     pub fn creepage(&self, radius: f64) -> f64 {

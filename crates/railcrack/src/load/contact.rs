@@ -66,6 +66,16 @@ impl Contact {
         self.of_its_kind().shear_ratio()
     }
 
+    /// ∫ u q du with u from the middle of the contact, N: where its shear acts.
+    #[must_use]
+    pub fn shear_moment(&self) -> f64 {
+        match self {
+            Self::Hertz(_) => 0.0,
+            Self::Carter(contact) => contact.shear_moment(),
+            Self::Table(contact) => contact.shear_moment(),
+        }
+    }
+
     /// The middle of the contact, mm from x_c; other than 0 only for a table that is not centred on
     /// x_c.
     pub(crate) fn middle(&self) -> f64 {

@@ -125,6 +125,12 @@ impl TableContact {
         self.integral(|row| row.shear)
     }
 
+    /// ∫ (u − middle) q du, N.
+    pub(crate) fn shear_moment(&self) -> f64 {
+        let middle = self.middle();
+        self.integral(|row| (row.u - middle) * row.shear)
+    }
+
     /// The largest |q|/p over the rows with at least a thousandth of the largest pressure.
     pub fn largest_friction(&self) -> f64 {
         let least = ROUNDING * self.peak_pressure();

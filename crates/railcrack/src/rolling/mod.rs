@@ -7,6 +7,7 @@ mod fastsim;
 mod forces;
 mod kalker;
 mod patch;
+mod placed;
 mod strip;
 #[cfg(test)]
 mod tests;
@@ -16,5 +17,6 @@ pub use creepage::{Creepage, CreepageSign};
 pub use forces::PatchForces;
 pub use kalker::KalkerCoefficients;
 pub use patch::{PatchError, RollingPatch};
+pub use placed::PlacedPatch;
 pub use strip::{RollingStrip, StripPoint};
 pub use theory::RollingTheory;

@@ -1,0 +1,295 @@
+//! Tables of wheels: one row per wheel and patch.
+
+use super::columns::{Column, Columned, Columns, LARGEST};
+use super::companion::{CaseFile, read_named};
+use crate::schema::{Fault, KeyRow, Report, SectionValues, Source};
+use railcrack::load::{HertzEllipse, WheelOnRail};
+use railcrack::material::IsotropicElastic;
+use railcrack::rolling::{Creepage, CreepageSign, PlacedPatch, RollingPatch, RollingTheory};
+use std::collections::HashMap;
+use std::f64::consts::PI;
+use std::path::Path;
+
+const COLUMNS: Columns = Columns {
+    columns: &[
+        Column::Needed("wheel"),
+        Column::Needed("normal_kn"),
+        Column::Needed("y_rail_mm"),
+        Column::Needed("creepage_x"),
+        Column::Needed("creepage_y"),
+        Column::Needed("spin_per_mm"),
+        Column::Needed("mu"),
+        Column::Blank("place_m"),
+        Column::Blank("patch"),
+        Column::Blank("share"),
+        Column::Blank("axle_load_t"),
+        Column::Blank("angle_deg"),
+        Column::Blank("x_mm"),
+        Column::Blank("a_mm"),
+        Column::Blank("b_mm"),
+        Column::Blank("rail_radius_mm"),
+        Column::Blank("wheel_radius_mm"),
+        Column::Blank("wheel_profile_radius_mm"),
+    ],
+    largest: LARGEST,
+    help: "a table of wheels has a row per wheel and patch, with the columns wheel,normal_kn,y_rail_mm,creepage_x,creepage_y,spin_per_mm,mu, and a_mm,b_mm or rail_radius_mm,wheel_radius_mm; place_m, patch, share, axle_load_t, angle_deg, x_mm and wheel_profile_radius_mm may be left out",
+};
+
+/// Farthest place of a patch from the middle of the rail head along the running surface, mm: the
+/// gauge face of a 60 kg/m rail ends there.
+const RAIL_HEAD: f64 = 50.0;
+
+/// Shares whose sum differs from 1 by less add up to 1: a thousand of them were rounded.
+const SUM: f64 = 1e-3;
+
+/// A patch of a wheel in a table.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TablePatch {
+    /// Pressure, creepages, friction.
+    pub patch: RollingPatch,
+    /// Lateral place of its middle on the running surface, mm.
+    pub y_rail: f64,
+    /// x of its middle from the wheel's centre, with the travel, mm.
+    pub x: f64,
+}
+
+/// A wheel in a table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TableWheel {
+    /// Its number in the table.
+    pub number: u64,
+    /// Its place along the track, m.
+    pub place: Option<f64>,
+    /// Share of the axles; none where the table has no shares.
+    pub share: Option<f64>,
+    /// Axle load, t.
+    pub axle_load: Option<f64>,
+    /// Its patches on this rail.
+    pub patches: Vec<TablePatch>,
+}
+
+impl TableWheel {
+    /// The patches with the place of a crack at `lateral` (mm, as `y_rail`) in each of them.
+    #[must_use]
+    pub fn over(&self, lateral: f64) -> Vec<PlacedPatch> {
+        let placed = |own: &TablePatch| PlacedPatch { patch: own.patch, y: lateral - own.y_rail, x: own.x };
+        self.patches.iter().map(placed).collect()
+    }
+}
+
+/// A table of wheels and the text it was read from.
+pub type WheelTableFile = CaseFile<Vec<TableWheel>>;
+
+/// Properties of the wheels that are not in the file.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct WheelReading<'a> {
+    pub steel: &'a IsotropicElastic,
+    pub sign: CreepageSign,
+    pub theory: RollingTheory,
+}
+
+/// The wheels in the file that a key names, relative to `folder`; none if no file is named or it
+/// cannot be read; errors are added to `report`.
+pub(crate) fn read_wheel_table(
+    section: &SectionValues,
+    row: KeyRow<String>,
+    reading: WheelReading<'_>,
+    folder: &Path,
+    report: &mut Report,
+) -> Option<WheelTableFile> {
+    read_named(section, row, folder, report, |source| parse(source, reading))
+}
+
+fn parse(source: &Source, reading: WheelReading<'_>) -> Result<Vec<TableWheel>, Box<Fault>> {
+    let read = COLUMNS.read(source)?;
+    if read.rows.is_empty() {
+        return Err(COLUMNS.fault_of_row(&read, 0, "no rows: a table of wheels needs one at least".into()));
+    }
+    let mut wheels: Vec<TableWheel> = Vec::new();
+    let mut known: HashMap<(u64, u64), usize> = HashMap::new();
+    for (i, row) in read.rows.iter().enumerate() {
+        let fault = |message: String| COLUMNS.fault_of_row(&read, i + 1, format!("row {}: {message}", i + 1));
+        let (own, patch) = wheel_of(row, reading).map_err(fault)?;
+        let key = (own.number, own.place.map_or(u64::MAX, f64::to_bits));
+        match known.get(&key) {
+            None => {
+                known.insert(key, wheels.len());
+                wheels.push(TableWheel { patches: vec![patch], ..own });
+            }
+            Some(&other) => {
+                let wheel = &mut wheels[other];
+                if (wheel.share, wheel.axle_load) != (own.share, own.axle_load) {
+                    let message = format!(
+                        "`wheel = {}`: its patches have different share or axle_load_t; both belong to the wheel",
+                        own.number
+                    );
+                    return Err(fault(message));
+                }
+                wheel.patches.push(patch);
+            }
+        }
+    }
+    check_shares(&wheels, &read)?;
+    Ok(wheels)
+}
+
+/// Shares of all wheels or of none, adding up to 1 at every place or over all.
+fn check_shares(wheels: &[TableWheel], read: &Columned) -> Result<(), Box<Fault>> {
+    let given = wheels.iter().filter(|wheel| wheel.share.is_some()).count();
+    if given == 0 {
+        return Ok(());
+    }
+    let whole = |message: String| COLUMNS.fault_of_row(read, read.rows.len(), message);
+    if given < wheels.len() {
+        return Err(whole(format!(
+            "`share` is given for {given} of {} wheels; give it for all or none",
+            wheels.len()
+        )));
+    }
+    let sum: f64 = wheels.iter().filter_map(|wheel| wheel.share).sum();
+    if wheels.iter().any(|wheel| wheel.place.is_some()) {
+        return Ok(());
+    }
+    if (sum - 1.0).abs() > SUM {
+        return Err(whole(format!(
+            "`share`: the shares of all wheels add up to {sum}; they must add up to 1"
+        )));
+    }
+    Ok(())
+}
+
+/// The wheel and the patch of a row; or what is wrong with which column.
+fn wheel_of(row: &[f64], reading: WheelReading<'_>) -> Result<(TableWheel, TablePatch), String> {
+    let &[
+        wheel,
+        normal,
+        y_rail,
+        along,
+        across,
+        spin,
+        friction,
+        place,
+        number,
+        share,
+        axle_load,
+        angle,
+        x,
+        a,
+        b,
+        head,
+        radius,
+        profile,
+    ] = row
+    else {
+        return Err("its columns are not those of a table of wheels".into());
+    };
+    let within = |name: &str, value: f64, fine: bool, accepted: &str| match fine {
+        true => Ok(()),
+        false => Err(format!("`{name} = {value}`: must be {accepted}")),
+    };
+    let whole = |value: f64| value >= 0.0 && value.fract() == 0.0;
+    within("wheel", wheel, whole(wheel), "a whole number, zero or more")?;
+    within("patch", number, number.is_nan() || whole(number), "a whole number, zero or more")?;
+    within(
+        "normal_kn",
+        normal,
+        normal >= 1e-3,
+        "a number in [0.001, 1e4] kN: a wheel without load has no row",
+    )?;
+    within("normal_kn", normal, normal <= 1e4, "a number in [0.001, 1e4] kN")?;
+    let on_rail = "in [-50, 50] mm: the patch lies off the rail head";
+    within("y_rail_mm", y_rail, y_rail.abs() <= RAIL_HEAD, on_rail)?;
+    for (name, value) in [("creepage_x", along), ("creepage_y", across), ("spin_per_mm", spin)] {
+        within(name, value, value.abs() <= 1.0, "a number in [-1, 1]")?;
+    }
+    within("mu", friction, (0.0..=1.0).contains(&friction), "a number in [0, 1]")?;
+    let moves = along != 0.0 || across != 0.0 || spin != 0.0;
+    within("mu", friction, friction > 0.0 || !moves, "positive where there is creepage or spin")?;
+    within("share", share, share.is_nan() || (share > 0.0 && share <= 1.0), "in (0, 1]")?;
+    let loaded = axle_load.is_nan() || (1e-3..=100.0).contains(&axle_load);
+    within("axle_load_t", axle_load, loaded, "a number in [0.001, 100] t")?;
+    within("angle_deg", angle, angle.is_nan() || angle.abs() <= 90.0, "in [-90, 90] degrees")?;
+    within("x_mm", x, x.is_nan() || x.abs() <= 200.0, "in [-200, 200] mm")?;
+    let normal = 1e3 * normal;
+    let ellipse = match (a.is_nan() && b.is_nan(), head.is_nan() && radius.is_nan()) {
+        (false, true) => {
+            within("a_mm", a, (0.01..=100.0).contains(&a), "a number in [0.01, 100] mm")?;
+            within("b_mm", b, (0.01..=100.0).contains(&b), "a number in [0.01, 100] mm")?;
+            HertzEllipse { peak_pressure: 1.5 * normal / (PI * a * b), along: a, across: b }
+        }
+        (true, false) => {
+            within("rail_radius_mm", head, head > 0.0, "positive")?;
+            within("wheel_radius_mm", radius, radius > 0.0, "positive")?;
+            within("wheel_profile_radius_mm", profile, profile != 0.0, "other than 0; blank: straight")?;
+            let on_rail = WheelOnRail {
+                wheel_load: normal,
+                wheel_radius: radius,
+                rail_head_radius: head,
+                wheel_profile_radius: if profile.is_nan() { f64::INFINITY } else { profile },
+            };
+            HertzEllipse::new(&on_rail, reading.steel)
+                .map_err(|error| format!("`wheel_profile_radius_mm = {profile}`: {error}"))?
+        }
+        (true, true) => {
+            return Err("`a_mm` and `b_mm`, or `rail_radius_mm` and `wheel_radius_mm`, are missing".into());
+        }
+        (false, false) => {
+            return Err("`a_mm` says the same thing as `rail_radius_mm`: give one or the other".into());
+        }
+    };
+    let creepage = reading.sign.read(Creepage { longitudinal: along, lateral: across, spin });
+    let patch = RollingPatch { ellipse, friction, creepage, steel: *reading.steel, theory: reading.theory };
+    patch.check().map_err(|error| error.to_string())?;
+    let given = |value: f64| (!value.is_nan()).then_some(value);
+    let wheel = TableWheel {
+        number: wheel as u64,
+        place: given(place),
+        share: given(share),
+        axle_load: given(axle_load),
+        patches: Vec::new(),
+    };
+    Ok((wheel, TablePatch { patch, y_rail, x: given(x).unwrap_or(0.0) }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HEADER: &str = "wheel,normal_kn,y_rail_mm,creepage_x,creepage_y,spin_per_mm,mu,a_mm,b_mm,share\n";
+
+    fn parsed(text: &str) -> Result<Vec<TableWheel>, String> {
+        let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
+        let reading =
+            WheelReading { steel: &steel, sign: CreepageSign::Vehicle, theory: RollingTheory::FaStrip };
+        parse(&Source::new("w.csv", text), reading).map_err(|fault| fault.message)
+    }
+
+    #[test]
+    fn patches_of_a_wheel_belong_together() {
+        let rows =
+            "1,80,2,-1e-3,0,0,0.3,6,5,0.5\n1,10,20,-1e-3,0,0,0.3,4,2,0.5\n7,80,2,1e-3,0,0,0.3,6,5,0.5\n";
+        let wheels = parsed(&format!("{HEADER}{rows}")).unwrap();
+        assert_eq!((wheels.len(), wheels[0].patches.len(), wheels[1].number), (2, 2, 7));
+        assert_eq!(wheels[0].patches[0].patch.creepage.longitudinal, 1e-3, "vehicle signs are opposite");
+        assert_eq!(wheels[0].over(5.0)[1].y, -15.0);
+    }
+
+    #[test]
+    fn refused_with_row_and_column() {
+        let refused = |row: &str| parsed(&format!("{HEADER}1,80,2,0,0,0,0.3,6,5,0.5\n{row}\n")).unwrap_err();
+        assert!(refused("2,0,2,0,0,0,0.3,6,5,0.5").starts_with("row 2: `normal_kn = 0`: must be"));
+        assert!(
+            refused("2,80,200,0,0,0,0.3,6,5,0.5").starts_with("row 2: `y_rail_mm = 200`: must be in [-50")
+        );
+        assert!(refused("2,80,2,1e-3,0,0,0,6,5,0.5").starts_with("row 2: `mu = 0`: must be positive where"));
+        assert!(refused("2,80,2,0,0,0,0.3,6,5,0.7").contains("add up to 1.2; they must add up to 1"));
+        assert!(refused("2,80,2,0,0,0,0.3,6,5,0").contains("`share = 0`: must be in (0, 1]"));
+        assert!(refused("2,80,2,0,0,0,0.3,6,5,").contains("`share` is given for 1 of 2 wheels"));
+        assert!(refused("1,80,2,0,0,0,0.3,6,5,0.4").contains("different share or axle_load_t"));
+        assert!(refused("2,80,2,0,0,0,0.3,-6,5,0.5").contains("row 2: `a_mm = -6`"));
+        assert!(refused("2,80,2,0,0,0,0.3,,,0.5").contains("`a_mm` and `b_mm`, or"));
+        assert!(refused("2.5,80,2,0,0,0,0.3,6,5,0.5").contains("`wheel = 2.5`: must be a whole number"));
+        assert!(parsed("wheel,normal\n1,2\n").unwrap_err().contains("unknown column `normal`"));
+        assert!(parsed(HEADER).unwrap_err().contains("no rows"));
+    }
+}

@@ -1,0 +1,193 @@
+//! Rolling contact and tables of wheels.
+
+use railcrack::growth::{StepRecord, Unobserved};
+use railcrack::load::Contact;
+use railcrack_case::Case;
+use std::path::{Path, PathBuf};
+
+const CRACK: &str = "[[crack]]\nmouth_mm = 0\nlength_mm = 5\nangle_deg = 25\nfriction = 0.2\nlateral_mm = 6.0\n\
+    [passage]\npositions = 41\n[growth]\nsteps = 0\n[solver]\nengine = \"dislocation\"\n";
+const HEADER: &str = "wheel,normal_kn,y_rail_mm,creepage_x,creepage_y,spin_per_mm,mu,a_mm,b_mm";
+
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("wheels").join(name);
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// The case of a table with `rows`, with `keys` beside it.
+fn tabled(name: &str, header: &str, rows: &str, keys: &str) -> Case {
+    let folder = folder(name);
+    std::fs::write(folder.join("curve.csv"), format!("{header}\n{rows}")).unwrap();
+    let text = format!("{CRACK}[[wheel]]\ntable = \"curve.csv\"\ncreepage_sign = \"contact\"\n{keys}");
+    Case::parse(&text, "case.toml", &folder).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+fn first_step(case: &Case) -> StepRecord {
+    let mut growth = case.prepare(None).unwrap().growth(None);
+    growth.next_step(&Unobserved).unwrap().unwrap()
+}
+
+fn rolling(lateral: f64, across: f64, spin: f64) -> Case {
+    let text = format!(
+        "{CRACK}[contact]\nkind = \"rolling\"\nnormal_kn = 85\nsemi_axes_mm = [6.0, 5.0]\nlateral_mm = {lateral}\n\
+         creepage_x = 8e-4\ncreepage_y = {across}\nspin_per_mm = {spin}\ncreepage_sign = \"contact\"\nfriction = 0.3\n"
+    );
+    Case::parse(&text, "case.toml", Path::new(".")).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+#[test]
+fn a_table_of_one_row_is_the_wheel_itself_bit_for_bit() {
+    let single = rolling(1.5, -4e-4, 2e-4);
+    let one = tabled("one", HEADER, "7,85,4.5,8e-4,-4e-4,2e-4,0.3,6,5\n", "");
+    assert_eq!(one.mix.len(), 1);
+    assert_eq!((one.wheel.contact(), one.half_width()), (single.wheel.contact(), single.half_width()));
+    let (a, b) = (first_step(&single), first_step(&one));
+    let of = |step: &StepRecord| {
+        let tip = &step.tips[0];
+        [tip.ki_max, tip.delta_ki, tip.delta_kii, tip.delta_keq, tip.rate]
+    };
+    assert_eq!(of(&a), of(&b));
+    assert!(a.tips[0].delta_kii > 0.0);
+}
+
+#[test]
+fn the_mirrored_rail_has_the_same_history() {
+    let (left, right) = (rolling(1.5, -4e-4, 2e-4), rolling(-1.5, 4e-4, -2e-4));
+    assert_eq!(left.wheel.contact(), right.wheel.contact());
+    assert_ne!(left.wheel.contact(), rolling(-1.5, -4e-4, 2e-4).wheel.contact());
+}
+
+#[test]
+fn driving_and_braking_wheels_shear_the_rail_in_opposite_directions() {
+    let shear = |sign: &str, travel: &str| {
+        let text = format!(
+            "{CRACK}[contact]\nkind = \"rolling\"\nnormal_kn = 85\nwheel_radius_mm = 460\nrail_head_radius_mm = 300\n\
+             creepage_x = 8e-4\ncreepage_sign = \"{sign}\"\nfriction = 0.3\n"
+        );
+        let text = text.replace("[passage]\n", &format!("[passage]\n{travel}"));
+        Case::parse(&text, "case.toml", Path::new(".")).unwrap().wheel.contact().adhesion()
+    };
+    let driving = shear("contact", "");
+    assert!(driving < 0.0, "{driving}");
+    assert_eq!(shear("vehicle", ""), -driving);
+    assert_eq!(shear("contact", "from_over_a = 6\nto_over_a = -6\n"), -driving);
+}
+
+#[test]
+fn two_patches_over_one_crack_are_one_history() {
+    let header = format!("{HEADER},x_mm");
+    let rows = "1,60,4.5,8e-4,0,0,0.3,6,5,0\n1,40,7.0,8e-4,0,1e-4,0.3,4,3,-9\n";
+    let both = tabled("both", &header, rows, "");
+    let first = tabled("first", &header, "1,60,4.5,8e-4,0,0,0.3,6,5,0\n", "");
+    let second = tabled("second", &header, "1,40,7.0,8e-4,0,1e-4,0.3,4,3,-9\n", "");
+    assert_eq!(both.mix.len(), 1);
+    let (sum, a, b) = (both.wheel.contact(), first.wheel.contact(), second.wheel.contact());
+    let load = a.line_load() + b.line_load();
+    assert!((sum.line_load() / load - 1.0).abs() < 5e-4, "{} {load}", sum.line_load());
+    let shear = a.line_load() * a.adhesion() + b.line_load() * b.adhesion();
+    assert!((sum.line_load() * sum.adhesion() / shear - 1.0).abs() < 5e-3);
+    // The second patch follows the first one at 9 mm: it ends at −9 − a_y, the first one begins at
+    // a_y.
+    let Contact::Table(table) = sum else { panic!("{sum:?}") };
+    let rows = table.rows();
+    let ends = (rows[0].u, rows[rows.len() - 1].u);
+    assert!(
+        (ends.0 + 9.0 + b.half_width()).abs() < 1e-9 && (ends.1 - a.half_width()).abs() < 1e-9,
+        "{ends:?}"
+    );
+}
+
+/// Rows of wheels that scatter in load, place, creepage and friction.
+fn many(count: usize) -> String {
+    let row = |i: usize| {
+        let part = |step: f64| (step * i as f64).fract();
+        let (load, y) = (70.0 + 40.0 * part(0.618_034), 12.0 * part(0.754_878) - 2.0);
+        let (creep, friction) = (2e-3 * (part(0.569_840) - 0.5), 0.15 + 0.3 * part(0.324_717));
+        format!(
+            "{i},{load},{y},{creep},{},{},{friction},{},5\n",
+            3e-3 * part(0.2),
+            3e-4 * part(0.7),
+            5.0 + 3.0 * part(0.4)
+        )
+    };
+    (0..count).map(row).collect()
+}
+
+#[test]
+fn representatives_have_the_mean_rate_of_all_wheels() {
+    let case = tabled("many", HEADER, &many(200), "representatives = 20\n");
+    let table = case.wheel_table.as_ref().unwrap();
+    assert_eq!((table.wheels.len(), table.representatives), (200, 20));
+    let share: f64 = case.mix.iter().map(|wheel| wheel.share).sum();
+    assert!((share - 1.0).abs() < 1e-12, "{share}");
+    assert!(table.missed > 0.0 && table.missed < 0.6 && case.mix.len() == 21, "{}", table.missed);
+    assert!(table.error.abs() < 0.02, "{}", table.error);
+    // Every wheel computed by itself.
+    let demands = case.wheel_demands().unwrap();
+    let rate = |of: &dyn Fn(usize) -> f64| (0..200).map(|i| table.wheels[i].share * of(i)).sum::<f64>();
+    let all = rate(&|i| demands[i].rate);
+    let own = |mixed: usize| {
+        let contact = case.mix[mixed].wheel.contact();
+        table.wheels.iter().position(|wheel| wheel.contact.as_ref() == Some(contact))
+    };
+    let by = rate(&|i| own(table.wheels[i].represented_by).map_or(0.0, |other| demands[other].rate));
+    println!("representatives: {:+.4} of the mean rate", by / all - 1.0);
+    // Twenty of some hundred loaded wheels; thirty of the thousand of the shipped curve are within
+    // 1 %.
+    assert!((by / all - 1.0).abs() < 0.1, "{}", by / all - 1.0);
+    // The run adds the same rates.
+    let step = first_step(&case);
+    assert!((step.tips[0].rate / by - 1.0).abs() < 1e-3, "{} {by}", step.tips[0].rate);
+    let again = Case::parse(&case.to_toml(), "case.toml", &kept(&case, "many-kept")).unwrap();
+    assert_eq!(again, case);
+}
+
+/// A folder with the files of a stored case.
+fn kept(case: &Case, name: &str) -> PathBuf {
+    let folder = folder(name);
+    for companion in case.companions() {
+        let path = folder.join(companion.name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, companion.text).unwrap();
+    }
+    folder
+}
+
+#[test]
+fn a_place_along_the_curve_selects_its_wheels() {
+    let header = format!("{HEADER},place_m,share");
+    let rows = "1,85,4.5,8e-4,0,0,0.3,6,5,100,0.5\n1,60,4.5,8e-4,0,0,0.3,6,5,200,0.5\n2,70,5,0,0,0,0.3,6,5,200,0.25\n";
+    let here = tabled("place", &header, rows, "place_m = 200.2\n");
+    assert_eq!(here.mix.iter().map(|wheel| wheel.share).collect::<Vec<_>>(), [0.5 / 0.75, 0.25 / 0.75]);
+    let all = tabled("all-places", &header, rows, "");
+    assert_eq!(all.mix.len(), 3);
+}
+
+#[test]
+fn tables_that_are_wrong_are_refused_with_row_and_column() {
+    let folder = folder("wrong");
+    let refused = |rows: &str, keys: &str| {
+        std::fs::write(folder.join("curve.csv"), rows).unwrap();
+        let text = format!("{CRACK}[[wheel]]\n{keys}");
+        Case::parse(&text, "case.toml", &folder).unwrap_err().to_string()
+    };
+    let table = "table = \"curve.csv\"\ncreepage_sign = \"contact\"\n";
+    let row = "1,85,4.5,8e-4,0,0,0.3,6,5\n";
+    let good = format!("{HEADER}\n{row}");
+    let wrong = |bad: &str| refused(&format!("{HEADER}\n{row}{bad}\n"), table);
+    assert!(wrong("2,-5,4.5,0,0,0,0.3,6,5").contains("row 2: `normal_kn = -5`: must be"));
+    assert!(wrong("2,85,80,0,0,0,0.3,6,5").contains("row 2: `y_rail_mm = 80`"));
+    assert!(
+        wrong("2,85,4.5,1e-3,0,0,0,6,5")
+            .contains("row 2: `mu = 0`: must be positive where there is creepage")
+    );
+    assert!(refused(&good.replace("mu", "friction"), table).contains("unknown column `friction`"));
+    assert!(refused(&good, "table = \"curve.csv\"\n").contains("`wheel[1].creepage_sign` is missing"));
+    let both =
+        format!("{table}contact = {{ peak_pressure_mpa = 845.0, half_width_mm = 6.75, friction = 0.1 }}\n");
+    assert!(refused(&good, &both).contains("says the same thing as `table`"));
+    assert!(refused(&good, &format!("{table}share = 1.0\n")).contains("says the same thing"));
+    assert!(refused(&good.replace("4.5", "-40"), table).contains("no patch of its 1 wheels meets the crack"));
+    assert!(refused(&good, &format!("{table}place_m = 5\n")).contains("no wheel of the table has a place_m"));
+}

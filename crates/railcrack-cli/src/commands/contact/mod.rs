@@ -1,0 +1,117 @@
+//! `railcrack contact`: the patches of the wheels, and the growth that each wheel causes.
+
+mod across;
+mod page;
+mod patches;
+mod rows;
+mod said;
+mod table;
+
+use crate::exit::{Exit, Failure};
+use crate::input::{self, Set, default_folder};
+use crate::print;
+use across::Across;
+use clap::Args;
+use railcrack_case::{Case, Overrides};
+use railcrack_report::put;
+use railcrack_run::simulation::RunError;
+use rows::WheelRow;
+use said::sentences;
+use std::path::{Path, PathBuf};
+
+/// Draw the contact patches of the wheels and rate the wheels by the growth that they cause
+///
+/// Every wheel of the case, or of its table of wheels, passes once over the cracks as they are at
+/// the beginning. The folder gets wheels.csv (a row per wheel: pressure, forces, slip, Tgamma,
+/// dKeq, share of the growth), patches.csv and strips.csv (tractions of the wheels that are drawn),
+/// across.csv (growth by the lateral place of the crack), contact.html and plots/.
+#[derive(Debug, Args)]
+pub struct ContactArguments {
+    /// Case file; `-` is standard input
+    #[arg(value_name = "CASE")]
+    pub case: PathBuf,
+    /// Folder for the results [default: name of the case file with -contact, next to it]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub set: Set,
+    /// Suppress the summary
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// Wheels that are drawn at most: those that grow the cracks most.
+const DRAWN: usize = 9;
+
+/// Computes the passages, writes the folder and prints the wheels that grow the cracks most.
+pub fn contact(arguments: &ContactArguments) -> Result<Exit, Failure> {
+    let overrides = Overrides { settings: arguments.set.set.clone(), ..Overrides::default() };
+    let case = input::case(&arguments.case, &overrides)?;
+    let demands = case.wheel_demands().map_err(|error| Failure::Calibration { reason: error.to_string() })?;
+    let rows = WheelRow::of_case(&case, &demands);
+    let across = Across::of(&case);
+    let folder = arguments.out.clone().unwrap_or_else(|| beside(&arguments.case));
+    let plots = folder.join("plots");
+    std::fs::create_dir_all(&plots).map_err(|source| Failure::CannotWrite { path: plots.clone(), source })?;
+    let drawn = drawn(&rows);
+    write(&folder.join("wheels.csv"), &table::wheels(&rows))?;
+    write(&folder.join("patches.csv"), &table::patches(&rows, &drawn))?;
+    write(&folder.join("strips.csv"), &table::strips(&rows, &drawn))?;
+    if let Some(across) = &across {
+        write(&folder.join("across.csv"), &table::across(across))?;
+    }
+    for &wheel in &drawn {
+        if let Some(svg) = patches::picture(&rows[wheel]) {
+            write(&plots.join(format!("wheel-{}.svg", rows[wheel].number)), &svg)?;
+        }
+    }
+    let page = page::page(&case, &rows, &drawn, across.as_ref());
+    write(&folder.join("contact.html"), &page.html())?;
+    if arguments.quiet {
+        return Ok(Exit::Done);
+    }
+    print::stdout(&told(&case, &rows, across.as_ref()))?;
+    print::stdout(&format!("results in {}\n", folder.display()))?;
+    Ok(Exit::Done)
+}
+
+fn beside(case: &Path) -> PathBuf {
+    let folder = default_folder(case);
+    let name = folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    folder.with_file_name(format!("{name}-contact"))
+}
+
+fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    Ok(put(path, text).map_err(RunError::from)?)
+}
+
+/// The wheels that grow the cracks most, those first.
+fn drawn(rows: &[WheelRow]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..rows.len()).collect();
+    order.sort_by(|a, b| rows[*b].growth_share.total_cmp(&rows[*a].growth_share).then(a.cmp(b)));
+    order.truncate(DRAWN);
+    order
+}
+
+/// The summary on the terminal.
+fn told(case: &Case, rows: &[WheelRow], across: Option<&Across>) -> String {
+    let mut text = String::new();
+    for &wheel in drawn(rows).iter().take(5) {
+        let row = &rows[wheel];
+        text.push_str(&format!(
+            "wheel {}: p0 {:.0} MPa, {} slips {:.0} %, Tgamma {:.1} N, dKeq {:.2} MPa sqrt(m), {:.1} % of the growth\n",
+            row.number,
+            row.peak_pressure,
+            row.force.map_or_else(String::new, |[x, y]| format!("Fx {:.2} kN, Fy {:.2} kN,", 1e-3 * x, 1e-3 * y)),
+            100.0 * row.slip_share.unwrap_or(0.0),
+            row.t_gamma.unwrap_or(0.0),
+            row.delta_keq,
+            100.0 * row.growth_share
+        ));
+    }
+    for sentence in sentences(case, rows, across) {
+        text.push_str(&sentence);
+        text.push('\n');
+    }
+    text
+}

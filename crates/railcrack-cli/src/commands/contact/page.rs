@@ -1,0 +1,134 @@
+//! `contact.html`.
+
+use super::across::Across;
+use super::patches;
+use super::rows::WheelRow;
+use super::said::sentences;
+use railcrack_case::Case;
+use railcrack_report::{
+    Block, Chart, ChartAxis, Curve, CurveLook, Fact, MISSING, Page, Section, Table, fixed, significant,
+};
+
+/// Rows of the table of the page; wheels.csv has all.
+const SHOWN: usize = 40;
+
+/// The page of the wheels, of which those in `drawn` come first.
+pub(super) fn page(case: &Case, rows: &[WheelRow], drawn: &[usize], across: Option<&Across>) -> Page {
+    let said = sentences(case, rows, across);
+    let section =
+        |id: &str, heading: &str, blocks| Section { id: id.to_owned(), heading: heading.to_owned(), blocks };
+    let pictures: Vec<Block> = drawn
+        .iter()
+        .filter_map(|wheel| {
+            let row = &rows[*wheel];
+            let caption = format!(
+                "Wheel {}: {} % of the axles, {} % of the growth.",
+                row.number,
+                significant(100.0 * row.share),
+                significant(100.0 * row.growth_share)
+            );
+            Some(Block::Picture { svg: patches::picture(row)?, caption })
+        })
+        .collect();
+    let mut sections = vec![section("wheels", "Wheels", vec![Block::Table(table(rows))])];
+    if !pictures.is_empty() {
+        sections.push(section("patches", "Patches", pictures));
+    }
+    let charts = charts(rows, across);
+    if !charts.is_empty() {
+        sections.push(section("places", "Lateral places", charts.into_iter().map(Block::Chart).collect()));
+    }
+    sections.push(section(
+        "meaning",
+        "Meaning of the numbers",
+        vec![Block::List(MEANING.map(str::to_owned).to_vec())],
+    ));
+    let mean = rows.iter().map(|row| row.share * row.rate).sum::<f64>();
+    let fact = |name: &str, value: String, note: &str| Fact { name: name.into(), value, note: note.into() };
+    Page {
+        title: case.title.clone(),
+        kind: "Contact".into(),
+        decision: None,
+        verdict: said.first().map_or_else(String::new, |first| format!("{first}.")),
+        facts: vec![
+            fact("Wheels", rows.len().to_string(), ""),
+            fact("Mean rate", significant(mean), "mm per axle, of the cracks as they are"),
+        ],
+        lead: vec![Block::List(said.iter().skip(1).map(|text| format!("{text}.")).collect())],
+        sections,
+    }
+}
+
+const MEANING: [&str; 4] = [
+    "Forces act on the rail: x with the travel, y across; they are those of the whole patch.",
+    "Tγ = −(F_x ξ + F_y η) without the work of the spin, as damage functions use it; wheels.csv also has it with spin.",
+    "ΔK_eq and the share of the growth are of a stabilised passage over the cracks as they are at the beginning, of each wheel alone.",
+    "The growth by lateral place ranks places by a crack whose faces are open: contact of the faces and friction are not part of it.",
+];
+
+fn table(rows: &[WheelRow]) -> Table {
+    let mut table = Table::new([
+        "Wheel",
+        "Share (%)",
+        "p0 (MPa)",
+        "a (mm)",
+        "b (mm)",
+        "Fx (kN)",
+        "Fy (kN)",
+        "Slips (%)",
+        "Tγ (N)",
+        "ΔKeq (MPa√m)",
+        "Growth (%)",
+    ]);
+    let mut order: Vec<usize> = (0..rows.len()).collect();
+    order.sort_by(|a, b| rows[*b].growth_share.total_cmp(&rows[*a].growth_share).then(a.cmp(b)));
+    let or_missing = |value: Option<String>| value.unwrap_or_else(|| MISSING.to_owned());
+    for row in order.iter().take(SHOWN).map(|wheel| &rows[*wheel]) {
+        table.row([
+            row.number.to_string(),
+            significant(100.0 * row.share),
+            fixed(row.peak_pressure, 0),
+            fixed(row.along, 2),
+            or_missing(row.across.map(|across| fixed(across, 2))),
+            or_missing(row.force.map(|force| fixed(1e-3 * force[0], 2))),
+            or_missing(row.force.map(|force| fixed(1e-3 * force[1], 2))),
+            or_missing(row.slip_share.map(|share| fixed(100.0 * share, 0))),
+            or_missing(row.t_gamma.map(|work| fixed(work, 1))),
+            fixed(row.delta_keq, 2),
+            fixed(100.0 * row.growth_share, 1),
+        ]);
+    }
+    if rows.len() > SHOWN {
+        table.caption =
+            format!("The {SHOWN} wheels that grow the cracks most; wheels.csv has all {}", rows.len());
+    }
+    table
+}
+
+fn charts(rows: &[WheelRow], across: Option<&Across>) -> Vec<Chart> {
+    let mut charts = Vec::new();
+    if let Some(across) = across {
+        let points = across.places.iter().map(|[place, rate, _]| [*place, *rate]).collect();
+        charts.push(Chart {
+            id: "across".into(),
+            caption: "Mean growth rate by the lateral place of the crack, over that at its place in the case, by the open crack.".into(),
+            x: ChartAxis::linear("Lateral place of the crack", "mm"),
+            y: ChartAxis::linear("Rate over that of the case", ""),
+            curves: vec![Curve::line("", points)],
+            ..Chart::default()
+        });
+    }
+    let points: Vec<[f64; 2]> =
+        rows.iter().filter_map(|row| Some([row.y_rail?, 100.0 * row.growth_share])).collect();
+    if points.len() > 1 {
+        charts.push(Chart {
+            id: "wheels-across".into(),
+            caption: "Share of each wheel in the growth, by the lateral place of its patch.".into(),
+            x: ChartAxis::linear("Lateral place of the patch", "mm"),
+            y: ChartAxis::linear("Share of the growth", "%"),
+            curves: vec![Curve::line("", points).with_look(CurveLook::Dots)],
+            ..Chart::default()
+        });
+    }
+    charts
+}

@@ -1,0 +1,157 @@
+//! The wheels of a case, a row each.
+
+use railcrack::load::Contact;
+use railcrack::rolling::{PatchForces, PlacedPatch};
+use railcrack_case::{Case, ContactOrigin, GivenWheel, WheelDemand};
+use std::f64::consts::PI;
+
+/// A wheel with its patches and what it makes of the cracks.
+pub(super) struct WheelRow {
+    /// Its number: of the table, or from 1.
+    pub number: u64,
+    /// The row of the wheel that represents it; none of one that misses the crack.
+    pub represented_by: Option<usize>,
+    pub share: f64,
+    /// p0, MPa, of the patch over the crack, or of the first; of a line contact, of the strip.
+    pub peak_pressure: f64,
+    /// a, mm, of the same patch.
+    pub along: f64,
+    /// b, mm; none of a line contact.
+    pub across: Option<f64>,
+    /// F_x, F_y on the rail, N, of all patches.
+    pub force: Option<[f64; 2]>,
+    pub slip_share: Option<f64>,
+    /// Tγ, N; without and with the work of the spin.
+    pub t_gamma: Option<f64>,
+    pub t_gamma_with_spin: Option<f64>,
+    /// Lateral place of the patch on the rail, mm, in a table.
+    pub y_rail: Option<f64>,
+    pub delta_keq: f64,
+    pub rate: f64,
+    pub growth_share: f64,
+    /// Its patches with the place of the crack in them.
+    pub patches: Vec<PlacedPatch>,
+}
+
+impl WheelRow {
+    /// The wheels of `case` with their `demands`.
+    pub fn of_case(case: &Case, demands: &[WheelDemand]) -> Vec<Self> {
+        let mut rows: Vec<Self> = match &case.wheel_table {
+            Some(table) => {
+                let mut first = vec![None; table.first + table.representatives + 1];
+                let rows: Vec<Self> = table
+                    .wheels
+                    .iter()
+                    .map(|wheel| {
+                        let patches = wheel.wheel.over(table.lateral);
+                        let over = patches.iter().position(|own| own.y.abs() < own.patch.ellipse.across);
+                        let main = wheel.wheel.patches[over.unwrap_or(0)].y_rail;
+                        let row = Self::rolling(wheel.wheel.number, wheel.share, patches, over.unwrap_or(0));
+                        Self { y_rail: Some(main), ..row }
+                    })
+                    .collect();
+                // The representative of a group carries the contact of a wheel of the mix.
+                for (i, wheel) in table.wheels.iter().enumerate() {
+                    let mixed = case.mix.get(wheel.represented_by);
+                    if mixed.is_some_and(|mixed| Some(mixed.wheel.contact()) == wheel.contact.as_ref()) {
+                        first[wheel.represented_by].get_or_insert(i);
+                    }
+                }
+                rows.into_iter()
+                    .zip(&table.wheels)
+                    .map(|(row, wheel)| {
+                        let represented_by = first[wheel.represented_by].filter(|_| wheel.contact.is_some());
+                        Self { represented_by, ..row }
+                    })
+                    .collect()
+            }
+            None if case.mix.is_empty() => vec![Self::given(0, 1.0, &case.wheel)],
+            None => {
+                case.mix.iter().enumerate().map(|(i, own)| Self::given(i, own.share, &own.wheel)).collect()
+            }
+        };
+        let total: f64 = rows.iter().zip(demands).map(|(row, demand)| row.share * demand.rate).sum();
+        for (row, demand) in rows.iter_mut().zip(demands) {
+            (row.delta_keq, row.rate) = (demand.delta_keq, demand.rate);
+            row.growth_share = if total > 0.0 { row.share * demand.rate / total } else { 0.0 };
+        }
+        rows
+    }
+
+    fn given(index: usize, share: f64, wheel: &GivenWheel) -> Self {
+        let contact = wheel.contact();
+        let number = index as u64 + 1;
+        let row = match &wheel.origin {
+            ContactOrigin::Rolling { patch, lateral } => {
+                let placed = PlacedPatch { patch: *patch, y: *lateral, x: 0.0 };
+                return Self { represented_by: Some(index), ..Self::rolling(number, share, vec![placed], 0) };
+            }
+            ContactOrigin::Ellipse { ellipse, .. } | ContactOrigin::GivenEllipse { ellipse, .. } => {
+                let normal = 2.0 / 3.0 * PI * ellipse.along * ellipse.across * ellipse.peak_pressure;
+                let row = Self::of_line(number, share, contact);
+                Self {
+                    peak_pressure: ellipse.peak_pressure,
+                    along: ellipse.along,
+                    across: Some(ellipse.across),
+                    // Every strip has the same ratio of shear to pressure.
+                    force: Some([normal * contact.adhesion(), 0.0]),
+                    ..row
+                }
+            }
+            _ => Self::of_line(number, share, contact),
+        };
+        Self { represented_by: Some(index), ..row }
+    }
+
+    fn of_line(number: u64, share: f64, contact: &Contact) -> Self {
+        let slip_share = match contact {
+            Contact::Hertz(hertz) => Some(if hertz.friction == 0.0 { 0.0 } else { 1.0 }),
+            Contact::Carter(carter) => Some(1.0 - carter.stick_half_width() / carter.half_width),
+            Contact::Table(_) => None,
+        };
+        Self {
+            number,
+            represented_by: None,
+            share,
+            peak_pressure: contact.peak_pressure(),
+            along: contact.half_width(),
+            across: None,
+            force: None,
+            slip_share,
+            t_gamma: None,
+            t_gamma_with_spin: None,
+            y_rail: None,
+            delta_keq: 0.0,
+            rate: 0.0,
+            growth_share: 0.0,
+            patches: Vec::new(),
+        }
+    }
+
+    fn rolling(number: u64, share: f64, patches: Vec<PlacedPatch>, main: usize) -> Self {
+        let ellipse = patches[main].patch.ellipse;
+        let forces: Vec<PatchForces> = patches.iter().map(|own| own.patch.forces()).collect();
+        let area = |own: &PlacedPatch| own.patch.ellipse.along * own.patch.ellipse.across;
+        let areas: f64 = patches.iter().map(area).sum();
+        let sum = |of: fn(&PatchForces) -> f64| forces.iter().map(of).sum::<f64>();
+        let slipping: f64 =
+            forces.iter().zip(&patches).map(|(own, patch)| own.slip_share * area(patch)).sum();
+        Self {
+            number,
+            represented_by: None,
+            share,
+            peak_pressure: ellipse.peak_pressure,
+            along: ellipse.along,
+            across: Some(ellipse.across),
+            force: Some([sum(|own| own.force[0]), sum(|own| own.force[1])]),
+            slip_share: Some(slipping / areas),
+            t_gamma: Some(sum(|own| own.t_gamma)),
+            t_gamma_with_spin: Some(sum(|own| own.t_gamma_with_spin)),
+            y_rail: None,
+            delta_keq: 0.0,
+            rate: 0.0,
+            growth_share: 0.0,
+            patches,
+        }
+    }
+}

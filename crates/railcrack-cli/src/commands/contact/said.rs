@@ -1,0 +1,53 @@
+//! Sentences about the wheels of a case.
+
+use super::across::Across;
+use super::rows::WheelRow;
+use railcrack_case::Case;
+
+/// Conclusions from the rows: who grows the cracks, the error of the representatives, the worst
+/// place.
+pub(super) fn sentences(case: &Case, rows: &[WheelRow], across: Option<&Across>) -> Vec<String> {
+    let mut said = Vec::new();
+    let mut shares: Vec<f64> = rows.iter().map(|row| row.growth_share).collect();
+    shares.sort_by(|a, b| b.total_cmp(a));
+    let (mut sum, mut count) = (0.0, 0);
+    while sum < 0.5 && count < shares.len() {
+        sum += shares[count];
+        count += 1;
+    }
+    if rows.len() > 1 && sum > 0.0 {
+        said.push(format!("{count} of {} wheels cause half of the growth", rows.len()));
+    }
+    if let Some(table) = &case.wheel_table {
+        if table.missed > 0.0 {
+            said.push(format!(
+                "the patches of {:.1} % of the axles miss the crack at {} mm",
+                100.0 * table.missed,
+                table.lateral
+            ));
+        }
+        let error = representatives_error(rows);
+        said.push(format!(
+            "{} representatives: mean growth rate off by {:+.2} % of that of all wheels, computed one by one ({:+.2} % by the open crack){}",
+            table.representatives,
+            100.0 * error,
+            100.0 * table.error,
+            if error.abs() > table.accepted { "; more than representatives_error" } else { "" }
+        ));
+    }
+    if let Some(across) = across {
+        let (place, rate) = across.worst();
+        said.push(format!(
+            "the crack would grow fastest at lateral_mm = {place:.1}, {rate:.2} times as fast as here, by the open crack"
+        ));
+    }
+    said
+}
+
+/// Mean rate of the representatives over that of all wheels, less 1.
+fn representatives_error(rows: &[WheelRow]) -> f64 {
+    let all: f64 = rows.iter().map(|row| row.share * row.rate).sum();
+    let by: f64 =
+        rows.iter().map(|row| row.share * row.represented_by.map_or(0.0, |other| rows[other].rate)).sum();
+    if all > 0.0 { by / all - 1.0 } else { 0.0 }
+}

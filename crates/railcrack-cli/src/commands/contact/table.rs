@@ -1,0 +1,111 @@
+//! `wheels.csv`, `patches.csv`, `strips.csv`, `across.csv`.
+
+use super::across::Across;
+use super::rows::WheelRow;
+use railcrack::rolling::PlacedPatch;
+
+const WHEELS: &str = "wheel,representative,share,p0_mpa,a_mm,b_mm,fx_kn,fy_kn,slip_share,tgamma_n,delta_keq_mpa_sqrt_m,growth_share,tgamma_with_spin_n,y_rail_mm,rate_mm_per_cycle";
+
+/// A number, or nothing.
+fn or_blank(value: Option<f64>) -> String {
+    value.map_or_else(String::new, |value| value.to_string())
+}
+
+/// A row per wheel.
+pub(super) fn wheels(rows: &[WheelRow]) -> String {
+    let mut text = format!("{WHEELS}\n");
+    for row in rows {
+        let representative = row.represented_by.map(|other| rows[other].number);
+        let cells = [
+            row.number.to_string(),
+            representative.map_or_else(String::new, |number| number.to_string()),
+            row.share.to_string(),
+            row.peak_pressure.to_string(),
+            row.along.to_string(),
+            or_blank(row.across),
+            or_blank(row.force.map(|force| 1e-3 * force[0])),
+            or_blank(row.force.map(|force| 1e-3 * force[1])),
+            or_blank(row.slip_share),
+            or_blank(row.t_gamma),
+            row.delta_keq.to_string(),
+            row.growth_share.to_string(),
+            or_blank(row.t_gamma_with_spin),
+            or_blank(row.y_rail),
+            row.rate.to_string(),
+        ];
+        text.push_str(&cells.join(","));
+        text.push('\n');
+    }
+    text
+}
+
+/// Strips across each patch, and intervals along them.
+pub(super) const STRIPS: usize = 31;
+pub(super) const INTERVALS: usize = 48;
+
+/// y of the strips of a patch, mm.
+pub(super) fn places(across: f64) -> impl Iterator<Item = f64> {
+    (0..STRIPS).map(move |i| across * ((2 * i + 1) as f64 / STRIPS as f64 - 1.0))
+}
+
+/// Tractions of the whole patches of the wheels `drawn`.
+pub(super) fn patches(rows: &[WheelRow], drawn: &[usize]) -> String {
+    let mut text = String::from("wheel,patch,x_mm,y_mm,p_mpa,qx_mpa,qy_mpa,slips\n");
+    for (row, number, own) in placed(rows, drawn) {
+        for y in places(own.patch.ellipse.across) {
+            push_strip(&mut text, row.number, number, own, y, INTERVALS, Some(y));
+        }
+    }
+    text
+}
+
+/// Tractions of the strips above the crack.
+pub(super) fn strips(rows: &[WheelRow], drawn: &[usize]) -> String {
+    let mut text = String::from("wheel,patch,x_mm,p_mpa,qx_mpa,qy_mpa,slips\n");
+    for (row, number, own) in placed(rows, drawn) {
+        push_strip(&mut text, row.number, number, own, own.y, 160, None);
+    }
+    text
+}
+
+fn placed<'a>(
+    rows: &'a [WheelRow],
+    drawn: &'a [usize],
+) -> impl Iterator<Item = (&'a WheelRow, usize, &'a PlacedPatch)> {
+    drawn.iter().flat_map(|wheel| {
+        let row = &rows[*wheel];
+        row.patches.iter().enumerate().map(move |(i, own)| (row, i + 1, own))
+    })
+}
+
+fn push_strip(
+    text: &mut String,
+    wheel: u64,
+    number: usize,
+    own: &PlacedPatch,
+    y: f64,
+    intervals: usize,
+    shown: Option<f64>,
+) {
+    let Ok(strip) = own.patch.strip(y, intervals) else { return };
+    let across = shown.map_or_else(String::new, |y| format!("{y},"));
+    for point in &strip.points {
+        let [along, over] = point.shear;
+        let slips = u8::from(point.slips);
+        text.push_str(&format!(
+            "{wheel},{number},{},{across}{},{along},{over},{slips}\n",
+            point.x, point.pressure
+        ));
+    }
+}
+
+/// Growth by the lateral place of the crack.
+pub(super) fn across(across: &Across) -> String {
+    let mut text = String::from(
+        "# relative_rate: mean growth rate over that at lateral_mm of the case, by the open crack\nlateral_mm,relative_rate,share_over_crack\n",
+    );
+    for [place, rate, met] in &across.places {
+        text.push_str(&format!("{place},{rate},{met}\n"));
+    }
+    text
+}
