@@ -60,7 +60,7 @@ pub(super) fn read_mix(
     }
     let travel = sections.one(&PASSAGE).and_then(read_travel)?;
     let traffic = sections.one(&TRAFFIC).and_then(|traffic| traffic.get(AXLE_LOAD));
-    let (tables, single): (Vec<(usize, &SectionValues)>, Vec<(usize, &SectionValues)>) =
+    let (tables, single): (Vec<_>, Vec<_>) =
         given.iter().copied().enumerate().partition(|(_, wheel)| wheel.get(TABLE).is_some());
     if let Some((_, second)) = tables.get(1) {
         let says = "is the second table of a mix, which takes one";
