@@ -36,7 +36,7 @@ pub(super) fn calibrate_parameter(
     if is_same_file(&arguments.case, &folder.join("case.toml")) {
         return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
     }
-    let prior = Prior { log_std: case.calibration.log_std, discrepancy: case.calibration.discrepancy };
+    let prior = Prior::from(case.calibration);
     let with = if coefficient.is_some() { Coefficient::Fitted } else { Coefficient::OfCase };
     let runs = Runs {
         arguments,

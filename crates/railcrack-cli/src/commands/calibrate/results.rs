@@ -90,7 +90,7 @@ pub(super) struct Found<'a> {
 impl Found<'_> {
     /// `calibration.json`.
     pub fn json(&self) -> String {
-        let mut all = json!({ "key": self.key, "of_case": self.value, "prior_log_std": self.prior.log_std });
+        let mut all = json!({ "key": self.key, "of_case": self.value, "prior_log_mean": self.prior.mean, "prior_log_std": self.prior.log_std });
         let Some(object) = all.as_object_mut() else { return String::new() };
         let mut add = |name: &str, value: Value| object.insert(name.to_owned(), value);
         match &self.fitted {
