@@ -110,7 +110,10 @@ impl Choice for QuantityKind {
             Self::DepthRateRatio,
             Word::now("depth-rate-ratio", "that between two depths over that between two others"),
         ),
-        (Self::DepthPerCycle, Word::now("depth-per-cycle", "mean growth in depth between two depths, mm per load cycle")),
+        (
+            Self::DepthPerCycle,
+            Word::now("depth-per-cycle", "mean growth in depth between two depths, mm per load cycle"),
+        ),
         (
             Self::LifeRatio,
             Word::now("life-ratio", "load cycles between two depths over those under other conditions"),

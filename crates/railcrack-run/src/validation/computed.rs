@@ -49,9 +49,10 @@ impl Conditions {
     pub fn parse(text: &str, name: &str, folder: &Path) -> Result<Self, CaseErrors> {
         let study = Study::parse_with(text, name, folder, &Overrides::default())?;
         let is_straight = study.runs.iter().all(|run| run.case.growth.steps == 0);
-        let of_lengths = study.axes.iter().position(|axis| {
-            axis.variations.iter().any(|of| of.key == LENGTH && of.distribution.is_none())
-        });
+        let of_lengths = study
+            .axes
+            .iter()
+            .position(|axis| axis.variations.iter().any(|of| of.key == LENGTH && of.distribution.is_none()));
         let mut samples: BTreeMap<Vec<usize>, Vec<usize>> = BTreeMap::new();
         for (place, run) in study.runs.iter().enumerate() {
             let mut choice = run.choice.clone();
@@ -126,7 +127,10 @@ impl Conditions {
         let mut values: Vec<f64> = match quantity {
             Quantity::DepthRate { from, to } => {
                 let tonnes = self.curves.iter().map(|(_, tonnes)| *tonnes);
-                per_cycle((from, to)).zip(tonnes).filter_map(|(rate, tonnes)| Some(1e6 * rate? / tonnes?)).collect()
+                per_cycle((from, to))
+                    .zip(tonnes)
+                    .filter_map(|(rate, tonnes)| Some(1e6 * rate? / tonnes?))
+                    .collect()
             }
             Quantity::DepthPerCycle { from, to } => per_cycle((from, to)).flatten().collect(),
             Quantity::DepthRateRatio { depths, over } => {
@@ -134,7 +138,11 @@ impl Conditions {
             }
             Quantity::LifeRatio { from, to } => {
                 let of = over.map_or_else(Vec::new, |over| over.lives((from, to)));
-                self.lives((from, to)).into_iter().zip(of).filter_map(|(life, of)| Some(life? / of?)).collect()
+                self.lives((from, to))
+                    .into_iter()
+                    .zip(of)
+                    .filter_map(|(life, of)| Some(life? / of?))
+                    .collect()
             }
             Quantity::LawRate { delta_k, ratio } => law(&|case| case.growth.law.rate.rate(delta_k, ratio)),
             Quantity::LawExponent => {

@@ -38,7 +38,9 @@ pub enum ValidationError {
         path: PathBuf,
     },
     /// Two sets of conditions whose samples cannot be taken in pairs.
-    #[error("entry `{id}`: `study` has {samples} samples and `over_study` {others}: a ratio of lives takes them in pairs, drawn from the same seed")]
+    #[error(
+        "entry `{id}`: `study` has {samples} samples and `over_study` {others}: a ratio of lives takes them in pairs, drawn from the same seed"
+    )]
     Unpaired {
         /// The name of the entry.
         id: String,

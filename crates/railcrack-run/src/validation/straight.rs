@@ -56,7 +56,8 @@ mod tests {
             let rates: Vec<(f64, f64)> =
                 [0.25_f64, 0.5, 1.0, 3.0, 9.0].iter().map(|&z| (z, c * z.powf(power))).collect();
             let curve = curve_by_rates(&rates);
-            let exact = |z: f64| 1e-6 * (z.powf(1.0 - power) - 0.25_f64.powf(1.0 - power)) / (c * (1.0 - power));
+            let exact =
+                |z: f64| 1e-6 * (z.powf(1.0 - power) - 0.25_f64.powf(1.0 - power)) / (c * (1.0 - power));
             for depth in [0.3, 0.8, 2.0, 8.0] {
                 let (passed, _) = curve.reaches(depth).unwrap();
                 assert!((passed / exact(depth) - 1.0).abs() < 0.01, "z^{power} at {depth}: {passed}");

@@ -1,11 +1,11 @@
 //! `validation.html` and its plots.
 
+use super::Scores;
 use railcrack_case::{Entry, Grade, Quantity};
 use railcrack_report::{
     Block, Chart, ChartArea, ChartAxis, ChartSheet, Curve, CurveColour, CurveDots, CurveLook, CurveWidth,
     Fact, Page, Section, Table, significant,
 };
-use super::Scores;
 use railcrack_run::validation::{GradeScore, Score, Validated, Validation};
 
 /// The charts and tables of a validation.
@@ -93,10 +93,7 @@ impl<'a> Drawn<'a> {
             sections.push(Section {
                 id: "prior".into(),
                 heading: "Prior of the coefficient".into(),
-                blocks: vec![
-                    Block::Table(self.prior()),
-                    Block::List(vec![PRIOR.to_owned()]),
-                ],
+                blocks: vec![Block::Table(self.prior()), Block::List(vec![PRIOR.to_owned()])],
             });
         }
         for (i, (_, heading, chart)) in self.charts.iter().enumerate() {
