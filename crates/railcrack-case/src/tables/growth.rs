@@ -66,22 +66,13 @@ impl Choice for SteelName {
             Self::R260,
             Word::now(
                 "R260",
-                "the fastest growth that EN 13674-1 accepts, a limit and not the growth of a rail",
+                "the fastest growth that EN 13674-1 accepts: a limit, not the growth of a rail",
             ),
         ),
         (Self::R350Ht, Word::now("R350HT", "the same limit")),
-        (
-            Self::TypicalR260,
-            Word::now(
-                "R260-typical",
-                "3.03e-10 (dKeq^4 - dKth^4), a fifth of the limit, with thresholds of 6 in mode I and 3.5 in mode II, which are the lowest read for other steels",
-            ),
-        ),
-        (
-            Self::TypicalR350Ht,
-            Word::now("R350HT-typical", "the same with more scatter, since no law of this grade was found"),
-        ),
-        (Self::U71Mn, Word::now("U71Mn", "2.56e-9 dKeq^3.18, measured at R = 0.1, without thresholds")),
+        (Self::TypicalR260, Word::now("R260-typical", "typical growth, a fifth of the limit")),
+        (Self::TypicalR350Ht, Word::now("R350HT-typical", "the same, with more scatter")),
+        (Self::U71Mn, Word::now("U71Mn", "2.56e-9 dKeq^3.18, as measured at R = 0.1")),
     ];
 }
 
