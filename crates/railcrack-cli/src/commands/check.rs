@@ -534,7 +534,7 @@ fn growth(case: &Case) -> Vec<CheckLine> {
         ("law", format!("{} mm/cycle, MPa sqrt(m)", formula(&law.rate.formula()))),
         ("range", formula(&law.equivalent.formula())),
         ("EN 13674-1", acceptance(&law.rate)),
-        ("in track", IN_TRACK.into()),
+        ("in track", case.calibration.sites.map_or_else(|| IN_TRACK.to_owned(), calibrated_by)),
         ("arrest below", format!("{} mm/cycle", short(growth.arrest_rate))),
         ("direction", direction.into()),
     ];
@@ -574,9 +574,13 @@ fn growth(case: &Case) -> Vec<CheckLine> {
     rows
 }
 
-/// What is known of absolute rates.
+/// Absolute rates without a calibration.
 const IN_TRACK: &str =
     "rates are known to a factor of about ten either way until C is calibrated (docs/validation.md)";
+
+fn calibrated_by(sites: usize) -> String {
+    format!("calibrated by {sites} measured {}", if sites == 1 { "site" } else { "sites" })
+}
 
 /// The name of a steel, and what its growth is.
 fn steel_text(steel: &RailSteel) -> String {

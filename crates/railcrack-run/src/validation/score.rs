@@ -119,8 +119,7 @@ pub fn grade_scores(scored: &[(Grade, Score)]) -> Vec<GradeScore> {
     [Grade::Track, Grade::Rig, Grade::Law].into_iter().filter_map(of).collect()
 }
 
-/// What the entries of growth in depth say about the coefficient of the law before a line is
-/// measured: the prior of ln(C/C0).
+/// The prior of ln(C/C0) on a line before it is measured, by the entries of growth in depth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Residuals {
     /// Number of entries.

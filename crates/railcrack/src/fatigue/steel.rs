@@ -2,7 +2,7 @@
 
 use super::{EquivalentRange, GrowthLaw, Paris, ParisThreshold, RateLaw, Toughness};
 
-/// What the growth of a steel with a name is.
+/// Origin of the growth of a steel with a name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SteelGrowth {
     /// The fastest growth that EN 13674-1 accepts, [`ACCEPTED_GROWTH`]: a limit, which no rail that
@@ -41,21 +41,20 @@ pub struct RailSteel {
 /// ΔK (MPa√m) at which EN 13674-1 limits the growth, at R = 0.5.
 pub const ACCEPTANCE_RANGES: [f64; 2] = [10.0, 13.5];
 /// The fastest growth accepted there, of all grades, m per 1e9 cycles: quoted from memory. It
-/// corresponds to an exponent of 3.91; the measurements behind the requirement found a mean exponent
-/// close to 4 (European project SMT4-CT98-2240, summary in CORDIS).
+/// corresponds to an exponent of 3.91; the measurements behind the requirement found a mean
+/// exponent close to 4 (European project SMT4-CT98-2240, summary in CORDIS).
 pub const ACCEPTED_GROWTH: [f64; 2] = [17.0, 55.0];
 
-/// The rate (mm per cycle) of U71Mn rail steel at ΔK = 13.5 MPa√m and R = 0.1, in the middle of the
-/// tested ranges, and the Paris law of that source: 6.19e-11 ΔK^3.18 in kgf/mm^1.5, which is the only
-/// usual pair of units that gives rates of steel (Xian and others 1993, Iron and Steel no. 12, 56–59,
-/// abstract).
+/// Paris' law of U71Mn rail steel in mode I at R = 0.1: 6.19e-11 ΔK^3.18 in kgf/mm^1.5, which is
+/// the only usual pair of units that gives rates of steel (Xian and others 1993, Iron and Steel
+/// no. 12, 56–59, abstract).
 const U71MN: Paris = Paris { c: 2.56e-9, m: 3.18, threshold: 0.0 };
 /// Exponent 4, close to which the mean of six laboratories and four manufacturers lies for grade
 /// 260 (SMT4-CT98-2240), through the rate of U71Mn at 13.5 MPa√m, 1.007e-5 mm per cycle.
 const EXPONENT_4: Paris = Paris { c: 3.03e-10, m: 4.0, threshold: 0.0 };
 /// Lower ends of what was read: 6 to 9 MPa√m for a wheel steel under several modes (Crystals 13(7),
-/// 1146, 2023), 3.5 in mode II for an austenitic steel (Crack Paths 2009, p. 563). No threshold of a
-/// rail steel was found.
+/// 1146, 2023), 3.5 in mode II for an austenitic steel (Crack Paths 2009, p. 563). No threshold of
+/// a rail steel was found.
 const THRESHOLDS: [f64; 2] = [6.0, 3.5];
 
 /// The steels that are known by name. K_Ic of EN 13674-1 is quoted from memory; that of U71Mn is
@@ -188,7 +187,7 @@ mod tests {
 
     #[test]
     fn typical_growth_is_that_of_its_sources() {
-        // 6.19e-11 (ΔK in kgf/mm^1.5)^3.18 at 13.5 MPa√m: 1 MPa√m is 1000^1.5/(1e6 · 9.80665) kgf/mm^1.5.
+        // 6.19e-11 (ΔK in kgf/mm^1.5)^3.18; 1 MPa√m is √1000/9.80665 kgf/mm^1.5.
         let unit = 1000_f64.sqrt() / 9.80665;
         let printed = 6.19e-11 * (13.5 * unit).powf(3.18);
         let measured = RailSteel::of("U71Mn").unwrap().growth_law().rate;

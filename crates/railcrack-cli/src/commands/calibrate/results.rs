@@ -67,6 +67,11 @@ impl New {
     }
 }
 
+/// The key of a calibrated case that says so.
+pub(super) fn calibrated_by(sites: &[Site]) -> String {
+    format!("calibration.sites={}", sites.len())
+}
+
 /// The result of a fit.
 pub(super) enum Fitted<'a> {
     /// The coefficient of the growth law.
