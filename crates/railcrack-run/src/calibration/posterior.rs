@@ -7,8 +7,8 @@
 //! > 1/τ² + Σ 1/(v_j + s²)
 //!
 //! and the mean μ/τ² + Σ m_j/(v_j + s²) over it; s maximises the evidence. A new rail has the
-//! variance of b plus s². Classes of sizes make the likelihood of their site another function of b + d_j; then
-//! b and d_j are integrated numerically.
+//! variance of b plus s². Classes of sizes make the likelihood of their site another function of
+//! b + d_j; then b and d_j are integrated numerically.
 
 use super::observed::{Observations, Observed, UsualError, tabulated};
 use crate::statistics::{log_density, student};

@@ -40,8 +40,8 @@ pub struct Decision {
     /// Growth of the tip that is followed into the depth, the mean from detectable to failure or
     /// over the run, mm per 10 million gross tonnes; null where there is none.
     pub rate_mm_per_10_mgt: Option<f64>,
-    /// How well absolute rates are known: by how many sites the case has been calibrated, or that it
-    /// has not.
+    /// How well absolute rates are known: by how many sites the case has been calibrated, or that
+    /// it has not.
     #[serde(default)]
     pub calibration: String,
     /// Lives along three paths; null where they were not computed.
