@@ -83,7 +83,7 @@ fn straight_cracks_grown_cracks_and_ratios_agree() {
     let folder = common::folder("validate", "kinds");
     let grown = "[contact]\npeak_pressure_mpa = 1000.0\nhalf_width_mm = 6.0\nfriction = 0.2\n[passage]\npositions = 61\n[[crack]]\nmouth_mm = 0.0\nlength_mm = 3.0\nangle_deg = 25.0\nfriction = 0.4\n[growth]\ndirection = \"coplanar\"\nsteps = 16\nincrement = 0.05\nparis_c = [2e-9]\n[solver]\nengine = \"dislocation\"\n[traffic]\naxle_load_t = 20.0\n";
     let straight = grown
-        .replace("length_mm = 3.0", "length_mm = [3.0, 3.6, 4.4, 5.4, 6.5]")
+        .replace("length_mm = 3.0", "length_mm = [3.0, 3.3, 3.6, 4.0, 4.4, 4.9, 5.4, 6.0, 6.5]")
         .replace("steps = 16\nincrement = 0.05", "steps = 0");
     for (name, text) in [
         ("grown.toml", grown.to_owned()),
@@ -121,7 +121,7 @@ fn straight_cracks_grown_cracks_and_ratios_agree() {
     assert!((a * 20e-6 / c - 1.0).abs() < 1e-9, "{a} per MGT, {c} per cycle");
     assert!((d - 2.0).abs() < 1e-6, "{d}");
     let straight: f64 = column(&table, "space_predicted")[0].parse().unwrap();
-    assert!((straight / a - 1.0).abs() < 0.02, "{straight} {a}");
+    assert!((straight / a - 1.0).abs() < 0.01, "{straight} {a}");
     let page = read(&folder.join("all/validation.html"));
     assert!(page.contains("Prior of the coefficient") && page.contains("median in space"));
     // Without the predictions in space.
