@@ -1,7 +1,8 @@
 """Growth rate over depth, one cause at a time and together, against the rates measured in track.
 
 python3 tools/rate_over_depth.py RAILCRACK [CAUSE ...] computes verification/rate-over-depth/rates.csv
-with that program, all causes or those named; without arguments it draws
+with that program: all causes, or those named, of which depths that the table has are kept. Without
+arguments it draws
 docs/figures/rate-over-depth.svg, which needs matplotlib.
 
 The crack is straight at 25 degrees: every depth is the initial crack of a run of its own, so that a
@@ -20,7 +21,7 @@ table = root / "verification/rate-over-depth/rates.csv"
 
 ANGLE = 25.0
 DEPTHS = [0.5, 0.8, 1.3, 2.0, 3.0, 5.0, 7.0, 9.0, 12.0]
-IN_SPACE = [0.8, 2.0, 5.0, 9.0]
+IN_SPACE = [0.5, 0.8, 2.0, 5.0, 9.0, 12.0]
 SINE = math.sin(math.radians(ANGLE))
 AXLE = 18.0
 
@@ -147,6 +148,7 @@ CAUSES = {
         space(2.0, offsets=scattered(5.0), contact=hertz(0.3), faces=0.7),
 }
 # Growth along a path instead of straight: steps at which the depth passes those of the table.
+WEAR = {"wear 0.02": 0.02}
 TURNING = {"turning length 0.5 mm": "turning_length_mm = 0.5", "turning length 2 mm": "turning_length_mm = 2.0"}
 
 
@@ -168,9 +170,12 @@ def depth_rate(row, sine=SINE):
     return 1e6 / AXLE * float(row["rate_mm_per_cycle"]) * sine
 
 
-def of_cause(program, cause, folder):
+def of_cause(program, cause, folder, known):
     text, depths, middle = CAUSES[cause]
     for depth in depths:
+        if depth in known:
+            yield depth, known[depth]
+            continue
         found = run(program, text(depth), folder)
         if "phi_deg" in found[0]:
             row = found[len(found) // 2]  # the deepest point of the front is the middle one
@@ -179,6 +184,16 @@ def of_cause(program, cause, folder):
         else:
             row = min(found, key=lambda row: float(row["tip_y_mm"]))
         yield depth, depth_rate(row)
+
+
+def of_wear(program, wear, folder):
+    """The depth below a surface that wears by `wear` mm per million gross tonnes, over one increment."""
+    for depth in DEPTHS:
+        text = PLANE.format(contact=hertz(), cracks=crack(depth), more=f"[maintenance]\nwear_mm_per_mgt = {wear}",
+                            growth='direction = "coplanar"\nincrement = 0.01\ncritical_length_mm = 60.0')
+        found = run(program, text.replace("steps = 0", "steps = 1"), folder)
+        (before, after), passed = (float(row["depth_mm"]) for row in found[:2]), float(found[1]["mgt"])
+        yield depth, (after - before) / passed
 
 
 def of_turning(program, setting, folder):
@@ -198,12 +213,18 @@ def compute(program, named):
     if table.exists():
         for row in csv.DictReader(open(table)):
             known.setdefault(row["cause"], []).append((float(row["depth_mm"]), float(row["rate_mm_per_mgt"])))
-    for cause in [*CAUSES, *TURNING]:
+    for cause in [*CAUSES, *WEAR, *TURNING]:
         if named and cause not in named or not named and cause in known:
             continue
+        of_old = dict(known.get(cause, []))
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
-            of = of_turning(program, TURNING[cause], folder) if cause in TURNING else of_cause(program, cause, folder)
+            if cause in TURNING:
+                of = of_turning(program, TURNING[cause], folder)
+            elif cause in WEAR:
+                of = of_wear(program, WEAR[cause], folder)
+            else:
+                of = of_cause(program, cause, folder, of_old)
             try:
                 known[cause] = list(of)
             except Exception as error:
@@ -212,7 +233,7 @@ def compute(program, named):
         print(cause, known[cause], flush=True)
         with open(table, "w") as out:
             out.write("cause,depth_mm,rate_mm_per_mgt\n")
-            for name in [*CAUSES, *TURNING]:
+            for name in [*CAUSES, *WEAR, *TURNING]:
                 for depth, rate in known.get(name, []):
                     out.write(f'"{name}",{depth},{rate:.4g}\n')
 

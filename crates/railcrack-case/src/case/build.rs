@@ -16,7 +16,7 @@ use crate::tables::{
     MAINTENANCE, MESH, MGT_PER_YEAR, MeshSettings, NETWORK, OUTPUT, Output, PASSAGE, PLASTIC_STRESS, PROFILE,
     PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER, SOLVER_CONTACT,
     Scattering, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL, WHEEL_TEMPERATURE,
-    WHEEL_TRACK, WIDTH, WheelSections, YIELD_STRESS, is_of_the_law, read_calibration, read_fluid,
+    WHEEL_TRACK, WIDTH, WheelSections, YIELD_STRESS, is_of_the_steel, read_calibration, read_fluid,
     read_growth, read_inspection, read_maintenance, read_passage, read_passages, read_risk, read_scatter,
     read_steel, read_travel,
 };
@@ -105,8 +105,10 @@ pub(crate) fn build(
     {
         refuse_counting_twice(section, report);
     }
-    if growth.as_ref().is_some_and(|growth| growth.steel.is_some()) {
-        sections.leave_out(&GROWTH, is_of_the_law);
+    if let Some(steel) = growth.as_ref().and_then(|growth| growth.steel)
+        && let Some(section) = sections.one(&GROWTH).cloned()
+    {
+        sections.leave_out(&GROWTH, |key| is_of_the_steel(&section, steel, key));
     }
     let of_law = growth.as_ref().and_then(|growth| growth.steel);
     let shakedown = sections.one(&SHAKEDOWN).and_then(|s| ShakedownSettings::read(s, of_law, folder, report));

@@ -83,6 +83,9 @@ impl Case {
             settings.push(format!("growth.equivalent={}", form.word()));
             settings.extend(weight.map(|weight| format!("growth.mode_2_weight={weight:?}")));
         }
+        if law.threshold_2 > 0.0 {
+            settings.push(format!("growth.threshold_2_mpa_sqrt_m={:?}", law.threshold_2));
+        }
         if let Some(scatter) = &self.scatter {
             settings.push(format!("scatter.paris_c_log_std={:?}", scatter.c_log_std));
         }

@@ -57,6 +57,8 @@ impl HowRead {
 pub(super) enum QuantityKind {
     DepthRate,
     DepthRateRatio,
+    DepthPerCycle,
+    LifeRatio,
     LawRate,
     LawExponent,
 }
@@ -78,6 +80,20 @@ pub enum Quantity {
         /// Those of the denominator.
         over: (f64, f64),
     },
+    /// Mean growth in depth between two depths (mm), mm per load cycle.
+    DepthPerCycle {
+        /// The first depth.
+        from: f64,
+        /// The second one.
+        to: f64,
+    },
+    /// Load cycles between two depths (mm) over those under other conditions.
+    LifeRatio {
+        /// The first depth.
+        from: f64,
+        /// The second one.
+        to: f64,
+    },
     /// da/dN of the growth law, mm per cycle.
     LawRate {
         /// Range of K_I, MPa√m.
@@ -95,15 +111,15 @@ impl Quantity {
     pub fn unit(self) -> &'static str {
         match self {
             Self::DepthRate { .. } => "mm/MGT",
-            Self::LawRate { .. } => "mm/cycle",
-            Self::DepthRateRatio { .. } | Self::LawExponent => "",
+            Self::DepthPerCycle { .. } | Self::LawRate { .. } => "mm/cycle",
+            Self::DepthRateRatio { .. } | Self::LifeRatio { .. } | Self::LawExponent => "",
         }
     }
 
     /// Whether a run is needed for it.
     #[must_use]
     pub fn needs_a_run(self) -> bool {
-        matches!(self, Self::DepthRate { .. } | Self::DepthRateRatio { .. })
+        !matches!(self, Self::LawRate { .. } | Self::LawExponent)
     }
 }
 
@@ -114,8 +130,21 @@ pub struct Comparison {
     pub quantity: Quantity,
     /// The file of the conditions as the entry names it.
     pub study: String,
+    /// The file of the conditions whose life is the denominator of a ratio.
+    pub over_study: Option<String>,
+    /// The file of the same conditions in space, whose prediction is scored apart.
+    pub study_in_space: Option<String>,
     /// The measured value is between these with 95 %.
     pub measured: (f64, f64),
+    /// Standard deviation of the logarithm of the quantity from place to place.
+    pub place_log_std: Option<f64>,
+}
+
+impl Comparison {
+    /// The files of all conditions that it names.
+    pub fn studies(&self) -> impl Iterator<Item = &String> {
+        [Some(&self.study), self.over_study.as_ref(), self.study_in_space.as_ref()].into_iter().flatten()
+    }
 }
 
 /// One of the numbers of an entry.

@@ -2,9 +2,9 @@
 
 use super::entry::{Comparison, Entry, EntryValue, HowRead, Quantity, QuantityKind};
 use super::tables::{
-    CERTAINTY, COMPARE, CONDITIONS, DELTA_K, ENTRY_FILE, FROM, GRADE, HIGH, ID, KIND, LOW, MEASURED_HIGH,
-    MEASURED_LOW, NAME, NOTE, NUMBER, OVER_FROM, OVER_TO, QUANTITY, QUOTE, RATIO, READ, SOURCE, STUDY_FILE,
-    TEXT, TO, TOP, VALUE,
+    CERTAINTY, COMPARE, CONDITIONS, DELTA_K, ENTRY_FILE, FROM, GRADE, HIGH, ID, IN_SPACE, KIND, LOW,
+    MEASURED_HIGH, MEASURED_LOW, NAME, NOTE, NUMBER, OVER_FROM, OVER_STUDY, OVER_TO, PLACE_LOG_STD, QUANTITY,
+    QUOTE, RATIO, READ, SOURCE, STUDY_FILE, TEXT, TO, TOP, VALUE,
 };
 use crate::schema::{
     CaseErrors, Chosen, KeyRow, Reading, Report, SectionValues, Sections, Source, from_file, parse_document,
@@ -91,12 +91,27 @@ fn comparison(section: &SectionValues, report: &mut Report) -> Option<Comparison
             depths: ascending(section, FROM, TO, report)?,
             over: ascending(section, OVER_FROM, OVER_TO, report)?,
         },
+        QuantityKind::DepthPerCycle => {
+            let (from, to) = ascending(section, FROM, TO, report)?;
+            Quantity::DepthPerCycle { from, to }
+        }
+        QuantityKind::LifeRatio => {
+            let (from, to) = ascending(section, FROM, TO, report)?;
+            Quantity::LifeRatio { from, to }
+        }
         QuantityKind::LawRate => {
             Quantity::LawRate { delta_k: section.get(DELTA_K)?, ratio: section.get(RATIO)? }
         }
         QuantityKind::LawExponent => Quantity::LawExponent,
     };
-    Some(Comparison { quantity, study: section.get(STUDY_FILE)?, measured })
+    Some(Comparison {
+        quantity,
+        study: section.get(STUDY_FILE)?,
+        over_study: section.get(OVER_STUDY),
+        study_in_space: section.get(IN_SPACE),
+        measured,
+        place_log_std: section.get(PLACE_LOG_STD),
+    })
 }
 
 /// Two numbers of which the second is larger.

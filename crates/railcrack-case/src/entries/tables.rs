@@ -35,12 +35,20 @@ section! {
     KIND: QuantityKind = choice("kind", "The computed quantity.");
     STUDY_FILE: String = file("study", "inputs/conditions.toml", "conditions/network.toml",
         "The conditions with their uncertainty: a study whose samples are computed.").required();
+    OVER_STUDY: String = file("over_study", "inputs/conditions.toml", "conditions/heavy.toml",
+        "The conditions whose life is the denominator, sample by sample: as many samples, drawn from the same seed.")
+        .required().only_with(KIND, "life-ratio", "only a ratio of lives has two sets of conditions");
+    IN_SPACE: String = file("study_in_space", "inputs/conditions.toml", "conditions/network-space.toml",
+        "The same conditions with an elliptical contact and a curved front: predicted too, and scored apart.")
+        .only_with_any(KIND, "depth-rate", &["depth-rate-ratio", "depth-per-cycle"], "only growth in depth has a front").optional();
     MEASURED_LOW: f64 = number("low", "", positive(1e12), 0.05, "Lower end of the measured value, 2.5 %.").required();
     MEASURED_HIGH: f64 = number("high", "", positive(1e12), 0.1, "Upper end of the measured value, 97.5 %.").required();
+    PLACE_LOG_STD: f64 = number("place_log_std", "", positive(10.0), 1.0,
+        "Standard deviation of ln of the quantity from place to place: with the residuals of the entries it gives the prior of a calibration.").optional();
     FROM: f64 = number("from_mm", "mm", positive(1e3), 0.3, "Depth from which the rate is taken.")
-        .required().only_with_any(KIND, "depth-rate", &["depth-rate-ratio"], "a growth law has no depth");
+        .required().only_with_any(KIND, "depth-rate", OF_DEPTHS, "a growth law has no depth");
     TO: f64 = number("to_mm", "mm", positive(1e3), 0.8, "Depth up to which the rate is taken.")
-        .required().only_with_any(KIND, "depth-rate", &["depth-rate-ratio"], "a growth law has no depth");
+        .required().only_with_any(KIND, "depth-rate", OF_DEPTHS, "a growth law has no depth");
     OVER_FROM: f64 = number("over_from_mm", "mm", positive(1e3), 0.3, "The rate from this depth is the denominator.")
         .required().only_with(KIND, "depth-rate-ratio", "only a ratio has a denominator");
     OVER_TO: f64 = number("over_to_mm", "mm", positive(1e3), 0.8, "The rate up to this depth is the denominator.")
@@ -50,6 +58,9 @@ section! {
     RATIO: f64 = number("ratio", "", closed(0.0, 0.99), 0.1, "R of the test.")
         .required().only_with(KIND, "law-rate", "only the rate of a law has a ratio");
 }
+
+/// The other kinds with depths.
+const OF_DEPTHS: &[&str] = &["depth-rate-ratio", "depth-per-cycle", "life-ratio"];
 
 read_by_word!(Grade, HowRead, QuantityKind);
 
@@ -98,6 +109,14 @@ impl Choice for QuantityKind {
         (
             Self::DepthRateRatio,
             Word::now("depth-rate-ratio", "that between two depths over that between two others"),
+        ),
+        (
+            Self::DepthPerCycle,
+            Word::now("depth-per-cycle", "mean growth in depth between two depths, mm per load cycle"),
+        ),
+        (
+            Self::LifeRatio,
+            Word::now("life-ratio", "load cycles between two depths over those under other conditions"),
         ),
         (Self::LawRate, Word::now("law-rate", "da/dN of the growth law, mm per cycle")),
         (Self::LawExponent, Word::now("law-exponent", "exponent of the growth law")),

@@ -95,7 +95,7 @@ impl Fracture {
         }
         if let Some(steel) = section.get(FRACTURE_STEEL) {
             let steel = RailSteel::of(steel.word())?;
-            return of(steel.toughness(), Some(steel.name), None);
+            return of(steel.toughness()?, Some(steel.name), None);
         }
         let file = read_toughness(section, FRACTURE_PROFILE, folder, report)?;
         if temperature.is_none() {

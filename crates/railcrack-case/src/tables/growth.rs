@@ -1,8 +1,10 @@
 //! `[growth]`: rate and direction of crack growth, and the end of a run.
 
 use super::law_keys;
-use crate::schema::{Choice, Key, Word, choice, closed, file, integer, number, read_by_word, section};
-use railcrack::fatigue::{DirectionCriterion, LawDeclaration, RangeForm};
+use crate::schema::{
+    Choice, Key, SectionValues, Word, choice, closed, file, integer, number, read_by_word, section,
+};
+use railcrack::fatigue::{DirectionCriterion, LawDeclaration, RailSteel, RangeForm};
 use railcrack::growth::Turning;
 
 section! {
@@ -38,7 +40,7 @@ section! {
         "CSV file with the columns delta_keq_mpa_sqrt_m,rate_mm_per_cycle; interpolated linearly in log-log scale, no growth below the first row.")
         .required()
         .only_with_words(LAW, law_keys::OF_RATES, "every other law has its own constants");
-    GROWTH_STEEL: SteelName = choice("steel", "Rail steel whose growth law is used instead of law and its constants.").optional();
+    GROWTH_STEEL: SteelName = choice("steel", "Rail steel whose growth law is used instead of law and its constants; docs/parameters.md has the sources.").optional();
     ARREST_RATE: f64 = number("arrest_rate_mm_per_cycle", "mm/cycle", closed(0.0, 1.0), 1e-9,
         "A tip that grows more slowly than this is arrested.");
     DIRECTION: DirectionCriterion = choice("direction", "Criterion of the growth direction.");
@@ -53,12 +55,24 @@ section! {
 pub(crate) enum SteelName {
     R260,
     R350Ht,
+    TypicalR260,
+    TypicalR350Ht,
+    U71Mn,
 }
 
 impl Choice for SteelName {
     const WORDS: &'static [(Self, Word)] = &[
-        (Self::R260, Word::now("R260", "the fastest growth that EN 13674-1 accepts")),
-        (Self::R350Ht, Word::now("R350HT", "the same")),
+        (
+            Self::R260,
+            Word::now(
+                "R260",
+                "the fastest growth that EN 13674-1 accepts: a limit, not the growth of a rail",
+            ),
+        ),
+        (Self::R350Ht, Word::now("R350HT", "the same limit")),
+        (Self::TypicalR260, Word::now("R260-typical", "typical growth, a fifth of the limit")),
+        (Self::TypicalR350Ht, Word::now("R350HT-typical", "the same, with more scatter")),
+        (Self::U71Mn, Word::now("U71Mn", "2.56e-9 dKeq^3.18, as measured at R = 0.1")),
     ];
 }
 
@@ -83,6 +97,13 @@ impl Choice for Turns {
 }
 
 read_by_word!(Turns, DirectionCriterion, &'static LawDeclaration, RangeForm, SteelName);
+
+/// Whether a stored case takes `key` of `[growth]` from its steel again: the law and, where it is
+/// not given, the threshold of mode II.
+pub(crate) fn is_of_the_steel(section: &SectionValues, steel: &RailSteel, key: &Key) -> bool {
+    let is_own = steel.growth_law().threshold_2 > 0.0 && !section.is_given(THRESHOLD_2);
+    is_of_the_law(key) || is_own && key.name == THRESHOLD_2.key.name
+}
 
 /// Whether `key` of `[growth]` concerns the law: with a steel, the law is that of the steel.
 pub(crate) fn is_of_the_law(key: &Key) -> bool {

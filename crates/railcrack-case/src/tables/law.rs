@@ -25,7 +25,10 @@ pub(super) fn read_law(section: &SectionValues, folder: &Path, report: &mut Repo
     if let Some(name) = section.get(GROWTH_STEEL) {
         refuse_beside_steel(section, report);
         let steel = RailSteel::of(name.word())?;
-        let law = GrowthLaw { threshold_2: section.get(THRESHOLD_2)?, ..steel.growth_law() };
+        let own = steel.growth_law();
+        let threshold_2 =
+            if section.is_given(THRESHOLD_2) { section.get(THRESHOLD_2)? } else { own.threshold_2 };
+        let law = GrowthLaw { threshold_2, ..own };
         return Some(GivenLaw { law, steel: Some(steel), rates: None });
     }
     let declaration = section.get(LAW)?;

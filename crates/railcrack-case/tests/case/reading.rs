@@ -373,6 +373,16 @@ fn growth_laws() {
     assert_eq!(steel.growth_steel.map(|steel| steel.name), Some("R260"));
     assert!((steel.growth.law.rate.rate(10.0, 0.0) / 17e-6 - 1.0).abs() < 1e-12);
     assert_eq!(parse(&steel.to_toml()), steel);
+    // Typical growth has thresholds of both modes, of which a case may replace the second.
+    let typical = parse(&format!("{minimal}steel = \"R260-typical\"\n"));
+    assert_eq!(typical.growth.law.rate.formula(), "3.03e-10 (dK^4 - 6^4)");
+    assert_eq!(typical.growth.law.threshold_2, 3.5);
+    assert_eq!(parse(&typical.to_toml()), typical);
+    let other = parse(&format!("{minimal}steel = \"R350HT-typical\"\nthreshold_2_mpa_sqrt_m = 5\n"));
+    assert_eq!(other.growth.law.threshold_2, 5.0);
+    assert_eq!(parse(&other.to_toml()), other);
+    let none = parse(&format!("{minimal}steel = \"U71Mn\"\n"));
+    assert_eq!((none.growth.law.threshold_2, none.growth_steel.unwrap().name), (0.0, "U71Mn"));
 }
 
 /// Wheels with contacts, loads and temperatures of their own.

@@ -8,7 +8,7 @@ use crate::json::Json;
 use clap::Args;
 use railcrack::contact::{FluidModel, StepControl};
 use railcrack::crack::Crack;
-use railcrack::fatigue::{ACCEPTANCE_RANGES, DirectionCriterion, RAIL_STEELS, RateLaw};
+use railcrack::fatigue::{ACCEPTANCE_RANGES, ACCEPTED_GROWTH, DirectionCriterion, RailSteel, RateLaw};
 use railcrack::load::{Contact, HertzEllipse, Passage};
 use railcrack::plane::CrackFluid;
 use railcrack::rolling::{Creepage, RollingPatch};
@@ -554,9 +554,13 @@ fn growth(case: &Case) -> Vec<CheckLine> {
         ("law", format!("{} mm/cycle, MPa sqrt(m)", formula(&law.rate.formula()))),
         ("range", formula(&law.equivalent.formula())),
         ("EN 13674-1", acceptance(&law.rate)),
+        ("in track", case.calibration.sites.map_or_else(|| IN_TRACK.to_owned(), calibrated_by)),
         ("arrest below", format!("{} mm/cycle", short(growth.arrest_rate))),
         ("direction", direction.into()),
     ];
+    if let Some(steel) = case.growth_steel {
+        rows.insert(1, ("steel", steel_text(steel)));
+    }
     if let Some(threshold) = law.shear_threshold() {
         rows.push(("threshold", format!("{} MPa sqrt(m)", formula(&threshold))));
     }
@@ -590,15 +594,33 @@ fn growth(case: &Case) -> Vec<CheckLine> {
     rows
 }
 
+/// Absolute rates without a calibration.
+const IN_TRACK: &str =
+    "rates are known to a factor of about ten either way until C is calibrated (docs/validation.md)";
+
+fn calibrated_by(sites: usize) -> String {
+    format!("calibrated by {sites} measured {}", if sites == 1 { "site" } else { "sites" })
+}
+
+/// The name of a steel, and what its growth is.
+fn steel_text(steel: &RailSteel) -> String {
+    match steel.typical() {
+        Some(typical) => format!(
+            "{}: the fastest growth that EN 13674-1 accepts, a limit and not the growth of a rail; typical growth: steel = \"{}\"",
+            steel.name, typical.name
+        ),
+        None => format!("{}: {}", steel.name, steel.source),
+    }
+}
+
 /// Rates at R = 0.5 and the limits of the standard.
 fn acceptance(law: &RateLaw) -> String {
-    let accepted = RAIL_STEELS[0].accepted_growth;
     let of = |(range, limit): (f64, f64)| {
         // Metres in 1e9 cycles.
         format!("{} of {limit} m/Gcycle at \u{394}K = {range}", short(1e6 * law.rate(range, 0.5)))
     };
     let [low, high] = ACCEPTANCE_RANGES;
-    format!("{}, {}, R = 0.5", of((low, accepted[0])), of((high, accepted[1])))
+    format!("{}, {}, R = 0.5", of((low, ACCEPTED_GROWTH[0])), of((high, ACCEPTED_GROWTH[1])))
 }
 
 /// Wear and grinding, and the growth rate that balances them.

@@ -247,6 +247,7 @@ fn decision(summary: &Summary) -> String {
     {
         text.push_str(&format!("interval for a risk of {target}: {interval:.3} million gross tonnes\n"));
     }
+    text.push_str(&format!("{}\n", decision.calibration));
     text
 }
 

@@ -73,6 +73,67 @@ fn the_rate_of_a_sample_is_that_of_its_run() {
     assert!(stderr(&refused).contains("two entries have the id `A`"), "{}", stderr(&refused));
 }
 
+/// Entries with the scatter of ln C in their conditions, of the kinds that need a run.
+const ENTRY: &str = "quantity = \"q\"\nconditions = \"c\"\nsource = \"s\"\nread = \"full-text\"\ncertainty = 3\n[compare]\nlow = 0.1\nhigh = 0.2\nfrom_mm = 1.4\nto_mm = 2.2\n";
+
+/// Rates of straight cracks of several lengths give the life of one that grows straight ahead; the
+/// life under another coefficient is in proportion to 1/C; rates per axle and per tonne agree.
+#[test]
+fn straight_cracks_grown_cracks_and_ratios_agree() {
+    let folder = common::folder("validate", "kinds");
+    let grown = "[contact]\npeak_pressure_mpa = 1000.0\nhalf_width_mm = 6.0\nfriction = 0.2\n[passage]\npositions = 61\n[[crack]]\nmouth_mm = 0.0\nlength_mm = 3.0\nangle_deg = 25.0\nfriction = 0.4\n[growth]\ndirection = \"coplanar\"\nsteps = 16\nincrement = 0.05\nparis_c = [2e-9]\n[solver]\nengine = \"dislocation\"\n[traffic]\naxle_load_t = 20.0\n";
+    let straight = grown
+        .replace("length_mm = 3.0", "length_mm = [3.0, 3.3, 3.6, 4.0, 4.4, 4.9, 5.4, 6.0, 6.5]")
+        .replace("steps = 16\nincrement = 0.05", "steps = 0");
+    for (name, text) in [
+        ("grown.toml", grown.to_owned()),
+        ("straight.toml", straight),
+        ("double.toml", grown.replace("2e-9", "4e-9")),
+        ("two.toml", grown.replace("[2e-9]", "[2e-9, 4e-9]")),
+    ] {
+        fs::write(folder.join(name), text).unwrap();
+    }
+    fs::create_dir(folder.join("entries")).unwrap();
+    let write = |id: &str, grade: &str, lines: &str| {
+        let text = format!("id = \"{id}\"\ngrade = \"{grade}\"\n{ENTRY}{lines}");
+        fs::write(folder.join(format!("entries/{id}.toml")), text).unwrap();
+    };
+    let pair = "study = \"../grown.toml\"\nstudy_in_space = \"../straight.toml\"\n";
+    write("A", "track", &format!("kind = \"depth-rate\"\nplace_log_std = 1.0\n{pair}"));
+    write("B", "track", &format!("kind = \"depth-rate\"\nplace_log_std = 1.0\n{pair}"));
+    write("C", "rig", &format!("kind = \"depth-per-cycle\"\n{pair}"));
+    write("D", "rig", "kind = \"life-ratio\"\nstudy = \"../grown.toml\"\nover_study = \"../double.toml\"\n");
+    let told = done(&folder, &["validate", "entries", "--out", "all", "--quiet"]);
+    for line in [
+        "track: 2 entries",
+        "rig: 2 entries",
+        "track, in space: 2 entries",
+        "rig, in space: 1 entries",
+        "prior of ln C by the residuals of 2 entries of track in the plane: mean ",
+        ", sd 1.00\n",
+    ] {
+        assert!(told.contains(line), "{line}: {told}");
+    }
+    let table = folder.join("all/validation.csv");
+    let predicted = numbers(&table, "predicted");
+    assert_eq!(column(&table, "id"), ["A", "B", "C", "D"]);
+    let [a, c, d] = [predicted[0], predicted[2], predicted[3]];
+    assert!((a * 20e-6 / c - 1.0).abs() < 1e-9, "{a} per MGT, {c} per cycle");
+    assert!((d - 2.0).abs() < 1e-6, "{d}");
+    let straight: f64 = column(&table, "space_predicted")[0].parse().unwrap();
+    assert!((straight / a - 1.0).abs() < 0.01, "{straight} {a}");
+    let page = read(&folder.join("all/validation.html"));
+    assert!(page.contains("Prior of the coefficient") && page.contains("median in space"));
+    // Without the predictions in space.
+    let told = done(&folder, &["validate", "entries", "--out", "plane", "--no-space", "--quiet"]);
+    assert!(!told.contains("in space") && told.contains("rig: 2 entries"), "{told}");
+    // Two samples cannot be taken in pairs with one.
+    write("D", "rig", "kind = \"life-ratio\"\nstudy = \"../grown.toml\"\nover_study = \"../two.toml\"\n");
+    let refused = ends(&folder, &["validate", "entries", "--quiet"], 2);
+    let says = "`study` has 1 samples and `over_study` 2";
+    assert!(stderr(&refused).contains(says), "{}", stderr(&refused));
+}
+
 #[test]
 fn what_cannot_be_used_is_refused_with_its_place() {
     let folder = law_folder("refused");

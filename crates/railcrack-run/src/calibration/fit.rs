@@ -148,7 +148,7 @@ mod tests {
         }
     }
 
-    const PRIOR: Prior = Prior { log_std: 1.0, discrepancy: None };
+    const PRIOR: Prior = Prior { mean: 0.0, log_std: 1.0, discrepancy: None };
 
     #[test]
     fn synthetic_data_give_their_coefficient_back() {

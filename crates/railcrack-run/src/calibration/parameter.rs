@@ -123,7 +123,9 @@ pub fn fit_parameter(
     };
     // What the measurements say of the parameter must not come from the prior of the coefficient.
     let (prior, vague) = match coefficient {
-        Coefficient::OfCase => (Prior { log_std: 0.0, ..prior }, Prior { log_std: 0.0, ..prior }),
+        Coefficient::OfCase => {
+            (Prior { mean: 0.0, log_std: 0.0, ..prior }, Prior { mean: 0.0, log_std: 0.0, ..prior })
+        }
         Coefficient::Fitted => (prior, Prior { log_std: VAGUE, ..prior }),
     };
     let has_classes =

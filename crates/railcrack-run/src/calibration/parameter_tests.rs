@@ -2,7 +2,7 @@
 
 use super::*;
 
-const PRIOR: Prior = Prior { log_std: 1.0, discrepancy: None };
+const PRIOR: Prior = Prior { mean: 0.0, log_std: 1.0, discrepancy: None };
 
 /// N at three sizes is in proportion to p^(−3), and measured with deviations of ln N.
 fn trial(value: f64, truth: f64, deviations: [f64; 3]) -> Trial {

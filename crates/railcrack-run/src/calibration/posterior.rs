@@ -1,26 +1,35 @@
 //! The coefficient of a growth law by measurements at several sites, in closed form.
 //!
 //! y_ij = ln(N_pred(C0)/N_meas) = b + d_j + e_ij of measurement i at site j, with b = ln(C/C0) ~
-//! N(0, τ²), the discrepancy d_j ~ N(0, s²) of a site and the error e_ij ~ N(0, σ_ij²). With m_j
+//! N(μ, τ²), the discrepancy d_j ~ N(0, s²) of a site and the error e_ij ~ N(0, σ_ij²). With m_j
 //! and v_j the weighted mean and variance of a site, b has the precision
 //!
 //! > 1/τ² + Σ 1/(v_j + s²)
 //!
-//! and the mean Σ m_j/(v_j + s²) over it; s maximises the evidence. A new rail has the variance of
-//! b plus s². Classes of sizes make the likelihood of their site another function of b + d_j; then
-//! b and d_j are integrated numerically.
+//! and the mean μ/τ² + Σ m_j/(v_j + s²) over it; s maximises the evidence. A new rail has the
+//! variance of b plus s². Classes of sizes make the likelihood of their site another function of
+//! b + d_j; then b and d_j are integrated numerically.
 
 use super::observed::{Observations, Observed, UsualError, tabulated};
 use crate::statistics::{log_density, student};
+use railcrack_case::CalibrationPrior;
 
 /// The prior of ln C and of the discrepancy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Prior {
+    /// μ, the mean of ln(C/C0).
+    pub mean: f64,
     /// τ, the standard deviation of ln C; 0 for the coefficient of the case.
     pub log_std: f64,
     /// s, the standard deviation of the discrepancy from site to site; none for that of the largest
     /// evidence.
     pub discrepancy: Option<f64>,
+}
+
+impl From<CalibrationPrior> for Prior {
+    fn from(of: CalibrationPrior) -> Self {
+        Self { mean: of.log_mean, log_std: of.log_std, discrepancy: of.discrepancy }
+    }
 }
 
 /// The likelihood of ln(C/C0) by the measurements at one site.
@@ -183,18 +192,18 @@ impl Moments {
 }
 
 /// The posterior of b for a given s, as a grid; a single point where τ = 0.
-fn grid(sites: &[SiteLikelihood], tau: f64, s: f64) -> Vec<(f64, f64)> {
+fn grid(sites: &[SiteLikelihood], (mu, tau): (f64, f64), s: f64) -> Vec<(f64, f64)> {
     let log_of = |b: f64| -> f64 { sites.iter().map(|site| site.given(b, s).0).sum() };
     if tau <= 0.0 {
-        return vec![(0.0, log_of(0.0))];
+        return vec![(mu, log_of(mu))];
     }
-    let (mut low, mut high) = (-8.0 * tau, 8.0 * tau);
+    let (mut low, mut high) = (mu - 8.0 * tau, mu + 8.0 * tau);
     let mut points = Vec::new();
     for _ in 0..GRIDS {
         let step = (high - low) / (POINTS - 1) as f64;
         let at = |i: usize| {
             let b = low + step * i as f64;
-            (b, log_of(b) + log_density(b, 0.0, tau * tau) + step.ln())
+            (b, log_of(b) + log_density(b, mu, tau * tau) + step.ln())
         };
         points = (0..POINTS).map(at).collect();
         let peak = points.iter().map(|(_, log)| *log).fold(f64::NEG_INFINITY, f64::max);
@@ -206,37 +215,38 @@ fn grid(sites: &[SiteLikelihood], tau: f64, s: f64) -> Vec<(f64, f64)> {
 }
 
 /// ln of the probability density of all measurements of `sites` with the standard deviation `s` of
-/// the discrepancy and τ = `log_std`.
+/// the discrepancy, and (μ, τ) of the prior.
 #[must_use]
-pub fn log_evidence(sites: &[SiteLikelihood], log_std: f64, s: f64) -> f64 {
+pub fn log_evidence(sites: &[SiteLikelihood], of_prior: (f64, f64), s: f64) -> f64 {
     if sites.iter().all(|site| site.classes.is_empty()) {
-        return closed(sites, log_std, s).2;
+        return closed(sites, of_prior, s).2;
     }
-    Moments::of(grid(sites, log_std, s).into_iter()).log_sum
+    Moments::of(grid(sites, of_prior, s).into_iter()).log_sum
 }
 
 /// Mean and variance of b, and ln of the evidence, of readings alone.
-fn closed(sites: &[SiteLikelihood], tau: f64, s: f64) -> (f64, f64, f64) {
-    let read = sites.iter().filter_map(|site| site.readings);
+fn closed(sites: &[SiteLikelihood], (mu, tau): (f64, f64), s: f64) -> (f64, f64, f64) {
+    // About the mean of the prior.
+    let read = sites.iter().filter_map(|site| site.readings).map(|(mean, v)| (mean - mu, v));
     let within: f64 = sites.iter().map(|site| site.within).sum();
     let apart: f64 = read.clone().map(|(mean, v)| log_density(mean, 0.0, v + s * s)).sum();
     if tau <= 0.0 {
-        return (0.0, 0.0, within + apart);
+        return (mu, 0.0, within + apart);
     }
     let precision = tau.powi(-2) + read.clone().map(|(_, v)| (v + s * s).recip()).sum::<f64>();
     let mean = read.map(|(mean, v)| mean / (v + s * s)).sum::<f64>() / precision;
     let evidence = within + apart - 0.5 * (tau * tau * precision).ln() + 0.5 * mean * mean * precision;
-    (mean, precision.recip(), evidence)
+    (mu + mean, precision.recip(), evidence)
 }
 
 /// The s of the largest evidence; 0 for fewer than two sites, which do not show how sites differ.
-fn best_discrepancy(sites: &[SiteLikelihood], tau: f64) -> f64 {
+fn best_discrepancy(sites: &[SiteLikelihood], of_prior: (f64, f64)) -> f64 {
     let says = |site: &&SiteLikelihood| site.readings.is_some() || !site.classes.is_empty();
     if sites.iter().filter(says).count() < 2 {
         return 0.0;
     }
     let at = |i: usize| LARGEST_DISCREPANCY * (i as f64 / TRIED as f64).powi(2);
-    let evidence = |s: f64| log_evidence(sites, tau, s);
+    let evidence = |s: f64| log_evidence(sites, of_prior, s);
     let tried: Vec<f64> = (0..=TRIED).map(|i| evidence(at(i))).collect();
     let best = (0..=TRIED).fold(0, |best, i| if tried[i] > tried[best] { i } else { best });
     let (mut low, mut high) = (at(best.saturating_sub(1)), at((best + 1).min(TRIED)));
@@ -261,16 +271,16 @@ fn best_discrepancy(sites: &[SiteLikelihood], tau: f64) -> f64 {
 /// The posterior of `sites`.
 #[must_use]
 pub fn posterior(sites: &[SiteLikelihood], prior: Prior) -> Posterior {
-    let tau = prior.log_std;
-    let s = prior.discrepancy.unwrap_or_else(|| best_discrepancy(sites, tau));
+    let of_prior = (prior.mean, prior.log_std);
+    let s = prior.discrepancy.unwrap_or_else(|| best_discrepancy(sites, of_prior));
     let (mean, std, interval, log_evidence, of_b);
     if sites.iter().all(|site| site.classes.is_empty()) {
-        let (centre, variance, evidence) = closed(sites, tau, s);
+        let (centre, variance, evidence) = closed(sites, of_prior, s);
         (mean, std, log_evidence) = (centre, variance.sqrt(), evidence);
         interval = (mean - NORMAL * std, mean + NORMAL * std);
         of_b = Vec::new();
     } else {
-        let points = grid(sites, tau, s);
+        let points = grid(sites, of_prior, s);
         let moments = Moments::of(points.iter().copied());
         (mean, std, log_evidence) = (moments.mean, moments.variance.sqrt(), moments.log_sum);
         interval = (quantile(&points, &moments, 0.025), quantile(&points, &moments, 0.975));

@@ -34,7 +34,7 @@ fn means_of_sites() {
 
 #[test]
 fn posterior_of_three_sites() {
-    let with = |s| posterior(&three(), Prior { log_std: 1.0, discrepancy: Some(s) });
+    let with = |s| posterior(&three(), Prior { mean: 0.0, log_std: 1.0, discrepancy: Some(s) });
     let fit = with(0.5);
     close(fit.mean, -0.661_251, DIGITS);
     close(fit.std, 0.290_827, DIGITS);
@@ -55,14 +55,14 @@ fn posterior_of_three_sites() {
 fn evidence_of_three_sites_and_its_maximum() {
     let sites = three();
     for (s, want) in [(0.0, -8.583_820), (0.25, -4.053_292), (0.5, -3.148_446), (1.0, -3.749_900)] {
-        close(log_evidence(&sites, 1.0, s), want, DIGITS);
+        close(log_evidence(&sites, (0.0, 1.0), s), want, DIGITS);
     }
-    let fit = posterior(&sites, Prior { log_std: 1.0, discrepancy: None });
+    let fit = posterior(&sites, Prior { mean: 0.0, log_std: 1.0, discrepancy: None });
     for away in [-1e-3, 1e-3] {
-        assert!(log_evidence(&sites, 1.0, fit.discrepancy + away) < fit.log_evidence);
+        assert!(log_evidence(&sites, (0.0, 1.0), fit.discrepancy + away) < fit.log_evidence);
     }
     // One site does not show how sites differ.
-    let one = posterior(&sites[..1], Prior { log_std: 1.0, discrepancy: None });
+    let one = posterior(&sites[..1], Prior { mean: 0.0, log_std: 1.0, discrepancy: None });
     assert_eq!(one.discrepancy, 0.0);
 }
 
@@ -83,11 +83,11 @@ fn a_censored_site_in_closed_form() {
         close(site.given(b, s).0, distribution((b - c) / f64::hypot(w, s)).ln(), 1e-4);
     }
     let whole = distribution(-c / (w * w + s * s + tau * tau).sqrt()).ln();
-    close(log_evidence(std::slice::from_ref(&site), tau, s), whole, 1e-4);
+    close(log_evidence(std::slice::from_ref(&site), (0.0, tau), s), whole, 1e-4);
     // Mean of b: τ² φ(z)/(q Φ(z)), z = −c/q, q² = w² + s² + τ².
     let q = (w * w + s * s + tau * tau).sqrt();
     let mean = tau * tau / q * crate::statistics::density(-c / q) / distribution(-c / q);
-    let fit = posterior(&[site], Prior { log_std: tau, discrepancy: Some(s) });
+    let fit = posterior(&[site], Prior { mean: 0.0, log_std: tau, discrepancy: Some(s) });
     close(fit.mean, mean, 1e-4);
 }
 
@@ -95,7 +95,7 @@ fn a_censored_site_in_closed_form() {
 /// with the closed form.
 #[test]
 fn the_integration_agrees_with_the_closed_form() {
-    let prior = Prior { log_std: 1.0, discrepancy: None };
+    let prior = Prior { mean: 0.0, log_std: 1.0, discrepancy: None };
     let exact = posterior(&three(), prior);
     let sites: Vec<SiteLikelihood> =
         three().into_iter().map(|site| SiteLikelihood { classes: vec![vec![0.0; 11]], ..site }).collect();
@@ -109,6 +109,29 @@ fn the_integration_agrees_with_the_closed_form() {
         close(a.mean, b.mean, 1e-6);
         close(a.std, b.std, 1e-6);
     }
+}
+
+/// A prior about another mean is that of sites about it: everything moves with it, the evidence
+/// stays; and far from the measurements it is known by its precision.
+#[test]
+fn the_mean_of_the_prior() {
+    let moved = |by: f64| {
+        vec![
+            SiteLikelihood::of_readings(&[(-0.60 + by, 0.40), (-0.75 + by, 0.25), (-0.68 + by, 0.15)]),
+            SiteLikelihood::of_readings(&[(-0.10 + by, 0.30), (-0.25 + by, 0.20)]),
+            SiteLikelihood::of_readings(&[(-1.30 + by, 0.20)]),
+        ]
+    };
+    let about = |mean: f64| Prior { mean, log_std: 1.0, discrepancy: Some(0.5) };
+    let (here, there) = (posterior(&moved(0.0), about(0.0)), posterior(&moved(1.5), about(1.5)));
+    close(there.mean - 1.5, here.mean, 1e-12);
+    close(there.log_evidence, here.log_evidence, 1e-12);
+    // μ/τ² over the precision, 1/0.290827².
+    let pulled = posterior(&moved(0.0), about(-0.5));
+    close(pulled.mean, here.mean - 0.5 * 0.290_827_f64.powi(2), 1e-6);
+    let blurred: Vec<SiteLikelihood> =
+        moved(0.0).into_iter().map(|site| SiteLikelihood { classes: vec![vec![0.0; 11]], ..site }).collect();
+    close(posterior(&blurred, about(-0.5)).mean, pulled.mean, 1e-6);
 }
 
 /// A standard normal deviate.
@@ -138,12 +161,12 @@ fn a_site_left_out_is_within_its_interval_at_the_stated_rate() {
         };
         let sites: Vec<(f64, SiteLikelihood)> = (0..SITES).map(|_| of_site(&mut source)).collect();
         let all: Vec<SiteLikelihood> = sites.iter().map(|site| site.1.clone()).collect();
-        let fit = posterior(&all, Prior { log_std: 1.0, discrepancy: None });
+        let fit = posterior(&all, Prior { mean: 0.0, log_std: 1.0, discrepancy: None });
         recovered += usize::from(fit.interval.0 <= b && b <= fit.interval.1);
         for left in 0..SITES {
             let others: Vec<SiteLikelihood> =
                 (0..SITES).filter(|j| *j != left).map(|j| all[j].clone()).collect();
-            let fit = posterior(&others, Prior { log_std: 1.0, discrepancy: None });
+            let fit = posterior(&others, Prior { mean: 0.0, log_std: 1.0, discrepancy: None });
             inside += usize::from(fit.new_interval.0 <= sites[left].0 && sites[left].0 <= fit.new_interval.1);
         }
     }
@@ -184,7 +207,7 @@ fn synthetic_sites_come_back() {
         .iter()
         .map(|site| SiteLikelihood::of(&observe(site, &curve), UsualError::OfSize(0.3)))
         .collect();
-    let fit = posterior(&likelihoods, Prior { log_std: 1.0, discrepancy: None });
+    let fit = posterior(&likelihoods, Prior { mean: 0.0, log_std: 1.0, discrepancy: None });
     assert!(fit.interval.0 < factor.ln() && factor.ln() < fit.interval.1, "{fit:?}");
     assert!(fit.std < 0.2, "{fit:?}");
     assert!((fit.mean - factor.ln()).abs() < 0.25, "{fit:?}");

@@ -40,6 +40,10 @@ pub struct Decision {
     /// Growth of the tip that is followed into the depth, the mean from detectable to failure or
     /// over the run, mm per 10 million gross tonnes; null where there is none.
     pub rate_mm_per_10_mgt: Option<f64>,
+    /// How well absolute rates are known: by how many sites the case has been calibrated, or that
+    /// it has not.
+    #[serde(default)]
+    pub calibration: String,
     /// Lives along three paths; null where they were not computed.
     #[serde(default)]
     pub paths: Option<PathLives>,
@@ -152,6 +156,7 @@ impl Decision {
         };
         Some(Self {
             rate_mm_per_10_mgt: rate(&rows, &nominal),
+            calibration: calibration(info.calibrated_sites),
             paths: companions.paths(nominal.failure.mgt),
             frictions: companions.frictions(),
             verdict,
@@ -169,6 +174,19 @@ impl Decision {
         })
     }
 }
+
+/// How well absolute rates are known, in words.
+fn calibration(sites: Option<usize>) -> String {
+    match sites {
+        Some(1) => "the growth law is calibrated by one measured site".to_owned(),
+        Some(sites) => format!("the growth law is calibrated by {sites} measured sites"),
+        None => UNCALIBRATED.to_owned(),
+    }
+}
+
+/// Absolute rates without a calibration: by the public record of growth in track (`railcrack
+/// validate`).
+const UNCALIBRATED: &str = "not calibrated: growth rates in track are known to a factor of about ten either way; use them for ranking, and calibrate before planning (railcrack calibrate)";
 
 /// Quantiles of the depth are given over this fraction of the run at least.
 const MOST_BEFORE: f64 = 0.1;

@@ -39,6 +39,8 @@ pub struct RunInfo {
     pub toughness: Option<f64>,
     /// The steel that the case names for its growth law.
     pub steel: Option<&'static RailSteel>,
+    /// Number of sites by which the case has been calibrated; none where it has not.
+    pub calibrated_sites: Option<usize>,
     /// ΔK_eq (MPa√m) of the first and the last row of the growth law, where it is a table.
     pub law_table: Option<(f64, f64)>,
     /// Whether there is fluid in the cracks.
@@ -85,6 +87,7 @@ impl RunInfo {
             bends: false,
             toughness: None,
             steel: None,
+            calibrated_sites: None,
             law_table: None,
             fluid: false,
             axle_load: None,

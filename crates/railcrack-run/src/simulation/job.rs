@@ -48,6 +48,7 @@ impl Job {
                     || case.mix.iter().any(|mixed| mixed.wheel.load.track.is_some()),
                 toughness: case.fracture.as_ref().map(|fracture| fracture.at_rail),
                 steel: case.growth_steel,
+                calibrated_sites: case.calibration.sites,
                 law_table: case.growth_rates.as_ref().map(|file| file.content().covers()),
                 fluid: case.has_fluid(),
                 axle_load: case.axle_load,

@@ -21,6 +21,15 @@ pub fn of_case(case: &Case) -> Vec<Warning> {
     let flattest = angles.fold(f64::INFINITY, f64::min);
     let of_cracks = [validity::crack_length(shortest), validity::crack_angle(flattest)];
     let mut warnings: Vec<Warning> = of_cracks.iter().flatten().map(|warning| at_step(0, warning)).collect();
+    if let Some(steel) = case.growth_steel
+        && let Some(typical) = steel.typical()
+    {
+        let text = format!(
+            "growth.steel = \"{}\" is the fastest growth that EN 13674-1 accepts, a limit and not the growth of a rail; steel = \"{}\" is a fifth of it",
+            steel.name, typical.name
+        );
+        warnings.push(Warning { step: 0, kind: WarningKind::Validity, text });
+    }
     if case.mix.is_empty() {
         warnings.extend(of_wheel(case, &case.wheel));
     }

@@ -4,7 +4,7 @@ use super::computed::Conditions;
 use super::score::Score;
 use super::shipped;
 use crate::simulation::RunObserver;
-use railcrack_case::{CaseErrors, Entry, Quantity};
+use railcrack_case::{CaseErrors, Comparison, Entry, Quantity};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -14,6 +14,7 @@ use thiserror::Error;
 pub struct Validation {
     entries: Vec<Entry>,
     conditions: BTreeMap<String, Conditions>,
+    space: Space,
 }
 
 /// Entries that cannot be used.
@@ -36,6 +37,18 @@ pub enum ValidationError {
         /// The folder.
         path: PathBuf,
     },
+    /// Two sets of conditions whose samples cannot be taken in pairs.
+    #[error(
+        "entry `{id}`: `study` has {samples} samples and `over_study` {others}: a ratio of lives takes them in pairs, drawn from the same seed"
+    )]
+    Unpaired {
+        /// The name of the entry.
+        id: String,
+        /// Samples of the numerator.
+        samples: usize,
+        /// Samples of the denominator.
+        others: usize,
+    },
     /// Two entries with the same name.
     #[error("two entries have the id `{id}`")]
     Twice {
@@ -44,13 +57,24 @@ pub enum ValidationError {
     },
 }
 
-/// An entry with its score.
+/// An entry with its scores.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Validated {
     /// The entry.
     pub entry: Entry,
     /// The score; none where nothing is compared, or no sample gives a value.
     pub score: Option<Score>,
+    /// The score of the prediction in space.
+    pub in_space: Option<Score>,
+}
+
+/// Whether the predictions in space, which take most of the time, are computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Space {
+    /// They are.
+    Computed,
+    /// They are left out.
+    LeftOut,
 }
 
 impl Validation {
@@ -103,12 +127,27 @@ impl Validation {
             return Err(ValidationError::Twice { id: pair[0].to_owned() });
         }
         let mut conditions = BTreeMap::new();
-        for comparison in entries.iter().filter_map(|entry| entry.comparison.as_ref()) {
-            if !conditions.contains_key(&comparison.study) {
-                conditions.insert(comparison.study.clone(), read(&comparison.study)?);
+        let compared = entries.iter().filter_map(|entry| entry.comparison.as_ref());
+        for study in compared.flat_map(Comparison::studies) {
+            if !conditions.contains_key(study) {
+                conditions.insert(study.clone(), read(study)?);
             }
         }
-        Ok(Self { entries, conditions })
+        for entry in &entries {
+            let Some(of) = &entry.comparison else { continue };
+            let Some(over) = &of.over_study else { continue };
+            let (samples, others) = (conditions[&of.study].samples(), conditions[over].samples());
+            if samples != others {
+                return Err(ValidationError::Unpaired { id: entry.id.clone(), samples, others });
+            }
+        }
+        Ok(Self { entries, conditions, space: Space::Computed })
+    }
+
+    /// The same, with the predictions in space or without.
+    #[must_use]
+    pub fn with(self, space: Space) -> Self {
+        Self { space, ..self }
     }
 
     /// The entries, by grade and number.
@@ -120,14 +159,18 @@ impl Validation {
     /// Whether the growth of the samples of `study` is needed.
     fn needs_runs(&self, study: &str) -> bool {
         let compared = self.entries.iter().filter_map(|entry| entry.comparison.as_ref());
-        compared.filter(|of| of.study == study).any(|of| of.quantity.needs_a_run())
+        let named = |of: &Comparison| {
+            let in_space = of.study_in_space.as_deref() == Some(study) && self.space == Space::Computed;
+            in_space || of.study == study || of.over_study.as_deref() == Some(study)
+        };
+        compared.filter(|of| of.quantity.needs_a_run()).any(named)
     }
 
     /// How many runs [`Validation::compute`] makes.
     #[must_use]
     pub fn runs(&self) -> usize {
         let needed = self.conditions.iter().filter(|(study, _)| self.needs_runs(study));
-        needed.map(|(_, conditions)| conditions.samples()).sum()
+        needed.map(|(_, conditions)| conditions.runs()).sum()
     }
 
     /// Computes all samples.
@@ -143,12 +186,19 @@ impl Validation {
     /// Every entry with its score, after the computation.
     #[must_use]
     pub fn validated(&self) -> Vec<Validated> {
-        let score = |entry: &Entry| {
-            let comparison = entry.comparison.as_ref()?;
-            let conditions = self.conditions.get(&comparison.study)?;
-            Score::of(&conditions.predict(comparison.quantity), comparison.measured)
+        let score = |of: &Comparison, study: &str| {
+            let over = of.over_study.as_ref().and_then(|over| self.conditions.get(over));
+            Score::of(&self.conditions.get(study)?.predict(of.quantity, over), of.measured)
         };
-        self.entries.iter().map(|entry| Validated { entry: entry.clone(), score: score(entry) }).collect()
+        let validated = |entry: &Entry| {
+            let of = entry.comparison.as_ref();
+            Validated {
+                entry: entry.clone(),
+                score: of.and_then(|of| score(of, &of.study)),
+                in_space: of.and_then(|of| score(of, of.study_in_space.as_ref()?)),
+            }
+        };
+        self.entries.iter().map(validated).collect()
     }
 
     /// Quantiles (2.5, 50, 97.5 %) of the rate of growth in depth under the conditions `study`,
@@ -157,16 +207,26 @@ impl Validation {
     pub fn rate_over_depth(&self, study: &str, depths: &[f64]) -> Vec<(f64, [f64; 3])> {
         let Some(conditions) = self.conditions.get(study) else { return Vec::new() };
         let between = |pair: &[f64]| {
-            let predicted = conditions.predict(Quantity::DepthRate { from: pair[0], to: pair[1] });
+            let predicted = conditions.predict(Quantity::DepthRate { from: pair[0], to: pair[1] }, None);
             let score = Score::of(&predicted, (0.5, 2.0))?;
             Some(((pair[0] * pair[1]).sqrt(), score.predicted))
         };
         depths.windows(2).filter_map(between).collect()
     }
 
-    /// The studies whose samples grow.
-    pub fn studies(&self) -> impl Iterator<Item = &str> {
-        self.conditions.keys().map(String::as_str).filter(|study| self.needs_runs(study))
+    /// The studies whose rates in depth per tonnage are compared, each with that of the same
+    /// conditions in space where these are computed.
+    #[must_use]
+    pub fn studies_over_depth(&self) -> BTreeMap<&str, Option<&str>> {
+        let mut pairs: BTreeMap<&str, Option<&str>> = BTreeMap::new();
+        for of in self.entries.iter().filter_map(|entry| entry.comparison.as_ref()) {
+            if matches!(of.quantity, Quantity::DepthRate { .. }) {
+                let space = of.study_in_space.as_deref().filter(|_| self.space == Space::Computed);
+                let known = pairs.entry(&of.study).or_default();
+                *known = known.or(space);
+            }
+        }
+        pairs
     }
 }
 

@@ -5,7 +5,8 @@ mod computed;
 mod folder;
 mod score;
 mod shipped;
+mod straight;
 
 pub use computed::{Conditions, Predicted};
-pub use folder::{Validated, Validation, ValidationError};
-pub use score::{GradeScore, Score, grade_scores};
+pub use folder::{Space, Validated, Validation, ValidationError};
+pub use score::{GradeScore, Residuals, Score, grade_scores};

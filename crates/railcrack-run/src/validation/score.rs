@@ -119,6 +119,37 @@ pub fn grade_scores(scored: &[(Grade, Score)]) -> Vec<GradeScore> {
     [Grade::Track, Grade::Rig, Grade::Law].into_iter().filter_map(of).collect()
 }
 
+/// The prior of ln(C/C0) on a line before it is measured, by the entries of growth in depth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Residuals {
+    /// Number of entries.
+    pub entries: usize,
+    /// Mean of ln(measured/predicted median).
+    pub mean: f64,
+    /// Standard deviation of ln(C/C0) of a place: that of the residuals from entry to entry, and
+    /// the mean square of the scatter from place to place of each entry.
+    pub log_std: f64,
+}
+
+impl Residuals {
+    /// Of scores with the standard deviation of ln of the quantity from place to place; none of
+    /// fewer than two.
+    #[must_use]
+    pub fn of(scores: &[(Score, f64)]) -> Option<Self> {
+        if scores.len() < 2 {
+            return None;
+        }
+        let residuals: Vec<f64> = scores.iter().map(|(score, _)| -score.factor.ln()).collect();
+        let count = scores.len() as f64;
+        let places = scores.iter().map(|(_, place)| place * place).sum::<f64>() / count;
+        Some(Self {
+            entries: scores.len(),
+            mean: residuals.iter().sum::<f64>() / count,
+            log_std: deviation(&residuals).hypot(places.sqrt()),
+        })
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -140,6 +171,16 @@ mod tests {
         let exact = Score::of(&predicted(&[2.0]), (0.999_999, 1.000_001)).unwrap();
         assert!((exact.crps - 2f64.ln()).abs() < 1e-5 && (exact.factor - 2.0).abs() < 1e-5, "{exact:?}");
         assert!(Score::of(&predicted(&[]), (1.0, 2.0)).is_none());
+    }
+
+    #[test]
+    fn the_prior_has_both_scatters() {
+        let score = |factor: f64| Score::of(&predicted(&[factor]), (0.999, 1.0 / 0.999)).unwrap();
+        let of = Residuals::of(&[(score(2.0), 1.0), (score(4.0), 1.0), (score(8.0), 1.0)]).unwrap();
+        // ln of 1/2, 1/4, 1/8: mean −ln 4, sd ln 2.
+        assert!((of.mean + 4f64.ln()).abs() < 1e-6, "{of:?}");
+        assert!((of.log_std - (1.0 + 2f64.ln().powi(2)).sqrt()).abs() < 1e-6, "{of:?}");
+        assert!(Residuals::of(&[(score(2.0), 1.0)]).is_none());
     }
 
     #[test]

@@ -31,6 +31,7 @@ pub(super) const ENTRIES: &[(&str, &str)] = &[
     ("R1.toml", include_str!("../../../../validation/R1.toml")),
     ("R2.toml", include_str!("../../../../validation/R2.toml")),
     ("R3.toml", include_str!("../../../../validation/R3.toml")),
+    ("R4.toml", include_str!("../../../../validation/R4.toml")),
     ("T1.toml", include_str!("../../../../validation/T1.toml")),
     ("T10.toml", include_str!("../../../../validation/T10.toml")),
     ("T11.toml", include_str!("../../../../validation/T11.toml")),
@@ -69,4 +70,13 @@ pub(super) const ENTRIES: &[(&str, &str)] = &[
 pub(super) const CONDITIONS: &[(&str, &str)] = &[
     ("conditions/law.toml", include_str!("../../../../validation/conditions/law.toml")),
     ("conditions/network.toml", include_str!("../../../../validation/conditions/network.toml")),
+    ("conditions/network-space.toml", include_str!("../../../../validation/conditions/network-space.toml")),
+    (
+        "conditions/twin-disc-heavy.toml",
+        include_str!("../../../../validation/conditions/twin-disc-heavy.toml"),
+    ),
+    (
+        "conditions/twin-disc-light.toml",
+        include_str!("../../../../validation/conditions/twin-disc-light.toml"),
+    ),
 ];

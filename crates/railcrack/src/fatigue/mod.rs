@@ -14,6 +14,7 @@ mod law;
 mod laws;
 mod maxima;
 mod ranges;
+mod steel;
 mod toughness;
 
 pub use criterion::{DirectionCriterion, KINK_ANGLES};
@@ -29,4 +30,5 @@ pub use law::{GrowthLaw, LoadRange};
 // A law has its name in the table of `laws` alone.
 pub use laws::*;
 pub use ranges::SifRanges;
-pub use toughness::{ACCEPTANCE_RANGES, RAIL_STEELS, RailSteel, Toughness, ToughnessError};
+pub use steel::{ACCEPTANCE_RANGES, ACCEPTED_GROWTH, RAIL_STEELS, RailSteel, SteelGrowth};
+pub use toughness::{Toughness, ToughnessError};

@@ -4,7 +4,7 @@ use super::arguments::CalibrateArguments;
 use super::page::page;
 use super::parameter::calibrate_parameter;
 use super::results::{
-    Drawn, Fitted, Found, New, curve, deepest, from_output, plot, refuse, table, told, write,
+    Drawn, Fitted, Found, New, calibrated_by, curve, deepest, from_output, plot, refuse, table, told, write,
 };
 use crate::commands::run::{is_same_file, listen};
 use crate::display::Verbosity;
@@ -53,7 +53,7 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
         return Ok(Exit::Interrupted);
     }
     let rows = deepest(&RunFolder::open(&folder).and_then(|run| run.growth()).map_err(from_output)?);
-    let prior = Prior { log_std: case.calibration.log_std, discrepancy: case.calibration.discrepancy };
+    let prior = Prior::from(case.calibration);
     let of = |measure: Measure| curve(&rows, tonnes, measure);
     let calibration = fit(&sites, of, prior).map_err(|error| refuse(error.to_string()))?;
     let new = New::of(&calibration.posterior, prior, sites.len(), &case);
@@ -75,6 +75,11 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
     print::stdout(&told(&found))?;
     let mut overrides = coefficient.overrides(coefficient.value * factor);
     overrides.settings.push(new.setting());
+    overrides.settings.push(calibrated_by(&sites));
+    if prior.mean != 0.0 {
+        // The prior was relative to the coefficient of the case, which is now the fitted one.
+        overrides.settings.push("calibration.prior_log_mean=0.0".to_owned());
+    }
     let fitted = Case::read_with(&arguments.case, &overrides)?;
     write(&folder, "calibrated.toml", &fitted.to_toml())?;
     print::stdout(&format!("results in {}\n", folder.display()))?;

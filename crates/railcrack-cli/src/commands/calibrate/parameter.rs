@@ -4,7 +4,8 @@
 use super::arguments::CalibrateArguments;
 use super::page::page;
 use super::results::{
-    Fitted, Found, New, curve, deepest, from_output, number, plot, refuse, table_of_trials, told, write,
+    Fitted, Found, New, calibrated_by, curve, deepest, from_output, number, plot, refuse, table_of_trials,
+    told, write,
 };
 use crate::commands::run::{is_same_file, listen};
 use crate::display::Verbosity;
@@ -36,7 +37,7 @@ pub(super) fn calibrate_parameter(
     if is_same_file(&arguments.case, &folder.join("case.toml")) {
         return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
     }
-    let prior = Prior { log_std: case.calibration.log_std, discrepancy: case.calibration.discrepancy };
+    let prior = Prior::from(case.calibration);
     let with = if coefficient.is_some() { Coefficient::Fitted } else { Coefficient::OfCase };
     let runs = Runs {
         arguments,
@@ -88,6 +89,9 @@ pub(super) fn calibrate_parameter(
         overrides.settings.push(of_runs(&fit, (low, high), prior, sites.len(), case).setting());
     }
     overrides.settings.push(format!("{key}={best:?}"));
+    if coefficient.is_some() || !fit.is_indistinct() {
+        overrides.settings.push(calibrated_by(sites));
+    }
     let fitted = Case::read_with(&arguments.case, &overrides)?;
     let progress = runs.progress(&fitted);
     let finished =

@@ -67,6 +67,11 @@ impl New {
     }
 }
 
+/// The key of a calibrated case that says so.
+pub(super) fn calibrated_by(sites: &[Site]) -> String {
+    format!("calibration.sites={}", sites.len())
+}
+
 /// The result of a fit.
 pub(super) enum Fitted<'a> {
     /// The coefficient of the growth law.
@@ -90,7 +95,7 @@ pub(super) struct Found<'a> {
 impl Found<'_> {
     /// `calibration.json`.
     pub fn json(&self) -> String {
-        let mut all = json!({ "key": self.key, "of_case": self.value, "prior_log_std": self.prior.log_std });
+        let mut all = json!({ "key": self.key, "of_case": self.value, "prior_log_mean": self.prior.mean, "prior_log_std": self.prior.log_std });
         let Some(object) = all.as_object_mut() else { return String::new() };
         let mut add = |name: &str, value: Value| object.insert(name.to_owned(), value);
         match &self.fitted {

@@ -1,16 +1,17 @@
 //! `validation.html` and its plots.
 
+use super::Scores;
 use railcrack_case::{Entry, Grade, Quantity};
 use railcrack_report::{
     Block, Chart, ChartArea, ChartAxis, ChartSheet, Curve, CurveColour, CurveDots, CurveLook, CurveWidth,
     Fact, Page, Section, Table, significant,
 };
-use railcrack_run::validation::{GradeScore, Validated, Validation};
+use railcrack_run::validation::{GradeScore, Score, Validated, Validation};
 
 /// The charts and tables of a validation.
 pub(super) struct Drawn<'a> {
     validated: &'a [Validated],
-    grades: &'a [GradeScore],
+    scores: &'a Scores,
     /// Name of the file, heading, chart.
     charts: Vec<(String, String, Chart)>,
 }
@@ -21,7 +22,7 @@ const GRADES: [(Grade, &str); 3] =
     [(Grade::Track, "Track"), (Grade::Rig, "Rigs"), (Grade::Law, "Growth laws")];
 
 impl<'a> Drawn<'a> {
-    pub fn of(validation: &Validation, validated: &'a [Validated], grades: &'a [GradeScore]) -> Self {
+    pub fn of(validation: &Validation, validated: &'a [Validated], scores: &'a Scores) -> Self {
         let mut charts = Vec::new();
         for (grade, name) in GRADES {
             for unit in ["mm/MGT", "mm/cycle", ""] {
@@ -40,11 +41,11 @@ impl<'a> Drawn<'a> {
                 }
             }
         }
-        for study in validation.studies() {
+        for study in validation.studies_over_depth() {
             let chart = over_depth(validation, validated, study);
             charts.push(("rate-over-depth.svg".to_owned(), "Rate over depth".to_owned(), chart));
         }
-        Self { validated, grades, charts }
+        Self { validated, scores, charts }
     }
 
     /// Name and text of each plot.
@@ -56,19 +57,30 @@ impl<'a> Drawn<'a> {
     }
 
     pub fn page(&self) -> Page {
-        let of = |grade: Grade| self.grades.iter().find(|of| of.grade == grade);
-        let verdict = match of(Grade::Track) {
-            Some(track) => format!(
-                "Of {} scored entries of rails in service, {} lie within the 95 % of the prediction, and {} medians within a factor of 5. Predicted over measured is {} in the mean.",
-                track.entries,
-                track.inside,
-                track.within_5,
-                significant(track.factor)
-            ),
+        let track = |of: &[GradeScore]| of.iter().find(|of| of.grade == Grade::Track).copied();
+        let verdict = match track(&self.scores.plane) {
+            Some(plane) => {
+                let in_space = track(&self.scores.space).map_or_else(String::new, |space| {
+                    format!(
+                        " With an elliptical contact and a curved front it is {} of {}, {} within a factor of 5, and {} in the mean.",
+                        space.inside,
+                        space.entries,
+                        space.within_5,
+                        significant(space.factor)
+                    )
+                });
+                format!(
+                    "Of {} scored entries of rails in service, {} lie within the 95 % of the prediction in the plane, and {} medians within a factor of 5. Predicted over measured is {} in the mean.{in_space}",
+                    plane.entries,
+                    plane.inside,
+                    plane.within_5,
+                    significant(plane.factor)
+                )
+            }
             None => "No entry of rails in service is scored.".to_owned(),
         };
-        let facts = self.grades.iter().map(|of| Fact {
-            name: format!("{}: within 95 %", of.grade.word()),
+        let facts = self.scores.all().map(|(name, of)| Fact {
+            name: format!("{name}: within 95 %"),
             value: format!("{} of {}", of.inside, of.entries),
             note: format!("predicted over measured {}", significant(of.factor)),
         });
@@ -77,6 +89,13 @@ impl<'a> Drawn<'a> {
             heading: "Scores by grade".into(),
             blocks: vec![Block::Table(self.by_grade()), Block::List(MEANING.map(str::to_owned).to_vec())],
         }];
+        if !self.scores.residuals.is_empty() {
+            sections.push(Section {
+                id: "prior".into(),
+                heading: "Prior of the coefficient".into(),
+                blocks: vec![Block::Table(self.prior()), Block::List(vec![PRIOR.to_owned()])],
+            });
+        }
         for (i, (_, heading, chart)) in self.charts.iter().enumerate() {
             sections.push(Section {
                 id: format!("chart-{}", i + 1),
@@ -115,9 +134,9 @@ impl<'a> Drawn<'a> {
             "predicted/measured",
             "CRPS of ln",
         ]);
-        for of in self.grades {
+        for (name, of) in self.scores.all() {
             table.row([
-                of.grade.word().to_owned(),
+                name,
                 of.entries.to_string(),
                 of.inside.to_string(),
                 of.within_2.to_string(),
@@ -129,10 +148,24 @@ impl<'a> Drawn<'a> {
         table
     }
 
+    fn prior(&self) -> Table {
+        let mut table = Table::new(["geometry", "entries", "prior_log_mean", "prior_log_std"]);
+        for (name, of) in &self.scores.residuals {
+            table.row([
+                (*name).to_owned(),
+                of.entries.to_string(),
+                significant(of.mean),
+                significant(of.log_std),
+            ]);
+        }
+        table
+    }
+
     fn compared(&self) -> Table {
         let mut table = Table::new([
             "entry",
             "quantity",
+            "geometry",
             "unit",
             "measured",
             "predicted",
@@ -143,20 +176,25 @@ impl<'a> Drawn<'a> {
             "scored",
         ]);
         for one in self.validated {
-            let (Some(comparison), Some(score)) = (&one.entry.comparison, &one.score) else { continue };
-            let [low, median, high] = score.predicted.map(significant);
-            table.row([
-                one.entry.id.clone(),
-                one.entry.quantity.clone(),
-                comparison.quantity.unit().to_owned(),
-                range(comparison.measured),
-                median,
-                format!("{low} to {high}"),
-                significant(score.factor),
-                significant(score.pit),
-                significant(score.crps),
-                if one.entry.is_scored() { "yes" } else { "no: from memory" }.to_owned(),
-            ]);
+            let Some(comparison) = &one.entry.comparison else { continue };
+            let plane = if comparison.quantity.needs_a_run() { "plane" } else { "" };
+            for (geometry, score) in [(plane, &one.score), ("space", &one.in_space)] {
+                let Some(score) = score else { continue };
+                let [low, median, high] = score.predicted.map(significant);
+                table.row([
+                    one.entry.id.clone(),
+                    one.entry.quantity.clone(),
+                    geometry.to_owned(),
+                    comparison.quantity.unit().to_owned(),
+                    range(comparison.measured),
+                    median,
+                    format!("{low} to {high}"),
+                    significant(score.factor),
+                    significant(score.pit),
+                    significant(score.crps),
+                    if one.entry.is_scored() { "yes" } else { "no: from memory" }.to_owned(),
+                ]);
+            }
         }
         table
     }
@@ -185,6 +223,8 @@ const MEANING: [&str; 4] = [
     "What is known from memory alone is drawn hollow and never scored. Grades are never mixed.",
 ];
 
+const PRIOR: &str = "By the residuals of growth in depth of rails in service: mean of ln(measured over predicted), and its standard deviation from entry to entry together with that of the rates from place to place. As [calibration] prior_log_mean and prior_log_std they are what is known of C on a line before it is measured, with the frictions in the middle of their ranges.";
+
 fn numbers(entry: &Entry) -> String {
     let all: Vec<String> =
         entry.values.iter().map(|value| format!("{} = {}", value.name, value.value)).collect();
@@ -197,8 +237,11 @@ fn range((low, high): (f64, f64)) -> String {
 
 /// Predicted against measured, with lines of equality and of factors 2 and 5.
 fn against(id: &str, unit: &str, own: &[&Validated]) -> Chart {
-    let scores = || own.iter().filter_map(|one| Some((one, one.score?)));
-    let ends = scores().flat_map(|(one, score)| {
+    let plane = own.iter().filter_map(|one| Some((*one, one.score?, 0)));
+    let space = own.iter().filter_map(|one| Some((*one, one.in_space?, 2)));
+    let all: Vec<(&Validated, Score, usize)> = plane.chain(space).collect();
+    let scores = || all.iter().copied();
+    let ends = scores().flat_map(|(one, score, _)| {
         let measured = one.entry.comparison.as_ref().map_or((1.0, 1.0), |of| of.measured);
         [measured.0, measured.1, score.predicted[0], score.predicted[2]]
     });
@@ -216,24 +259,24 @@ fn against(id: &str, unit: &str, own: &[&Validated]) -> Chart {
         line("factor 5", 5.0, CurveLook::FineDashed),
         line("", 0.2, CurveLook::FineDashed),
     ];
-    let (mut scored, mut hollow) = (0, 0);
-    for (one, score) in scores() {
+    let mut named: Vec<&str> = Vec::new();
+    for (one, score, category) in scores() {
         let measured = one.entry.comparison.as_ref().map_or((1.0, 1.0), |of| of.measured);
         let is_scored = one.entry.is_scored();
-        let colour = CurveColour::Category(if is_scored { 0 } else { 1 });
+        let colour = CurveColour::Category(if is_scored { category } else { 1 });
         let [from, median, to] = score.predicted;
         let x = score.measured;
         for bar in [vec![[measured.0, median], [measured.1, median]], vec![[x, from], [x, to]]] {
             let bar = Curve::line("", bar).with_colour(colour);
             curves.push(Curve { note: one.entry.id.clone(), width: CurveWidth::Fine, ..bar });
         }
-        let count = if is_scored { &mut scored } else { &mut hollow };
-        let name = match (*count, is_scored) {
-            (0, true) => "scored",
-            (0, false) => "from memory, not scored",
-            _ => "",
+        let kind = match (is_scored, category) {
+            (true, 0) => "scored",
+            (true, _) => "scored, in space",
+            (false, _) => "from memory, not scored",
         };
-        *count += 1;
+        let name = if named.contains(&kind) { "" } else { kind };
+        named.push(kind);
         let mark = if is_scored {
             Curve::line(name, vec![[x, median]]).with_look(CurveLook::Dots).with_dots(CurveDots::All)
         } else {
@@ -257,12 +300,24 @@ fn against(id: &str, unit: &str, own: &[&Validated]) -> Chart {
 }
 
 /// The predicted rate of growth over depth with the bands of the measured ones.
-fn over_depth(validation: &Validation, validated: &[Validated], study: &str) -> Chart {
-    let rates = validation.rate_over_depth(study, &DEPTHS);
-    let curve = |name: &str, which: usize, look: CurveLook| {
-        let points = rates.iter().map(|(depth, quantiles)| [*depth, quantiles[which]]).collect();
-        Curve::line(name, points).with_look(look).with_colour(CurveColour::Category(0))
+fn over_depth(validation: &Validation, validated: &[Validated], of: (&str, Option<&str>)) -> Chart {
+    let curves = |study: &str, category: usize, median: &str, ends: &str| {
+        let rates = validation.rate_over_depth(study, &DEPTHS);
+        let curve = |name: &str, which: usize, look: CurveLook| {
+            let points = rates.iter().map(|(depth, quantiles)| [*depth, quantiles[which]]).collect();
+            Curve::line(name, points).with_look(look).with_colour(CurveColour::Category(category))
+        };
+        [
+            curve(median, 1, CurveLook::Line),
+            curve(ends, 0, CurveLook::Dashed),
+            curve("", 2, CurveLook::Dashed),
+        ]
     };
+    let (study, in_space) = of;
+    let mut all = curves(study, 0, "median", "95 % of the samples").to_vec();
+    if let Some(space) = in_space {
+        all.extend(curves(space, 2, "median in space", "95 % of the samples in space"));
+    }
     let mut areas = Vec::new();
     for Validated { entry, .. } in validated.iter().filter(|one| one.entry.is_scored()) {
         let Some(comparison) = &entry.comparison else { continue };
@@ -279,11 +334,7 @@ fn over_depth(validation: &Validation, validated: &[Validated], study: &str) -> 
         x: ChartAxis::logarithmic("Depth", "mm"),
         y: ChartAxis::logarithmic("Growth in depth", "mm per million gross tonnes"),
         areas,
-        curves: vec![
-            curve("median", 1, CurveLook::Line),
-            curve("95 % of the samples", 0, CurveLook::Dashed),
-            curve("", 2, CurveLook::Dashed),
-        ],
+        curves: all,
         ..Chart::default()
     }
 }

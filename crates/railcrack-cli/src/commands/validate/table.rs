@@ -2,12 +2,12 @@
 
 use railcrack_run::validation::Validated;
 
-const HEADER: &str = "id,grade,scored,certainty,read,unit,measured,measured_low,measured_high,predicted,predicted_low,predicted_high,predicted_log_std,factor,pit,crps_ln,inside_95,within_factor_2,within_factor_5,without,quantity";
+const HEADER: &str = "id,grade,scored,certainty,read,unit,measured,measured_low,measured_high,predicted,predicted_low,predicted_high,predicted_log_std,factor,pit,crps_ln,inside_95,within_factor_2,within_factor_5,without,quantity,space_predicted,space_predicted_low,space_predicted_high,space_predicted_log_std,space_factor,space_pit,space_crps_ln,space_inside_95,space_without";
 
 /// A row for each entry that is compared.
 pub(super) fn csv(validated: &[Validated]) -> String {
     let mut text = String::from(
-        "# predicted: median, 95 % and sd of ln of the samples; factor: predicted over measured; pit, crps_ln: of the logarithm, with the error of measurement; without: share of samples that do not reach the depth\n",
+        "# predicted: median, 95 % and sd of ln of the samples; factor: predicted over measured; pit, crps_ln: of the logarithm, with the error of measurement; without: share of samples that do not reach the depth; space_: the same conditions with an elliptical contact and a curved front, empty where they are not given\n",
     );
     text.push_str(HEADER);
     text.push('\n');
@@ -49,6 +49,16 @@ pub(super) fn csv(validated: &[Validated]) -> String {
             }
         }
         row.push(format!("\"{}\"", entry.quantity.replace('"', "'")));
+        match &one.in_space {
+            Some(score) => {
+                let [from, median, to] = score.predicted;
+                let numbers = [median, from, to, score.log_std, score.factor, score.pit, score.crps];
+                row.extend(numbers.map(|number| number.to_string()));
+                row.push(score.is_inside().to_string());
+                row.push(score.without.to_string());
+            }
+            None => row.extend(std::iter::repeat_n(String::new(), 9)),
+        }
         text.push_str(&row.join(","));
         text.push('\n');
     }

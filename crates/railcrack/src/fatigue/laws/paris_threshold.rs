@@ -8,7 +8,8 @@ use crate::words::Word;
 
 /// da/dN = C (ΔK^m − ΔK_th^m): the rate falls to zero at the threshold and does not jump there.
 ///
-/// Source: the form of Klesnil & Lukáš 1972, Mater. Sci. Eng. 9, 231–240 (quoted from memory).
+/// Source: the form of Klesnil & Lukáš 1972, Mater. Sci. Eng. 9, 231–240, as quoted in
+/// Crack Paths 2009, p. 563.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ParisThreshold {
     /// C, mm per cycle with ΔK in MPa√m.
