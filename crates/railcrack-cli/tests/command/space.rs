@@ -259,6 +259,6 @@ fn a_mix_with_water_and_maintenance_ends_in_a_decision_and_names_its_places() {
     let page = read(&run.join("report.html"));
     assert!(page.contains("wheels-along-front") && page.contains("z of its contact"), "{page}");
     let said = page.find("The front is grown most").map(|at| &page[at..at + 300]).unwrap_or_default();
-    assert!(said.contains("by right at z = 4.0 mm") && said.contains("by left at z = -4.0 mm"), "{said}");
+    assert!(said.contains("by right at z = 4.0 mm") && said.contains("by left at z = −4.0 mm"), "{said}");
     done(&folder, &["verify", "run"]);
 }
