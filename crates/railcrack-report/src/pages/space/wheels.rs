@@ -15,8 +15,8 @@ struct FrontPart {
     contains: fn(f64) -> bool,
 }
 
-/// The ends of a front are a third of its half-turn each; the upper part exists only where the front
-/// is closed.
+/// The ends and the deepest part share a half-turn in equal parts; the upper part exists only where
+/// the front is closed.
 const PARTS: [FrontPart; 4] = [
     FrontPart { name: "End at φ < 60°", contains: |phi| !(60.0..=300.0).contains(&phi) },
     FrontPart { name: "Deepest, 60° to 120°", contains: |phi| (60.0..=120.0).contains(&phi) },
