@@ -212,3 +212,53 @@ fn a_study_takes_the_keys_of_space() {
     done(&folder, &["sweep", "study.toml", "--out", "study", "--quiet"]);
     assert_eq!(column(&folder.join("study/summary.csv"), "state"), ["done", "done"]);
 }
+
+/// Two wheels on either side of the crack, the second one with water, and everything that a
+/// decision takes.
+fn maintained_mix() -> String {
+    let wheel = |name: &str, lateral: f64, fluid: &str| {
+        format!(
+            "[[wheel]]\nname = \"{name}\"\nshare = 0.5\n[wheel.contact]\npeak_pressure_mpa = 845.0\nhalf_width_mm = 6.0\n\
+             lateral_half_width_mm = 4.0\nlateral_mm = {lateral}\nfriction = 0.1\n{fluid}"
+        )
+    };
+    let contact = CASE.find("[contact]").unwrap()..CASE.find("[passage]").unwrap();
+    let water = "[wheel.fluid]\nmodel = \"mouth\"\npressure_cap_mpa = 30.0\n";
+    let wheels = wheel("left", -4.0, "") + &wheel("right", 4.0, water);
+    CASE.replace(&CASE[contact], &wheels)
+        .replace("positions = 13", "positions = 7")
+        .replace("steps = 2", "steps = 2\nincrement = 0.1")
+        + r#"mgt_per_year = 20.0
+[maintenance]
+wear_mm_per_mgt = 0.01
+grinding_mm = 0.1
+grinding_interval_mgt = 0.3
+[inspection]
+detectable_depth_mm = 2.0
+critical_depth_mm = 2.25
+[scatter]
+samples = 500
+share_log_std = 0.2
+"#
+}
+
+#[test]
+fn a_mix_with_water_and_maintenance_ends_in_a_decision_and_names_its_places() {
+    let folder = workplace("mix");
+    fs::write(folder.join("case.toml"), maintained_mix()).unwrap();
+    let told = done(&folder, &["run", "case.toml", "--out", "run", "--quiet"]);
+    assert!(told.contains("verdict: ") && told.contains("left: 50.0 % of the axles"), "{told}");
+    let run = folder.join("run");
+    let of = |column: &str| numbers(&run.join("growth.csv"), column);
+    let (left, right, phi) = (of("share_wheel_1"), of("share_wheel_2"), of("phi_deg"));
+    // φ = 0 is the end of larger z.
+    assert!(left.iter().zip(&right).all(|(a, b)| (a + b - 1.0).abs() < 1e-9), "{left:?} {right:?}");
+    assert!((phi[2], phi[6]) == (45.0, 135.0) && right[2] > left[2] && left[6] > right[6], "{left:?}");
+    assert!(of("removed_mm").last().is_some_and(|removed| *removed > 0.0));
+    assert!(numbers(&run.join("sif.csv"), "fluid_mpa").iter().any(|pressure| *pressure > 0.0));
+    let page = read(&run.join("report.html"));
+    assert!(page.contains("wheels-along-front") && page.contains("z of its contact"), "{page}");
+    let said = page.find("The front is grown most").map(|at| &page[at..at + 300]).unwrap_or_default();
+    assert!(said.contains("by right at z = 4.0 mm") && said.contains("by left at z = −4.0 mm"), "{said}");
+    done(&folder, &["verify", "run"]);
+}

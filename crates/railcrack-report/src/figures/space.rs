@@ -201,8 +201,43 @@ fn ranges(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
         curves,
         ..Chart::default()
     };
-    let sheet = ChartSheet::of(&summary.title, &format!("{words} · {model}"), chart);
+    let mut sheet = ChartSheet::of(&summary.title, &format!("{words} · {model}"), chart);
+    sheet.rows.extend(shares(growth, &ends).map(|chart| vec![chart]));
     Plot::sheet("along-front.svg", sheet)
+}
+
+/// Shares of the wheels of a mix in the growth of the points of the fronts, against their lateral
+/// position, in the first of the steps `ends`, and dashed in the last; `None` of a single wheel.
+fn shares(growth: &[TipRow], ends: &[usize]) -> Option<Chart> {
+    let wheels = growth.first()?.shares.values().len();
+    if wheels < 2 {
+        return None;
+    }
+    let mut curves = Vec::new();
+    for (place, &step) in ends.iter().enumerate() {
+        for wheel in 0..wheels {
+            for crack in 1..=cracks(growth) {
+                let own = rows_of(growth, step).filter(|row| row.crack == crack);
+                let of_row = |row: &TipRow| Some([row.lateral?, 100.0 * row.shares.values().get(wheel)?]);
+                // One entry in the legend for all cracks.
+                let name = if crack == 1 { format!("wheel {}", wheel + 1) } else { String::new() };
+                let mut curve = of_step(place, step, &name, own.filter_map(of_row).collect());
+                if crack > 1 {
+                    curve.name = String::new();
+                }
+                curves.push(curve.with_dots(CurveDots::All).with_colour(CurveColour::of(wheel, wheels)));
+            }
+        }
+    }
+    Some(Chart {
+        id: "wheels-along-front".to_owned(),
+        heading: "Wheels of the mix".to_owned(),
+        caption: "Shares of the wheels in the growth rate at the points of the front.".to_owned(),
+        x: ChartAxis::linear("z, across the rail", "mm").over(ChartRange::Tight),
+        y: ChartAxis::linear("Share of the growth", "%").over(ChartRange::AroundZero),
+        curves,
+        ..Chart::default()
+    })
 }
 
 /// The fronts from above and from the side.

@@ -349,11 +349,12 @@ fn first_event(
     }
     for (crack, growth) in growth.into_iter().enumerate() {
         let length = state.length(crack);
+        let cut = mouth_sine(&state.cracks[crack]).map_or(0.0, |sine| removal / sine);
         if let Some(critical) = settings.critical_length
-            && length + growth > critical
+            && length + growth - cut > critical
             && length < critical
         {
-            events.push(Event { part: (critical - length) / growth, ends_run: true });
+            events.push(Event { part: (critical - length) / (growth - cut), ends_run: true });
         }
         events.extend(wearing_away(state, crack, growth, removal).map(during));
     }

@@ -27,7 +27,20 @@ pub(super) const LEAST_DISTANCE: f64 = 0.05;
 /// Reasons why a body in space cannot be built.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SpaceError {
-    /// The stiffness of the cracks is not positive definite, or not finite.
+    /// The stiffness of the cracks is not positive definite: the cells are too coarse, most likely
+    /// for the thin flap above a crack of this dip.
+    #[error(
+        "the cells of crack {} in space (dip {:.1}°, semi-axes {:.3} mm down the dip and {:.3} mm along the surface) are too \
+         coarse, most likely for the flap above it: its stiffness is not positive definite; use more cells (space_cells, \
+         space_rings) or a steeper crack", crack + 1, shape.dip.to_degrees(), shape.length, shape.half_length
+    )]
+    TooCoarse {
+        /// The crack, from 0.
+        crack: usize,
+        /// Its shape.
+        shape: Box<SpaceCrack>,
+    },
+    /// A matrix that cannot be inverted for another reason.
     #[error(transparent)]
     Linear(#[from] LinearError),
     /// Interrupted on request.
@@ -209,7 +222,8 @@ impl SpaceBody {
             .map(|(crack, grid)| Placed { grid, frame: crack.frame(), middle: crack.middle })
             .collect();
         let stiffness = stiffness_of(cracks, &placed, steel, kernel, interruption)?;
-        let compliance = spd_inverse_unless(interruption, &stiffness)?;
+        let compliance = spd_inverse_unless(interruption, &stiffness)
+            .map_err(|error| too_coarse(error, cracks, &grids))?;
         let total = stiffness.rows() / 3;
         let fronts = grids.iter().map(|grid| grid.front.len()).sum::<usize>();
         let mut body = Self {
@@ -365,6 +379,20 @@ impl SpaceBody {
     }
 }
 
+/// `error` of the inverse of the stiffness of `cracks`, with the crack whose cells are too coarse.
+fn too_coarse(error: LinearError, cracks: &[SpaceCrack], grids: &[Grid]) -> SpaceError {
+    let LinearError::NotPositiveDefinite { pivot, .. } = error else { return error.into() };
+    let mut end = 0;
+    let contains = |grid: &Grid| {
+        end += 3 * grid.free;
+        pivot < end
+    };
+    match grids.iter().position(contains).and_then(|crack| Some((crack, cracks.get(crack)?))) {
+        Some((crack, shape)) => SpaceError::TooCoarse { crack, shape: Box::new(shape.clone()) },
+        None => error.into(),
+    }
+}
+
 fn sifs(values: &[f64]) -> Vec<FrontSif> {
     values.chunks_exact(3).map(|k| FrontSif { ki: k[0], kii: k[1], kiii: k[2] }).collect()
 }
@@ -448,6 +476,21 @@ fn front_rows(grid: &Grid, steel: &IsotropicElastic, start: [usize; 2], rows: &m
 mod tests {
     use super::*;
     use crate::linear::spd_inverse;
+
+    #[test]
+    fn a_crack_with_too_few_cells_is_named_with_the_remedy() {
+        let flat = |dip: f64| SpaceCrack::surface_breaking(dip.to_radians(), 4.0, 4.0).unwrap();
+        let cracks = [flat(30.0), flat(6.0)];
+        let resolution = SpaceResolution { block: 2, ring: 2 };
+        let grids = cracks.each_ref().map(|crack| Grid::new(crack, resolution));
+        let order = 3 * (grids[0].free + grids[1].free);
+        for (pivot, crack, dip) in [(3 * grids[0].free - 1, 0, "30.0°"), (3 * grids[0].free, 1, "6.0°")] {
+            let error = too_coarse(LinearError::NotPositiveDefinite { order, pivot }, &cracks, &grids);
+            let text = error.to_string();
+            assert!(matches!(error, SpaceError::TooCoarse { crack: found, .. } if found == crack), "{text}");
+            assert!(text.contains("more cells (space_cells") && text.contains(dip), "{text}");
+        }
+    }
 
     #[test]
     fn more_points_leave_ki_of_an_open_shallow_crack() {

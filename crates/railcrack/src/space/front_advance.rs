@@ -121,11 +121,13 @@ fn first_event(
             return None;
         }
         let grown = after.length - before.length;
+        // A buried crack is not shortened.
+        let cut = removal / before.dip.sin();
+        let lengthens = if before.buried.is_none() { grown - cut } else { grown };
         let critical = growth
             .critical_length
-            .filter(|critical| before.length < *critical && after.length > *critical)
-            .map(|critical| Event { part: (critical - before.length) / grown, ends_run: true });
-        let cut = removal / before.dip.sin();
+            .filter(|critical| before.length < *critical && before.length + lengthens > *critical)
+            .map(|critical| Event { part: (critical - before.length) / lengthens, ends_run: true });
         let least = least_length(start.at.worn.longest_of(crack, before.length), resolution(before));
         let away = (before.buried.is_none() && removal > 0.0)
             .then(|| (before.length - least) / (cut - grown))
@@ -315,6 +317,14 @@ mod tests {
         let pace = next.pace.as_ref().unwrap();
         assert!((pace.cycles - 2e5).abs() < 1e-3 && (pace.removal - 0.12).abs() < 1e-12, "{next:?}");
         assert!((next.shapes[0].length - 4.0).abs() < 1e-9 && next.stop.is_none(), "{next:?}");
+        // The step ends where the worn crack has its critical length.
+        let critical = GrowthSettings {
+            critical_length: Some(4.05),
+            turning: Turning::Over(f64::INFINITY),
+            ..maintained(0.3e-6, None)
+        };
+        let next = advance(&shapes, &[None], &[1e-6], &critical);
+        assert!((next.shapes[0].length - 4.05).abs() < 1e-9, "{next:?}");
         // A crack at rest is not stopped for good, since the surface comes closer.
         let at_rest = advance(&shapes, &[None], &[0.0], &maintained(0.6e-6, None));
         assert_eq!((at_rest.stop, at_rest.stopped[0]), (None, None));

@@ -1,5 +1,7 @@
 //! The page of a growth run in space.
 
+mod wheels;
+
 use super::pictures::{charts, still};
 use super::run::{
     RunFolder, banner, case_section, decision, ending, long_rail, stop_of, stop_sentence, warning_count,
@@ -42,6 +44,8 @@ pub(crate) fn space_page(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, p
     if run.summary.steps_recorded > 0 {
         page.lead.push(charts(plots, &["length-cycles", "along-front"]));
         page.lead.push(front_table(run));
+        page.lead.extend(wheels::wheels(run, space));
+        page.lead.extend(wheels::drawn(run, plots));
     }
     page.lead.extend(decision(run));
     page.lead.push(Block::Heading("Assumptions".to_owned()));
