@@ -1,7 +1,7 @@
 //! Readers of files of results for the fuzz targets in `fuzz/`: whatever a file holds, they end
 //! with a result or an error.
 
-use crate::csv::{FaceRow, ResidualRow, SifRow, Table, TipRow, read_table};
+use crate::csv::{ContactRow, FaceRow, ResidualRow, SifRow, Table, TipRow, read_table};
 use std::path::Path;
 
 pub use crate::run_folder::fuzz_checkpoint as checkpoint;
@@ -15,10 +15,11 @@ pub fn parquet(input: &[u8]) {
 /// Reads `input` but for its first byte as the table that this byte selects, in `folder`.
 pub fn results(folder: &Path, input: &[u8]) {
     let Some((&kind, content)) = input.split_first() else { return };
-    match kind % 4 {
+    match kind % 5 {
         0 => read::<SifRow>(folder, content),
         1 => read::<TipRow>(folder, content),
         2 => read::<FaceRow>(folder, content),
+        3 => read::<ContactRow>(folder, content),
         _ => read::<ResidualRow>(folder, content),
     }
 }

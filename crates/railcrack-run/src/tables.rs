@@ -1,7 +1,7 @@
 //! Every table that the program writes, as `docs/file-formats.md` describes it.
 
 use crate::compare::{CompareRow, PositionRow};
-use crate::csv::{FaceRow, ResidualRow, SifRow, Table, TipRow, markdown};
+use crate::csv::{ContactRow, FaceRow, ResidualRow, SifRow, Table, TipRow, markdown};
 use crate::planner::PlanRow;
 use crate::shakedown::{LayerRow, PassRow};
 use crate::study::{StudySummaryRow, TimesRow};
@@ -15,6 +15,7 @@ pub fn table_descriptions() -> Vec<(&'static str, String)> {
         of::<SifRow>(),
         of::<TipRow>(),
         of::<FaceRow>(),
+        of::<ContactRow>(),
         of::<ResidualRow>(),
         of::<CompareRow>(),
         of::<PositionRow>(),

@@ -92,6 +92,7 @@ fn growth_steps<E: BodyEngine + 'static>(
             residual: None,
             passages: PassageSettings::default(),
             fluid: None,
+            coupling: None,
             toughness: None,
         };
         problem.others = contacts[1..wheels].iter().map(beside).collect();
@@ -129,6 +130,7 @@ fn fifteen_cracks(bencher: Bencher, fluid: &str) {
             share: 0.4,
             residual: None,
             passages: PassageSettings { passage: back, ..PassageSettings::default() },
+            coupling: None,
             fluid: None,
             toughness: None,
         });

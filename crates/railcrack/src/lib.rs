@@ -46,6 +46,7 @@
 pub mod body;
 pub mod bulk;
 pub mod contact;
+pub mod coupling;
 pub mod crack;
 pub mod dislocation;
 pub mod fatigue;

@@ -1,6 +1,7 @@
 //! From accepted values to a case: checks that involve several keys.
 
 use super::case::Case;
+use super::coupled::check_coupled;
 use super::cracks::{Meetings, check_fit, place_cracks};
 use super::in_page::check_explorer;
 use super::known_sizes::KnownSizes;
@@ -91,6 +92,9 @@ pub(crate) fn build(
         Some(first) => Some(first.fluid.clone()),
         None => fluid,
     };
+    let of_wheels = mix.iter().flatten().filter_map(|wheel| wheel.fluid.as_ref());
+    let fluids = fluid.iter().flatten().chain(of_wheels);
+    check_coupled(&sections, rail.as_ref().map(|rail| rail.boundary), fluids, report);
     if let (Some(mix), Some(rail)) = (&mix, rail.filter(|rail| rail.boundary != Boundary::HalfPlane)) {
         for other in mix.iter().skip(1) {
             check_block(&rail, &sections, Some((&other.wheel, &other.passages.passage)), report);

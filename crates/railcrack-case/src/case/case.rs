@@ -153,6 +153,12 @@ impl Case {
         self.fluid.is_some() || self.mix.iter().any(|wheel| wheel.fluid.is_some())
     }
 
+    /// Whether a wheel feels the cracks.
+    #[must_use]
+    pub fn has_coupled_wheel(&self) -> bool {
+        self.wheel.coupling.is_some() || self.mix.iter().any(|wheel| wheel.wheel.coupling.is_some())
+    }
+
     /// a, mm: the unit of `[passage]` positions.
     #[must_use]
     pub fn half_width(&self) -> f64 {

@@ -3,6 +3,7 @@
 
 mod calibration;
 mod contact;
+mod coupling;
 mod crack;
 mod file;
 mod fluid;
@@ -43,7 +44,9 @@ pub use study::{Combine, STUDY, Sampling};
 pub use wheel_load::GivenWheel;
 
 pub(crate) use calibration::{CALIBRATION, read_calibration};
-pub(crate) use contact::{CONTACT, ContactExtent, FRICTION, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH};
+pub(crate) use contact::{
+    CONTACT, COUPLED, ContactExtent, FRICTION, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH,
+};
 pub(crate) use crack::{
     ANGLE, ANGLE_SD, ANGLES, COUNT, CRACK, CRACK_FRICTION, CRACK_LATERAL, LENGTH, LENGTH_SD, MOUTH, POINTS,
     ROW_SEED, SPACING, SPACING_SD, STRIKE, SURFACE_HALF_LENGTH,

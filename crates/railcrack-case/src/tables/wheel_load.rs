@@ -1,10 +1,12 @@
 //! The load of one wheel: `[contact]`, `[track]`, `[temperature]`.
 
 use super::contact::{ContactExtent, ContactOrigin, KIND, read_contact};
+use super::coupling::read_coupling;
 use super::rolling::read_rolling;
 use super::track::{read_temperature, read_track};
 use crate::files::Companion;
 use crate::schema::{Report, SectionValues};
+use railcrack::coupling::WheelCoupling;
 use railcrack::field::{Uniform, Wheel, wheel_under};
 use railcrack::growth::output_positions;
 use railcrack::load::{Bending, Contact, ContactKind, Passage, Travel, WheelLoad};
@@ -20,6 +22,8 @@ pub struct GivenWheel {
     pub load: WheelLoad,
     /// Origin of the contact.
     pub origin: ContactOrigin,
+    /// How the wheel feels the cracks; `None` for the contact on the uncracked rail.
+    pub coupling: Option<WheelCoupling>,
 }
 
 /// The sections of one wheel.
@@ -50,9 +54,10 @@ impl GivenWheel {
         let track = sections.track.map(|s| read_track(s, Some(sections.contact), report));
         let temperature = sections.temperature.map(|s| read_temperature(s, report));
         let (contact, origin) = contact?;
+        let coupling = read_coupling(sections.contact, &contact, steel, report)?;
         // A section that is present but cannot be read must not count as absent.
         let load = WheelLoad { contact, track: all_or_none(track)?, temperature: all_or_none(temperature)? };
-        Some(Self { load, origin })
+        Some(Self { load, origin, coupling })
     }
 
     /// The contact.

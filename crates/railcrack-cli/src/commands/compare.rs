@@ -5,7 +5,7 @@ use crate::exit::{Exit, Failure};
 use crate::input::Set;
 use crate::json::Json;
 use crate::print;
-use clap::Args;
+use clap::{ArgGroup, Args};
 use railcrack::words::Choice;
 use railcrack_case::{Case, Engine};
 use railcrack_report::Pages;
@@ -17,20 +17,26 @@ use std::path::{Path, PathBuf};
 
 /// Compare two runs: SIF histories, crack paths, load cycles
 ///
-/// Compares two run folders, or with --engines computes one case with both plane engines and
-/// compares the two runs. The stabilised passage of each step is compared. The differences are
-/// printed, and written with plots to a separate folder.
+/// Compares two run folders, or computes one case twice and compares the two runs: with --engines
+/// by both plane engines, with --coupled under wheels that feel the cracks and that do not. The
+/// stabilised passage of each step is compared. The differences are printed, and written with plots
+/// to a separate folder.
 #[derive(Debug, Args)]
+#[command(group(ArgGroup::new("computed").args(["engines", "coupled"])))]
 pub struct CompareArguments {
-    /// The first run folder; with --engines the case file
+    /// The first run folder; with --engines or --coupled the case file
     #[arg(value_name = "DIR|CASE")]
     first: PathBuf,
     /// The second run folder
-    #[arg(value_name = "DIR", required_unless_present = "engines", conflicts_with = "engines")]
+    #[arg(value_name = "DIR", required_unless_present = "computed", conflicts_with = "computed")]
     second: Option<PathBuf>,
     /// Compute the case with both plane engines and compare the two runs
     #[arg(long)]
     engines: bool,
+    /// Compute the case under wheels that feel the cracks (coupled = true) and under wheels that do
+    /// not, and compare the two runs
+    #[arg(long)]
+    coupled: bool,
     /// Folder of the comparison [default: name of the first run or of the case followed by
     /// -compare, in the same directory]
     #[arg(long, value_name = "DIR")]
@@ -39,17 +45,18 @@ pub struct CompareArguments {
     /// is 1 if it is exceeded, or if the runs have no step, tip or wheel position in common
     #[arg(long, value_name = "P", value_parser = percent, allow_negative_numbers = true)]
     tolerance: Option<f64>,
-    /// With --engines: number of increments, overriding the case
-    #[arg(long, value_name = "N", requires = "engines")]
+    /// With --engines or --coupled: number of increments, overriding the case
+    #[arg(long, value_name = "N", requires = "computed")]
     steps: Option<u64>,
-    /// With --engines: suppress progress output
-    #[arg(long, requires = "engines")]
+    /// With --engines or --coupled: suppress progress output
+    #[arg(long, requires = "computed")]
     quiet: bool,
-    /// Replace an existing comparison in the folder, with --engines also its runs
+    /// Replace an existing comparison in the folder, with --engines or --coupled also its runs
     #[arg(long)]
     force: bool,
-    /// With --engines: run even if the estimate exceeds the available memory or disk space
-    #[arg(long, requires = "engines")]
+    /// With --engines or --coupled: run even if the estimate exceeds the available memory or disk
+    /// space
+    #[arg(long, requires = "computed")]
     no_limits: bool,
     #[command(flatten)]
     json: Json,
@@ -68,7 +75,7 @@ pub fn compare(arguments: &CompareArguments) -> Result<Exit, Failure> {
     };
     arguments.json.told(|| match &arguments.second {
         Some(second) => compare_folders(arguments, [&arguments.first, second], &out),
-        None => compare_engines(arguments, &out),
+        None => compare_computed(arguments, &out),
     })
 }
 
@@ -102,15 +109,20 @@ fn compare_folders(arguments: &CompareArguments, runs: [&PathBuf; 2], out: &Path
     Ok(exit)
 }
 
-/// Runs the case with both plane engines, each into a folder named after it in `out`, and compares
-/// the runs.
-fn compare_engines(arguments: &CompareArguments, out: &Path) -> Result<Exit, Failure> {
+/// Runs the case with both plane engines, or under wheels that feel the cracks and that do not,
+/// each into a folder of its name in `out`, and compares the runs.
+fn compare_computed(arguments: &CompareArguments, out: &Path) -> Result<Exit, Failure> {
     run::use_threads(None)?;
-    Case::read(&arguments.first)?;
+    let case = Case::read(&arguments.first)?;
     let interruption = run::listen()?;
     let mut folders = Vec::new();
-    for engine in Engine::in_the_plane() {
-        let finished = run::compute(&run_with(arguments, engine.word(), out), &interruption)?;
+    let runs: Vec<RunArguments> = if arguments.engines {
+        Engine::in_the_plane().map(|engine| run_with(arguments, engine, out)).collect()
+    } else {
+        COUPLINGS.into_iter().map(|coupling| run_coupled(arguments, &case, coupling, out)).collect()
+    };
+    for run in &runs {
+        let finished = run::compute(run, &interruption)?;
         if finished.ending == Ending::Interrupted {
             print::stdout(&run::result_text(&finished))?;
             return Ok(Exit::Interrupted);
@@ -120,12 +132,34 @@ fn compare_engines(arguments: &CompareArguments, out: &Path) -> Result<Exit, Fai
     compare_folders(arguments, [&folders[0], &folders[1]], out)
 }
 
-/// Runs the case with one engine.
-fn run_with(arguments: &CompareArguments, engine: &str, out: &Path) -> RunArguments {
+/// A run of the case with one engine.
+fn run_with(arguments: &CompareArguments, engine: Engine, out: &Path) -> RunArguments {
+    RunArguments { engine: Some(engine.word().to_owned()), ..run_named(arguments, engine.word(), out) }
+}
+
+/// Folders of the runs under wheels that feel the cracks and that do not, and values of `coupled`.
+const COUPLINGS: [(&str, &str); 2] = [("coupled", "true"), ("uncoupled", "false")];
+
+/// A run of `case` with one of [`COUPLINGS`].
+fn run_coupled(
+    arguments: &CompareArguments,
+    case: &Case,
+    (name, coupled): (&str, &str),
+    out: &Path,
+) -> RunArguments {
+    let set = match case.mix.len() {
+        0 => vec![format!("contact.coupled={coupled}")],
+        wheels => (1..=wheels).map(|wheel| format!("wheel[{wheel}].contact.coupled={coupled}")).collect(),
+    };
+    RunArguments { set: Set { set }, ..run_named(arguments, name, out) }
+}
+
+/// A run of the case as it is, into the folder `name` in `out`.
+fn run_named(arguments: &CompareArguments, name: &str, out: &Path) -> RunArguments {
     RunArguments {
         case: arguments.first.clone(),
-        out: Some(out.join(engine)),
-        engine: Some(engine.to_owned()),
+        out: Some(out.join(name)),
+        engine: None,
         contact: None,
         steps: arguments.steps,
         resume: false,

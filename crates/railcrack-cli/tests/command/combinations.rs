@@ -19,6 +19,7 @@ enum Part {
     Fracture,
     Track,
     Temperature,
+    Coupled,
     Latin,
     Block,
     Space,
@@ -26,7 +27,7 @@ enum Part {
 
 use Part::*;
 
-const PARTS: [(Part, &str, &str); 13] = [
+const PARTS: [(Part, &str, &str); 14] = [
     (Mix, "mix", "several wheels, `[[wheel]]`, in both directions"),
     (Network, "network", "several cracks"),
     (Groups, "groups", "`[solver] network = \"groups\"`"),
@@ -37,6 +38,7 @@ const PARTS: [(Part, &str, &str); 13] = [
     (Fracture, "fracture", "`[fracture]`"),
     (Track, "track", "`[track]`, `[wheel.track]`"),
     (Temperature, "cold", "`[temperature]`, `[wheel.temperature]`"),
+    (Coupled, "coupled", "`[contact] coupled = true`, a wheel that feels the cracks"),
     (Latin, "LATIN", "`[solver] contact = \"latin\"`"),
     (Block, "block", "`[rail] boundary = \"block\"`"),
     (Space, "space", "`[solver] engine = \"space\"`"),
@@ -66,8 +68,10 @@ fn text(parts: &[Part]) -> String {
     text += if has(Latin) { "contact = \"latin\"\n" } else { "" };
     text += if has(Block) { "[rail]\nboundary = \"block\"\n" } else { "" };
     let across = if has(Space) { ", lateral_half_width_mm = 5.0" } else { "" };
-    let contact =
-        |peak: f64| format!("peak_pressure_mpa = {peak:?}, half_width_mm = 6.0, friction = 0.2{across}");
+    let coupled = if has(Coupled) { ", coupled = true, surface_nodes_per_half_width = 10" } else { "" };
+    let contact = |peak: f64| {
+        format!("peak_pressure_mpa = {peak:?}, half_width_mm = 6.0, friction = 0.2{across}{coupled}")
+    };
     let fluid = "model = \"trapped\"";
     let track = "section = \"60E1\", wheel_load_kn = 100.0";
     let cold = "rail_c = 5.0, neutral_c = 25.0";

@@ -117,6 +117,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         sifs: (0..size.cracks).map(|tip| xc.iter().map(|&x| sif(x, tip, p)).collect()).collect(),
         fluid: Vec::new(),
         kiii: Vec::new(),
+        wheel: Vec::new(),
     };
     let cycles = |n: usize| 4.1e5 * (1.0 - 0.9f64.powi(n as i32));
     let tips = now.iter().enumerate().map(|(i, crack)| tip_record(i, crack, step, is_last)).collect();
@@ -267,7 +268,7 @@ fn faces(size: Size, cracks: &[Crack], xc: &[f64]) -> FaceRecord {
         FaceState { opening: 0.0, slip: 2e-3 * u.tanh() / (1.0 + s), s22, s12, status }
     };
     let states = xc.iter().map(|&x| points.iter().map(|p| state(x, p.s)).collect()).collect();
-    FaceRecord { points, states, across: None }
+    FaceRecord { points, states, across: None, surface: Vec::new() }
 }
 
 /// Computes the steps from `from` to `to` (exclusive) into `recorder`.

@@ -3,6 +3,7 @@
 mod by_column;
 mod column;
 mod columns;
+mod contact;
 mod faces;
 mod fields;
 mod file;
@@ -17,6 +18,7 @@ mod table;
 pub use by_column::columns_of;
 pub use column::Column;
 pub use columns::{ColumnValues, Columns};
+pub use contact::ContactRow;
 pub use faces::FaceRow;
 pub use fields::Fields;
 pub(crate) use file::{CsvFile, check_sealed};

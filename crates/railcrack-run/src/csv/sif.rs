@@ -45,8 +45,23 @@ table! {
         phi_deg: Option<f64> = "phi_deg", with "space";
         /// K_III of a front point in space, MPa√m.
         kiii: Option<f64> = "kiii_mpa_sqrt_m", with "space";
+        /// How much farther a wheel that feels the cracks approaches the rail than without them,
+        /// µm; empty where it does not feel them.
+        approach: Option<f64> = "approach_um", with "coupled";
+        /// Contact load within 0.1 a of the mouth of the crack, N/mm; empty where the wheel does
+        /// not feel the cracks, and for buried cracks.
+        lip_load: Option<f64> = "lip_load_n_per_mm", with "coupled";
+        /// Abscissae of the outermost surface nodes under pressure, mm; empty where the wheel does
+        /// not feel the cracks.
+        contact_from: Option<f64> = "contact_from_mm", with "coupled";
+        /// Abscissae of the outermost surface nodes under pressure, mm; empty where the wheel does
+        /// not feel the cracks.
+        contact_to: Option<f64> = "contact_to_mm", with "coupled";
     }
 }
+
+/// Micrometres per millimetre.
+const MICROMETRES: f64 = 1e3;
 
 /// Scale of the wheel positions x_c/a.
 #[derive(Debug, Clone, Copy)]
@@ -95,6 +110,7 @@ impl SifRow {
             record.tips.iter().zip(&passage.sifs).enumerate().flat_map(move |(t, (tip, history))| {
                 let fluid = passage.fluid.get(t);
                 let kiii = passage.kiii.get(t);
+                let coupled = |i: usize| passage.wheel.get(i).and_then(Option::as_ref);
                 passage.xc.iter().zip(history).enumerate().map(move |(i, (&xc, sif))| Self {
                     step: record.step,
                     passage: p + 1,
@@ -110,6 +126,10 @@ impl SifRow {
                     fluid_volume: fluid.and_then(|fluid| Some(fluid.get(i)?.volume)),
                     phi_deg: tip.front().map(|front| front.phi.to_degrees()),
                     kiii: kiii.and_then(|kiii| Some(kiii.get(i)? / MPA_SQRT_MM)),
+                    approach: coupled(i).map(|state| MICROMETRES * state.approach),
+                    lip_load: coupled(i).and_then(|state| *state.lip_loads.get(t)?),
+                    contact_from: coupled(i).map(|state| state.from),
+                    contact_to: coupled(i).map(|state| state.to),
                 })
             })
         })

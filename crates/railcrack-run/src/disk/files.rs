@@ -83,13 +83,14 @@ pub(crate) const PLOT_FILES: [&str; 18] = [
 
 /// Files of a run other than `case.toml`, in the order in which a replaced run is removed: a run
 /// without its checkpoint counts as not started.
-pub(crate) const RUN_FILES: [&str; 25] = [
+pub(crate) const RUN_FILES: [&str; 26] = [
     CHECKPOINT_FILE,
     RUN_LOG_FILE,
     OUTCOME_FILE,
     "sif.csv",
     "growth.csv",
     "faces.csv",
+    "contact.csv",
     "residual.csv",
     SUMMARY_FILE,
     "passes.csv",

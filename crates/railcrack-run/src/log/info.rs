@@ -45,6 +45,8 @@ pub struct RunInfo {
     pub law_table: Option<(f64, f64)>,
     /// Whether there is fluid in the cracks.
     pub fluid: bool,
+    /// Whether a wheel feels the cracks.
+    pub coupled: bool,
     /// Mean axle load in tonnes, for million gross tonnes.
     pub axle_load: Option<f64>,
     /// The wheels of a mix; empty for one wheel.
@@ -90,6 +92,7 @@ impl RunInfo {
             calibrated_sites: None,
             law_table: None,
             fluid: false,
+            coupled: false,
             axle_load: None,
             mix: Vec::new(),
             maintenance: None,
@@ -113,6 +116,8 @@ impl RunInfo {
         let fluid = self.fluid.then_some("fluid");
         let wheels = self.mix.iter().map(|_| "wheel");
         let space = self.engine.is_in_space().then_some("space");
-        traffic.into_iter().chain(wheels).chain(maintenance).chain(fluid).chain(space).collect()
+        let coupled = self.coupled.then_some("coupled");
+        let all = traffic.into_iter().chain(wheels).chain(maintenance).chain(fluid).chain(space);
+        all.chain(coupled).collect()
     }
 }

@@ -3,7 +3,7 @@
 //! log and of the tables is valid.
 
 use super::case_files::CaseFiles;
-use crate::csv::{CsvFile, FaceRow, SifRow, Table, TipRow};
+use crate::csv::{ContactRow, CsvFile, FaceRow, SifRow, Table, TipRow};
 use crate::disk::files::{CHECKPOINT_FILE, RUN_LOG_FILE};
 use crate::disk::{Checksum, Durability, Seal, VERSION, read_if_there, replace_file};
 use crate::error::OutputError;
@@ -15,7 +15,7 @@ use std::path::Path;
 const MAGIC: [u8; 8] = *b"RAILCRCK";
 
 /// Raised whenever the layout of [`Checkpoint`] or of what it holds changes.
-const FORMAT: u32 = 14;
+const FORMAT: u32 = 15;
 
 /// Magic, format, checksum.
 const HEADER: usize = 8 + 4 + 8;
@@ -28,13 +28,20 @@ pub(crate) struct Seals {
     pub growth: Seal,
     /// None where the run has no such table.
     pub faces: Option<Seal>,
+    /// None where no wheel feels the cracks.
+    pub contact: Option<Seal>,
     pub log: Seal,
 }
 
 impl Seals {
     /// The tables with their files.
     pub(crate) fn tables(&self) -> impl Iterator<Item = (&'static str, Seal)> + use<> {
-        let all = [(SifRow::FILE, self.sif), (TipRow::FILE, Some(self.growth)), (FaceRow::FILE, self.faces)];
+        let all = [
+            (SifRow::FILE, self.sif),
+            (TipRow::FILE, Some(self.growth)),
+            (FaceRow::FILE, self.faces),
+            (ContactRow::FILE, self.contact),
+        ];
         all.into_iter().filter_map(|(file, seal)| Some((file, seal?)))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::case_files::CaseFiles;
 use super::checkpoint::{Checkpoint, LogFile};
-use crate::csv::{FaceRow, ResidualRow, Table, check_sealed};
+use crate::csv::{ContactRow, FaceRow, ResidualRow, Table, check_sealed};
 use crate::disk::files::{
     CASE_FILE, FIELDS_FILE, FIELDS_FOLDER, OUTCOME_FILE, ROLLED_FOLDER, RUN_FILES, SHAKEDOWN_FILE,
     SUMMARY_FILE,
@@ -120,7 +120,7 @@ impl Verification {
         };
         self.answer(Ok(()))?;
         for (file, seal) in checkpoint.seals.tables() {
-            if extent == Extent::All || file != FaceRow::FILE {
+            if extent == Extent::All || ![FaceRow::FILE, ContactRow::FILE].contains(&file) {
                 let path = folder.join(file);
                 let ended = checkpoint.state.ended.is_some();
                 self.answer(check_sealed(&path, seal).and_then(|length| {
@@ -169,7 +169,8 @@ impl Verification {
         let summary: Value = serde_json::from_slice(&text)
             .map_err(|reason| OutputError::damaged(&path, reason.to_string()))?;
         for (name, sum) in summary.get("checksums").and_then(Value::as_object).into_iter().flatten() {
-            let is_large = name == FaceRow::FILE || name.starts_with(FIELDS_FOLDER);
+            let is_large =
+                [FaceRow::FILE, ContactRow::FILE].contains(&name.as_str()) || name.starts_with(FIELDS_FOLDER);
             if extent == Extent::All || !is_large {
                 let file = folder.join(name);
                 if !RUN_FILES.contains(&name.as_str()) {

@@ -51,6 +51,7 @@ impl Job {
                 calibrated_sites: case.calibration.sites,
                 law_table: case.growth_rates.as_ref().map(|file| file.content().covers()),
                 fluid: case.has_fluid(),
+                coupled: case.has_coupled_wheel(),
                 axle_load: case.axle_load,
                 output: case.output,
                 mix: case.mix.iter().map(of_wheel).collect(),

@@ -1,6 +1,8 @@
 //! Recorder of a run: its folder, written step by step.
 
-use crate::csv::{CsvFile, FaceRow, ResidualRow, Rows, SifRow, SifScale, Table, TipRow, header, whole};
+use crate::csv::{
+    ContactRow, CsvFile, FaceRow, ResidualRow, Rows, SifRow, SifScale, Table, TipRow, header, whole,
+};
 use crate::disk::files::{CASE_FILE, FIELDS_FILE, SUMMARY_FILE};
 use crate::disk::{Durability, Seal, VERSION, replace_file, write_json};
 use crate::error::OutputError;
@@ -37,6 +39,8 @@ pub struct Recorder {
     sif: Option<CsvFile>,
     growth: CsvFile,
     faces: Option<CsvFile>,
+    /// The running surface; none where no wheel feels the cracks.
+    contact: Option<CsvFile>,
     log_file: LogFile,
     log: RunLog,
     /// Time up to which `log.now.wall_s` is counted.
@@ -103,6 +107,7 @@ impl Recorder {
             sif: cut_back::<SifRow>(folder, seals.sif)?,
             growth: CsvFile::cut_back(&folder.join(TipRow::FILE), seals.growth)?,
             faces: cut_back::<FaceRow>(folder, seals.faces)?,
+            contact: cut_back::<ContactRow>(folder, seals.contact)?,
             // Once the tables end with the last finished step.
             shown: presentation.resumed_run(folder, log.steps.len(), info.output)?,
             log_file: LogFile::cut_back(folder, &checkpoint)?,
@@ -127,6 +132,7 @@ impl Recorder {
             sif: new_table_of::<SifRow>(folder, info.output.sif, &sections)?,
             growth: new_table::<TipRow>(folder, &sections)?,
             faces: new_table_of::<FaceRow>(folder, info.output.faces, &sections)?,
+            contact: new_table_of::<ContactRow>(folder, contact_kept(&info), &sections)?,
             log_file: LogFile::create(folder, case)?,
             folder: folder.to_path_buf(),
             shown: presentation.run(info.output),
@@ -176,7 +182,7 @@ impl Recorder {
         }
         if durability == Durability::Synced {
             // Tables and log must be on the disk before the checkpoint that relies on them.
-            for table in self.sif.iter().chain([&self.growth]).chain(&self.faces) {
+            for table in self.sif.iter().chain([&self.growth]).chain(&self.faces).chain(&self.contact) {
                 table.sync()?;
             }
             self.log_file.sync()?;
@@ -262,6 +268,7 @@ impl Recorder {
             take_back(&mut self.sif, before.sif);
             self.growth.take_back(before.growth);
             take_back(&mut self.faces, before.faces);
+            take_back(&mut self.contact, before.contact);
         }
         appended
     }
@@ -272,7 +279,13 @@ impl Recorder {
             append_to(sif, &mut self.rows, SifRow::of_mix(record, scale, &half_widths))?;
         }
         append_to(&mut self.growth, &mut self.rows, TipRow::of_step(record, self.info.axle_load))?;
-        match self.faces.as_mut().filter(|_| keeps(self.info.output.faces, record)) {
+        if !keeps(self.info.output.faces, record) {
+            return Ok(());
+        }
+        if let Some(contact) = &mut self.contact {
+            append_to(contact, &mut self.rows, ContactRow::of_step(record))?;
+        }
+        match &mut self.faces {
             Some(faces) => append_to(faces, &mut self.rows, FaceRow::of_step(record)),
             None => Ok(()),
         }
@@ -283,6 +296,7 @@ impl Recorder {
             sif: self.sif.as_ref().map(CsvFile::seal),
             growth: self.growth.seal(),
             faces: self.faces.as_ref().map(CsvFile::seal),
+            contact: self.contact.as_ref().map(CsvFile::seal),
             log: self.log_file.seal(),
         }
     }
@@ -328,6 +342,11 @@ fn new_table_of<T: Table>(
     sections: &[&str],
 ) -> Result<Option<CsvFile>, OutputError> {
     (kept != Kept::None).then(|| new_table::<T>(folder, sections)).transpose()
+}
+
+/// The steps of which the running surface is written: those of the faces.
+fn contact_kept(info: &RunInfo) -> Kept {
+    if info.coupled { info.output.faces } else { Kept::None }
 }
 
 fn cut_back<T: Table>(folder: &Path, seal: Option<Seal>) -> Result<Option<CsvFile>, OutputError> {

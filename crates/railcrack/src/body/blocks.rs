@@ -127,6 +127,7 @@ impl BlockStiffness {
         let mesh = FaceMesh {
             points: points.iter().map(own_point).collect(),
             samples: faces.samples.iter().filter_map(own_sample).collect(),
+            graded: Vec::new(),
         };
         let mut stiffness = Matrix::zeros(2 * points.len(), 2 * points.len());
         let mut row = 0;

@@ -38,6 +38,10 @@ pub struct FaceMesh {
     pub points: Vec<FacePoint>,
     /// The quadrature points.
     pub samples: Vec<FaceSample>,
+    /// Quadrature points for tractions that vary over lengths comparable to the depth: the same
+    /// shape functions, integrated over parts that are no longer than their depth. Empty in a body
+    /// made by groups.
+    pub graded: Vec<FaceSample>,
 }
 
 impl FaceMesh {

@@ -1,6 +1,7 @@
 //! LATIN method condensed to the faces.
 
-use super::pressure::{PocketRows, demanded, total};
+use super::latin_wheel::ReducedWheel;
+use super::pressure::{PocketRows, demanded, with_pockets};
 use super::problem::ROUND_OFF;
 use super::tableau::FaceRate;
 use super::{
@@ -73,6 +74,8 @@ struct LatinSteps<'a> {
     scale: [f64; 3],
     /// Jumps of the global stage for a unit pressure of each pocket of fluid.
     units: Vec<FaceRate>,
+    /// The faces under a coupled wheel with the last surface nodes in contact.
+    reduced: Option<ReducedWheel>,
 }
 
 impl<'a> LatinSteps<'a> {
@@ -109,6 +112,7 @@ impl<'a> LatinSteps<'a> {
             kept: vec![0.0; 2 * points],
             solution,
             scale: [0.0; 3],
+            reduced: None,
         }
     }
 
@@ -142,6 +146,79 @@ impl<'a> LatinSteps<'a> {
 
 impl<'a> StepSolver<'a> for LatinSteps<'a> {
     fn solve(&mut self, step: LoadStep, faces: &mut FaceResponse<'a>) -> Result<usize, NotConverged> {
+        if faces.solution().loaded.is_empty() {
+            return self.solve_faces(step, faces);
+        }
+        let tolerance = self.settings.tolerance;
+        let failure = |iterations| NotConverged { iterations, indicator: f64::INFINITY, tolerance };
+        let problem = self.problem;
+        let Some(wheel) = problem.wheel() else { return Err(failure(0)) };
+        let mut iterations = 0;
+        for _ in 0..MOST_SETS {
+            let loaded = faces.solution().loaded.clone();
+            let known = self.reduced.take().filter(|reduced| reduced.loaded == loaded);
+            let reduced = match known {
+                Some(reduced) => reduced,
+                None => ReducedWheel::new(wheel, problem.stiffness(), loaded, &self.global_direction)
+                    .ok_or_else(|| failure(iterations))?,
+            };
+            let solved = self.solve_reduced(step, faces, &reduced);
+            let changes = reduced.demanded(wheel, &self.solution);
+            self.reduced = Some(reduced);
+            iterations += solved?;
+            if changes.is_empty() {
+                return Ok(iterations);
+            }
+            for (node, loaded) in changes {
+                faces.set_loaded(node, loaded);
+            }
+        }
+        Err(failure(iterations))
+    }
+
+    fn keep(&mut self) {
+        self.kept.clone_from(&self.combined);
+    }
+
+    fn restore(&mut self) {
+        self.combined.clone_from(&self.kept);
+    }
+}
+
+/// Largest number of sets of surface nodes in contact within a step.
+const MOST_SETS: usize = 60;
+
+impl<'a> LatinSteps<'a> {
+    /// [`StepSolver::solve`] under a coupled wheel, with the surface nodes in contact of `reduced`.
+    fn solve_reduced(
+        &mut self,
+        step: LoadStep,
+        faces: &mut FaceResponse<'a>,
+        reduced: &ReducedWheel,
+    ) -> Result<usize, NotConverged> {
+        let forces = reduced.forces(step.forces);
+        let global = self.global.replace(reduced.global.clone());
+        let solved = self.iterate(LoadStep { forces: &forces, ..step }, faces);
+        self.global = global;
+        let iterations = solved?;
+        reduced.complete(step.forces, &mut self.solution);
+        faces.adopt(&self.solution);
+        Ok(iterations)
+    }
+
+    /// [`StepSolver::solve`] without a coupled wheel.
+    fn solve_faces(&mut self, step: LoadStep, faces: &mut FaceResponse<'a>) -> Result<usize, NotConverged> {
+        let faces_only = &step.forces[..2 * self.problem.points()];
+        self.solution.loaded.clear();
+        let iterations = self.iterate(LoadStep { forces: faces_only, ..step }, faces)?;
+        self.solution.jump[2 * self.problem.points()..].fill(0.0);
+        self.solution.contact[2 * self.problem.points()..].fill(0.0);
+        faces.adopt(&self.solution);
+        Ok(iterations)
+    }
+
+    /// The iterations under the nodal forces of `step` (2p); leaves the result in the solution.
+    fn iterate(&mut self, step: LoadStep, faces: &FaceResponse<'a>) -> Result<usize, NotConverged> {
         let Latin { tolerance, max_iterations, .. } = self.settings;
         let failure = |iterations, indicator| NotConverged { iterations, indicator, tolerance };
         let n = 2 * self.problem.points();
@@ -183,7 +260,6 @@ impl<'a> StepSolver<'a> for LatinSteps<'a> {
             }
             indicator = self.indicator(&jump, &force, step.forces, influence);
             if indicator <= tolerance && !self.follow_pockets(step) {
-                faces.adopt(&self.solution);
                 return Ok(iteration);
             }
             for i in 0..n {
@@ -195,16 +271,6 @@ impl<'a> StepSolver<'a> for LatinSteps<'a> {
         Err(failure(max_iterations, indicator))
     }
 
-    fn keep(&mut self) {
-        self.kept.clone_from(&self.combined);
-    }
-
-    fn restore(&mut self) {
-        self.combined.clone_from(&self.kept);
-    }
-}
-
-impl LatinSteps<'_> {
     /// Gives every pocket the status required by its conditions; returns whether any status has
     /// changed.
     fn follow_pockets(&mut self, step: LoadStep) -> bool {
@@ -231,7 +297,7 @@ impl LatinSteps<'_> {
         let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0f64, |m, v| m.max(v.abs()));
         let local = &self.solution;
         let gap: Vec<f64> = local.contact.iter().zip(force).map(|(a, b)| a - b).collect();
-        let pressed = total(self.problem, &self.solution, load);
+        let pressed = with_pockets(self.problem, &self.solution, load);
         let total: Vec<f64> = force.iter().zip(&*pressed).map(|(a, b)| a + b).collect();
         let sif = largest(&mut (0..influence.rows()).map(|i| dot(influence.row(i), &total)));
         self.scale[0] = self.scale[0].max(largest(&mut jump.iter().copied()));

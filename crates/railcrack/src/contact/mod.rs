@@ -6,6 +6,7 @@ mod differences;
 mod fixtures;
 mod fluid;
 mod latin;
+mod latin_wheel;
 mod law;
 mod loads;
 mod newton;
@@ -20,6 +21,8 @@ mod solver;
 mod stepping;
 mod tableau;
 mod trace;
+mod uncracked_path;
+mod wheel_surface;
 
 pub use fluid::{
     FaceFluid, FluidModel, FluidState, Pocket, PocketMouth, PocketState, PocketStatus, PressureProfile,
@@ -31,5 +34,6 @@ pub(crate) use problem::FaceScale;
 pub use problem::{CrackFrictionError, FaceProblem, FaceSolution, PointStatus};
 pub use response::FaceResponse;
 pub use solver::{ContactSolver, LoadStep, NotConverged, StepSolver};
-pub(crate) use stepping::FaceHistory;
+pub(crate) use stepping::{Coupling, FaceHistory};
 pub use stepping::{LoadPath, StepControl, Stepper, SteppingCounts, SteppingError};
+pub use wheel_surface::{CoupledState, SurfaceNode, SurfaceState, WheelSurface};

@@ -2,9 +2,10 @@
 
 use super::pressure::demanded as demanded_pocket;
 use super::problem::ROUND_OFF;
+use super::wheel_surface::SURFACE_ROUND_OFF;
 use super::{
-    ContactSolver, FaceProblem, FaceResponse, FaceScale, LoadStep, NotConverged, PocketState, PointStatus,
-    StepSolver,
+    ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, PocketState,
+    PointStatus, StepSolver,
 };
 
 /// Semismooth Newton: every point that violates the conditions of its status changes its status,
@@ -75,6 +76,23 @@ fn demanded(
     (mu > 0.0 && against > ROUND_OFF * jump_scale).then(|| (PointStatus::Stick, against / jump_scale))
 }
 
+/// The surface nodes of a coupled wheel whose contact conditions require another status, that
+/// status (pressed against the wheel or not), and the violation of the present one relative to the
+/// pressures and gaps of the wheel.
+fn demanded_nodes(problem: &FaceProblem, solution: &FaceSolution) -> Vec<(usize, bool, f64)> {
+    let Some(wheel) = problem.wheel() else { return Vec::new() };
+    let (pressure, gap) = wheel.scales();
+    let demand = |(node, &loaded): (usize, &bool)| {
+        let i = wheel.component(node);
+        let by = match loaded {
+            true => -solution.jump[i] / pressure,
+            false => -solution.contact[i] / gap,
+        };
+        (by > SURFACE_ROUND_OFF).then_some((node, !loaded, by))
+    };
+    solution.loaded.iter().enumerate().filter_map(demand).collect()
+}
+
 impl<'a> StepSolver<'a> for NewtonSteps<'a> {
     fn solve(&mut self, step: LoadStep, faces: &mut FaceResponse<'a>) -> Result<usize, NotConverged> {
         let points = self.problem.points();
@@ -100,11 +118,24 @@ impl<'a> StepSolver<'a> for NewtonSteps<'a> {
                 })
                 .collect();
             let pockets_change = iteration <= FOLLOWING_POCKETS && self.follow_pockets(step, faces, scale);
-            if !pockets_change && demands.is_empty() {
+            let nodes = demanded_nodes(self.problem, faces.solution());
+            if !pockets_change && demands.is_empty() && nodes.is_empty() {
                 self.scale = scale;
                 return Ok(iteration);
             }
             worst = demands.iter().fold(0.0, |w, d| w.max(d.2));
+            let worst_node = nodes.iter().fold(0.0f64, |w, node| w.max(node.2));
+            if iteration > SIMULTANEOUS && worst_node > worst {
+                worst = worst_node;
+                if let Some(&(node, loaded, _)) = nodes.iter().find(|node| node.2 == worst_node) {
+                    faces.set_loaded(node, loaded);
+                }
+                in_equilibrium = false;
+                continue;
+            }
+            if iteration <= SIMULTANEOUS {
+                nodes.iter().for_each(|&(node, loaded, _)| faces.set_loaded(node, loaded));
+            }
             if iteration > SIMULTANEOUS
                 && let Some(&(point, status, _)) = demands.iter().find(|demand| demand.2 == worst)
             {

@@ -268,6 +268,19 @@ pub(super) fn total<'l>(
     solution: &FaceSolution,
     load: impl Into<Cow<'l, [f64]>>,
 ) -> Cow<'l, [f64]> {
+    let load = load.into();
+    match problem.wheel() {
+        Some(wheel) => with_pockets(problem, solution, wheel.on_faces(&load, &solution.jump)),
+        None => with_pockets(problem, solution, load),
+    }
+}
+
+/// [`total`] of nodal forces that contain those of a coupled wheel.
+pub(super) fn with_pockets<'l>(
+    problem: &FaceProblem,
+    solution: &FaceSolution,
+    load: impl Into<Cow<'l, [f64]>>,
+) -> Cow<'l, [f64]> {
     let mut load = load.into();
     for (pocket, state) in problem.pockets().iter().zip(&solution.fluid) {
         crate::math::axpy(state.pressure, &pocket.unit, load.to_mut());

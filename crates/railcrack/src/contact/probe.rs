@@ -13,11 +13,12 @@ pub(super) struct Probe {
 }
 
 impl Probe {
-    pub(super) fn new(stiffness: &Matrix) -> Self {
+    /// The probe of the equations with the matrix Aᵀ.
+    pub(super) fn new(columns: &Matrix) -> Self {
         // Irregular weights of either sign, between 1/2 and 3/2 in magnitude.
         let golden = |i: usize| (i as f64 * 0.618_033_988_749_895).fract();
         let weight = |i: usize| (0.5 + golden(i)).copysign(golden(i + 7 * i * i) - 0.5);
-        let weights: Vec<f64> = (0..stiffness.rows()).map(weight).collect();
-        Self { of_jumps: stiffness.times(&weights), weights, size: 0.0 }
+        let weights: Vec<f64> = (0..columns.rows()).map(weight).collect();
+        Self { of_jumps: columns.times(&weights), weights, size: 0.0 }
     }
 }

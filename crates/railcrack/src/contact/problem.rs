@@ -1,9 +1,11 @@
 //! Contact problem on the faces of a cracked body, and its solutions.
 
-use super::{FaceFluid, FaceState, FaceStatus, PocketState};
+use super::wheel_surface::SurfaceSystem;
+use super::{FaceFluid, FaceState, FaceStatus, FluidModel, Pocket, PocketState, WheelSurface};
 use crate::body::{CrackedBody, FacePoint};
 use crate::fracture::Sif;
-use crate::math::{Matrix, dot};
+use crate::linear::LinearError;
+use crate::math::{Matrix, axpy, dot};
 use thiserror::Error;
 
 /// Contact status of a face point; the sign of slip is that of s12.
@@ -78,6 +80,7 @@ pub struct FaceProblem<'a> {
     /// Volume (mm²/MPa) that a unit pressure on free faces produces in each pocket whose pressure
     /// is an unknown.
     pub(super) free_volumes: Vec<f64>,
+    wheel: Option<SurfaceSystem>,
 }
 
 impl<'a> FaceProblem<'a> {
@@ -96,7 +99,7 @@ impl<'a> FaceProblem<'a> {
             return Err(CrackFrictionError::Value { crack: crack + 1, value: crack_friction[crack] });
         }
         let friction = points.iter().map(|point| crack_friction[point.crack]).collect();
-        Ok(Self { body, friction, fluid: None, free_volumes: Vec::new() })
+        Ok(Self { body, friction, fluid: None, free_volumes: Vec::new(), wheel: None })
     }
 
     /// This problem with `fluid` in the cracks.
@@ -106,7 +109,54 @@ impl<'a> FaceProblem<'a> {
         let compliance = &wet.body.compliance;
         wet.free_volumes =
             wet.pockets().iter().map(|pocket| dot(&pocket.unit, &compliance.times(&pocket.unit))).collect();
-        wet
+        wet.extended()
+    }
+
+    /// This problem, whose fluid is known, under a wheel that feels the cracks, with the running
+    /// `surface` under it. Fluid at the pressure over a mouth is a load of the surface nodes around
+    /// it.
+    ///
+    /// Errors: a surface without a solution of its contact.
+    pub fn with_wheel(self, surface: Option<WheelSurface>) -> Result<Self, LinearError> {
+        let stiffness = &self.body.stiffness;
+        let of_mouth = self.fluid.iter().filter(|fluid| matches!(fluid.model, FluidModel::Mouth { .. }));
+        let pockets: Vec<&Pocket> = of_mouth.flat_map(|fluid| &fluid.pockets).collect();
+        let wet = |mut surface: WheelSurface| {
+            for pocket in &pockets {
+                let Some(mouth) = pocket.mouth else { continue };
+                for (node, share) in surface.mean_over(mouth.x) {
+                    axpy(share, &pocket.profile, surface.loading.row_mut(node));
+                }
+            }
+            SurfaceSystem::new(surface, stiffness)
+        };
+        let wheel = surface.map(wet).transpose()?;
+        Ok(Self { wheel, ..self }.extended())
+    }
+
+    /// This problem with forces of pockets that have an entry for every component.
+    fn extended(mut self) -> Self {
+        let components = self.components();
+        for pocket in self.fluid.iter_mut().flat_map(|fluid| &mut fluid.pockets) {
+            pocket.unit.resize(components, 0.0);
+            pocket.profile.resize(components, 0.0);
+        }
+        self
+    }
+
+    /// The wheel, if it feels the cracks.
+    pub(crate) fn wheel(&self) -> Option<&SurfaceSystem> {
+        self.wheel.as_ref()
+    }
+
+    /// Number of components of the problem: 2p, and those of a wheel that feels the cracks.
+    pub(crate) fn components(&self) -> usize {
+        self.wheel.as_ref().map_or(2 * self.points(), |wheel| wheel.columns.rows())
+    }
+
+    /// Transposed matrix of all components.
+    pub(super) fn columns(&self) -> &Matrix {
+        self.wheel.as_ref().map_or(&self.body.stiffness, |wheel| &wheel.columns)
     }
 
     /// The fluid in the cracks, if any.
@@ -142,20 +192,30 @@ impl<'a> FaceProblem<'a> {
 /// The equilibrium and contact state of the faces after a load step.
 #[derive(Debug, Default, PartialEq)]
 pub struct FaceSolution {
-    /// ⟦w⟧, mm: `[2 j]` slip, `[2 j + 1]` opening of point j.
+    /// ⟦w⟧, mm: `[2 j]` slip, `[2 j + 1]` opening of point j. Further entries belong to a wheel
+    /// that feels the cracks.
     pub jump: Vec<f64>,
-    /// Contact forces on the + faces, N/mm, same order: s22 = −force / weight.
+    /// Contact forces on the + faces, N/mm, same order: s22 = −force / weight. Further entries
+    /// belong to a wheel that feels the cracks.
     pub contact: Vec<f64>,
     /// Status of each point.
     pub status: Vec<PointStatus>,
+    /// Whether each node of a coupled wheel is in contact; empty while the wheel is not coupled.
+    pub loaded: Vec<bool>,
     /// The fluid of each pocket whose pressure is an unknown.
     pub fluid: Vec<PocketState>,
 }
 
 impl Clone for FaceSolution {
     fn clone(&self) -> Self {
-        let Self { jump, contact, status, fluid } = self;
-        Self { jump: jump.clone(), contact: contact.clone(), status: status.clone(), fluid: fluid.clone() }
+        let Self { jump, contact, status, loaded, fluid } = self;
+        Self {
+            jump: jump.clone(),
+            contact: contact.clone(),
+            status: status.clone(),
+            loaded: loaded.clone(),
+            fluid: fluid.clone(),
+        }
     }
 
     /// Reuses the memory of `self`, because each load step copies some solutions.
@@ -163,6 +223,7 @@ impl Clone for FaceSolution {
         self.jump.clone_from(&source.jump);
         self.contact.clone_from(&source.contact);
         self.status.clone_from(&source.status);
+        self.loaded.clone_from(&source.loaded);
         self.fluid.clone_from(&source.fluid);
     }
 }
@@ -174,21 +235,26 @@ impl FaceSolution {
             jump: vec![0.0; 2 * points],
             contact: vec![0.0; 2 * points],
             status: vec![PointStatus::Stick; points],
+            loaded: Vec::new(),
             fluid: Vec::new(),
         }
     }
 
     /// Virgin faces of `problem`, with the mouths of all pockets free.
     pub(super) fn virgin_of(problem: &FaceProblem) -> Self {
-        Self { fluid: vec![PocketState::FREE; problem.pockets().len()], ..Self::virgin(problem.points()) }
+        let mut virgin = Self::virgin(problem.points());
+        virgin.jump.resize(problem.components(), 0.0);
+        virgin.contact.resize(problem.components(), 0.0);
+        Self { fluid: vec![PocketState::FREE; problem.pockets().len()], ..virgin }
     }
 
     /// The stress intensity factors of each tip under the nodal forces `load` (N/mm, 2p) of the
     /// step, including those of the fluid.
     #[must_use]
     pub fn sifs(&self, body: &CrackedBody, load: &[f64]) -> Vec<Sif> {
-        let total: Vec<f64> = self.contact.iter().zip(load).map(|(c, l)| c + l).collect();
         let influence = &body.sif_influence;
+        let faces = self.contact.iter().zip(load).take(influence.columns());
+        let total: Vec<f64> = faces.map(|(c, l)| c + l).collect();
         let row = |i: usize| dot(influence.row(i), &total);
         (0..influence.rows() / 2).map(|tip| Sif { ki: row(2 * tip), kii: row(2 * tip + 1) }).collect()
     }
@@ -217,7 +283,11 @@ impl FaceSolution {
     /// tension, shear beyond friction, or force across an opening relative to `scale.force`.
     #[must_use]
     pub(crate) fn violation(&self, problem: &FaceProblem, scale: FaceScale) -> f64 {
-        (0..problem.points()).fold(0.0f64, |worst, j| {
+        let of_wheel = match problem.wheel() {
+            Some(wheel) if !self.loaded.is_empty() => wheel.violation(&self.jump, &self.contact),
+            _ => 0.0,
+        };
+        (0..problem.points()).fold(of_wheel, |worst, j| {
             let (tangential, normal) =
                 (self.contact[2 * j] / scale.force, self.contact[2 * j + 1] / scale.force);
             let opening = self.jump[2 * j + 1] / scale.jump;
@@ -246,8 +316,9 @@ impl FaceScale {
     /// The maxima of this scale and the largest values of `solution` and `load`.
     pub(crate) fn including(self, solution: &FaceSolution, load: &[f64]) -> Self {
         let largest = |values: &[f64], so_far: f64| values.iter().fold(so_far, |m, v| m.max(v.abs()));
-        let force = largest(load, largest(&solution.contact, self.force));
-        Self { jump: largest(&solution.jump, self.jump), force }
+        let faces = ..2 * solution.status.len();
+        let force = largest(&load[faces], largest(&solution.contact[faces], self.force));
+        Self { jump: largest(&solution.jump[faces], self.jump), force }
     }
 }
 

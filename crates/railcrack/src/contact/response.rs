@@ -25,7 +25,7 @@ impl<'a> FaceResponse<'a> {
     pub(super) fn virgin(problem: &'a FaceProblem<'a>) -> Self {
         Self {
             problem,
-            tableau: Tableau::new(problem.stiffness()),
+            tableau: Tableau::new(problem.columns()),
             solution: FaceSolution::virgin_of(problem),
             kept: FaceSolution::virgin_of(problem),
             units: vec![FaceRate::default(); problem.pockets().len()],
@@ -66,6 +66,24 @@ impl<'a> FaceResponse<'a> {
         self.tableau.set(2 * point + 1, normal);
     }
 
+    /// Brings the surface nodes of a coupled wheel into contact, or out of it, as `loaded`; an
+    /// empty list uncouples the wheel.
+    pub(super) fn couple(&mut self, loaded: &[bool]) {
+        let Some(wheel) = self.problem.wheel() else { return };
+        loaded.clone_into(&mut self.solution.loaded);
+        for node in 0..wheel.nodes() {
+            self.tableau.set(wheel.component(node), in_contact(loaded.get(node) == Some(&true)));
+        }
+        self.tableau.set(wheel.approach(), in_contact(!loaded.is_empty()));
+    }
+
+    /// Brings surface node `node` of a coupled wheel into contact, or out of it.
+    pub(super) fn set_loaded(&mut self, node: usize, loaded: bool) {
+        let Some(wheel) = self.problem.wheel() else { return };
+        self.solution.loaded[node] = loaded;
+        self.tableau.set(wheel.component(node), in_contact(loaded));
+    }
+
     /// Sets the load to `acting` (N/mm, 2p).
     pub(super) fn load(&mut self, acting: &[f64]) {
         let units = self.problem.pockets().iter().map(|pocket| &pocket.unit[..]);
@@ -97,7 +115,7 @@ impl<'a> FaceResponse<'a> {
         needed: impl Fn(usize) -> bool,
         units: &mut [FaceRate],
     ) -> Result<(), Degenerate> {
-        let components = 2 * self.problem.points();
+        let components = self.problem.components();
         let mut rates = Vec::with_capacity(units.len());
         for (k, unit) in units.iter_mut().enumerate() {
             let components = if needed(k) { components } else { 0 };
@@ -169,6 +187,12 @@ impl<'a> FaceResponse<'a> {
         for (point, &status) in solution.status.iter().enumerate() {
             self.set_status(point, status, solution.jump[2 * point]);
         }
+        self.couple(&solution.loaded);
         self.solution.clone_from(solution);
     }
+}
+
+/// The condition of the pressure of a surface node, or of the approach of a wheel.
+fn in_contact(touches: bool) -> Condition {
+    if touches { Condition::Free(0.0) } else { Condition::Held(0.0) }
 }

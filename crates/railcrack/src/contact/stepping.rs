@@ -84,6 +84,15 @@ pub enum SteppingError {
     },
 }
 
+/// Whether a wheel feels the cracks at its present position.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Coupling {
+    /// Its contact is part of the contact problem.
+    Coupled,
+    /// Its contact is that on the uncracked rail.
+    Uncoupled,
+}
+
 /// Computational effort along a path.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SteppingCounts {
@@ -176,7 +185,7 @@ impl FaceHistory {
             solution: FaceSolution::virgin_of(problem),
             scale: expected.iter().map(|slip| EXPECTED_SHARE * slip.abs()).collect(),
             largest: FaceScale::NONE,
-            load: vec![0.0; 2 * problem.points()],
+            load: vec![0.0; problem.components()],
         }
     }
 }
@@ -240,7 +249,7 @@ impl<'a> Stepper<'a> {
             largest: FaceScale::NONE,
             current: FaceSolution::virgin_of(problem),
             at: 0.0,
-            load: vec![0.0; 2 * problem.points()],
+            load: vec![0.0; problem.components()],
             outside: vec![0.0; problem.pockets().len()],
             largest_pressure: 0.0,
             counts: SteppingCounts::default(),
@@ -313,7 +322,10 @@ impl<'a> Stepper<'a> {
             one.status == other.status && near
         };
         let fluid = self.current.fluid.iter().zip(&other.fluid);
-        self.current.status == other.status && fluid.clone().all(filled) && (0..other.jump.len()).all(near)
+        self.current.status == other.status
+            && self.current.loaded == other.loaded
+            && fluid.clone().all(filled)
+            && (0..2 * self.problem.points()).all(near)
     }
 
     /// The nodal forces of the current solution.
@@ -406,7 +418,9 @@ impl<'a> Stepper<'a> {
         let (end, outside) = (path.nodal_forces(target), path.over_mouths(target));
         self.largest_pressure = outside.iter().fold(self.largest_pressure, |most, p| most.max(*p));
         self.faces.keep();
-        let has_memory = self.problem.has_friction() || !self.problem.pockets().is_empty();
+        // The pressure of fluid from the mouth rises with the contact that it supports.
+        let supports = self.problem.wheel().is_some() && self.problem.fluid().is_some();
+        let has_memory = self.problem.has_friction() || !self.problem.pockets().is_empty() || supports;
         let result = if control == StepControl::Adaptive && has_memory {
             self.traced(path, target, (end, outside), at_release, accepted)
         } else {
@@ -516,7 +530,8 @@ impl<'a> Stepper<'a> {
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Result<Attempt, NotConverged> {
         self.faces.load(&end);
-        let reference_slip: Vec<f64> = self.current.jump.iter().step_by(2).copied().collect();
+        let points = self.problem.points();
+        let reference_slip: Vec<f64> = self.current.jump.iter().step_by(2).take(points).copied().collect();
         self.solver.keep();
         self.solve(&end, &reference_slip, &outside)?;
         Ok(self.accept(target, (end, outside), accepted))
@@ -572,6 +587,31 @@ impl<'a> Stepper<'a> {
         }
         accepted(&self.current, &total(self.problem, &self.current, &self.load));
         Attempt::Accepted
+    }
+
+    /// Couples the wheel to the faces at the current coordinate, or uncouples it, under the load of
+    /// `path` there.
+    ///
+    /// Errors: no convergence.
+    pub(crate) fn couple(
+        &mut self,
+        path: &dyn LoadPath,
+        coupling: Coupling,
+        accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
+    ) -> Result<(), SteppingError> {
+        let Some(wheel) = self.problem.wheel() else { return Ok(()) };
+        let mut loaded = Vec::new();
+        if coupling == Coupling::Coupled {
+            loaded.resize(wheel.nodes(), false);
+            wheel.uncracked.pressures(self.at).for_each(|(node, pressure)| loaded[node] = pressure > 0.0);
+        }
+        self.faces.couple(&loaded);
+        let at = self.at;
+        let (end, outside) = (path.nodal_forces(at), path.over_mouths(at));
+        self.faces.keep();
+        self.untraced(at, (end, outside), accepted)
+            .map(|_| ())
+            .map_err(|failure| SteppingError::NotConverged { at, failure })
     }
 
     /// Admissible error (mm) of the slip at which point `j` is held, for K within the tolerance.

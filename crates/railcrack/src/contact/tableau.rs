@@ -20,7 +20,8 @@ use std::mem::take;
 /// undoing it costs nothing. Many differences are combined into a new basis by a block principal
 /// pivot (Cottle, Pang & Stone, The Linear Complementarity Problem, 2.3).
 pub(super) struct Tableau<'a> {
-    stiffness: &'a Matrix,
+    /// Aᵀ: the forces of a unit of each jump.
+    columns: &'a Matrix,
     /// Ratio (N/mm per mm) of the units of forces and jumps in the tableau, which makes stiffnesses
     /// and compliances of order one.
     unit: f64,
@@ -77,21 +78,21 @@ const URGENT: usize = 3;
 const DRIFT: f64 = 1e-13;
 
 impl<'a> Tableau<'a> {
-    /// The tableau with all components held at zero; `stiffness` is A, symmetric.
-    pub(super) fn new(stiffness: &'a Matrix) -> Self {
-        let n = stiffness.rows();
+    /// The tableau with all components held at zero; `columns` is Aᵀ.
+    pub(super) fn new(columns: &'a Matrix) -> Self {
+        let n = columns.rows();
         let held = vec![Condition::Held(0.0); n];
-        let unit = (0..n).map(|i| stiffness[(i, i)]).fold(f64::MIN_POSITIVE, f64::max);
+        let unit = (0..n).map(|i| columns[(i, i)]).fold(f64::MIN_POSITIVE, f64::max);
         Self {
-            stiffness,
+            columns,
             unit,
             basis: held.clone(),
-            responses: in_units(stiffness, unit),
+            responses: in_units(columns, unit),
             now: held.clone(),
             kept: held,
             held: vec![0.0; n],
             of_held: vec![0.0; n],
-            probe: Probe::new(stiffness),
+            probe: Probe::new(columns),
             loads: Loads::default(),
             free: Vec::new(),
             differences: Differences::default(),
@@ -381,7 +382,7 @@ impl<'a> Tableau<'a> {
     /// Recomputes the basis of the present conditions from A.
     fn refresh(&mut self) -> Result<(), Degenerate> {
         self.basis.fill(Condition::Held(0.0));
-        self.responses = in_units(self.stiffness, self.unit);
+        self.responses = in_units(self.columns, self.unit);
         self.begin_basis();
         self.differences.components = (0..self.now.len()).filter(|&i| self.now[i].held().is_none()).collect();
         self.change_basis().map_err(|_| Degenerate)
@@ -554,9 +555,9 @@ fn driven(load: &[f64], i: usize, coupling: f64, unit: f64) -> f64 {
     (load[i] + times(coupling, || load[i + 1])) / unit
 }
 
-/// A in units of `unit`.
-fn in_units(stiffness: &Matrix, unit: f64) -> Matrix {
-    Matrix::from_fn(stiffness.rows(), stiffness.columns(), |i, j| stiffness[(i, j)] / unit)
+/// A matrix in units of `unit`.
+fn in_units(matrix: &Matrix, unit: f64) -> Matrix {
+    Matrix::from_fn(matrix.rows(), matrix.columns(), |i, j| matrix[(i, j)] / unit)
 }
 
 /// `coupling` times a value that exists only if the coupling is not zero.

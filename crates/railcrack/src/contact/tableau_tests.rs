@@ -21,7 +21,7 @@ fn defect(tableau: &mut Tableau, conditions: &[Condition; N], again: bool) -> f6
         tableau.solve(&mut jump, &mut contact)
     };
     solved.unwrap();
-    let forces = tableau.stiffness.times(&jump);
+    let forces = tableau.columns.transposed().times(&jump);
     let worst = (0..N).fold(0.0f64, |worst, i| {
         let missed = match conditions[i] {
             Held(at) => 1e5 * (jump[i] - at).abs(),

@@ -5,6 +5,7 @@ use super::parabola::Parabola;
 use super::pocket_trace::{OutsidePressure, PocketEvent, PocketTrace};
 use super::problem::ROUND_OFF;
 use super::tableau::FaceRate;
+use super::wheel_surface::SURFACE_ROUND_OFF;
 use super::{FaceProblem, FaceResponse, FaceScale, FaceSolution, PointStatus};
 
 /// The load within a step, at share τ of it: start + τ first + τ² second.
@@ -67,7 +68,7 @@ impl Trace {
             rate.contact.resize(current.contact.len(), 0.0);
         }
         self.reference_slip.clear();
-        self.reference_slip.extend(current.jump.iter().step_by(2));
+        self.reference_slip.extend(current.jump.iter().step_by(2).take(current.status.len()));
         self.count = 0;
     }
 
@@ -170,6 +171,8 @@ struct TimedChange {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum StatusChange {
     Point(usize, PointStatus),
+    /// A surface node of a coupled wheel comes into contact, or leaves it.
+    Node(usize, bool),
     Pocket(usize, PocketEvent),
 }
 
@@ -200,7 +203,7 @@ pub(super) fn follow<'a>(
         accuracy,
         error_bounds: None,
     };
-    let most = MOST_AT_ONCE + MOST_PER_POINT * problem.points();
+    let most = MOST_AT_ONCE + MOST_PER_POINT * (problem.points() + current.loaded.len());
     let (mut events, mut at_once) = (0, 0);
     loop {
         let lost = Stop::Lost { share: step.share };
@@ -259,10 +262,38 @@ impl TracedStep<'_, '_> {
                 next = Some(TimedChange { change: StatusChange::Point(point, status), after });
             }
         }
+        if let Some((after, node, loaded)) = self.event_of_nodes(span) {
+            span = after;
+            next = Some(TimedChange { change: StatusChange::Node(node, loaded), after });
+        }
         let scale = PocketTrace::scale_of(self.round_off);
         let pocket = self.pockets.next_event(self.problem, &self.trace.now, scale, self.share, span);
         let of_pocket = |(after, k, event)| TimedChange { change: StatusChange::Pocket(k, event), after };
         pocket.map(of_pocket).or(next)
+    }
+
+    /// Time within `span` at which the first surface node of a coupled wheel changes its status,
+    /// and whether it is then in contact.
+    fn event_of_nodes(&self, mut span: f64) -> Option<(f64, usize, bool)> {
+        let wheel = self.problem.wheel()?;
+        let (pressure, gap) = wheel.scales();
+        let Trace { now, rates: [first, second], .. } = &*self.trace;
+        let mut next = None;
+        for (node, &loaded) in now.loaded.iter().enumerate() {
+            let i = wheel.component(node);
+            let after = if loaded {
+                Parabola::of(now.jump[i], first.jump[i], second.jump[i], self.share)
+                    .first_fall(SURFACE_ROUND_OFF * pressure, span)
+            } else {
+                Parabola::of(now.contact[i], first.contact[i], second.contact[i], self.share)
+                    .first_fall(SURFACE_ROUND_OFF * gap, span)
+            };
+            if let Some(after) = after {
+                span = after;
+                next = Some((after, node, !loaded));
+            }
+        }
+        next
     }
 
     /// Time within `span` at which `point` changes its status, and the new status.
@@ -316,6 +347,12 @@ impl TracedStep<'_, '_> {
     fn change(&mut self, event: TimedChange) -> Result<(), Stop> {
         let (point, status) = match event.change {
             StatusChange::Point(point, status) => (point, status),
+            StatusChange::Node(node, loaded) => {
+                self.trace.note_change(self.share);
+                self.trace.now.loaded[node] = loaded;
+                self.faces.set_loaded(node, loaded);
+                return Ok(());
+            }
             StatusChange::Pocket(_, PocketEvent::Releases) => {
                 return Err(Stop::AtRelease { share: self.share });
             }
@@ -362,7 +399,7 @@ impl TracedStep<'_, '_> {
         let bounds = self.error_bounds.get_or_insert_with(|| {
             let forces = (self.accuracy.missed)();
             let mut bounds = vec![0.0; points.iter().map(|point| point.crack + 1).max().unwrap_or(0)];
-            for (i, force) in forces.iter().enumerate() {
+            for (i, force) in forces.iter().enumerate().take(2 * points.len()) {
                 bounds[points[i / 2].crack] += mobility(i) * force.abs();
             }
             self.faces.load_also(forces);

@@ -37,7 +37,13 @@ fn followed(
 }
 
 fn point(jump: [f64; 2], contact: [f64; 2], status: PointStatus) -> FaceSolution {
-    FaceSolution { jump: jump.to_vec(), contact: contact.to_vec(), status: vec![status], fluid: Vec::new() }
+    FaceSolution {
+        jump: jump.to_vec(),
+        contact: contact.to_vec(),
+        status: vec![status],
+        loaded: Vec::new(),
+        fluid: Vec::new(),
+    }
 }
 
 fn assert_near(got: f64, want: f64, scale: f64) {

@@ -168,8 +168,14 @@ impl Ties {
         for (&own, point) in self.own.iter().zip(&faces.points) {
             points[own].weight += point.weight;
         }
+        let (samples, graded) = (self.shared(&faces.samples), self.shared(&faces.graded));
+        FaceMesh { points, samples, graded }
+    }
+
+    /// `of_nodes` with the shares of face points instead of those of nodes.
+    fn shared(&self, of_nodes: &[FaceSample]) -> Vec<FaceSample> {
         let mut samples = Vec::new();
-        for sample in &faces.samples {
+        for sample in of_nodes {
             let mut shares: Vec<(usize, f64)> = Vec::new();
             for (node, length) in sample.shares.into_iter().filter(|(_, length)| *length != 0.0) {
                 for &(point, factor) in self.of(node) {
@@ -185,7 +191,7 @@ impl Ties {
                 samples.push(FaceSample { shares, ..*sample });
             }
         }
-        FaceMesh { points, samples }
+        samples
     }
 }
 

@@ -82,7 +82,7 @@ impl CrackedRail for Rule {
         Ok(vec![StabilisedPassage {
             passages: Vec::new(),
             histories: Vec::new(),
-            faces: FaceRecord { points: Vec::new(), states: Vec::new(), across: None },
+            faces: FaceRecord { points: Vec::new(), states: Vec::new(), across: None, surface: Vec::new() },
             counts: SolverCounts::default(),
             last_change: None,
             coupling: None,

@@ -2,7 +2,7 @@
 
 use super::FaceAcross;
 use crate::body::FacePoint;
-use crate::contact::{FaceState, FluidState};
+use crate::contact::{CoupledState, FaceState, FluidState, SurfaceState};
 use crate::fracture::Sif;
 use serde::{Deserialize, Serialize};
 
@@ -17,6 +17,9 @@ pub struct PassageRecord {
     pub fluid: Vec<Vec<FluidState>>,
     /// `kiii[tip][position]`: K_III, MPa √mm; empty in the plane.
     pub kiii: Vec<Vec<f64>>,
+    /// `wheel[position]`: the contact of a wheel that feels the cracks, where it does; empty for
+    /// other wheels.
+    pub wheel: Vec<Option<CoupledState>>,
 }
 
 /// The faces during the stabilised passage.
@@ -28,6 +31,9 @@ pub struct FaceRecord {
     pub states: Vec<Vec<FaceState>>,
     /// The third direction, for cracks in space.
     pub across: Option<FaceAcross>,
+    /// `surface[position]`: the nodes of the running surface under a wheel that feels the cracks,
+    /// where it does; empty for other wheels.
+    pub surface: Vec<Vec<SurfaceState>>,
 }
 
 /// Effort of the contact solver in one growth step.

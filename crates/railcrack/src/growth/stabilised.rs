@@ -172,7 +172,7 @@ mod tests {
         let mut passage = StabilisedPassage {
             passages: Vec::new(),
             histories: vec![history(10.0, -500.0), history(-20.0, 30.0)],
-            faces: FaceRecord { points: Vec::new(), states: Vec::new(), across: None },
+            faces: FaceRecord { points: Vec::new(), states: Vec::new(), across: None, surface: Vec::new() },
             counts: SolverCounts::default(),
             last_change: None,
             coupling: None,

@@ -44,6 +44,8 @@ pub(super) enum LoadPhase {
     },
     /// x_c, mm.
     Over,
+    /// x_c (mm) of a wheel that feels the cracks.
+    Coupled,
 }
 
 impl LoadPhase {
@@ -85,7 +87,13 @@ impl<'a> FaceLoad<'a> {
     /// mouth of each pocket; zero over a buried crack.
     pub(super) fn over_mouths(&self, xc: f64, share: f64) -> Vec<f64> {
         let pockets = self.problem.fluid().map_or(&[][..], |fluid| &fluid.pockets);
-        let over = |pocket: &Pocket| pocket.mouth.map_or(0.0, |mouth| self.wheel.pressure(mouth.x, xc));
+        let felt = self.problem.wheel().filter(|_| self.cap.is_some());
+        let over = |pocket: &Pocket| {
+            pocket.mouth.map_or(0.0, |mouth| match felt {
+                Some(wheel) => wheel.surface.hertz_mean(mouth.x, xc),
+                None => self.wheel.pressure(mouth.x, xc),
+            })
+        };
         pockets.iter().map(|pocket| share * over(pocket)).collect()
     }
 
@@ -127,7 +135,7 @@ impl<'a> FaceLoad<'a> {
         let mut slips = vec![0.0f64; self.problem.points()];
         for &x in xc.iter().step_by((xc.len() / EXPECTED_FROM).max(1)) {
             let forces = self.along(LoadPhase::Over).nodal_forces(x);
-            let jump = self.problem.body().compliance.times(&forces);
+            let jump = self.problem.body().compliance.times(&forces[..2 * self.problem.points()]);
             for (slip, jump) in slips.iter_mut().zip(jump.chunks_exact(2)) {
                 *slip = slip.max(jump[0].abs());
             }
@@ -157,7 +165,7 @@ impl LoadPath for PartLoad<'_> {
             LoadPhase::Far { .. } if at == 0.0 => self.load.over_mouths(0.0, 0.0),
             LoadPhase::Far { origin, side } => self.load.over_mouths(origin + side / at, 1.0),
             LoadPhase::Load { xc } => self.load.over_mouths(xc, at),
-            LoadPhase::Over => self.load.over_mouths(at, 1.0),
+            LoadPhase::Over | LoadPhase::Coupled => self.load.over_mouths(at, 1.0),
         }
     }
 
@@ -166,7 +174,13 @@ impl LoadPath for PartLoad<'_> {
         if let Some(others) = self.others {
             others.add(at, &mut forces);
         }
-        forces
+        match (self.load.problem.wheel(), self.part) {
+            (Some(wheel), LoadPhase::Coupled) => wheel.load(forces, at),
+            _ => {
+                forces.resize(self.load.problem.components(), 0.0);
+                forces
+            }
+        }
     }
 }
 
@@ -178,7 +192,7 @@ impl PartLoad<'_> {
             LoadPhase::Far { .. } if at == 0.0 => return residual.clone(),
             LoadPhase::Far { origin, side } => (origin + side / at, 1.0),
             LoadPhase::Load { xc } => (xc, at),
-            LoadPhase::Over => (at, 1.0),
+            LoadPhase::Over | LoadPhase::Coupled => (at, 1.0),
         };
         let mut stresses = wheel.stresses(points, xc);
         if let Some(ends) = ends {

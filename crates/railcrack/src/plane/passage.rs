@@ -4,9 +4,10 @@
 use super::face_load::{FaceLoad, LoadPhase};
 use super::rail_load::RailLoad;
 use super::tip_sifs::{TipMark, TipSifs};
+use crate::body::FacePoint;
 use crate::contact::{
-    ContactSolver, FaceProblem, FaceSolution, FaceState, FluidModel, FluidState, Pocket, StepControl,
-    Stepper, SteppingCounts, SteppingError,
+    ContactSolver, Coupling, FaceProblem, FaceSolution, FaceState, FluidModel, FluidState, Pocket,
+    PocketMouth, StepControl, Stepper, SteppingCounts, SteppingError, SurfaceState,
 };
 use crate::fracture::SifHistory;
 use crate::growth::{
@@ -63,7 +64,7 @@ pub(super) fn stabilised(
         },
         passages: passed.records,
         histories: passed.last.histories,
-        faces: FaceRecord { points, states: passed.last.states, across: None },
+        faces: FaceRecord { points, states: passed.last.states, across: None, surface: passed.last.surface },
         last_change: passed.change,
         coupling,
         delta_kiii: Vec::new(),
@@ -132,6 +133,10 @@ pub(super) struct Rolling<'a> {
     control: StepControl,
     /// Whether the contact currently covers the mouth of each pocket whose fluid it can trap.
     covered: Vec<bool>,
+    /// Whether the wheel currently feels the cracks.
+    coupling: Coupling,
+    /// Abscissa (mm) of the mouth of the crack of each tip; `None` for buried cracks.
+    tip_mouths: Vec<Option<f64>>,
     pub stepper: Stepper<'a>,
     /// Number of load steps to positions of [`EDGE_STATIONS`].
     pub edge_steps: usize,
@@ -142,6 +147,9 @@ pub(super) struct Pass {
     pub record: PassageRecord,
     pub histories: Vec<SifHistory>,
     pub states: Vec<Vec<FaceState>>,
+    /// The running surface at each output position; empty for a wheel that does not feel the
+    /// cracks.
+    pub surface: Vec<Vec<SurfaceState>>,
     /// State of the faces at each output position.
     pub marks: Vec<Mark>,
     /// Whether it coincides with the previous passage from some position on.
@@ -164,6 +172,8 @@ impl Pass {
         for (own, fluid) in self.record.fluid.iter_mut().zip(&other.record.fluid) {
             own.extend_from_slice(&fluid[from..]);
         }
+        self.record.wheel.extend_from_slice(other.record.wheel.get(from..).unwrap_or_default());
+        self.surface.extend_from_slice(other.surface.get(from..).unwrap_or_default());
         let past = other.marks[from - 1].tips.samples();
         for (own, history) in self.histories.iter_mut().zip(&other.histories) {
             own.samples.extend_from_slice(&history.samples[past..]);
@@ -194,6 +204,8 @@ impl<'a> Rolling<'a> {
             mouths: mouths(problem),
             control,
             covered: vec![false; trapped(problem).len()],
+            coupling: Coupling::Uncoupled,
+            tip_mouths: tip_mouths(problem),
             stepper,
             edge_steps: 0,
         }
@@ -239,25 +251,41 @@ impl<'a> Rolling<'a> {
             sifs: vec![Vec::new(); tips_of],
             fluid: vec![Vec::new(); if problem.fluid().is_some() { tips_of } else { 0 }],
             kiii: Vec::new(),
+            wheel: Vec::new(),
         };
-        let mut pass =
-            Pass { record, histories: Vec::new(), states: Vec::new(), marks: Vec::new(), joins: false };
+        let mut pass = Pass {
+            record,
+            histories: Vec::new(),
+            states: Vec::new(),
+            surface: Vec::new(),
+            marks: Vec::new(),
+            joins: false,
+        };
         self.stepper.begin(first);
         self.cover(first, travel, tips).map_err(failure(number, "passage"))?;
+        self.couple(first, travel, tips).map_err(failure(number, "passage"))?;
         for (i, &x) in self.xc.iter().enumerate() {
-            let over = self.face_load.along(LoadPhase::Over);
             let last = if i == 0 { x } else { self.xc[i - 1] };
             for station in self.edges_between(last, x).chain([x]) {
+                let over = self.face_load.along(self.phase());
                 self.edge_steps += usize::from(station != x);
                 let mut take =
                     |solution: &FaceSolution, forces: &[f64]| tips.follow(problem, solution, forces);
                 self.stepper.advance(&over, station, &mut take).map_err(failure(number, "passage"))?;
                 self.cover(station, travel, tips).map_err(failure(number, "passage"))?;
+                self.couple(station, travel, tips).map_err(failure(number, "passage"))?;
             }
             pass.record.sifs.iter_mut().zip(tips.sifs()).for_each(|(tip, k)| tip.push(k));
             let fluid = self.fluid(x);
             pass.record.fluid.iter_mut().zip(fluid).for_each(|(tip, state)| tip.push(state));
             pass.states.push(self.stepper.solution().face_states(self.problem));
+            if let Some(wheel) = problem.wheel() {
+                let FaceSolution { jump, contact, loaded, .. } = self.stepper.solution();
+                let state = wheel.state((jump, loaded), x, &self.tip_mouths);
+                let nodes = state.as_ref().map(|_| wheel.surface_states(jump, contact));
+                pass.record.wheel.push(state);
+                pass.surface.push(nodes.unwrap_or_default());
+            }
             pass.marks.push(Mark { faces: self.stepper.solution().clone(), tips: tips.mark() });
             observer.progress((i + 1) as f64 / self.xc.len() as f64);
             if let Some(before) = before
@@ -271,6 +299,7 @@ impl<'a> Rolling<'a> {
         }
 
         self.uncover(tips).map_err(failure(number, "departure"))?;
+        self.uncouple(tips).map_err(failure(number, "departure"))?;
         let left = if bounded {
             self.follow(LoadPhase::Load { xc: last }, 1.0, (0..RAMP_STATIONS).rev().map(ramp), &mut |s, f| {
                 tips.follow(problem, s, f)
@@ -314,6 +343,42 @@ impl<'a> Rolling<'a> {
         Ok(())
     }
 
+    /// The phase of a wheel over the cracks.
+    fn phase(&self) -> LoadPhase {
+        match self.coupling {
+            Coupling::Coupled => LoadPhase::Coupled,
+            Coupling::Uncoupled => LoadPhase::Over,
+        }
+    }
+
+    /// Couples the wheel to the cracks from `xc` (mm) on, or uncouples it.
+    fn couple(&mut self, xc: f64, travel: f64, tips: &mut TipSifs) -> Result<(), SteppingError> {
+        let Some(wheel) = self.problem.wheel() else { return Ok(()) };
+        let (from, to) = wheel.surface.coupled;
+        let ahead = xc + travel * AHEAD * self.half_width;
+        match (self.coupling, (from..=to).contains(&ahead)) {
+            (Coupling::Uncoupled, true) => self.switch(Coupling::Coupled, tips),
+            (Coupling::Coupled, false) => self.uncouple(tips),
+            _ => Ok(()),
+        }
+    }
+
+    /// Uncouples the wheel if it is coupled.
+    fn uncouple(&mut self, tips: &mut TipSifs) -> Result<(), SteppingError> {
+        match self.coupling {
+            Coupling::Coupled => self.switch(Coupling::Uncoupled, tips),
+            Coupling::Uncoupled => Ok(()),
+        }
+    }
+
+    /// Solves the contact at the current position with another `coupling`.
+    fn switch(&mut self, coupling: Coupling, tips: &mut TipSifs) -> Result<(), SteppingError> {
+        self.coupling = coupling;
+        let path = self.face_load.along(self.phase());
+        let mut take = |solution: &FaceSolution, forces: &[f64]| tips.follow(self.problem, solution, forces);
+        self.stepper.couple(&path, coupling, &mut take)
+    }
+
     /// Releases all fluid trapped by the contact.
     fn uncover(&mut self, tips: &mut TipSifs) -> Result<(), SteppingError> {
         for k in 0..self.covered.len() {
@@ -333,7 +398,13 @@ impl<'a> Rolling<'a> {
     fn fluid(&self, xc: f64) -> Vec<FluidState> {
         let Some(fluid) = self.problem.fluid() else { return Vec::new() };
         let solution = self.stepper.solution();
-        let pressures = self.face_load.in_pockets(xc, 1.0).unwrap_or_default();
+        let mut pressures = self.face_load.in_pockets(xc, 1.0).unwrap_or_default();
+        if let Some(wheel) = self.problem.wheel().filter(|_| self.coupling == Coupling::Coupled) {
+            for (pressure, pocket) in pressures.iter_mut().zip(&fluid.pockets) {
+                let beyond = |mouth: PocketMouth| wheel.mean_beyond_uncracked(&solution.jump, mouth.x, xc);
+                *pressure += pocket.mouth.map_or(0.0, beyond);
+            }
+        }
         let state = |(k, pocket): (usize, &Pocket)| FluidState {
             pressure: solution
                 .fluid
@@ -361,6 +432,8 @@ impl<'a> Rolling<'a> {
         } else {
             Vec::new()
         };
+        let switches = self.problem.wheel().map(|wheel| wheel.surface.coupled);
+        stations.extend(switches.iter().flat_map(|(first, last)| [*first, *last]).filter(within));
         stations.sort_by(|a, b| (a * travel).total_cmp(&(b * travel)));
         stations.into_iter()
     }
@@ -409,6 +482,16 @@ pub(super) fn distances(problem: &FaceProblem, half_width: f64, xc: &[f64]) -> [
 pub(super) fn mouths(problem: &FaceProblem) -> Vec<f64> {
     let points = problem.body().faces.points.iter();
     points.filter(|point| point.position.y == 0.0).map(|point| point.position.x).collect()
+}
+
+/// Abscissa (mm) of the mouth of the crack of each tip; `None` for buried cracks.
+fn tip_mouths(problem: &FaceProblem) -> Vec<Option<f64>> {
+    let body = problem.body();
+    let mouth = |crack: usize| {
+        let own = |point: &&FacePoint| point.crack == crack && point.position.y == 0.0;
+        body.faces.points.iter().find(own).map(|point| point.position.x)
+    };
+    body.tips.iter().map(|tip| mouth(tip.crack)).collect()
 }
 
 /// Places along the rail at which bending matters, mm: the mouths, or the middle of the faces if

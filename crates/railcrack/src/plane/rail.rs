@@ -13,16 +13,17 @@ use super::turning_wheel::{histories_of, turned_by};
 use super::wheel::MixedWheel;
 use super::worn::mouth_sine;
 use crate::body::{BodyEngine, BodyError, CrackedBody};
-use crate::contact::{ContactSolver, FaceProblem, Latin, Newton};
+use crate::contact::{ContactSolver, FaceProblem, Latin, Newton, NotConverged, SteppingError};
+use crate::coupling::WheelCoupling;
 use crate::crack::{Crack, CrackNetwork, CrackTip, End};
 use crate::fatigue::{HourlierPineau, Kink, LargestK1, SifRanges, WheelHistory};
 use crate::field::{EndField, EndsError, RailEnds, StressField, Wheel};
 use crate::fracture::SifHistory;
 use crate::growth::{
     Advance, BodyReport, CrackedRail, DeferredGrowth, FieldRecord, FieldSettings, Geometry, GrowthError,
-    GrowthSettings, GrowthState, MixedTip, Mover, Observer, PassageSettings, PlaneGeometry, PlaneTip,
-    StabilisedPassage, StepStart, StressMoves, TipCourse, TipGeometry, TipRecord, Uncovered, Warning,
-    WheelDemand, WheelOfRail, WornSurface, under_each_wheel,
+    GrowthSettings, GrowthState, MixedTip, Mover, Observer, PassageError, PassageSettings, PlaneGeometry,
+    PlaneTip, StabilisedPassage, StepStart, StressMoves, TipCourse, TipGeometry, TipRecord, Uncovered,
+    Warning, WheelDemand, WheelOfRail, WornSurface, under_each_wheel,
 };
 use crate::interruption::Interruption;
 use crate::math::RailBox;
@@ -46,6 +47,8 @@ pub struct PlaneRail {
     pub share: f64,
     /// Fluid in the cracks under the first wheel; `None` for dry cracks.
     pub fluid: Option<CrackFluid>,
+    /// How the first wheel feels the cracks; `None` for the contact on the uncracked rail.
+    pub coupling: Option<WheelCoupling>,
     /// The other wheels of a mix. The shares of all wheels add up to 1; recorded faces and fields
     /// are those under the first wheel.
     pub others: Vec<MixedWheel>,
@@ -107,6 +110,7 @@ impl PlaneRail {
             wheel,
             share: 1.0,
             fluid: None,
+            coupling: None,
             others: Vec::new(),
             residual: None,
             passages: PassageSettings::default(),
@@ -172,15 +176,30 @@ impl PlaneRail {
         std::iter::once(self.fluid.as_ref()).chain(self.others.iter().map(|other| other.fluid.as_ref()))
     }
 
-    /// The faces of `body` with `fluid` in the cracks.
+    /// How each wheel feels the cracks.
+    fn couplings(&self) -> impl Iterator<Item = Option<&WheelCoupling>> {
+        let others = self.others.iter().map(|other| other.coupling.as_ref());
+        std::iter::once(self.coupling.as_ref()).chain(others)
+    }
+
+    /// The faces of `body` with `fluid` in the cracks, under a wheel that feels them as `coupling`
+    /// says.
     fn faces<'a>(
         &self,
         body: &'a PlaneBody,
-        fluid: Option<&CrackFluid>,
+        (fluid, coupling): (Option<&CrackFluid>, Option<&WheelCoupling>),
+        step: usize,
     ) -> Result<FaceProblem<'a>, GrowthError> {
         let PlaneBody { network, body, .. } = body;
         let fluid = fluid.map(|fluid| fluid.on(network, &body.faces));
-        Ok(FaceProblem::new(body, &self.crack_friction)?.with_fluid(fluid))
+        let surface = coupling.and_then(|coupling| coupling.on(&body.faces));
+        let faces = FaceProblem::new(body, &self.crack_friction)?.with_fluid(fluid);
+        faces.with_wheel(surface).map_err(|_| {
+            let failure = NotConverged { iterations: 0, indicator: f64::INFINITY, tolerance: 0.0 };
+            let source = SteppingError::NotConverged { at: 0.0, failure };
+            let phase = "contact of the wheel on the uncracked rail";
+            GrowthError::Passage { step, source: PassageError::NotConverged { passage: 0, phase, source } }
+        })
     }
 
     fn drive(&self, geometry: &PlaneGeometry, tip: &TipRecord) -> TipDrive {
@@ -295,8 +314,11 @@ impl CrackedRail for PlaneRail {
         warnings: &mut Vec<Warning>,
     ) -> Result<Vec<StabilisedPassage>, GrowthError> {
         let ends = self.ends_under_wheels(&body.body, at.step)?;
-        let faces: Vec<FaceProblem> =
-            self.fluids().map(|fluid| self.faces(body, fluid)).collect::<Result<_, _>>()?;
+        let faces: Vec<FaceProblem> = self
+            .fluids()
+            .zip(self.couplings())
+            .map(|of_wheel| self.faces(body, of_wheel, at.step))
+            .collect::<Result<_, _>>()?;
         let uncovered = self.uncovered(at.worn);
         let loads = self.loads(&uncovered);
         let mut face_loads = Vec::with_capacity(loads.len());
@@ -321,7 +343,7 @@ impl CrackedRail for PlaneRail {
         let wanted = self.fields.as_ref().filter(|fields| at.step.is_multiple_of(fields.every.get()));
         let Some(settings) = wanted.cloned() else { return Ok(None) };
         let ends = self.ends_under_wheels(&body.body, at.step)?;
-        let faces = self.faces(body, self.fluid.as_ref())?;
+        let faces = self.faces(body, (self.fluid.as_ref(), None), at.step)?;
         let uncovered = self.uncovered(at.worn);
         let (load, _) = self.loads(&uncovered)[0];
         let face_load = FaceLoad::new(&faces, load, ends.first().map(Arc::as_ref))

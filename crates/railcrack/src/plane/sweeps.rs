@@ -406,6 +406,7 @@ impl GroupRow<'_> {
             sifs: vec![Vec::with_capacity(self.xc.len()); tips],
             fluid: vec![Vec::new(); if problem.fluid().is_some() { tips } else { 0 }],
             kiii: Vec::new(),
+            wheel: Vec::new(),
         };
         let mut histories = vec![SifHistory::default(); tips];
         let mut states = vec![vec![None; problem.points()]; self.xc.len()];
@@ -432,7 +433,7 @@ impl GroupRow<'_> {
             }
         }
         let states = states.into_iter().map(|states| states.into_iter().flatten().collect()).collect();
-        Ok(Pass { record, histories, states, marks: Vec::new(), joins: false })
+        Ok(Pass { record, histories, states, surface: Vec::new(), marks: Vec::new(), joins: false })
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::crack_fluid::CrackFluid;
 use super::rail_load::RailLoad;
+use crate::coupling::WheelCoupling;
 use crate::field::{StressField, Wheel};
 use crate::growth::PassageSettings;
 
@@ -16,6 +17,8 @@ pub struct MixedWheel {
     pub residual: Option<Box<dyn StressField>>,
     /// Fluid in the cracks while it passes; `None` for dry cracks.
     pub fluid: Option<CrackFluid>,
+    /// How it feels the cracks; `None` for the contact on the uncracked rail.
+    pub coupling: Option<WheelCoupling>,
     /// Its passages.
     pub passages: PassageSettings,
     /// K_Ic (MPa √mm) at its temperature; `None` where fracture is not considered.

@@ -52,6 +52,7 @@ fn passage_record(body: &SpaceBody, history: &SpaceHistory) -> PassageRecord {
         sifs: (0..points).map(|q| of_point(q).map(|k| Sif { ki: k.ki, kii: k.kii }).collect()).collect(),
         fluid: if history.fluid.is_empty() { Vec::new() } else { body.front().iter().map(fluid).collect() },
         kiii: (0..points).map(|q| of_point(q).map(|k| k.kiii).collect()).collect(),
+        wheel: Vec::new(),
     }
 }
 
@@ -104,5 +105,6 @@ fn face_record(body: &SpaceBody, passage: &StabilisedSpace, written: Vec<usize>)
             cells: body.cells().to_vec(),
             written,
         }),
+        surface: Vec::new(),
     }
 }

@@ -65,7 +65,8 @@ pub(super) fn leave_junctions(
     for element in elements {
         element.ends = element.ends.map(|point| point.map(new));
     }
-    for (point, _) in faces.samples.iter_mut().flat_map(|sample| &mut sample.shares) {
+    let samples = faces.samples.iter_mut().chain(&mut faces.graded);
+    for (point, _) in samples.flat_map(|sample| &mut sample.shares) {
         *point = new(*point);
     }
     let mut stays = stays.into_iter();

@@ -759,4 +759,44 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "",
         "Fluid: with an incompressible fluid K and pressure do not depend on E.",
     ),
+    requirement(
+        "coupled_wheel::a_symmetric_crack_is_not_felt",
+        "",
+        "Coupled wheel: over a vertical crack below its middle a frictionless wheel has the Hertzian pressure, K = 0 and no further approach.",
+    ),
+    requirement(
+        "coupled_wheel::frictionless_cracks",
+        "",
+        "Coupled wheel: K_II of frictionless cracks at 15° to 90° agrees with that of a prototype.",
+    ),
+    requirement(
+        "coupled_wheel::approach_and_energy_release",
+        "",
+        "Coupled wheel: the approach grows with the crack length as the energy release rate grows with the load (Maxwell).",
+    ),
+    requirement(
+        "coupled_wheel::stiffer_steel",
+        "",
+        "Coupled wheel: with twice E at given pressure and half-width K is the same and the approach half as large.",
+    ),
+    requirement(
+        "coupled_wheel::history_with_friction",
+        "",
+        "Coupled wheel: the extremes of K over a passage with friction agree with those of a prototype, and the coupling begins without a jump of K.",
+    ),
+    requirement(
+        "coupled_wheel::engines_and_solvers",
+        "",
+        "Coupled wheel: histories agree between the engines and between the contact solvers.",
+    ),
+    requirement(
+        "coupled_wheel::mirrored_travel",
+        "",
+        "Coupled wheel: a mirrored pair of cracks has the mirrored history.",
+    ),
+    requirement(
+        "coupled_wheel::water_under_a_wheel_that_bridges_the_mouth",
+        "",
+        "Coupled wheel: K_I under the pressure from the mouth agrees with that of a prototype.",
+    ),
 ];

@@ -10,6 +10,7 @@ mod closed_tip;
 mod collinear_cracks;
 mod contact_conditions;
 mod contact_pressure;
+mod coupled_wheel;
 mod cycles;
 mod edge_crack_in_tension;
 mod edge_crack_under_pressure;

@@ -31,6 +31,7 @@ fn grown(wheels: &[(f64, HertzWheel)], increments: usize, length: f64) -> Vec<St
         residual: None,
         passages: PassageSettings::default(),
         fluid: None,
+        coupling: None,
         toughness: None,
     };
     problem.others = others.iter().map(mixed).collect();

@@ -104,9 +104,16 @@ fn wheel(case: &Case) -> String {
         ),
         _ => String::new(),
     };
+    let felt = match &case.wheel.coupling {
+        Some(coupling) => format!(
+            "Within {} a of a mouth the contact is that of a smooth elastic wheel on the rail with its cracks.",
+            given(coupling.within)
+        ),
+        None => "The contact is not affected by the cracks.".to_owned(),
+    };
     format!(
-        "Wheel: {pressure}, p_{{0}} = {} MPa, half-width a = {} mm, {shear}, rolling towards {travel}.{strip} The contact is \
-         not affected by the cracks and is the same in every load cycle.{}",
+        "Wheel: {pressure}, p_{{0}} = {} MPa, half-width a = {} mm, {shear}, rolling towards {travel}.{strip} {felt} It is \
+         the same in every load cycle.{}",
         fixed(contact.peak_pressure(), 0),
         fixed(contact.half_width(), 2),
         long_rail(case) + &fluid(case)
@@ -118,6 +125,10 @@ fn fluid(case: &Case) -> String {
     match case.fluid.as_ref().map(|fluid| fluid.model) {
         None => String::new(),
         Some(FluidModel::Mouth { cap }) => {
+            if case.wheel.coupling.is_some() {
+                let text = " The fluid pressure in a crack equals the mean contact pressure within 0.1 a of its mouth.";
+                return text.to_owned();
+            }
             let most = if cap.is_finite() { format!(", at most {} MPa", given(cap)) } else { String::new() };
             format!(
                 " The fluid pressure in a crack equals the contact pressure at its mouth{most}. Without a cap this overestimates K by far."

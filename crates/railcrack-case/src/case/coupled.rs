@@ -1,0 +1,50 @@
+//! Cases with a wheel that feels the cracks: what they exclude.
+
+use crate::schema::{Report, Sections};
+use crate::tables::{CONTACT, COUPLED, ENGINE, Engine, NETWORK, SOLVER, WHEEL_CONTACT};
+use railcrack::bulk::Boundary;
+use railcrack::contact::{FluidModel, PressureProfile};
+use railcrack::plane::{CrackFluid, NetworkContact};
+
+/// Refuses sections that a wheel that feels the cracks does not support.
+pub(super) fn check_coupled<'f>(
+    sections: &Sections,
+    boundary: Option<Boundary>,
+    fluids: impl Iterator<Item = &'f CrackFluid>,
+    report: &mut Report,
+) {
+    let contacts = sections.all(&CONTACT).chain(sections.all(&WHEEL_CONTACT));
+    let mut contacts = contacts.filter(|contact| contact.get(COUPLED) == Some(true));
+    let Some(coupled) = contacts.next() else { return };
+    let mut refuse = |says: &str, help: &str| report.add(coupled.fault(COUPLED, says).help(help));
+    if boundary.is_some_and(|boundary| boundary != Boundary::HalfPlane) {
+        let says = "is true, and the surface of a block is not that of a half-plane";
+        refuse(says, "use rail.boundary = \"half-plane\", or coupled = false");
+    }
+    if let Some(solver) = sections.one(&SOLVER) {
+        if solver.get(ENGINE).is_some_and(Engine::is_in_space) {
+            let says = "is true, and the space engine computes the contact on the uncracked rail only";
+            refuse(says, "use engine = \"dislocation\" or \"xfem\", or coupled = false");
+        }
+        if solver.get(NETWORK) == Some(NetworkContact::Groups) {
+            let says = "is true, and cracks in groups are followed under a known contact pressure only";
+            refuse(says, "use solver.network = \"whole\", or coupled = false");
+        }
+    }
+    let fluids: Vec<&CrackFluid> = fluids.collect();
+    let models: Vec<FluidModel> = fluids.iter().map(|fluid| fluid.model).collect();
+    let from_mouth = |fluid: &&CrackFluid| matches!(fluid.model, FluidModel::Mouth { .. });
+    if fluids.iter().any(|fluid| from_mouth(fluid) && fluid.profile == PressureProfile::Constant) {
+        let says = "is true, and a constant pressure from the mouth lifts the flap abruptly, which the load steps do not follow";
+        refuse(says, "use profile = \"linear\", leave the fluid out, or use coupled = false");
+    }
+    if models.iter().any(|model| matches!(model, FluidModel::Trapped { .. })) {
+        let says =
+            "is true, and trapped fluid is computed under the contact pressure on the uncracked rail only";
+        refuse(says, "use model = \"mouth\", leave the fluid out, or use coupled = false");
+    }
+    if models.iter().any(|model| matches!(model, FluidModel::Mouth { cap } if cap.is_finite())) {
+        let says = "is true: the wheel itself limits the pressure from the mouth, and pressure_cap_mpa would do so again";
+        refuse(says, "leave pressure_cap_mpa out, or use coupled = false");
+    }
+}

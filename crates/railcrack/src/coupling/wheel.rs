@@ -1,0 +1,79 @@
+//! A wheel that feels the cracks, on the faces of a body.
+
+use super::compliance::compliance;
+use super::grid::{NodeSpacing, SurfaceGrid};
+use super::loads::forces;
+use crate::body::FaceMesh;
+use crate::contact::{SurfaceNode, WheelSurface};
+use crate::load::HertzianContact;
+use crate::math::Matrix;
+
+/// Contact of a wheel that feels the cracks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CoupledContact {
+    /// The contact on the uncracked rail.
+    pub contact: HertzianContact,
+    /// E* = E/(2 (1 − ν²)) of wheel and rail of equal steel, MPa.
+    pub modulus: f64,
+}
+
+/// Settings of the coupling.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WheelCoupling {
+    /// The contact.
+    pub contact: CoupledContact,
+    /// Number of surface nodes per half-width a: the spacing is half of a over this number at a
+    /// mouth, and twice as much away from the mouths.
+    pub nodes_per_half_width: f64,
+    /// Distance of x_c from a mouth, over a, within which the wheel feels the cracks.
+    pub within: f64,
+}
+
+impl WheelCoupling {
+    /// The default number of surface nodes per half-width.
+    pub const NODES_PER_HALF_WIDTH: f64 = 40.0;
+    /// The default range of the coupling over a. The change of a nodal pressure over p0 is 1e-5 at
+    /// 3 a, 5e-7 at 6 a and 2e-8 at 12 a.
+    pub const WITHIN: f64 = 3.0;
+
+    /// The running surface under the wheel, with the `faces` of cracks; `None` for cracks without a
+    /// mouth.
+    pub fn on(&self, faces: &FaceMesh) -> Option<WheelSurface> {
+        let HertzianContact { peak_pressure, half_width, friction } = self.contact.contact;
+        let at_surface = faces.points.iter().filter(|point| point.position.y == 0.0);
+        let mut mouths: Vec<f64> = at_surface.map(|point| point.position.x).collect();
+        mouths.sort_by(f64::total_cmp);
+        mouths.dedup();
+        let (first, last) = (*mouths.first()?, *mouths.last()?);
+        let (coupled, reach) = (self.within * half_width, (self.within + BEYOND) * half_width);
+        let mean = half_width / self.nodes_per_half_width;
+        let spacing = NodeSpacing { at_mouth: AT_MOUTH * mean, away: AWAY * mean };
+        let grid = SurfaceGrid::new((first - reach, last + reach), &mouths, spacing);
+        let mut nodes: Vec<SurfaceNode> =
+            grid.nodes.iter().zip(grid.moments()).map(|(&x, moments)| SurfaceNode { x, moments }).collect();
+        nodes.shrink_to_fit();
+        let of_hats = forces(&grid, faces);
+        let loading = Matrix::from_fn(nodes.len(), 2 * faces.points.len(), |i, k| {
+            of_hats.pressure[(i, k)] + friction * of_hats.shear[(i, k)]
+        });
+        Some(WheelSurface {
+            nodes,
+            compliance: compliance(&grid, self.contact.modulus),
+            measuring: of_hats.pressure,
+            loading,
+            line_load: self.contact.contact.line_load(),
+            peak_pressure,
+            half_width,
+            radius: 0.5 * half_width * self.contact.modulus / peak_pressure,
+            coupled: (first - coupled, last + coupled),
+            mouths,
+        })
+    }
+}
+
+/// Spacing of the nodes at a mouth and away from the mouths, over the mean.
+const AT_MOUTH: f64 = 0.5;
+const AWAY: f64 = 2.0;
+/// Extent of the surface beyond the last coupled x_c, over a: the contact, which the crack may
+/// widen.
+const BEYOND: f64 = 1.3;

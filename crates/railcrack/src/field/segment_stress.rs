@@ -1,0 +1,83 @@
+//! Stress of the half-plane under tractions on a part of the running surface.
+
+use crate::math::{Stress, Vec2};
+use num_complex::Complex64 as Complex;
+use std::f64::consts::PI;
+
+/// The stress at a point due to tractions on a part of the running surface that are one at one of
+/// its ends and fall linearly to zero at the other end; the first of each pair is one at the start.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SegmentStress {
+    /// Due to a pressure.
+    pub pressure: [Stress; 2],
+    /// Due to a shear along +x on the rail.
+    pub shear: [Stress; 2],
+}
+
+impl SegmentStress {
+    /// The stress at `point` (mm, below the surface) due to unit tractions (MPa) on the part
+    /// between the abscissae `from` and `to` (mm).
+    ///
+    /// With z = x + i y from the start, h the length, L = ln z − ln(z − h) and −π ≤ arg ≤ 0, the
+    /// transforms ∫ p/(z − t) dt are (1 − z/h) L + 1 and (z/h) L − 1; the stress follows from them
+    /// and from their derivatives as in [`super::TableWheel`].
+    pub(crate) fn at(point: Vec2, from: f64, to: f64) -> Self {
+        let h = to - from;
+        let y = point.y.min(0.0);
+        let (z, w) = (Complex::new(point.x - from, y), Complex::new(point.x - to, y));
+        let share = z / h;
+        let logarithm = lower_logarithm(z) - lower_logarithm(w);
+        let difference = z.inv() - w.inv();
+        let falling = ((1.0 - share) * logarithm + 1.0, (1.0 - share) * difference - logarithm / h);
+        let rising = (share * logarithm - 1.0, share * difference + logarithm / h);
+        Self {
+            pressure: [falling, rising].map(|transform| of_pressure(transform, y)),
+            shear: [falling, rising].map(|transform| of_shear(transform, y)),
+        }
+    }
+}
+
+/// ln z with −π ≤ arg z ≤ 0.
+fn lower_logarithm(z: Complex) -> Complex {
+    let argument = z.im.atan2(z.re);
+    Complex::new(0.5 * z.norm_sqr().ln(), if argument > 0.0 { -argument } else { argument })
+}
+
+fn of_pressure((p, slope): (Complex, Complex), y: f64) -> Stress {
+    let yy = (y * slope.re - p.im) / PI;
+    Stress { xx: -2.0 / PI * p.im - yy, yy, zz: 0.0, xy: y * slope.im / PI }
+}
+
+fn of_shear((q, slope): (Complex, Complex), y: f64) -> Stress {
+    let yy = -y * slope.im / PI;
+    Stress { xx: -2.0 / PI * q.re - yy, yy, zz: 0.0, xy: (q.im + y * slope.re) / PI }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::field::{TableWheel, Wheel};
+    use crate::load::{ContactRow, TableContact};
+    use crate::material::IsotropicElastic;
+
+    #[test]
+    fn two_parts_make_a_triangular_load() {
+        let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
+        for (pressure, shear) in [(1.0, 0.0), (1.0, 0.4)] {
+            let row = |u, share| ContactRow { u, pressure: share * pressure, shear: share * shear };
+            let rows = vec![row(-1.5, 0.0), row(0.5, 1.0), row(1.5, 0.0)];
+            let table = TableWheel::new(&TableContact::new(rows, None).unwrap(), &steel);
+            for (x, y) in [(0.0, -0.01), (0.5, -0.3), (-3.0, -2.0), (20.0, -5.0)] {
+                let point = Vec2::new(x, y);
+                let (rises, falls) =
+                    (SegmentStress::at(point, -1.5, 0.5), SegmentStress::at(point, 0.5, 1.5));
+                let sum = (rises.pressure[1] + falls.pressure[0]) * pressure
+                    + (rises.shear[1] + falls.shear[0]) * shear;
+                let want = table.stress(point, 0.0);
+                for (got, want) in [(sum.xx, want.xx), (sum.yy, want.yy), (sum.xy, want.xy)] {
+                    assert!((got - want).abs() < 1e-6, "{point:?}: {got} {want}"); // series of the table
+                }
+            }
+        }
+    }
+}

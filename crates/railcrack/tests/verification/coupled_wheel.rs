@@ -1,0 +1,241 @@
+//! A wheel that feels the cracks, against an independent prototype, reciprocity and symmetry, and
+//! the engines and the solvers against each other.
+
+use crate::common::{Absolute, Of, Relative, Rolling, close, largest, steel, surface_crack};
+use railcrack::body::CrackedBody;
+use railcrack::contact::{ContactSolver, FaceProblem, FluidModel, Latin, Newton, PressureProfile};
+use railcrack::coupling::{CoupledContact, WheelCoupling};
+use railcrack::crack::CrackNetwork;
+use railcrack::dislocation::{FaceResolution, cracked_body};
+use railcrack::field::HertzWheel;
+use railcrack::growth::{PassageRecord, PassageSettings, StabilisedPassage, Unobserved};
+use railcrack::load::{HertzianContact, Passage};
+use railcrack::material::IsotropicElastic;
+use railcrack::plane::{CrackFluid, RailLoad, stabilised_passage};
+
+const A: f64 = Rolling::HALF_WIDTH;
+
+fn coupling(contact: HertzianContact, steel: &IsotropicElastic) -> WheelCoupling {
+    WheelCoupling {
+        contact: CoupledContact { contact, modulus: 0.5 * steel.plane_strain_modulus() },
+        nodes_per_half_width: WheelCoupling::NODES_PER_HALF_WIDTH,
+        within: WheelCoupling::WITHIN,
+    }
+}
+
+/// The passage of `rolling` under a wheel that feels the cracks.
+fn coupled(rolling: &Rolling, solver: &dyn ContactSolver) -> StabilisedPassage {
+    let body = rolling.body();
+    let surface = coupling(rolling.contact(), &steel()).on(&body.faces);
+    let problem = FaceProblem::new(&body, &vec![rolling.crack_friction; rolling.cracks.len()]).unwrap();
+    rolling.on(&problem.with_wheel(surface).unwrap(), solver)
+}
+
+fn last(passage: &StabilisedPassage) -> &PassageRecord {
+    &passage.passages[passage.passages.len() - 1]
+}
+
+/// K_I and K_II (MPa√m) of all tips at all positions.
+fn histories(passage: &StabilisedPassage) -> Vec<[f64; 2]> {
+    let k = last(passage).sifs.iter().flatten();
+    k.map(|k| [k.ki_mpa_sqrt_m(), k.kii_mpa_sqrt_m()]).collect()
+}
+
+/// The largest difference of K over the largest |K| of `one`.
+fn apart(one: &StabilisedPassage, other: &StabilisedPassage) -> f64 {
+    let (one, other) = (histories(one), histories(other));
+    assert_eq!(one.len(), other.len());
+    let difference = largest(one.iter().zip(&other).flat_map(|(a, b)| [a[0] - b[0], a[1] - b[1]]));
+    difference / largest(one.into_iter().flatten())
+}
+
+/// Extent of the surface nodes beyond the coupled positions, over a.
+const BEYOND: f64 = 1.3;
+
+/// Frictionless faces and wheel over a crack of `length` at `degrees`, at x_c (mm), with the wheel
+/// load multiplied by `load`.
+struct Frictionless {
+    length: f64,
+    degrees: f64,
+    xc: f64,
+    load: f64,
+    steel: IsotropicElastic,
+}
+
+/// K_I, K_II (MPa√mm), the approach (mm) and the contact of the node pressures (MPa) by abscissa.
+struct AtRest {
+    k: [f64; 2],
+    approach: f64,
+    pressures: Vec<(f64, f64)>,
+}
+
+impl Frictionless {
+    fn new(degrees: f64, over_a: f64) -> Self {
+        Self { length: 6.0, degrees, xc: over_a * A, load: 1.0, steel: steel() }
+    }
+
+    fn body(&self) -> CrackedBody {
+        let crack = surface_crack(0.0, self.length, self.degrees);
+        cracked_body(&crack.into(), &self.steel, FaceResolution::default()).unwrap()
+    }
+
+    fn solve(&self) -> AtRest {
+        let body = self.body();
+        let root = self.load.sqrt();
+        let contact = HertzianContact { peak_pressure: 845.0 * root, half_width: A * root, friction: 0.0 };
+        // The same nodes for every load.
+        let coupling = coupling(contact, &self.steel);
+        let surface = WheelCoupling {
+            nodes_per_half_width: root * coupling.nodes_per_half_width,
+            within: (coupling.within + BEYOND) / root - BEYOND,
+            ..coupling
+        };
+        let surface = surface.on(&body.faces);
+        let problem = FaceProblem::new(&body, &[0.0]).unwrap().with_wheel(surface).unwrap();
+        // Without friction there is no history: the first position counts.
+        let passage = Passage { from: self.xc, to: self.xc + 1.0, positions: 2 };
+        let settings = PassageSettings { passage, ..PassageSettings::default() };
+        let wheel = HertzWheel::new(&contact, &self.steel).unwrap();
+        let load = RailLoad { wheel: &wheel, residual: None };
+        let result = stabilised_passage(&problem, &Newton::default(), load, &settings, &Unobserved).unwrap();
+        let (record, nodes) = (last(&result), &result.faces.surface[0]);
+        AtRest {
+            k: [record.sifs[0][0].ki, record.sifs[0][0].kii],
+            approach: record.wheel[0].as_ref().unwrap().approach,
+            pressures: nodes.iter().map(|node| (node.x, node.pressure)).collect(),
+        }
+    }
+
+    /// G = (K_I² + K_II²)/E′, N/mm.
+    fn release(&self) -> f64 {
+        let [ki, kii] = self.solve().k;
+        (ki * ki + kii * kii) / self.steel.plane_strain_modulus()
+    }
+}
+
+#[test]
+fn a_symmetric_crack_is_not_felt() {
+    let at_rest = Frictionless::new(90.0, 0.0).solve();
+    let inside = at_rest.pressures.iter().filter(|(x, _)| x.abs() < 0.7 * A);
+    let error = inside.map(|(x, p)| p / 845.0 - (1.0 - (x / A).powi(2)).sqrt());
+    close(largest(error), 0.0, Absolute(2e-3), "nodes of a/20; the edges are left out");
+    close(largest(at_rest.k), 0.0, Absolute(1e-6), "MPa√mm, round-off");
+    close(at_rest.approach, 0.0, Absolute(1e-9), "mm, round-off");
+}
+
+#[test]
+fn frictionless_cracks() {
+    // Prototype of the same equations, uniform surface grid, K_II in MPa√m.
+    for (degrees, over_a, want) in
+        [(30.0, 0.3, 19.707), (60.0, -0.2, 6.919), (90.0, -0.6, -16.151), (15.0, 0.3, 12.406)]
+    {
+        let k = Frictionless::new(degrees, over_a).solve().k[1] / 1000f64.sqrt();
+        close(k, want, Relative(3e-3), "two discretisations");
+    }
+}
+
+#[test]
+fn approach_and_energy_release() {
+    // ∂δ/∂l at P = ∂G/∂P at l (Maxwell), integrated over the load: as a contact edge moves from one
+    // surface node to the next, both sides vary by some per cent.
+    const LOADS: usize = 33;
+    let loads: Vec<f64> = (0..LOADS).map(|i| 0.7 + 0.6 * i as f64 / (LOADS - 1) as f64).collect();
+    let line_load = 0.5 * std::f64::consts::PI * A * 845.0;
+    for (degrees, over_a) in [(15.0, 0.3), (30.0, 0.3), (60.0, -0.2), (90.0, -0.6)] {
+        let at = |length: f64, load: f64| Frictionless { length, load, ..Frictionless::new(degrees, over_a) };
+        let step = 0.06;
+        let slope = |load: f64| {
+            (at(6.0 + step, load).solve().approach - at(6.0 - step, load).solve().approach) / (2.0 * step)
+        };
+        let slopes: Vec<f64> = loads.iter().map(|&load| slope(load)).collect();
+        let trapezia = slopes.windows(2).zip(loads.windows(2));
+        let work: f64 = trapezia.map(|(s, p)| 0.5 * (s[0] + s[1]) * (p[1] - p[0]) * line_load).sum();
+        let (low, high) = (at(6.0, loads[0]).release(), at(6.0, loads[LOADS - 1]).release());
+        close(work, high - low, Of(5e-3, low.max(high)), "surface nodes at the edges of the contact");
+    }
+}
+
+#[test]
+fn stiffer_steel() {
+    let soft = Frictionless::new(60.0, -0.2);
+    let stiff =
+        Frictionless { steel: IsotropicElastic::new(420e3, 0.3).unwrap(), ..Frictionless::new(60.0, -0.2) };
+    let (soft, stiff) = (soft.solve(), stiff.solve());
+    close(stiff.k[1], soft.k[1], Relative(1e-9), "K does not depend on E at given p0 and a");
+    close(2.0 * stiff.approach, soft.approach, Relative(1e-9), "displacements are proportional to 1/E");
+}
+
+#[test]
+fn history_with_friction() {
+    // Prototype: K_II and K_I in MPa√m, uncoupled 24.33, −8.22.
+    let rolling = Rolling::over(vec![surface_crack(0.0, 6.0, 60.0)], 0.1, -0.2);
+    let passage = coupled(&rolling, &Newton::default());
+    let k = histories(&passage);
+    let extreme =
+        |of: usize, sign: f64| k.iter().map(|k| sign * k[of]).fold(f64::NEG_INFINITY, f64::max) * sign;
+    close(extreme(1, 1.0), 19.771, Relative(5e-3), "two discretisations");
+    close(extreme(1, -1.0), -6.812, Of(5e-3, 19.771), "two discretisations");
+    close(extreme(0, 1.0), 2.177, Of(5e-3, 19.771), "two discretisations");
+    let violation = passage.counts.complementarity_max;
+    close(
+        violation,
+        0.0,
+        Absolute(1e-8),
+        "gaps and pressures of the surface, opening and pressure of the faces",
+    );
+    let dry = rolling.solve();
+    let at = last(&passage).wheel.iter().position(Option::is_some).unwrap();
+    let (ours, without) = (histories(&passage)[at], histories(&dry)[at]);
+    let jump = (ours[0] - without[0]).abs().max((ours[1] - without[1]).abs());
+    close(jump, 0.0, Of(1e-4, 19.771), "where the wheel begins to feel the crack");
+}
+
+#[test]
+fn engines_and_solvers() {
+    for (degrees, friction, wheel) in [(60.0, 0.1, -0.2), (25.0, 0.3, 0.1)] {
+        let crack = || vec![surface_crack(0.0, 6.0, degrees)];
+        let rolling = Rolling::over(crack(), friction, wheel);
+        let passage = coupled(&rolling, &Newton::default());
+        let latin = coupled(&rolling, &Latin::default());
+        let by_solver = apart(&passage, &latin);
+        close(by_solver, 0.0, Absolute(1e-5), "of the peak; tolerance of the iteration");
+        let meshed = coupled(&Rolling::meshed(crack(), friction, wheel), &Newton::default());
+        let by_engine = apart(&passage, &meshed);
+        close(by_engine, 0.0, Absolute(1e-2), "of the peak; promised to users");
+    }
+}
+
+#[test]
+fn mirrored_travel() {
+    let cracks = vec![surface_crack(0.0, 4.0, 30.0), surface_crack(3.0, 5.0, 60.0)];
+    let rolling = Rolling::over(cracks, 0.2, 0.3);
+    let mut mirrored = rolling.clone();
+    mirrored.cracks = vec![surface_crack(0.0, 4.0, 150.0), surface_crack(-3.0, 5.0, 120.0)];
+    (mirrored.wheel_friction, mirrored.travel) = (-0.3, -1.0);
+    let (one, other) = (coupled(&rolling, &Newton::default()), coupled(&mirrored, &Newton::default()));
+    let (k, m) = (histories(&one), histories(&other));
+    let peak = largest(k.iter().flatten().copied());
+    let difference = largest(k.iter().zip(&m).flat_map(|(a, b)| [a[0] - b[0], a[1] + b[1]]));
+    close(difference, 0.0, Of(1e-6, peak), "round-off, which moves the events of the path");
+}
+
+#[test]
+fn water_under_a_wheel_that_bridges_the_mouth() {
+    let cracks = vec![surface_crack(0.0, 6.0, 15.0)];
+    let rolling = Rolling::over(cracks.clone(), 0.5, 0.025);
+    let model = FluidModel::Mouth { cap: f64::INFINITY };
+    let fluid = CrackFluid { model, profile: PressureProfile::Linear, cracks: None };
+    let body = rolling.body();
+    let wet = || {
+        let fluid = fluid.on(&CrackNetwork::new(cracks.clone()).unwrap(), &body.faces);
+        FaceProblem::new(&body, &[0.5]).unwrap().with_fluid(Some(fluid))
+    };
+    let largest_ki = |problem: &FaceProblem| {
+        histories(&rolling.on(problem, &Newton::default())).iter().map(|k| k[0]).fold(0.0, f64::max)
+    };
+    let free = largest_ki(&wet());
+    assert!(free > 120.0, "{free}");
+    let surface = coupling(rolling.contact(), &steel()).on(&body.faces);
+    let bridged = largest_ki(&wet().with_wheel(surface).unwrap());
+    close(bridged, 16.0, Relative(0.05), "prototype on another grid, two digits");
+}
