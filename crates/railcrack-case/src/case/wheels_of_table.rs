@@ -87,7 +87,11 @@ pub(super) fn read_wheels_of_table(
         name,
         share,
         axle_load: mean_axle_load(&wheels, first + group).or(context.axle_load),
-        wheel: GivenWheel { load: WheelLoad { contact, track: track.clone(), temperature }, origin },
+        wheel: GivenWheel {
+            load: WheelLoad { contact, track: track.clone(), temperature },
+            origin,
+            coupling: None,
+        },
         travel,
         fluid: sections.part(given, &WHEEL_FLUID).cloned(),
     };

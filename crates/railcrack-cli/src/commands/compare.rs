@@ -151,7 +151,9 @@ fn run_coupled(
         0 => vec![format!("contact.coupled={coupled}")],
         wheels => (1..=wheels).map(|wheel| format!("wheel[{wheel}].contact.coupled={coupled}")).collect(),
     };
-    RunArguments { set: Set { set }, ..run_named(arguments, name, out) }
+    let plain = run_named(arguments, name, out);
+    let execution = Execution { set: Set { set }, ..plain.execution };
+    RunArguments { execution, ..plain }
 }
 
 /// A run of the case as it is, into the folder `name` in `out`.
