@@ -375,7 +375,7 @@ fn growth_laws() {
     assert_eq!(parse(&steel.to_toml()), steel);
     // Typical growth has thresholds of both modes, of which a case may replace the second.
     let typical = parse(&format!("{minimal}steel = \"R260-typical\"\n"));
-    assert_eq!(typical.growth.law.rate.formula(), "3.03e-10 (dK^4 - 6^4)");
+    assert_eq!(typical.growth.law.rate.formula(), "da/dN = 3.03e-10 (dK^4 - 6^4)");
     assert_eq!(typical.growth.law.threshold_2, 3.5);
     assert_eq!(parse(&typical.to_toml()), typical);
     let other = parse(&format!("{minimal}steel = \"R350HT-typical\"\nthreshold_2_mpa_sqrt_m = 5\n"));

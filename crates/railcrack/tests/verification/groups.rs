@@ -188,7 +188,8 @@ fn k_in_groups_of_finite_elements() {
         })
     };
     let (whole, groups, in_groups) = with_threads(1);
-    assert_eq!(whole.faces, groups.faces, "the same points");
+    assert_eq!(whole.faces.points, groups.faces.points, "the same points");
+    assert_eq!(whole.faces.samples, groups.faces.samples);
     assert_eq!(whole.tips, groups.tips);
     let blocks = groups.blocks.as_ref().unwrap();
     assert_eq!(blocks.units.len(), 12, "units");
