@@ -7,6 +7,8 @@ use railcrack::rolling::{PlacedPatch, RollingPatch};
 /// Pixels per mm, and the margin around patches.
 const SCALE: f64 = 14.0;
 const MARGIN: f64 = 34.0;
+/// Pixels of the line under the patches, its margins included.
+const LEGEND: f64 = 520.0;
 
 /// The patches of a wheel, from left to right; none of a line contact.
 pub(super) fn picture(row: &WheelRow) -> Option<String> {
@@ -15,7 +17,7 @@ pub(super) fn picture(row: &WheelRow) -> Option<String> {
     }
     let width: f64 = row.patches.iter().map(|own| 2.0 * own.patch.ellipse.along * SCALE + MARGIN).sum();
     let tallest = row.patches.iter().map(|own| own.patch.ellipse.across).fold(0.0, f64::max);
-    let (width, height) = (width + MARGIN, 2.0 * tallest * SCALE + 2.5 * MARGIN);
+    let (width, height) = ((width + MARGIN).max(LEGEND), 2.0 * tallest * SCALE + 2.5 * MARGIN);
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {height:.0}\" width=\"{width:.0}\" height=\"{height:.0}\" font-family=\"sans-serif\" font-size=\"12\" role=\"img\" aria-label=\"Contact patches of wheel {}\">\n",
         row.number
