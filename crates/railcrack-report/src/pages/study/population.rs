@@ -50,7 +50,8 @@ fn of(place: usize, population: &Population, scatter: &ScatterSummary) -> Vec<Bl
     sentences.push(format!("Results are interpolated between {} runs{left_out}.{error}", population.runs));
     let mut blocks = vec![Block::List(sentences)];
     blocks.extend(depths(place, &scatter.depth).map(Block::Chart));
-    if !scatter.sensitivities.is_empty() {
+    // All of them are zero where no sample becomes critical.
+    if scatter.sensitivities.iter().any(|sensitivity| sensitivity.share > 0.0) {
         let mut table = Table::new(["Quantity", "Share of the scatter (%)"]);
         table.caption = "Squared correlation of each quantity with the logarithm of the traffic from the \
                          detectable to the critical crack"
