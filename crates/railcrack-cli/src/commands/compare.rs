@@ -48,8 +48,8 @@ pub struct CompareArguments {
     /// With --engines or --coupled: number of increments, overriding the case
     #[arg(long, value_name = "N", requires = "computed")]
     steps: Option<u64>,
-    /// With --engines or --coupled: suppress progress output
-    #[arg(long, requires = "computed")]
+    /// Suppress progress output
+    #[arg(long)]
     quiet: bool,
     /// Replace an existing comparison in the folder, with --engines or --coupled also its runs
     #[arg(long)]
