@@ -124,6 +124,7 @@ CAUSES = {
     "plane, wheel 0.3": plane(contact=hertz(0.3)),
     "plane, pressure 1500": plane(contact=hertz(0.2, 1500.0)),
     "partial slip": plane(contact=carter(0.5)),
+    "coupled wheel": plane(contact=hertz() + "\ncoupled = true"),
     "five neighbours at 4 mm": plane(crack_more="count = 5\nspacing_mm = 4.0\n", middle=2),
     "threshold 6": plane(growth='law = "paris-threshold"\nthreshold_mpa_sqrt_m = 6.0'),
     "threshold of mode II 10": plane(growth='law = "paris-threshold"\nthreshold_mpa_sqrt_m = 6.0\nthreshold_2_mpa_sqrt_m = 10.0'),
