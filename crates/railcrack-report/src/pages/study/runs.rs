@@ -18,6 +18,7 @@ pub(super) fn table(plan: &StudyPlan, all: &[StudyRun]) -> Table {
         tonnes: all.iter().any(|run| tonnes(run).is_some()),
         interval: all.iter().any(|run| interval(run).is_some()),
         verdict: all.iter().any(|run| verdict(run).is_some()),
+        failure: all.iter().any(|run| failure(run).is_some()),
     };
     let mut headings: Vec<String> = vec!["Run".to_owned()];
     headings.extend(keys);
@@ -29,7 +30,10 @@ pub(super) fn table(plan: &StudyPlan, all: &[StudyRun]) -> Table {
         headings.push("Inspection interval (MGT)".to_owned());
     }
     if shown.verdict {
-        headings.extend(["Verdict", "Reasons", "Failure"].map(str::to_owned));
+        headings.extend(["Verdict", "Reasons"].map(str::to_owned));
+    }
+    if shown.failure {
+        headings.push("Failure".to_owned());
     }
     headings.extend(
         ["Initial ΔK_{eq} (MPa√m)", "Initial rate (mm/cycle)", "Direction", "Ended by", "Warnings"]
@@ -55,6 +59,7 @@ struct TrafficColumns {
     tonnes: bool,
     interval: bool,
     verdict: bool,
+    failure: bool,
 }
 
 /// The verdict on a run.
@@ -62,10 +67,10 @@ pub(super) fn verdict<'a>(run: &'a StudyRun) -> Option<&'a Verdict> {
     run.row.summary.as_ref()?.verdict.as_ref()
 }
 
-/// How a run fails, and when.
+/// How a run fails, and when; none of a run without a failure.
 fn failure(run: &StudyRun) -> Option<String> {
     let failure = run.row.summary.as_ref()?.decision.as_ref()?.failure;
-    let Some((mode, mgt)) = failure.mode.zip(failure.mgt) else { return Some("none".to_owned()) };
+    let (mode, mgt) = failure.mode.zip(failure.mgt)?;
     Some(format!("{}, {} MGT", mode.words(), tonnage(mgt)))
 }
 
@@ -105,6 +110,8 @@ fn cells(plan: &StudyPlan, run: &StudyRun, shown: TrafficColumns) -> Vec<Cell> {
     if shown.verdict {
         cells.push(verdict(run).map_or_else(missing, |verdict| verdict.level.word().into()));
         cells.push(verdict(run).map_or_else(missing, |verdict| verdict.kinds().into()));
+    }
+    if shown.failure {
         cells.push(failure(run).map_or_else(missing, Cell::from));
     }
     cells.push(of_tip(&|tip| significant(tip.first.delta_keq)));
