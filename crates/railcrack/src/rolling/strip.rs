@@ -58,8 +58,7 @@ impl RollingPatch {
         let mut balanced = vec![[0.0; 2]];
         let slipless = self.creepage.is_none();
         let ratio = self.linear_force().map(|force| force / self.normal_force());
-        let stick =
-            (self.theory == RollingTheory::FaStrip && !slipless).then(|| StickZone::of(self, y)).flatten();
+        let stick = (!slipless).then(|| StickZone::of(self, y)).flatten();
         let mut fastsim = FastsimStrip::entering(self, y);
         let place = |i: usize| a * (PI * i as f64 / (SUBSTEPS * intervals) as f64).cos();
         let mut before = a;
@@ -85,7 +84,7 @@ impl RollingPatch {
                     let shear = if size > limit { sliding() } else { fastsim.shear };
                     (shear, false, fastsim.shear)
                 }
-                RollingTheory::FaStrip => match stick.filter(|zone| zone.holds(x)) {
+                RollingTheory::FaStrip | RollingTheory::Strip => match stick.filter(|zone| zone.holds(x)) {
                     Some(zone) => (zone.shear(x), false, zone.shear(x)),
                     None => (sliding(), true, sliding()),
                 },
@@ -121,7 +120,7 @@ impl RollingPatch {
             return Ok(sliding(0.0));
         }
         let only_along = self.creepage.lateral == 0.0 && self.creepage.spin == 0.0;
-        if only_along && self.theory == RollingTheory::FaStrip {
+        if only_along && matches!(self.theory, RollingTheory::FaStrip | RollingTheory::Strip) {
             let Some(zone) = StickZone::of(self, y) else {
                 return Ok(sliding(-self.friction.copysign(along)));
             };

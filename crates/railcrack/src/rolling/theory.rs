@@ -8,6 +8,9 @@ pub enum RollingTheory {
     /// Strips of Carter's form, scaled to Kalker's coefficients (Sichani et al. 2016).
     #[default]
     FaStrip,
+    /// The same strips with the shear of Kalker's strip theory (1967), which does not slip where it
+    /// sticks.
+    Strip,
     /// Kalker's simplified theory (1982).
     Fastsim,
     /// Kalker's linear theory (1967): forces without saturation.
@@ -17,6 +20,7 @@ pub enum RollingTheory {
 impl Choice for RollingTheory {
     const WORDS: &'static [(Self, Word)] = &[
         (Self::FaStrip, Word::now("fastrip", "strips of Carter's form, scaled to Kalker's coefficients")),
+        (Self::Strip, Word::now("strip", "the same with the shear of Kalker's strip theory")),
         (
             Self::Fastsim,
             Word::now("fastsim", "Kalker's simplified theory with a parabolic limit of the shear"),
