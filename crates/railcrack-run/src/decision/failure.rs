@@ -2,6 +2,7 @@
 
 use super::course::{Course, CourseEvent, FailureMode};
 use super::family::{Family, Removal};
+use super::life_error::{error_at, life_error};
 use super::risk::DepthCurve;
 use super::walk::{Fate, Limits, SampledRates, Track, Walk};
 use railcrack_case::{Inspection, MaintenancePlan};
@@ -109,10 +110,10 @@ impl Nominal {
         let limits = question.limits();
         let mut track = Track::default();
         let first = walk.walk(&rates, &limits, &mut track);
-        let failure = failure_of(course, first.fate, question.tonnes);
+        let failure = failure_of(course, first.fate, question);
         let second = failure.mode.map_or(FailureSummary::NONE, |mode| {
             let again = walk.walk(&rates, &Limits { ignored: Some(mode), ..limits }, &mut track);
-            failure_of(course, again.fate, question.tonnes)
+            failure_of(course, again.fate, question)
         });
         let (worn, replaced) = match first.fate {
             Fate::Worn(mgt) => (Some(mgt), None),
@@ -134,8 +135,9 @@ impl Nominal {
 }
 
 /// The failure at the end of a walk along `course`.
-fn failure_of(course: &Course, fate: Fate, tonnes: f64) -> FailureSummary {
+fn failure_of(course: &Course, fate: Fate, question: &Question) -> FailureSummary {
     let Fate::Fails(mode, mgt) = fate else { return FailureSummary::NONE };
+    let Question { tonnes, .. } = *question;
     let axles = 1e6 * mgt / tonnes;
     let after = course.points.iter().find(|point| point.axles >= axles * (1.0 - 1e-9));
     let after = after.or(course.points.last());
@@ -145,10 +147,20 @@ fn failure_of(course: &Course, fate: Fate, tonnes: f64) -> FailureSummary {
         FailureMode::Length => after.map(|point| (point.longest, point.deepest.1)),
         _ => of_event(),
     };
+    let Limits { critical_depth, critical_length, .. } = question.limits();
+    let error = match (mode, critical_depth, critical_length) {
+        (FailureMode::Depth, Some(depth), _) => {
+            life_error(course, |point| point.depth, depth, axles, tonnes, question.removal())
+        }
+        (FailureMode::Length, _, Some(length)) => {
+            life_error(course, |point| point.length, length, axles, tonnes, question.removal())
+        }
+        _ => error_at(&course.points, axles),
+    };
     FailureSummary {
         mode: Some(mode),
         mgt: Some(mgt),
-        mgt_error: after.map(|point| 1e-6 * tonnes * point.axles_error),
+        mgt_error: after.map(|_| 1e-6 * tonnes * error),
         crack: tip.map(|(crack, _)| crack + 1),
         tip: tip.map(|(_, tip)| tip + 1),
     }

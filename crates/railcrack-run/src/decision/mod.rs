@@ -5,6 +5,7 @@ mod course;
 mod failure;
 mod family;
 mod inspection;
+mod life_error;
 mod maintenance;
 mod path;
 mod risk;

@@ -92,6 +92,10 @@ const TURN_WEIGHT: f64 = 0.2;
 /// Relative change of the life per radian of direction that is allowed for at least: the rate
 /// hardly depends on the direction of the tip, but on the depth to which it leads.
 const LEAST_SENSITIVITY: f64 = 1.0;
+/// Where growth and removal nearly balance, an error of the growth moves the life by as many times
+/// more, at most by this factor: the balance shifts as the crack turns, and the number of
+/// increments must stay bounded.
+const MOST_LEVERAGE: f64 = 5.0;
 /// The increment after a kink: the rates change over lengths in proportion to the distance from it.
 const AFTER_KINK: f64 = 0.004;
 /// Best kink (radians) that counts as zero on the limit path: the scatter of the best kink. A path
@@ -165,13 +169,13 @@ impl Control<'_> {
             }
         }
         let error = self.step_error(after);
-        if advance.share > 2.0 * SHARES.0 && passed > 0.0 {
+        if self.moved() > 2.0 * SHARES.0 && passed > 0.0 {
             // The limit path bends at once, however short the step.
             if error.largest_turn > LARGEST_TURN && !settings.turning.is_limit() {
                 return cut((CHOSEN_TURN / error.largest_turn).max(0.2), None);
             }
             let allowed = settings.tolerance.map_or(OF_GIVEN, |tolerance| 2.0 * STEP_TOLERANCE * tolerance);
-            let excess = error.relative() / allowed;
+            let excess = self.leverage() * error.relative() / allowed;
             if excess > 1.0 {
                 return cut((0.6 * excess.powf(-0.5)).clamp(0.2, 0.7), None);
             }
@@ -184,12 +188,13 @@ impl Control<'_> {
         let passed = after.load_cycles - self.before.load_cycles;
         let course = self.course;
         let turn_error = course.turn_error + error.turn;
+        let leverage = self.leverage();
         let next = Course {
             share: self.next_share(&error, trial),
             // A step is not known to be wrong by more than its own cycles.
-            cycles_error: course.cycles_error + error.rate.min(1.0) * passed,
+            cycles_error: course.cycles_error + (leverage * error.rate).min(1.0) * passed,
             turn_error,
-            path_error: course.path_error + (error.sensitivity * turn_error).min(1.0) * passed,
+            path_error: course.path_error + (leverage * error.sensitivity * turn_error).min(1.0) * passed,
         };
         Verdict::Accepted(next)
     }
@@ -214,11 +219,33 @@ impl Control<'_> {
         if advance.share <= 0.0 {
             return Some(last);
         }
-        let scaled = error.relative() / (STEP_TOLERANCE * tolerance);
+        let scaled = self.leverage() * error.relative() / (STEP_TOLERANCE * tolerance);
         let factor = (0.85 * scaled.max(1e-6).powf(-0.5)).clamp(0.4, 1.8);
-        let by_turn = CHOSEN_TURN * advance.share / error.largest_turn.max(1e-9);
-        let made = if advance.share < 0.5 * last { advance.share.max(0.5 * last) } else { advance.share };
-        Some((factor * made).min(by_turn).clamp(SHARES.0, SHARES.1))
+        let moved = self.moved();
+        let by_turn = CHOSEN_TURN * moved / error.largest_turn.max(1e-9);
+        Some((factor * moved.max(0.5 * last)).min(by_turn).clamp(SHARES.0, SHARES.1))
+    }
+
+    /// The change of a crack in the step as a fraction of its length: the growth of its tip, or the
+    /// loss at its mouth where that is more.
+    fn moved(&self) -> f64 {
+        let Self { before, advance, settings, .. } = self;
+        let lost =
+            before.tips.iter().filter_map(|tip| Some(advance.removal / (tip.mouth_sine? * tip.length)));
+        let last = self.course.share.unwrap_or(settings.increment);
+        advance.share.max(lost.fold(0.0, f64::max).min(last))
+    }
+
+    /// The relative change of the life over that of the growth of the leading mover: growth over
+    /// growth less removal, at most [`MOST_LEVERAGE`]. An error of the growth, once made, stays the
+    /// same number of cycles.
+    fn leverage(&self) -> f64 {
+        let Some(maintenance) = self.settings.maintained() else { return 1.0 };
+        let Some(leader) = leading(self.before.movers).filter(|leader| leader.rate > 0.0) else { return 1.0 };
+        let own = |tip: &&TipRecord| (tip.tip.crack, tip.tip.tip) == (leader.crack, leader.index);
+        let Some(sine) = self.before.tips.iter().find(own).and_then(|tip| tip.mouth_sine) else { return 1.0 };
+        let net = (leader.rate - maintenance.removal() / sine).abs();
+        leader.rate / net.max(leader.rate / MOST_LEVERAGE)
     }
 
     /// The estimated error of a step, of its leading mover.

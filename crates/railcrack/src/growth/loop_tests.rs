@@ -254,6 +254,52 @@ fn grinding_is_of_second_order() {
     assert!(coarse.abs() < 2e-3 && (coarse / fine).abs() > 2.8, "{coarse} {fine}");
 }
 
+/// N from `START` to `length` with wear: ∫ da/(da/dN − w), by Simpson's rule in 2000 parts.
+fn life_under(wear: f64, length: f64) -> f64 {
+    let speed = |length: f64| RATE * length.powf(POWER) - wear;
+    let h = (length - START) / 2000.0;
+    let at = |i: usize| START + h * i as f64;
+    (0..2000).map(|i| 1.0 / speed(at(i)) + 4.0 / speed(at(i) + 0.5 * h) + 1.0 / speed(at(i + 1))).sum::<f64>()
+        * h
+        / 6.0
+}
+
+/// Wear of `part` of the growth at the start, until the crack is `length` mm long: the largest and
+/// the least number of steps are those of tolerances of 0.1 and 1 %.
+#[test]
+fn chosen_increments_under_wear_stay_bounded_and_right() {
+    let first = RATE * START.powf(POWER);
+    for (part, length) in
+        [(0.5, 8.0), (0.9, 8.0), (0.98, 8.0), (0.999, 8.0), (1.02, 2.0), (1.25, 2.0), (4.0, 2.0)]
+    {
+        let wear = part * first;
+        let exact = life_under(wear, length);
+        for (tolerance, most) in [(1e-2, 120), (1e-3, 400)] {
+            let maintenance =
+                Maintenance { wear, grinding: None, stress: StressMoves::WithMetal, limit: None };
+            let maintained = GrowthSettings {
+                maintenance: Some(maintenance),
+                tolerance: Some(tolerance),
+                stop_after_cycles: Some(exact),
+                critical_length: None,
+                ..settings(0.02)
+            };
+            let (records, bodies) = Rule::new(maintained).run();
+            let last = records.last().unwrap();
+            let reached = last.tips[0].length;
+            // The error of the length as cycles at the mean speed of the last tenth of the life.
+            let speed = (RATE * length.powf(POWER) - wear).abs();
+            let error = (reached - length).abs() / speed / exact;
+            println!(
+                "{part} {tolerance}: {bodies} bodies, error {error:.2e}, told {:.2e}",
+                last.cycles_error / exact
+            );
+            assert!(bodies <= most, "{part} {tolerance}: {bodies}");
+            assert!(error <= tolerance.max(last.cycles_error / exact), "{part} {tolerance}: {error}");
+        }
+    }
+}
+
 #[test]
 fn a_run_in_two_parts_is_the_run() {
     let chosen = || GrowthSettings { tolerance: Some(1e-2), ..settings(0.02) };

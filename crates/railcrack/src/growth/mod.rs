@@ -76,4 +76,6 @@ pub(crate) use maintenance::Uncovered;
 pub(crate) use mix::{MixedTip, WheelDemand, WithoutProgress, under_each_wheel};
 pub(crate) use pace::{Event, LEAST_PART, Moving, Pace, WearingCrack, is_worth_a_step};
 pub(crate) use repeat::{Memory, Repeated, Repeats, until_repeated};
-pub(crate) use stops::{TipDemand, least_length, nothing_grows, run_stop, spent_ligament, standstill};
+pub(crate) use stops::{
+    TipDemand, least_length, nothing_grows, part_until_worn_away, run_stop, spent_ligament, standstill,
+};

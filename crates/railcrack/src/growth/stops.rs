@@ -28,6 +28,19 @@ pub(crate) fn least_length(longest: f64, resolution: f64) -> f64 {
     f64::max(LIGAMENT_RESOLUTIONS * resolution, WORN_AWAY * longest)
 }
 
+/// A crack this much longer than one that is worn away, relatively, is about to be.
+const NEARLY_WORN: f64 = 1e-3;
+
+/// The part of a step after which a crack of `length` (mm), of which `loss` (mm) is lost in all of
+/// it, is about to be worn away: barely longer than `least` (mm). The step in which it is worn away
+/// may be the last one, and then tells the cycles at its start. `None` where the crack is not worn
+/// away, or is about to be from the start.
+pub(crate) fn part_until_worn_away(length: f64, loss: f64, least: f64) -> Option<f64> {
+    let is_about_to_be = length < least * (1.0 + NEARLY_WORN);
+    let room = length - least * (1.0 + 0.5 * NEARLY_WORN);
+    (!is_about_to_be && length - loss < least).then(|| room / loss)
+}
+
 /// Loading of a tip, as far as stops depend on it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct TipDemand {

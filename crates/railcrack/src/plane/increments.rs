@@ -10,7 +10,7 @@ use crate::crack::{Crack, End, Junction, point_to_segment};
 use crate::growth::{
     BreakOut, DeferredGrowth, EarlierStep, Event, GrowthSettings, Interval, Jump, LEAST_PART, Mover, Moving,
     Pace, Piece, RunStop, TipCourse, TipStop, WearingCrack, is_worth_a_step, least_length, nothing_grows,
-    run_stop,
+    part_until_worn_away, run_stop,
 };
 use crate::math::Vec2;
 
@@ -369,7 +369,8 @@ fn surfacing(plan: &PlannedAdvance, crack: &Crack, resolution: f64, removal: f64
     (to.y > from.y && start > ligament && end < ligament).then(|| (start - ligament) / (start - end))
 }
 
-/// The part of the step after which `crack`, which grows by `growth` (mm), is worn away.
+/// The part of the step after which `crack`, which grows by `growth` (mm), is about to be worn
+/// away.
 fn wearing_away(state: &StepState<'_>, crack: usize, growth: f64, removal: f64) -> Option<f64> {
     if removal <= 0.0 || state.is_worn_away(crack) {
         return None;
@@ -378,7 +379,7 @@ fn wearing_away(state: &StepState<'_>, crack: usize, growth: f64, removal: f64) 
     let length = state.length(crack);
     let least = least_length(state.longest(crack), state.resolution);
     let loss = removal / sine - growth;
-    (length > least && length - loss < least).then(|| (length - least) / loss)
+    part_until_worn_away(length, loss, least)
 }
 
 /// The steps that cannot be made, with the reason: break-out before meeting a crack, or leaving the

@@ -21,9 +21,9 @@ use crate::field::{EndField, EndsError, RailEnds, StressField, Wheel};
 use crate::fracture::SifHistory;
 use crate::growth::{
     Advance, BodyReport, CrackedRail, DeferredGrowth, FieldRecord, FieldSettings, Geometry, GrowthError,
-    GrowthSettings, GrowthState, MixedTip, Mover, Observer, PassageError, PassageSettings, PlaneGeometry,
-    PlaneTip, StabilisedPassage, StepStart, StressMoves, TipCourse, TipGeometry, TipRecord, Uncovered,
-    Warning, WheelDemand, WheelOfRail, WornSurface, under_each_wheel,
+    GrowthSettings, GrowthState, Jump, MixedTip, Mover, Observer, PassageError, PassageSettings,
+    PlaneGeometry, PlaneTip, StabilisedPassage, StepStart, StressMoves, TipCourse, TipGeometry, TipRecord,
+    Uncovered, Warning, WarningKind, WheelDemand, WheelOfRail, WornSurface, under_each_wheel,
 };
 use crate::interruption::Interruption;
 use crate::math::RailBox;
@@ -448,6 +448,7 @@ impl CrackedRail for PlaneRail {
             deferred[crack][tip] = ahead.deferred;
             courses[crack][tip] = ahead.course;
         }
+        let warnings = tips.iter().filter_map(|tip| kink_of_limit_path(tip, at.step, &self.growth)).collect();
         Advance {
             geometry: Geometry::Plane(PlaneGeometry {
                 cracks: next.cracks,
@@ -465,7 +466,7 @@ impl CrackedRail for PlaneRail {
             removal: next.removal,
             ground: next.ground,
             stop: next.stop,
-            warnings: Vec::new(),
+            warnings,
         }
     }
 
@@ -495,4 +496,18 @@ impl CrackedRail for PlaneRail {
     fn forget(&mut self) {
         self.engine.forget();
     }
+}
+
+/// The warning of a kink of the limit path at `tip`: the directions behind it in which the best
+/// kink is zero can be several, and the life that follows depends on the one taken.
+fn kink_of_limit_path(tip: &TipRecord, step: usize, growth: &GrowthSettings) -> Option<Warning> {
+    let plane = tip.plane().filter(|_| growth.turning.is_limit())?;
+    plane.jump.filter(|jump| *jump == Jump::Kink)?;
+    let text = format!(
+        "crack {} tip {}: the limit path kinks by {:.0} degrees; behind such a kink it may have several continuations, so that the life is not unique; a turning_length_mm above 0 gives one path",
+        tip.tip.crack + 1,
+        tip.tip.tip + 1,
+        plane.turn.to_degrees()
+    );
+    Some(Warning { step, kind: WarningKind::NearTie, text })
 }

@@ -6,7 +6,8 @@ use super::shape::SpaceCrack;
 use super::worn::{Worn, worn};
 use crate::growth::{
     Event, FrontShape, GrowthSettings, LEAST_PART, Mover, Moving, Pace, RunStop, StepStart, TipStop,
-    WearingCrack, is_worth_a_step, least_length, nothing_grows, run_stop, spent_ligament, standstill,
+    WearingCrack, is_worth_a_step, least_length, nothing_grows, part_until_worn_away, run_stop,
+    spent_ligament, standstill,
 };
 use crate::math::RailBox;
 
@@ -130,8 +131,8 @@ fn first_event(
             .map(|critical| Event { part: (critical - before.length) / lengthens, ends_run: true });
         let least = least_length(start.at.worn.longest_of(crack, before.length), resolution(before));
         let away = (before.buried.is_none() && removal > 0.0)
-            .then(|| (before.length - least) / (cut - grown))
-            .filter(|part| *part > 0.0);
+            .then(|| part_until_worn_away(before.length, cut - grown, least))
+            .flatten();
         let ligament = |shape: &FrontShape, cut: f64| {
             let least = spent_ligament(shape.length, resolution(shape));
             Some(shape.buried? - cut - shape.length - least)

@@ -136,6 +136,9 @@ fn the_limit_path_leaves_a_direction_that_it_cannot_hold() {
         assert_eq!(last.stop, Some(RunStop::CriticalLength), "{growth}");
         // The straight crack lives for 0.85 million axles, and is then 2.85 mm deep.
         assert!(last.load_cycles > 5e6 && last.tips[0].y < -4.0, "{growth}: {last:?}");
+        let warned =
+            |record: &StepRecord| record.warnings.iter().any(|warning| warning.text.contains("not unique"));
+        assert!(records.iter().any(warned), "{growth}");
     }
 }
 
