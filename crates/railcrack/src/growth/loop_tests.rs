@@ -286,13 +286,9 @@ fn chosen_increments_under_wear_stay_bounded_and_right() {
             let (records, bodies) = Rule::new(maintained).run();
             let last = records.last().unwrap();
             let reached = last.tips[0].length;
-            // The error of the length as cycles at the mean speed of the last tenth of the life.
+            // The error of the length, as cycles at the speed at the end.
             let speed = (RATE * length.powf(POWER) - wear).abs();
             let error = (reached - length).abs() / speed / exact;
-            println!(
-                "{part} {tolerance}: {bodies} bodies, error {error:.2e}, told {:.2e}",
-                last.cycles_error / exact
-            );
             assert!(bodies <= most, "{part} {tolerance}: {bodies}");
             assert!(error <= tolerance.max(last.cycles_error / exact), "{part} {tolerance}: {error}");
         }
