@@ -191,7 +191,7 @@ const AT_EVENT: f64 = 1e-9;
 pub(crate) struct Event {
     /// The part of the step after which it occurs.
     pub part: f64,
-    /// Whether the run ends with it.
+    /// Whether the run may end with it, so that its cycles are those of the end.
     pub ends_run: bool,
 }
 

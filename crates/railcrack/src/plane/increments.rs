@@ -356,7 +356,8 @@ fn first_event(
         {
             events.push(Event { part: (critical - length) / (growth - cut), ends_run: true });
         }
-        events.extend(wearing_away(state, crack, growth, removal).map(during));
+        let away = wearing_away(state, crack, growth, removal);
+        events.extend(away.map(|part| Event { part, ends_run: true }));
     }
     Event::first(events)
 }

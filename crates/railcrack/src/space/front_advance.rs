@@ -132,7 +132,8 @@ fn first_event(
         let least = least_length(start.at.worn.longest_of(crack, before.length), resolution(before));
         let away = (before.buried.is_none() && removal > 0.0)
             .then(|| part_until_worn_away(before.length, cut - grown, least))
-            .flatten();
+            .flatten()
+            .map(|part| Event { part, ends_run: true });
         let ligament = |shape: &FrontShape, cut: f64| {
             let least = spent_ligament(shape.length, resolution(shape));
             Some(shape.buried? - cut - shape.length - least)
@@ -142,7 +143,7 @@ fn first_event(
             .filter(|(room, left)| *room > 0.0 && *left < 0.0)
             .map(|(room, left)| room / (room - left));
         let during = |part: f64| Event { part, ends_run: false };
-        Event::first([critical, away.map(during), surfacing.map(during)].into_iter().flatten().collect())
+        Event::first([critical, away, surfacing.map(during)].into_iter().flatten().collect())
     };
     Event::first(start.shapes.iter().zip(next).enumerate().filter_map(of).collect())
 }
