@@ -264,7 +264,7 @@ fn life_under(wear: f64, length: f64) -> f64 {
         / 6.0
 }
 
-/// Wear of `part` of the growth at the start, until the crack is `length` mm long, near balance too.
+/// Wear of `part` of the growth at the start until the crack is `length` mm long, near balance too.
 #[test]
 fn chosen_increments_under_wear_stay_bounded_and_right() {
     let first = RATE * START.powf(POWER);
