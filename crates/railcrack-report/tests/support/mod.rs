@@ -201,7 +201,11 @@ fn fields(step: usize) -> FieldRecord {
 
 fn near_ties(step: usize) -> Vec<Warning> {
     let text = "the rival direction grows 0.99 times as fast".to_owned();
-    if step == 1 { vec![Warning { step, kind: WarningKind::NearTie, text }] } else { Vec::new() }
+    if step == 1 {
+        vec![Warning { step, kind: WarningKind::NearTie, text, severity: None }]
+    } else {
+        Vec::new()
+    }
 }
 
 /// A triangle above the first crack.

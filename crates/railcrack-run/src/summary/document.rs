@@ -1,5 +1,6 @@
 //! `summary.json`: a run in numbers.
 
+use super::condensed::condensed;
 use super::outcome::Outcome;
 use super::parts::{
     CrackSummary, FractureSummary, FrontSummary, JunctionSummary, PhaseSeconds, PieceSummary, TipSummary,
@@ -181,7 +182,7 @@ impl Summary {
                 .chain(of_residual(log))
                 .map(WarningSummary::of_case)
                 .chain(validity::of_steps(info, log))
-                .chain(log.warnings().cloned().map(WarningSummary::of_step))
+                .chain(condensed(log.warnings()))
                 .collect(),
             fracture: fracture(info, log),
             tips: last.map_or_else(Vec::new, |step| step.tips.iter().map(tip_summary).collect()),
@@ -254,7 +255,12 @@ fn fracture(info: &RunInfo, log: &RunLog) -> Option<FractureSummary> {
 /// Notes on the residual stress, as warnings before the first step.
 fn of_residual(log: &RunLog) -> impl Iterator<Item = Warning> {
     let notes = log.now.residual.iter().flat_map(|residual| &residual.notes);
-    notes.map(|text| Warning { step: 0, kind: WarningKind::ResidualStress, text: text.clone() })
+    notes.map(|text| Warning {
+        step: 0,
+        kind: WarningKind::ResidualStress,
+        text: text.clone(),
+        severity: None,
+    })
 }
 
 fn junction_summary(junction: &Junction, log: &RunLog) -> JunctionSummary {

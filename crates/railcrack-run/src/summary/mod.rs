@@ -1,5 +1,6 @@
 //! `summary.json`: a run in numbers, its warnings, and how it ended.
 
+mod condensed;
 mod document;
 mod outcome;
 mod parts;

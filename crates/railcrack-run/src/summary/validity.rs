@@ -28,7 +28,7 @@ pub fn of_case(case: &Case) -> Vec<Warning> {
             "growth.steel = \"{}\" is the fastest growth that EN 13674-1 accepts, a limit and not the growth of a rail; steel = \"{}\" is a fifth of it",
             steel.name, typical.name
         );
-        warnings.push(Warning { step: 0, kind: WarningKind::Validity, text });
+        warnings.push(Warning { step: 0, kind: WarningKind::Validity, text, severity: None });
     }
     if case.mix.is_empty() {
         warnings.extend(of_wheel(case, &case.wheel));
@@ -78,16 +78,20 @@ fn of_wheel_table(case: &Case) -> Vec<Warning> {
             "the mean growth rate of the representatives is off by {:.2} % of that of all wheels by the open crack, more than representatives_error",
             100.0 * table.error
         );
-        warnings.push(Warning { step: 0, kind: WarningKind::Validity, text });
+        warnings.push(Warning { step: 0, kind: WarningKind::Validity, text, severity: None });
     }
     warnings
 }
 
-/// The text of a warning with `#` instead of its numbers: what runs that differ in numbers share.
+/// The text of a warning with `#` instead of its numbers, with their signs: what runs, or steps, that
+/// differ in numbers share.
 pub fn pattern(text: &str) -> String {
     let mut pattern = String::with_capacity(text.len());
-    for letter in text.chars() {
-        let is_of_number = letter.is_ascii_digit() || (letter == '.' && pattern.ends_with('#'));
+    let mut letters = text.chars().peekable();
+    while let Some(letter) = letters.next() {
+        let before_digit = letters.peek().is_some_and(char::is_ascii_digit);
+        let is_sign = letter == '-' && before_digit && pattern.ends_with([' ', '(', 'e']);
+        let is_of_number = is_sign || letter.is_ascii_digit() || (letter == '.' && pattern.ends_with('#'));
         if !is_of_number {
             pattern.push(letter);
         } else if !pattern.ends_with('#') {
@@ -237,7 +241,7 @@ fn kinks(info: &RunInfo, steps: &[&StepDigest]) -> Option<WarningSummary> {
 }
 
 fn at_step(step: usize, warning: &ValidityWarning) -> Warning {
-    Warning { step, kind: WarningKind::Validity, text: warning.to_string() }
+    Warning { step, kind: WarningKind::Validity, text: warning.to_string(), severity: None }
 }
 
 #[cfg(test)]
@@ -248,5 +252,6 @@ mod tests {
     fn a_pattern_has_no_numbers() {
         assert_eq!(pattern("p0 of 845.5 MPa, step 12."), "p# of # MPa, step #");
         assert_eq!(pattern("beyond 1.0: no"), pattern("beyond 23.75: no"));
+        assert_eq!(pattern("by -1.2e-3 or (-4)"), pattern("by 3.4e2 or (5)"));
     }
 }

@@ -268,7 +268,8 @@ impl<R: CrackedRail> Growth<R> {
             text += &format!("; {other}");
         }
         let step = self.state.step;
-        let warnings = vec![Warning { step, kind: WarningKind::PopIn, text }];
+        let severity = Some(now.hazards[critical[0]]);
+        let warnings = vec![Warning { step, kind: WarningKind::PopIn, text, severity }];
         for i in critical {
             let tip = &mut tips[i];
             tip.increment = grown[tip.tip.crack];
@@ -311,7 +312,8 @@ impl<R: CrackedRail> Growth<R> {
 
         let started = Stopwatch::start();
         let before = state.start();
-        let remark = |text: &String| Warning { step, kind: WarningKind::Engine, text: text.clone() };
+        let remark =
+            |text: &String| Warning { step, kind: WarningKind::Engine, text: text.clone(), severity: None };
         let mut warnings: Vec<Warning> = report.remarks.iter().map(remark).collect();
         let passages = rail.passages(&body, &before, observer, &mut warnings)?;
         let contact_s = started.seconds();

@@ -49,6 +49,9 @@ pub struct Warning {
     pub kind: WarningKind,
     /// One sentence with its numbers.
     pub text: String,
+    /// How grave it is among the warnings that say the same with other numbers, where these can be
+    /// ordered: the larger, the graver.
+    pub severity: Option<f64>,
 }
 
 impl Warning {

@@ -43,8 +43,8 @@ impl Warnings<'_> {
         warnings
     }
 
-    fn warning(&self, kind: WarningKind, text: String) -> Warning {
-        Warning { step: self.step, kind, text }
+    fn warning(&self, kind: WarningKind, severity: f64, text: String) -> Warning {
+        Warning { step: self.step, kind, text, severity: Some(severity) }
     }
 
     fn near_tie(&self, state: &GrowthState, tip: &TipRecord) -> Option<Warning> {
@@ -59,7 +59,7 @@ impl Warnings<'_> {
             kink.to_degrees(),
             secondary.to_degrees()
         );
-        Some(self.warning(WarningKind::NearTie, text))
+        Some(self.warning(WarningKind::NearTie, ratio, text))
     }
 
     /// A tip that the threshold of ΔK_II holds may branch: its kinks open.
@@ -80,7 +80,8 @@ impl Warnings<'_> {
                 largest.k1_mpa_sqrt_m()
             )
         };
-        (is_held && !state.geometry.has_stopped(tip.tip)).then(|| self.warning(WarningKind::Validity, text()))
+        (is_held && !state.geometry.has_stopped(tip.tip))
+            .then(|| self.warning(WarningKind::Validity, largest.k1, text()))
     }
 
     fn unrepeated(&self, passage: &StabilisedPassage) -> Option<Warning> {
@@ -92,7 +93,7 @@ impl Warnings<'_> {
                 passage.counts.passages
             )
         };
-        (change > tolerance).then(|| self.warning(WarningKind::Passages, text()))
+        (change > tolerance).then(|| self.warning(WarningKind::Passages, change, text()))
     }
 
     /// A warning with the estimated error of K where contact is followed in groups: in the first
@@ -114,7 +115,7 @@ impl Warnings<'_> {
         } else if self.step > 0 && error.total() <= LARGE_GROUPS_ERROR {
             return None;
         }
-        Some(self.warning(WarningKind::Groups, text))
+        Some(self.warning(WarningKind::Groups, error.total(), text))
     }
 
     /// The warnings on the accuracy of K, and of K_I alone, at the tip where it is lowest.
@@ -133,7 +134,7 @@ impl Warnings<'_> {
                 100.0 * one.of_crack(),
                 self.refinement
             );
-            Some(self.warning(WarningKind::Engine, text))
+            Some(self.warning(WarningKind::Engine, -one.of_crack(), text))
         });
         let opens = all.iter().filter(|one| tip(one).is_some_and(|tip| tip.plane().is_some()));
         let least = |a: &&Overlap, b: &&Overlap| a.of_own().total_cmp(&b.of_own());
@@ -145,7 +146,7 @@ impl Warnings<'_> {
                 100.0 * one.of_own(),
                 self.refinement
             );
-            Some(self.warning(WarningKind::Engine, text))
+            Some(self.warning(WarningKind::Engine, -one.of_own(), text))
         });
         [of_crack, of_own]
     }

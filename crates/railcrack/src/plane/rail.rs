@@ -509,5 +509,5 @@ fn kink_of_limit_path(tip: &TipRecord, step: usize, growth: &GrowthSettings) -> 
         tip.tip.tip + 1,
         plane.turn.to_degrees()
     );
-    Some(Warning { step, kind: WarningKind::NearTie, text })
+    Some(Warning { step, kind: WarningKind::NearTie, text, severity: Some(plane.turn.abs()) })
 }

@@ -40,7 +40,7 @@ impl Solvers<'_> {
                     let text = format!(
                         "the other contact solver computed this step, because the first one failed: {failure}"
                     );
-                    warnings.push(Warning { step, kind: WarningKind::ContactFallback, text });
+                    warnings.push(Warning { step, kind: WarningKind::ContactFallback, text, severity: None });
                 }
                 if matches!(second, Err(PassageError::NotConverged { .. })) { first } else { second }
             }

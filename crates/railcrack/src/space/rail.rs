@@ -418,6 +418,7 @@ fn misfits(tips: &[TipRecord], start: &Start, site: &SpaceSite) -> Vec<Warning> 
                  {:.0} % of the largest",
                 100.0 * most / largest
             ),
+            severity: Some(most / largest),
         })
     };
     start.shapes.iter().enumerate().filter_map(of).collect()
@@ -451,5 +452,6 @@ fn meeting_warning(close: &CloseCracks, step: usize) -> Warning {
             first + 1,
             second + 1
         ),
+        severity: None,
     }
 }
