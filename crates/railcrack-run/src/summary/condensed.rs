@@ -5,8 +5,8 @@ use super::validity::pattern;
 use railcrack::growth::Warning;
 
 /// The `warnings` of the steps of a run, in order, without repetition: of those that say the same
-/// with other numbers, about whatever tip or wheel, the gravest, and of those with the same text the
-/// first, with the number of steps concerned.
+/// with other numbers, about whatever tip or wheel, the gravest, and of those with the same text
+/// the first, with the number of steps concerned.
 pub(super) fn condensed<'a>(warnings: impl Iterator<Item = &'a Warning>) -> Vec<WarningSummary> {
     let mut groups: Vec<Group> = Vec::new();
     for warning in warnings {

@@ -83,7 +83,7 @@ fn of_wheel_table(case: &Case) -> Vec<Warning> {
     warnings
 }
 
-/// The text of a warning with `#` instead of its numbers, with their signs: what runs, or steps, that
+/// The text of a warning with `#` instead of its numbers, signs included: what runs, or steps, that
 /// differ in numbers share.
 pub fn pattern(text: &str) -> String {
     let mut pattern = String::with_capacity(text.len());
