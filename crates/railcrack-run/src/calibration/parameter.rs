@@ -2,7 +2,7 @@
 
 use super::fit::{CalibrationError, from_squares, unknown, usual_error};
 use super::observed::{Observations, Observed, UsualError};
-use super::posterior::{Posterior, Prior, SiteLikelihood, posterior};
+use super::posterior::{NORMAL, Posterior, Prior, SiteLikelihood, posterior};
 
 /// A run with one value of the parameter.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,13 +13,15 @@ pub struct Trial {
     pub sites: Vec<Observations>,
 }
 
-/// The coefficient of the growth law while another parameter is fitted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// The coefficient of the growth law while a parameter is fitted.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Coefficient {
     /// It stays that of the case.
     OfCase,
     /// It is fitted at every value of the parameter.
     Fitted,
+    /// It is the parameter, with this value in the case: its prior counts.
+    Searched(f64),
 }
 
 /// The value that fits best.
@@ -33,9 +35,11 @@ pub struct ParameterFit {
     pub interval: (Option<f64>, Option<f64>),
     /// The end of the comparable trials at which the value is, if it is at one.
     pub end: Option<BracketEnd>,
-    /// The posterior of ln(C/C0) at the value; without a fitted coefficient its mean is 0.
+    /// The posterior of ln(C/C0) at the value. Its mean is 0 without a fitted coefficient; of a
+    /// searched one it is relative to the value, with the standard deviation of the interval.
     pub posterior: Posterior,
-    /// By how much the deviance of the worst comparable value exceeds that of the best one.
+    /// By how much the deviance of the worst comparable value exceeds that of the best one, by the
+    /// measurements alone.
     pub contrast: f64,
     /// Deviance over value, less that of the best one.
     pub profile: Vec<(f64, f64)>,
@@ -101,7 +105,8 @@ impl Scale {
 /// The deviance −2 ln(evidence) is evaluated along the values, with every measurement linear
 /// between neighbouring trials over the logarithm of the value. Of the ranges between two trials
 /// those with the same and most measurements within the sizes of both runs count. The 95 % interval
-/// is where the deviance is within 3.84 of the least.
+/// is where the deviance is within 3.84 of the least. The deviance of a searched coefficient has
+/// ((ln(C/C0) − μ)/τ)² of its prior.
 ///
 /// Errors: no measurement is within the sizes of two neighbouring runs; the parameter has no
 /// effect.
@@ -122,10 +127,9 @@ pub fn fit_parameter(
         return Err(nothing());
     };
     // What the measurements say of the parameter must not come from the prior of the coefficient.
-    let (prior, vague) = match coefficient {
-        Coefficient::OfCase => {
-            (Prior { mean: 0.0, log_std: 0.0, ..prior }, Prior { mean: 0.0, log_std: 0.0, ..prior })
-        }
+    let fixed = Prior { mean: 0.0, log_std: 0.0, ..prior };
+    let (of_result, vague) = match coefficient {
+        Coefficient::OfCase | Coefficient::Searched(_) => (fixed, fixed),
         Coefficient::Fitted => (prior, Prior { log_std: VAGUE, ..prior }),
     };
     let has_classes =
@@ -147,11 +151,19 @@ pub fn fit_parameter(
         return Err(CalibrationError::NoInfluence { key: key.to_owned() });
     }
     let usual = error_of_readings(&points, coefficient);
-    let at = |sites: &Vec<Observations>, prior: Prior| {
-        let sites: Vec<SiteLikelihood> = sites.iter().map(|site| SiteLikelihood::of(site, usual)).collect();
-        posterior(&sites, prior)
+    let likelihoods = |sites: &Vec<Observations>| -> Vec<SiteLikelihood> {
+        sites.iter().map(|site| SiteLikelihood::of(site, usual)).collect()
     };
-    let deviances: Vec<f64> = points.iter().map(|(_, sites)| -2.0 * at(sites, vague).log_evidence).collect();
+    let measured: Vec<f64> =
+        points.iter().map(|(_, sites)| -2.0 * posterior(&likelihoods(sites), vague).log_evidence).collect();
+    let before = |x: f64| match coefficient {
+        Coefficient::Searched(of_case) => {
+            (((scale.back(x) / of_case).ln() - prior.mean) / prior.log_std).powi(2)
+        }
+        Coefficient::OfCase | Coefficient::Fitted => 0.0,
+    };
+    let deviances: Vec<f64> =
+        points.iter().zip(&measured).map(|((x, _), deviance)| deviance + before(*x)).collect();
     let least = (0..points.len()).fold(0, |least, i| if deviances[i] < deviances[least] { i } else { least });
     let excess: Vec<(f64, f64)> =
         points.iter().zip(&deviances).map(|((x, _), deviance)| (*x, deviance - deviances[least])).collect();
@@ -165,16 +177,22 @@ pub fn fit_parameter(
     };
     let low = excess[..=least].windows(2).rev().find(|pair| pair[0].1 > EXCLUDED);
     let high = excess[least..].windows(2).find(|pair| pair[1].1 > EXCLUDED);
+    let interval =
+        (low.map(|pair| crossing(&pair[1], &pair[0])), high.map(|pair| crossing(&pair[0], &pair[1])));
+    let sites = likelihoods(&points[least].1);
+    let mut found = posterior(&sites, of_result);
+    if let (Coefficient::Searched(_), (Some(low), Some(high))) = (coefficient, interval) {
+        found = found.known_to((high / low).ln().abs() / (2.0 * NORMAL), &sites, prior);
+    }
+    let (smallest, largest) =
+        measured.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (x.min(low), x.max(high)));
     Ok(ParameterFit {
         value: scale.back(vertex(&excess, least)),
         used: count(best),
-        interval: (
-            low.map(|pair| crossing(&pair[1], &pair[0])),
-            high.map(|pair| crossing(&pair[0], &pair[1])),
-        ),
+        interval,
         end,
-        posterior: at(&points[least].1, prior),
-        contrast: excess.iter().map(|(_, deviance)| *deviance).fold(0.0, f64::max),
+        posterior: found,
+        contrast: largest - smallest,
         profile: excess.iter().map(|(x, deviance)| (scale.back(*x), *deviance)).collect(),
     })
 }

@@ -106,6 +106,41 @@ fn a_parameter_that_acts_like_the_coefficient_is_not_told_from_it() {
     assert!(fit.posterior.mean.abs() < 0.05, "{} {:?} {}", fit.value, fit.interval, fit.contrast);
 }
 
+/// The coefficient itself: N at three sizes is in proportion to 1/C, so that the search must find
+/// what the closed form does, its prior included; the scatter of a new rail likewise.
+#[test]
+fn a_searched_coefficient_is_that_of_the_closed_form() {
+    let prior = Prior { mean: -2.0, log_std: 0.3, discrepancy: Some(0.2) };
+    let of = |y: f64| Some(Observed::Reading { y, per_mm: 1.0, std: Some(0.2) });
+    let run = |value: f64| {
+        let y = |deviation: f64| -(value / 0.5).ln() - deviation;
+        Trial { value, sites: vec![vec![of(y(0.1)), of(y(-0.1))], vec![of(y(0.4))]] }
+    };
+    let closed = {
+        // About the coefficient of the case, 1: y of its own run.
+        let sites = run(1.0).sites;
+        let sites: Vec<SiteLikelihood> =
+            sites.iter().map(|site| SiteLikelihood::of(site, UsualError::OfSize(0.2))).collect();
+        posterior(&sites, prior)
+    };
+    let mut bracket = Bracket::about(1.0, EVERY);
+    let mut trials: Vec<Trial> = bracket.values().into_iter().map(run).collect();
+    let fit = loop {
+        let fit = fit_parameter("c", &trials, prior, Coefficient::Searched(1.0)).unwrap();
+        let tried: Vec<f64> = trials.iter().map(|trial| trial.value).collect();
+        match bracket.next(&fit, &tried) {
+            Next::Try(value) => trials.push(run(value)),
+            _ => break fit,
+        }
+    };
+    assert!((fit.value.ln() - closed.mean).abs() < 3e-3, "{} {closed:?}", fit.value.ln());
+    assert!((fit.posterior.std / closed.std - 1.0).abs() < 0.01, "{:?} {closed:?}", fit.posterior);
+    assert!((fit.posterior.new_std / closed.new_std - 1.0).abs() < 0.01, "{:?} {closed:?}", fit.posterior);
+    // Without the prior it is the mean of the measurements alone.
+    let alone = fit_parameter("c", &trials, prior, Coefficient::OfCase).unwrap();
+    assert!((alone.value.ln() - closed.mean).abs() > 0.05, "{}", alone.value.ln());
+}
+
 #[test]
 fn a_parameter_without_influence_is_refused() {
     let flat = trial(0.1, 0.2, [0.0; 3]);

@@ -1,24 +1,24 @@
 //! `railcrack calibrate --parameter`: a number on which the path depends, by runs with several
 //! values of it.
 
-use super::arguments::CalibrateArguments;
-use super::page::page;
-use super::results::{
-    Fitted, Found, New, calibrated_by, curve, deepest, from_output, number, plot, refuse, table_of_trials,
-    told, write,
-};
+use super::arguments::{CalibrateArguments, refuse};
+use super::finish::{Written, finish};
+use super::found::{Fitted, Found, New, calibrated_by};
+use super::plot::Drawn;
+use super::rows::deepest;
+use super::table::table_of_trials;
+use super::text::number;
 use crate::commands::run::{is_same_file, listen};
 use crate::display::Verbosity;
 use crate::exit::{Exit, Failure};
 use crate::input::default_folder;
 use crate::interruption::Interruption;
-use crate::print;
 use crate::progress::Progress;
 use railcrack_case::{Case, NumberRange, Overrides, RangeEnd};
 use railcrack_report::Pages;
-use railcrack_run::RunFolder;
 use railcrack_run::calibration::{
-    Bracket, CalibrationError, Coefficient, Next, ParameterFit, Prior, Site, Trial, fit_parameter, observe,
+    Bracket, CalibrationError, Coefficient, Next, ParameterFit, Prior, Site, SizeCurve, Trial, fit_parameter,
+    observe,
 };
 use railcrack_run::csv::TipRow;
 use railcrack_run::simulation::{Ending, RunEntry, Simulation};
@@ -38,7 +38,12 @@ pub(super) fn calibrate_parameter(
         return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
     }
     let prior = Prior::from(case.calibration);
-    let with = if coefficient.is_some() { Coefficient::Fitted } else { Coefficient::OfCase };
+    let is_coefficient = case.coefficient().is_ok_and(|of| key == format!("growth.{}", of.key));
+    let with = match (&coefficient, is_coefficient) {
+        (Some(_), _) => Coefficient::Fitted,
+        (None, true) => Coefficient::Searched(value),
+        (None, false) => Coefficient::OfCase,
+    };
     let runs = Runs {
         arguments,
         key: &key,
@@ -76,17 +81,17 @@ pub(super) fn calibrate_parameter(
     };
     let best = if fit.is_indistinct() { value } else { fit.value };
     let mut overrides = Overrides::default();
-    let mut new = None;
     if let Some((_, own)) = &coefficient {
-        let scatter = New::of(&fit.posterior, prior, sites.len(), case);
         let of = case.coefficient().map_err(|error| refuse(error.to_string()))?;
         overrides = of.overrides(own * fit.posterior.mean.exp());
-        overrides.settings.push(scatter.setting());
-        new = Some(scatter);
-    } else if case.coefficient().is_ok_and(|of| key == format!("growth.{}", of.key))
-        && let (Some(low), Some(high)) = fit.interval
-    {
-        overrides.settings.push(of_runs(&fit, (low, high), prior, sites.len(), case).setting());
+    }
+    let is_known = !fit.is_indistinct() && matches!(fit.interval, (Some(_), Some(_)));
+    let new = (coefficient.is_some() || is_coefficient && is_known)
+        .then(|| New::of(&fit.posterior, prior, sites.len(), case));
+    overrides.settings.extend(new.map(New::setting));
+    if new.is_some() && prior.mean != 0.0 {
+        // The prior was relative to the coefficient of the case, which is now the fitted one.
+        overrides.settings.push("calibration.prior_log_mean=0.0".to_owned());
     }
     overrides.settings.push(format!("{key}={best:?}"));
     if coefficient.is_some() || !fit.is_indistinct() {
@@ -99,11 +104,10 @@ pub(super) fn calibrate_parameter(
     if finished.ending == Ending::Interrupted {
         return Ok(Exit::Interrupted);
     }
-    let rows = deepest(&RunFolder::open(&folder).and_then(|run| run.growth()).map_err(from_output)?);
+    let rows = deepest(&folder)?;
     let of_case = trials.iter().find(|(trial, _)| trial.value == value).map(|(_, rows)| &rows[..]);
-    let drawn: Vec<(&str, &[TipRow], f64)> =
+    let drawn: Vec<Drawn> =
         of_case.map(|rows| ("case", rows, 1.0)).into_iter().chain([("fitted", &rows[..], 1.0)]).collect();
-    let chart = plot(runs.tonnes, sites, &drawn);
     let known: Vec<Trial> = trials.iter().map(|(trial, _)| trial.clone()).collect();
     let found = Found {
         title: &case.title,
@@ -113,14 +117,8 @@ pub(super) fn calibrate_parameter(
         sites,
         fitted: Fitted::Parameter { fit: &fit, runs: trials.len() + 1, coefficient, new },
     };
-    write(&folder, "calibration.csv", &table_of_trials(sites, &known))?;
-    write(&folder, "calibration.svg", &chart.sheet(&case.title).svg())?;
-    write(&folder, "calibration.json", &found.json())?;
-    write(&folder, "calibration.html", &page(&found, &chart).html())?;
-    write(&folder, "calibrated.toml", &fitted.to_toml())?;
-    print::stdout(&told(&found))?;
-    print::stdout(&format!("results in {}\n", folder.display()))?;
-    Ok(Exit::Done)
+    let table = table_of_trials(sites, &known);
+    finish(&folder, &found, &Written { table, drawn: &drawn, tonnes: runs.tonnes, case: &fitted })
 }
 
 /// The key that is searched, and the coefficient with its value where it is fitted as well.
@@ -174,21 +172,6 @@ fn bracket(arguments: &CalibrateArguments, case: &Case, key: &str, value: f64) -
     Ok(bracket)
 }
 
-/// The scatter of a coefficient that was fitted by runs.
-fn of_runs(fit: &ParameterFit, ends: (f64, f64), prior: Prior, sites: usize, case: &Case) -> New {
-    let std = (ends.1 / ends.0).ln() / (2.0 * 1.96);
-    let posterior = railcrack_run::calibration::Posterior {
-        std,
-        new_std: std.hypot(fit.posterior.discrepancy),
-        new_interval: {
-            let reach = 1.96 * std.hypot(fit.posterior.discrepancy);
-            (-reach, reach)
-        },
-        ..fit.posterior.clone()
-    };
-    New::of(&posterior, prior, sites, case)
-}
-
 /// The runs of a calibration.
 struct Runs<'a> {
     arguments: &'a CalibrateArguments,
@@ -221,8 +204,9 @@ impl Runs<'_> {
         if finished.ending == Ending::Interrupted {
             return Ok(None);
         }
-        let rows = deepest(&RunFolder::open(&folder).and_then(|run| run.growth()).map_err(from_output)?);
-        let sites = self.sites.iter().map(|site| observe(site, &curve(&rows, self.tonnes, site.measure)));
+        let rows = deepest(&folder)?;
+        let sites =
+            self.sites.iter().map(|site| observe(site, &SizeCurve::of(&rows, self.tonnes, site.measure)));
         Ok(Some((Trial { value, sites: sites.collect() }, rows)))
     }
 }
