@@ -103,8 +103,13 @@ fn a_search_widens_its_bracket_and_refuses_an_end() {
     let refused =
         stderr(&ends(&folder, &[&line[..], &["--between", "1e-9,4e-9", "--out", "end"]].concat(), 2));
     assert!(refused.contains("is at an end, 1.0000e-9: it is no result"), "{refused}");
-    let two = ["--parameter", "crack.friction", "--parameter", "crack.angle_deg"];
+    let outside = ["--parameter", "contact.friction", "--between", "0.1,7", "--out", "outside"];
     let line = ["calibrate", "case.toml", "--measured", "measured.csv", "--quiet"];
+    let refused = stderr(&ends(&folder, &[&line[..], &outside].concat(), 2)).replace('\n', " ");
+    assert!(refused.contains("--between 0.1,7: `contact.friction` must be a number in ["), "{refused}");
+    let twice = stderr(&ends(&folder, &[&line[..], &["--measured", "measured.csv"]].concat(), 2));
+    assert!(twice.contains("given twice"), "{twice}");
+    let two = ["--parameter", "crack.friction", "--parameter", "crack.angle_deg"];
     let refused = stderr(&ends(&folder, &[&line[..], &two].concat(), 2));
     assert!(refused.replace('\n', " ").contains("must be the coefficient, growth.paris_c"), "{refused}");
 }
@@ -188,4 +193,37 @@ fn the_default_priors_are_those_of_the_page() {
         );
         assert!(page.contains(&line), "{line}");
     }
+}
+
+/// One reading cannot tell a friction from the coefficient: the friction stays, and the coefficient
+/// is the one that belongs to it, as it is by itself; over all frictions it is known far less.
+#[test]
+fn a_coefficient_next_to_a_number_that_is_not_determined_belongs_to_the_case() {
+    let folder = common::folder("calibrate", "indistinct");
+    let section = "\n[traffic]\naxle_load_t = 20.0\n[growth]\nsteps = 6\n";
+    let text = DISLOCATION_CASE.replace("[growth]\nsteps = 2\n", "") + section;
+    fs::write(folder.join("case.toml"), text).unwrap();
+    done(&folder, &["run", "case.toml", "--out", "run", "--quiet"]);
+    let mgt = numbers(&folder.join("run/growth.csv"), "mgt")[2];
+    let depth = numbers(&folder.join("run/growth.csv"), "depth_mm")[2];
+    fs::write(folder.join("one.csv"), format!("mgt,depth_mm,std_mm\n{},{depth},0.02\n", 3.0 * mgt)).unwrap();
+    let line = ["calibrate", "case.toml", "--measured", "one.csv", "--quiet"];
+    done(&folder, &[&line[..], &["--out", "alone"]].concat());
+    let both = ["--parameter", "crack.friction", "--parameter", "growth.paris_c", "--out", "both"];
+    let told = done(&folder, &[&line[..], &both].concat());
+    assert!(told.contains("do not determine crack.friction") && told.contains("weighted by their"), "{told}");
+    let json = |of: &str| -> serde_json::Value {
+        serde_json::from_str(&read(&folder.join(of).join("calibration.json"))).unwrap()
+    };
+    let number = |of: &serde_json::Value| of.as_f64().unwrap();
+    let (alone, both) = (json("alone"), json("both")["coefficient"].clone());
+    for key in ["log_mean", "log_std"] {
+        assert!((number(&alone[key]) - number(&both[key])).abs() < 1e-9, "{key}: {alone} {both}");
+    }
+    assert!(number(&both["over_all_values"]["log_std"]) > 3.0 * number(&both["log_std"]), "{both}");
+    let rate = |of: &str| {
+        let case = Case::read(&folder.join(of).join("calibrated.toml")).unwrap();
+        case.growth.law.rate.rate(10.0, 0.0)
+    };
+    assert!((rate("alone") / rate("both") - 1.0).abs() < 1e-9);
 }

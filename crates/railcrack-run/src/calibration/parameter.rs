@@ -38,6 +38,10 @@ pub struct ParameterFit {
     /// The posterior of ln(C/C0) at the value. Its mean is 0 without a fitted coefficient; of a
     /// searched one it is relative to the value, with the standard deviation of the interval.
     pub posterior: Posterior,
+    /// With a fitted coefficient: mean and standard deviation of ln(C/C0) over all comparable values,
+    /// each with its posterior, weighted by its evidence (evenly in the logarithm before the
+    /// measurements).
+    pub weighted: Option<(f64, f64)>,
     /// By how much the deviance of the worst comparable value exceeds that of the best one, by the
     /// measurements alone.
     pub contrast: f64,
@@ -60,12 +64,37 @@ impl ParameterFit {
     pub fn is_indistinct(&self) -> bool {
         self.contrast < EXCLUDED
     }
+
+    /// Where the comparable values end before the tried ones, because the runs beyond do not reach
+    /// the measured sizes: a value between the last one at `end` and the next one; none where they
+    /// are near each other.
+    fn before_the_next(&self, end: BracketEnd, tried: &[f64]) -> Option<f64> {
+        let (first, last) = (self.profile.first()?.0, self.profile.last()?.0);
+        let (own, next) = match end {
+            BracketEnd::Low => {
+                let below = tried.iter().copied().filter(|value| *value < first);
+                (first, below.max_by(f64::total_cmp)?)
+            }
+            BracketEnd::High => {
+                let above = tried.iter().copied().filter(|value| *value > last);
+                (last, above.min_by(f64::total_cmp)?)
+            }
+        };
+        let scale = Scale::of(first.min(next), last.max(next));
+        let distance = match scale {
+            Scale::Logarithmic { .. } => (next / own).ln().abs(),
+            Scale::Linear => (next - own).abs() / (last.max(next) - first.min(next)),
+        };
+        (distance > BRANCH).then(|| scale.back(0.5 * (scale.to(own) + scale.to(next))))
+    }
 }
 
 /// χ² of 95 % with one degree of freedom: a deviance larger by that much excludes a value.
 const EXCLUDED: f64 = 3.841_459;
 /// A parameter that changes ln N by less over all trials is without influence: the error of a run.
 const FLAT: f64 = 1e-4;
+/// Deviance beyond which a value has no weight: less than e^−8 of that of the best one.
+const NEGLIGIBLE: f64 = 16.0;
 /// Standard deviation of ln C of a prior that says nothing.
 const VAGUE: f64 = 30.0;
 /// Points between two trials at which the deviance is evaluated, and with classes and a fitted
@@ -184,6 +213,14 @@ pub fn fit_parameter(
     if let (Coefficient::Searched(_), (Some(low), Some(high))) = (coefficient, interval) {
         found = found.known_to((high / low).ln().abs() / (2.0 * NORMAL), &sites, prior);
     }
+    // Values of negligible weight are left out: with classes each takes an integration.
+    let all = points.iter().zip(&excess).filter(|(_, (_, deviance))| *deviance < NEGLIGIBLE);
+    let all: Vec<(f64, Posterior, f64)> = match coefficient {
+        Coefficient::Fitted => all
+            .map(|((x, sites), (_, deviance))| (*x, posterior(&likelihoods(sites), prior), *deviance))
+            .collect(),
+        Coefficient::OfCase | Coefficient::Searched(_) => Vec::new(),
+    };
     let (smallest, largest) =
         measured.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (x.min(low), x.max(high)));
     Ok(ParameterFit {
@@ -192,6 +229,7 @@ pub fn fit_parameter(
         interval,
         end,
         posterior: found,
+        weighted: (!all.is_empty()).then(|| weighted(&all)),
         contrast: largest - smallest,
         profile: excess.iter().map(|(x, deviance)| (scale.back(*x), *deviance)).collect(),
     })
@@ -216,6 +254,32 @@ fn vertex(points: &[(f64, f64)], least: usize) -> f64 {
     } else {
         x
     }
+}
+
+/// The posterior of ln(C/C0) with the value of one `trial`.
+#[must_use]
+pub fn coefficient_at(trial: &Trial, prior: Prior) -> Posterior {
+    let usual = usual_error(&trial.sites);
+    let sites: Vec<SiteLikelihood> = trial.sites.iter().map(|site| SiteLikelihood::of(site, usual)).collect();
+    posterior(&sites, prior)
+}
+
+/// Mean and standard deviation of ln(C/C0) over points (x, posterior, deviance), by the trapezoidal
+/// rule in x.
+fn weighted(points: &[(f64, Posterior, f64)]) -> (f64, f64) {
+    let width = |i: usize| {
+        let (before, after) = (i.saturating_sub(1), (i + 1).min(points.len() - 1));
+        0.5 * (points[after].0 - points[before].0)
+    };
+    let (mut total, mut first, mut second) = (0.0, 0.0, 0.0);
+    for (i, (_, of, deviance)) in points.iter().enumerate() {
+        let weight = width(i) * (-0.5 * deviance).exp();
+        total += weight;
+        first += weight * of.mean;
+        second += weight * (of.std.powi(2) + of.mean.powi(2));
+    }
+    let mean = first / total;
+    (mean, (second / total - mean * mean).max(0.0).sqrt())
 }
 
 /// Whether each measurement is within the sizes of both runs.
@@ -322,6 +386,11 @@ const SETTLED: f64 = 3e-3;
 
 /// Doublings of the range: 256 times the value, far beyond any that is meant.
 const WIDENINGS: usize = 7;
+/// Values at most.
+const MOST: usize = FIRST + ADDED + WIDENINGS;
+/// Distance from the last run that reaches the measured sizes to the next that does not, in the
+/// logarithm or as a share of a range that includes zero, at which no run between them is tried.
+const BRANCH: f64 = 0.02;
 
 impl Bracket {
     /// From half to twice `value`, which is not zero; doubled where the best value is at an end.
@@ -337,19 +406,31 @@ impl Bracket {
         Self { low, high, accepted: (low, high), widenings: 0 }
     }
 
-    /// The first values, evenly spaced in the logarithm where the ends have the same sign.
+    /// The first values, evenly spaced in the logarithm where the ends have the same sign, with the
+    /// value `own` of the case where it is among them.
     #[must_use]
-    pub fn values(&self) -> Vec<f64> {
+    pub fn values(&self, own: f64) -> Vec<f64> {
         let scale = Scale::of(self.low, self.high);
         let (low, high) = (scale.to(self.low), scale.to(self.high));
         let inner = (1..FIRST - 1).map(|i| scale.back(low + (high - low) * i as f64 / (FIRST - 1) as f64));
-        std::iter::once(self.low).chain(inner).chain([self.high]).collect()
+        let mut values: Vec<f64> = std::iter::once(self.low).chain(inner).chain([self.high]).collect();
+        // The middle of half and twice the value is the value only to rounding: two runs that differ
+        // by it would look like two values.
+        match values.iter_mut().find(|value| (**value - own).abs() <= 1e-9 * own.abs()) {
+            Some(value) => *value = own,
+            None if (self.low..=self.high).contains(&own) => values.push(own),
+            None => (),
+        }
+        values
     }
 
     /// The next step after `fit` of runs with `tried` values.
     pub fn next(&mut self, fit: &ParameterFit, tried: &[f64]) -> Next {
         if let Some(end) = fit.end {
             let scale = Scale::of(self.low, self.high);
+            if let Some(between) = fit.before_the_next(end, tried) {
+                return if tried.len() < MOST { Next::Try(between) } else { Next::AtEnd(end) };
+            }
             let doubled = |value: f64, outwards: f64| match scale {
                 Scale::Logarithmic { .. } => scale.back(scale.to(value) + outwards * 2f64.ln()),
                 Scale::Linear => value,
@@ -375,7 +456,7 @@ impl Bracket {
             Scale::Linear => self.high - self.low,
         };
         let near = |value: &&f64| (scale.to(**value) - scale.to(fit.value)).abs() <= SETTLED * width;
-        if tried.iter().any(|value| near(&value)) || tried.len() >= FIRST + ADDED + WIDENINGS {
+        if tried.iter().any(|value| near(&value)) || tried.len() >= MOST {
             return Next::Settled;
         }
         Next::Try(fit.value)

@@ -17,7 +17,7 @@ fn search(
     run: impl Fn(f64) -> Trial,
     with: Coefficient,
 ) -> (ParameterFit, Next, Vec<f64>) {
-    let mut trials: Vec<Trial> = bracket.values().into_iter().map(&run).collect();
+    let mut trials: Vec<Trial> = bracket.values(f64::NAN).into_iter().map(&run).collect();
     loop {
         let fit = fit_parameter("p", &trials, PRIOR, with).unwrap();
         let tried: Vec<f64> = trials.iter().map(|trial| trial.value).collect();
@@ -83,7 +83,7 @@ fn an_optimum_at_an_end_is_not_a_result() {
 #[test]
 fn a_parameter_that_acts_like_the_coefficient_is_not_told_from_it() {
     let run = |value| trial(value, 0.27, [0.1, -0.1, 0.05]);
-    let trials: Vec<Trial> = Bracket::about(0.25, EVERY).values().into_iter().map(run).collect();
+    let trials: Vec<Trial> = Bracket::about(0.25, EVERY).values(0.25).into_iter().map(run).collect();
     let fit = fit_parameter("p", &trials, PRIOR, Coefficient::Fitted).unwrap();
     assert!(fit.is_indistinct(), "{} {:?} {}", fit.value, fit.interval, fit.contrast);
     // One that also changes the shape of growth is: the third size counts twice.
@@ -124,7 +124,7 @@ fn a_searched_coefficient_is_that_of_the_closed_form() {
         posterior(&sites, prior)
     };
     let mut bracket = Bracket::about(1.0, EVERY);
-    let mut trials: Vec<Trial> = bracket.values().into_iter().map(run).collect();
+    let mut trials: Vec<Trial> = bracket.values(f64::NAN).into_iter().map(run).collect();
     let fit = loop {
         let fit = fit_parameter("c", &trials, prior, Coefficient::Searched(1.0)).unwrap();
         let tried: Vec<f64> = trials.iter().map(|trial| trial.value).collect();
@@ -139,6 +139,53 @@ fn a_searched_coefficient_is_that_of_the_closed_form() {
     // Without the prior it is the mean of the measurements alone.
     let alone = fit_parameter("c", &trials, prior, Coefficient::OfCase).unwrap();
     assert!((alone.value.ln() - closed.mean).abs() > 0.05, "{}", alone.value.ln());
+}
+
+/// Runs above 0.3 do not reach the measured sizes, and the best value lies beyond, or between 0.3
+/// and the next run: it is looked for up to the last run that does, and not taken for the last.
+#[test]
+fn runs_that_do_not_reach_the_sizes_are_an_end() {
+    let short = |limit: f64| {
+        move |value: f64| match value <= limit {
+            true => trial(value, 0.35, [0.02, -0.02, 0.0]),
+            false => Trial { value, sites: vec![vec![None; 3]] },
+        }
+    };
+    let (fit, end, tried) = search(Bracket::about(0.3, EVERY), short(0.31), Coefficient::OfCase);
+    assert_eq!(end, Next::AtEnd(BracketEnd::High), "{} {tried:?}", fit.value);
+    let last = tried.iter().copied().filter(|value| *value <= 0.31).fold(0.0, f64::max);
+    let next = tried.iter().copied().filter(|value| *value > 0.31).fold(1.0, f64::min);
+    assert!((next / last).ln() < 0.03 && tried.len() < 18, "{tried:?}");
+    let (fit, end, tried) = search(Bracket::about(0.3, EVERY), short(0.40), Coefficient::OfCase);
+    assert!(end == Next::Settled && (fit.value / 0.35 - 1.0).abs() < 5e-3, "{} {tried:?}", fit.value);
+    // The value of the case is tried once, as it is.
+    let bracket = Bracket::about(0.3, EVERY);
+    assert_eq!(
+        bracket.values(0.3).iter().filter(|value| (**value - 0.3).abs() < 1e-6).collect::<Vec<_>>(),
+        [&0.3]
+    );
+    assert!(bracket.values(0.31).contains(&0.31) && bracket.values(0.31).len() == 6);
+}
+
+/// N is in proportion to p^(−3)/C: every p explains the measurements with its own C, ln C = 3 ln p +
+/// const, so that over all p from 0.125 to 0.5 ln C has the variance of one p and 9 (ln 4)²/12.
+#[test]
+fn the_coefficient_over_all_values_is_weighted_by_their_evidence() {
+    let of = |value: f64| {
+        let y = -3.0 * (value / 0.25).ln();
+        Trial { value, sites: vec![vec![Some(Observed::Reading { y, per_mm: 1.0, std: Some(0.1) })]] }
+    };
+    let trials: Vec<Trial> = Bracket::about(0.25, EVERY).values(0.25).into_iter().map(of).collect();
+    let vague = Prior { log_std: 30.0, ..PRIOR };
+    let fit = fit_parameter("p", &trials, vague, Coefficient::Fitted).unwrap();
+    let (mean, std) = fit.weighted.unwrap();
+    let want = (0.01 + 9.0 * 4f64.ln().powi(2) / 12.0).sqrt();
+    assert!(mean.abs() < 1e-3 && (std / want - 1.0).abs() < 0.01, "{mean} {std} {want}");
+    // With the value of the case it has only the error of the reading.
+    let own = coefficient_at(trials.iter().find(|trial| trial.value == 0.25).unwrap(), vague);
+    assert!(own.mean.abs() < 1e-9 && (own.std - 0.1).abs() < 1e-5, "{own:?}");
+    let none = fit_parameter("p", &trials, PRIOR, Coefficient::OfCase).unwrap();
+    assert!(none.weighted.is_none());
 }
 
 #[test]

@@ -28,6 +28,11 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
     let sites: Result<Vec<Site>, CaseErrors> =
         arguments.measured.iter().map(|path| read_measured(path)).collect();
     let sites = sites?;
+    for (i, path) in arguments.measured.iter().enumerate() {
+        if arguments.measured[..i].contains(path) {
+            return Err(refuse(format!("--measured {}: given twice, each file is one site", path.display())));
+        }
+    }
     if !arguments.parameter.is_empty() {
         return calibrate_parameter(arguments, &case, &sites);
     }

@@ -49,6 +49,9 @@ impl Found<'_> {
                     inner.insert("value".into(), json!(value * fit.posterior.mean.exp()));
                     let mut insert = |name: &str, value: Value| inner.insert(name.to_owned(), value);
                     of_posterior(&mut insert, &fit.posterior, *value);
+                    if let Some((mean, std)) = fit.weighted {
+                        insert("over_all_values", json!({ "log_mean": mean, "log_std": std }));
+                    }
                     if let Some(new) = new {
                         insert("new_rail", new_rail(fit.posterior.mean, *new, *value));
                     }

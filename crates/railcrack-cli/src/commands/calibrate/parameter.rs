@@ -17,8 +17,8 @@ use crate::progress::Progress;
 use railcrack_case::{Case, NumberRange, Overrides, RangeEnd};
 use railcrack_report::Pages;
 use railcrack_run::calibration::{
-    Bracket, CalibrationError, Coefficient, Next, ParameterFit, Prior, Site, SizeCurve, Trial, fit_parameter,
-    observe,
+    Bracket, CalibrationError, Coefficient, Next, ParameterFit, Prior, Site, SizeCurve, Trial,
+    coefficient_at, fit_parameter, observe,
 };
 use railcrack_run::csv::TipRow;
 use railcrack_run::simulation::{Ending, RunEntry, Simulation};
@@ -54,11 +54,8 @@ pub(super) fn calibrate_parameter(
     };
     let entry = if arguments.force { RunEntry::Replace } else { RunEntry::Begin };
     let mut trials: Vec<(Trial, Vec<TipRow>)> = Vec::new();
-    let mut waiting = bracket.values();
-    if (bracket.low..=bracket.high).contains(&value) && !waiting.contains(&value) {
-        waiting.push(value);
-    }
-    let fit = loop {
+    let mut waiting = bracket.values(value);
+    let mut fit = loop {
         for value in std::mem::take(&mut waiting) {
             match runs.trial(value, trials.len() + 1)? {
                 Some(trial) => trials.push(trial),
@@ -79,6 +76,26 @@ pub(super) fn calibrate_parameter(
             Next::AtEnd(_) => return Err(refuse(at_end(&fit, &key, &bracket, tried.len()))),
         }
     };
+    if coefficient.is_some() && fit.is_indistinct() {
+        // The number stays that of the case: the coefficient is the one that belongs to it.
+        if !trials.iter().any(|(trial, _)| trial.value == value) {
+            match runs.trial(value, trials.len() + 1)? {
+                Some(trial) => trials.push(trial),
+                None => return Ok(Exit::Interrupted),
+            }
+        }
+        let own = trials
+            .iter()
+            .map(|(trial, _)| trial)
+            .find(|trial| trial.value == value && trial.sites.iter().flatten().any(Option::is_some));
+        let nothing = || {
+            refuse(format!(
+                "no measurement is within the sizes that the run of the case, with {key} = {}, reaches",
+                number(value)
+            ))
+        };
+        fit.posterior = coefficient_at(own.ok_or_else(nothing)?, prior);
+    }
     let best = if fit.is_indistinct() { value } else { fit.value };
     let mut overrides = Overrides::default();
     if let Some((_, own)) = &coefficient {
@@ -154,15 +171,18 @@ fn keys(arguments: &CalibrateArguments, case: &Case) -> Result<Keys, Failure> {
 }
 
 fn bracket(arguments: &CalibrateArguments, case: &Case, key: &str, value: f64) -> Result<Bracket, Failure> {
+    let everything = NumberRange::closed(f64::NEG_INFINITY, f64::INFINITY);
+    let accepted = case.accepted_numbers(key).unwrap_or(everything);
     if let Some((low, high)) = arguments.between {
+        if !accepted.contains(low) || !accepted.contains(high) {
+            return Err(refuse(format!("--between {low},{high}: `{key}` must be a number in {accepted}")));
+        }
         return Ok(Bracket::given(low, high));
     }
     let end = |end: RangeEnd, inwards: f64| match end {
         RangeEnd::Closed(value) => value,
         RangeEnd::Open(value) => value + inwards * f64::EPSILON * value.abs().max(f64::MIN_POSITIVE),
     };
-    let everything = NumberRange::closed(f64::NEG_INFINITY, f64::INFINITY);
-    let accepted = case.accepted_numbers(key).unwrap_or(everything);
     let bracket = Bracket::about(value, (end(accepted.min, 1.0), end(accepted.max, -1.0)));
     if value == 0.0 || bracket.low >= bracket.high {
         return Err(refuse(format!(

@@ -47,7 +47,13 @@ pub(super) fn told(found: &Found) -> String {
                 ));
             }
             if let Some((key, value)) = coefficient {
-                text.push_str(&of_coefficient(key.trim_start_matches("growth."), *value, &fit.posterior));
+                let key = key.trim_start_matches("growth.");
+                text.push_str(&of_coefficient(key, *value, &fit.posterior));
+                text.push_str(
+                    &fit.weighted.map_or_else(String::new, |over_all| {
+                        of_all_values(&found.key, key, *value, over_all)
+                    }),
+                );
             }
             if let Some(new) = new {
                 let value = coefficient.as_ref().map_or(fit.value, |(_, value)| *value);
@@ -76,6 +82,15 @@ fn of_coefficient(key: &str, value: f64, posterior: &Posterior) -> String {
         value * factor,
         value * low.exp(),
         value * high.exp()
+    )
+}
+
+/// The coefficient `value` over all values of `other` that were tried.
+fn of_all_values(other: &str, key: &str, value: f64, (mean, std): (f64, f64)) -> String {
+    let [low, high] = [-NORMAL, NORMAL].map(|z| value * (mean + z * std).exp());
+    format!(
+        "over all values of {other}, weighted by their evidence: {key} = {:.4e}, 95 % from {low:.4e} to {high:.4e}\n",
+        value * mean.exp()
     )
 }
 
