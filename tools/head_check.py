@@ -60,3 +60,12 @@ def grown(program, text, folder, residual, settings=()):
         return None
     with open(folder / "out/growth.csv") as lines:
         return list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+
+def plots():
+    """matplotlib.pyplot without a display, whose SVG is the same for the same numbers."""
+    import matplotlib
+    matplotlib.use("Agg")
+    matplotlib.rcParams["svg.hashsalt"] = "railcrack"
+    import matplotlib.pyplot
+    return matplotlib.pyplot

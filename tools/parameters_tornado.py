@@ -9,7 +9,7 @@ import pathlib
 import sys
 import tempfile
 
-from head_check import RESIDUAL, crack, grown, hertz, plane, root
+from head_check import RESIDUAL, crack, grown, hertz, plane, plots, root
 
 table = root / "verification/parameters/lives.csv"
 
@@ -75,10 +75,7 @@ def compute(program):
 
 
 def draw():
-    import matplotlib
-    matplotlib.use("Agg")
-    matplotlib.rcParams["svg.hashsalt"] = "railcrack"
-    import matplotlib.pyplot as plot
+    plot = plots()
     rows = list(csv.DictReader(line for line in open(table) if not line.startswith("#")))
     ends = [(row["input"], [float(row[end]) if row[end] else None for end in ("low", "high")], float(row["base"]))
             for row in rows]

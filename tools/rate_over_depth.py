@@ -204,7 +204,7 @@ def compute(program, named):
 
 
 def draw():
-    import matplotlib.pyplot as plot
+    plot = head_check.plots()
     known = {}
     for row in csv.DictReader(open(table)):
         known.setdefault(row["cause"], []).append((float(row["depth_mm"]), float(row["rate_mm_per_mgt"])))

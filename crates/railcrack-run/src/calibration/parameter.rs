@@ -66,26 +66,14 @@ impl ParameterFit {
     }
 
     /// Where the comparable values end before the tried ones, because the runs beyond do not reach
-    /// the measured sizes: a value between the last one at `end` and the next one; none where they
-    /// are near each other.
-    fn before_the_next(&self, end: BracketEnd, tried: &[f64]) -> Option<f64> {
+    /// the measured sizes: the last value at `end`, and the next one that was tried.
+    fn beyond(&self, end: BracketEnd, tried: &[f64]) -> Option<(f64, f64)> {
         let (first, last) = (self.profile.first()?.0, self.profile.last()?.0);
-        let (own, next) = match end {
-            BracketEnd::Low => {
-                let below = tried.iter().copied().filter(|value| *value < first);
-                (first, below.max_by(f64::total_cmp)?)
-            }
-            BracketEnd::High => {
-                let above = tried.iter().copied().filter(|value| *value > last);
-                (last, above.min_by(f64::total_cmp)?)
-            }
-        };
-        let scale = Scale::of(first.min(next), last.max(next));
-        let distance = match scale {
-            Scale::Logarithmic { .. } => (next / own).ln().abs(),
-            Scale::Linear => (next - own).abs() / (last.max(next) - first.min(next)),
-        };
-        (distance > BRANCH).then(|| scale.back(0.5 * (scale.to(own) + scale.to(next))))
+        let all = tried.iter().copied();
+        match end {
+            BracketEnd::Low => Some((first, all.filter(|value| *value < first).max_by(f64::total_cmp)?)),
+            BracketEnd::High => Some((last, all.filter(|value| *value > last).min_by(f64::total_cmp)?)),
+        }
     }
 }
 
@@ -428,8 +416,14 @@ impl Bracket {
     pub fn next(&mut self, fit: &ParameterFit, tried: &[f64]) -> Next {
         if let Some(end) = fit.end {
             let scale = Scale::of(self.low, self.high);
-            if let Some(between) = fit.before_the_next(end, tried) {
-                return if tried.len() < MOST { Next::Try(between) } else { Next::AtEnd(end) };
+            if let Some((last, next)) = fit.beyond(end, tried) {
+                let distance = match scale {
+                    Scale::Logarithmic { .. } => (next / last).ln().abs(),
+                    Scale::Linear => (next - last).abs() / (self.high - self.low),
+                };
+                let is_open = distance > BRANCH && tried.len() < MOST;
+                let between = scale.back(0.5 * (scale.to(last) + scale.to(next)));
+                return if is_open { Next::Try(between) } else { Next::AtEnd(end) };
             }
             let doubled = |value: f64, outwards: f64| match scale {
                 Scale::Logarithmic { .. } => scale.back(scale.to(value) + outwards * 2f64.ln()),
