@@ -70,7 +70,10 @@ fn the_rate_of_a_sample_is_that_of_its_run() {
     // Depths that no sample reaches.
     fs::write(folder.join("entries/b.toml"), entry("B").replace("to_mm = ", "to_mm = 9")).unwrap();
     let told = done(&folder, &["validate", "entries", "--out", "result", "--quiet"]);
-    assert!(told.contains("B: not compared, since no sample") && told.contains("2 entries, 1 scored"), "{told}");
+    assert!(
+        told.contains("B: not compared, since no sample") && told.contains("2 entries, 1 scored"),
+        "{told}"
+    );
     // Twice the same name.
     fs::write(folder.join("entries/b.toml"), entry("A")).unwrap();
     let refused = ends(&folder, &["validate", "entries"], 2);

@@ -64,17 +64,6 @@ impl ParameterFit {
     pub fn is_indistinct(&self) -> bool {
         self.contrast < EXCLUDED
     }
-
-    /// Where the comparable values end before the tried ones, because the runs beyond do not reach
-    /// the measured sizes: the last value at `end`, and the next one that was tried.
-    fn beyond(&self, end: BracketEnd, tried: &[f64]) -> Option<(f64, f64)> {
-        let (first, last) = (self.profile.first()?.0, self.profile.last()?.0);
-        let all = tried.iter().copied();
-        match end {
-            BracketEnd::Low => Some((first, all.filter(|value| *value < first).max_by(f64::total_cmp)?)),
-            BracketEnd::High => Some((last, all.filter(|value| *value > last).min_by(f64::total_cmp)?)),
-        }
-    }
 }
 
 /// χ² of 95 % with one degree of freedom: a deviance larger by that much excludes a value.
@@ -92,24 +81,24 @@ const COARSE: usize = 6;
 
 /// The scale on which values are compared: logarithms unless a value is zero or the signs differ.
 #[derive(Debug, Clone, Copy)]
-enum Scale {
+pub(super) enum Scale {
     Logarithmic { sign: f64 },
     Linear,
 }
 
 impl Scale {
-    fn of(low: f64, high: f64) -> Self {
+    pub fn of(low: f64, high: f64) -> Self {
         if low * high > 0.0 { Self::Logarithmic { sign: low.signum() } } else { Self::Linear }
     }
 
-    fn to(self, value: f64) -> f64 {
+    pub fn to(self, value: f64) -> f64 {
         match self {
             Self::Logarithmic { sign } => sign * value.abs().ln(),
             Self::Linear => value,
         }
     }
 
-    fn back(self, x: f64) -> f64 {
+    pub fn back(self, x: f64) -> f64 {
         match self {
             Self::Logarithmic { sign } => sign * (sign * x).exp(),
             Self::Linear => x,
@@ -339,124 +328,3 @@ fn error_of_readings(points: &[(f64, Vec<Observations>)], coefficient: Coefficie
         _ => from_squares(0.0, 0),
     }
 }
-
-/// The range in which a value is looked for.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bracket {
-    /// Its ends.
-    pub low: f64,
-    /// Its ends.
-    pub high: f64,
-    /// The accepted values of the key, both ends.
-    pub accepted: (f64, f64),
-    /// How often it may be doubled at an end.
-    pub widenings: usize,
-}
-
-/// The next step of a search.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Next {
-    /// A run with this value.
-    Try(f64),
-    /// The fit is settled.
-    Settled,
-    /// The best value is at this end, and the bracket is not widened.
-    AtEnd(BracketEnd),
-}
-
-/// Values over the range at first.
-const FIRST: usize = 5;
-/// Values that are added within the range at most, each where the fit so far is best.
-const ADDED: usize = 6;
-/// A fit that is as near to a value as this is settled: in the logarithm, or as a share of a range
-/// that includes zero.
-const SETTLED: f64 = 3e-3;
-
-/// Doublings of the range: 256 times the value, far beyond any that is meant.
-const WIDENINGS: usize = 7;
-/// Values at most.
-const MOST: usize = FIRST + ADDED + WIDENINGS;
-/// Distance from the last run that reaches the measured sizes to the next that does not, in the
-/// logarithm or as a share of a range that includes zero, at which no run between them is tried.
-const BRANCH: f64 = 0.02;
-
-impl Bracket {
-    /// From half to twice `value`, which is not zero; doubled where the best value is at an end.
-    #[must_use]
-    pub fn about(value: f64, accepted: (f64, f64)) -> Self {
-        let (low, high) = if value < 0.0 { (2.0 * value, 0.5 * value) } else { (0.5 * value, 2.0 * value) };
-        Self { low: low.max(accepted.0), high: high.min(accepted.1), accepted, widenings: WIDENINGS }
-    }
-
-    /// The given range, which is not widened.
-    #[must_use]
-    pub fn given(low: f64, high: f64) -> Self {
-        Self { low, high, accepted: (low, high), widenings: 0 }
-    }
-
-    /// The first values, evenly spaced in the logarithm where the ends have the same sign, with the
-    /// value `own` of the case where it is among them.
-    #[must_use]
-    pub fn values(&self, own: f64) -> Vec<f64> {
-        let scale = Scale::of(self.low, self.high);
-        let (low, high) = (scale.to(self.low), scale.to(self.high));
-        let inner = (1..FIRST - 1).map(|i| scale.back(low + (high - low) * i as f64 / (FIRST - 1) as f64));
-        let mut values: Vec<f64> = std::iter::once(self.low).chain(inner).chain([self.high]).collect();
-        // The middle of half and twice the value is the value only to rounding: two runs that differ
-        // by it would look like two values.
-        match values.iter_mut().find(|value| (**value - own).abs() <= 1e-9 * own.abs()) {
-            Some(value) => *value = own,
-            None if (self.low..=self.high).contains(&own) => values.push(own),
-            None => (),
-        }
-        values
-    }
-
-    /// The next step after `fit` of runs with `tried` values.
-    pub fn next(&mut self, fit: &ParameterFit, tried: &[f64]) -> Next {
-        if let Some(end) = fit.end {
-            let scale = Scale::of(self.low, self.high);
-            if let Some((last, next)) = fit.beyond(end, tried) {
-                let distance = match scale {
-                    Scale::Logarithmic { .. } => (next / last).ln().abs(),
-                    Scale::Linear => (next - last).abs() / (self.high - self.low),
-                };
-                let is_open = distance > BRANCH && tried.len() < MOST;
-                let between = scale.back(0.5 * (scale.to(last) + scale.to(next)));
-                return if is_open { Next::Try(between) } else { Next::AtEnd(end) };
-            }
-            let doubled = |value: f64, outwards: f64| match scale {
-                Scale::Logarithmic { .. } => scale.back(scale.to(value) + outwards * 2f64.ln()),
-                Scale::Linear => value,
-            };
-            let wider = match end {
-                BracketEnd::Low => doubled(self.low, -1.0).max(self.accepted.0),
-                BracketEnd::High => doubled(self.high, 1.0).min(self.accepted.1),
-            };
-            let is_there = |value: &f64| (value - wider).abs() <= 1e-12 * wider.abs();
-            if self.widenings == 0 || tried.iter().any(is_there) || wider == 0.0 {
-                return Next::AtEnd(end);
-            }
-            self.widenings -= 1;
-            match end {
-                BracketEnd::Low => self.low = wider,
-                BracketEnd::High => self.high = wider,
-            }
-            return Next::Try(wider);
-        }
-        let scale = Scale::of(self.low, self.high);
-        let width = match scale {
-            Scale::Logarithmic { .. } => 1.0,
-            Scale::Linear => self.high - self.low,
-        };
-        let near = |value: &&f64| (scale.to(**value) - scale.to(fit.value)).abs() <= SETTLED * width;
-        if tried.iter().any(|value| near(&value)) || tried.len() >= MOST {
-            return Next::Settled;
-        }
-        Next::Try(fit.value)
-    }
-}
-
-#[cfg(test)]
-#[path = "parameter_tests.rs"]
-mod tests;

@@ -72,6 +72,11 @@ pub(super) fn calibrate_parameter(
         let tried: Vec<f64> = known.iter().map(|trial| trial.value).collect();
         match bracket.next(&fit, &tried) {
             Next::Try(value) => waiting.push(value),
+            // Its scatter follows from the interval.
+            Next::Settled if is_coefficient => match bracket.closing(&fit, &tried) {
+                Some(value) => waiting.push(value),
+                None => break fit,
+            },
             Next::Settled => break fit,
             Next::AtEnd(_) => return Err(refuse(at_end(&fit, &key, &bracket, tried.len()))),
         }

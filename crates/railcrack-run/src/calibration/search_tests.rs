@@ -1,6 +1,9 @@
 //! Searches for a parameter in synthetic measurements.
 
 use super::*;
+use crate::calibration::{
+    Coefficient, Observed, Prior, SiteLikelihood, Trial, UsualError, coefficient_at, fit_parameter, posterior,
+};
 
 const PRIOR: Prior = Prior { mean: 0.0, log_std: 1.0, discrepancy: None };
 
@@ -124,15 +127,20 @@ fn a_searched_coefficient_is_that_of_the_closed_form() {
         posterior(&sites, prior)
     };
     let mut bracket = Bracket::about(1.0, EVERY);
-    let mut trials: Vec<Trial> = bracket.values(f64::NAN).into_iter().map(run).collect();
+    let mut trials: Vec<Trial> = bracket.values(1.0).into_iter().map(run).collect();
     let fit = loop {
         let fit = fit_parameter("c", &trials, prior, Coefficient::Searched(1.0)).unwrap();
         let tried: Vec<f64> = trials.iter().map(|trial| trial.value).collect();
-        match bracket.next(&fit, &tried) {
-            Next::Try(value) => trials.push(run(value)),
-            _ => break fit,
-        }
+        let next = match bracket.next(&fit, &tried) {
+            Next::Settled => bracket.closing(&fit, &tried),
+            Next::Try(value) => Some(value),
+            Next::AtEnd(_) => None,
+        };
+        let Some(value) = next else { break fit };
+        trials.push(run(value));
     };
+    // Its lower end is below half and a quarter of the coefficient of the case.
+    assert!(fit.interval.0.unwrap() < 0.25, "{:?}", fit.interval);
     assert!((fit.value.ln() - closed.mean).abs() < 3e-3, "{} {closed:?}", fit.value.ln());
     assert!((fit.posterior.std / closed.std - 1.0).abs() < 0.01, "{:?} {closed:?}", fit.posterior);
     assert!((fit.posterior.new_std / closed.new_std - 1.0).abs() < 0.01, "{:?} {closed:?}", fit.posterior);
