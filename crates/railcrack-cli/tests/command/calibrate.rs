@@ -147,8 +147,8 @@ fn refusals_say_why_and_where() {
     }
 }
 
-/// The prior of a plane case: that of the residuals of the validation suite, which a reading of poor
-/// precision leaves visible; one that is given takes its place.
+/// The prior of a plane case: that of the residuals of the validation suite, which a reading of
+/// poor precision leaves visible; one that is given takes its place.
 #[test]
 fn the_prior_is_that_of_the_suite_unless_it_is_given() {
     let folder = common::folder("calibrate", "prior");

@@ -53,8 +53,8 @@ impl Observed {
     }
 }
 
-/// The measurements of `site` compared with a run whose crack grows along `curve`; a class below the
-/// initial size or beyond the last one is none of them.
+/// The measurements of `site` compared with a run whose crack grows along `curve`; a class below
+/// the initial size or beyond the last one is none of them.
 ///
 /// With the coefficient C = C0 e^θ the crack reaches after N what the run reaches after N e^θ, so
 /// that a class from a to b is found with the probability Φ((b − size)/σ) − Φ((a − size)/σ), sharp

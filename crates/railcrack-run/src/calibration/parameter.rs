@@ -38,9 +38,9 @@ pub struct ParameterFit {
     /// The posterior of ln(C/C0) at the value. Its mean is 0 without a fitted coefficient; of a
     /// searched one it is relative to the value, with the standard deviation of the interval.
     pub posterior: Posterior,
-    /// With a fitted coefficient: mean and standard deviation of ln(C/C0) over all comparable values,
-    /// each with its posterior, weighted by its evidence (evenly in the logarithm before the
-    /// measurements).
+    /// With a fitted coefficient: mean and standard deviation of ln(C/C0) over all comparable
+    /// values, each with its posterior, weighted by its evidence (evenly in the logarithm before
+    /// the measurements).
     pub weighted: Option<(f64, f64)>,
     /// By how much the deviance of the worst comparable value exceeds that of the best one, by the
     /// measurements alone.

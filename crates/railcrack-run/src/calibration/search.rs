@@ -64,8 +64,8 @@ impl Bracket {
         let (low, high) = (scale.to(self.low), scale.to(self.high));
         let inner = (1..FIRST - 1).map(|i| scale.back(low + (high - low) * i as f64 / (FIRST - 1) as f64));
         let mut values: Vec<f64> = std::iter::once(self.low).chain(inner).chain([self.high]).collect();
-        // The middle of half and twice the value is the value only to rounding: two runs that differ
-        // by it would look like two values.
+        // The middle of half and twice the value is the value only to rounding: two runs that
+        // differ by it would look like two values.
         match values.iter_mut().find(|value| (**value - own).abs() <= 1e-9 * own.abs()) {
             Some(value) => *value = own,
             None if (self.low..=self.high).contains(&own) => values.push(own),

@@ -175,8 +175,8 @@ fn runs_that_do_not_reach_the_sizes_are_an_end() {
     assert!(bracket.values(0.31).contains(&0.31) && bracket.values(0.31).len() == 6);
 }
 
-/// N is in proportion to p^(−3)/C: every p explains the measurements with its own C, ln C = 3 ln p +
-/// const, so that over all p from 0.125 to 0.5 ln C has the variance of one p and 9 (ln 4)²/12.
+/// N is in proportion to p^(−3)/C: every p explains the measurements with its own C, ln C = 3 ln p
+/// + const, so that over all p from 0.125 to 0.5 ln C has the variance of one p and 9 (ln 4)²/12.
 #[test]
 fn the_coefficient_over_all_values_is_weighted_by_their_evidence() {
     let of = |value: f64| {

@@ -11,7 +11,7 @@ use railcrack_report::put;
 use railcrack_run::simulation::RunError;
 use std::path::Path;
 
-/// What is written apart from what was found.
+/// Results of a calibration that are written apart from its numbers.
 pub(super) struct Written<'a> {
     /// `calibration.csv`.
     pub table: String,

@@ -1,4 +1,4 @@
-//! What a calibration found.
+//! Numbers that a calibration found.
 
 use railcrack_case::Case;
 use railcrack_run::calibration::{Calibration, ParameterFit, Posterior, Prior, Site};

@@ -1,4 +1,4 @@
-//! What was found, as text.
+//! The printed result of a calibration.
 
 use super::found::{Fitted, Found, NORMAL, New};
 use railcrack_run::calibration::{Finding, Measured, Posterior, Prior, Site, UsualError};

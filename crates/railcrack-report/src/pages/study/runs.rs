@@ -49,7 +49,7 @@ pub(super) fn table(plan: &StudyPlan, all: &[StudyRun]) -> Table {
     table
 }
 
-/// What is concluded from a run, as far as it is.
+/// Conclusions from a run, as far as there are any.
 struct Judged<'a> {
     /// Million gross tonnes.
     tonnes: Option<f64>,
