@@ -6,45 +6,16 @@ program; without arguments it draws docs/figures/parameters-tornado.svg, which n
 
 import csv
 import pathlib
-import subprocess
 import sys
 import tempfile
 
-root = pathlib.Path(__file__).resolve().parent.parent
+from head_check import RESIDUAL, crack, grown, hertz, plane, plots, root
+
 table = root / "verification/parameters/lives.csv"
 
-CASE = """
-[contact]
-peak_pressure_mpa = 1000.0
-half_width_mm = 6.0
-friction = 0.2
-[passage]
-positions = 121
-[[crack]]
-mouth_mm = 0.0
-length_mm = 2.366
-angle_deg = 25.0
-friction = 0.3
-[growth]
-direction = "coplanar"
-steps = 60
-increment = 0.06
-[inspection]
-detectable_depth_mm = 1.0
-critical_depth_mm = 5.0
-[mesh]
-interface_elements = 20
-[solver]
-engine = "dislocation"
-[traffic]
-axle_load_t = 18.0
-[output]
-faces = "none"
-plots = false
-report = false
-"""
-
-PROFILE = "depth_mm,sxx_mpa\n0,{0}\n2,{0}\n8,{1}\n20,{1}\n60,0\n"
+GROWTH = 'direction = "coplanar"\nsteps = 60\nincrement = 0.06'
+INSPECTION = "[inspection]\ndetectable_depth_mm = 1.0\ncritical_depth_mm = 5.0\n"
+CASE = plane(hertz(), crack(2.366, 0.3), GROWTH, 20, INSPECTION)
 SMOOTH = ['growth.direction="max-rate"', "growth.steps=120"]
 
 # Input: settings, or text behind the case, of the low and of the high value.
@@ -71,22 +42,13 @@ INPUTS = {
 
 
 def life(program, folder, settings):
-    text = CASE
+    at, text = 0.0, CASE
     if isinstance(settings, str):
         at = -100.0 if settings == "low" else 100.0
-        (folder / "residual.csv").write_text(PROFILE.format(at, -0.2 * at))
-        text += "[residual_stress]\nprofile = \"residual.csv\"\n"
-        settings = []
-    (folder / "case.toml").write_text(text)
-    line = [program, "run", "case.toml", "--out", "out", "--force", "--quiet"]
-    for setting in settings:
-        line += ["--set", setting]
-    done = subprocess.run(line, cwd=folder, capture_output=True, text=True)
-    if done.returncode:
-        print(settings, done.stderr, file=sys.stderr)
+        text, settings = text + RESIDUAL, []
+    rows = grown(program, text, folder, (at, -0.2 * at), settings)
+    if rows is None:
         return None
-    with open(folder / "out/growth.csv") as lines:
-        rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
     deepest = {}
     for row in rows:
         step = int(row["step"])
@@ -113,10 +75,7 @@ def compute(program):
 
 
 def draw():
-    import matplotlib
-    matplotlib.use("Agg")
-    matplotlib.rcParams["svg.hashsalt"] = "railcrack"
-    import matplotlib.pyplot as plot
+    plot = plots()
     rows = list(csv.DictReader(line for line in open(table) if not line.startswith("#")))
     ends = [(row["input"], [float(row[end]) if row[end] else None for end in ("low", "high")], float(row["base"]))
             for row in rows]

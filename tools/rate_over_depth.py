@@ -12,44 +12,21 @@ cause acts on the rate and not on the way to that depth. Only "turning" grows a 
 import csv
 import math
 import pathlib
-import subprocess
 import sys
 import tempfile
 
-root = pathlib.Path(__file__).resolve().parent.parent
+import head_check
+from head_check import ANGLE, AXLE, RESIDUAL, hertz, root
+
 table = root / "verification/rate-over-depth/rates.csv"
 
-ANGLE = 25.0
 DEPTHS = [0.5, 0.8, 1.3, 2.0, 3.0, 5.0, 7.0, 9.0, 12.0]
 IN_SPACE = [0.5, 0.8, 2.0, 5.0, 9.0, 12.0]
 SINE = math.sin(math.radians(ANGLE))
-AXLE = 18.0
 
 # Net of small falls, and forward only: mm per MGT between two depths (validation/track).
 MEASURED = [(0.3, 0.8, 0.0495, 0.0928), (0.8, 1.3, 0.0148, 0.1197), (1.3, 1.8, 0.0682, 0.1518),
             (1.8, 2.3, 0.0707, 0.1636), (5, 8, 0.236, 0.324), (8, 10, 0.3, 0.661), (10, 14, 0.529, 0.851)]
-
-PLANE = """
-[contact]
-{contact}
-[passage]
-positions = 121
-{cracks}
-[growth]
-steps = 0
-{growth}
-[mesh]
-interface_elements = 24
-[solver]
-engine = "dislocation"
-[traffic]
-axle_load_t = 18.0
-[output]
-faces = "none"
-plots = false
-report = false
-{more}
-"""
 
 SPACE = """
 [passage]
@@ -75,22 +52,20 @@ report = false
 """
 
 
-def hertz(friction=0.2, pressure=1000.0, half_width=6.0):
-    return f"peak_pressure_mpa = {pressure}\nhalf_width_mm = {half_width}\nfriction = {friction}"
-
-
 def carter(ratio, friction=0.4):
     return f'kind = "carter"\npeak_pressure_mpa = 1000.0\nhalf_width_mm = 6.0\nfriction = {friction}\ntraction = {ratio}'
 
 
 def crack(depth, faces=0.5, more=""):
-    return f"[[crack]]\nmouth_mm = 0.0\nlength_mm = {depth / SINE}\nangle_deg = {ANGLE}\nfriction = {faces}\n{more}"
+    return head_check.crack(depth / SINE, faces, more)
 
 
-def plane(contact=None, growth="", more="", faces=0.5, crack_more="", middle=0):
-    def text(depth):
-        return PLANE.format(contact=contact or hertz(), cracks=crack(depth, faces, crack_more), growth=growth, more=more)
-    return text, DEPTHS, middle
+def straight(depth, contact=None, growth="steps = 0", more="", faces=0.5, crack_more=""):
+    return head_check.plane(contact or hertz(), crack(depth, faces, crack_more), growth, 24, more)
+
+
+def plane(growth="", middle=0, **given):
+    return lambda depth: straight(depth, growth=f"steps = 0\n{growth}", **given), DEPTHS, middle
 
 
 def space(ratio, lateral_half_width=6.0, offsets=((0.0, 1.0),), faces=0.5, growth="", contact=None, more="", cells=3):
@@ -112,10 +87,6 @@ def scattered(std):
     far = math.sqrt(3.0) * std
     return ((-far, 1 / 6), (0.0, 2 / 3), (far, 1 / 6))
 
-
-RESIDUAL = "[residual_stress]\nprofile = \"residual.csv\"\n"
-# Compression below the running surface, tension under it: balanced, of the kind that is measured.
-PROFILE = "depth_mm,sxx_mpa\n0,{0}\n2,{0}\n8,{1}\n20,{1}\n60,0\n"
 
 CAUSES = {
     "plane": plane(),
@@ -153,17 +124,12 @@ WEAR = {"wear 0.02": 0.02}
 TURNING = {"turning length 0.5 mm": "turning_length_mm = 0.5", "turning length 2 mm": "turning_length_mm = 2.0"}
 
 
-def rows(folder):
-    with open(folder / "growth.csv") as lines:
-        return list(csv.DictReader(line for line in lines if not line.startswith("#")))
-
-
-def run(program, text, folder, wanted=0):
-    (folder / "case.toml").write_text(text)
-    (folder / "residual.csv").write_text(PROFILE.format(-100.0, 20.0))
-    subprocess.run([program, "run", "case.toml", "--out", "out", "--force", "--quiet"], cwd=folder, check=True,
-                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    return rows(folder / "out")
+def run(program, text, folder):
+    # Compression below the running surface, tension under it.
+    found = head_check.grown(program, text, folder, (-100.0, 20.0))
+    if not found:
+        raise RuntimeError("the run was refused")
+    return found
 
 
 def depth_rate(row, sine=SINE):
@@ -190,17 +156,15 @@ def of_cause(program, cause, folder, known):
 def of_wear(program, wear, folder):
     """The depth below a surface that wears by `wear` mm per million gross tonnes, over one increment."""
     for depth in DEPTHS:
-        text = PLANE.format(contact=hertz(), cracks=crack(depth), more=f"[maintenance]\nwear_mm_per_mgt = {wear}",
-                            growth='direction = "coplanar"\nincrement = 0.01\ncritical_length_mm = 60.0')
-        found = run(program, text.replace("steps = 0", "steps = 1"), folder)
+        text = straight(depth, more=f"[maintenance]\nwear_mm_per_mgt = {wear}",
+                        growth='steps = 1\ndirection = "coplanar"\nincrement = 0.01\ncritical_length_mm = 60.0')
+        found = run(program, text, folder)
         (before, after), passed = (float(row["depth_mm"]) for row in found[:2]), float(found[1]["mgt"])
         yield depth, (after - before) / passed
 
 
 def of_turning(program, setting, folder):
-    text = PLANE.format(contact=hertz(), cracks=crack(0.5), more="",
-                        growth=setting + "\ntolerance = 0.03\ncritical_length_mm = 30.0")
-    text = text.replace("steps = 0", "steps = 150")
+    text = straight(0.5, growth=f"steps = 150\n{setting}\ntolerance = 0.03\ncritical_length_mm = 30.0")
     points = [(float(row["depth_mm"]), float(row["mgt"])) for row in run(program, text, folder)]
     for depth in DEPTHS:
         for (from_depth, from_mgt), (to_depth, to_mgt) in zip(points, points[1:]):
@@ -240,7 +204,7 @@ def compute(program, named):
 
 
 def draw():
-    import matplotlib.pyplot as plot
+    plot = head_check.plots()
     known = {}
     for row in csv.DictReader(open(table)):
         known.setdefault(row["cause"], []).append((float(row["depth_mm"]), float(row["rate_mm_per_mgt"])))

@@ -12,14 +12,14 @@ use super::space::{read_space, refuse_strike};
 use crate::files::read_profile;
 use crate::schema::{Report, SectionValues, Sections, Value, Written, short};
 use crate::tables::{
-    AXLE_LOAD, CALIBRATION, CENTRE, CONTACT, CRACK, ContactExtent, ContactSolver, ENGINE, Engine,
-    EngineDomain, FLUID, FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture, GROWTH, GivenWheel, INSPECTION,
-    MAINTENANCE, MESH, MGT_PER_YEAR, MeshSettings, NETWORK, OUTPUT, Output, PASSAGE, PLASTIC_STRESS, PROFILE,
-    PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER, SOLVER_CONTACT,
-    Scattering, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL, WHEEL_TEMPERATURE,
-    WHEEL_TRACK, WIDTH, WheelSections, YIELD_STRESS, is_of_the_steel, read_calibration, read_fluid,
-    read_growth, read_inspection, read_maintenance, read_passage, read_passages, read_risk, read_scatter,
-    read_steel, read_travel,
+    AXLE_LOAD, CALIBRATION, CENTRE, CONTACT, CRACK, CalibrationPrior, ContactExtent, ContactSolver, ENGINE,
+    Engine, EngineDomain, FLUID, FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture, GROWTH, GivenWheel,
+    INSPECTION, MAINTENANCE, MESH, MGT_PER_YEAR, MeshSettings, NETWORK, OUTPUT, Output, PASSAGE,
+    PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER,
+    SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scattering, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK,
+    TRAFFIC, WHEEL, WHEEL_TEMPERATURE, WHEEL_TRACK, WIDTH, WheelSections, YIELD_STRESS, is_of_the_steel,
+    read_calibration, read_fluid, read_growth, read_inspection, read_maintenance, read_passage,
+    read_passages, read_risk, read_scatter, read_steel, read_travel,
 };
 use railcrack::bulk::Boundary;
 use railcrack::contact::FluidModel;
@@ -219,7 +219,7 @@ pub(crate) fn build(
             Some(read) => Some(read?),
             None => None,
         },
-        calibration: sections.one(&CALIBRATION).and_then(read_calibration).unwrap_or_default(),
+        calibration: calibration(&sections),
         written: Written::of(&sections),
     };
     let is_possible = check_size(&case, &sections, sizes, report);
@@ -253,6 +253,12 @@ fn place_wheel(
 fn is_in_space(sections: &Sections) -> bool {
     let engine = sections.one(&SOLVER).and_then(|solver| solver.get(ENGINE));
     engine.is_some_and(Engine::is_in_space)
+}
+
+/// The prior of a calibration, by default that of the validation suite in the geometry of the case.
+fn calibration(sections: &Sections) -> CalibrationPrior {
+    let suite = if is_in_space(sections) { CalibrationPrior::SPACE } else { CalibrationPrior::PLANE };
+    sections.one(&CALIBRATION).and_then(|section| read_calibration(section, suite)).unwrap_or(suite)
 }
 
 /// The part of the contacts that the engine needs.

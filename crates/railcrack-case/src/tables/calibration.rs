@@ -1,14 +1,14 @@
 //! `[calibration]`: prior and discrepancy of a calibration by measurements.
 
-use crate::schema::{NumberOr, SectionValues, closed, integer, number, number_or, positive, section};
+use crate::schema::{NumberOr, SectionValues, closed, integer, number_or, positive, section};
 
 section! {
     CALIBRATION "calibration", Optional,
         "Calibration by `railcrack calibrate`: what is assumed about the coefficient C of the growth law before anything is measured.";
-    PRIOR_LOG_MEAN: f64 = number("prior_log_mean", "", closed(-20.0, 20.0), 0.0,
-        "Mean of ln C before the measurements, relative to the coefficient of the case; `railcrack validate` gives that of its residuals.");
-    PRIOR_LOG_STD: f64 = number("prior_log_std", "", positive(10.0), 1.0,
-        "Standard deviation of ln C before the measurements; 1.0 is the scatter of measured rates from place to place, and `railcrack validate` gives that of its residuals.");
+    PRIOR_LOG_MEAN: NumberOr = number_or("prior_log_mean", closed(-20.0, 20.0), "suite",
+        "Mean of ln C before the measurements, relative to the coefficient of the case; \"suite\" takes that of the residuals of `railcrack validate`: -1.39 in the plane, 0.26 in space.");
+    PRIOR_LOG_STD: NumberOr = number_or("prior_log_std", positive(10.0), "suite",
+        "Standard deviation of ln C before the measurements; \"suite\" takes that of the residuals of `railcrack validate`: 1.6 in the plane, 1.28 in space.");
     DISCREPANCY_LOG_STD: NumberOr = number_or("discrepancy_log_std", closed(0.0, 10.0), "evidence",
         "Standard deviation by which ln C differs from site to site; \"evidence\" takes the value under which the measurements are most probable.");
     SITES: usize = integer("sites", (1, 100_000), 1,
@@ -28,19 +28,25 @@ pub struct CalibrationPrior {
     pub sites: Option<usize>,
 }
 
-/// The defaults of the section.
-impl Default for CalibrationPrior {
-    fn default() -> Self {
-        Self { log_mean: 0.0, log_std: 1.0, discrepancy: None, sites: None }
-    }
+impl CalibrationPrior {
+    /// Of a plane case, by the residuals of the eight rates of growth in track that `railcrack
+    /// validate` compares with the plane: ln(measured/predicted) in the mean, and its standard
+    /// deviation from entry to entry together with that from place to place.
+    pub const PLANE: Self = Self { log_mean: -1.39, log_std: 1.60, discrepancy: None, sites: None };
+    /// Of a case in space, by the residuals of the same rates there.
+    pub const SPACE: Self = Self { log_mean: 0.26, log_std: 1.28, ..Self::PLANE };
 }
 
-/// The prior of `section`.
-pub(crate) fn read_calibration(section: &SectionValues) -> Option<CalibrationPrior> {
-    let discrepancy = match section.get(DISCREPANCY_LOG_STD)? {
+/// The prior of `section`, with the values `suite` where it takes those of the suite.
+pub(crate) fn read_calibration(section: &SectionValues, suite: CalibrationPrior) -> Option<CalibrationPrior> {
+    let number = |given: NumberOr| match given {
         NumberOr::Number(value) => Some(value),
         NumberOr::Word => None,
     };
-    let (log_mean, log_std) = (section.get(PRIOR_LOG_MEAN)?, section.get(PRIOR_LOG_STD)?);
-    Some(CalibrationPrior { log_mean, log_std, discrepancy, sites: section.get(SITES) })
+    Some(CalibrationPrior {
+        log_mean: number(section.get(PRIOR_LOG_MEAN)?).unwrap_or(suite.log_mean),
+        log_std: number(section.get(PRIOR_LOG_STD)?).unwrap_or(suite.log_std),
+        discrepancy: number(section.get(DISCREPANCY_LOG_STD)?),
+        sites: section.get(SITES),
+    })
 }

@@ -1,6 +1,6 @@
 //! Numbers of a case that are fitted.
 
-use railcrack_case::{Case, CaseErrors, Overrides};
+use railcrack_case::{CalibrationPrior, Case, CaseErrors, Overrides};
 use std::path::Path;
 
 const CRACK: &str = "[contact]
@@ -115,4 +115,33 @@ fn a_setting_that_a_steel_contradicts_is_refused() {
     let overrides = Overrides { settings, ..Overrides::default() };
     let errors = read("[growth]\nsteel = \"R260\"\n", &overrides).unwrap_err().to_string();
     assert!(errors.contains("`growth.paris_c = 0.000000001`: says the same thing as `steel`"), "{errors}");
+}
+
+/// The prior of a calibration is that of the validation suite in the geometry of the case, number
+/// by number where one of them is given, and is written as such.
+#[test]
+fn the_prior_of_a_calibration_follows_the_geometry() {
+    let space = "[contact]
+peak_pressure_mpa = 845
+half_width_mm = 6.75
+lateral_half_width_mm = 6.75
+friction = 0.1
+[[crack]]
+mouth_mm = 0
+length_mm = 6
+surface_half_length_mm = 6
+angle_deg = 15
+friction = 0.4
+[solver]
+engine = \"space\"
+";
+    let of = |text: &str| Case::parse(text, "case.toml", Path::new("")).unwrap();
+    for (text, suite) in [(CRACK, CalibrationPrior::PLANE), (space, CalibrationPrior::SPACE)] {
+        assert_eq!(of(text).calibration, suite);
+        assert_eq!(of(&of(text).to_toml()).calibration, suite);
+        let given = of(&format!("{text}[calibration]\nprior_log_std = 0.7\n")).calibration;
+        assert_eq!((given.log_mean, given.log_std, given.sites), (suite.log_mean, 0.7, None));
+        let given = of(&format!("{text}[calibration]\nprior_log_mean = 0\nsites = 2\n")).calibration;
+        assert_eq!((given.log_mean, given.log_std, given.sites), (0.0, suite.log_std, Some(2)));
+    }
 }

@@ -142,7 +142,7 @@ fn result_text(summary: &PlanSummary, folder: &Path) -> String {
     } else {
         text.push_str("no grinding plan is derived from this case\n");
     }
-    text.push_str(&format!("results in {}\n", folder.display()));
+    text.push_str(&format!("{}\nresults in {}\n", summary.calibration, folder.display()));
     text
 }
 

@@ -1,11 +1,12 @@
 //! `railcrack calibrate`.
 
 use super::common::{self, DISLOCATION_CASE, done, ends, numbers, read, stderr};
-use railcrack_case::Case;
+use railcrack_case::{CalibrationPrior, Case};
 use std::fs;
+use std::path::Path;
 
 /// Depths of the tip of the case at the tonnages of its own run times `slower`.
-fn depths(folder: &std::path::Path, slower: f64) -> String {
+fn depths(folder: &Path, slower: f64) -> String {
     let mgt = numbers(&folder.join("run/growth.csv"), "mgt");
     let depth: Vec<f64> = numbers(&folder.join("run/growth.csv"), "tip_y_mm").iter().map(|y| -y).collect();
     let rows = mgt.iter().zip(&depth).skip(1);
@@ -57,7 +58,7 @@ fn the_fitted_case_has_the_coefficient_of_the_measurements() {
 #[test]
 fn several_sites_are_weighed_and_carry_their_scatter() {
     let folder = common::folder("calibrate", "sites");
-    let section = "[traffic]\naxle_load_t = 20.0\n[calibration]\ndiscrepancy_log_std = 0.5\n";
+    let section = "[traffic]\naxle_load_t = 20.0\n[calibration]\nprior_log_mean = 0.0\nprior_log_std = 1.0\ndiscrepancy_log_std = 0.5\n";
     fs::write(folder.join("case.toml"), format!("{}{section}", *DISLOCATION_CASE)).unwrap();
     done(&folder, &["run", "case.toml", "--out", "run", "--quiet"]);
     let mgt = numbers(&folder.join("run/growth.csv"), "mgt");
@@ -102,8 +103,13 @@ fn a_search_widens_its_bracket_and_refuses_an_end() {
     let refused =
         stderr(&ends(&folder, &[&line[..], &["--between", "1e-9,4e-9", "--out", "end"]].concat(), 2));
     assert!(refused.contains("is at an end, 1.0000e-9: it is no result"), "{refused}");
-    let two = ["--parameter", "crack.friction", "--parameter", "crack.angle_deg"];
+    let outside = ["--parameter", "contact.friction", "--between", "0.1,7", "--out", "outside"];
     let line = ["calibrate", "case.toml", "--measured", "measured.csv", "--quiet"];
+    let refused = stderr(&ends(&folder, &[&line[..], &outside].concat(), 2)).replace('\n', " ");
+    assert!(refused.contains("--between 0.1,7: `contact.friction` must be a number in ["), "{refused}");
+    let twice = stderr(&ends(&folder, &[&line[..], &["--measured", "measured.csv"]].concat(), 2));
+    assert!(twice.contains("given twice"), "{twice}");
+    let two = ["--parameter", "crack.friction", "--parameter", "crack.angle_deg"];
     let refused = stderr(&ends(&folder, &[&line[..], &two].concat(), 2));
     assert!(refused.replace('\n', " ").contains("must be the coefficient, growth.paris_c"), "{refused}");
 }
@@ -139,4 +145,85 @@ fn refusals_say_why_and_where() {
         assert!(refused.contains(says), "{says}: {refused}");
         assert!(!folder.join(case.trim_end_matches(".toml")).exists());
     }
+}
+
+/// The prior of a plane case: that of the residuals of the validation suite, which a reading of
+/// poor precision leaves visible; one that is given takes its place.
+#[test]
+fn the_prior_is_that_of_the_suite_unless_it_is_given() {
+    let folder = common::folder("calibrate", "prior");
+    let traffic = "\n[traffic]\naxle_load_t = 20.0\n";
+    fs::write(folder.join("case.toml"), format!("{}{traffic}", *DISLOCATION_CASE)).unwrap();
+    let given = "[calibration]\nprior_log_mean = 0.5\nprior_log_std = 0.4\n";
+    fs::write(folder.join("given.toml"), format!("{}{traffic}{given}", *DISLOCATION_CASE)).unwrap();
+    done(&folder, &["run", "case.toml", "--out", "run", "--quiet"]);
+    let mgt = numbers(&folder.join("run/growth.csv"), "mgt")[2];
+    let depth = numbers(&folder.join("run/growth.csv"), "depth_mm")[2];
+    fs::write(folder.join("poor.csv"), format!("mgt,depth_mm,std_mm\n{mgt},{depth},1.0\n")).unwrap();
+    let plane = CalibrationPrior::PLANE;
+    for (case, mean, std) in [("case", plane.log_mean, plane.log_std), ("given", 0.5, 0.4)] {
+        let file = format!("{case}.toml");
+        done(&folder, &["calibrate", &file, "--measured", "poor.csv", "--out", case, "--quiet"]);
+        let found: serde_json::Value =
+            serde_json::from_str(&read(&folder.join(case).join("calibration.json"))).unwrap();
+        let number = |of: &serde_json::Value| of.as_f64().unwrap();
+        let site = &found["sites"][0];
+        let (own, error) = (number(&site["log_mean"]), number(&site["log_std"]));
+        assert!(own.abs() < 1e-9 && error > 0.5, "{site}");
+        let precision = error.powi(-2) + std.powi(-2);
+        let want = mean * std.powi(-2) / precision;
+        assert!((number(&found["log_mean"]) - want).abs() < 1e-9, "{found}");
+        assert!((number(&found["log_std"]) - precision.sqrt().recip()).abs() < 1e-9, "{found}");
+        // The calibrated case begins from its own coefficient.
+        let calibrated = Case::read(&folder.join(case).join("calibrated.toml")).unwrap().calibration;
+        assert_eq!((calibrated.log_mean, calibrated.log_std), (0.0, std));
+    }
+}
+
+/// The default priors are what `railcrack validate` prints; the page of the comparison, whose lines
+/// for the plane are computed anew by its own test, has them for both geometries.
+#[test]
+fn the_default_priors_are_those_of_the_page() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/validation.md");
+    let page = read(&page);
+    for (prior, geometry) in [(CalibrationPrior::PLANE, "the plane"), (CalibrationPrior::SPACE, "space")] {
+        let line = format!(
+            "prior of ln C by the residuals of 8 entries of track in {geometry}: mean {:.2}, sd {:.2}\n",
+            prior.log_mean, prior.log_std
+        );
+        assert!(page.contains(&line), "{line}");
+    }
+}
+
+/// One reading cannot tell a friction from the coefficient: the friction stays, and the coefficient
+/// is the one that belongs to it, as it is by itself; over all frictions it is known far less.
+#[test]
+fn a_coefficient_next_to_a_number_that_is_not_determined_belongs_to_the_case() {
+    let folder = common::folder("calibrate", "indistinct");
+    let section = "\n[traffic]\naxle_load_t = 20.0\n[growth]\nsteps = 6\n";
+    let text = DISLOCATION_CASE.replace("[growth]\nsteps = 2\n", "") + section;
+    fs::write(folder.join("case.toml"), text).unwrap();
+    done(&folder, &["run", "case.toml", "--out", "run", "--quiet"]);
+    let mgt = numbers(&folder.join("run/growth.csv"), "mgt")[2];
+    let depth = numbers(&folder.join("run/growth.csv"), "depth_mm")[2];
+    fs::write(folder.join("one.csv"), format!("mgt,depth_mm,std_mm\n{},{depth},0.02\n", 3.0 * mgt)).unwrap();
+    let line = ["calibrate", "case.toml", "--measured", "one.csv", "--quiet"];
+    done(&folder, &[&line[..], &["--out", "alone"]].concat());
+    let both = ["--parameter", "crack.friction", "--parameter", "growth.paris_c", "--out", "both"];
+    let told = done(&folder, &[&line[..], &both].concat());
+    assert!(told.contains("do not determine crack.friction") && told.contains("weighted by their"), "{told}");
+    let json = |of: &str| -> serde_json::Value {
+        serde_json::from_str(&read(&folder.join(of).join("calibration.json"))).unwrap()
+    };
+    let number = |of: &serde_json::Value| of.as_f64().unwrap();
+    let (alone, both) = (json("alone"), json("both")["coefficient"].clone());
+    for key in ["log_mean", "log_std"] {
+        assert!((number(&alone[key]) - number(&both[key])).abs() < 1e-9, "{key}: {alone} {both}");
+    }
+    assert!(number(&both["over_all_values"]["log_std"]) > 3.0 * number(&both["log_std"]), "{both}");
+    let rate = |of: &str| {
+        let case = Case::read(&folder.join(of).join("calibrated.toml")).unwrap();
+        case.growth.law.rate.rate(10.0, 0.0)
+    };
+    assert!((rate("alone") / rate("both") - 1.0).abs() < 1e-9);
 }

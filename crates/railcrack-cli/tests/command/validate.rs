@@ -21,7 +21,7 @@ fn law_folder(name: &str) -> std::path::PathBuf {
 fn a_folder_of_entries_is_scored() {
     let folder = law_folder("law");
     let told = done(&folder, &["validate", ".", "--quiet"]);
-    assert!(told.starts_with("law: 1 entries, 1 within 95 %, 1 within a factor of 2, 1 of 5"), "{told}");
+    assert!(told.starts_with("law: 1 entry, 1 within 95 %, 1 within a factor of 2, 1 of 5"), "{told}");
     assert!(told.contains("3 entries, 1 scored; 1 from memory, never scored"), "{told}");
     let table = folder.join("validation.csv");
     assert_eq!(column(&table, "id"), ["L1", "X1"]);
@@ -64,9 +64,16 @@ fn the_rate_of_a_sample_is_that_of_its_run() {
     fs::create_dir(folder.join("entries")).unwrap();
     fs::write(folder.join("entries/a.toml"), entry("A")).unwrap();
     let told = done(&folder, &["validate", "entries", "--out", "result", "--quiet"]);
-    assert!(told.contains("track: 1 entries, 1 within 95 %"), "{told}");
+    assert!(told.contains("track: 1 entry, 1 within 95 %"), "{told}");
     let factor = numbers(&folder.join("result/validation.csv"), "factor")[0];
     assert!((factor - 1.0).abs() < 1e-6, "{factor}");
+    // Depths that no sample reaches.
+    fs::write(folder.join("entries/b.toml"), entry("B").replace("to_mm = ", "to_mm = 9")).unwrap();
+    let told = done(&folder, &["validate", "entries", "--out", "result", "--quiet"]);
+    assert!(
+        told.contains("B: not compared, since no sample") && told.contains("2 entries, 1 scored"),
+        "{told}"
+    );
     // Twice the same name.
     fs::write(folder.join("entries/b.toml"), entry("A")).unwrap();
     let refused = ends(&folder, &["validate", "entries"], 2);
@@ -108,7 +115,7 @@ fn straight_cracks_grown_cracks_and_ratios_agree() {
         "track: 2 entries",
         "rig: 2 entries",
         "track, in space: 2 entries",
-        "rig, in space: 1 entries",
+        "rig, in space: 1 entry",
         "prior of ln C by the residuals of 2 entries of track in the plane: mean ",
         ", sd 1.00\n",
     ] {

@@ -4,6 +4,7 @@ mod compare;
 mod pictures;
 mod plan;
 mod run;
+mod sentence;
 mod shakedown;
 mod space;
 mod study;

@@ -3,6 +3,7 @@
 use crate::figures::Plot;
 use crate::numbers::{fixed, given, rounded, significant};
 use crate::page::{Banner, Block, Fact, Page, Section};
+use crate::pages::sentence::calibration;
 use crate::table::{Cell, CellTone, MISSING, Table};
 use railcrack_run::PlanFolder;
 use railcrack_run::decision::VerdictLevel;
@@ -12,7 +13,8 @@ use railcrack_run::planner::{LeastGrinding, PlanSummary, PlannedGrinding};
 /// The page of `plans`, with their plots.
 pub(crate) fn plan_page(plans: &PlanFolder, plots: &[Plot]) -> Page {
     let summary = &plans.summary;
-    let mut lead = Vec::new();
+    let mut lead: Vec<Block> =
+        calibration(&summary.calibration).map(|text| Block::List(vec![text])).into_iter().collect();
     lead.extend(
         plots.iter().map(|plot| Block::Picture {
             svg: plot.svg.clone(),

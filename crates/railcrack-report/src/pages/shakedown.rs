@@ -4,6 +4,7 @@ use super::pictures::{charts, still};
 use crate::figures::Plot;
 use crate::numbers::{fixed, significant};
 use crate::page::{Block, Fact, Page, Section};
+use crate::pages::sentence::sentence;
 use crate::table::Table;
 use railcrack::load::ContactKind;
 use railcrack::shakedown::Method;
@@ -62,14 +63,6 @@ pub(crate) fn shakedown_page(state: &ShakedownFolder, plots: &[Plot]) -> Page {
             ),
         ],
     }
-}
-
-/// `text` as a complete sentence.
-fn sentence(text: &str) -> String {
-    let mut letters = text.chars();
-    let first = letters.next().map_or_else(String::new, |letter| letter.to_uppercase().collect());
-    let end = if text.ends_with('.') { "" } else { "." };
-    format!("{first}{}{end}", letters.as_str())
 }
 
 fn passages(count: usize) -> String {

@@ -72,11 +72,15 @@ const COLUMNS: Columns = Columns {
 /// The measurements in the CSV file `path`, with the columns mgt and depth_mm or length_mm, and
 /// optionally at_least_mm, at_most_mm and std_mm.
 ///
-/// Errors: it cannot be read; another header; a field that is not a number; a row without a size
-/// and a bound, or with both; bounds in descending order; a std_mm that is not positive.
+/// Errors: it cannot be read; another header; no row; a field that is not a number; a row without a
+/// size and a bound, or with both; bounds in descending order; a negative mgt; a std_mm that is not
+/// positive.
 pub fn read_measured(path: &Path) -> Result<Site, CaseErrors> {
     let read = COLUMNS.read_file(path)?;
     let (measure, column) = if read.is_given[1] { (Measure::Depth, 1) } else { (Measure::Length, 2) };
+    if read.rows.is_empty() {
+        return Err(COLUMNS.error_of_row(path, 0, "no measurement follows the header".to_owned()));
+    }
     let mut measured = Vec::with_capacity(read.rows.len());
     for (i, row) in read.rows.iter().enumerate() {
         let refuse = |says: String| Err(COLUMNS.error_of_row(path, i + 1, says));
@@ -107,6 +111,9 @@ pub fn read_measured(path: &Path) -> Result<Site, CaseErrors> {
                 ));
             }
         };
+        if row[0] < 0.0 {
+            return refuse(format!("`mgt = {}`: must be at least 0", row[0]));
+        }
         let std = given(5);
         if let Some(std) = std.filter(|std| *std <= 0.0) {
             return refuse(format!("`std_mm = {std}`: must be positive, or blank"));
@@ -159,6 +166,8 @@ mod tests {
             ("mgt,depth_mm,at_least_mm\n1,,\n", 2, "neither depth_mm nor at_least_mm"),
             ("mgt,depth_mm,at_least_mm,at_most_mm\n1,,2,1\n", 2, "`at_least_mm = 2` must be less than"),
             ("mgt,depth_mm,std_mm\n1,2,0\n", 2, "`std_mm = 0`: must be positive"),
+            ("mgt,depth_mm\n1,2\n-3,2\n", 3, "`mgt = -3`: must be at least 0"),
+            ("mgt,depth_mm\n", 1, "no measurement follows the header"),
         ] {
             let errors = read(text).unwrap_err();
             let error = &errors.errors()[0];

@@ -53,7 +53,8 @@ impl Observed {
     }
 }
 
-/// The measurements of `site` compared with a run whose crack grows along `curve`.
+/// The measurements of `site` compared with a run whose crack grows along `curve`; a class below
+/// the initial size or beyond the last one is none of them.
 ///
 /// With the coefficient C = C0 e^θ the crack reaches after N what the run reaches after N e^θ, so
 /// that a class from a to b is found with the probability Φ((b − size)/σ) − Φ((a − size)/σ), sharp
@@ -69,6 +70,11 @@ pub(super) fn observations(site: &Site, curve: &SizeCurve) -> Observations {
                 Some(Observed::Reading { y: (mgt / measured.mgt).ln(), per_mm, std: measured.std })
             }
             Finding::Within(from, to) => {
+                // As a size outside of those of the run, such a class cannot be compared.
+                let (first, last) = curve.ends();
+                if to <= first || from >= last {
+                    return None;
+                }
                 let at = |i: usize| {
                     let theta = REACH * (2.0 * i as f64 / INTERVALS as f64 - 1.0);
                     log_of_class(curve.at(measured.mgt * theta.exp()), (from, to), measured.std)

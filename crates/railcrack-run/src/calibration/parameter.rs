@@ -2,7 +2,7 @@
 
 use super::fit::{CalibrationError, from_squares, unknown, usual_error};
 use super::observed::{Observations, Observed, UsualError};
-use super::posterior::{Posterior, Prior, SiteLikelihood, posterior};
+use super::posterior::{NORMAL, Posterior, Prior, SiteLikelihood, posterior};
 
 /// A run with one value of the parameter.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,13 +13,15 @@ pub struct Trial {
     pub sites: Vec<Observations>,
 }
 
-/// The coefficient of the growth law while another parameter is fitted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// The coefficient of the growth law while a parameter is fitted.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Coefficient {
     /// It stays that of the case.
     OfCase,
     /// It is fitted at every value of the parameter.
     Fitted,
+    /// It is the parameter, with this value in the case: its prior counts.
+    Searched(f64),
 }
 
 /// The value that fits best.
@@ -33,9 +35,15 @@ pub struct ParameterFit {
     pub interval: (Option<f64>, Option<f64>),
     /// The end of the comparable trials at which the value is, if it is at one.
     pub end: Option<BracketEnd>,
-    /// The posterior of ln(C/C0) at the value; without a fitted coefficient its mean is 0.
+    /// The posterior of ln(C/C0) at the value. Its mean is 0 without a fitted coefficient; of a
+    /// searched one it is relative to the value, with the standard deviation of the interval.
     pub posterior: Posterior,
-    /// By how much the deviance of the worst comparable value exceeds that of the best one.
+    /// With a fitted coefficient: mean and standard deviation of ln(C/C0) over all comparable
+    /// values, each with its posterior, weighted by its evidence (evenly in the logarithm before
+    /// the measurements).
+    pub weighted: Option<(f64, f64)>,
+    /// By how much the deviance of the worst comparable value exceeds that of the best one, by the
+    /// measurements alone.
     pub contrast: f64,
     /// Deviance over value, less that of the best one.
     pub profile: Vec<(f64, f64)>,
@@ -62,6 +70,8 @@ impl ParameterFit {
 const EXCLUDED: f64 = 3.841_459;
 /// A parameter that changes ln N by less over all trials is without influence: the error of a run.
 const FLAT: f64 = 1e-4;
+/// Deviance beyond which a value has no weight: less than e^−8 of that of the best one.
+const NEGLIGIBLE: f64 = 16.0;
 /// Standard deviation of ln C of a prior that says nothing.
 const VAGUE: f64 = 30.0;
 /// Points between two trials at which the deviance is evaluated, and with classes and a fitted
@@ -71,24 +81,24 @@ const COARSE: usize = 6;
 
 /// The scale on which values are compared: logarithms unless a value is zero or the signs differ.
 #[derive(Debug, Clone, Copy)]
-enum Scale {
+pub(super) enum Scale {
     Logarithmic { sign: f64 },
     Linear,
 }
 
 impl Scale {
-    fn of(low: f64, high: f64) -> Self {
+    pub fn of(low: f64, high: f64) -> Self {
         if low * high > 0.0 { Self::Logarithmic { sign: low.signum() } } else { Self::Linear }
     }
 
-    fn to(self, value: f64) -> f64 {
+    pub fn to(self, value: f64) -> f64 {
         match self {
             Self::Logarithmic { sign } => sign * value.abs().ln(),
             Self::Linear => value,
         }
     }
 
-    fn back(self, x: f64) -> f64 {
+    pub fn back(self, x: f64) -> f64 {
         match self {
             Self::Logarithmic { sign } => sign * (sign * x).exp(),
             Self::Linear => x,
@@ -101,7 +111,8 @@ impl Scale {
 /// The deviance −2 ln(evidence) is evaluated along the values, with every measurement linear
 /// between neighbouring trials over the logarithm of the value. Of the ranges between two trials
 /// those with the same and most measurements within the sizes of both runs count. The 95 % interval
-/// is where the deviance is within 3.84 of the least.
+/// is where the deviance is within 3.84 of the least. The deviance of a searched coefficient has
+/// ((ln(C/C0) − μ)/τ)² of its prior.
 ///
 /// Errors: no measurement is within the sizes of two neighbouring runs; the parameter has no
 /// effect.
@@ -122,10 +133,9 @@ pub fn fit_parameter(
         return Err(nothing());
     };
     // What the measurements say of the parameter must not come from the prior of the coefficient.
-    let (prior, vague) = match coefficient {
-        Coefficient::OfCase => {
-            (Prior { mean: 0.0, log_std: 0.0, ..prior }, Prior { mean: 0.0, log_std: 0.0, ..prior })
-        }
+    let fixed = Prior { mean: 0.0, log_std: 0.0, ..prior };
+    let (of_result, vague) = match coefficient {
+        Coefficient::OfCase | Coefficient::Searched(_) => (fixed, fixed),
         Coefficient::Fitted => (prior, Prior { log_std: VAGUE, ..prior }),
     };
     let has_classes =
@@ -147,11 +157,19 @@ pub fn fit_parameter(
         return Err(CalibrationError::NoInfluence { key: key.to_owned() });
     }
     let usual = error_of_readings(&points, coefficient);
-    let at = |sites: &Vec<Observations>, prior: Prior| {
-        let sites: Vec<SiteLikelihood> = sites.iter().map(|site| SiteLikelihood::of(site, usual)).collect();
-        posterior(&sites, prior)
+    let likelihoods = |sites: &Vec<Observations>| -> Vec<SiteLikelihood> {
+        sites.iter().map(|site| SiteLikelihood::of(site, usual)).collect()
     };
-    let deviances: Vec<f64> = points.iter().map(|(_, sites)| -2.0 * at(sites, vague).log_evidence).collect();
+    let measured: Vec<f64> =
+        points.iter().map(|(_, sites)| -2.0 * posterior(&likelihoods(sites), vague).log_evidence).collect();
+    let before = |x: f64| match coefficient {
+        Coefficient::Searched(of_case) => {
+            (((scale.back(x) / of_case).ln() - prior.mean) / prior.log_std).powi(2)
+        }
+        Coefficient::OfCase | Coefficient::Fitted => 0.0,
+    };
+    let deviances: Vec<f64> =
+        points.iter().zip(&measured).map(|((x, _), deviance)| deviance + before(*x)).collect();
     let least = (0..points.len()).fold(0, |least, i| if deviances[i] < deviances[least] { i } else { least });
     let excess: Vec<(f64, f64)> =
         points.iter().zip(&deviances).map(|((x, _), deviance)| (*x, deviance - deviances[least])).collect();
@@ -165,16 +183,31 @@ pub fn fit_parameter(
     };
     let low = excess[..=least].windows(2).rev().find(|pair| pair[0].1 > EXCLUDED);
     let high = excess[least..].windows(2).find(|pair| pair[1].1 > EXCLUDED);
+    let interval =
+        (low.map(|pair| crossing(&pair[1], &pair[0])), high.map(|pair| crossing(&pair[0], &pair[1])));
+    let sites = likelihoods(&points[least].1);
+    let mut found = posterior(&sites, of_result);
+    if let (Coefficient::Searched(_), (Some(low), Some(high))) = (coefficient, interval) {
+        found = found.known_to((high / low).ln().abs() / (2.0 * NORMAL), &sites, prior);
+    }
+    // Values of negligible weight are left out: with classes each takes an integration.
+    let all = points.iter().zip(&excess).filter(|(_, (_, deviance))| *deviance < NEGLIGIBLE);
+    let all: Vec<(f64, Posterior, f64)> = match coefficient {
+        Coefficient::Fitted => all
+            .map(|((x, sites), (_, deviance))| (*x, posterior(&likelihoods(sites), prior), *deviance))
+            .collect(),
+        Coefficient::OfCase | Coefficient::Searched(_) => Vec::new(),
+    };
+    let (smallest, largest) =
+        measured.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (x.min(low), x.max(high)));
     Ok(ParameterFit {
         value: scale.back(vertex(&excess, least)),
         used: count(best),
-        interval: (
-            low.map(|pair| crossing(&pair[1], &pair[0])),
-            high.map(|pair| crossing(&pair[0], &pair[1])),
-        ),
+        interval,
         end,
-        posterior: at(&points[least].1, prior),
-        contrast: excess.iter().map(|(_, deviance)| *deviance).fold(0.0, f64::max),
+        posterior: found,
+        weighted: (!all.is_empty()).then(|| weighted(&all)),
+        contrast: largest - smallest,
         profile: excess.iter().map(|(x, deviance)| (scale.back(*x), *deviance)).collect(),
     })
 }
@@ -198,6 +231,32 @@ fn vertex(points: &[(f64, f64)], least: usize) -> f64 {
     } else {
         x
     }
+}
+
+/// The posterior of ln(C/C0) with the value of one `trial`.
+#[must_use]
+pub fn coefficient_at(trial: &Trial, prior: Prior) -> Posterior {
+    let usual = usual_error(&trial.sites);
+    let sites: Vec<SiteLikelihood> = trial.sites.iter().map(|site| SiteLikelihood::of(site, usual)).collect();
+    posterior(&sites, prior)
+}
+
+/// Mean and standard deviation of ln(C/C0) over points (x, posterior, deviance), by the trapezoidal
+/// rule in x.
+fn weighted(points: &[(f64, Posterior, f64)]) -> (f64, f64) {
+    let width = |i: usize| {
+        let (before, after) = (i.saturating_sub(1), (i + 1).min(points.len() - 1));
+        0.5 * (points[after].0 - points[before].0)
+    };
+    let (mut total, mut first, mut second) = (0.0, 0.0, 0.0);
+    for (i, (_, of, deviance)) in points.iter().enumerate() {
+        let weight = width(i) * (-0.5 * deviance).exp();
+        total += weight;
+        first += weight * of.mean;
+        second += weight * (of.std.powi(2) + of.mean.powi(2));
+    }
+    let mean = first / total;
+    (mean, (second / total - mean * mean).max(0.0).sqrt())
 }
 
 /// Whether each measurement is within the sizes of both runs.
@@ -269,101 +328,3 @@ fn error_of_readings(points: &[(f64, Vec<Observations>)], coefficient: Coefficie
         _ => from_squares(0.0, 0),
     }
 }
-
-/// The range in which a value is looked for.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bracket {
-    /// Its ends.
-    pub low: f64,
-    /// Its ends.
-    pub high: f64,
-    /// The accepted values of the key, both ends.
-    pub accepted: (f64, f64),
-    /// How often it may be doubled at an end.
-    pub widenings: usize,
-}
-
-/// The next step of a search.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Next {
-    /// A run with this value.
-    Try(f64),
-    /// The fit is settled.
-    Settled,
-    /// The best value is at this end, and the bracket is not widened.
-    AtEnd(BracketEnd),
-}
-
-/// Values over the range at first.
-const FIRST: usize = 5;
-/// Values that are added within the range at most, each where the fit so far is best.
-const ADDED: usize = 6;
-/// A fit that is as near to a value as this is settled: in the logarithm, or as a share of a range
-/// that includes zero.
-const SETTLED: f64 = 3e-3;
-
-/// Doublings of the range: 256 times the value, far beyond any that is meant.
-const WIDENINGS: usize = 7;
-
-impl Bracket {
-    /// From half to twice `value`, which is not zero; doubled where the best value is at an end.
-    #[must_use]
-    pub fn about(value: f64, accepted: (f64, f64)) -> Self {
-        let (low, high) = if value < 0.0 { (2.0 * value, 0.5 * value) } else { (0.5 * value, 2.0 * value) };
-        Self { low: low.max(accepted.0), high: high.min(accepted.1), accepted, widenings: WIDENINGS }
-    }
-
-    /// The given range, which is not widened.
-    #[must_use]
-    pub fn given(low: f64, high: f64) -> Self {
-        Self { low, high, accepted: (low, high), widenings: 0 }
-    }
-
-    /// The first values, evenly spaced in the logarithm where the ends have the same sign.
-    #[must_use]
-    pub fn values(&self) -> Vec<f64> {
-        let scale = Scale::of(self.low, self.high);
-        let (low, high) = (scale.to(self.low), scale.to(self.high));
-        let inner = (1..FIRST - 1).map(|i| scale.back(low + (high - low) * i as f64 / (FIRST - 1) as f64));
-        std::iter::once(self.low).chain(inner).chain([self.high]).collect()
-    }
-
-    /// The next step after `fit` of runs with `tried` values.
-    pub fn next(&mut self, fit: &ParameterFit, tried: &[f64]) -> Next {
-        if let Some(end) = fit.end {
-            let scale = Scale::of(self.low, self.high);
-            let doubled = |value: f64, outwards: f64| match scale {
-                Scale::Logarithmic { .. } => scale.back(scale.to(value) + outwards * 2f64.ln()),
-                Scale::Linear => value,
-            };
-            let wider = match end {
-                BracketEnd::Low => doubled(self.low, -1.0).max(self.accepted.0),
-                BracketEnd::High => doubled(self.high, 1.0).min(self.accepted.1),
-            };
-            let is_there = |value: &f64| (value - wider).abs() <= 1e-12 * wider.abs();
-            if self.widenings == 0 || tried.iter().any(is_there) || wider == 0.0 {
-                return Next::AtEnd(end);
-            }
-            self.widenings -= 1;
-            match end {
-                BracketEnd::Low => self.low = wider,
-                BracketEnd::High => self.high = wider,
-            }
-            return Next::Try(wider);
-        }
-        let scale = Scale::of(self.low, self.high);
-        let width = match scale {
-            Scale::Logarithmic { .. } => 1.0,
-            Scale::Linear => self.high - self.low,
-        };
-        let near = |value: &&f64| (scale.to(**value) - scale.to(fit.value)).abs() <= SETTLED * width;
-        if tried.iter().any(|value| near(&value)) || tried.len() >= FIRST + ADDED + WIDENINGS {
-            return Next::Settled;
-        }
-        Next::Try(fit.value)
-    }
-}
-
-#[cfg(test)]
-#[path = "parameter_tests.rs"]
-mod tests;

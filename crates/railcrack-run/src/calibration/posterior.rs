@@ -314,6 +314,22 @@ pub fn posterior(sites: &[SiteLikelihood], prior: Prior) -> Posterior {
     Posterior { mean, std, interval, discrepancy: s, log_evidence, new_std, new_interval, sites: of_sites }
 }
 
+impl Posterior {
+    /// The same with the standard deviation `std` of b, found by other means from `sites`.
+    #[must_use]
+    pub(super) fn known_to(self, std: f64, sites: &[SiteLikelihood], prior: Prior) -> Self {
+        let new_std = std.hypot(self.discrepancy);
+        let reach = NORMAL * new_std * widening(sites, prior, new_std);
+        Self {
+            std,
+            interval: (self.mean - NORMAL * std, self.mean + NORMAL * std),
+            new_std,
+            new_interval: (self.mean - reach, self.mean + reach),
+            ..self
+        }
+    }
+}
+
 /// By what the interval of a new rail is wider than its standard deviation says: where s was found
 /// from a few sites, Student's distribution takes the place of the normal one, but no rail is less
 /// known than before the measurements.

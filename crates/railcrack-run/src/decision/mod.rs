@@ -34,7 +34,7 @@ pub(crate) use sampler::{Draw, Draws, KEYS, Sampler, Sampling};
 pub use scatter::{DepthQuantiles, Outlived, Quantiles, ScatterSummary, Sensitivity};
 pub(crate) use scatter::{Gathered, spread, tonnages};
 pub use summary::Decision;
-pub(crate) use summary::{Judged, course_of, judged};
+pub(crate) use summary::{Judged, calibration, course_of, judged};
 pub(crate) use verdict::deepening;
 pub use verdict::{Reason, ReasonKind, Verdict, VerdictLevel};
 pub(crate) use walk::Track;

@@ -175,8 +175,8 @@ impl Decision {
     }
 }
 
-/// How well absolute rates are known, in words.
-fn calibration(sites: Option<usize>) -> String {
+/// How well absolute rates are known, in words, by the number of measured sites.
+pub(crate) fn calibration(sites: Option<usize>) -> String {
     match sites {
         Some(1) => "the growth law is calibrated by one measured site".to_owned(),
         Some(sites) => format!("the growth law is calibrated by {sites} measured sites"),

@@ -145,6 +145,9 @@ pub struct PlanSummary {
     pub case_checksum: String,
     /// The verdict on the rail without grinding.
     pub verdict: Verdict,
+    /// How well absolute rates are known: whether the growth law is calibrated to measured sites.
+    #[serde(default)]
+    pub calibration: String,
     /// Mean load of an axle, t.
     pub axle_load_t: f64,
     /// Traffic of a year, million gross tonnes, where the case gives it.

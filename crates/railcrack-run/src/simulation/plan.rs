@@ -6,7 +6,7 @@ use super::observer::RunObserver;
 use super::run::Simulation;
 use crate::decision::{
     Course, Draw, Draws, FailureMode, Family, Judged, Question, Sampler, Sampling, Track, VerdictLevel,
-    judged,
+    calibration, judged,
 };
 use crate::disk::{FolderLock, VERSION};
 use crate::error::OutputError;
@@ -186,6 +186,7 @@ impl Planning<'_> {
             title: case.title.clone(),
             date: civil(today),
             case_checksum: String::new(),
+            calibration: calibration(case.calibration.sites),
             axle_load_t: self.tonnes,
             mgt_per_year: case.mgt_per_year,
             horizon_mgt: horizon,

@@ -71,6 +71,7 @@ mod tests {
     #[test]
     fn quantiles() {
         assert_eq!([0.0, 0.5, 1.0].map(|share| quantile_of_sorted(&[1.0, 2.0, 4.0], share)), [1.0, 2.0, 4.0]);
+        assert_eq!([0.25, 0.875].map(|share| quantile_of_sorted(&[1.0, 2.0, 4.0], share)), [1.5, 3.5]);
         assert!(quantile_of_sorted(&[], 0.5).is_nan());
     }
 }

@@ -21,6 +21,7 @@ pub(super) const ENTRIES: &[(&str, &str)] = &[
     ("L5.toml", include_str!("../../../../validation/L5.toml")),
     ("L6.toml", include_str!("../../../../validation/L6.toml")),
     ("L7.toml", include_str!("../../../../validation/L7.toml")),
+    ("L8.toml", include_str!("../../../../validation/L8.toml")),
     ("M1.toml", include_str!("../../../../validation/M1.toml")),
     ("M2.toml", include_str!("../../../../validation/M2.toml")),
     ("M3.toml", include_str!("../../../../validation/M3.toml")),

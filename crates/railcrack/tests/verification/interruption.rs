@@ -120,7 +120,7 @@ fn a_passage_without_positions_is_refused() {
     assert!(matches!(result, Err(PassageError::Settings(refused)) if refused.value == 0.0));
 }
 
-/// How often a computation asked whether to go on in all, how often after it was told not to, and
+/// How often a computation asked whether to go on in all, how often after the answer was no, and
 /// how long it then took to end.
 struct Farewell {
     asked: usize,

@@ -1,5 +1,6 @@
 //! The command line of `railcrack calibrate`.
 
+use crate::exit::Failure;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -36,6 +37,11 @@ pub struct CalibrateArguments {
     /// Replace the run in the folder
     #[arg(long)]
     pub force: bool,
+}
+
+/// The refusal of a case, of measurements or of arguments.
+pub(super) fn refuse(reason: String) -> Failure {
+    Failure::Calibration { reason }
 }
 
 /// A range on the command line: `LOW,HIGH`.

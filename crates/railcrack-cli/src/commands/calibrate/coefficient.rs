@@ -1,21 +1,20 @@
 //! `railcrack calibrate`: the coefficient of the growth law, in closed form.
 
-use super::arguments::CalibrateArguments;
-use super::page::page;
+use super::arguments::{CalibrateArguments, refuse};
+use super::finish::{Written, finish};
+use super::found::{Fitted, Found, New, calibrated_by};
 use super::parameter::calibrate_parameter;
-use super::results::{
-    Drawn, Fitted, Found, New, calibrated_by, curve, deepest, from_output, plot, refuse, table, told, write,
-};
+use super::plot::Drawn;
+use super::rows::deepest;
+use super::table::table;
 use crate::commands::run::{is_same_file, listen};
 use crate::display::Verbosity;
 use crate::exit::{Exit, Failure};
 use crate::input::default_folder;
-use crate::print;
 use crate::progress::Progress;
 use railcrack_case::{Case, CaseErrors};
 use railcrack_report::Pages;
-use railcrack_run::RunFolder;
-use railcrack_run::calibration::{Measure, Prior, Site, calibrate as fit, read_measured};
+use railcrack_run::calibration::{Measure, Prior, Site, SizeCurve, calibrate as fit, read_measured};
 use railcrack_run::simulation::{Ending, RunEntry, Simulation};
 
 /// Computes the case, fits, writes the folder and prints the result.
@@ -29,6 +28,11 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
     let sites: Result<Vec<Site>, CaseErrors> =
         arguments.measured.iter().map(|path| read_measured(path)).collect();
     let sites = sites?;
+    for (i, path) in arguments.measured.iter().enumerate() {
+        if arguments.measured[..i].contains(path) {
+            return Err(refuse(format!("--measured {}: given twice, each file is one site", path.display())));
+        }
+    }
     if !arguments.parameter.is_empty() {
         return calibrate_parameter(arguments, &case, &sites);
     }
@@ -52,9 +56,9 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
     if finished.ending == Ending::Interrupted {
         return Ok(Exit::Interrupted);
     }
-    let rows = deepest(&RunFolder::open(&folder).and_then(|run| run.growth()).map_err(from_output)?);
+    let rows = deepest(&folder)?;
     let prior = Prior::from(case.calibration);
-    let of = |measure: Measure| curve(&rows, tonnes, measure);
+    let of = |measure: Measure| SizeCurve::of(&rows, tonnes, measure);
     let calibration = fit(&sites, of, prior).map_err(|error| refuse(error.to_string()))?;
     let new = New::of(&calibration.posterior, prior, sites.len(), &case);
     let factor = calibration.posterior.mean.exp();
@@ -67,12 +71,6 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
         fitted: Fitted::Coefficient { calibration: &calibration, new },
     };
     let drawn: [Drawn; 2] = [("case", &rows, 1.0), ("fitted", &rows, factor)];
-    let chart = plot(tonnes, &sites, &drawn);
-    write(&folder, "calibration.csv", &table(&sites, &calibration, coefficient.value))?;
-    write(&folder, "calibration.svg", &chart.sheet(&case.title).svg())?;
-    write(&folder, "calibration.json", &found.json())?;
-    write(&folder, "calibration.html", &page(&found, &chart).html())?;
-    print::stdout(&told(&found))?;
     let mut overrides = coefficient.overrides(coefficient.value * factor);
     overrides.settings.push(new.setting());
     overrides.settings.push(calibrated_by(&sites));
@@ -81,7 +79,6 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
         overrides.settings.push("calibration.prior_log_mean=0.0".to_owned());
     }
     let fitted = Case::read_with(&arguments.case, &overrides)?;
-    write(&folder, "calibrated.toml", &fitted.to_toml())?;
-    print::stdout(&format!("results in {}\n", folder.display()))?;
-    Ok(Exit::Done)
+    let table = table(&sites, &calibration, coefficient.value);
+    finish(&folder, &found, &Written { table, drawn: &drawn, tonnes, case: &fitted })
 }

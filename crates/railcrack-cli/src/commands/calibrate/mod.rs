@@ -2,9 +2,15 @@
 
 mod arguments;
 mod coefficient;
+mod document;
+mod finish;
+mod found;
 mod page;
 mod parameter;
-mod results;
+mod plot;
+mod rows;
+mod table;
+mod text;
 
 pub use arguments::CalibrateArguments;
 pub use coefficient::calibrate;

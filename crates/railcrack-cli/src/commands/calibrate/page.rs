@@ -1,6 +1,8 @@
 //! `calibration.html`: what was fitted, by which measurements, and what it does not say.
 
-use super::results::{Fitted, Found, Plot, number, told};
+use super::found::{Fitted, Found};
+use super::plot::Plot;
+use super::text::{number, told};
 use railcrack_report::{Block, Chart, ChartAxis, Curve, Fact, Page, Section, Table, significant};
 
 /// The page of `found` with the chart of sizes over traffic.
@@ -14,6 +16,11 @@ pub(super) fn page(found: &Found, plot: &Plot) -> Page {
         blocks: vec![Block::charts(plot.charts.iter().cloned())],
     }];
     let mut facts = Vec::new();
+    let prior = fact(
+        "ln(C/C_{0}) before the measurements",
+        format!("{} ± {}", significant(found.prior.mean), significant(found.prior.log_std)),
+        "[calibration]: mean and standard deviation",
+    );
     match &found.fitted {
         Fitted::Coefficient { calibration, new } => {
             let posterior = &calibration.posterior;
@@ -24,6 +31,7 @@ pub(super) fn page(found: &Found, plot: &Plot) -> Page {
                 significant(new.std),
                 "as [scatter] paris_c_log_std",
             ));
+            facts.push(prior);
             let mut table = Table::new([
                 "site",
                 "measurements used",
@@ -53,9 +61,12 @@ pub(super) fn page(found: &Found, plot: &Plot) -> Page {
                 blocks: vec![Block::Table(table), Block::Text(MODEL.to_owned())],
             });
         }
-        Fitted::Parameter { fit, runs, coefficient, .. } => {
+        Fitted::Parameter { fit, runs, coefficient, new } => {
             facts.push(fact(&found.key, number(fit.value), &format!("{} in the case", number(found.value))));
             facts.push(fact("Runs", runs.to_string(), ""));
+            if new.is_some() {
+                facts.push(prior);
+            }
             let points = fit.profile.iter().map(|(value, deviance)| [*value, *deviance]).collect();
             let chart = Chart {
                 id: "deviance".into(),

@@ -1,24 +1,24 @@
 //! `railcrack calibrate --parameter`: a number on which the path depends, by runs with several
 //! values of it.
 
-use super::arguments::CalibrateArguments;
-use super::page::page;
-use super::results::{
-    Fitted, Found, New, calibrated_by, curve, deepest, from_output, number, plot, refuse, table_of_trials,
-    told, write,
-};
+use super::arguments::{CalibrateArguments, refuse};
+use super::finish::{Written, finish};
+use super::found::{Fitted, Found, New, calibrated_by};
+use super::plot::Drawn;
+use super::rows::deepest;
+use super::table::table_of_trials;
+use super::text::number;
 use crate::commands::run::{is_same_file, listen};
 use crate::display::Verbosity;
 use crate::exit::{Exit, Failure};
 use crate::input::default_folder;
 use crate::interruption::Interruption;
-use crate::print;
 use crate::progress::Progress;
 use railcrack_case::{Case, NumberRange, Overrides, RangeEnd};
 use railcrack_report::Pages;
-use railcrack_run::RunFolder;
 use railcrack_run::calibration::{
-    Bracket, CalibrationError, Coefficient, Next, ParameterFit, Prior, Site, Trial, fit_parameter, observe,
+    Bracket, CalibrationError, Coefficient, Next, ParameterFit, Prior, Site, SizeCurve, Trial,
+    coefficient_at, fit_parameter, observe,
 };
 use railcrack_run::csv::TipRow;
 use railcrack_run::simulation::{Ending, RunEntry, Simulation};
@@ -38,7 +38,12 @@ pub(super) fn calibrate_parameter(
         return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
     }
     let prior = Prior::from(case.calibration);
-    let with = if coefficient.is_some() { Coefficient::Fitted } else { Coefficient::OfCase };
+    let is_coefficient = case.coefficient().is_ok_and(|of| key == format!("growth.{}", of.key));
+    let with = match (&coefficient, is_coefficient) {
+        (Some(_), _) => Coefficient::Fitted,
+        (None, true) => Coefficient::Searched(value),
+        (None, false) => Coefficient::OfCase,
+    };
     let runs = Runs {
         arguments,
         key: &key,
@@ -49,11 +54,8 @@ pub(super) fn calibrate_parameter(
     };
     let entry = if arguments.force { RunEntry::Replace } else { RunEntry::Begin };
     let mut trials: Vec<(Trial, Vec<TipRow>)> = Vec::new();
-    let mut waiting = bracket.values();
-    if (bracket.low..=bracket.high).contains(&value) && !waiting.contains(&value) {
-        waiting.push(value);
-    }
-    let fit = loop {
+    let mut waiting = bracket.values(value);
+    let mut fit = loop {
         for value in std::mem::take(&mut waiting) {
             match runs.trial(value, trials.len() + 1)? {
                 Some(trial) => trials.push(trial),
@@ -70,23 +72,48 @@ pub(super) fn calibrate_parameter(
         let tried: Vec<f64> = known.iter().map(|trial| trial.value).collect();
         match bracket.next(&fit, &tried) {
             Next::Try(value) => waiting.push(value),
+            // Its scatter follows from the interval.
+            Next::Settled if is_coefficient => match bracket.closing(&fit, &tried) {
+                Some(value) => waiting.push(value),
+                None => break fit,
+            },
             Next::Settled => break fit,
             Next::AtEnd(_) => return Err(refuse(at_end(&fit, &key, &bracket, tried.len()))),
         }
     };
+    if coefficient.is_some() && fit.is_indistinct() {
+        // The number stays that of the case: the coefficient is the one that belongs to it.
+        if !trials.iter().any(|(trial, _)| trial.value == value) {
+            match runs.trial(value, trials.len() + 1)? {
+                Some(trial) => trials.push(trial),
+                None => return Ok(Exit::Interrupted),
+            }
+        }
+        let own = trials
+            .iter()
+            .map(|(trial, _)| trial)
+            .find(|trial| trial.value == value && trial.sites.iter().flatten().any(Option::is_some));
+        let nothing = || {
+            refuse(format!(
+                "no measurement is within the sizes that the run of the case, with {key} = {}, reaches",
+                number(value)
+            ))
+        };
+        fit.posterior = coefficient_at(own.ok_or_else(nothing)?, prior);
+    }
     let best = if fit.is_indistinct() { value } else { fit.value };
     let mut overrides = Overrides::default();
-    let mut new = None;
     if let Some((_, own)) = &coefficient {
-        let scatter = New::of(&fit.posterior, prior, sites.len(), case);
         let of = case.coefficient().map_err(|error| refuse(error.to_string()))?;
         overrides = of.overrides(own * fit.posterior.mean.exp());
-        overrides.settings.push(scatter.setting());
-        new = Some(scatter);
-    } else if case.coefficient().is_ok_and(|of| key == format!("growth.{}", of.key))
-        && let (Some(low), Some(high)) = fit.interval
-    {
-        overrides.settings.push(of_runs(&fit, (low, high), prior, sites.len(), case).setting());
+    }
+    let is_known = !fit.is_indistinct() && matches!(fit.interval, (Some(_), Some(_)));
+    let new = (coefficient.is_some() || is_coefficient && is_known)
+        .then(|| New::of(&fit.posterior, prior, sites.len(), case));
+    overrides.settings.extend(new.map(New::setting));
+    if new.is_some() && prior.mean != 0.0 {
+        // The prior was relative to the coefficient of the case, which is now the fitted one.
+        overrides.settings.push("calibration.prior_log_mean=0.0".to_owned());
     }
     overrides.settings.push(format!("{key}={best:?}"));
     if coefficient.is_some() || !fit.is_indistinct() {
@@ -99,11 +126,10 @@ pub(super) fn calibrate_parameter(
     if finished.ending == Ending::Interrupted {
         return Ok(Exit::Interrupted);
     }
-    let rows = deepest(&RunFolder::open(&folder).and_then(|run| run.growth()).map_err(from_output)?);
+    let rows = deepest(&folder)?;
     let of_case = trials.iter().find(|(trial, _)| trial.value == value).map(|(_, rows)| &rows[..]);
-    let drawn: Vec<(&str, &[TipRow], f64)> =
+    let drawn: Vec<Drawn> =
         of_case.map(|rows| ("case", rows, 1.0)).into_iter().chain([("fitted", &rows[..], 1.0)]).collect();
-    let chart = plot(runs.tonnes, sites, &drawn);
     let known: Vec<Trial> = trials.iter().map(|(trial, _)| trial.clone()).collect();
     let found = Found {
         title: &case.title,
@@ -113,14 +139,8 @@ pub(super) fn calibrate_parameter(
         sites,
         fitted: Fitted::Parameter { fit: &fit, runs: trials.len() + 1, coefficient, new },
     };
-    write(&folder, "calibration.csv", &table_of_trials(sites, &known))?;
-    write(&folder, "calibration.svg", &chart.sheet(&case.title).svg())?;
-    write(&folder, "calibration.json", &found.json())?;
-    write(&folder, "calibration.html", &page(&found, &chart).html())?;
-    write(&folder, "calibrated.toml", &fitted.to_toml())?;
-    print::stdout(&told(&found))?;
-    print::stdout(&format!("results in {}\n", folder.display()))?;
-    Ok(Exit::Done)
+    let table = table_of_trials(sites, &known);
+    finish(&folder, &found, &Written { table, drawn: &drawn, tonnes: runs.tonnes, case: &fitted })
 }
 
 /// The key that is searched, and the coefficient with its value where it is fitted as well.
@@ -156,15 +176,18 @@ fn keys(arguments: &CalibrateArguments, case: &Case) -> Result<Keys, Failure> {
 }
 
 fn bracket(arguments: &CalibrateArguments, case: &Case, key: &str, value: f64) -> Result<Bracket, Failure> {
+    let everything = NumberRange::closed(f64::NEG_INFINITY, f64::INFINITY);
+    let accepted = case.accepted_numbers(key).unwrap_or(everything);
     if let Some((low, high)) = arguments.between {
+        if !accepted.contains(low) || !accepted.contains(high) {
+            return Err(refuse(format!("--between {low},{high}: `{key}` must be a number in {accepted}")));
+        }
         return Ok(Bracket::given(low, high));
     }
     let end = |end: RangeEnd, inwards: f64| match end {
         RangeEnd::Closed(value) => value,
         RangeEnd::Open(value) => value + inwards * f64::EPSILON * value.abs().max(f64::MIN_POSITIVE),
     };
-    let everything = NumberRange::closed(f64::NEG_INFINITY, f64::INFINITY);
-    let accepted = case.accepted_numbers(key).unwrap_or(everything);
     let bracket = Bracket::about(value, (end(accepted.min, 1.0), end(accepted.max, -1.0)));
     if value == 0.0 || bracket.low >= bracket.high {
         return Err(refuse(format!(
@@ -172,21 +195,6 @@ fn bracket(arguments: &CalibrateArguments, case: &Case, key: &str, value: f64) -
         )));
     }
     Ok(bracket)
-}
-
-/// The scatter of a coefficient that was fitted by runs.
-fn of_runs(fit: &ParameterFit, ends: (f64, f64), prior: Prior, sites: usize, case: &Case) -> New {
-    let std = (ends.1 / ends.0).ln() / (2.0 * 1.96);
-    let posterior = railcrack_run::calibration::Posterior {
-        std,
-        new_std: std.hypot(fit.posterior.discrepancy),
-        new_interval: {
-            let reach = 1.96 * std.hypot(fit.posterior.discrepancy);
-            (-reach, reach)
-        },
-        ..fit.posterior.clone()
-    };
-    New::of(&posterior, prior, sites, case)
 }
 
 /// The runs of a calibration.
@@ -221,8 +229,9 @@ impl Runs<'_> {
         if finished.ending == Ending::Interrupted {
             return Ok(None);
         }
-        let rows = deepest(&RunFolder::open(&folder).and_then(|run| run.growth()).map_err(from_output)?);
-        let sites = self.sites.iter().map(|site| observe(site, &curve(&rows, self.tonnes, site.measure)));
+        let rows = deepest(&folder)?;
+        let sites =
+            self.sites.iter().map(|site| observe(site, &SizeCurve::of(&rows, self.tonnes, site.measure)));
         Ok(Some((Trial { value, sites: sites.collect() }, rows)))
     }
 }

@@ -134,9 +134,9 @@ fn told_by_grade(scores: &Scores, validated: &[Validated]) -> String {
     let mut text = String::new();
     for (name, of) in scores.all() {
         text.push_str(&format!(
-            "{}: {} entries, {} within 95 %, {} within a factor of 2, {} of 5; predicted over measured {:.2} in the mean, CRPS of ln {:.2}\n",
+            "{}: {}, {} within 95 %, {} within a factor of 2, {} of 5; predicted over measured {:.2} in the mean, CRPS of ln {:.2}\n",
             name,
-            of.entries,
+            entries(of.entries),
             of.inside,
             of.within_2,
             of.within_5,
@@ -155,11 +155,23 @@ fn told_by_grade(scores: &Scores, validated: &[Validated]) -> String {
     }
     let scored = validated.iter().filter(|one| one.entry.is_scored() && one.score.is_some()).count();
     let remembered = validated.iter().filter(|one| one.entry.certainty == 1).count();
+    let is_missing =
+        |one: &&Validated| one.entry.is_scored() && one.entry.comparison.is_some() && one.score.is_none();
+    for one in validated.iter().filter(is_missing) {
+        text.push_str(&format!(
+            "{}: not compared, since no sample of its conditions reaches what was measured\n",
+            one.entry.id
+        ));
+    }
     text.push_str(&format!(
-        "{} entries, {scored} scored; {remembered} from memory, never scored\n",
-        validated.len()
+        "{}, {scored} scored; {remembered} from memory, never scored\n",
+        entries(validated.len())
     ));
     text
+}
+
+fn entries(count: usize) -> String {
+    if count == 1 { "1 entry".to_owned() } else { format!("{count} entries") }
 }
 
 /// Counts finished runs on standard error.

@@ -3,6 +3,7 @@
 use super::stored::RunFolder;
 use crate::numbers::{fixed, given, significant, tonnage};
 use crate::page::{Banner, Block};
+use crate::pages::sentence::calibration;
 use crate::pages::ways::ways;
 use crate::table::{MISSING, Table};
 use railcrack_run::decision::{
@@ -24,7 +25,7 @@ pub(in crate::pages) fn decision(run: &RunFolder) -> Vec<Block> {
     sentences.extend(target(&decision.risk));
     sentences.extend(decision.maintenance.as_ref().map(maintenance));
     sentences.extend(decision.scatter.as_ref().and_then(scatter));
-    sentences.extend(calibration(decision));
+    sentences.extend(calibration(&decision.calibration));
     let mut blocks = vec![Block::Heading("Decision".to_owned())];
     if !sentences.is_empty() {
         blocks.push(Block::List(sentences));
@@ -39,13 +40,6 @@ pub(in crate::pages) fn decision(run: &RunFolder) -> Vec<Block> {
         blocks.push(Block::Table(wheels(&decision.wheels)));
     }
     if blocks.len() > 1 { blocks } else { Vec::new() }
-}
-
-/// How well absolute rates are known, as a sentence.
-fn calibration(decision: &Decision) -> Option<String> {
-    let text = &decision.calibration;
-    let first = text.chars().next()?.to_uppercase().to_string();
-    Some(format!("{first}{}.", &text[text.chars().next()?.len_utf8()..]))
 }
 
 /// The verdict with its first reason; without axle loads only where the model does not describe

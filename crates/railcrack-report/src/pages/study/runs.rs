@@ -14,12 +14,8 @@ const TABLE_ROWS: usize = 500;
 /// A row per run, with a link to its report.
 pub(super) fn table(plan: &StudyPlan, all: &[StudyRun]) -> Table {
     let keys = plan.axes.iter().flat_map(|axis| &axis.keys).map(|key| key.name.clone());
-    let shown = TrafficColumns {
-        tonnes: all.iter().any(|run| tonnes(run).is_some()),
-        interval: all.iter().any(|run| interval(run).is_some()),
-        verdict: all.iter().any(|run| verdict(run).is_some()),
-        failure: all.iter().any(|run| failure(run).is_some()),
-    };
+    let judged: Vec<Judged> = all.iter().map(Judged::of).collect();
+    let shown = ShownColumns::of(&judged);
     let mut headings: Vec<String> = vec!["Run".to_owned()];
     headings.extend(keys);
     headings.extend(["Length (mm)", "Tip depth (mm)", "Load cycles"].map(str::to_owned));
@@ -47,19 +43,56 @@ pub(super) fn table(plan: &StudyPlan, all: &[StudyRun]) -> Table {
     if all.len() > TABLE_ROWS {
         table.caption.push_str(&format!("; the first {TABLE_ROWS} rows of summary.csv"));
     }
-    for run in all.iter().take(TABLE_ROWS) {
-        table.row_of(&run.name, &run.planned.choice, cells(plan, run, shown));
+    for (run, judged) in all.iter().zip(judged).take(TABLE_ROWS) {
+        table.row_of(&run.name, &run.planned.choice, cells(plan, run, judged, shown));
     }
     table
 }
 
-/// Which columns of traffic some run fills.
+/// Conclusions from a run, as far as there are any.
+struct Judged<'a> {
+    /// Million gross tonnes.
+    tonnes: Option<f64>,
+    /// The inspection interval, million gross tonnes.
+    interval: Option<f64>,
+    verdict: Option<&'a Verdict>,
+    /// How it fails, and when.
+    failure: Option<String>,
+}
+
+impl<'a> Judged<'a> {
+    fn of(run: &'a StudyRun) -> Self {
+        let summary = run.row.summary.as_ref();
+        let decision = summary.and_then(|summary| summary.decision.as_ref());
+        let failure = decision.and_then(|decision| decision.failure.mode.zip(decision.failure.mgt));
+        Self {
+            tonnes: summary.and_then(|summary| summary.million_gross_tonnes),
+            interval: decision.and_then(|decision| decision.inspection.as_ref()?.interval_mgt),
+            verdict: verdict(run),
+            failure: failure.map(|(mode, mgt)| format!("{}, {} MGT", mode.words(), tonnage(mgt))),
+        }
+    }
+}
+
+/// Which columns some run fills.
 #[derive(Debug, Clone, Copy)]
-struct TrafficColumns {
+struct ShownColumns {
     tonnes: bool,
     interval: bool,
     verdict: bool,
     failure: bool,
+}
+
+impl ShownColumns {
+    fn of(judged: &[Judged]) -> Self {
+        let any = |has: fn(&Judged) -> bool| judged.iter().any(has);
+        Self {
+            tonnes: any(|run| run.tonnes.is_some()),
+            interval: any(|run| run.interval.is_some()),
+            verdict: any(|run| run.verdict.is_some()),
+            failure: any(|run| run.failure.is_some()),
+        }
+    }
 }
 
 /// The verdict on a run.
@@ -67,24 +100,7 @@ pub(super) fn verdict<'a>(run: &'a StudyRun) -> Option<&'a Verdict> {
     run.row.summary.as_ref()?.verdict.as_ref()
 }
 
-/// How a run fails, and when; none of a run without a failure.
-fn failure(run: &StudyRun) -> Option<String> {
-    let failure = run.row.summary.as_ref()?.decision.as_ref()?.failure;
-    let (mode, mgt) = failure.mode.zip(failure.mgt)?;
-    Some(format!("{}, {} MGT", mode.words(), tonnage(mgt)))
-}
-
-/// Million gross tonnes of a run.
-fn tonnes(run: &StudyRun) -> Option<f64> {
-    run.row.summary.as_ref()?.million_gross_tonnes
-}
-
-/// The inspection interval of a run, million gross tonnes.
-fn interval(run: &StudyRun) -> Option<f64> {
-    run.row.summary.as_ref()?.decision.as_ref()?.inspection.as_ref()?.interval_mgt
-}
-
-fn cells(plan: &StudyPlan, run: &StudyRun, shown: TrafficColumns) -> Vec<Cell> {
+fn cells(plan: &StudyPlan, run: &StudyRun, judged: Judged, shown: ShownColumns) -> Vec<Cell> {
     let number = run.number().to_string();
     let mut cells: Vec<Cell> = vec![match run.row.summary {
         Some(_) if run.has_report => {
@@ -102,17 +118,17 @@ fn cells(plan: &StudyPlan, run: &StudyRun, shown: TrafficColumns) -> Vec<Cell> {
     cells.push(of_tip(&|tip| fixed(-tip.last().place[1], 2)));
     cells.push(of_tip(&|tip| grouped(tip.last().load_cycles)));
     if shown.tonnes {
-        cells.push(tonnes(run).map_or_else(missing, |tonnes| tonnage(tonnes).into()));
+        cells.push(judged.tonnes.map_or_else(missing, |tonnes| tonnage(tonnes).into()));
     }
     if shown.interval {
-        cells.push(interval(run).map_or_else(missing, |mgt| tonnage(mgt).into()));
+        cells.push(judged.interval.map_or_else(missing, |mgt| tonnage(mgt).into()));
     }
     if shown.verdict {
-        cells.push(verdict(run).map_or_else(missing, |verdict| verdict.level.word().into()));
-        cells.push(verdict(run).map_or_else(missing, |verdict| verdict.kinds().into()));
+        cells.push(judged.verdict.map_or_else(missing, |verdict| verdict.level.word().into()));
+        cells.push(judged.verdict.map_or_else(missing, |verdict| verdict.kinds().into()));
     }
     if shown.failure {
-        cells.push(failure(run).map_or_else(missing, Cell::from));
+        cells.push(judged.failure.map_or_else(missing, Cell::from));
     }
     cells.push(of_tip(&|tip| significant(tip.first.delta_keq)));
     cells.push(of_tip(&|tip| significant(tip.first.rate)));

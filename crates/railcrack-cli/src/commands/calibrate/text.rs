@@ -1,0 +1,131 @@
+//! The printed result of a calibration.
+
+use super::found::{Fitted, Found, NORMAL, New};
+use railcrack_run::calibration::{Finding, Measured, Posterior, Prior, Site, UsualError};
+
+/// The printed text.
+pub(super) fn told(found: &Found) -> String {
+    let measured: usize = found.sites.iter().map(|site| site.measured.len()).sum();
+    match &found.fitted {
+        Fitted::Coefficient { calibration, new } => {
+            let key = found.key.trim_start_matches("growth.");
+            let posterior = &calibration.posterior;
+            let mut text = of_coefficient(key, found.value, posterior);
+            text.push_str(&of_new_rail(found.value, posterior, *new));
+            if found.sites.len() > 1 {
+                text.push_str(&of_discrepancy(posterior, found.prior));
+            }
+            match calibration.usual {
+                UsualError::OfLife(sigma) if sigma > 0.0 && has_unknown(found.sites) => text.push_str(&format!(
+                    "errors of reading by their scatter: {sigma:.4} in ln N, widened by Student's distribution\n"
+                )),
+                UsualError::OfSize(std) if has_unknown(found.sites) => text.push_str(&format!(
+                    "errors of reading taken as {std} mm: the file gives no std_mm\n"
+                )),
+                _ => (),
+            }
+            let used: usize =
+                calibration.sites.iter().map(|site| site.observations.iter().flatten().count()).sum();
+            text.push_str(&format!("{used} of {measured} measurements used\n"));
+            text
+        }
+        Fitted::Parameter { fit, runs, coefficient, new } => {
+            let mut text = String::new();
+            if fit.is_indistinct() {
+                text.push_str(&format!(
+                    "the measurements do not determine {}: no value that was tried is excluded; it stays {}\n",
+                    found.key,
+                    number(found.value)
+                ));
+            } else {
+                text.push_str(&format!(
+                    "{} = {}, {} in the case, 95 % {}\n",
+                    found.key,
+                    number(fit.value),
+                    number(found.value),
+                    ends(fit.interval)
+                ));
+            }
+            if let Some((key, value)) = coefficient {
+                let key = key.trim_start_matches("growth.");
+                text.push_str(&of_coefficient(key, *value, &fit.posterior));
+                text.push_str(
+                    &fit.weighted.map_or_else(String::new, |over_all| {
+                        of_all_values(&found.key, key, *value, over_all)
+                    }),
+                );
+            }
+            if let Some(new) = new {
+                let value = coefficient.as_ref().map_or(fit.value, |(_, value)| *value);
+                text.push_str(&of_new_rail(value, &fit.posterior, *new));
+            }
+            if found.sites.len() > 1 {
+                text.push_str(&of_discrepancy(&fit.posterior, found.prior));
+            }
+            text.push_str(&format!("{} of {measured} measurements used, {runs} runs\n", fit.used));
+            text
+        }
+    }
+}
+
+fn has_unknown(sites: &[Site]) -> bool {
+    let is_unknown =
+        |measured: &Measured| measured.std.is_none() && matches!(measured.finding, Finding::Size(_));
+    sites.iter().flat_map(|site| &site.measured).any(is_unknown)
+}
+
+fn of_coefficient(key: &str, value: f64, posterior: &Posterior) -> String {
+    let factor = posterior.mean.exp();
+    let (low, high) = posterior.interval;
+    format!(
+        "{key} = {:.4e}, {factor:.4} times that of the case, 95 % from {:.4e} to {:.4e}\n",
+        value * factor,
+        value * low.exp(),
+        value * high.exp()
+    )
+}
+
+/// The coefficient `value` over all values of `other` that were tried.
+fn of_all_values(other: &str, key: &str, value: f64, (mean, std): (f64, f64)) -> String {
+    let [low, high] = [-NORMAL, NORMAL].map(|z| value * (mean + z * std).exp());
+    format!(
+        "over all values of {other}, weighted by their evidence: {key} = {:.4e}, 95 % from {low:.4e} to {high:.4e}\n",
+        value * mean.exp()
+    )
+}
+
+fn of_new_rail(value: f64, posterior: &Posterior, new: New) -> String {
+    let [low, high] = [-NORMAL, NORMAL].map(|z| value * (posterior.mean + z * new.std).exp());
+    let why = if new.is_of_case {
+        "; one site does not show how rails differ, so that the scatter of the case is kept"
+    } else {
+        ""
+    };
+    format!(
+        "a rail that was not measured: 95 % from {low:.4e} to {high:.4e}, sd of ln C {:.4}{why}\n",
+        new.std
+    )
+}
+
+fn of_discrepancy(posterior: &Posterior, prior: Prior) -> String {
+    let by = if prior.discrepancy.is_some() { "as given" } else { "by the largest evidence" };
+    format!("sites differ by {:.4} in ln C ({by})\n", posterior.discrepancy)
+}
+
+fn ends((low, high): (Option<f64>, Option<f64>)) -> String {
+    match (low, high) {
+        (Some(low), Some(high)) => format!("from {} to {}", number(low), number(high)),
+        (Some(low), None) => format!("above {}", number(low)),
+        (None, Some(high)) => format!("below {}", number(high)),
+        (None, None) => "not bounded".to_owned(),
+    }
+}
+
+/// Four digits behind the point, or of a number that is small or large.
+pub(super) fn number(value: f64) -> String {
+    if value == 0.0 || (0.01..1e5).contains(&value.abs()) {
+        format!("{value:.4}")
+    } else {
+        format!("{value:.4e}")
+    }
+}
