@@ -137,7 +137,7 @@ fn the_example_of_contact_with_spin() {
     let fastrip = RollingPatch { steel, ..patch([8.0, 4.0], 82e3, 0.3, [0.0, -6.25e-4, 6.25e-4]) };
     let force = |theory| RollingPatch { theory, ..fastrip }.forces().force;
     assert!(force(RollingTheory::FaStrip)[0].abs() < 1e-6);
-    // Independent programs, whose coefficients differ: FaStrip and the simplified theory are 6 % off.
+    // Independent programs with other coefficients: FaStrip and simplified theory are 6 % off.
     near(force(RollingTheory::FaStrip)[1], -15858.0, 0.01);
     near(force(RollingTheory::Fastsim)[1], -15787.0, 0.012);
     near(force(RollingTheory::Strip)[1], -14940.0, 6e-3);
