@@ -158,10 +158,17 @@ part_sdist() {
     for crate in railcrack railcrack-vtu railcrack-case railcrack-run railcrack-report railcrack-cli railcrack-py; do
         grep -q "^$name/crates/$crate/Cargo.toml$" "$listed" || fail "$sources does not have $crate"
     done
-    # Its build compiles everything anew.
+    # The library versions in it are those of its crates.
+    mkdir -p "$scratch/unpacked"
+    tar --extract --file "$sources" --directory "$scratch/unpacked"
+    cargo metadata --locked --format-version 1 --manifest-path "$scratch/unpacked/$name/Cargo.toml" > /dev/null
+    # Its build compiles all crates once more, but not the libraries of others.
     [ ${#parts[@]} -eq ${#all[@]} ] || return 0
     environment "$scratch/from-sources"
-    (cd / && TMPDIR=$scratch "$scratch/from-sources/bin/pip" install --quiet --disable-pip-version-check "$sources")
+    (
+        export CARGO_TARGET_DIR=$PWD/target
+        cd / && "$scratch/from-sources/bin/pip" install --quiet --disable-pip-version-check "$sources"
+    )
     same_run "$scratch/from-sources/bin/railcrack"
 }
 

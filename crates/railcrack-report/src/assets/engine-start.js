@@ -3,7 +3,9 @@
 "use strict";
 
 const railcrackStarted = (() => {
-  const data = /** @type {WhatIfData} */ (JSON.parse(document.getElementById("what-if-data")?.textContent ?? ""));
+  const data = /** @type {WhatIfData} */ (
+    JSON.parse(document.getElementById("what-if-data")?.textContent ?? "")
+  );
   const url = URL.createObjectURL(new Blob([data.worker], { type: "text/javascript" }));
   const worker = new Worker(url);
   URL.revokeObjectURL(url);

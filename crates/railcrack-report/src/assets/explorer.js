@@ -270,6 +270,10 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     controls.addEventListener("submit", (event) => event.preventDefault());
   }
 
+  addEventListener("beforeprint", () => {
+    element("what-if-printed").textContent = editor.value;
+  });
+
   // ---- The engine -------------------------------------------------------------------------------
 
   /** A life, as far as it is computed. @typedef {{ case: WhatIfCase, steps: WhatIfStep[], summary: any }} Life */
