@@ -104,21 +104,17 @@ try_program() {
     # The command of the README, word by word.
     command=$(grep -m 1 '^tar .*\.tar\.gz' README.md) || fail "README.md does not say how the archive is unpacked"
     (cd "$dist" && mkdir -p "$root/home/.local" && HOME=$root/home bash -c "$command")
-    in_root() {
-        # Nothing of this system: no library, no variable, no /proc.
-        if [ "$(id -u)" -eq 0 ]; then
-            env -i HOME=/home chroot "$root" /home/.local/bin/railcrack "$@"
-        else
-            env -i HOME=/home unshare --user --map-root-user --root="$root" /home/.local/bin/railcrack "$@"
-        fi
-    }
+    # Nothing of this system: no library, no variable, no /proc.
+    local enter=("$(command -v unshare)" --root="$root")
+    [ "$(id -u)" -eq 0 ] || enter+=(--user --map-root-user)
+    in_root() { env -i HOME=/home "${enter[@]}" /home/.local/bin/railcrack "$@"; }
     in_root --version | grep -qx "railcrack $version" || fail "the program has another version than $version"
     in_root init /case.toml > /dev/null
     in_root run /case.toml --engine dislocation --steps 2 --quiet > /dev/null
     in_root report /case --png > /dev/null
     in_root explorer --out /explorer.html > /dev/null
     in_root verify /case > /dev/null
-    head -c 8 "$root/case/plots/sif.png" | grep -q PNG || fail "the program draws no PNG files"
+    head -c 8 "$root/case/plots/kii.png" | grep -q PNG || fail "the program draws no PNG files"
     # An invalid case is refused by a sentence there, too.
     in_root check /none.toml 2> "$scratch/none.txt" || code=$?
     [ "$code" -ne 0 ] && grep -q none.toml "$scratch/none.txt" || fail "a missing case is not refused"
