@@ -75,12 +75,14 @@ def component(package, checksums):
     return own
 
 
-def of_the_compiler():
-    """The standard library of Rust, which includes musl."""
+def of_the_compilers():
+    """The standard library of Rust, and what zig links: musl and its own functions for memory."""
     version = subprocess.run(["rustc", "--version"], cwd=ROOT, check=True, capture_output=True, text=True).stdout.split()[1]
     rust = {"type": "library", "bom-ref": f"rust-std@{version}", "name": "rust-std", "version": version, "licenses": [{"expression": "MIT OR Apache-2.0"}]}
-    musl = {"type": "library", "bom-ref": "musl", "name": "musl", "licenses": [{"expression": "MIT"}], "description": "The C library that comes with rust-std"}
-    return [rust, musl]
+    version = re.search(r"ziglang==(\S+)", (ROOT / "tools/release_tools.sh").read_text()).group(1)
+    zig = {"type": "library", "bom-ref": f"zig-compiler-rt@{version}", "name": "zig-compiler-rt", "version": version, "licenses": [{"expression": "MIT"}]}
+    musl = {"type": "library", "bom-ref": "musl", "name": "musl", "licenses": [{"expression": "MIT"}], "description": f"As it comes with zig {version}"}
+    return [rust, zig, musl]
 
 
 def included():
@@ -122,7 +124,7 @@ def licences(packages, needs):
             if LICENCE_FILE.match(path.name):
                 texts.setdefault(path.read_text().strip(), set()).add(name)
     mit = (ROOT / "LICENSE-MIT").read_text()
-    for name, holder in [("rust-std", "The Rust Project contributors"), ("musl", "2005-2020 Rich Felker, et al.")]:
+    for name, holder in [("rust-std", "The Rust Project contributors"), ("musl", "2005-2020 Rich Felker, et al."), ("zig-compiler-rt", "Zig contributors")]:
         texts.setdefault(re.sub(r"Copyright \(c\).*", f"Copyright (c) {holder}", mit).strip(), set()).add(name)
     parts = [f"{', '.join(sorted(names))}\n\n{text}\n" for text, names in sorted(texts.items(), key=lambda item: sorted(item[1]))]
     if without:
@@ -137,7 +139,7 @@ def main():
         checksums = {(one["name"], one["version"]): one.get("checksum") for one in tomllib.load(lock)["package"]}
     others = sorted((packages[key] for key in needs if key != root), key=url)
     program = {**component(packages[root], checksums), "type": "application"}
-    files = of_the_compiler() + included()
+    files = of_the_compilers() + included()
     components = [component(package, checksums) for package in others] + files
     depends = [{"ref": url(packages[key]), "dependsOn": sorted(url(packages[own]) for own in own_needs)} for key, own_needs in needs.items()]
     depends.sort(key=lambda one: one["ref"])
