@@ -32,6 +32,7 @@ done
 exec "$tools/bin/python" -m ziglang cc -target $2 "\$@"
 END
     chmod +x "$compiler.new"
-    cmp -s "$compiler.new" "$compiler" || mv "$compiler.new" "$compiler"
+    # A compiler that is newer than what it made makes it again.
+    if cmp -s "$compiler.new" "$compiler"; then rm "$compiler.new"; else mv "$compiler.new" "$compiler"; fi
     printf '%s\n' "$compiler"
 }
