@@ -154,10 +154,14 @@ part_sdist() {
     for crate in railcrack railcrack-vtu railcrack-case railcrack-run railcrack-report railcrack-cli railcrack-py; do
         grep -q "^$name/crates/$crate/Cargo.toml$" "$listed" || fail "$sources does not have $crate"
     done
-    # The library versions in it are those of its crates.
-    mkdir -p "$scratch/unpacked"
-    tar --extract --file "$sources" --directory "$scratch/unpacked"
-    cargo metadata --locked --format-version 1 --manifest-path "$scratch/unpacked/$name/Cargo.toml" > /dev/null
+    # Everything that the crates include is there, and the versions of the libraries are theirs.
+    rm -rf target/sources
+    mkdir -p target/sources
+    tar --extract --file "$sources" --directory target/sources
+    (
+        export CARGO_TARGET_DIR=$PWD/target
+        cd "target/sources/$name" && cargo check --release --locked --quiet --package railcrack-py
+    ) || fail "$sources does not compile"
     # Its build compiles all crates once more, but not the libraries of others.
     [ ${#parts[@]} -eq ${#all[@]} ] || return 0
     environment "$scratch/from-sources"
