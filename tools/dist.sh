@@ -147,7 +147,10 @@ END
 part_sdist() {
     local sources=$dist/$name.tar.gz listed=$scratch/listed.txt crate
     release_tools
-    (cd python && "$tools/bin/maturin" sdist --quiet --out "$scratch/sdist")
+    (cd python && "$tools/bin/maturin" sdist --out "$scratch/sdist" > "$scratch/maturin.txt" 2>&1) || {
+        cat "$scratch/maturin.txt"
+        fail "maturin does not pack the sources"
+    }
     mv "$scratch/sdist"/*.tar.gz "$sources"
     tar --list --file "$sources" > "$listed"
     grep -q "^$name/Cargo.lock$" "$listed" || fail "$sources does not have the versions of the libraries"
