@@ -81,7 +81,7 @@ fn places() -> Vec<PathBuf> {
     folders.map(|place| place.join(PageEngine::file_name())).collect()
 }
 
-/// The file of the program; where the system does not say (Linux without `/proc`), as it was called.
+/// The file of the program; as it was called where the system does not say (Linux without `/proc`).
 fn program() -> Option<PathBuf> {
     let called = || std::env::args_os().next().map(PathBuf::from).filter(|path| path.is_absolute());
     std::env::current_exe().ok().or_else(called)

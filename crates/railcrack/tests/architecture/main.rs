@@ -213,8 +213,8 @@ fn the_mechanics_has_no_files() {
     assert_none(&library().iter().flat_map(naming).collect::<Vec<_>>());
 }
 
-/// A crate that is packed by itself has no other files. Links within its folder lead to data that are
-/// shared with the book.
+/// A crate that is packed by itself has no other files. Links within its folder lead to data that
+/// are shared with the book.
 #[test]
 fn what_a_crate_includes_is_in_its_folder() {
     let mut violations: Vec<String> = Vec::new();
