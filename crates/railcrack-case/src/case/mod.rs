@@ -7,6 +7,7 @@ mod case;
 mod coupled;
 mod cracks;
 mod engines;
+mod finite_section;
 mod fitted;
 mod in_page;
 mod known_sizes;
