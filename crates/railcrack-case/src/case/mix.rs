@@ -3,6 +3,7 @@
 use super::read_wheel::ReadWheel;
 use super::wheel_table::WheelTable;
 use super::wheels_of_table::{TableContext, read_wheels_of_table};
+use crate::files::Companion;
 use crate::schema::{Fault, Report, SectionValues, Sections};
 use crate::tables::{
     AXLE_LOAD, CONTACT, ContactExtent, DIRECTION, GivenWheel, PASSAGE, SHARE, TABLE, TEMPERATURE, TRACK,
@@ -68,8 +69,13 @@ pub(super) fn read_mix(
         return None;
     }
     if let (Some((_, table)), ContactExtent::Ellipse) = (tables.first(), extent) {
-        let says = "loads the plane by strips of its patches; the space engine computes the Hertz ellipse in full sliding only";
-        report.add(table.fault(TABLE, says).help("use a plane engine, or [[wheel]] with contacts"));
+        let says =
+            "loads the plane by strips of its patches; the space engine takes the whole patch of each wheel";
+        report.add(
+            table
+                .fault(TABLE, says)
+                .help("use a plane engine, or [[wheel]] with contact = { kind = \"rolling\", ... }"),
+        );
         return None;
     }
     let read = |(i, given): &(usize, &SectionValues)| {
@@ -155,10 +161,10 @@ fn check_axle_loads(given: &[&SectionValues], wheels: &[ReadWheel], report: &mut
 
 /// A stored case keeps one file of a contact.
 fn check_files(given: &[&SectionValues], wheels: &[ReadWheel], report: &mut Report) -> Option<()> {
-    let texts: Vec<(usize, &str)> =
-        wheels.iter().enumerate().filter_map(|(i, wheel)| Some((i, wheel.wheel.companion()?.text))).collect();
-    let Some(&(other, _)) = texts.iter().find(|(_, text)| *text != texts[0].1) else { return Some(()) };
-    let says = "all contact tables of a mix must be the same file, with different scales where wheels differ";
+    let all = wheels.iter().map(|wheel| wheel.wheel.companions()).enumerate();
+    let named: Vec<(usize, Vec<Companion<'_>>)> = all.filter(|(_, files)| !files.is_empty()).collect();
+    let Some(&(other, _)) = named.iter().find(|(_, files)| *files != named[0].1) else { return Some(()) };
+    let says = "all contact tables of a mix must be the same file, with different scales where wheels differ, and so must its profiles";
     report.add(given[other].fault_of_all(says).help("use kind = \"hertz\" or \"carter\" for the others"));
     None
 }

@@ -4,6 +4,7 @@ mod build;
 mod carried;
 #[expect(clippy::module_inception, reason = "the type gives its file the name")]
 mod case;
+mod coarse_crack;
 mod coupled;
 mod cracks;
 mod engines;
@@ -19,6 +20,7 @@ mod rates_across;
 mod read;
 mod read_wheel;
 mod representatives;
+mod rolling_patch;
 mod row_scatter;
 mod setting;
 mod shared;

@@ -65,7 +65,7 @@ pub(super) fn read_wheels_of_table(
     }
     let most = given.get(REPRESENTATIVES)?;
     let friction = sections.all(&CRACK).next().and_then(|crack| crack.get(CRACK_FRICTION))?;
-    let groups = group(&wheels, &loaded, most, (network, friction), (steel, law));
+    let groups = group((&wheels, travel), &loaded, most, (network, friction), (steel, law));
     for (i, group) in loaded.iter().zip(&groups.group_of) {
         wheels[*i].represented_by = first + group;
     }
@@ -104,8 +104,8 @@ pub(super) fn read_wheels_of_table(
             _ => format!("wheel {} and {} like it", wheel.wheel.number, alike - 1),
         };
         let patches = wheel.wheel.over(lateral);
-        let origin = patches.iter().find(|own| own.y.abs() < own.patch.ellipse.across)?;
-        let origin = ContactOrigin::Rolling { patch: origin.patch, lateral: origin.y };
+        let origin = patches.iter().find(|own| own.patch.half_length(own.y) > 0.0)?;
+        let origin = ContactOrigin::Rolling { patch: Box::new(origin.patch), lateral: origin.y, travel };
         mix.push(read(name, *share, wheel.contact.clone()?, origin, group));
     }
     if missed > 0.0 {

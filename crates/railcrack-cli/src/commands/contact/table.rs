@@ -4,7 +4,7 @@ use super::across::Across;
 use super::rows::WheelRow;
 use railcrack::rolling::PlacedPatch;
 
-const WHEELS: &str = "wheel,representative,share,p0_mpa,a_mm,b_mm,fx_kn,fy_kn,slip_share,tgamma_n,delta_keq_mpa_sqrt_m,growth_share,tgamma_with_spin_n,y_rail_mm,rate_mm_per_cycle";
+const WHEELS: &str = "wheel,representative,share,p0_mpa,a_mm,b_mm,fx_kn,fy_kn,slip_share,tgamma_n,delta_keq_mpa_sqrt_m,growth_share,tgamma_with_spin_n,y_rail_mm,rate_mm_per_cycle,vertical_kn,lateral_kn";
 
 /// A number, or nothing.
 fn or_blank(value: Option<f64>) -> String {
@@ -32,6 +32,8 @@ pub(super) fn wheels(rows: &[WheelRow]) -> String {
             or_blank(row.t_gamma_with_spin),
             or_blank(row.y_rail),
             row.rate.to_string(),
+            or_blank(row.upright_force.map(|force| 1e-3 * force[0])),
+            or_blank(row.upright_force.map(|force| 1e-3 * force[1])),
         ];
         text.push_str(&cells.join(","));
         text.push('\n');
@@ -43,16 +45,17 @@ pub(super) fn wheels(rows: &[WheelRow]) -> String {
 pub(super) const STRIPS: usize = 31;
 pub(super) const INTERVALS: usize = 48;
 
-/// y of the strips of a patch, mm.
-pub(super) fn places(across: f64) -> impl Iterator<Item = f64> {
-    (0..STRIPS).map(move |i| across * ((2 * i + 1) as f64 / STRIPS as f64 - 1.0))
+/// y of the strips of a patch between its `ends`, mm.
+pub(super) fn places([from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
+    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+    (0..STRIPS).map(move |i| middle + half * ((2 * i + 1) as f64 / STRIPS as f64 - 1.0))
 }
 
 /// Tractions of the whole patches of the wheels `drawn`.
 pub(super) fn patches(rows: &[WheelRow], drawn: &[usize]) -> String {
     let mut text = String::from("wheel,patch,x_mm,y_mm,p_mpa,qx_mpa,qy_mpa,slips\n");
     for (row, number, own) in placed(rows, drawn) {
-        for y in places(own.patch.ellipse.across) {
+        for y in places(own.patch.ends()) {
             push_strip(&mut text, row.number, number, own, y, INTERVALS, Some(y));
         }
     }
