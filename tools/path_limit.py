@@ -518,6 +518,7 @@ wear_mm_per_mgt = 0.002
 grinding_mm = 0.2
 grinding_interval_mgt = 20.0
 [inspection]
+detectable_depth_mm = 2.1
 critical_depth_mm = 3.0
 """
 

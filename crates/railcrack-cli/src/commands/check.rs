@@ -9,6 +9,7 @@ use clap::Args;
 use railcrack::contact::{FluidModel, StepControl};
 use railcrack::crack::Crack;
 use railcrack::fatigue::{ACCEPTANCE_RANGES, ACCEPTED_GROWTH, DirectionCriterion, RailSteel, RateLaw};
+use railcrack::growth::Turning;
 use railcrack::load::{Contact, HertzEllipse, Passage};
 use railcrack::plane::CrackFluid;
 use railcrack::rolling::{Creepage, RollingPatch};
@@ -549,12 +550,22 @@ fn growth(case: &Case) -> Vec<CheckLine> {
         DirectionCriterion::MaxTangentialStress => "largest tangential stress ahead of the tip",
         DirectionCriterion::MaxDeltaCtd => "largest range of the displacement at the tip of the kink",
     };
-    let steps = match growth.steps {
-        0 => "0: the initial cracks only".into(),
-        steps => format!("{steps}, each {} % of the length", short(100.0 * growth.increment)),
+    let steps = match (growth.steps, growth.tolerance) {
+        (0, _) => "0: the initial cracks only".into(),
+        (steps, Some(tolerance)) => {
+            format!("{steps}, at most, chosen for an error of the life of {} %", short(100.0 * tolerance))
+        }
+        (steps, None) => format!("{steps}, each {} % of the length", short(100.0 * growth.increment)),
+    };
+    let path = match growth.turning {
+        Turning::Kink => "a whole kink in each increment: the path depends on the increment".to_owned(),
+        Turning::Over(0.0) => "limit path: at each tip the best kink is zero".to_owned(),
+        Turning::Over(f64::INFINITY) => "straight ahead".to_owned(),
+        Turning::Over(length) => format!("turns towards the best kink over {} mm", short(length)),
     };
     let mut rows = vec![
         ("increments", steps),
+        ("path", path),
         ("law", format!("{} mm/cycle, MPa sqrt(m)", formula(&law.rate.formula()))),
         ("range", formula(&law.equivalent.formula())),
         ("EN 13674-1", acceptance(&law.rate)),

@@ -128,6 +128,29 @@ fn without_scatter_samples_are_the_run() {
     assert!(failed > 15, "{failed}");
 }
 
+/// A life in the decision of a run that ends with it is the traffic of that run: with wear, whose
+/// removal follows the cycles that each step was predicted to take, with grinding, and with both.
+#[test]
+fn a_life_is_the_traffic_of_its_run() {
+    let place = folder("decision", "life");
+    let (wear, grinding) = ("wear_mm_per_mgt = 0.01\n", "grinding_mm = 0.1\ngrinding_interval_mgt = 20.0\n");
+    for plan in [wear.to_owned(), grinding.to_owned(), format!("{wear}{grinding}")] {
+        for control in ["increment = 0.06\n", ""] {
+            let rail = RAIL.replace("increment = 0.06\n", control).replace("critical_depth_mm = 2.5\n", "");
+            let rail = rail.replace("[growth]\n", "[growth]\ncritical_length_mm = 5.0\n");
+            let text = format!("{rail}{WHEEL}{CRACK}{SECOND}[maintenance]\n{plan}");
+            fs::write(place.join("case.toml"), &text).unwrap();
+            done(&place, &["run", "case.toml", "--quiet", "--force", "--out", "run"]);
+            let summary: Value = serde_json::from_str(&read(&place.join("run/summary.json"))).unwrap();
+            assert_eq!(summary["stop"], "critical-length", "{plan}");
+            let (traffic, failure) = (&summary["million_gross_tonnes"], &summary["decision"]["failure"]);
+            let (traffic, life) = (number(traffic).unwrap(), number(&failure["mgt"]).unwrap());
+            // A life is that of a length smaller by 1e-8 of it.
+            assert!((life / traffic - 1.0).abs() < 1e-6, "{plan}{control}: {life} of {traffic}");
+        }
+    }
+}
+
 /// Quantiles of the samples against whole runs with the coefficient at those quantiles.
 #[test]
 fn quantiles_of_samples_are_lives_of_whole_runs() {

@@ -112,7 +112,7 @@ pub enum CourseEnd {
 /// A run over traffic.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Course {
-    /// At the start of each step, and just before each grinding.
+    /// At the start of each step; a grinding lies between two of them with the same axles.
     pub points: Vec<CoursePoint>,
     /// Its events, in order.
     pub events: Vec<CourseEvent>,
@@ -132,16 +132,18 @@ impl Course {
         let mut points: Vec<CoursePoint> = Vec::with_capacity(steps.len());
         let mut events: Vec<CourseEvent> = Vec::new();
         let wear = plan.map_or(0.0, |plan| 1e-6 * tonnes * plan.wear);
-        let mut grown = 0.0;
+        let (mut grown, mut ground) = (0.0, 0.0);
+        let mut before: Option<&StepDigest> = None;
         for (i, step) in steps.iter().enumerate() {
-            let Some(point) = point(step, grown, found) else { continue };
-            if let Some(before) = points.last() {
-                let worn = wear * (point.axles - before.axles);
-                let ground = point.removed - before.removed - worn;
-                if ground > GROUND * (1e-3 + point.removed) {
-                    points.push(before_grinding(&point, ground, step, found));
-                }
+            // A grinding is a step without cycles.
+            if let Some(before) = before.filter(|before| before.load_cycles == step.load_cycles) {
+                ground += (step.removed - before.removed).max(0.0);
             }
+            before = Some(step);
+            // The wear of a step was that of its predicted cycles, and the next one makes up for
+            // the difference.
+            let removed = wear * step.load_cycles + ground;
+            let Some(point) = point(step, grown, removed, found) else { continue };
             points.push(point);
             for event in events_of(step, point.work) {
                 let is_known = |known: &CourseEvent| (known.mode, known.tip) == (event.mode, event.tip);
@@ -200,12 +202,9 @@ impl Course {
     }
 }
 
-/// Removal beyond wear, as a fraction of all removal, from which a step was ground: more than the
-/// rounding of sums.
-const GROUND: f64 = 1e-6;
-
-/// All cracks of `step`, whose fastest tip has `grown` (mm) so far.
-fn point(step: &StepDigest, grown: f64, found: usize) -> Option<CoursePoint> {
+/// All cracks of `step`, whose fastest tip has `grown` and whose surface has lost `removed` (mm) so
+/// far.
+fn point(step: &StepDigest, grown: f64, removed: f64, found: usize) -> Option<CoursePoint> {
     let fastest = step.tips.iter().max_by(|a, b| a.rate.total_cmp(&b.rate))?;
     let deepest = step.tips.iter().max_by(|a, b| a.depth().total_cmp(&b.depth()))?;
     let longest = step.tips.iter().max_by(|a, b| a.length.total_cmp(&b.length))?;
@@ -214,8 +213,8 @@ fn point(step: &StepDigest, grown: f64, found: usize) -> Option<CoursePoint> {
     Some(CoursePoint {
         axles: step.load_cycles,
         axles_error: step.cycles_error,
-        work: grown + step.removed,
-        removed: step.removed,
+        work: grown + removed,
+        removed,
         rate: fastest.rate,
         delta_keq: fastest.delta_keq / MPA_SQRT_MM,
         largest_k1: k1 / MPA_SQRT_MM,
@@ -227,23 +226,6 @@ fn point(step: &StepDigest, grown: f64, found: usize) -> Option<CoursePoint> {
         own_length: own().map(|tip| tip.length).fold(0.0, f64::max),
         shares: fastest.shares,
     })
-}
-
-/// `after` just before `ground` (mm) were taken from the surface.
-fn before_grinding(after: &CoursePoint, ground: f64, step: &StepDigest, found: usize) -> CoursePoint {
-    let cut = |crack: usize| {
-        let sine = step.tips.iter().find(|tip| tip.tip.crack == crack).and_then(|tip| tip.mouth_sine);
-        sine.filter(|sine| *sine > 0.0).map_or(0.0, |sine| ground / sine)
-    };
-    CoursePoint {
-        work: after.work - ground,
-        removed: after.removed - ground,
-        depth: after.depth + ground,
-        own_depth: after.own_depth + ground,
-        length: after.length + cut(after.longest),
-        own_length: after.own_length + cut(found),
-        ..*after
-    }
 }
 
 /// The events of `step`, which begins with `work`.

@@ -42,6 +42,7 @@ mod wheel_shares;
 
 pub use advance::Advance;
 pub use control::Course;
+pub(crate) use control::LOCATED;
 pub use cycles::Interval;
 pub use deferred::DeferredGrowth;
 pub use earlier::EarlierStep;

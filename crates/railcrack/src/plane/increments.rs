@@ -8,9 +8,9 @@ use super::turned::Turned;
 use super::worn::{Removal, mouth_sine, reaches_junction};
 use crate::crack::{Crack, End, Junction, point_to_segment};
 use crate::growth::{
-    BreakOut, DeferredGrowth, EarlierStep, Event, GrowthSettings, Interval, Jump, LEAST_PART, Mover, Moving,
-    Pace, Piece, RunStop, TipCourse, TipStop, WearingCrack, is_worth_a_step, least_length, nothing_grows,
-    part_until_worn_away, run_stop,
+    BreakOut, DeferredGrowth, EarlierStep, Event, GrowthSettings, Interval, Jump, LEAST_PART, LOCATED, Mover,
+    Moving, Pace, Piece, RunStop, TipCourse, TipStop, WearingCrack, is_worth_a_step, least_length,
+    nothing_grows, part_until_worn_away, run_stop,
 };
 use crate::math::Vec2;
 
@@ -108,7 +108,7 @@ pub(super) fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Plane
         let steps: Vec<Option<Step>> = plans.iter().map(|plan| plan.map(|plan| plan.step)).collect();
         let met = coalescences(&steps, state.cracks, state.resolution);
         let plans = adapted_to_coalescences(state, plans, &met);
-        let event = first_event(state, &plans, &met, pace.removal, settings).filter(|_| part > LEAST_PART);
+        let event = first_event(state, &plans, &met, &pace, settings).filter(|_| part > LEAST_PART);
         if let Some(event) = event.filter(|event| is_worth_a_step(*event, &pace, &state.at, settings)) {
             part *= event.part.max(0.5 * LEAST_PART);
             continue;
@@ -328,22 +328,35 @@ fn growing_tips(
     (0..standing.len()).map(growing).collect()
 }
 
+/// The part of the way to a coalescence that a step goes which would otherwise take too many cycles
+/// to be the last one: the rate changes over lengths in proportion to what is left of the way.
+const BEFORE_JOINING: f64 = 0.8;
+
 /// The first event during the step that the geometry determines: a crack of critical length, a
-/// spent ligament, a coalescence, a crack that is worn away.
+/// spent ligament, a coalescence, a crack that is worn away. A step with a coalescence only has the
+/// rates at its start, so that it is approached in ever shorter steps.
 fn first_event(
     state: &StepState<'_>,
     plans: &[Option<PlannedAdvance>],
     met: &[Option<Coalescence>],
-    removal: f64,
+    pace: &Pace,
     settings: &GrowthSettings,
 ) -> Option<Event> {
     let mut events: Vec<Event> = Vec::new();
+    let removal = pace.removal;
     let during = |part: f64| Event { part, ends_run: false };
+    let joining = |coalescence: &Coalescence| {
+        let cycles = coalescence.time * pace.cycles;
+        if cycles > LOCATED * (state.at.load_cycles + cycles) {
+            return Event { part: BEFORE_JOINING * coalescence.time, ends_run: true };
+        }
+        during(coalescence.time * (1.0 + 1e-3))
+    };
     let mut growth = vec![0.0; state.cracks.len()];
     for (plan, coalescence) in plans.iter().zip(met) {
         let Some(plan) = plan else { continue };
         growth[plan.step.tip.crack] += plan.increment;
-        events.extend(coalescence.map(|coalescence| during(coalescence.time * (1.0 + 1e-3))));
+        events.extend(coalescence.as_ref().map(joining));
         let surfacing = surfacing(plan, &state.cracks[plan.step.tip.crack], state.resolution, removal);
         events.extend(surfacing.map(during));
     }

@@ -5,6 +5,7 @@ use crate::numbers::{fixed, formula, given, grouped, rounded, significant};
 use railcrack::bulk::Boundary;
 use railcrack::contact::{FluidModel, StepControl};
 use railcrack::fatigue::DirectionCriterion;
+use railcrack::growth::Turning;
 use railcrack::load::Contact;
 use railcrack::math::RailBox;
 use railcrack::words::Choice;
@@ -294,10 +295,31 @@ fn direction(case: &Case) -> String {
         DirectionCriterion::Coplanar => "straight ahead".to_owned(),
         _ => format!("the kink that maximises {criterion} over the passage"),
     };
+    let path = match case.growth.turning {
+        _ if case.engine.is_in_space() => "The front stays in its plane. ".to_owned(),
+        _ if case.growth.criterion == DirectionCriterion::Coplanar => String::new(),
+        Turning::Kink => "In each increment the crack kinks by the whole of it. ".to_owned(),
+        Turning::Over(0.0) => "The path turns until this kink is zero at each tip (limit path). ".to_owned(),
+        Turning::Over(f64::INFINITY) => "The path stays straight ahead. ".to_owned(),
+        Turning::Over(length) => format!(
+            "The path turns towards it over {} mm; kinks of {}° and more are made at once. ",
+            given(length),
+            given(case.growth.kink_angle.to_degrees())
+        ),
+    };
+    let increments = case.growth.tolerance.map_or_else(
+        || {
+            let share = given(100.0 * case.growth.increment);
+            format!("The increment of the fastest tip is {share} % of the length of its crack")
+        },
+        |tolerance| {
+            let share = given(100.0 * tolerance);
+            format!("The increments are chosen such that their error of the life stays within {share} %")
+        },
+    );
     format!(
-        "Direction: {direction}. The increment of the fastest tip is {} % of the length of its crack; its load cycles follow from \
-         the mean of the inverse growth rates at the start and the end of the increment.",
-        given(100.0 * case.growth.increment)
+        "Direction: {direction}. {path}{increments}; load cycles follow from the mean of the inverse growth rates at the start \
+         and the end of each.",
     )
 }
 
