@@ -133,7 +133,8 @@ fn without_scatter_samples_are_the_run() {
 #[test]
 fn a_life_is_the_traffic_of_its_run() {
     let place = folder("decision", "life");
-    let (wear, grinding) = ("wear_mm_per_mgt = 0.01\n", "grinding_mm = 0.1\ngrinding_interval_mgt = 20.0\n");
+    let (wear, grinding) =
+        ("wear_mm_per_mgt = 0.004\n", "grinding_mm = 0.05\ngrinding_interval_mgt = 20.0\n");
     for plan in [wear.to_owned(), grinding.to_owned(), format!("{wear}{grinding}")] {
         for control in ["increment = 0.06\n", ""] {
             let rail = RAIL.replace("increment = 0.06\n", control).replace("critical_depth_mm = 2.5\n", "");
