@@ -4,6 +4,7 @@ mod build;
 mod carried;
 #[expect(clippy::module_inception, reason = "the type gives its file the name")]
 mod case;
+mod coarse_crack;
 mod coupled;
 mod cracks;
 mod engines;

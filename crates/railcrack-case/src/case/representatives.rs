@@ -1,20 +1,22 @@
-//! Representatives of the wheels of a table: groups by an open crack.
+//! Representatives of the wheels of a table: groups by their passages over a coarse crack.
 
+use super::coarse_crack::{coarse_histories, coarse_rate};
 use super::wheel_table::TabledWheel;
 use railcrack::body::BodyEngine;
 use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::dislocation::DislocationEngine;
 use railcrack::fatigue::GrowthLaw;
-use railcrack::fracture::Sif;
-use railcrack::load::Contact;
+use railcrack::fracture::{Sif, SifHistory};
+use railcrack::load::{Contact, Travel};
 use railcrack::material::IsotropicElastic;
 use railcrack::traffic::{Grouped, Groups, OpenCrack};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
-/// Groups of the wheels `loaded`, at most `most`, by what drives the first crack; `friction` is
-/// that of its faces.
+/// Groups of the wheels `loaded` that run towards `travel`, at most `most`, by their passages over
+/// the first crack; `friction` is that of its faces. Where a coarse passage does not converge, the
+/// open crack takes its place.
 pub(super) fn group(
-    wheels: &[TabledWheel],
+    (wheels, travel): (&[TabledWheel], Travel),
     loaded: &[usize],
     most: usize,
     (network, friction): (&CrackNetwork, f64),
@@ -25,23 +27,58 @@ pub(super) fn group(
         return Groups::of(&loaded.iter().map(alone).collect::<Vec<_>>(), most);
     }
     let contacts: Vec<&Contact> = loaded.iter().filter_map(|i| wheels[*i].contact.as_ref()).collect();
-    let widths: Vec<f64> = contacts.iter().map(|contact| contact.half_width()).collect();
-    let Some(open) = open_crack(&widths, network, friction, steel) else {
+    let effects = by_coarse_crack(&contacts, (network, friction), steel, travel, law)
+        .or_else(|| by_open_crack(&contacts, (network, friction), steel, law));
+    let Some(effects) = effects else {
         return Groups::of(&loaded.iter().map(alone).collect::<Vec<_>>(), most);
     };
-    let histories: Vec<Vec<Sif>> = contacts.par_iter().map(|contact| open.history(contact)).collect();
-    let rates = |law: &GrowthLaw| histories.iter().map(|own| open.rate(own, law)).collect::<Vec<f64>>();
-    let mut rated = rates(law);
-    if rated.iter().all(|rate| *rate == 0.0) {
-        rated = rates(&GrowthLaw::RAIL_STEEL);
-    }
-    let grouped = |((i, history), rate): ((&usize, &Vec<Sif>), f64)| Grouped {
+    let grouped = |(i, (effect, rate)): (&usize, (Vec<f64>, f64))| Grouped {
         share: wheels[*i].share,
-        effect: history.iter().flat_map(|k| [k.ki, k.kii]).collect(),
+        effect,
         rate: if rate.is_finite() { rate } else { f64::MAX.sqrt() },
     };
-    let all: Vec<Grouped> = loaded.iter().zip(&histories).zip(rated).map(grouped).collect();
+    let all: Vec<Grouped> = loaded.iter().zip(effects).map(grouped).collect();
     Groups::of(&all, most)
+}
+
+/// History of K and rate of each wheel.
+type Effects = Vec<(Vec<f64>, f64)>;
+
+fn flat<'a>(samples: impl Iterator<Item = &'a Sif>) -> Vec<f64> {
+    samples.flat_map(|k| [k.ki, k.kii]).collect()
+}
+
+/// Rates by `law`; where it gives none, by that of rail steel, so that wheels still differ.
+fn rates<H>(histories: &[H], law: &GrowthLaw, rate: impl Fn(&H, &GrowthLaw) -> f64) -> Vec<f64> {
+    let all = |law: &GrowthLaw| histories.iter().map(|own| rate(own, law)).collect::<Vec<f64>>();
+    let rated = all(law);
+    if rated.iter().all(|rate| *rate == 0.0) { all(&GrowthLaw::RAIL_STEEL) } else { rated }
+}
+
+fn by_coarse_crack(
+    contacts: &[&Contact],
+    crack: (&CrackNetwork, f64),
+    steel: &IsotropicElastic,
+    travel: Travel,
+    law: &GrowthLaw,
+) -> Option<Effects> {
+    let histories = coarse_histories(contacts, crack, steel, travel)?;
+    let rated = rates(&histories, law, |own, law| coarse_rate(own, law));
+    let effect = |tips: &Vec<SifHistory>| flat(tips.iter().flat_map(|tip| &tip.samples));
+    Some(histories.iter().map(effect).zip(rated).collect())
+}
+
+fn by_open_crack(
+    contacts: &[&Contact],
+    (network, friction): (&CrackNetwork, f64),
+    steel: &IsotropicElastic,
+    law: &GrowthLaw,
+) -> Option<Effects> {
+    let widths: Vec<f64> = contacts.iter().map(|contact| contact.half_width()).collect();
+    let open = open_crack(&widths, network, friction, steel)?;
+    let histories: Vec<Vec<Sif>> = contacts.par_iter().map(|contact| open.history(contact)).collect();
+    let rated = rates(&histories, law, |own, law| open.rate(own, law));
+    Some(histories.iter().map(|own| flat(own.iter())).zip(rated).collect())
 }
 
 /// Smallest half-width of the table of the open crack over the largest one: strips at the edge of a

@@ -20,7 +20,7 @@ pub struct WheelTable {
     pub representatives: usize,
     /// Share of the axles whose patches miss the cracks.
     pub missed: f64,
-    /// Error of the mean growth rate of the representatives by the surrogate, an open crack.
+    /// Error of the mean growth rate of the representatives by the surrogate, a coarse crack.
     pub error: f64,
     /// The error that is accepted.
     pub accepted: f64,

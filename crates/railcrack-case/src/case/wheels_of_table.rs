@@ -65,7 +65,7 @@ pub(super) fn read_wheels_of_table(
     }
     let most = given.get(REPRESENTATIVES)?;
     let friction = sections.all(&CRACK).next().and_then(|crack| crack.get(CRACK_FRICTION))?;
-    let groups = group(&wheels, &loaded, most, (network, friction), (steel, law));
+    let groups = group((&wheels, travel), &loaded, most, (network, friction), (steel, law));
     for (i, group) in loaded.iter().zip(&groups.group_of) {
         wheels[*i].represented_by = first + group;
     }

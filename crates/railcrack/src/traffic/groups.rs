@@ -30,7 +30,10 @@ pub struct Groups {
 const ROUNDS: usize = 12;
 
 /// Wheels nearest to the middle of a group from which its representative is chosen.
-const CANDIDATES: usize = 2;
+const CANDIDATES: usize = 3;
+
+/// Rounds in which representatives are exchanged for others of their group to meet the mean rate.
+const EXCHANGES: usize = 4;
 
 impl Groups {
     /// At most `most` groups of `wheels`: centres by weighted distance (the farthest next), then
@@ -150,26 +153,49 @@ fn move_centres(centres: &mut [Vec<f64>], wheels: &[Grouped], weights: &[f64], g
 }
 
 /// The representative of each group; none of an empty one. Groups that grow most are served first,
-/// and each choice makes up for the error of those before.
+/// and each choice makes up for the error of those before; then for that of all others.
 fn choose(wheels: &[Grouped], centres: &[Vec<f64>], group_of: &[usize]) -> Vec<Option<usize>> {
-    let members = |group: usize| (0..wheels.len()).filter(move |i| group_of[*i] == group);
-    let growth = |group: usize| members(group).map(|i| wheels[i].share * wheels[i].rate).sum::<f64>();
-    let mut order: Vec<(usize, f64)> = (0..centres.len()).map(|group| (group, growth(group))).collect();
-    order.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+    let mut groups: Vec<Candidates> =
+        (0..centres.len()).map(|group| Candidates::of(wheels, &centres[group], group, group_of)).collect();
+    groups.sort_by(|a, b| b.growth.total_cmp(&a.growth).then(a.group.cmp(&b.group)));
     let (mut chosen, mut error) = (vec![None; centres.len()], 0.0);
-    for (group, wanted) in order {
-        let mut near: Vec<(usize, f64)> =
-            members(group).map(|i| (i, distance2(&centres[group], &wheels[i].effect))).collect();
-        near.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
-        near.truncate(CANDIDATES);
-        let share: f64 = members(group).map(|i| wheels[i].share).sum();
-        let off = |i: usize| error + share * wheels[i].rate - wanted;
-        let best =
-            near.iter().map(|(i, _)| *i).reduce(|a, b| if off(b).abs() < off(a).abs() { b } else { a });
-        if let Some(best) = best {
-            error = off(best);
-            chosen[group] = Some(best);
+    for round in 0..=EXCHANGES {
+        for own in &groups {
+            let off = |i: usize| own.share * wheels[i].rate - own.growth;
+            let others = error - if round == 0 { 0.0 } else { chosen[own.group].map_or(0.0, off) };
+            let left = |i: usize| (others + off(i)).abs();
+            let best = own.nearest.iter().copied().reduce(|a, b| if left(b) < left(a) { b } else { a });
+            if let Some(best) = best {
+                error = others + off(best);
+                chosen[own.group] = Some(best);
+            }
         }
     }
     chosen
+}
+
+/// The wheels that may represent a group.
+struct Candidates {
+    group: usize,
+    /// Share of the axles of the group, and what it contributes to the growth.
+    share: f64,
+    growth: f64,
+    /// The wheels nearest to its centre.
+    nearest: Vec<usize>,
+}
+
+impl Candidates {
+    fn of(wheels: &[Grouped], centre: &[f64], group: usize, group_of: &[usize]) -> Self {
+        let members = || (0..wheels.len()).filter(|i| group_of[*i] == group);
+        let mut near: Vec<(usize, f64)> =
+            members().map(|i| (i, distance2(centre, &wheels[i].effect))).collect();
+        near.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+        near.truncate(CANDIDATES);
+        Self {
+            group,
+            share: members().map(|i| wheels[i].share).sum(),
+            growth: members().map(|i| wheels[i].share * wheels[i].rate).sum(),
+            nearest: near.into_iter().map(|(i, _)| i).collect(),
+        }
+    }
 }

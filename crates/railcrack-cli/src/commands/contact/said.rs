@@ -28,7 +28,7 @@ pub(super) fn sentences(case: &Case, rows: &[WheelRow], across: Option<&Across>)
         }
         let error = representatives_error(rows);
         said.push(format!(
-            "{} representatives: mean growth rate off by {:+.2} % of that of all wheels, computed one by one ({:+.2} % by the open crack){}",
+            "{} representatives: mean growth rate off by {:+.2} % of that of all wheels, computed one by one ({:+.2} % by the coarse crack){}",
             table.representatives,
             100.0 * error,
             100.0 * table.error,
