@@ -23,7 +23,7 @@ pub use case::{
 pub use entries::{Comparison, Entry, EntryValue, Grade, HowRead, Quantity, entry_schema};
 pub use files::{
     CaseFile, Column, Columned, Columns, Companion, ContactFile, DetectionFile, DetectionTable, FieldFile,
-    ProfileFile, RatesFile, TablePatch, TableWheel, ToughnessFile, WheelTableFile,
+    PointFile, ProfileFile, RatesFile, TablePatch, TableWheel, ToughnessFile, WheelTableFile,
 };
 pub use regular_file::open_regular;
 pub use schema::read_text_file;
@@ -35,5 +35,6 @@ pub use study::{Axis, Distribution, Input, Keeping, SampleTable, Study, StudyRun
 pub use tables::{
     CalibrationPrior, Combine, ContactOrigin, ContactSolver, Detection, Engine, EngineDomain, FieldOutput,
     Fracture, GivenWheel, Inspection, InspectionRisk, Kept, MaintenancePlan, MeshSettings, Output,
-    PlasticSource, Rail, SECTIONS, STUDY, Scatter, ShakedownSettings, init_text, json_schema, markdown,
+    PlasticSource, ProfileOrigin, Rail, SECTIONS, STUDY, Scatter, ShakedownSettings, init_text, json_schema,
+    markdown,
 };

@@ -62,6 +62,7 @@ pub mod mesh;
 mod nuclei;
 pub mod plane;
 pub mod prelude;
+pub mod profiles;
 pub mod residual;
 pub mod rolling;
 pub mod section;

@@ -232,9 +232,9 @@ impl Case {
             Detection::Table(file) => Some(DetectionFile::companion(file)),
             Detection::LogNormal { .. } => None,
         });
-        // The tables of a mix are one file.
-        let of_mix = || self.mix.iter().find_map(|wheel| wheel.wheel.companion());
-        let contact = self.wheel.companion().or_else(of_mix);
+        // The tables of a mix are one file, and its profiles one pair.
+        let wheels = std::iter::once(&self.wheel).chain(self.mix.iter().map(|wheel| &wheel.wheel));
+        let contact = wheels.map(GivenWheel::companions).find(|files| !files.is_empty()).unwrap_or_default();
         let wheels = self.wheel_table.as_ref().map(|table| CaseFile::companion(&table.file));
         let stresses = residual.into_iter().chain(plastic).chain(initial);
         contact

@@ -3,6 +3,7 @@
 use super::read_wheel::ReadWheel;
 use super::wheel_table::WheelTable;
 use super::wheels_of_table::{TableContext, read_wheels_of_table};
+use crate::files::Companion;
 use crate::schema::{Fault, Report, SectionValues, Sections};
 use crate::tables::{
     AXLE_LOAD, CONTACT, ContactExtent, DIRECTION, GivenWheel, PASSAGE, SHARE, TABLE, TEMPERATURE, TRACK,
@@ -155,10 +156,10 @@ fn check_axle_loads(given: &[&SectionValues], wheels: &[ReadWheel], report: &mut
 
 /// A stored case keeps one file of a contact.
 fn check_files(given: &[&SectionValues], wheels: &[ReadWheel], report: &mut Report) -> Option<()> {
-    let texts: Vec<(usize, &str)> =
-        wheels.iter().enumerate().filter_map(|(i, wheel)| Some((i, wheel.wheel.companion()?.text))).collect();
-    let Some(&(other, _)) = texts.iter().find(|(_, text)| *text != texts[0].1) else { return Some(()) };
-    let says = "all contact tables of a mix must be the same file, with different scales where wheels differ";
+    let all = wheels.iter().map(|wheel| wheel.wheel.companions()).enumerate();
+    let named: Vec<(usize, Vec<Companion<'_>>)> = all.filter(|(_, files)| !files.is_empty()).collect();
+    let Some(&(other, _)) = named.iter().find(|(_, files)| *files != named[0].1) else { return Some(()) };
+    let says = "all contact tables of a mix must be the same file, with different scales where wheels differ, and so must its profiles";
     report.add(given[other].fault_of_all(says).help("use kind = \"hertz\" or \"carter\" for the others"));
     None
 }

@@ -20,6 +20,7 @@ mod rates_across;
 mod read;
 mod read_wheel;
 mod representatives;
+mod rolling_patch;
 mod row_scatter;
 mod setting;
 mod shared;

@@ -305,7 +305,7 @@ impl Case {
             None => GrowthState::initial_in_space(space.shapes.clone()).ok()?,
         };
         let first = SpaceWheel {
-            wheel: *space.wheels.first()?,
+            wheel: space.wheels.first()?.clone(),
             share: self.mix.first().map_or(1.0, |first| first.share),
             bending: self.wheel.bending(&self.steel),
             residual: with_temperature(self, &self.wheel, residual),
@@ -314,7 +314,7 @@ impl Case {
             toughness: self.growth.toughness,
         };
         let others = self.mix.iter().zip(&space.wheels).skip(1).map(|(mixed, wheel)| SpaceWheel {
-            wheel: *wheel,
+            wheel: wheel.clone(),
             share: mixed.share,
             bending: mixed.wheel.bending(&self.steel),
             residual: with_temperature(self, &mixed.wheel, residual),

@@ -1,6 +1,7 @@
 //! Cases for the space engine: required and excluded sections.
 
 use super::cracks::PlacedCracks;
+use super::rolling_patch::rolling_patch;
 use super::space_case::SpaceCase;
 use crate::schema::{Fault, Report, Section, SectionValues, Sections};
 use crate::tables::{
@@ -12,7 +13,7 @@ use railcrack::bulk::Boundary;
 use railcrack::crack::Crack;
 use railcrack::growth::FrontShape;
 use railcrack::load::HertzEllipse;
-use railcrack::space::{CloseCracks, EllipticWheel, SpaceCrack};
+use railcrack::space::{CloseCracks, EllipticWheel, SpaceCrack, WheelPatch};
 use std::f64::consts::PI;
 
 /// Sections that the engine does not support, with reasons.
@@ -71,7 +72,7 @@ pub(super) fn read_space(
         contacts.extend(sections.one(&CONTACT));
     }
     let read = |(section, wheel): (&&SectionValues, &&GivenWheel)| read_wheel(section, wheel, report);
-    let wheels: Vec<Option<EllipticWheel>> = contacts.iter().zip(wheels?).map(read).collect();
+    let wheels: Vec<Option<WheelPatch>> = contacts.iter().zip(wheels?).map(read).collect();
     let wheels = wheels.into_iter().collect::<Option<Vec<_>>>()?;
     Some(SpaceCase { shapes: shapes?, wheels, mode_3_weight: growth.get(MODE_3_WEIGHT) })
 }
@@ -168,10 +169,17 @@ fn read_shape(
 /// Semi-axes of a crack that its grid resolves.
 const LARGEST_ASPECT: f64 = 25.0;
 
-fn read_wheel(section: &SectionValues, wheel: &GivenWheel, report: &mut Report) -> Option<EllipticWheel> {
+fn read_wheel(section: &SectionValues, wheel: &GivenWheel, report: &mut Report) -> Option<WheelPatch> {
+    if let ContactOrigin::Rolling { patch, lateral, travel } = &wheel.origin {
+        return Some(rolling_patch(patch, -lateral, *travel));
+    }
+    if let ContactOrigin::Profiles(own) = &wheel.origin {
+        let [one] = own.placed[..] else { return None };
+        return Some(rolling_patch(&one.patch, -one.y, own.travel));
+    }
     if wheel.contact().sliding().is_none() {
         let says = "the space engine computes the Hertz ellipse in full sliding only";
-        report.add(section.fault(KIND, says).help("use kind = \"hertz\""));
+        report.add(section.fault(KIND, says).help("use kind = \"hertz\" or \"rolling\""));
         return None;
     }
     let (ellipse, lateral): (HertzEllipse, f64) = match &wheel.origin {
@@ -187,12 +195,13 @@ fn read_wheel(section: &SectionValues, wheel: &GivenWheel, report: &mut Report) 
             return None;
         }
     };
-    Some(EllipticWheel {
+    let wheel = EllipticWheel {
         peak_pressure: ellipse.peak_pressure,
         half_width: ellipse.along,
         lateral_half_width: ellipse.across,
         lateral,
         friction: section.get(FRICTION)?,
         lateral_friction: section.get(LATERAL_FRICTION).unwrap_or(0.0),
-    })
+    };
+    Some(wheel.into())
 }

@@ -104,8 +104,8 @@ pub(super) fn read_wheels_of_table(
             _ => format!("wheel {} and {} like it", wheel.wheel.number, alike - 1),
         };
         let patches = wheel.wheel.over(lateral);
-        let origin = patches.iter().find(|own| own.y.abs() < own.patch.ellipse.across)?;
-        let origin = ContactOrigin::Rolling { patch: origin.patch, lateral: origin.y };
+        let origin = patches.iter().find(|own| own.patch.half_length(own.y) > 0.0)?;
+        let origin = ContactOrigin::Rolling { patch: Box::new(origin.patch), lateral: origin.y, travel };
         mix.push(read(name, *share, wheel.contact.clone()?, origin, group));
     }
     if missed > 0.0 {

@@ -238,7 +238,14 @@ fn wheel_of(row: &[f64], reading: WheelReading<'_>) -> Result<(TableWheel, Table
         }
     };
     let creepage = reading.sign.read(Creepage { longitudinal: along, lateral: across, spin });
-    let patch = RollingPatch { ellipse, friction, creepage, steel: *reading.steel, theory: reading.theory };
+    let patch = RollingPatch {
+        ellipse,
+        outline: None,
+        friction,
+        creepage,
+        steel: *reading.steel,
+        theory: reading.theory,
+    };
     patch.check().map_err(|error| error.to_string())?;
     let given = |value: f64| (!value.is_nan()).then_some(value);
     let wheel = TableWheel {

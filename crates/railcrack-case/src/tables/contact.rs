@@ -1,6 +1,6 @@
 //! `[contact]`: wheel on rail.
 
-use crate::files::{ContactFile, ContactReading, read_contact_table};
+use crate::files::{ContactFile, ContactReading, PointFile, read_contact_table};
 use crate::schema::{
     KeyRow, Kind, NumberRange, Preset, RangeEnd, Report, SectionValues, choice, closed, file, integer,
     number, numbers, read_by_word, section, switch, within,
@@ -9,7 +9,8 @@ use railcrack::load::{
     CarterContact, Contact, ContactKind, HertzEllipse, HertzianContact, Travel, WheelOnRail,
 };
 use railcrack::material::IsotropicElastic;
-use railcrack::rolling::{CreepageSign, RollingPatch, RollingTheory};
+use railcrack::profiles::ProfileContact;
+use railcrack::rolling::{CreepageSign, PlacedPatch, RollingPatch, RollingTheory};
 use std::path::Path;
 
 /// Curvatures across the rail: straight, or a radius of either sign.
@@ -18,6 +19,7 @@ const PROFILE_RADII: NumberRange =
 
 const TABLE: &str = "table";
 const ROLLING: &str = "rolling";
+const PROFILED: &str = "profiles belong to rolling contact";
 const SLIDING: &str = "creepage belongs to rolling contact";
 const HERTZIAN: &str = "a table defines its own pressure and extent";
 const SIZED: &str = "a table defines its own pressure and extent, and rolling contact follows from normal_kn";
@@ -27,7 +29,8 @@ section! {
         forms [[PEAK_PRESSURE, HALF_WIDTH, LATERAL_HALF_WIDTH], [LINE_LOAD, WHEEL_RADIUS, RAIL_RADIUS],
             [WHEEL_LOAD, WHEEL_RADIUS, RAIL_HEAD_RADIUS, WHEEL_PROFILE_RADIUS],
             [CONTACT_PROFILE, SCALE, STRIP],
-            [NORMAL, WHEEL_RADIUS, RAIL_HEAD_RADIUS, WHEEL_PROFILE_RADIUS], [NORMAL, SEMI_AXES]],
+            [NORMAL, WHEEL_RADIUS, RAIL_HEAD_RADIUS, WHEEL_PROFILE_RADIUS], [NORMAL, SEMI_AXES],
+            [NORMAL, WHEEL_RADIUS, RAIL_PROFILE, WHEEL_PROFILE, SMOOTHING, SHIFT, YAW, ROLL]],
         instead "wheel";
     KIND: ContactKind = choice("kind", "Description of the contact.");
     PEAK_PRESSURE: f64 = number("peak_pressure_mpa", "MPa", closed(1e-3, 1e4), 845.0, "Peak pressure p0.")
@@ -57,7 +60,7 @@ section! {
         "Lateral semi-axis b of the contact ellipse; peak_pressure_mpa and half_width_mm then describe the ellipse. The space engine needs this key or the radii; the plane engines use the strip of the ellipse above the middle of the crack.")
         .only_with_any(KIND, "hertz", &["carter"], SIZED).optional();
     LATERAL: f64 = number("lateral_mm", "mm", within(100.0), 0.0,
-        "Lateral offset of the strip used by the plane engines from the middle of the ellipse; in the space engine, the lateral position of the ellipse. With rolling, y of the crack in the patch. 0 if not given.")
+        "Lateral offset of the strip used by the plane engines from the middle of the ellipse; in the space engine, the lateral position of the ellipse. With rolling, y of the crack in the patch; in the space engine the patch lies so that this y is at z = 0. With profiles, y of the crack on that of the rail; the middle of the most loaded patch if not given. Otherwise 0 if not given.")
         .only_with_any(KIND, "hertz", &["carter", ROLLING], HERTZIAN).optional();
     CONTACT_PROFILE: String = file("profile", "inputs/contact-table", "contact.csv",
         "CSV file with the columns u_mm,p_mpa,q_mpa, where u is measured from the wheel centre along +x; interpolated linearly between rows, zero outside. Or a .mat file written by the rolling-contact program CONTACT.")
@@ -82,6 +85,21 @@ section! {
     SEMI_AXES: Vec<f64> = numbers("semi_axes_mm", "mm", closed(0.01, 100.0), &[6.0, 5.0],
         "Semi-axes [a, b] of the contact ellipse, along and across the rail.")
         .required().only_with(KIND, ROLLING, "half_width_mm and lateral_half_width_mm are the semi-axes of the other contacts");
+    RAIL_PROFILE: String = file("rail_profile", "inputs/rail-profile", "rail.csv",
+        "CSV file with the points y_mm,z_mm of the rail head in their order: y across the rail, z downwards. The contact patches then follow from the profiles; normal_kn is the sum of their normal forces.")
+        .required().only_with(KIND, ROLLING, PROFILED);
+    WHEEL_PROFILE: String = file("wheel_profile", "inputs/wheel-profile", "wheel.csv",
+        "CSV file with the points y_mm,z_mm of the wheel, with the axes of the rail; wheel_radius_mm is the radius at its z = 0.")
+        .required().only_with(KIND, ROLLING, PROFILED);
+    SMOOTHING: f64 = number("profile_smoothing_mm", "mm", closed(0.01, 20.0), 1.0,
+        "Half the length along the profiles over which a parabola is fitted to their points, with weights that fall to zero there: longer for measured points with scatter.")
+        .only_with(KIND, ROLLING, PROFILED);
+    SHIFT: f64 = number("shift_mm", "mm", within(200.0), 0.0, "y of the origin of the wheel's profile in the frame of the rail's.")
+        .only_with(KIND, ROLLING, PROFILED);
+    YAW: f64 = number("yaw_deg", "degrees", within(10.0), 0.0,
+        "Angle of attack of the wheel: positive turns its direction of travel towards +y.").only_with(KIND, ROLLING, PROFILED);
+    ROLL: f64 = number("roll_deg", "degrees", within(10.0), 0.0,
+        "Rotation of the wheel's profile about its origin: positive lowers +y.").only_with(KIND, ROLLING, PROFILED);
     CREEPAGE_X: f64 = number("creepage_x", "", within(1.0), 0.0, "Longitudinal creepage, signed as creepage_sign says.")
         .only_with(KIND, ROLLING, SLIDING);
     CREEPAGE_Y: f64 = number("creepage_y", "", within(1.0), 0.0, "Lateral creepage.")
@@ -135,10 +153,31 @@ pub enum ContactOrigin {
     /// A strip of a patch in rolling contact.
     Rolling {
         /// The patch.
-        patch: RollingPatch,
+        patch: Box<RollingPatch>,
         /// y of the strip in the patch, mm.
         lateral: f64,
+        /// Direction in which the wheel runs.
+        travel: Travel,
     },
+    /// Patches of profiles.
+    Profiles(Box<ProfileOrigin>),
+}
+
+/// Patches in rolling contact that follow from profiles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ProfileOrigin {
+    /// The profile of the rail.
+    pub rail: PointFile,
+    /// The profile of the wheel.
+    pub wheel: PointFile,
+    /// The patches, by increasing y.
+    pub contacts: Vec<ProfileContact>,
+    /// The same, with the place of the crack in each.
+    pub placed: Vec<PlacedPatch>,
+    /// y of the crack on the rail's profile, mm.
+    pub lateral: f64,
+    /// Direction in which the wheel runs.
+    pub travel: Travel,
 }
 
 impl ContactOrigin {
@@ -148,7 +187,11 @@ impl ContactOrigin {
         match self {
             Self::LineLoad { radius } => Some(*radius),
             Self::Ellipse { wheel, .. } => Some(wheel.wheel_radius),
-            Self::Given | Self::GivenEllipse { .. } | Self::Table(_) | Self::Rolling { .. } => None,
+            Self::Given
+            | Self::GivenEllipse { .. }
+            | Self::Table(_)
+            | Self::Rolling { .. }
+            | Self::Profiles(_) => None,
         }
     }
 }

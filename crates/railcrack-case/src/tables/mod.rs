@@ -29,7 +29,7 @@ mod traffic;
 mod wheel_load;
 
 pub use calibration::CalibrationPrior;
-pub use contact::ContactOrigin;
+pub use contact::{ContactOrigin, ProfileOrigin};
 pub use file::{SECTIONS, init_text, json_schema, markdown};
 pub use fracture::Fracture;
 pub use inspection::{Detection, Inspection, InspectionRisk, Scatter};

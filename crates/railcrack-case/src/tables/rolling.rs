@@ -1,43 +1,68 @@
 //! `[contact] kind = "rolling"`: a patch in rolling contact.
 
 use super::contact::{
-    CREEPAGE_X, CREEPAGE_Y, ContactExtent, ContactOrigin, FRICTION, HALF_WIDTH, KIND, LATERAL, NORMAL,
-    PEAK_PRESSURE, RAIL_HEAD_RADIUS, SEMI_AXES, SIGN, SPIN, THEORY, WHEEL_PROFILE_RADIUS, WHEEL_RADIUS,
-    out_of_range,
+    CREEPAGE_X, CREEPAGE_Y, ContactExtent, ContactOrigin, FRICTION, HALF_WIDTH, LATERAL, NORMAL,
+    PEAK_PRESSURE, ProfileOrigin, RAIL_HEAD_RADIUS, RAIL_PROFILE, ROLL, SEMI_AXES, SHIFT, SIGN, SMOOTHING,
+    SPIN, THEORY, WHEEL_PROFILE, WHEEL_PROFILE_RADIUS, WHEEL_RADIUS, YAW, out_of_range,
 };
+use crate::files::{ProfileReading, Profiled, read_points};
 use crate::schema::{Report, SectionValues};
 use railcrack::load::{Contact, HertzEllipse, Travel, WheelOnRail};
 use railcrack::material::IsotropicElastic;
-use railcrack::rolling::{Creepage, PatchError, RollingPatch};
+use railcrack::profiles::{ProfileContact, ProfilePair, SearchError, WheelPosition};
+use railcrack::rolling::{Creepage, PatchError, PlacedPatch, RollingPatch, StripOutline};
 use std::f64::consts::PI;
+use std::path::Path;
 
-/// Contact of the strip that loads the crack, of a wheel that runs towards `travel`.
+/// Contact of the strip that loads the crack, of a wheel that runs towards `travel`; files are
+/// relative to `folder`. For a whole patch, this is its middle strip.
 pub(super) fn read_rolling(
     section: &SectionValues,
     steel: &IsotropicElastic,
     travel: Travel,
     extent: ContactExtent,
+    folder: &Path,
     report: &mut Report,
 ) -> Option<(Contact, ContactOrigin)> {
-    if extent == ContactExtent::Ellipse {
-        let says = "the space engine computes the Hertz ellipse in full sliding only";
-        report.add(section.fault(KIND, says).help("use kind = \"hertz\", or a plane engine"));
-        return None;
-    }
     let friction = section.get(FRICTION)?;
     if friction < 0.0 {
         let help = "the friction of the slip zone; the signs of the shear follow from the creepages";
         report.add(section.fault(FRICTION, "must be a number in [0, 1]").help(help));
         return None;
     }
-    let ellipse = read_ellipse(section, steel, report)?;
     let given = Creepage {
         longitudinal: section.get(CREEPAGE_X)?,
         lateral: section.get(CREEPAGE_Y)?,
         spin: section.get(SPIN)?,
     };
     let (creepage, theory) = (section.get(SIGN)?.read(given), section.get(THEORY)?);
-    let patch = RollingPatch { ellipse, friction, creepage, steel: *steel, theory };
+    let rolling = |ellipse: HertzEllipse, outline: Option<StripOutline>| RollingPatch {
+        ellipse,
+        outline,
+        friction,
+        creepage,
+        steel: *steel,
+        theory,
+    };
+    if section.get(RAIL_PROFILE).is_some() {
+        return read_profiles(section, (steel, travel, extent), folder, rolling, report);
+    }
+    let ellipse = read_ellipse(section, steel, report)?;
+    let patch = checked(section, rolling(ellipse, None), report)?;
+    let lateral = section.get(LATERAL).unwrap_or(0.0);
+    let place = if extent == ContactExtent::Ellipse { 0.0 } else { lateral };
+    let Ok(contact) = patch.plane_contact(place, travel) else {
+        let across = ellipse.across;
+        let says = format!("is outside the patch, which reaches {across:.3} mm to either side");
+        report.add(section.fault(LATERAL, says).help("choose a strip within the patch"));
+        return None;
+    };
+    let contact = within_limits(section, contact, report)?;
+    Some((contact, ContactOrigin::Rolling { patch: Box::new(patch), lateral, travel }))
+}
+
+/// The patch, if it can roll as described.
+fn checked(section: &SectionValues, patch: RollingPatch, report: &mut Report) -> Option<RollingPatch> {
     if let Err(error) = patch.check() {
         report.add(match error {
             PatchError::NoFriction => section.fault(FRICTION, error),
@@ -46,21 +71,94 @@ pub(super) fn read_rolling(
         });
         return None;
     }
-    let lateral = section.get(LATERAL).unwrap_or(0.0);
-    let Ok(contact) = patch.plane_contact(lateral, travel) else {
-        let across = ellipse.across;
-        let says = format!("is outside the patch, which reaches {across:.3} mm to either side");
-        report.add(section.fault(LATERAL, says).help("choose a strip within the patch"));
-        return None;
-    };
+    Some(patch)
+}
+
+/// The contact, if its pressure and width are those of a wheel.
+fn within_limits(section: &SectionValues, contact: Contact, report: &mut Report) -> Option<Contact> {
     let refusal = out_of_range(PEAK_PRESSURE, contact.peak_pressure())
         .or_else(|| out_of_range(HALF_WIDTH, contact.half_width()));
     if let Some(says) = refusal {
-        let help = "normal force and radii or semi-axes together define the patch, and lateral_mm its strip";
+        let help = "normal force and radii, semi-axes or profiles together define the patch, and lateral_mm its strip";
         report.add(section.fault(NORMAL, says).help(help));
         return None;
     }
-    Some((contact, ContactOrigin::Rolling { patch, lateral }))
+    Some(contact)
+}
+
+/// The patches of a pair of profiles, of which those over the crack load it.
+fn read_profiles(
+    section: &SectionValues,
+    (steel, travel, extent): (&IsotropicElastic, Travel, ContactExtent),
+    folder: &Path,
+    rolling: impl Fn(HertzEllipse, Option<StripOutline>) -> RollingPatch,
+    report: &mut Report,
+) -> Option<(Contact, ContactOrigin)> {
+    let smoothing = section.get(SMOOTHING)?;
+    let rail =
+        read_points(section, RAIL_PROFILE, ProfileReading { smoothing, is: Profiled::Rail }, folder, report);
+    let wheel = read_points(
+        section,
+        WHEEL_PROFILE,
+        ProfileReading { smoothing, is: Profiled::Wheel },
+        folder,
+        report,
+    );
+    let (rail, wheel) = (rail?, wheel?);
+    let position = WheelPosition {
+        shift: section.get(SHIFT)?,
+        yaw: section.get(YAW)?.to_radians(),
+        roll: section.get(ROLL)?.to_radians(),
+    };
+    let radius = section.get(WHEEL_RADIUS)?;
+    let pair = ProfilePair { rail: rail.content(), wheel: wheel.content(), radius, position, steel };
+    let normal = 1e3 * section.get(NORMAL)?;
+    let contacts = match pair.contacts(normal) {
+        Ok(contacts) => contacts,
+        Err(error) => {
+            let row = match error {
+                SearchError::NoApproach { .. } | SearchError::Range(_) => NORMAL,
+                SearchError::Apart { .. } | SearchError::AtEnd { .. } => SHIFT,
+            };
+            report.add(section.fault(row, error));
+            return None;
+        }
+    };
+    let heaviest =
+        contacts.iter().copied().reduce(|a, b| if b.normal_force > a.normal_force { b } else { a })?;
+    let lateral = section.get(LATERAL).unwrap_or(heaviest.y);
+    let mut placed = Vec::new();
+    for own in &contacts {
+        let patch = checked(section, rolling(own.ellipse, Some(own.outline)), report)?;
+        placed.push(PlacedPatch {
+            patch,
+            y: (lateral - own.y) / own.angle.cos(),
+            x: own.ahead - heaviest.ahead,
+        });
+    }
+    if extent == ContactExtent::Ellipse && placed.len() > 1 {
+        let says =
+            format!("gives {} patches with these profiles; the space engine computes one", placed.len());
+        report.add(section.fault(SHIFT, says).help("use a plane engine, or another shift_mm"));
+        return None;
+    }
+    let contact = match extent {
+        ContactExtent::Ellipse => placed[0].patch.plane_contact(0.0, travel).ok(),
+        ContactExtent::Strip => PlacedPatch::plane_contact(&placed, travel),
+    };
+    let Some(contact) = contact else {
+        let reach = |own: &ProfileContact| {
+            let [from, to] = own.outline.ends().map(|end| own.y + end * own.angle.cos());
+            format!("{from:.2} to {to:.2} mm")
+        };
+        let all: Vec<String> = contacts.iter().map(reach).collect();
+        let says = format!("is outside the patches, which reach from {}", all.join(" and "));
+        report.add(section.fault(LATERAL, says).help("y of the crack on the profile of the rail"));
+        return None;
+    };
+    let contact = within_limits(section, contact, report)?;
+    let origin = ProfileOrigin { rail, wheel, contacts, placed, lateral, travel };
+    Some((contact, ContactOrigin::Profiles(Box::new(origin))))
 }
 
 /// The ellipse of the normal force with the semi-axes or the radii.

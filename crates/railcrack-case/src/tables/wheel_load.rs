@@ -47,7 +47,7 @@ impl GivenWheel {
     ) -> Option<Self> {
         let contact = match sections.contact.get(KIND) {
             Some(ContactKind::Rolling) => {
-                read_rolling(sections.contact, steel, travel, sections.extent, report)
+                read_rolling(sections.contact, steel, travel, sections.extent, folder, report)
             }
             _ => read_contact(sections.contact, steel, travel, sections.extent, folder, report),
         };
@@ -111,11 +111,12 @@ impl GivenWheel {
         output_positions(passage, self.bending(steel).as_ref(), places)
     }
 
-    /// The file, stored with a case, from which its contact is read.
-    pub(crate) fn companion(&self) -> Option<Companion<'_>> {
+    /// The files, stored with a case, from which its contact is read.
+    pub(crate) fn companions(&self) -> Vec<Companion<'_>> {
         match &self.origin {
-            ContactOrigin::Table(file) => Some(file.companion()),
-            _ => None,
+            ContactOrigin::Table(file) => vec![file.companion()],
+            ContactOrigin::Profiles(own) => vec![own.rail.companion(), own.wheel.companion()],
+            _ => Vec::new(),
         }
     }
 }

@@ -14,7 +14,9 @@ use railcrack::plane::CrackFluid;
 use railcrack::rolling::{Creepage, RollingPatch};
 use railcrack::shakedown::DepthBounds;
 use railcrack::words::Choice;
-use railcrack_case::{Case, ContactOrigin, GivenWheel, Input, MixedWheel, Overrides, PlasticSource};
+use railcrack_case::{
+    Case, ContactOrigin, GivenWheel, Input, MixedWheel, Overrides, PlasticSource, ProfileOrigin,
+};
 use railcrack_report::{PageEngine, formula, short};
 use railcrack_run::machine::{Budget, Needs, long_step, mb, step_seconds};
 use railcrack_run::simulation::{RunError, plastic_stress_left_out, rolled_by};
@@ -212,7 +214,8 @@ fn origin(case: &Case, wheel: &GivenWheel) -> Vec<CheckLine> {
             vec![hertz_ellipse(ellipse), offset(case, *lateral)]
         }
         ContactOrigin::Table(file) => vec![("table", file.given_name().into())],
-        ContactOrigin::Rolling { patch, lateral } => rolling(case, patch, *lateral),
+        ContactOrigin::Rolling { patch, lateral, .. } => rolling(case, patch, *lateral),
+        ContactOrigin::Profiles(own) => profiles(own),
     }
 }
 
@@ -235,6 +238,41 @@ fn rolling(case: &Case, patch: &RollingPatch, lateral: f64) -> Vec<CheckLine> {
             ),
         ),
     ]
+}
+
+/// The patches of a pair of profiles, and their forces.
+fn profiles(own: &ProfileOrigin) -> Vec<CheckLine> {
+    let mut rows: Vec<CheckLine> = vec![
+        ("profiles", format!("{} on {}", own.wheel.given_name(), own.rail.given_name())),
+        ("crack", format!("y = {} mm on the rail", short(own.lateral))),
+    ];
+    for (contact, placed) in own.contacts.iter().zip(&own.placed) {
+        let forces = placed.patch.forces();
+        let [along, over] = forces.force.map(|force| short(1e-3 * force));
+        let ellipse = &contact.ellipse;
+        rows.push((
+            "patch",
+            format!(
+                "y = {} mm, {} degrees; {} kN, p0 = {} MPa, area {} mm2, a = {} mm; approach {} um",
+                short(contact.y),
+                short(contact.angle.to_degrees()),
+                short(1e-3 * contact.normal_force),
+                short(ellipse.peak_pressure),
+                short(contact.area),
+                short(ellipse.along),
+                short(1e3 * contact.approach),
+            ),
+        ));
+        rows.push((
+            "patch forces",
+            format!(
+                "x {along} kN, y {over} kN; {} % of the patch slips, Tgamma = {} N",
+                short(100.0 * forces.slip_share),
+                short(forces.t_gamma)
+            ),
+        ));
+    }
+    rows
 }
 
 fn hertz_ellipse(ellipse: &HertzEllipse) -> CheckLine {
@@ -267,7 +305,7 @@ fn in_space(case: &Case) -> Vec<CheckLine> {
     }
     let cells = case.mesh.space;
     rows.push(("cells", format!("{} on each side of the middle, {} to the front", cells.block, cells.ring)));
-    let lateral: Vec<f64> = space.wheels.iter().map(|wheel| wheel.lateral_friction).collect();
+    let lateral: Vec<f64> = space.wheels.iter().map(|wheel| wheel.outline().lateral_friction).collect();
     if lateral.iter().any(|friction| *friction != 0.0) {
         rows.push((
             "lateral friction",

@@ -23,7 +23,7 @@ const STRIPS: usize = 60;
 const INTERVALS: usize = 80;
 
 impl RollingPatch {
-    /// Forces, slip and work of the patch, by strips at y = b cos ψ.
+    /// Forces, slip and work of the patch, by strips at y = b cos ψ from its middle.
     #[must_use]
     pub fn forces(&self) -> PatchForces {
         self.forces_on(STRIPS, INTERVALS)
@@ -31,12 +31,14 @@ impl RollingPatch {
 
     /// [`RollingPatch::forces`] on `strips` strips of `intervals` intervals.
     pub(super) fn forces_on(&self, strips: usize, intervals: usize) -> PatchForces {
+        let [from, to] = self.ends();
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let (mut force, mut moment, mut slip, mut area) = ([0.0; 2], 0.0, 0.0, 0.0);
         for i in 0..strips {
             let angle = PI * (i as f64 + 0.5) / strips as f64;
-            let (y, width) = (self.ellipse.across * angle.cos(), angle.sin() * PI / strips as f64);
+            let (y, width) = (middle + half * angle.cos(), angle.sin() * PI / strips as f64);
             let Ok(strip) = self.strip(y, intervals) else { continue };
-            let (across, steps) = (self.ellipse.across * width, (strip.points.len() - 1) as f64);
+            let (across, steps) = (half * width, (strip.points.len() - 1) as f64);
             for (j, (point, shear)) in strip.points.iter().zip(&strip.balanced).enumerate() {
                 // The trapezoidal rule in θ, where the integrand vanishes at the ends.
                 let along = strip.half_length * (PI * j as f64 / steps).sin() * PI / steps;

@@ -1,18 +1,21 @@
-//! An elliptical patch in rolling contact.
+//! A patch in rolling contact.
 
-use super::{Creepage, KalkerCoefficients, RollingTheory};
+use super::{Creepage, KalkerCoefficients, RollingTheory, StripOutline};
 use crate::load::HertzEllipse;
 use crate::material::IsotropicElastic;
 use crate::math::OutOfRange;
 use std::f64::consts::PI;
 use thiserror::Error;
 
-/// A Hertz ellipse on which a wheel rolls with creepage. x runs with the travel, y across;
+/// A Hertz ellipse, or a patch that is compared with one, on which a wheel rolls with creepage. x runs with the travel, y across;
 /// tractions and forces act on the rail.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RollingPatch {
-    /// Pressure and semi-axes: a along the rail, b across.
+    /// Pressure and semi-axes: a along the rail, b across. With an outline, p0 and a are those of
+    /// the longest strip, and b gives the normal force; Kalker's coefficients are those of a/b.
     pub ellipse: HertzEllipse,
+    /// Lengths of the strips where the patch is no ellipse; each has the pressure p0/a √(a_y² − x²).
+    pub outline: Option<StripOutline>,
     /// μ, not negative.
     pub friction: f64,
     /// ξ, η, φ.
@@ -103,12 +106,26 @@ impl RollingPatch {
     #[must_use]
     pub fn mirrored_across(&self) -> Self {
         let Creepage { longitudinal, lateral, spin } = self.creepage;
-        Self { creepage: Creepage { longitudinal, lateral: -lateral, spin: -spin }, ..*self }
+        let outline = self.outline.map(|own| {
+            let [from, to] = own.ends();
+            StripOutline::new([-to, -from], |y| own.half_length(-y))
+        });
+        Self { creepage: Creepage { longitudinal, lateral: -lateral, spin: -spin }, outline, ..*self }
     }
 
-    /// a_y = a √(1 − (y/b)²), mm: half the length of the strip at `y` (mm); 0 outside.
+    /// y of the ends of the patch, mm.
+    #[must_use]
+    pub fn ends(&self) -> [f64; 2] {
+        self.outline.map_or([-self.ellipse.across, self.ellipse.across], |outline| outline.ends())
+    }
+
+    /// a_y = a √(1 − (y/b)²), or that of the outline, mm: half the length of the strip at `y` (mm);
+    /// 0 outside.
     #[must_use]
     pub fn half_length(&self, y: f64) -> f64 {
+        if let Some(outline) = &self.outline {
+            return outline.half_length(y);
+        }
         let t = y / self.ellipse.across;
         self.ellipse.along * ((1.0 - t) * (1.0 + t)).max(0.0).sqrt()
     }

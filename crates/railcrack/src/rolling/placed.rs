@@ -23,7 +23,7 @@ impl PlacedPatch {
     /// the patches miss the crack.
     #[must_use]
     pub fn plane_contact(patches: &[Self], travel: Travel) -> Option<Contact> {
-        let over: Vec<&Self> = patches.iter().filter(|own| own.y.abs() < own.patch.ellipse.across).collect();
+        let over: Vec<&Self> = patches.iter().filter(|own| own.patch.half_length(own.y) > 0.0).collect();
         match over[..] {
             [] => None,
             [one] => one.patch.plane_contact(one.y, travel).ok(),

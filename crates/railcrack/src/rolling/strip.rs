@@ -109,8 +109,19 @@ impl RollingPatch {
         })
     }
 
+    /// The pressure of the strip at `y` (mm), without shear.
+    fn line_contact(&self, y: f64) -> Result<HertzianContact, OutOfRange> {
+        if self.outline.is_none() {
+            return self.ellipse.strip(y, 0.0);
+        }
+        let half_width = self.half_length(y);
+        OutOfRange::unless(half_width > 0.0, "lateral offset (mm)", y, "inside of the contact patch")?;
+        let peak_pressure = self.ellipse.peak_pressure * half_width / self.ellipse.along;
+        Ok(HertzianContact { peak_pressure, half_width, friction: 0.0 })
+    }
+
     fn forward_contact(&self, y: f64) -> Result<Contact, OutOfRange> {
-        let hertz = self.ellipse.strip(y, 0.0)?;
+        let hertz = self.line_contact(y)?;
         let sliding = |friction: f64| Contact::Hertz(HertzianContact { friction, ..hertz });
         if self.theory == RollingTheory::Linear {
             return Ok(sliding(self.linear_force()[0] / self.normal_force()));

@@ -17,6 +17,7 @@ fn patch(axes: [f64; 2], normal: f64, friction: f64, creepage: [f64; 3]) -> Roll
     let [longitudinal, lateral, spin] = creepage;
     RollingPatch {
         ellipse: HertzEllipse { peak_pressure, along: axes[0], across: axes[1] },
+        outline: None,
         friction,
         creepage: Creepage { longitudinal, lateral, spin },
         steel: steel(),

@@ -1,5 +1,6 @@
 //! Planar cracks with curved fronts in the half-space.
 
+mod bilinear;
 mod body;
 mod cell;
 mod contact;
@@ -30,6 +31,7 @@ mod trapped;
 mod wheel;
 mod worn;
 
+pub use bilinear::{BilinearPatch, StripTraction, WheelPatch};
 pub use body::{CloseCracks, CrackPart, FrontPoint, FrontSif, SpaceBody, SpaceError, SpaceKernel};
 pub use contact::{SpaceContact, SpaceContactError, StepReport};
 pub use fluid::SpaceFluid;

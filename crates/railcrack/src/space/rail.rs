@@ -1,5 +1,6 @@
 //! A half-space with planar cracks, as the growth loop sees it.
 
+use super::bilinear::WheelPatch;
 use super::body::{CloseCracks, FrontPoint, SpaceBody, SpaceError, SpaceKernel};
 use super::contact::{SpaceContact, SpaceContactError};
 use super::fluid::SpaceFluid;
@@ -13,7 +14,6 @@ use super::records::stabilised_record;
 use super::shape::{Extent, ShapeError, SpaceCrack};
 use super::stabilised::{StabilisedSpace, stabilised_space_passage};
 use super::tips::FrontLaw;
-use super::wheel::EllipticWheel;
 use crate::body::BodyError;
 use crate::crack::{Crack, CrackError};
 use crate::fatigue::RUNAWAY;
@@ -61,7 +61,7 @@ pub struct SpaceRail {
 /// A wheel over cracks in space.
 pub struct SpaceWheel {
     /// Its contact.
-    pub wheel: EllipticWheel,
+    pub wheel: WheelPatch,
     /// Share of the axles.
     pub share: f64,
     /// Bending of the rail under the axles of its train; `None` without a track.

@@ -7,6 +7,8 @@ use railcrack::rolling::{PlacedPatch, RollingPatch};
 /// Pixels per mm, and the margin around patches.
 const SCALE: f64 = 14.0;
 const MARGIN: f64 = 34.0;
+/// Corners of an outline.
+const OUTLINE: usize = 120;
 /// Pixels of the line under the patches, its margins included.
 const LEGEND: f64 = 520.0;
 
@@ -16,7 +18,8 @@ pub(super) fn picture(row: &WheelRow) -> Option<String> {
         return None;
     }
     let width: f64 = row.patches.iter().map(|own| 2.0 * own.patch.ellipse.along * SCALE + MARGIN).sum();
-    let tallest = row.patches.iter().map(|own| own.patch.ellipse.across).fold(0.0, f64::max);
+    let highest = |own: &PlacedPatch| own.patch.ends().map(f64::abs).into_iter().fold(0.0, f64::max);
+    let tallest = row.patches.iter().map(highest).fold(0.0, f64::max);
     let (width, height) = ((width + MARGIN).max(LEGEND), 2.0 * tallest * SCALE + 2.5 * MARGIN);
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {height:.0}\" width=\"{width:.0}\" height=\"{height:.0}\" font-family=\"sans-serif\" font-size=\"12\" role=\"img\" aria-label=\"Contact patches of wheel {}\">\n",
@@ -47,8 +50,9 @@ pub(super) fn picture(row: &WheelRow) -> Option<String> {
 
 /// A cell for each point of each strip.
 fn cells(svg: &mut String, patch: &RollingPatch, [x0, y0]: [f64; 2]) {
-    let tall = 2.0 * patch.ellipse.across * SCALE / places(1.0).count() as f64;
-    for y in places(patch.ellipse.across) {
+    let [low, high] = patch.ends();
+    let tall = (high - low) * SCALE / places([low, high]).count() as f64;
+    for y in places([low, high]) {
         let Ok(strip) = patch.strip(y, INTERVALS) else { continue };
         for pair in strip.points.windows(3) {
             let [before, point, after] = pair else { continue };
@@ -79,12 +83,16 @@ fn cells(svg: &mut String, patch: &RollingPatch, [x0, y0]: [f64; 2]) {
 
 /// The outline, and the strip of the crack.
 fn frame(svg: &mut String, own: &PlacedPatch, [x0, y0]: [f64; 2]) {
-    let ellipse = own.patch.ellipse;
-    svg.push_str(&format!(
-        "<ellipse cx=\"{x0:.1}\" cy=\"{y0:.1}\" rx=\"{:.1}\" ry=\"{:.1}\" fill=\"none\" stroke=\"#222222\"/>\n",
-        ellipse.along * SCALE,
-        ellipse.across * SCALE
-    ));
+    // Once around the patch, in steps of the parametric angle.
+    let [low, high] = own.patch.ends();
+    let corner = |i: usize| {
+        let (sin, cos) = (std::f64::consts::TAU * i as f64 / OUTLINE as f64).sin_cos();
+        let y = 0.5 * (low + high) + 0.5 * (high - low) * sin;
+        let x = own.patch.half_length(y).copysign(cos);
+        format!("{:.1},{:.1}", x0 + x * SCALE, y0 - y * SCALE)
+    };
+    let corners: Vec<String> = (0..OUTLINE).map(corner).collect();
+    svg.push_str(&format!("<polygon points=\"{}\" fill=\"none\" stroke=\"#222222\"/>\n", corners.join(" ")));
     let half = own.patch.half_length(own.y) * SCALE;
     if half > 0.0 {
         let y = y0 - own.y * SCALE;

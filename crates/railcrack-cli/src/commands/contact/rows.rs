@@ -44,7 +44,7 @@ impl WheelRow {
                     .iter()
                     .map(|wheel| {
                         let patches = wheel.wheel.over(table.lateral);
-                        let over = patches.iter().position(|own| own.y.abs() < own.patch.ellipse.across);
+                        let over = patches.iter().position(|own| own.patch.half_length(own.y) > 0.0);
                         let main = wheel.wheel.patches[over.unwrap_or(0)].y_rail;
                         let row = Self::rolling(wheel.wheel.number, wheel.share, patches, over.unwrap_or(0));
                         Self { y_rail: Some(main), ..row }
@@ -82,8 +82,17 @@ impl WheelRow {
         let contact = wheel.contact();
         let number = index as u64 + 1;
         let row = match &wheel.origin {
-            ContactOrigin::Rolling { patch, lateral } => {
-                let placed = PlacedPatch { patch: *patch, y: *lateral, x: 0.0 };
+            ContactOrigin::Profiles(own) => {
+                let over = own.placed.iter().position(|own| own.patch.half_length(own.y) > 0.0).unwrap_or(0);
+                let rolling = Self::rolling(number, share, own.placed.clone(), over);
+                return Self {
+                    represented_by: Some(index),
+                    y_rail: own.contacts.get(over).map(|contact| contact.y),
+                    ..rolling
+                };
+            }
+            ContactOrigin::Rolling { patch, lateral, .. } => {
+                let placed = PlacedPatch { patch: **patch, y: *lateral, x: 0.0 };
                 return Self { represented_by: Some(index), ..Self::rolling(number, share, vec![placed], 0) };
             }
             ContactOrigin::Ellipse { ellipse, .. } | ContactOrigin::GivenEllipse { ellipse, .. } => {

@@ -43,16 +43,17 @@ pub(super) fn wheels(rows: &[WheelRow]) -> String {
 pub(super) const STRIPS: usize = 31;
 pub(super) const INTERVALS: usize = 48;
 
-/// y of the strips of a patch, mm.
-pub(super) fn places(across: f64) -> impl Iterator<Item = f64> {
-    (0..STRIPS).map(move |i| across * ((2 * i + 1) as f64 / STRIPS as f64 - 1.0))
+/// y of the strips of a patch between its `ends`, mm.
+pub(super) fn places([from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
+    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+    (0..STRIPS).map(move |i| middle + half * ((2 * i + 1) as f64 / STRIPS as f64 - 1.0))
 }
 
 /// Tractions of the whole patches of the wheels `drawn`.
 pub(super) fn patches(rows: &[WheelRow], drawn: &[usize]) -> String {
     let mut text = String::from("wheel,patch,x_mm,y_mm,p_mpa,qx_mpa,qy_mpa,slips\n");
     for (row, number, own) in placed(rows, drawn) {
-        for y in places(own.patch.ellipse.across) {
+        for y in places(own.patch.ends()) {
             push_strip(&mut text, row.number, number, own, y, INTERVALS, Some(y));
         }
     }

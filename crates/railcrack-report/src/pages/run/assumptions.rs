@@ -7,6 +7,7 @@ use railcrack::contact::{FluidModel, StepControl};
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::load::Contact;
 use railcrack::math::RailBox;
+use railcrack::profiles::ProfileContact;
 use railcrack::words::Choice;
 use railcrack_case::{Case, ContactOrigin, ContactSolver};
 
@@ -93,7 +94,7 @@ fn wheel(case: &Case) -> String {
             fixed(ellipse.along, 2),
             fixed(ellipse.across, 2)
         ),
-        ContactOrigin::Rolling { patch, lateral } => format!(
+        ContactOrigin::Rolling { patch, lateral, .. } => format!(
             " The plane of the model is {} mm off the centre of a patch with semi-axes {} mm along and {} mm across the rail under {} kN; its \
              shear follows from creepages of {} along and {} across the rail and a spin of {} per mm (theory: {}).",
             given(*lateral),
@@ -105,6 +106,24 @@ fn wheel(case: &Case) -> String {
             given(patch.creepage.spin),
             patch.theory.word()
         ),
+        ContactOrigin::Profiles(own) => {
+            let of = |contact: &ProfileContact| {
+                format!(
+                    "y = {} mm on the rail ({} kN, p_{{0}} = {} MPa, tilted by {}°)",
+                    fixed(contact.y, 2),
+                    fixed(1e-3 * contact.normal_force, 1),
+                    fixed(contact.ellipse.peak_pressure, 0),
+                    fixed(contact.angle.to_degrees(), 1)
+                )
+            };
+            let all: Vec<String> = own.contacts.iter().map(of).collect();
+            format!(
+                " The plane of the model is at y = {} mm on the profile of the rail. The profiles touch at {}; the pressure is that of \
+                 interpenetrating surfaces with the ellipse correction of CONTACT (KPEC), the shear follows from creepages and spin.",
+                given(own.lateral),
+                all.join(" and at ")
+            )
+        }
         _ => String::new(),
     };
     let felt = match &case.wheel.coupling {

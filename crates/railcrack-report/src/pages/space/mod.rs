@@ -15,7 +15,7 @@ use crate::table::Table;
 use railcrack::contact::FluidModel;
 use railcrack::fatigue::GrowthLaw;
 use railcrack::growth::RunStop;
-use railcrack::space::{EllipticWheel, VERTEX_LAYER};
+use railcrack::space::{VERTEX_LAYER, WheelPatch};
 use railcrack_case::{Case, SpaceCase};
 use railcrack_run::csv::TipRow;
 use railcrack_run::run_folder::History;
@@ -288,7 +288,8 @@ fn rate_text(law: &GrowthLaw) -> String {
 }
 
 /// The contact of wheel `i` (from 0), with its share where there are several.
-fn wheel_line(case: &Case, i: usize, wheel: &EllipticWheel) -> String {
+fn wheel_line(case: &Case, i: usize, patch: &WheelPatch) -> String {
+    let wheel = patch.outline();
     let name = match case.mix.get(i) {
         Some(mixed) => {
             format!("Wheel {} ({}, {} % of the axles)", i + 1, mixed.name, fixed(100.0 * mixed.share, 1))
@@ -297,8 +298,12 @@ fn wheel_line(case: &Case, i: usize, wheel: &EllipticWheel) -> String {
     };
     let shown =
         if case.mix.len() > 1 && i == 0 { " The passages shown are those of this wheel." } else { "" };
+    let kind = match patch {
+        WheelPatch::Ellipse(_) => "elliptical Hertzian contact in full sliding",
+        WheelPatch::Bilinear(_) => "patch in rolling contact, its tractions bilinear on a grid",
+    };
     format!(
-        "{name}: elliptical Hertzian contact in full sliding, p_{{0}} = {} MPa, semi-axes {} mm along and {} mm across the rail, centre \
+        "{name}: {kind}, p_{{0}} = {} MPa, semi-axes {} mm along and {} mm across the rail, centre \
          at z = {} mm, ratio of shear to pressure {} along x and {} along z. The contact is not affected by the crack.{shown}",
         fixed(wheel.peak_pressure, 0),
         fixed(wheel.half_width, 2),
@@ -342,6 +347,7 @@ fn data(run: &RunFolder, space: &SpaceCase, shown: &ShownRun) -> Value {
     let cracks = run.summary.cracks.first();
     let origin = cracks.and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |p| p[0]);
     let wheel = space.wheels.first().map(|wheel| {
+        let wheel = wheel.outline();
         json!({
             "half_width": number(wheel.half_width),
             "lateral_half_width": number(wheel.lateral_half_width),

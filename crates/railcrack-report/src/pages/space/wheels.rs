@@ -54,7 +54,7 @@ pub(super) fn wheels(run: &RunFolder, space: &SpaceCase) -> Vec<Block> {
         for (number, (mixed, wheel)) in mix.iter().zip(&space.wheels).enumerate() {
             let share = |of: &PartGrowth| fixed(100.0 * of.shares.get(number).copied().unwrap_or(0.0), 1);
             let axles = fixed(100.0 * mixed.share, 1);
-            let start = [crack.to_string(), mixed.name.clone(), fixed(wheel.lateral, 2), axles];
+            let start = [crack.to_string(), mixed.name.clone(), fixed(wheel.outline().lateral, 2), axles];
             table.row(start.into_iter().chain(grown.iter().map(share)).collect::<Vec<_>>());
         }
         let most = |of: &PartGrowth| {
@@ -65,7 +65,7 @@ pub(super) fn wheels(run: &RunFolder, space: &SpaceCase) -> Vec<Block> {
                 "around z = {} mm by {} at z = {} mm ({} % of the growth)",
                 fixed(of.lateral, 1),
                 mixed.name,
-                fixed(wheel.lateral, 1),
+                fixed(wheel.outline().lateral, 1),
                 fixed(100.0 * share, 0)
             ))
         };

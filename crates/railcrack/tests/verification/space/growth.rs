@@ -30,7 +30,8 @@ fn wheel(lateral: f64, share: f64) -> SpaceWheel {
             lateral,
             friction: -0.3,
             lateral_friction: 0.0,
-        },
+        }
+        .into(),
         share,
         bending: None,
         residual: None,

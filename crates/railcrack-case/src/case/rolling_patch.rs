@@ -1,0 +1,40 @@
+//! A patch in rolling contact as the load of the half-space.
+
+use railcrack::load::{HertzEllipse, Travel};
+use railcrack::rolling::{RollingPatch, StripPoint};
+use railcrack::space::{BilinearPatch, EllipticWheel, StripTraction, WheelPatch};
+use std::sync::Arc;
+
+/// Intervals along each strip.
+const INTERVALS: usize = 160;
+
+/// The whole `patch` of a wheel that runs towards `travel`, its y = 0 at `lateral` (mm).
+pub(super) fn rolling_patch(patch: &RollingPatch, lateral: f64, travel: Travel) -> WheelPatch {
+    let HertzEllipse { peak_pressure, along, .. } = patch.ellipse;
+    let [from, to] = patch.ends();
+    let middle = 0.5 * (from + to);
+    let outline = EllipticWheel {
+        peak_pressure,
+        half_width: along,
+        lateral_half_width: 0.5 * (to - from),
+        lateral: lateral + middle,
+        friction: 0.0,
+        lateral_friction: 0.0,
+    };
+    // Strips run from their leading edge backwards; a wheel that runs towards −x has the mirror
+    // image.
+    let towards = |sign: f64| {
+        move |point: &StripPoint| StripTraction {
+            x: sign * point.x,
+            traction: [point.pressure, sign * point.shear[0], point.shear[1]],
+        }
+    };
+    let strip = |y: f64| {
+        let Ok(strip) = patch.strip(middle + y, INTERVALS) else { return Vec::new() };
+        match travel {
+            Travel::Forward => strip.points.iter().rev().map(towards(1.0)).collect(),
+            Travel::Backward => strip.points.iter().map(towards(-1.0)).collect(),
+        }
+    };
+    WheelPatch::Bilinear(Arc::new(BilinearPatch::new(outline, strip)))
+}

@@ -1,0 +1,161 @@
+//! Profiles of rail and wheel: points, smoothed.
+
+use thiserror::Error;
+
+/// A profile across the rail: y across, z downwards, as a smooth curve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Profile {
+    points: Vec<ProfilePoint>,
+}
+
+/// A point of a smoothed profile.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ProfilePoint {
+    /// y, z, mm.
+    pub at: [f64; 2],
+    /// Derivatives of y and z by the arc length.
+    pub tangent: [f64; 2],
+}
+
+/// Points that are no profile.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum ProfileShapeError {
+    /// Too few points.
+    #[error("{count} points; a profile needs at least {FEWEST}")]
+    TooFew {
+        /// Their number.
+        count: usize,
+    },
+    /// Points far apart.
+    #[error(
+        "row {row} lies {apart:.3} mm from the row before; the points of a profile follow one another at most {FARTHEST} mm apart"
+    )]
+    Gap {
+        /// From 1.
+        row: usize,
+        /// mm.
+        apart: f64,
+    },
+    /// A rail head with its crown down.
+    #[error("the rail head is hollow, {hollow:.3} mm below its ends: z_mm is measured downwards")]
+    UpsideDown {
+        /// mm.
+        hollow: f64,
+    },
+    /// A parameter of the smoothing.
+    #[error("the half-length of the smoothing is {half_length} mm; must be positive")]
+    Smoothing {
+        /// mm.
+        half_length: f64,
+    },
+}
+
+/// Fewest points of a profile.
+const FEWEST: usize = 10;
+/// Farthest distance of points that follow one another, mm.
+const FARTHEST: f64 = 5.0;
+/// Points of the smoothed curve, mm apart: a chord of the gauge corner, radius 13 mm, is 1e-4 mm
+/// from its arc.
+const SPACING: f64 = 0.1;
+/// Fewest points of a local fit: where there are fewer within the half-length, it is wider.
+const FITTED: usize = 5;
+/// Parts of a rail's profile deeper than this below its top are not its head, mm.
+pub const RAIL_HEAD_DEPTH: f64 = 20.0;
+
+impl Profile {
+    /// The curve through `points` (y, z in mm, in their order along it), smoothed: at every place a
+    /// parabola in the arc length is fitted to the points within `half_length` (mm, positive), or
+    /// to the five nearest ones, with weights (1 − |u|³)³ that fall to zero there.
+    ///
+    /// Source of the local fit: Cleveland 1979, Journal of the American Statistical Association
+    /// 74, 829–836.
+    ///
+    /// Errors: fewer than ten points, or points more than 5 mm apart.
+    pub fn smoothed(points: &[[f64; 2]], half_length: f64) -> Result<Self, ProfileShapeError> {
+        if half_length.is_nan() || half_length <= 0.0 {
+            return Err(ProfileShapeError::Smoothing { half_length });
+        }
+        let mut kept: Vec<[f64; 2]> = Vec::with_capacity(points.len());
+        let mut arc: Vec<f64> = Vec::with_capacity(points.len());
+        for (i, point) in points.iter().enumerate() {
+            let Some(last) = kept.last() else {
+                (kept.push(*point), arc.push(0.0));
+                continue;
+            };
+            let apart = (point[0] - last[0]).hypot(point[1] - last[1]);
+            if apart > FARTHEST || apart.is_nan() {
+                return Err(ProfileShapeError::Gap { row: i + 1, apart });
+            }
+            if apart > 1e-9 {
+                arc.push(arc[arc.len() - 1] + apart);
+                kept.push(*point);
+            }
+        }
+        if kept.len() < FEWEST {
+            return Err(ProfileShapeError::TooFew { count: kept.len() });
+        }
+        let length = arc[arc.len() - 1];
+        let count = (length / SPACING).ceil() as usize;
+        let place = |i: usize| length * i as f64 / count as f64;
+        let points = (0..=count).map(|i| fitted(&kept, &arc, place(i), half_length)).collect();
+        Ok(Self { points })
+    }
+
+    pub(super) fn points(&self) -> &[ProfilePoint] {
+        &self.points
+    }
+
+    /// The smallest z, mm.
+    #[must_use]
+    pub fn top(&self) -> f64 {
+        self.points.iter().map(|point| point.at[1]).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Rejects a rail head whose ends lie above its middle.
+    pub fn check_rail(&self) -> Result<(), ProfileShapeError> {
+        let ends = [self.points[0].at[1], self.points[self.points.len() - 1].at[1]];
+        let middle = self.points[self.points.len() / 2].at[1];
+        let hollow = middle - ends[0].max(ends[1]);
+        if hollow > 0.0 { Err(ProfileShapeError::UpsideDown { hollow }) } else { Ok(()) }
+    }
+}
+
+/// The weighted parabola around the arc length `place`.
+fn fitted(points: &[[f64; 2]], arc: &[f64], place: f64, half_length: f64) -> ProfilePoint {
+    let (mut first, mut last) = (
+        arc.partition_point(|s| *s <= place - half_length),
+        arc.partition_point(|s| *s < place + half_length),
+    );
+    while last - first < FITTED {
+        let before = if first > 0 { place - arc[first - 1] } else { f64::INFINITY };
+        let after = if last < arc.len() { arc[last] - place } else { f64::INFINITY };
+        if before <= after { first -= 1 } else { last += 1 }
+    }
+    let widest = (place - arc[first]).abs().max((arc[last - 1] - place).abs());
+    // Beyond the farthest of the fit, so that none has no weight.
+    let reach = half_length.max(1.05 * widest);
+    let mut moments = [0.0; 5];
+    let mut sums = [[0.0; 2]; 3];
+    for (point, s) in points[first..last].iter().zip(&arc[first..last]) {
+        let u = (s - place) / reach;
+        let weight = (1.0 - u.abs().powi(3)).powi(3);
+        let mut power = weight;
+        for (order, moment) in moments.iter_mut().enumerate() {
+            *moment += power;
+            if order < 3 {
+                (0..2).for_each(|k| sums[order][k] += power * point[k]);
+            }
+            power *= u;
+        }
+    }
+    let [m0, m1, m2, m3, m4] = moments;
+    let determinant = m0 * (m2 * m4 - m3 * m3) - m1 * (m1 * m4 - m2 * m3) + m2 * (m1 * m3 - m2 * m2);
+    let solved = |k: usize| {
+        let [a, b, c] = [sums[0][k], sums[1][k], sums[2][k]];
+        let value = a * (m2 * m4 - m3 * m3) - b * (m1 * m4 - m2 * m3) + c * (m1 * m3 - m2 * m2);
+        let slope = -a * (m1 * m4 - m2 * m3) + b * (m0 * m4 - m2 * m2) - c * (m0 * m3 - m1 * m2);
+        [value / determinant, slope / determinant / reach]
+    };
+    let ([y, dy], [z, dz]) = (solved(0), solved(1));
+    ProfilePoint { at: [y, z], tangent: [dy, dz] }
+}
