@@ -20,5 +20,5 @@ def test_a_notebook_runs(path: Path) -> None:
     assert pictures, "no picture"
 
 
-def test_there_are_three() -> None:
-    assert len(NOTEBOOKS) == 3
+def test_there_are_four() -> None:
+    assert len(NOTEBOOKS) == 4

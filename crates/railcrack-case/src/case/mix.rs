@@ -69,8 +69,13 @@ pub(super) fn read_mix(
         return None;
     }
     if let (Some((_, table)), ContactExtent::Ellipse) = (tables.first(), extent) {
-        let says = "loads the plane by strips of its patches; the space engine computes the Hertz ellipse in full sliding only";
-        report.add(table.fault(TABLE, says).help("use a plane engine, or [[wheel]] with contacts"));
+        let says =
+            "loads the plane by strips of its patches; the space engine takes the whole patch of each wheel";
+        report.add(
+            table
+                .fault(TABLE, says)
+                .help("use a plane engine, or [[wheel]] with contact = { kind = \"rolling\", ... }"),
+        );
         return None;
     }
     let read = |(i, given): &(usize, &SectionValues)| {

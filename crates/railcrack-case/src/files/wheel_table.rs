@@ -51,6 +51,8 @@ pub struct TablePatch {
     pub y_rail: f64,
     /// x of its middle from the wheel's centre, with the travel, mm.
     pub x: f64,
+    /// Contact angle, rad: positive where the rail falls towards +y; none where it is not given.
+    pub angle: Option<f64>,
 }
 
 /// A wheel in a table.
@@ -255,7 +257,10 @@ fn wheel_of(row: &[f64], reading: WheelReading<'_>) -> Result<(TableWheel, Table
         axle_load: given(axle_load),
         patches: Vec::new(),
     };
-    Ok((wheel, TablePatch { patch, y_rail, x: given(x).unwrap_or(0.0) }))
+    Ok((
+        wheel,
+        TablePatch { patch, y_rail, x: given(x).unwrap_or(0.0), angle: given(angle).map(f64::to_radians) },
+    ))
 }
 
 #[cfg(test)]

@@ -20,6 +20,8 @@ pub(super) struct WheelRow {
     pub across: Option<f64>,
     /// F_x, F_y on the rail, N, of all patches.
     pub force: Option<[f64; 2]>,
+    /// Forces on the rail downwards and towards +y, N, of all patches, where their angles are known.
+    pub upright_force: Option<[f64; 2]>,
     pub slip_share: Option<f64>,
     /// Tγ, N; without and with the work of the spin.
     pub t_gamma: Option<f64>,
@@ -46,7 +48,10 @@ impl WheelRow {
                         let patches = wheel.wheel.over(table.lateral);
                         let over = patches.iter().position(|own| own.patch.half_length(own.y) > 0.0);
                         let main = wheel.wheel.patches[over.unwrap_or(0)].y_rail;
-                        let row = Self::rolling(wheel.wheel.number, wheel.share, patches, over.unwrap_or(0));
+                        let angles: Option<Vec<f64>> =
+                            wheel.wheel.patches.iter().map(|own| own.angle).collect();
+                        let identity = (wheel.wheel.number, wheel.share);
+                        let row = Self::rolling(identity, patches, over.unwrap_or(0), angles);
                         Self { y_rail: Some(main), ..row }
                     })
                     .collect();
@@ -84,7 +89,8 @@ impl WheelRow {
         let row = match &wheel.origin {
             ContactOrigin::Profiles(own) => {
                 let over = own.placed.iter().position(|own| own.patch.half_length(own.y) > 0.0).unwrap_or(0);
-                let rolling = Self::rolling(number, share, own.placed.clone(), over);
+                let angles: Vec<f64> = own.contacts.iter().map(|contact| contact.angle).collect();
+                let rolling = Self::rolling((number, share), own.placed.clone(), over, Some(angles));
                 return Self {
                     represented_by: Some(index),
                     y_rail: own.contacts.get(over).map(|contact| contact.y),
@@ -93,7 +99,10 @@ impl WheelRow {
             }
             ContactOrigin::Rolling { patch, lateral, .. } => {
                 let placed = PlacedPatch { patch: **patch, y: *lateral, x: 0.0 };
-                return Self { represented_by: Some(index), ..Self::rolling(number, share, vec![placed], 0) };
+                return Self {
+                    represented_by: Some(index),
+                    ..Self::rolling((number, share), vec![placed], 0, None)
+                };
             }
             ContactOrigin::Ellipse { ellipse, .. } | ContactOrigin::GivenEllipse { ellipse, .. } => {
                 let normal = 2.0 / 3.0 * PI * ellipse.along * ellipse.across * ellipse.peak_pressure;
@@ -126,6 +135,7 @@ impl WheelRow {
             along: contact.half_width(),
             across: None,
             force: None,
+            upright_force: None,
             slip_share,
             t_gamma: None,
             t_gamma_with_spin: None,
@@ -137,7 +147,12 @@ impl WheelRow {
         }
     }
 
-    fn rolling(number: u64, share: f64, patches: Vec<PlacedPatch>, main: usize) -> Self {
+    fn rolling(
+        (number, share): (u64, f64),
+        patches: Vec<PlacedPatch>,
+        main: usize,
+        angles: Option<Vec<f64>>,
+    ) -> Self {
         let ellipse = patches[main].patch.ellipse;
         let forces: Vec<PatchForces> = patches.iter().map(|own| own.patch.forces()).collect();
         let area = |own: &PlacedPatch| own.patch.ellipse.along * own.patch.ellipse.across;
@@ -153,6 +168,7 @@ impl WheelRow {
             along: ellipse.along,
             across: Some(ellipse.across),
             force: Some([sum(|own| own.force[0]), sum(|own| own.force[1])]),
+            upright_force: angles.map(|angles| upright(&patches, &forces, &angles)),
             slip_share: Some(slipping / areas),
             t_gamma: Some(sum(|own| own.t_gamma)),
             t_gamma_with_spin: Some(sum(|own| own.t_gamma_with_spin)),
@@ -163,4 +179,16 @@ impl WheelRow {
             patches,
         }
     }
+}
+
+/// Forces on the rail downwards and towards +y (N) of patches whose planes fall towards +y by
+/// `angles` (rad): N cos γ + F_y sin γ and F_y cos γ − N sin γ.
+fn upright(patches: &[PlacedPatch], forces: &[PatchForces], angles: &[f64]) -> [f64; 2] {
+    let of = |((own, forces), angle): ((&PlacedPatch, &PatchForces), &f64)| {
+        let (normal, across) = (own.patch.normal_force(), forces.force[1]);
+        let (sin, cos) = angle.sin_cos();
+        [normal * cos + across * sin, across * cos - normal * sin]
+    };
+    let sum = |sum: [f64; 2], own: [f64; 2]| [sum[0] + own[0], sum[1] + own[1]];
+    patches.iter().zip(forces).zip(angles).map(of).fold([0.0; 2], sum)
 }

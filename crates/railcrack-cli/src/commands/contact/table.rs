@@ -4,7 +4,7 @@ use super::across::Across;
 use super::rows::WheelRow;
 use railcrack::rolling::PlacedPatch;
 
-const WHEELS: &str = "wheel,representative,share,p0_mpa,a_mm,b_mm,fx_kn,fy_kn,slip_share,tgamma_n,delta_keq_mpa_sqrt_m,growth_share,tgamma_with_spin_n,y_rail_mm,rate_mm_per_cycle";
+const WHEELS: &str = "wheel,representative,share,p0_mpa,a_mm,b_mm,fx_kn,fy_kn,slip_share,tgamma_n,delta_keq_mpa_sqrt_m,growth_share,tgamma_with_spin_n,y_rail_mm,rate_mm_per_cycle,vertical_kn,lateral_kn";
 
 /// A number, or nothing.
 fn or_blank(value: Option<f64>) -> String {
@@ -32,6 +32,8 @@ pub(super) fn wheels(rows: &[WheelRow]) -> String {
             or_blank(row.t_gamma_with_spin),
             or_blank(row.y_rail),
             row.rate.to_string(),
+            or_blank(row.upright_force.map(|force| 1e-3 * force[0])),
+            or_blank(row.upright_force.map(|force| 1e-3 * force[1])),
         ];
         text.push_str(&cells.join(","));
         text.push('\n');
