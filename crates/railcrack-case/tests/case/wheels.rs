@@ -2,7 +2,7 @@
 
 use railcrack::growth::{StepRecord, Unobserved};
 use railcrack::load::Contact;
-use railcrack_case::Case;
+use railcrack_case::{Case, ContactOrigin};
 use std::path::{Path, PathBuf};
 
 const CRACK: &str = "[[crack]]\nmouth_mm = 0\nlength_mm = 5\nangle_deg = 25\nfriction = 0.2\nlateral_mm = 6.0\n\
@@ -133,9 +133,9 @@ fn representatives_have_the_mean_rate_of_all_wheels() {
     };
     let by = rate(&|i| own(table.wheels[i].represented_by).map_or(0.0, |other| demands[other].rate));
     println!("representatives: {:+.4} of the mean rate", by / all - 1.0);
-    // Twenty of some hundred loaded wheels; thirty of the thousand of the shipped curve are within
-    // 1 %.
-    assert!((by / all - 1.0).abs() < 0.1, "{}", by / all - 1.0);
+    // Twenty of some hundred loaded wheels: rates of the coarse crack scatter by 1 % from wheel to
+    // wheel.
+    assert!((by / all - 1.0).abs() < 0.02, "{}", by / all - 1.0);
     // The run adds the same rates.
     let step = first_step(&case);
     assert!((step.tips[0].rate / by - 1.0).abs() < 1e-3, "{} {by}", step.tips[0].rate);
@@ -190,4 +190,48 @@ fn tables_that_are_wrong_are_refused_with_row_and_column() {
     assert!(refused(&good, &format!("{table}share = 1.0\n")).contains("says the same thing"));
     assert!(refused(&good.replace("4.5", "-40"), table).contains("no patch of its 1 wheels meets the crack"));
     assert!(refused(&good, &format!("{table}place_m = 5\n")).contains("no wheel of the table has a place_m"));
+}
+
+/// `keys` of a contact of the shipped profiles.
+fn profiled(keys: &str) -> Result<Case, String> {
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+    let crack = CRACK.replace("lateral_mm = 6.0\n", "");
+    let text = format!(
+        "{crack}[contact]\nkind = \"rolling\"\nrail_profile = \"profiles/uic60.csv\"\nwheel_profile = \"profiles/s1002.csv\"\n\
+         normal_kn = 80\nwheel_radius_mm = 460\ncreepage_x = 1e-3\ncreepage_sign = \"contact\"\nfriction = 0.3\n{keys}"
+    );
+    Case::parse(&text, "case.toml", &cases).map_err(|errors| errors.to_string())
+}
+
+#[test]
+fn profiles_load_the_crack_where_they_touch() {
+    let case = profiled("shift_mm = -8.5\n").unwrap();
+    let ContactOrigin::Profiles(own) = &case.wheel.origin else { panic!("{:?}", case.wheel.origin) };
+    let [one] = own.contacts[..] else { panic!("{} patches", own.contacts.len()) };
+    assert!((one.normal_force / 80e3 - 1.0).abs() < 1e-9 && own.lateral == one.y);
+    // The middle strip has the pressure of the patch, and the wheel drives.
+    let contact = case.wheel.contact();
+    assert!((contact.peak_pressure() / one.ellipse.peak_pressure - 1.0).abs() < 0.02);
+    assert!(contact.adhesion() < 0.0);
+    let again = Case::parse(&case.to_toml(), "case.toml", &kept(&case, "profiles-kept")).unwrap();
+    assert_eq!(again, case);
+    let says = |keys: &str| profiled(keys).unwrap_err();
+    assert!(says("shift_mm = 150\n").contains("the wheel is not above the rail head"));
+    assert!(says("shift_mm = -8.5\nlateral_mm = 12\n").contains("is outside the patches, which reach from"));
+    assert!(says("semi_axes_mm = [6.0, 5.0]\n").contains("semi_axes_mm"));
+}
+
+#[test]
+fn a_rolling_patch_loads_the_half_space() {
+    let text = "[contact]\nkind = \"rolling\"\nnormal_kn = 85\nsemi_axes_mm = [6.0, 5.0]\nlateral_mm = 1.5\n\
+        creepage_x = 8e-4\ncreepage_sign = \"contact\"\nfriction = 0.3\n\
+        [[crack]]\nmouth_mm = 0\nlength_mm = 5\nangle_deg = 25\nfriction = 0.2\nsurface_half_length_mm = 5\n\
+        [solver]\nengine = \"space\"\n";
+    let case = Case::parse(text, "case.toml", Path::new(".")).unwrap_or_else(|errors| panic!("{errors}"));
+    let wheel = case.space.as_ref().unwrap().wheels[0].outline();
+    assert_eq!((wheel.half_width, wheel.lateral_half_width, wheel.lateral), (6.0, 5.0, -1.5));
+    // Mean shear over mean pressure, the force of the patch over its load.
+    let ContactOrigin::Rolling { patch, .. } = &case.wheel.origin else { panic!("{:?}", case.wheel.origin) };
+    let want = patch.forces().force[0] / patch.normal_force();
+    assert!((wheel.friction / want - 1.0).abs() < 5e-3, "{} {want}", wheel.friction);
 }

@@ -37,7 +37,8 @@ pub(super) struct Gap {
 /// Kik 2008, Vehicle System Dynamics 46, 27–48; the correction from the user guide of CONTACT.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct PatchPressure {
-    /// Places (mm from the first contact, in the tangent plane) and half the lengths of strips (mm).
+    /// Places of the strips, from the first contact in the tangent plane, and half their lengths
+    /// (mm).
     strips: Vec<[f64; 2]>,
     step: f64,
     approach: f64,

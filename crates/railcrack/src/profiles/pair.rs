@@ -79,9 +79,6 @@ const STEP: f64 = 0.05;
 const REACH: f64 = 20.0;
 /// Largest approach, mm.
 const MOST: f64 = 1.0;
-/// Contact is a single patch where the surfaces overlap without interruption at this share of the
-/// approach: the interpenetration of Kik and Piotrowski.
-const JOINED: f64 = 0.55;
 /// Parts of a profile steeper than this (cosine of the angle, 85°) touch nothing from above.
 const STEEPEST: f64 = 0.087;
 /// Largest slope of the wheel's radius times the yaw.
@@ -230,10 +227,11 @@ impl ProfilePair<'_> {
 
     /// The patches at an approach (mm) of the wheel, downwards.
     fn pressed<'a>(&self, candidates: &'a [Candidate], approach: f64) -> Vec<(&'a Candidate, PatchPressure)> {
-        // Of candidates that overlap without interruption the first to touch stands for all.
+        // Where the undeformed surfaces overlap without interruption there is a single patch, and
+        // the first contact stands for all of its candidates.
         let mut groups: Vec<&Candidate> = Vec::new();
         for (i, candidate) in candidates.iter().enumerate().filter(|(_, own)| own.behind < approach) {
-            let joined = i > 0 && candidate.gap.pass_before < JOINED * approach;
+            let joined = i > 0 && candidate.gap.pass_before < approach;
             match groups.last_mut() {
                 Some(last) if joined => {
                     if candidate.behind < last.behind {

@@ -9,8 +9,8 @@ pub struct StripOutline {
     squares: [f64; STRIPS],
 }
 
-/// Strips whose lengths are kept. Squares are linear in between: those of an ellipse are a parabola,
-/// which this reproduces to 3e-4 of the longest.
+/// Strips whose lengths are kept. Squares are linear in between: those of an ellipse are a
+/// parabola, which this reproduces to 3e-4 of the longest.
 const STRIPS: usize = 61;
 
 impl StripOutline {

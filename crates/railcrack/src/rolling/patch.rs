@@ -7,14 +7,14 @@ use crate::math::OutOfRange;
 use std::f64::consts::PI;
 use thiserror::Error;
 
-/// A Hertz ellipse, or a patch that is compared with one, on which a wheel rolls with creepage. x runs with the travel, y across;
-/// tractions and forces act on the rail.
+/// A Hertz ellipse, or a patch that is compared with one, on which a wheel rolls with creepage. x
+/// runs with the travel, y across; tractions and forces act on the rail.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RollingPatch {
     /// Pressure and semi-axes: a along the rail, b across. With an outline, p0 and a are those of
     /// the longest strip, and b gives the normal force; Kalker's coefficients are those of a/b.
     pub ellipse: HertzEllipse,
-    /// Lengths of the strips where the patch is no ellipse; each has the pressure p0/a √(a_y² − x²).
+    /// Lengths of the strips where the patch is no ellipse; their pressure is p0/a √(a_y² − x²).
     pub outline: Option<StripOutline>,
     /// μ, not negative.
     pub friction: f64,

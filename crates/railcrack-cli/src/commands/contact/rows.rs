@@ -20,7 +20,7 @@ pub(super) struct WheelRow {
     pub across: Option<f64>,
     /// F_x, F_y on the rail, N, of all patches.
     pub force: Option<[f64; 2]>,
-    /// Forces on the rail downwards and towards +y, N, of all patches, where their angles are known.
+    /// Forces on the rail downwards and towards +y, N, of all patches, where angles are known.
     pub upright_force: Option<[f64; 2]>,
     pub slip_share: Option<f64>,
     /// Tγ, N; without and with the work of the spin.
