@@ -96,9 +96,9 @@ section! {
         .only_with(KIND, ROLLING, PROFILED);
     SHIFT: f64 = number("shift_mm", "mm", within(200.0), 0.0, "y of the origin of the wheel's profile in the frame of the rail's.")
         .only_with(KIND, ROLLING, PROFILED);
-    YAW: f64 = number("yaw_deg", "deg", within(10.0), 0.0,
+    YAW: f64 = number("yaw_deg", "degrees", within(10.0), 0.0,
         "Angle of attack of the wheel: positive turns its direction of travel towards +y.").only_with(KIND, ROLLING, PROFILED);
-    ROLL: f64 = number("roll_deg", "deg", within(10.0), 0.0,
+    ROLL: f64 = number("roll_deg", "degrees", within(10.0), 0.0,
         "Rotation of the wheel's profile about its origin: positive lowers +y.").only_with(KIND, ROLLING, PROFILED);
     CREEPAGE_X: f64 = number("creepage_x", "", within(1.0), 0.0, "Longitudinal creepage, signed as creepage_sign says.")
         .only_with(KIND, ROLLING, SLIDING);
