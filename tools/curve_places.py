@@ -19,7 +19,7 @@ import sys
 PLACES = [16.0, 20.0, 24.0]
 # Shear over pressure: the mean of the wheels that meet the crack at 20 mm, and usual assumptions.
 SHEARS = [-0.027, -0.1, -0.3]
-FROM_DEPTH, TO_DEPTH = 1.0, 4.0
+DEPTHS = [2.0, 4.0]
 
 LINE = """
 title = "Centred line contact"
@@ -141,14 +141,15 @@ def main():
         runs.append((f"line contact, {shear:g}", out))
     colours = ["#1b6ca8", "#12406b", "#6fb1e0", "#b5541c", "#d98032", "#e8b27d"]
     curves = []
-    print("| contact | rate at 1 mm depth, mm per MGT | MGT from 1 to 4 mm |")
-    print("|---|---|---|")
+    print("| contact | rate at 1 mm depth, mm per MGT | MGT from 1 to 2 mm | MGT from 1 to 4 mm |")
+    print("|---|---|---|---|")
     for (name, out), colour in zip(runs, colours):
         points = course(out)
         curves.append((name, points, colour, name.startswith("line")))
         rows = json.loads((out / "summary.json").read_text())["decision"]["rows"]
-        end = reached(points, TO_DEPTH)
-        print(f"| {name} | {rows[0]['depth_mm_per_mgt']:.3g} | {'' if end is None else f'{end:.3g}'} |")
+        ends = [reached(points, depth) for depth in DEPTHS]
+        shown = ["" if end is None else f"{end:.2g}" for end in ends]
+        print(f"| {name} | {rows[0]['depth_mm_per_mgt']:.2g} | {' | '.join(shown)} |")
     (root / "docs/figures/curve-500.svg").write_text(svg(curves))
 
 
