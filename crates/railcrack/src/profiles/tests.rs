@@ -227,8 +227,8 @@ const fn row(wheelset: [f64; 3], [normal, y, angle, approach, peak]: [f64; 5]) -
 /// the patch, and for the long conformal patches at 0 and 0.5 mm: of pressure and approach, place
 /// (mm) and angle (rad).
 const PRESSURE: f64 = 0.13;
-const APPROACH: f64 = 0.16;
-const PLACE: f64 = 2.0;
+const APPROACH: f64 = 0.25;
+const PLACE: f64 = 2.5;
 const TILT: f64 = 0.025;
 
 impl Published {
