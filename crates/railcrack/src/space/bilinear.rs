@@ -90,7 +90,7 @@ impl WheelPatch {
     pub fn pressure(&self, position: f64, at: [f64; 2]) -> f64 {
         match self {
             Self::Ellipse(wheel) => wheel.pressure(position, at),
-            Self::Bilinear(patch) => patch.near.pressure([at[0] - position, at[1] - patch.outline.lateral]),
+            Self::Bilinear(patch) => patch.below.pressure([at[0] - position, at[1] - patch.outline.lateral]),
         }
     }
 
