@@ -79,7 +79,8 @@ impl Profile {
         let mut arc: Vec<f64> = Vec::with_capacity(points.len());
         for (i, point) in points.iter().enumerate() {
             let Some(last) = kept.last() else {
-                (kept.push(*point), arc.push(0.0));
+                kept.push(*point);
+                arc.push(0.0);
                 continue;
             };
             let apart = (point[0] - last[0]).hypot(point[1] - last[1]);
