@@ -2,7 +2,7 @@
 
 use super::uncracked_path::{UncrackedPath, UncrackedSurface};
 use crate::linear::LinearError;
-use crate::math::{Matrix, axpy};
+use crate::math::{Matrix, axpy, dot};
 
 /// A node of the running surface with its hat function ψ.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -227,21 +227,34 @@ impl SurfaceSystem {
     }
 
     /// The contact with the components `jump` and the nodes `loaded` in contact, the wheel at `xc`
-    /// (mm) and mouths at `mouths` (mm); `None` where the wheel is not coupled.
+    /// (mm) and mouths at `mouths` (mm); `None` where the wheel is not coupled. `punch` are the
+    /// nodal forces on the faces (1, 2p) per increment of the line load on the uncracked rail.
     pub fn state(
         &self,
         (jump, loaded): (&[f64], &[bool]),
         xc: f64,
-        mouths: &[Option<f64>],
+        (mouths, punch): (&[Option<f64>], &[f64]),
     ) -> Option<CoupledState> {
         let end = |place: Option<usize>| place.map(|i| self.surface.nodes[i].x);
         let lip = LIP * self.surface.half_width;
         Some(CoupledState {
-            approach: self.approach_of(jump) - self.uncracked.approach(xc),
+            approach: self.approach_of(jump) - self.uncracked.approach(xc)
+                + self.sinking_under(punch, jump, xc),
             from: end(loaded.iter().position(|&loaded| loaded))?,
             to: end(loaded.iter().rposition(|&loaded| loaded))?,
             lip_loads: mouths.iter().map(|mouth| mouth.map(|x| 2.0 * lip * self.mean(jump, x))).collect(),
         })
+    }
+
+    /// How much more the jumps lower the wheel than the nodal pressures measure, mm.
+    ///
+    /// The load on the faces is e + P q, with e = F − P q_u the Hertzian load F beyond its nodal
+    /// pressures. The energy of wheel and rail is stationary, so that the approach as its derivative
+    /// with respect to the line load is δ + w · ∂e/∂P′.
+    fn sinking_under(&self, punch: &[f64], jump: &[f64], xc: f64) -> f64 {
+        let jump = &jump[..self.faces];
+        let of_nodes = |(i, rise): (usize, f64)| rise * dot(self.surface.measuring.row(i), jump);
+        dot(punch, jump) - self.uncracked.rises(xc).map(of_nodes).sum::<f64>()
     }
 
     /// All nodes with the components `jump` and `contact`.
@@ -276,7 +289,8 @@ const LIP: f64 = 0.1;
 /// The contact of a wheel that feels the cracks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CoupledState {
-    /// How much farther the wheel approaches than on the uncracked rail, mm.
+    /// How much farther the wheel approaches than on the uncracked rail, mm: the derivative of the
+    /// energy of wheel and rail with respect to the line load.
     pub approach: f64,
     /// Abscissa of the first surface node under pressure, mm.
     pub from: f64,

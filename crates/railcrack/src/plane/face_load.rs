@@ -3,7 +3,7 @@
 use super::rail_load::RailLoad;
 use super::track::Track;
 use crate::contact::{FaceProblem, FluidModel, FluidState, LoadPath, Pocket};
-use crate::field::{EndField, EndsError, StressesUnderWheel, Wheel};
+use crate::field::{EndField, EndsError, FlatPunch, StressesUnderWheel, Wheel};
 use crate::math::{Vec2, axpy};
 
 /// Nodal forces due to the stress of the uncracked rail.
@@ -121,6 +121,13 @@ impl<'a> FaceLoad<'a> {
     /// problem.
     pub(super) fn with_others(self, others: Vec<(LoadPhase, Track)>) -> Self {
         Self { others, ..self }
+    }
+
+    /// The nodal forces (1, 2p) per increment of the line load of a wheel at `xc` (mm) without
+    /// friction on the uncracked rail.
+    pub(super) fn punch(&self, xc: f64) -> Vec<f64> {
+        let punch = FlatPunch { half_width: self.wheel.half_width() };
+        self.problem.body().faces.nodal_forces(|point| punch.stress(point, xc))
     }
 
     /// The load path of the phase `part`.
