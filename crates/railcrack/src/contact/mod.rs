@@ -22,6 +22,7 @@ mod stepping;
 mod tableau;
 mod trace;
 mod uncracked_path;
+mod uneven_path;
 mod wheel_surface;
 
 pub use fluid::{
@@ -36,4 +37,5 @@ pub use response::FaceResponse;
 pub use solver::{ContactSolver, LoadStep, NotConverged, StepSolver};
 pub(crate) use stepping::{Coupling, FaceHistory};
 pub use stepping::{LoadPath, StepControl, Stepper, SteppingCounts, SteppingError};
-pub use wheel_surface::{CoupledState, SurfaceNode, SurfaceState, WheelSurface};
+pub(crate) use wheel_surface::ratio_at;
+pub use wheel_surface::{CoupledState, SurfaceNode, SurfaceState, UnevenShear, WheelSurface};

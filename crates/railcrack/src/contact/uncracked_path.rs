@@ -59,9 +59,9 @@ impl UncrackedPath {
 
     /// The nodes that may carry pressure with the wheel at `xc` (mm), and their ∂q/∂P′ (1/mm).
     pub fn rises(&self, xc: f64) -> impl Iterator<Item = (usize, f64)> + '_ {
-        let rises =
-            |piece: &'_ PathPiece| piece.rises.iter().enumerate().map(|(i, &rise)| (piece.first + i, rise));
-        self.piece(xc).into_iter().flat_map(rises)
+        self.piece(xc)
+            .into_iter()
+            .flat_map(|piece| piece.rises.iter().enumerate().map(move |(i, &rise)| (piece.first + i, rise)))
     }
 
     /// δ (mm) with the wheel at `xc` (mm).

@@ -28,8 +28,10 @@ pub struct WheelSurface {
     pub compliance: Matrix,
     /// P_n, n × 2p: row i holds the nodal forces (N/mm per MPa) of a unit of q_i.
     pub measuring: Matrix,
-    /// P_μ, n × 2p: the same with the shear that accompanies the pressure.
+    /// P_μ, n × 2p: the same with the shear that accompanies the pressure everywhere.
     pub loading: Matrix,
+    /// The shear beyond it; none in full sliding.
+    pub uneven: Option<UnevenShear>,
     /// P′, N/mm.
     pub line_load: f64,
     /// p0 of the uncracked rail, MPa.
@@ -42,6 +44,27 @@ pub struct WheelSurface {
     pub coupled: (f64, f64),
     /// Abscissae of the mouths, mm.
     pub mouths: Vec<f64>,
+}
+
+/// Shear that accompanies the pressure by a ratio that depends on the place in the contact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UnevenShear {
+    /// n × 2p: row i holds the nodal forces (N/mm per MPa) of a unit shear of node i.
+    pub forces: Matrix,
+    /// Ratios by x − x_c (mm), increasing: linear in between, and constant beyond the first and the
+    /// last.
+    pub ratios: Vec<(f64, f64)>,
+}
+
+/// The value at `u` of `ratios` by abscissa, increasing: linear in between, and constant beyond the
+/// first and the last; zero without any.
+pub(crate) fn ratio_at(ratios: &[(f64, f64)], u: f64) -> f64 {
+    let after = ratios.partition_point(|known| known.0 <= u);
+    match (after.checked_sub(1).and_then(|i| ratios.get(i)), ratios.get(after)) {
+        (Some(&(from, one)), Some(&(to, other))) => one + (other - one) * (u - from) / (to - from),
+        (Some(&(_, ratio)), None) | (None, Some(&(_, ratio))) => ratio,
+        (None, None) => 0.0,
+    }
 }
 
 impl WheelSurface {
@@ -104,7 +127,7 @@ impl SurfaceSystem {
     /// Errors: a surface on which no contact can be found.
     pub fn new(surface: WheelSurface, stiffness: &Matrix) -> Result<Self, LinearError> {
         let none = || Matrix::zeros(surface.nodes.len(), 0);
-        let bare = WheelSurface { measuring: none(), loading: none(), ..surface.clone() };
+        let bare = WheelSurface { measuring: none(), loading: none(), uneven: None, ..surface.clone() };
         let bare = Self::assembled(bare, &Matrix::zeros(0, 0), UncrackedPath::default());
         let (pressure, gap) = bare.scales();
         let (first, half_width) = (surface.coupled.0, surface.half_width);
@@ -145,6 +168,11 @@ impl SurfaceSystem {
             columns[(p + n, p + j)] = -weight;
         }
         Self { surface, faces: p, pressure_unit, approach_unit, columns, uncracked }
+    }
+
+    /// Whether the ratio of shear to pressure depends on the place in the contact.
+    pub fn is_uneven(&self) -> bool {
+        self.surface.uneven.is_some()
     }
 
     /// Number of nodes.
@@ -190,6 +218,21 @@ impl SurfaceSystem {
             }
         }
         forces
+    }
+
+    /// The nodal forces on the faces (N/mm, 2p) of the shear that depends on the place in the
+    /// contact with the wheel at `xc` (mm), beyond that on the uncracked rail; none in full sliding.
+    pub fn uneven_forces(&self, jump: &[f64], xc: f64) -> Option<Vec<f64>> {
+        let uneven = self.surface.uneven.as_ref()?;
+        let mut pressures: Vec<f64> = (0..self.nodes()).map(|i| self.pressure(jump, i)).collect();
+        self.uncracked.pressures(xc).for_each(|(i, uncracked)| pressures[i] -= uncracked);
+        let mut forces = vec![0.0; self.faces];
+        for (i, (node, pressure)) in self.surface.nodes.iter().zip(pressures).enumerate() {
+            if pressure != 0.0 {
+                axpy(pressure * ratio_at(&uneven.ratios, node.x - xc), uneven.forces.row(i), &mut forces);
+            }
+        }
+        Some(forces)
     }
 
     /// q_i, MPa.

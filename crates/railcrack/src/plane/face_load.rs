@@ -100,12 +100,29 @@ impl<'a> FaceLoad<'a> {
     /// Adds the nodal forces of trapped fluid to `forces` (N/mm, 2p); `state` is the fluid in the
     /// crack of a tip.
     pub(super) fn press_trapped(&self, forces: &mut [f64], state: impl Fn(usize) -> Option<FluidState>) {
-        let Some(fluid) = self.problem.fluid().filter(|_| self.cap.is_none()) else { return };
-        for pocket in &fluid.pockets {
+        if self.cap.is_none() {
+            self.press(forces, state, |pocket| &pocket.unit);
+        }
+    }
+
+    /// [`FaceLoad::press_trapped`] of fluid at the pressure over the mouth.
+    pub(super) fn press_from_mouth(&self, forces: &mut [f64], state: impl Fn(usize) -> Option<FluidState>) {
+        if self.cap.is_some() {
+            self.press(forces, state, |pocket| &pocket.profile);
+        }
+    }
+
+    fn press(
+        &self,
+        forces: &mut [f64],
+        state: impl Fn(usize) -> Option<FluidState>,
+        of_unit: impl Fn(&Pocket) -> &Vec<f64>,
+    ) {
+        for pocket in self.problem.fluid().map_or(&[][..], |fluid| &fluid.pockets) {
             let tips = &self.problem.body().tips;
             let tip = tips.iter().position(|tip| pocket.cracks.contains(&tip.crack));
             if let Some(state) = tip.and_then(&state) {
-                axpy(state.pressure, &pocket.unit, forces);
+                axpy(state.pressure, of_unit(pocket), forces);
             }
         }
     }
@@ -128,6 +145,11 @@ impl<'a> FaceLoad<'a> {
     pub(super) fn punch(&self, xc: f64) -> Vec<f64> {
         let punch = FlatPunch { half_width: self.wheel.half_width() };
         self.problem.body().faces.nodal_forces(|point| punch.stress(point, xc))
+    }
+
+    /// Nodal forces (N/mm, 2p) of the residual stress.
+    pub(super) fn residual(&self) -> &[f64] {
+        &self.residual
     }
 
     /// The load path of the phase `part`.
@@ -162,6 +184,10 @@ pub(super) struct PartLoad<'a> {
 }
 
 impl LoadPath for PartLoad<'_> {
+    fn is_of_coupled_wheel(&self) -> bool {
+        self.part == LoadPhase::Coupled
+    }
+
     fn over_mouths(&self, at: f64) -> Vec<f64> {
         if self.load.cap.is_some() {
             // The forces of other cracks are loads like any other.

@@ -4,6 +4,7 @@ mod coalescence;
 mod crack_fluid;
 mod exchange;
 mod face_load;
+mod felt_field;
 mod fields;
 #[cfg(test)]
 mod fixtures;

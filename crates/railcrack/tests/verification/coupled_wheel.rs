@@ -7,9 +7,9 @@ use railcrack::contact::{ContactSolver, FaceProblem, FluidModel, Latin, Newton, 
 use railcrack::coupling::{CoupledContact, WheelCoupling};
 use railcrack::crack::CrackNetwork;
 use railcrack::dislocation::{FaceResolution, cracked_body};
-use railcrack::field::HertzWheel;
+use railcrack::field::{CarterWheel, HertzWheel};
 use railcrack::growth::{PassageRecord, PassageSettings, StabilisedPassage, Unobserved};
-use railcrack::load::{HertzianContact, Passage};
+use railcrack::load::{CarterContact, Contact, HertzianContact, Passage, Travel};
 use railcrack::material::IsotropicElastic;
 use railcrack::plane::{CrackFluid, RailLoad, stabilised_passage};
 
@@ -17,7 +17,7 @@ const A: f64 = Rolling::HALF_WIDTH;
 
 fn coupling(contact: HertzianContact, steel: &IsotropicElastic) -> WheelCoupling {
     WheelCoupling {
-        contact: CoupledContact { contact, modulus: 0.5 * steel.plane_strain_modulus() },
+        contact: CoupledContact::new(&contact.into(), steel),
         nodes_per_half_width: WheelCoupling::NODES_PER_HALF_WIDTH,
         within: WheelCoupling::WITHIN,
     }
@@ -153,7 +153,11 @@ fn approach_and_energy_release() {
             let loaded = |by: f64| Frictionless { load: 1.0 + by, ..at }.release();
             let slope = (longer(STEP) - longer(-STEP)) / (2.0 * STEP);
             let rise = (loaded(SHARE) - loaded(-SHARE)) / (2.0 * SHARE * line_load);
-            eprintln!("{degrees} {nodes} {slope:.6e} {rise:.6e} {:.5} K {:.5}", slope / rise, at.solve().k[1] / 1000f64.sqrt());
+            eprintln!(
+                "{degrees} {nodes} {slope:.6e} {rise:.6e} {:.5} K {:.5}",
+                slope / rise,
+                at.solve().k[1] / 1000f64.sqrt()
+            );
         }
     }
 }
@@ -206,6 +210,49 @@ fn engines_and_solvers() {
         let by_engine = apart(&passage, &meshed);
         close(by_engine, 0.0, Absolute(1e-2), "of the peak; promised to users");
     }
+}
+
+/// The passage of a wheel in partial slip (Q = −½ μ P) that feels the cracks, if `coupled`.
+fn partial_slip(rolling: &Rolling, traction: f64, solver: &dyn ContactSolver) -> StabilisedPassage {
+    let carter = CarterContact {
+        peak_pressure: 845.0,
+        half_width: A,
+        friction: 0.3,
+        traction,
+        travel: Travel::Forward,
+    };
+    let body = rolling.body();
+    let settings = WheelCoupling {
+        contact: CoupledContact::new(&Contact::Carter(carter), &steel()),
+        ..coupling(rolling.contact(), &steel())
+    };
+    let problem = FaceProblem::new(&body, &vec![rolling.crack_friction; rolling.cracks.len()]).unwrap();
+    let problem = problem.with_wheel(settings.on(&body.faces)).unwrap();
+    let wheel = CarterWheel::new(&carter, &steel()).unwrap();
+    let passage = Passage { from: -6.0 * A, to: 6.0 * A, positions: rolling.steps.positions };
+    let settings = PassageSettings { passage, ..PassageSettings::default() };
+    let load = RailLoad { wheel: &wheel, residual: None };
+    stabilised_passage(&problem, solver, load, &settings, &Unobserved).unwrap()
+}
+
+#[test]
+fn partial_slip_of_the_wheel() {
+    for (degrees, friction, want) in [(60.0, 0.1, [0.0, 0.0]), (30.0, 0.3, [0.0, 0.0])] {
+        let crack = || vec![surface_crack(0.0, 6.0, degrees)];
+        let passage = partial_slip(&Rolling::over(crack(), friction, 0.0), -0.5, &Newton::default());
+        let k = histories(&passage);
+        let most = k.iter().map(|k| k[1]).fold(f64::NEG_INFINITY, f64::max);
+        let least = k.iter().map(|k| k[1]).fold(f64::INFINITY, f64::min);
+        eprintln!("{degrees} {most} {least} {want:?} {:?}", passage.counts);
+        let latin = partial_slip(&Rolling::over(crack(), friction, 0.0), -0.5, &Latin::default());
+        eprintln!("latin {}", apart(&passage, &latin));
+        let meshed = partial_slip(&Rolling::meshed(crack(), friction, 0.0), -0.5, &Newton::default());
+        eprintln!("xfem {}", apart(&passage, &meshed));
+    }
+    let crack = || vec![surface_crack(0.0, 6.0, 60.0)];
+    let almost = partial_slip(&Rolling::over(crack(), 0.1, 0.0), -0.999_999, &Newton::default());
+    let full = coupled(&Rolling::over(crack(), 0.1, -0.3), &Newton::default());
+    eprintln!("full {}", apart(&almost, &full));
 }
 
 #[test]
