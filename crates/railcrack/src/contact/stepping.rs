@@ -339,6 +339,11 @@ impl<'a> Stepper<'a> {
             && (0..2 * self.problem.points()).all(near)
     }
 
+    /// The current path coordinate.
+    pub(crate) fn at(&self) -> f64 {
+        self.at
+    }
+
     /// The nodal forces of the current solution.
     pub fn load(&self) -> &[f64] {
         &self.load

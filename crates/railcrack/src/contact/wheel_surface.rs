@@ -278,13 +278,13 @@ impl SurfaceSystem {
         xc: f64,
         (mouths, punch): (&[Option<f64>], &[f64]),
     ) -> Option<CoupledState> {
-        let end = |place: Option<usize>| place.map(|i| self.surface.nodes[i].x);
+        let (from, to) = self.extent(loaded)?;
         let lip = LIP * self.surface.half_width;
         Some(CoupledState {
             approach: self.approach_of(jump) - self.uncracked.approach(xc)
                 + self.sinking_under(punch, jump, xc),
-            from: end(loaded.iter().position(|&loaded| loaded))?,
-            to: end(loaded.iter().rposition(|&loaded| loaded))?,
+            from,
+            to,
             lip_loads: mouths.iter().map(|mouth| mouth.map(|x| 2.0 * lip * self.mean(jump, x))).collect(),
         })
     }
@@ -310,8 +310,16 @@ impl SurfaceSystem {
         (0..self.nodes()).map(state).collect()
     }
 
+    /// Abscissae (mm) of the first and the last of the nodes `loaded`; none without contact.
+    pub fn extent(&self, loaded: &[bool]) -> Option<(f64, f64)> {
+        let at = |node: usize| self.surface.nodes[node].x;
+        let first = loaded.iter().position(|&loaded| loaded)?;
+        let last = loaded.iter().rposition(|&loaded| loaded)?;
+        Some((at(first), at(last)))
+    }
+
     /// The mean pressure (MPa) over 0.1 a on either side of `mouth` (mm).
-    fn mean(&self, jump: &[f64], mouth: f64) -> f64 {
+    pub fn mean(&self, jump: &[f64], mouth: f64) -> f64 {
         self.surface.mean_over(mouth).into_iter().map(|(i, share)| share * self.pressure(jump, i)).sum()
     }
 

@@ -1,5 +1,6 @@
 //! The load on the faces through residual stress, approach, passage and departure.
 
+use super::mouth_pressures::MouthPressures;
 use super::rail_load::RailLoad;
 use super::track::Track;
 use crate::contact::{FaceProblem, FluidModel, FluidState, LoadPath, Pocket};
@@ -127,6 +128,11 @@ impl<'a> FaceLoad<'a> {
         }
     }
 
+    /// Whether the fluid has the pressure over the mouth.
+    pub(super) fn is_from_mouth(&self) -> bool {
+        self.cap.is_some()
+    }
+
     /// The pressure (MPa) in each pocket that takes the pressure over its mouth; empty for other
     /// fluid models.
     pub(super) fn in_pockets(&self, xc: f64, share: f64) -> Option<Vec<f64>> {
@@ -155,7 +161,7 @@ impl<'a> FaceLoad<'a> {
     /// The load path of the phase `part`.
     pub(super) fn along(&self, part: LoadPhase) -> PartLoad<'_> {
         let others = self.others.iter().find(|(own, _)| *own == part).map(|(_, track)| track);
-        PartLoad { load: self, part, others }
+        PartLoad { load: self, part, others, over_mouths: None }
     }
 
     /// The largest slip (mm) of each point over a sample of the wheel positions `xc`, with free
@@ -181,6 +187,15 @@ pub(super) struct PartLoad<'a> {
     load: &'a FaceLoad<'a>,
     part: LoadPhase,
     others: Option<&'a Track>,
+    /// The pressures over the mouths under a wheel that feels the cracks, if they are given.
+    over_mouths: Option<&'a MouthPressures>,
+}
+
+impl<'a> PartLoad<'a> {
+    /// This part with given pressures over the mouths.
+    pub(super) fn with_pressures(self, over_mouths: Option<&'a MouthPressures>) -> Self {
+        Self { over_mouths, ..self }
+    }
 }
 
 impl LoadPath for PartLoad<'_> {
@@ -198,7 +213,10 @@ impl LoadPath for PartLoad<'_> {
             LoadPhase::Far { .. } if at == 0.0 => self.load.over_mouths(0.0, 0.0),
             LoadPhase::Far { origin, side } => self.load.over_mouths(origin + side / at, 1.0),
             LoadPhase::Load { xc } => self.load.over_mouths(xc, at),
-            LoadPhase::Over | LoadPhase::Coupled => self.load.over_mouths(at, 1.0),
+            LoadPhase::Over | LoadPhase::Coupled => match self.over_mouths {
+                Some(given) => given.assumed(at),
+                None => self.load.over_mouths(at, 1.0),
+            },
         }
     }
 
@@ -236,7 +254,11 @@ impl PartLoad<'_> {
             forces.iter_mut().for_each(|f| *f *= share);
         }
         forces.iter_mut().zip(residual).for_each(|(f, r)| *f += r);
-        if let Some((pressures, fluid)) = self.load.in_pockets(xc, share).zip(problem.fluid()) {
+        let pressures = match self.over_mouths {
+            Some(given) => self.load.is_from_mouth().then(|| given.assumed(xc)),
+            None => self.load.in_pockets(xc, share),
+        };
+        if let Some((pressures, fluid)) = pressures.zip(problem.fluid()) {
             for (pressure, pocket) in pressures.into_iter().zip(&fluid.pockets) {
                 axpy(pressure, &pocket.profile, &mut forces);
             }

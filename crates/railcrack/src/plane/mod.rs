@@ -11,6 +11,7 @@ mod fixtures;
 mod groups;
 mod increments;
 mod joining;
+mod mouth_pressures;
 mod network_contact;
 mod passage;
 mod pieces;
