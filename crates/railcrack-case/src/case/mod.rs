@@ -5,6 +5,7 @@ mod carried;
 #[expect(clippy::module_inception, reason = "the type gives its file the name")]
 mod case;
 mod coupled;
+mod coupling_estimate;
 mod cracks;
 mod engines;
 mod fitted;

@@ -147,10 +147,11 @@ fn approach_and_energy_release() {
     const SHARE: f64 = 2e-4;
     let line_load = 0.5 * std::f64::consts::PI * A * 845.0;
     for (degrees, over_a) in [(15.0, 0.3), (30.0, 0.3), (60.0, -0.2), (90.0, -0.6)] {
-        for nodes in [20.0, 40.0, 80.0, 160.0] {
-            let at = Frictionless { nodes, ..Frictionless::new(degrees, over_a) };
+        // A node lies at an edge of the contact at the one load and not at the other.
+        for (nodes, share) in [(NODES, 1.0), (2.0 * NODES, 1.01)] {
+            let at = Frictionless { nodes, load: share, ..Frictionless::new(degrees, over_a) };
             let longer = |by: f64| Frictionless { length: 6.0 + by, ..at }.solve().approach;
-            let loaded = |by: f64| Frictionless { load: 1.0 + by, ..at }.release();
+            let loaded = |by: f64| Frictionless { load: share + by, ..at }.release();
             let slope = (longer(STEP) - longer(-STEP)) / (2.0 * STEP);
             let rise = (loaded(SHARE) - loaded(-SHARE)) / (2.0 * SHARE * line_load);
             close(slope, rise, Relative(5e-3), "the contact may change within the step of the load");
@@ -233,22 +234,25 @@ fn partial_slip(rolling: &Rolling, traction: f64, solver: &dyn ContactSolver) ->
 
 #[test]
 fn partial_slip_of_the_wheel() {
-    for (degrees, friction, want) in [(60.0, 0.1, [0.0, 0.0]), (30.0, 0.3, [0.0, 0.0])] {
+    for (degrees, friction) in [(60.0, 0.1), (30.0, 0.3)] {
         let crack = || vec![surface_crack(0.0, 6.0, degrees)];
         let passage = partial_slip(&Rolling::over(crack(), friction, 0.0), -0.5, &Newton::default());
-        let k = histories(&passage);
-        let most = k.iter().map(|k| k[1]).fold(f64::NEG_INFINITY, f64::max);
-        let least = k.iter().map(|k| k[1]).fold(f64::INFINITY, f64::min);
-        eprintln!("{degrees} {most} {least} {want:?} {:?}", passage.counts);
         let latin = partial_slip(&Rolling::over(crack(), friction, 0.0), -0.5, &Latin::default());
-        eprintln!("latin {}", apart(&passage, &latin));
+        close(apart(&passage, &latin), 0.0, Absolute(1e-5), "of the peak; tolerance of the iteration");
         let meshed = partial_slip(&Rolling::meshed(crack(), friction, 0.0), -0.5, &Newton::default());
-        eprintln!("xfem {}", apart(&passage, &meshed));
+        close(apart(&passage, &meshed), 0.0, Absolute(1e-2), "of the peak; promised to users");
     }
     let crack = || vec![surface_crack(0.0, 6.0, 60.0)];
+    // Prototype with other elements, fixed steps and no load in closed form: K_II in MPa√m,
+    // uncoupled 25.97, −10.91.
+    let k = histories(&partial_slip(&Rolling::over(crack(), 0.1, 0.0), -0.5, &Newton::default()));
+    let kii = |sign: f64| sign * k.iter().map(|k| sign * k[1]).fold(f64::NEG_INFINITY, f64::max);
+    close(kii(1.0), 20.310, Of(5e-3, 20.310), "two discretisations");
+    close(kii(-1.0), -8.903, Of(5e-3, 20.310), "two discretisations");
+    // A stick zone of a thousandth of the contact.
     let almost = partial_slip(&Rolling::over(crack(), 0.1, 0.0), -0.999_999, &Newton::default());
     let full = coupled(&Rolling::over(crack(), 0.1, -0.3), &Newton::default());
-    eprintln!("full {}", apart(&almost, &full));
+    close(apart(&almost, &full), 0.0, Absolute(1e-3), "of the peak; full sliding is the limit");
 }
 
 #[test]
@@ -286,34 +290,34 @@ fn water_under_a_wheel_that_bridges_the_mouth() {
     let meshed = Rolling::meshed(cracks(), 0.5, 0.025);
     let largest_ki =
         |passage: &StabilisedPassage| histories(passage).iter().map(|k| k[0]).fold(0.0, f64::max);
-    for (profile, free, bridged) in
-        [(PressureProfile::Linear, 120.0, 16.0), (PressureProfile::Constant, 280.0, 54.0)]
-    {
-        let fluid = CrackFluid { model: FluidModel::Mouth { cap: f64::INFINITY }, profile, cracks: None };
-        let uncoupled = largest_ki(&wet(&rolling, &fluid, false, &Newton::default()));
-        let start = std::time::Instant::now();
+    let mouth = FluidModel::Mouth { cap: f64::INFINITY };
+    let trapped = |leak| FluidModel::Trapped { bulk_modulus: f64::INFINITY, leak };
+    // Prototypes, largest K_I in MPa√m under a wheel that does not feel the crack, and under one
+    // that does.
+    for (model, profile, want) in [
+        (mouth, PressureProfile::Linear, Some((130.0, 16.0))),
+        (mouth, PressureProfile::Constant, Some((293.0, 54.0))),
+        (trapped(true), PressureProfile::Constant, None),
+        (trapped(false), PressureProfile::Constant, None),
+    ] {
+        let fluid = CrackFluid { model, profile, cracks: None };
         let felt = wet(&rolling, &fluid, true, &Newton::default());
-        eprintln!(
-            "{profile:?} {uncoupled} {} {bridged} {:?} {:?}",
-            largest_ki(&felt),
-            felt.counts,
-            start.elapsed()
-        );
-        let latin = wet(&rolling, &fluid, true, &Latin::default());
-        eprintln!("latin {}", apart(&felt, &latin));
-        let xfem = wet(&meshed, &fluid, true, &Newton::default());
-        eprintln!("xfem {}", apart(&felt, &xfem));
-    }
-    for leak in [true, false] {
-        let model = FluidModel::Trapped { bulk_modulus: f64::INFINITY, leak };
-        let fluid = CrackFluid { model, profile: PressureProfile::Constant, cracks: None };
         let uncoupled = largest_ki(&wet(&rolling, &fluid, false, &Newton::default()));
-        let start = std::time::Instant::now();
-        let felt = wet(&rolling, &fluid, true, &Newton::default());
-        eprintln!("trapped {leak} {uncoupled} {} {:?} {:?}", largest_ki(&felt), felt.counts, start.elapsed());
-        let latin = wet(&rolling, &fluid, true, &Latin::default());
-        eprintln!("latin {}", apart(&felt, &latin));
-        let xfem = wet(&meshed, &fluid, true, &Newton::default());
-        eprintln!("xfem {}", apart(&felt, &xfem));
+        eprintln!("{model:?} {uncoupled} {} {:?}", largest_ki(&felt), felt.counts);
+        match want {
+            Some((free, bridged)) => {
+                close(uncoupled, free, Relative(0.03), "prototype on another grid, two digits");
+                close(largest_ki(&felt), bridged, Relative(0.02), "prototype on another grid, two digits");
+            }
+            // The wheel presses on the flap: less water enters, and what enters opens less.
+            None => assert!(largest_ki(&felt) < uncoupled),
+        }
+        close(felt.counts.complementarity_max, 0.0, Absolute(1e-8), "of pressures, gaps and openings");
+        let latin = apart(&felt, &wet(&rolling, &fluid, true, &Latin::default()));
+        eprintln!("latin {latin}");
+        close(latin, 0.0, Absolute(1e-4), "of the peak; statuses change at the tolerance of the iteration");
+        let xfem = apart(&felt, &wet(&meshed, &fluid, true, &Newton::default()));
+        eprintln!("xfem {xfem}");
+        close(xfem, 0.0, Absolute(1e-2), "of the peak; promised to users");
     }
 }
