@@ -85,7 +85,7 @@ impl WheelCoupling {
             of_hats.pressure[(i, k)] + friction * of_hats.shear[(i, k)]
         });
         let ratios = self.contact.uneven_shear.clone();
-        let uneven = (!ratios.is_empty()).then(|| UnevenShear { forces: of_hats.shear, ratios });
+        let uneven = (!ratios.is_empty()).then_some(UnevenShear { forces: of_hats.shear, ratios });
         Some(WheelSurface {
             nodes,
             compliance: compliance(&grid, self.contact.modulus()),
