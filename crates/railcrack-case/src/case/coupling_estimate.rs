@@ -25,8 +25,8 @@ const EXPONENT: f64 = 3.33;
 impl Case {
     /// The growth rate of the first surface-breaking crack under a wheel that feels it, over that
     /// under the contact on the uncracked rail: of the crack alone, dry, without residual stress,
-    /// in the plane. `None` for a coupled wheel, for a block, for a measured contact, without such a
-    /// crack, and for a crack that does not grow.
+    /// in the plane. `None` for a coupled wheel, for a block, for a measured contact, without such
+    /// a crack, and for a crack that does not grow.
     #[must_use]
     pub fn effect_of_coupling(&self) -> Option<f64> {
         let measured = matches!(self.wheel.origin, ContactOrigin::Table(_));

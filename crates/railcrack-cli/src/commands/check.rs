@@ -24,8 +24,8 @@ use std::path::{Path, PathBuf};
 
 /// Validate a case or study file and show what would be computed
 ///
-/// Nothing is written, and nothing is computed but one passage over the first crack. The exit code is 0 for a valid case and 2 otherwise;
-/// all errors of the file are reported at once.
+/// Nothing is written, and nothing is computed but one passage over the first crack. The exit code
+/// is 0 for a valid case and 2 otherwise; all errors of the file are reported at once.
 #[derive(Debug, Args)]
 pub struct CheckArguments {
     /// The case file, or a study; `-` is standard input

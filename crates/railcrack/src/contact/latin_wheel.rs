@@ -32,7 +32,8 @@ const TOLERANT: f64 = 1e3;
 
 impl ReducedWheel {
     /// The faces of the `stiffness` A with the nodes `loaded` of `wheel` in contact; `direction`
-    /// is k⁻, and fluid is in the `pockets`. `None` for conditions that do not determine the pressures.
+    /// is k⁻, and fluid is in the `pockets`. `None` for conditions that do not determine the
+    /// pressures.
     pub(super) fn new(
         wheel: &SurfaceSystem,
         stiffness: &Matrix,

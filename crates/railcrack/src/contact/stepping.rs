@@ -6,30 +6,13 @@ use super::trace::{Accuracy, AtRelease, StepLoad, Stop, Trace, follow};
 use super::uneven_path::{REPETITIONS, ShearAlongPath, WithShear};
 use super::wheel_surface::SurfaceSystem;
 use super::{
-    ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, PocketState,
-    PocketStatus, PointStatus, StepSolver,
+    ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadPath, LoadStep, NotConverged,
+    PocketState, PocketStatus, PointStatus, StepSolver,
 };
 use crate::math::axpy;
 use crate::words::{Choice, Word};
 use std::ops::Range;
 use thiserror::Error;
-
-/// The load of a path: nodal forces as a function of one coordinate.
-pub trait LoadPath: Sync {
-    /// Nodal forces (N/mm, 2p) at coordinate `at`.
-    fn nodal_forces(&self, at: f64) -> Vec<f64>;
-
-    /// The pressure (MPa) at coordinate `at` over the mouth of each pocket of fluid whose pressure
-    /// is an unknown; none where there are none.
-    fn over_mouths(&self, _at: f64) -> Vec<f64> {
-        Vec::new()
-    }
-
-    /// Whether the coordinate is the position (mm) of a wheel that feels the cracks.
-    fn is_of_coupled_wheel(&self) -> bool {
-        false
-    }
-}
 
 /// Control of the load steps along a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -44,8 +44,8 @@ impl ShearAlongPath {
     }
 
     /// Notes the forces that follow from the jumps `middle` and `end` of all components with the
-    /// wheel at `xc` (mm), in the middle and at the end of the step; returns whether they agree with
-    /// the assumed ones.
+    /// wheel at `xc` (mm), in the middle and at the end of the step; returns whether they agree
+    /// with the assumed ones.
     pub(super) fn agrees(
         &mut self,
         problem: &FaceProblem,

@@ -221,7 +221,8 @@ impl SurfaceSystem {
     }
 
     /// The nodal forces on the faces (N/mm, 2p) of the shear that depends on the place in the
-    /// contact with the wheel at `xc` (mm), beyond that on the uncracked rail; none in full sliding.
+    /// contact with the wheel at `xc` (mm), beyond that on the uncracked rail; none in full
+    /// sliding.
     pub fn uneven_forces(&self, jump: &[f64], xc: f64) -> Option<Vec<f64>> {
         let uneven = self.surface.uneven.as_ref()?;
         let mut pressures: Vec<f64> = (0..self.nodes()).map(|i| self.pressure(jump, i)).collect();
@@ -292,8 +293,8 @@ impl SurfaceSystem {
     /// How much more the jumps lower the wheel than the nodal pressures measure, mm.
     ///
     /// The load on the faces is e + P q, with e = F − P q_u the Hertzian load F beyond its nodal
-    /// pressures. The energy of wheel and rail is stationary, so that the approach as its derivative
-    /// with respect to the line load is δ + w · ∂e/∂P′.
+    /// pressures. The energy of wheel and rail is stationary, so that the approach as its
+    /// derivative with respect to the line load is δ + w · ∂e/∂P′.
     fn sinking_under(&self, punch: &[f64], jump: &[f64], xc: f64) -> f64 {
         let jump = &jump[..self.faces];
         let of_nodes = |(i, rise): (usize, f64)| rise * dot(self.surface.measuring.row(i), jump);

@@ -6,8 +6,7 @@
 //! then the wheel is held, and the pressures follow from the contact. Where this has no solution
 //! nearby, the flap snaps from one position to another.
 
-use super::face_load::FaceLoad;
-use crate::contact::{FaceProblem, FaceSolution, LoadPath};
+use crate::contact::{FaceProblem, FaceSolution, FluidModel, LoadPath, Pocket};
 use crate::math::axpy;
 
 /// The pressures along the path of a wheel.
@@ -92,26 +91,33 @@ impl Settling {
 
 /// A wheel that is held while the pressures over the mouths change from one set to another.
 pub(super) struct PressuresChange<'a> {
-    pub load: &'a FaceLoad<'a>,
+    pub problem: &'a FaceProblem<'a>,
     /// The load with the first pressures, of all components.
     pub start: Vec<f64>,
     pub from: &'a [f64],
     pub to: &'a [f64],
 }
 
+impl PressuresChange<'_> {
+    /// The pockets whose fluid has the pressure over the mouth; none for trapped fluid.
+    fn from_mouth(&self) -> Option<&[Pocket]> {
+        let fluid = self.problem.fluid()?;
+        matches!(fluid.model, FluidModel::Mouth { .. }).then_some(&fluid.pockets)
+    }
+}
+
 impl LoadPath for PressuresChange<'_> {
     fn nodal_forces(&self, at: f64) -> Vec<f64> {
         let mut forces = self.start.clone();
-        if let Some(fluid) = self.load.problem.fluid().filter(|_| self.load.is_from_mouth()) {
-            for (pocket, (from, to)) in fluid.pockets.iter().zip(self.from.iter().zip(self.to)) {
-                axpy(at * (to - from), &pocket.profile, &mut forces);
-            }
+        let pockets = self.from_mouth().unwrap_or_default();
+        for (pocket, (from, to)) in pockets.iter().zip(self.from.iter().zip(self.to)) {
+            axpy(at * (to - from), &pocket.profile, &mut forces);
         }
         forces
     }
 
     fn over_mouths(&self, at: f64) -> Vec<f64> {
-        if self.load.is_from_mouth() {
+        if self.from_mouth().is_some() {
             return Vec::new();
         }
         self.from.iter().zip(self.to).map(|(from, to)| from + at * (to - from)).collect()
@@ -122,7 +128,7 @@ impl LoadPath for PressuresChange<'_> {
 /// zero for pockets that are not `covered`.
 pub(super) fn over_mouths(problem: &FaceProblem, solution: &FaceSolution, covered: &[bool]) -> Vec<f64> {
     let pockets = problem.fluid().map_or(&[][..], |fluid| &fluid.pockets);
-    let over = |(k, pocket): (usize, &crate::contact::Pocket)| match (problem.wheel(), pocket.mouth) {
+    let over = |(k, pocket): (usize, &Pocket)| match (problem.wheel(), pocket.mouth) {
         (Some(wheel), Some(mouth)) if covered[k] => wheel.mean(&solution.jump, mouth.x).max(0.0),
         _ => 0.0,
     };

@@ -404,7 +404,7 @@ impl<'a> Rolling<'a> {
     /// are those of its contact.
     fn settle_pressures(&mut self, xc: f64, tips: &mut TipSifs) -> Result<(), SteppingError> {
         let Some(pressures) = &self.over_mouths else { return Ok(()) };
-        let (problem, load) = (self.problem, self.face_load);
+        let problem = self.problem;
         let mut tried = pressures.assumed(xc);
         let peak_pressure = problem.wheel().map_or(0.0, |wheel| wheel.surface.peak_pressure);
         let mut settling = Settling::new(peak_pressure);
@@ -415,7 +415,7 @@ impl<'a> Rolling<'a> {
             let found = over_mouths(problem, solution, &covered(problem, solution));
             let Some(next) = settling.next(&tried, &found) else { break };
             let start = self.stepper.load().to_vec();
-            let path = PressuresChange { load, start, from: &tried, to: &next };
+            let path = PressuresChange { problem, start, from: &tried, to: &next };
             self.stepper.begin(0.0);
             let moved = self.stepper.advance(&path, 1.0, &mut take);
             self.stepper.begin(xc);

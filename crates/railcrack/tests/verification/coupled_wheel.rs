@@ -141,8 +141,8 @@ fn frictionless_cracks() {
 
 #[test]
 fn approach_and_energy_release() {
-    // ∂δ/∂l at P = ∂G/∂P at l (Maxwell), by central differences. Between two changes of contact both
-    // sides are derivatives of one energy, whatever the nodes.
+    // ∂δ/∂l at P = ∂G/∂P at l (Maxwell), by central differences. Between two changes of contact
+    // both sides are derivatives of one energy, whatever the nodes.
     const STEP: f64 = 0.06;
     const SHARE: f64 = 2e-4;
     let line_load = 0.5 * std::f64::consts::PI * A * 845.0;
