@@ -5,7 +5,7 @@ use crate::tables::ContactOrigin;
 use railcrack::bulk::Boundary;
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::coupling::{CoupledContact, WheelCoupling};
-use railcrack::crack::CrackNetwork;
+use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::dislocation::{FaceResolution, cracked_body};
 use railcrack::fatigue::SifRanges;
 use railcrack::field::wheel_under;
@@ -22,11 +22,27 @@ const NODES: f64 = 20.0;
 const MODE_2_WEIGHT: f64 = 0.772;
 const EXPONENT: f64 = 3.33;
 
+/// Angles (degrees), lengths over a and numbers of segments of cracks for which the estimate is a
+/// matter of a moment.
+const ANGLES: (f64, f64) = (10.0, 170.0);
+const LENGTHS: (f64, f64) = (0.05, 3.0);
+const SEGMENTS: usize = 20;
+
+/// Whether the estimate for `crack` under a contact of this half-width (mm) takes a moment only.
+fn is_ordinary(crack: &Crack, half_width: f64) -> bool {
+    let (first, next) = crack.segment(0);
+    let angle = (next - first).angle().to_degrees().abs();
+    let length = crack.length() / half_width;
+    (ANGLES.0..=ANGLES.1).contains(&angle)
+        && (LENGTHS.0..=LENGTHS.1).contains(&length)
+        && crack.segment_count() <= SEGMENTS
+}
+
 impl Case {
     /// The growth rate of the first surface-breaking crack under a wheel that feels it, over that
     /// under the contact on the uncracked rail: of the crack alone, dry, without residual stress,
     /// in the plane. `None` for a coupled wheel, for a block, for a measured contact, without such
-    /// a crack, and for a crack that does not grow.
+    /// a crack, for one that is very flat, short, long or bent, and for one that does not grow.
     #[must_use]
     pub fn effect_of_coupling(&self) -> Option<f64> {
         let measured = matches!(self.wheel.origin, ContactOrigin::Table(_));
@@ -36,10 +52,13 @@ impl Case {
         }
         let place = self.cracks.cracks().iter().position(|crack| crack.is_surface_breaking())?;
         let crack = self.cracks.cracks()[place].clone();
+        let contact = self.wheel.contact();
+        if !is_ordinary(&crack, contact.half_width()) {
+            return None;
+        }
         let mouth = crack.points()[0].x;
         let network = CrackNetwork::new(vec![crack]).ok()?;
         let body = cracked_body(&network, &self.steel, FaceResolution::default()).ok()?;
-        let contact = self.wheel.contact();
         let coupling = WheelCoupling {
             contact: CoupledContact::new(contact, &self.steel),
             nodes_per_half_width: NODES,
