@@ -29,6 +29,10 @@ doc:
 bench:
     cargo bench --bench chain --bench shakedown
 
+# A release in target/dist, each part tried where nothing else is
+dist:
+    tools/dist.sh
+
 # Compute a case
 run case="cases/reference.toml":
     cargo run --release -- run {{case}}

@@ -110,6 +110,9 @@ def check_keys(explorer, checks):
     browser.key("ArrowRight", times=3)
     explorer.until("done")
     checks.that(explorer.case() != before, "an arrow key moves a slider")
+    browser.key("Tab")
+    checks.that(browser.run("document.activeElement.id.startsWith('what-if-') && document.activeElement.matches(':focus-visible')"),
+                "Tab leads to the next value, which is marked", browser.run("document.activeElement.id"))
     browser.run("document.getElementById('what-if-reset').click()")
     explorer.until("done")
     checks.that(explorer.case() == before, "the case comes back")
@@ -145,6 +148,10 @@ def check_stop(explorer, checks):
     checks.that(explorer.data("state") == "computing", "the long life is computed", explorer.data("state"))
     browser.run("document.getElementById('what-if-stop').click()")
     checks.that(explorer.data("state") == "stopped", "the button stops at once")
+    browser.run(f"(() => {{ const e = document.getElementById('what-if-case'); e.value = {long!r}; e.dispatchEvent(new Event('input')); }})()")
+    explorer.until("computing")
+    browser.key("Escape")
+    checks.that(explorer.data("state") == "stopped", "Escape stops, too", explorer.data("state"))
     browser.run("document.getElementById('what-if-reset').click()")
     explorer.until("done")
     checks.that(True, "and the engine computes again")
@@ -197,8 +204,15 @@ def check_layout(explorer, checks, out):
             checks.that(not overlaps, f"{width} px: no text on text", str(overlaps)[:300])
             browser.picture(out / f"explorer-{width}-{theme}-screen.png")
             browser.picture(out / f"explorer-{width}-{theme}.png", "body")
-    explorer.open()
+    # On paper the page is light, and has the whole case file.
+    explorer.open(theme="dark")
     browser.pdf(out / "explorer.pdf")
+    browser.media(theme="dark", medium="print")
+    ground = browser.run("getComputedStyle(document.body).backgroundColor")
+    checks.that(ground == "rgb(255, 255, 255)", "the printed page is white", ground)
+    checks.that(browser.run("document.getElementById('what-if-printed').innerText") == explorer.case(), "the whole case file is printed")
+    checks.that(browser.run("document.getElementById('what-if-case').getClientRects().length === 0"), "and not the part in sight")
+    browser.media()
 
 
 def main():

@@ -18,21 +18,15 @@ trap 'rm -rf "$scratch"' EXIT
 
 machine=${1:-x86_64}
 case $machine in x86_64 | aarch64) ;; *) fail "$machine: must be x86_64 or aarch64" ;; esac
-tools=$PWD/target/wheel-tools
-if ! [ -x "$tools/bin/auditwheel" ]; then
-    python3 -m venv "$tools"
-    "$tools/bin/pip" install --quiet --disable-pip-version-check maturin==1.16.0 ziglang==0.17.1 auditwheel==6.8.2
-fi
-export ZIG_GLOBAL_CACHE_DIR=$PWD/target/zig
+source tools/release_tools.sh
+release_tools
 if [ "$machine" = x86_64 ]; then
-    linker=$PWD/target/zig-linker
-    printf '#!/bin/sh\nexec "%s" -m ziglang cc -target x86_64-linux-gnu.2.17 "$@"\n' "$tools/bin/python" > "$linker"
-    chmod +x "$linker"
+    linker=$(zig_compiler cc-x86_64-linux-gnu.2.17 x86_64-linux-gnu.2.17)
     # The flags are of the last crate alone, so that the others are those of the workspace. The linker that comes
     # with Rust is not for zig.
     how=(-- -C "linker=$linker" -C linker-features=-lld)
 else
-    rustup target add "$machine-unknown-linux-gnu"
+    need_target "$machine-unknown-linux-gnu"
     how=(--zig --target "$machine-unknown-linux-gnu")
 fi
 rm -rf "target/wheels/$machine"

@@ -1,10 +1,11 @@
 """The book as a site of static pages.
 
-    build.py OUT [--explorer PAGE] [--rust FOLDER]
+    build.py OUT [--explorer PAGE] [--rust FOLDER] [--python FOLDER]
 
 Every page of `docs` and of the root becomes an HTML page in OUT, with contents, search and a dark theme; files of the project that
-a page links to are copied. PAGE is the explorer of the front page, FOLDER the pages of the crates that `cargo doc` wrote. Nothing on
-the site asks another server for anything. Ends with 1 where a link or an anchor leads nowhere.
+a page links to are copied. PAGE is the explorer of the front page, the folders hold the pages of the crates that `cargo doc` wrote and
+those of the package that `python_pages.py` wrote. Nothing on the site asks another server for anything. Ends with 1 where a link or an
+anchor leads nowhere.
 """
 
 import argparse
@@ -25,6 +26,8 @@ HERE = Path(__file__).resolve().parent
 OF_ROOT = {"README.md": "readme.html", "ARCHITECTURE.md": "architecture.html", "CHANGELOG.md": "changelog.html", "CONTRIBUTING.md": "contributing.html", "python/README.md": "python-package.html"}
 # The page of the front page.
 EXPLORER = "explorer/index.html"
+# The first pages of the interfaces for programs; the first two folders are theirs.
+INTERFACES = {"Rust": "api/rust/railcrack/index.html", "Python": "api/python/railcrack.html"}
 # Files that a page may show as text are copied; folders become a list of theirs.
 FILES = "files"
 
@@ -48,8 +51,8 @@ def pages():
 
 
 class Site:
-    def __init__(self, out, explorer, rust):
-        self.out, self.explorer, self.rust = out, explorer, rust
+    def __init__(self, out, explorer, interfaces):
+        self.out, self.explorer, self.interfaces = out, explorer, interfaces
         self.pages = pages()
         self.faults = []
         self.anchors = {}
@@ -164,10 +167,8 @@ class Site:
 
             items = "".join(item(page) for page in own)
             parts.append((f"<h2>{name}</h2>" if name else "") + f"<ul>{items}</ul>")
-        api = ""
-        if self.rust:
-            rust, python = (posixpath.relpath(page, base) for page in ["api/rust/railcrack/index.html", "python/index.html"])
-            api = f'<h2>API</h2><ul><li><a href="{rust}">Rust</a></li><li><a href="{python}">Python</a></li></ul>'
+        items = [f'<li><a href="{posixpath.relpath(page, base)}">{name}</a></li>' for name, (_, page) in self.interfaces.items()]
+        api = f'<h2>API</h2><ul>{"".join(items)}</ul>' if items else ""
         return "".join(parts) + api
 
     def write(self, place, title, body, wide=False):
@@ -225,8 +226,8 @@ class Site:
         if self.explorer:
             (self.out / EXPLORER).parent.mkdir(parents=True)
             shutil.copyfile(self.explorer, self.out / EXPLORER)
-        if self.rust:
-            shutil.copytree(self.rust, self.out / "api/rust", dirs_exist_ok=True)
+        for folder, page in self.interfaces.values():
+            shutil.copytree(folder, self.out / "/".join(page.split("/")[:2]))
         self.write("index.html", "railcrack", FRONT if self.explorer else FRONT.replace(FRAME, ""), wide=True)
 
     # ---- Links of the finished site ----
@@ -240,12 +241,14 @@ class Site:
                 ids[path] = set(re.findall(r'\bid="([^"]+)"', path.read_text(errors="replace")))
             return ids[path]
 
-        ours = [path for path in self.out.rglob("*.html") if "api" not in path.relative_to(self.out).parts[:1]]
+        # Links among the pages of the crates are checked by `cargo doc`.
+        ours = [path for path in self.out.rglob("*.html") if path.relative_to(self.out).parts[:2] != ("api", "rust")]
         count = 0
         for page in ours:
             if page == self.out / EXPLORER:
                 continue
-            for link in re.findall(r'(?:href|src)="([^"]*)"', page.read_text()):
+            text = re.sub(r"(<script\b[^>]*>).*?(</script>)", r"\1\2", page.read_text(), flags=re.DOTALL)
+            for link in re.findall(r'(?:href|src)="([^"]*)"', text):
                 parts = urlsplit(html.unescape(link))
                 if parts.scheme in ("http", "https", "mailto", "data"):
                     continue
@@ -284,9 +287,12 @@ def main():
     arguments = argparse.ArgumentParser()
     arguments.add_argument("out", type=Path)
     arguments.add_argument("--explorer", type=Path)
-    arguments.add_argument("--rust", type=Path)
+    for language in INTERFACES:
+        arguments.add_argument(f"--{language.lower()}", type=Path)
     given = arguments.parse_args()
-    site = Site(given.out.resolve(), given.explorer, given.rust)
+    folders = {language: getattr(given, language.lower()) for language in INTERFACES}
+    interfaces = {language: (folders[language], page) for language, page in INTERFACES.items() if folders[language]}
+    site = Site(given.out.resolve(), given.explorer, interfaces)
     site.build()
     count, links = site.check()
     for fault in sorted(set(site.faults)):

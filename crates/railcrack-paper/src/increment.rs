@@ -3,7 +3,7 @@
 use crate::claim::Claim;
 
 /// Decisions in the half-plane by travel and increment, made with `tools/path_limit.py`.
-const DECISIONS: &str = include_str!("../../../verification/path/statements.csv");
+const DECISIONS: &str = include_str!("../path/statements.csv");
 
 /// The increments of the table: the fraction of the length, and the heading.
 const INCREMENTS: [(&str, &str); 7] = [

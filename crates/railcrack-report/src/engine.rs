@@ -72,11 +72,17 @@ impl PageEngine {
     }
 }
 
-/// Where the module is looked for.
+/// Where the module is looked for; nowhere if the folder of the program is not known.
 fn places() -> Vec<PathBuf> {
-    let Ok(program) = std::env::current_exe() else { return Vec::new() };
+    let Some(program) = program() else { return Vec::new() };
     let Some(folder) = program.parent() else { return Vec::new() };
     let shared = folder.parent().map(|above| above.join(SHARED));
     let folders = [Some(folder.to_path_buf()), shared].into_iter().flatten();
     folders.map(|place| place.join(PageEngine::file_name())).collect()
+}
+
+/// The file of the program; as it was called where the system does not say (Linux without `/proc`).
+fn program() -> Option<PathBuf> {
+    let called = || std::env::args_os().next().map(PathBuf::from).filter(|path| path.is_absolute());
+    std::env::current_exe().ok().or_else(called)
 }

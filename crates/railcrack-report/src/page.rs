@@ -80,6 +80,8 @@ pub enum Block {
         /// The script.
         script: &'static str,
     },
+    /// A script that is run where it stands, before the libraries of the page are read.
+    AtOnce(&'static str),
 }
 
 impl Block {
@@ -251,6 +253,7 @@ fn write_blocks(page: &mut String, blocks: &[Block], scripts: &mut Vec<&'static 
                 let data = json_for_script(data);
                 writeln!(page, "{html}<script type=\"application/json\" id=\"{data_id}\">{data}</script>")
             }
+            Block::AtOnce(script) => writeln!(page, "<script>\n{script}</script>"),
         };
     }
 }

@@ -253,6 +253,9 @@ pub enum OutputError {
 
 /// Paths in a sentence.
 fn shown(places: &[PathBuf]) -> String {
+    if places.is_empty() {
+        return "nowhere, since the folder of the program is not known".to_owned();
+    }
     places.iter().map(|place| place.display().to_string()).collect::<Vec<String>>().join(", ")
 }
 

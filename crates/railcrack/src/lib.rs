@@ -64,6 +64,7 @@ pub mod plane;
 pub mod prelude;
 pub mod residual;
 pub mod rolling;
+pub mod section;
 pub mod shakedown;
 pub mod space;
 pub mod stopwatch;

@@ -79,7 +79,7 @@ pub enum ValidityWarning {
     /// A deep crack in a rail with bending.
     #[error(
         "a crack is {depth:.1} mm deep, and beyond {limit:.0} mm the rail that bends is more compliant than a half-plane: K under bending \
-         is too small"
+         is too small; [rail] section computes it with head, web and foot"
     )]
     DeepCrackInBending {
         /// Depth of the deepest tip, mm.

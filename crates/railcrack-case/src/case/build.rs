@@ -3,6 +3,7 @@
 use super::case::Case;
 use super::coupled::check_coupled;
 use super::cracks::{Meetings, check_fit, place_cracks};
+use super::finite_section::check_section;
 use super::in_page::check_explorer;
 use super::known_sizes::KnownSizes;
 use super::limits::check_size;
@@ -95,6 +96,8 @@ pub(crate) fn build(
     let of_wheels = mix.iter().flatten().filter_map(|wheel| wheel.fluid.as_ref());
     let fluids = fluid.iter().flatten().chain(of_wheels);
     check_coupled(&sections, rail.as_ref().map(|rail| rail.boundary), fluids, report);
+    let bent = wheel.iter().chain(mix.iter().flatten().map(|mixed| &mixed.wheel));
+    check_section(&sections, rail.as_ref(), bent.filter_map(|wheel| wheel.load.track.as_ref()), report);
     if let (Some(mix), Some(rail)) = (&mix, rail.filter(|rail| rail.boundary != Boundary::HalfPlane)) {
         for other in mix.iter().skip(1) {
             check_block(&rail, &sections, Some((&other.wheel, &other.passages.passage)), report);

@@ -8,6 +8,7 @@ mod coupled;
 mod coupling_estimate;
 mod cracks;
 mod engines;
+mod finite_section;
 mod fitted;
 mod in_page;
 mod known_sizes;

@@ -18,6 +18,7 @@ use railcrack::growth::{
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::plane::{self, CrackFluid, PlaneRail};
 use railcrack::residual::PlasticField;
+use railcrack::section::{SectionEngine, SectionLayers};
 use railcrack::space::{SpaceFluid, SpaceRail, SpaceWheel};
 use railcrack::xfem::{
     EnrichmentRadius, MOST_MESH_UNKNOWNS, RailEnd, RefinedRegion, ResolvedLayers, XfemEngine, XfemSettings,
@@ -87,7 +88,7 @@ impl Case {
 
     /// The fields to be computed; none if none are requested.
     fn field_settings(&self) -> Option<FieldSettings> {
-        let every = NonZeroUsize::new(self.fields.every)?;
+        let every = NonZeroUsize::new(self.fields.every).filter(|_| self.rail.section.is_none())?;
         let mouth = self.cracks.cracks().first()?.points()[0].x;
         let positions: Vec<f64> =
             self.fields.over_a.iter().map(|over_a| mouth + over_a * self.half_width()).collect();
@@ -109,7 +110,17 @@ impl Case {
     /// where they are in space.
     #[must_use]
     pub fn body_engine(&self) -> Option<Box<dyn BodyEngine + Send>> {
-        engines::of(self.engine).body_engine(self, self.xfem_engine())
+        self.in_section(engines::of(self.engine).body_engine(self, self.xfem_engine()))
+    }
+
+    /// `engine` for the section of the rail, where one is given, on the foundation of the first
+    /// wheel with a track.
+    fn in_section(&self, engine: Option<Box<dyn BodyEngine + Send>>) -> Option<Box<dyn BodyEngine + Send>> {
+        let Some(layers) = self.rail.section.and_then(SectionLayers::of) else { return engine };
+        let mut wheels = std::iter::once(&self.wheel).chain(self.mix.iter().map(|mixed| &mixed.wheel));
+        let foundation = wheels.find_map(|wheel| Some(wheel.load.track.as_ref()?.foundation));
+        let in_section = SectionEngine::new(engine?, self.steel, layers, foundation.unwrap_or(0.0));
+        in_section.ok().map(|engine| Box::new(engine) as Box<dyn BodyEngine + Send>)
     }
 
     /// Everything that is made once for the run of this case. `rolled` is the plastic stress of the
@@ -133,7 +144,7 @@ impl Case {
             shared.give_to(&mut finite_elements);
         }
         let residual = self.carried_stress(plastic.as_ref(), &mut finite_elements)?;
-        let engine = engines::of(self.engine).body_engine(self, finite_elements);
+        let engine = self.in_section(engines::of(self.engine).body_engine(self, finite_elements));
         let engine = engine.map(|engine| engine as Box<dyn BodyEngine>);
         Ok(PreparedRun { case: self, engine, residual })
     }

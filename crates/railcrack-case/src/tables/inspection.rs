@@ -15,6 +15,8 @@ section! {
         "Length from which a crack is detectable.").required();
     CRITICAL_DEPTH: f64 = number("critical_depth_mm", "mm", closed(1e-3, 1e3), 10.0,
         "Tip depth that must not be reached; critical_length_mm of [growth] and fracture are critical too.").optional();
+    ULTRASONIC_DEPTH: f64 = number("ultrasonic_depth_mm", "mm", closed(1e-3, 1e3), 5.0,
+        "Tip depth from which ultrasonic testing finds a crack that has turned down, beyond its dead zone below the running surface: the inspection of the second stage of a head check that turns.");
     SAFETY_FACTOR: f64 = number("safety_factor", "", closed(1.0, 100.0), 3.0,
         "Divisor of the traffic from a detectable to a critical crack.");
     TARGET_RISK: f64 = number("target_risk", "", closed(1e-9, 1.0), 1e-3,
@@ -55,6 +57,8 @@ pub struct Inspection {
     pub detectable_length: Option<f64>,
     /// Depth (mm) that must not be reached.
     pub critical_depth: Option<f64>,
+    /// Depth (mm) from which ultrasonic testing finds a crack that has turned down.
+    pub ultrasonic_depth: f64,
     /// Safety factor.
     pub safety_factor: f64,
 }
@@ -62,7 +66,13 @@ pub struct Inspection {
 /// Detected from the beginning, without a safety factor.
 impl Default for Inspection {
     fn default() -> Self {
-        Self { detectable_depth: None, detectable_length: None, critical_depth: None, safety_factor: 1.0 }
+        Self {
+            detectable_depth: None,
+            detectable_length: None,
+            critical_depth: None,
+            ultrasonic_depth: 0.0,
+            safety_factor: 1.0,
+        }
     }
 }
 
@@ -103,6 +113,7 @@ pub(crate) fn read_inspection(
         detectable_depth: section.get(DETECTABLE_DEPTH),
         detectable_length: section.get(DETECTABLE_LENGTH),
         critical_depth: section.get(CRITICAL_DEPTH),
+        ultrasonic_depth: section.get(ULTRASONIC_DEPTH)?,
         safety_factor: section.get(SAFETY_FACTOR)?,
     };
     if let (Some(detectable), Some(critical)) = (read.detectable_depth, read.critical_depth)

@@ -61,7 +61,7 @@ pub(crate) use maintenance::{MAINTENANCE, read_maintenance};
 pub(crate) use mesh::{ELEMENT_SIZE, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH, SPACE_CELLS};
 pub(crate) use output::{EXPLORER, OF_STUDY, OUTPUT, RUN_FOLDERS};
 pub(crate) use passage::{FROM, PASSAGE, POSITIONS, TO, read_passage, read_passages, read_travel};
-pub(crate) use rail::{CENTRE, RAIL, WIDTH, read_steel};
+pub(crate) use rail::{CENTRE, CRACKED_SECTION, RAIL, WIDTH, read_steel};
 pub(crate) use shakedown::{SHAKEDOWN, YIELD_STRESS};
 pub(crate) use solver::{ENGINE, NETWORK, SOLVER, SOLVER_CONTACT};
 pub(crate) use stress::{PLASTIC_STRESS, PROFILE, RESIDUAL_STRESS};

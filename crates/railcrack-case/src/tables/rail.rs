@@ -1,12 +1,15 @@
 //! `[rail]`: elasticity, extent and boundary of the rail.
 
+use super::track::SectionName;
 use crate::schema::{
     Choice, NumberRange, Report, SectionValues, Word, choice, closed, number, read_by_word, section, within,
 };
 use railcrack::bulk::{BottomSupport, Boundary, SideSupport};
 use railcrack::crack::CrackNetwork;
+use railcrack::load::NamedSection;
 use railcrack::material::IsotropicElastic;
 use railcrack::math::RailBox;
+use railcrack::section::{SectionEngine, SectionLayers};
 
 /// An incompressible rail has no displacement elements: towards 1/2 they lock.
 const POISSON_RATIOS: NumberRange = NumberRange::closed(0.0, 0.499);
@@ -17,6 +20,7 @@ const WIDEST: f64 = 1e5;
 const USUAL_WIDTH: f64 = 300.0;
 
 const NO_SUPPORTS: &str = "a half-plane has no supports";
+const NO_SECTION: &str = "a block has a depth of its own";
 
 section! {
     RAIL "rail", Defaulted,
@@ -35,6 +39,9 @@ section! {
         .only_with(BOUNDARY, BLOCK.name, NO_SUPPORTS);
     SIDES: SideSupport = choice("sides", "Support of the sides of a block.")
         .only_with(BOUNDARY, BLOCK.name, NO_SUPPORTS);
+    CRACKED_SECTION: SectionName = choice("section", "Rail section whose head, web and foot make the cracked rail more compliant than a half-plane, on the foundation of [track]; cracks then stay in its head. By default the cracked rail is a half-plane, which is too stiff for cracks deeper than 5 mm.")
+        .optional()
+        .only_with(BOUNDARY, HALF_PLANE.name, NO_SECTION);
 }
 
 read_by_word!(BoundaryKind, BottomSupport, SideSupport);
@@ -46,14 +53,12 @@ pub(crate) enum BoundaryKind {
     Block,
 }
 
+const HALF_PLANE: Word = Word::now("half-plane", "bounded by the running surface only");
 const BLOCK: Word =
     Word::now("block", "a supported block of width_mm by depth_mm; finite-element engine only");
 
 impl Choice for BoundaryKind {
-    const WORDS: &'static [(Self, Word)] = &[
-        (Self::HalfPlane, Word::now("half-plane", "bounded by the running surface only")),
-        (Self::Block, BLOCK),
-    ];
+    const WORDS: &'static [(Self, Word)] = &[(Self::HalfPlane, HALF_PLANE), (Self::Block, BLOCK)];
 }
 
 /// Extent and boundary of the rail.
@@ -63,6 +68,8 @@ pub struct Rail {
     pub extent: RailBox,
     /// Half-plane, or a block with its supports.
     pub boundary: Boundary,
+    /// The section that makes the cracked rail more compliant than the half-plane.
+    pub section: Option<&'static NamedSection>,
 }
 
 impl Rail {
@@ -87,7 +94,10 @@ impl Rail {
             // The width of a block belongs to its supports.
             (None, ..) => USUAL_WIDTH,
         };
-        Some(Self { extent: RailBox { width, depth: section.get(DEPTH)?, centre }, boundary })
+        let named = section.get(CRACKED_SECTION).and_then(|name| NamedSection::of(name.word()));
+        let head = named.and_then(SectionLayers::of).map_or(f64::INFINITY, |layers| layers.head.height);
+        let depth = section.get(DEPTH)?.min(SectionEngine::DEEPEST * head);
+        Some(Self { extent: RailBox { width, depth, centre }, boundary, section: named })
     }
 }
 

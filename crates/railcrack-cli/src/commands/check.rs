@@ -144,12 +144,16 @@ fn parts(case: &Case, folder: &Path) -> Vec<(String, Vec<CheckLine>)> {
 fn rail(case: &Case) -> Vec<CheckLine> {
     let rail = &case.rail;
     let (left, right) = rail.extent.ends();
+    let boundary = match rail.section {
+        Some(section) => format!("{}, cracked with the section {}", rail.boundary.word(), section.name),
+        None => rail.boundary.word().into(),
+    };
     vec![
         (
             "elasticity",
             format!("E = {} MPa, nu = {}", short(case.steel.young()), short(case.steel.poisson())),
         ),
-        ("boundary", rail.boundary.word().into()),
+        ("boundary", boundary),
         (
             "cracks stay within",
             format!("x = {} to {} mm, depth {} mm", short(left), short(right), short(rail.extent.depth)),

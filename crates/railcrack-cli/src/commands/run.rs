@@ -12,7 +12,7 @@ use railcrack::words::Choice;
 use railcrack_case::Overrides;
 use railcrack_report::{PageEngine, Pages};
 use railcrack_run::Summary;
-use railcrack_run::decision::{Reason, Verdict, VerdictLevel};
+use railcrack_run::decision::{Reason, StageSummary, StagesSummary, Verdict, VerdictLevel};
 use railcrack_run::machine::{Budget, Needs, long_step, step_seconds};
 use railcrack_run::simulation::{Ending, Finished, RunEntry, RunError, Simulation};
 use serde_json::{Value, json};
@@ -208,6 +208,23 @@ fn verdict(verdict: &Verdict) -> String {
     verdict.reasons.iter().enumerate().map(line).collect()
 }
 
+/// One line for each stage of a head check that turns down.
+fn stages(stages: &StagesSummary) -> String {
+    let one = |name: &str, stage: &StageSummary, by: &str| {
+        let Some(mgt) = stage.mgt else { return format!("{name}: the run ends within it\n") };
+        let inspected =
+            stage.interval_mgt.map_or_else(String::new, |interval| format!(", {by} every {interval:.3}"));
+        format!("{name}: {mgt:.3} million gross tonnes{inspected}\n")
+    };
+    format!(
+        "turns down {:.2} mm deep after {:.3} million gross tonnes\n{}{}",
+        stages.turn_depth_mm,
+        stages.mgt_to_turn,
+        one("stage 1, until it turns", &stages.head_check, "eddy current"),
+        one("stage 2, from the turn to failure", &stages.transverse, "ultrasonics")
+    )
+}
+
 /// One line for each wheel of a mix, and one for the inspection interval.
 fn decision(summary: &Summary) -> String {
     let mut text = summary.verdict.as_ref().map_or_else(String::new, verdict);
@@ -220,6 +237,9 @@ fn decision(summary: &Summary) -> String {
             life(paths.nominal),
             life(paths.limit)
         ));
+    }
+    if let Some(stages) = &decision.stages {
+        text.push_str(&self::stages(stages));
     }
     for of in &decision.frictions {
         let life = of.mgt.map_or_else(|| "none within the run".to_owned(), |mgt| format!("{mgt:.3}"));

@@ -227,3 +227,25 @@ fn a_coefficient_next_to_a_number_that_is_not_determined_belongs_to_the_case() {
     };
     assert!((rate("alone") / rate("both") - 1.0).abs() < 1e-9);
 }
+
+/// A poor reading at a second site does not show that rails hardly differ: the scatter of the case
+/// stays, as for one site.
+#[test]
+fn sites_that_say_little_leave_the_scatter_of_the_case() {
+    let folder = common::folder("calibrate", "little");
+    let section = "\n[traffic]\naxle_load_t = 20.0\n[scatter]\nparis_c_log_std = 0.25\n";
+    fs::write(folder.join("case.toml"), format!("{}{section}", *DISLOCATION_CASE)).unwrap();
+    done(&folder, &["run", "case.toml", "--out", "run", "--quiet"]);
+    let mgt = numbers(&folder.join("run/growth.csv"), "mgt")[2];
+    let depth = numbers(&folder.join("run/growth.csv"), "depth_mm")[2];
+    for (name, std) in [("good.csv", 0.002), ("poor.csv", 0.2)] {
+        fs::write(folder.join(name), format!("mgt,depth_mm,std_mm\n{mgt},{depth},{std}\n")).unwrap();
+    }
+    let line = ["calibrate", "case.toml", "--measured", "good.csv", "--measured", "poor.csv", "--quiet"];
+    let told = done(&folder, &[&line[..], &["--out", "fit"]].concat());
+    assert!(told.contains("do not show that rails differ by less than the scatter of the case"), "{told}");
+    let json: serde_json::Value = serde_json::from_str(&read(&folder.join("fit/calibration.json"))).unwrap();
+    let want = json["log_std"].as_f64().unwrap().hypot(0.25);
+    let fitted = Case::read(&folder.join("fit/calibrated.toml")).unwrap();
+    assert!((fitted.scatter.unwrap().c_log_std - want).abs() < 1e-9, "{json}");
+}

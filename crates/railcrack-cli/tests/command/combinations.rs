@@ -22,12 +22,13 @@ enum Part {
     Coupled,
     Latin,
     Block,
+    Section,
     Space,
 }
 
 use Part::*;
 
-const PARTS: [(Part, &str, &str); 14] = [
+const PARTS: [(Part, &str, &str); 15] = [
     (Mix, "mix", "several wheels, `[[wheel]]`, in both directions"),
     (Network, "network", "several cracks"),
     (Groups, "groups", "`[solver] network = \"groups\"`"),
@@ -41,6 +42,7 @@ const PARTS: [(Part, &str, &str); 14] = [
     (Coupled, "coupled", "`[contact] coupled = true`, a wheel that feels the cracks"),
     (Latin, "LATIN", "`[solver] contact = \"latin\"`"),
     (Block, "block", "`[rail] boundary = \"block\"`"),
+    (Section, "section", "`[rail] section`, a cracked rail with head, web and foot"),
     (Space, "space", "`[solver] engine = \"space\"`"),
 ];
 
@@ -66,7 +68,9 @@ fn text(parts: &[Part]) -> String {
     let _ = writeln!(text, "[solver]\nengine = \"{engine}\"");
     text += if has(Groups) { "network = \"groups\"\n" } else { "" };
     text += if has(Latin) { "contact = \"latin\"\n" } else { "" };
-    text += if has(Block) { "[rail]\nboundary = \"block\"\n" } else { "" };
+    text += if has(Block) || has(Section) { "[rail]\n" } else { "" };
+    text += if has(Block) { "boundary = \"block\"\n" } else { "" };
+    text += if has(Section) { "section = \"60E1\"\n" } else { "" };
     let across = if has(Space) { ", lateral_half_width_mm = 5.0" } else { "" };
     let coupled = if has(Coupled) { ", coupled = true, surface_nodes_per_half_width = 10" } else { "" };
     let contact = |peak: f64| {
@@ -139,8 +143,8 @@ fn refusal(parts: &[Part]) -> Option<String> {
 }
 
 /// Everything that works with everything else of it.
-const TOGETHER: [Part; 9] =
-    [Mix, Network, Fluid, Maintenance, Scatter, Plastic, Fracture, Track, Temperature];
+const TOGETHER: [Part; 10] =
+    [Mix, Network, Fluid, Maintenance, Scatter, Plastic, Fracture, Track, Temperature, Section];
 
 /// The page of the book.
 fn page() -> String {

@@ -5,7 +5,7 @@ use railcrack_report::{
 };
 
 /// Lives and tips by case, turning and increment, computed with `tools/path_limit.py`.
-const TABLE: &str = include_str!("../../../../verification/path/increments.csv");
+const TABLE: &str = include_str!("../../path/increments.csv");
 /// The cases of the paper in it, with the words of the legend.
 const CASES: [(&str, &str); 3] = [
     ("Table 1", "Table 1"),

@@ -5,7 +5,8 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
   const { aired, ends, element, linear, picture, say, sized, toScale, unpack, words } = railcrack;
   const { within, button } = railcrack;
 
-  const data = /** @type {WhatIfData} */ (railcrack.pageData("what-if-data"));
+  const started = typeof railcrackStarted === "undefined" ? null : railcrackStarted;
+  const data = started?.data ?? /** @type {WhatIfData} */ (railcrack.pageData("what-if-data"));
   const place = element("what-if-engine");
   const editor = element("what-if-case", HTMLTextAreaElement);
   const readout = element("what-if-readout");
@@ -269,6 +270,10 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     controls.addEventListener("submit", (event) => event.preventDefault());
   }
 
+  addEventListener("beforeprint", () => {
+    element("what-if-printed").textContent = editor.value;
+  });
+
   // ---- The engine -------------------------------------------------------------------------------
 
   /** A life, as far as it is computed. @typedef {{ case: WhatIfCase, steps: WhatIfStep[], summary: any }} Life */
@@ -282,6 +287,8 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
   let worker = null;
   /** @type {WebAssembly.Module | null} */
   let module = null;
+  /** Whether something was computed, or is about to be. */
+  let hasBegun = false;
   let id = 0;
   /** Where an answer was last given, ms. */
   let heard = 0;
@@ -299,7 +306,7 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     worker = new Worker(url);
     URL.revokeObjectURL(url);
     worker.onmessage = ({ data: message }) => hear(message);
-    worker.postMessage(module);
+    worker.postMessage(module ?? { packed: data.module });
     heard = performance.now();
   }
 
@@ -314,8 +321,9 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
   let isOpening = false;
   function compute(text = editor.value) {
     clearTimeout(resting);
-    if (!module) return;
-    const isSilent = place.dataset.state === "computing" && performance.now() - heard > SILENT;
+    if (!hasBegun) return;
+    // What is compiled says nothing.
+    const isSilent = module && place.dataset.state === "computing" && performance.now() - heard > SILENT;
     if (!worker || isSilent || place.dataset.state === "deciding") startWorker();
     id += 1;
     heard = performance.now();
@@ -334,7 +342,11 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
   /** @param {any} message */
   function hear(message) {
     heard = performance.now();
-    if (message.failed) {
+    if (message.module) module = message.module;
+    else if (message.closed) {
+      isNow("failed");
+      readout.textContent = `The engine does not start: ${message.closed}. A browser of 2023 or later is required.`;
+    } else if (message.failed) {
       startWorker();
       isNow("failed");
       readout.textContent = `The engine stopped: ${message.failed}`;
@@ -712,20 +724,29 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
   followText();
   await readAddress();
 
-  async function start() {
+  function start() {
     readout.textContent = "The engine is being unpacked.";
-    module = await WebAssembly.compile(/** @type {BufferSource} */ (await unpack(data.module)));
+    hasBegun = true;
     // An address with other values: the case at first is computed before it.
     isOpening = editor.value !== data.case;
-    compute(isOpening ? data.case : editor.value);
+    if (!started) {
+      compute(isOpening ? data.case : editor.value);
+      return;
+    }
+    worker = started.worker;
+    id = 1;
+    isNow("computing");
+    resting = setTimeout(remember, REST);
+    worker.onmessage = ({ data: message }) => hear(message);
+    for (const message of started.said) hear(message);
   }
-  const sight = new IntersectionObserver((seen) => {
-    if (!seen.some((entry) => entry.isIntersecting)) return;
-    sight.disconnect();
-    start().catch((reason) => {
-      isNow("failed");
-      readout.textContent = `The engine does not start: ${reason.message}. A browser of 2023 or later is required.`;
+  if (started) start();
+  else {
+    const sight = new IntersectionObserver((seen) => {
+      if (!seen.some((entry) => entry.isIntersecting)) return;
+      sight.disconnect();
+      start();
     });
-  });
-  sight.observe(place);
+    sight.observe(place);
+  }
 });

@@ -157,7 +157,9 @@ const railcrack = (() => {
 
   /** Bytes of base64 text that holds deflated data. @param {Packed} text */
   async function unpack(text) {
-    const deflated = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const letters = atob(text);
+    const deflated = new Uint8Array(letters.length);
+    for (let i = 0; i < letters.length; i++) deflated[i] = letters.charCodeAt(i);
     const stream = new Blob([deflated]).stream().pipeThrough(new DecompressionStream("deflate"));
     return new Uint8Array(await new Response(stream).arrayBuffer());
   }

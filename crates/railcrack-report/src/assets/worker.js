@@ -14,8 +14,10 @@
    * @typedef {{ id: number, text?: string, about?: "decide" | "tables" }} EngineRequest
    */
 
-  /** @type {ReturnType<typeof openEngine>} */
-  let engine;
+  /** @typedef {ReturnType<typeof openEngine>} Engine */
+
+  /** @type {Engine | null} */
+  let engine = null;
   /** @type {EngineRequest | null} */
   let asked = null;
   let isBusy = false;
@@ -35,8 +37,18 @@
       port2.postMessage(0);
     });
 
-  /** @param {number} id @param {string} text */
-  async function life(id, text) {
+  /** The module that the page has in packed form, compiled while it is unpacked. @param {Packed} packed */
+  function compiled(packed) {
+    const letters = atob(packed);
+    const deflated = new Uint8Array(letters.length);
+    for (let i = 0; i < letters.length; i++) deflated[i] = letters.charCodeAt(i);
+    const stream = new Blob([deflated]).stream().pipeThrough(new DecompressionStream("deflate"));
+    const headers = { "Content-Type": "application/wasm" };
+    return WebAssembly.compileStreaming(new Response(stream, { headers }));
+  }
+
+  /** @param {Engine} engine @param {number} id @param {string} text */
+  async function life(engine, id, text) {
     const from = performance.now();
     const begun = engine.begin(text);
     if (begun.code === 2) return tell({ id, errors: begun.value.errors });
@@ -57,20 +69,20 @@
     tell({ id, summary: engine.summary().value, ms: performance.now() - from });
   }
 
-  /** @param {number} id @param {"decide" | "tables"} about */
-  function more(id, about) {
+  /** @param {Engine} engine @param {number} id @param {"decide" | "tables"} about */
+  function more(engine, id, about) {
     const { code, value } = engine[about]();
     tell(code === 2 ? { id, errors: value.errors } : { id, about, value });
   }
 
   async function serve() {
     isBusy = true;
-    while (asked) {
+    while (asked && engine) {
       const { id, text, about } = asked;
       asked = null;
       try {
-        if (text !== undefined) await life(id, text);
-        else if (about) more(id, about);
+        if (text !== undefined) await life(engine, id, text);
+        else if (about) more(engine, id, about);
       } catch (error) {
         // The module has stopped in the middle of something: the page begins another worker.
         tell({ id, failed: String(error) });
@@ -79,9 +91,24 @@
     isBusy = false;
   }
 
-  addEventListener("message", ({ data }) => {
-    if (data instanceof WebAssembly.Module) engine = openEngine(data);
-    else asked = data;
+  /** @param {WebAssembly.Module} module */
+  function open(module) {
+    engine = openEngine(module);
     if (asked && !isBusy) serve();
+  }
+
+  addEventListener("message", ({ data }) => {
+    if (data instanceof WebAssembly.Module) open(data);
+    else if (data.packed)
+      compiled(data.packed).then(
+        (module) => {
+          // For another worker in place of this one.
+          tell({ module });
+          open(module);
+        },
+        (reason) => tell({ closed: String(reason.message ?? reason) }),
+      );
+    else asked = data;
+    if (asked && engine && !isBusy) serve();
   });
 })();

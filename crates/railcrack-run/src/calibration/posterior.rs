@@ -63,6 +63,8 @@ pub struct Posterior {
     pub interval: (f64, f64),
     /// s.
     pub discrepancy: f64,
+    /// The largest s that the measurements do not exclude with 95 %; s itself where it is given.
+    pub largest_discrepancy: f64,
     /// ln of the evidence with this s.
     pub log_evidence: f64,
     /// Standard deviation of ln(C/C0) of a rail that was not measured.
@@ -81,6 +83,9 @@ pub(super) const NORMAL: f64 = 1.959_963_984_540_054;
 const LEAST_SIGMA: f64 = 1e-6;
 /// The largest s that is looked at: a factor of 20 from site to site.
 const LARGEST_DISCREPANCY: f64 = 3.0;
+/// Half of χ² of 95 % with one degree of freedom: an s whose evidence is smaller by more than that
+/// in its logarithm is excluded.
+const EXCLUDED: f64 = 1.920_729;
 /// Values of s that are tried before the best one is refined.
 const TRIED: usize = 24;
 /// Halvings of the range of s by the golden section.
@@ -239,11 +244,12 @@ fn closed(sites: &[SiteLikelihood], (mu, tau): (f64, f64), s: f64) -> (f64, f64,
     (mu + mean, precision.recip(), evidence)
 }
 
-/// The s of the largest evidence; 0 for fewer than two sites, which do not show how sites differ.
-fn best_discrepancy(sites: &[SiteLikelihood], of_prior: (f64, f64)) -> f64 {
+/// The s of the largest evidence, and the largest one that is not excluded; fewer than two sites do
+/// not show how sites differ: 0, and the largest of all.
+fn best_discrepancy(sites: &[SiteLikelihood], of_prior: (f64, f64)) -> (f64, f64) {
     let says = |site: &&SiteLikelihood| site.readings.is_some() || !site.classes.is_empty();
     if sites.iter().filter(says).count() < 2 {
-        return 0.0;
+        return (0.0, LARGEST_DISCREPANCY);
     }
     let at = |i: usize| LARGEST_DISCREPANCY * (i as f64 / TRIED as f64).powi(2);
     let evidence = |s: f64| log_evidence(sites, of_prior, s);
@@ -265,14 +271,23 @@ fn best_discrepancy(sites: &[SiteLikelihood], of_prior: (f64, f64)) -> f64 {
         }
     }
     let found = 0.5 * (low + high);
-    if evidence(found) > tried[0] { found } else { 0.0 }
+    let top = evidence(found).max(tried[0]);
+    let found = if evidence(found) > tried[0] { found } else { 0.0 };
+    let least = top - EXCLUDED;
+    let largest = match (0..=TRIED).rfind(|i| tried[*i] >= least) {
+        Some(TRIED) => LARGEST_DISCREPANCY,
+        Some(i) => at(i) + (tried[i] - least) / (tried[i] - tried[i + 1]) * (at(i + 1) - at(i)),
+        None => found,
+    };
+    (found, largest.max(found))
 }
 
 /// The posterior of `sites`.
 #[must_use]
 pub fn posterior(sites: &[SiteLikelihood], prior: Prior) -> Posterior {
     let of_prior = (prior.mean, prior.log_std);
-    let s = prior.discrepancy.unwrap_or_else(|| best_discrepancy(sites, of_prior));
+    let (s, largest_discrepancy) =
+        prior.discrepancy.map_or_else(|| best_discrepancy(sites, of_prior), |s| (s, s));
     let (mean, std, interval, log_evidence, of_b);
     if sites.iter().all(|site| site.classes.is_empty()) {
         let (centre, variance, evidence) = closed(sites, of_prior, s);
@@ -311,7 +326,17 @@ pub fn posterior(sites: &[SiteLikelihood], prior: Prior) -> Posterior {
     let new_std = std.hypot(s);
     let reach = NORMAL * new_std * widening(sites, prior, new_std);
     let new_interval = (mean - reach, mean + reach);
-    Posterior { mean, std, interval, discrepancy: s, log_evidence, new_std, new_interval, sites: of_sites }
+    Posterior {
+        mean,
+        std,
+        interval,
+        discrepancy: s,
+        largest_discrepancy,
+        log_evidence,
+        new_std,
+        new_interval,
+        sites: of_sites,
+    }
 }
 
 impl Posterior {

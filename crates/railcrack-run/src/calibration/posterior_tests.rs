@@ -66,6 +66,25 @@ fn evidence_of_three_sites_and_its_maximum() {
     assert_eq!(one.discrepancy, 0.0);
 }
 
+/// A poor reading next to a good one does not show that sites differ by less than 0.3, ten good ones
+/// that agree do; the evidence of the largest s is that of 95 %.
+#[test]
+fn the_largest_discrepancy_is_what_the_sites_do_not_exclude() {
+    let prior = Prior { mean: 0.0, log_std: 1.0, discrepancy: None };
+    let poor = [SiteLikelihood::of_readings(&[(-0.6, 0.04)]), SiteLikelihood::of_readings(&[(-0.8, 0.4)])];
+    let fit = posterior(&poor, prior);
+    assert!(fit.discrepancy < 0.05 && fit.largest_discrepancy > 0.6, "{fit:?}");
+    let of_site = |i: i32| SiteLikelihood::of_readings(&[(-0.6 + 0.01 * f64::from(i % 3), 0.04)]);
+    let good = posterior(&(0..10).map(of_site).collect::<Vec<_>>(), prior);
+    assert!(good.discrepancy < 0.01 && good.largest_discrepancy < 0.1, "{good:?}");
+    let three = three();
+    let fit = posterior(&three, prior);
+    close(log_evidence(&three, (0.0, 1.0), fit.largest_discrepancy), fit.log_evidence - 1.920_729, 0.02);
+    // One site excludes none; an s that is given is itself.
+    assert_eq!(posterior(&three[..1], prior).largest_discrepancy, LARGEST_DISCREPANCY);
+    assert_eq!(posterior(&three, Prior { discrepancy: Some(0.1), ..prior }).largest_discrepancy, 0.1);
+}
+
 /// ln P of a class that has the probability Φ((θ − from)/width).
 fn soft_class(from: f64, width: f64) -> Vec<f64> {
     (0..=4000)

@@ -99,6 +99,7 @@ const INSPECTION: Inspection = Inspection {
     detectable_depth: Some(3.0),
     detectable_length: None,
     critical_depth: Some(7.0),
+    ultrasonic_depth: 5.0,
     safety_factor: 3.0,
 };
 

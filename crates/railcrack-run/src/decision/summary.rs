@@ -11,6 +11,7 @@ use super::risk_summary::{RiskInputs, RiskSummary};
 use super::row::DecisionRow;
 use super::sampler::Sampling;
 use super::scatter::{Lives, Quantiles, ScatterSummary, sampled};
+use super::stages::{StageLimits, StagesSummary};
 use super::verdict::{Reason, Verdict};
 use super::wheels::WheelSummary;
 use crate::log::{RunInfo, RunLog};
@@ -54,6 +55,9 @@ pub struct Decision {
     /// The inspection interval, where the case asks for one; null where the verdict is `stop` or
     /// `outside`.
     pub inspection: Option<InspectionSummary>,
+    /// The two stages of a head check that turns down in the run.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stages: Option<StagesSummary>,
     /// Risk between inspections of the run or its samples: its keys are those of the block.
     #[serde(flatten)]
     pub risk: RiskSummary,
@@ -154,7 +158,14 @@ impl Decision {
             Some((at, target)) => verdict.with(Reason::of_risk(at, target)),
             None => verdict,
         };
+        let limits = StageLimits {
+            inspection: info.inspection.as_ref(),
+            detected: nominal.detected,
+            failure: nominal.failure.mgt,
+            gives_intervals: verdict.gives_intervals(),
+        };
         Some(Self {
+            stages: StagesSummary::of(&log.steps, (path.tip.0 - 1, path.tip.1 - 1), tonnes, &limits),
             rate_mm_per_10_mgt: rate(&rows, &nominal),
             calibration: calibration(info.calibrated_sites),
             paths: companions.paths(nominal.failure.mgt),

@@ -33,7 +33,7 @@ pub struct RunInfo {
     pub half_width: f64,
     /// First and last position of `[passage]`, mm: a rail that bends has output positions beyond.
     pub passage: [f64; 2],
-    /// Whether the rail bends on its track.
+    /// Whether a rail bends on its track that is cracked as a half-plane.
     pub bends: bool,
     /// K_Ic, MPa √m, where the case gives it.
     pub toughness: Option<f64>,

@@ -44,8 +44,9 @@ impl Job {
                 boundary: case.rail.boundary,
                 half_width: case.half_width(),
                 passage: [case.passages.passage.from, case.passages.passage.to],
-                bends: case.wheel.load.track.is_some()
-                    || case.mix.iter().any(|mixed| mixed.wheel.load.track.is_some()),
+                bends: case.rail.section.is_none()
+                    && (case.wheel.load.track.is_some()
+                        || case.mix.iter().any(|mixed| mixed.wheel.load.track.is_some())),
                 toughness: case.fracture.as_ref().map(|fracture| fracture.at_rail),
                 steel: case.growth_steel,
                 calibrated_sites: case.calibration.sites,

@@ -88,6 +88,7 @@ impl PopulationPlan {
             detectable_length: self.detectable_length_mm,
             critical_depth: self.critical_depth_mm,
             safety_factor: self.safety_factor,
+            ..Inspection::default()
         }
     }
 }

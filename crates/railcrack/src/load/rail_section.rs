@@ -41,6 +41,12 @@ pub struct NamedSection {
     pub height: f64,
     /// h, depth of the neutral axis below the running surface, mm.
     pub neutral_axis_depth: f64,
+    /// Area, cm².
+    pub area_cm2: f64,
+    /// Width of the head, mm.
+    pub head_width: f64,
+    /// Width of the foot, mm.
+    pub foot_width: f64,
     /// I, cm⁴.
     pub second_moment_cm4: f64,
     /// Section modulus of the head, cm³: I/W = h.
@@ -57,6 +63,9 @@ pub const SECTIONS: &[NamedSection] = &[
         aliases: &["UIC60", "UIC 60"],
         height: 172.0,
         neutral_axis_depth: 91.05,
+        area_cm2: 76.70,
+        head_width: 72.0,
+        foot_width: 150.0,
         second_moment_cm4: 3038.3,
         head_modulus_cm3: 333.6,
         foot_modulus_cm3: 375.5,
@@ -66,6 +75,9 @@ pub const SECTIONS: &[NamedSection] = &[
         aliases: &["UIC54", "UIC 54"],
         height: 159.0,
         neutral_axis_depth: 83.9,
+        area_cm2: 69.77,
+        head_width: 70.0,
+        foot_width: 140.0,
         second_moment_cm4: 2337.9,
         head_modulus_cm3: 278.7,
         foot_modulus_cm3: 311.2,
@@ -75,6 +87,9 @@ pub const SECTIONS: &[NamedSection] = &[
         aliases: &["S49", "S 49"],
         height: 149.0,
         neutral_axis_depth: 75.6,
+        area_cm2: 62.92,
+        head_width: 67.0,
+        foot_width: 125.0,
         second_moment_cm4: 1816.0,
         head_modulus_cm3: 240.3,
         foot_modulus_cm3: 247.5,

@@ -213,6 +213,29 @@ fn the_mechanics_has_no_files() {
     assert_none(&library().iter().flat_map(naming).collect::<Vec<_>>());
 }
 
+/// A crate that is packed by itself has no other files. Links within its folder lead to data that
+/// are shared with the book.
+#[test]
+fn what_a_crate_includes_is_in_its_folder() {
+    let mut violations: Vec<String> = Vec::new();
+    for (name, path) in crates() {
+        for file in rust_files(&path.join("src")) {
+            let inner = file.strip_prefix(&path).unwrap();
+            if inner.file_stem().is_some_and(|stem| stem.to_string_lossy().ends_with("tests")) {
+                continue;
+            }
+            let text = std::fs::read_to_string(&file).unwrap();
+            let own = text.split("#[cfg(test)]").next().unwrap();
+            let folders = inner.components().count() - 1;
+            let included = own.split("include_").skip(1).filter_map(|rest| rest.split('"').nth(1));
+            let outside = included.filter(|included| included.matches("../").count() > folders);
+            violations
+                .extend(outside.map(|included| format!("{name}/{} includes {included}", inner.display())));
+        }
+    }
+    assert_none(&violations);
+}
+
 #[test]
 fn only_the_command_prints() {
     let of_crate = |(name, path): (String, PathBuf)| {

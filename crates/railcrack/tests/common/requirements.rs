@@ -170,6 +170,41 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Dislocations: a mirrored surface crack has the mirrored K.",
     ),
     requirement(
+        "section::edge_crack_in_a_strip",
+        "",
+        "Section: an edge crack in a strip of finite height has the published K_I in tension and bending, to 0.6 of the height.",
+    ),
+    requirement(
+        "section::edge_crack_in_a_rail",
+        "",
+        "Section: an edge crack in the head of a 60E1, free and on its foundation, has the K_I of plane finite elements with the thickness of head, web and foot.",
+    ),
+    requirement(
+        "section::layers_of_one_width_are_a_strip",
+        "",
+        "Section: a strip made of layers of one width is that strip, for a straight and a kinked crack.",
+    ),
+    requirement(
+        "section::shallow_cracks_are_in_a_half_plane",
+        "",
+        "Section: the change of K of a shallow crack falls with the square of its depth.",
+    ),
+    requirement(
+        "section::energy_release_is_that_of_the_sifs",
+        "",
+        "Section: (K_I² + K_II²)(1 − ν²)/E is the derivative of the work of the faces, for a slant crack to 26 mm of depth.",
+    ),
+    requirement(
+        "section::engines_agree",
+        "",
+        "Section: both engines give a kinked crack in a rail the same K.",
+    ),
+    requirement(
+        "section::body_is_symmetric_and_definite",
+        "",
+        "Section: A is symmetric and C its inverse, for two cracks.",
+    ),
+    requirement(
         "edge_crack_under_pressure::polynomial_pressure",
         "",
         "Dislocations: a surface crack under the face pressure p (x/l)ⁿ has the published K_I.",

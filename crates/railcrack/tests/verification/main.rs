@@ -33,6 +33,7 @@ mod mix;
 mod page;
 mod path;
 mod plastic_stress;
+mod section;
 mod shakedown;
 mod slant_crack;
 mod slow_tips;

@@ -8,7 +8,7 @@ use railcrack_run::calibration::{Calibration, ParameterFit, Posterior, Prior, Si
 pub(super) struct New {
     /// Standard deviation of ln C.
     pub std: f64,
-    /// Whether it is that of the case from rail to rail, which a single site does not show.
+    /// Whether it is that of the case from rail to rail, which the sites do not show to be smaller.
     pub is_of_case: bool,
 }
 
@@ -20,12 +20,16 @@ const USUAL: f64 = 0.3;
 impl New {
     /// By the `posterior` of `sites` sites.
     pub fn of(posterior: &Posterior, prior: Prior, sites: usize, case: &Case) -> Self {
-        if sites < 2 && prior.discrepancy.is_none() {
-            let usual = case.scatter.as_ref().map_or(USUAL, |scatter| scatter.c_log_std);
-            return Self { std: posterior.std.hypot(usual), is_of_case: true };
-        }
+        let usual = case.scatter.as_ref().map_or(USUAL, |scatter| scatter.c_log_std);
+        let kept = posterior.std.hypot(usual);
         let (low, high) = posterior.new_interval;
-        Self { std: (high - low) / (2.0 * NORMAL), is_of_case: false }
+        let std = (high - low) / (2.0 * NORMAL);
+        let is_shown = sites > 1 && (posterior.largest_discrepancy < usual || std >= kept);
+        if prior.discrepancy.is_some() || is_shown {
+            Self { std, is_of_case: false }
+        } else {
+            Self { std: kept, is_of_case: true }
+        }
     }
 
     /// The key of the case that carries it.

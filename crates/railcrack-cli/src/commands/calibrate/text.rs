@@ -11,7 +11,7 @@ pub(super) fn told(found: &Found) -> String {
             let key = found.key.trim_start_matches("growth.");
             let posterior = &calibration.posterior;
             let mut text = of_coefficient(key, found.value, posterior);
-            text.push_str(&of_new_rail(found.value, posterior, *new));
+            text.push_str(&of_new_rail(found.value, posterior, *new, found.sites));
             if found.sites.len() > 1 {
                 text.push_str(&of_discrepancy(posterior, found.prior));
             }
@@ -57,7 +57,7 @@ pub(super) fn told(found: &Found) -> String {
             }
             if let Some(new) = new {
                 let value = coefficient.as_ref().map_or(fit.value, |(_, value)| *value);
-                text.push_str(&of_new_rail(value, &fit.posterior, *new));
+                text.push_str(&of_new_rail(value, &fit.posterior, *new, found.sites));
             }
             if found.sites.len() > 1 {
                 text.push_str(&of_discrepancy(&fit.posterior, found.prior));
@@ -94,12 +94,14 @@ fn of_all_values(other: &str, key: &str, value: f64, (mean, std): (f64, f64)) ->
     )
 }
 
-fn of_new_rail(value: f64, posterior: &Posterior, new: New) -> String {
+fn of_new_rail(value: f64, posterior: &Posterior, new: New, sites: &[Site]) -> String {
     let [low, high] = [-NORMAL, NORMAL].map(|z| value * (posterior.mean + z * new.std).exp());
-    let why = if new.is_of_case {
-        "; one site does not show how rails differ, so that the scatter of the case is kept"
-    } else {
-        ""
+    let why = match (new.is_of_case, sites.len()) {
+        (false, _) => "",
+        (true, 1) => "; one site does not show how rails differ, so that the scatter of the case is kept",
+        (true, _) => {
+            "; these sites do not show that rails differ by less than the scatter of the case, which is kept"
+        }
     };
     format!(
         "a rail that was not measured: 95 % from {low:.4e} to {high:.4e}, sd of ln C {:.4}{why}\n",

@@ -41,6 +41,9 @@ fn limits(case: &Case) -> String {
 fn rail(case: &Case) -> String {
     let (young, poisson) = (case.steel.young(), given(case.steel.poisson()));
     let boundary = match case.rail.boundary {
+        Boundary::HalfPlane if let Some(section) = case.rail.section => {
+            format!("half-plane with the compliance of head, web and foot of a {}", section.name)
+        }
         Boundary::HalfPlane => "half-plane, bounded by the running surface only".to_owned(),
         Boundary::Block { bottom, sides } => {
             let RailBox { width, depth, .. } = case.rail.extent;

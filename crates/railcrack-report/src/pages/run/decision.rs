@@ -8,7 +8,7 @@ use crate::pages::ways::ways;
 use crate::table::{MISSING, Table};
 use railcrack_run::decision::{
     Decision, FailureMode, FrictionLife, InspectionSummary, MaintenanceSummary, PathLives, Reason,
-    RiskSummary, ScatterSummary, TargetKept, VerdictLevel, WheelSummary,
+    RiskSummary, ScatterSummary, StageSummary, StagesSummary, TargetKept, VerdictLevel, WheelSummary,
 };
 
 /// Approximate number of rows in the table of depths; `summary.json` has all.
@@ -20,6 +20,7 @@ pub(in crate::pages) fn decision(run: &RunFolder) -> Vec<Block> {
     let mut sentences: Vec<String> = decision.verdict.reasons.iter().skip(1).map(reason).collect();
     sentences.extend(second(decision));
     sentences.extend(decision.paths.as_ref().map(paths));
+    sentences.extend(decision.stages.as_ref().into_iter().flat_map(stages));
     sentences.extend(frictions(&decision.frictions));
     sentences.extend(decision.inspection.as_ref().map(interval));
     sentences.extend(target(&decision.risk));
@@ -82,6 +83,34 @@ fn paths(paths: &PathLives) -> String {
         life(paths.nominal),
         life(paths.limit)
     )
+}
+
+/// The two stages, with the inspection of each.
+fn stages(stages: &StagesSummary) -> [String; 2] {
+    let found = |stage: &StageSummary, by: &str| {
+        let Some(depth) = stage.detectable_depth_mm else { return String::new() };
+        let Some(mgt) = stage.mgt_to_detectable else {
+            return format!(" {by} does not find it in this stage, from {} mm on.", fixed(depth, 2));
+        };
+        let every = stage
+            .interval_mgt
+            .map_or_else(String::new, |interval| format!(": inspections every {} MGT", tonnage(interval)));
+        format!(" {by} finds it from {} mm on, after {} MGT{every}.", fixed(depth, 2), tonnage(mgt))
+    };
+    let length = stages.transverse.mgt.map_or_else(
+        || "the run ends before it fails".to_owned(),
+        |mgt| format!("{} MGT to failure", tonnage(mgt)),
+    );
+    [
+        format!(
+            "Stage 1, head check: {} MGT until it turns down, {} mm deep and {} mm long.{}",
+            tonnage(stages.mgt_to_turn),
+            fixed(stages.turn_depth_mm, 2),
+            fixed(stages.turn_length_mm, 2),
+            found(&stages.head_check, "Eddy current")
+        ),
+        format!("Stage 2, transverse crack: {length}.{}", found(&stages.transverse, "Ultrasonic testing")),
+    ]
 }
 
 /// The lives with other frictions.
