@@ -3,7 +3,7 @@
 use crate::schema::{Report, Sections};
 use crate::tables::{CONTACT, COUPLED, ENGINE, Engine, NETWORK, SOLVER, WHEEL_CONTACT};
 use railcrack::bulk::Boundary;
-use railcrack::contact::{FluidModel, PressureProfile};
+use railcrack::contact::FluidModel;
 use railcrack::plane::{CrackFluid, NetworkContact};
 
 /// Refuses sections that a wheel that feels the cracks does not support.
@@ -31,19 +31,8 @@ pub(super) fn check_coupled<'f>(
             refuse(says, "use solver.network = \"whole\", or coupled = false");
         }
     }
-    let fluids: Vec<&CrackFluid> = fluids.collect();
-    let models: Vec<FluidModel> = fluids.iter().map(|fluid| fluid.model).collect();
-    let from_mouth = |fluid: &&CrackFluid| matches!(fluid.model, FluidModel::Mouth { .. });
-    if fluids.iter().any(|fluid| from_mouth(fluid) && fluid.profile == PressureProfile::Constant) {
-        let says = "is true, and a constant pressure from the mouth lifts the flap abruptly, which the load steps do not follow";
-        refuse(says, "use profile = \"linear\", leave the fluid out, or use coupled = false");
-    }
-    if models.iter().any(|model| matches!(model, FluidModel::Trapped { .. })) {
-        let says =
-            "is true, and trapped fluid is computed under the contact pressure on the uncracked rail only";
-        refuse(says, "use model = \"mouth\", leave the fluid out, or use coupled = false");
-    }
-    if models.iter().any(|model| matches!(model, FluidModel::Mouth { cap } if cap.is_finite())) {
+    let mut models = fluids.map(|fluid| fluid.model);
+    if models.any(|model| matches!(model, FluidModel::Mouth { cap } if cap.is_finite())) {
         let says = "is true: the wheel itself limits the pressure from the mouth, and pressure_cap_mpa would do so again";
         refuse(says, "leave pressure_cap_mpa out, or use coupled = false");
     }

@@ -6,6 +6,7 @@ mod carried;
 mod case;
 mod coarse_crack;
 mod coupled;
+mod coupling_estimate;
 mod cracks;
 mod engines;
 mod finite_section;

@@ -88,8 +88,7 @@ impl Case {
 
     /// The fields to be computed; none if none are requested.
     fn field_settings(&self) -> Option<FieldSettings> {
-        let every = NonZeroUsize::new(self.fields.every)
-            .filter(|_| !self.has_coupled_wheel() && self.rail.section.is_none())?;
+        let every = NonZeroUsize::new(self.fields.every).filter(|_| self.rail.section.is_none())?;
         let mouth = self.cracks.cracks().first()?.points()[0].x;
         let positions: Vec<f64> =
             self.fields.over_a.iter().map(|over_a| mouth + over_a * self.half_width()).collect();
@@ -175,7 +174,7 @@ fn other_wheel(
         wheel: other.wheel.field(&case.steel).expect("the case is checked"),
         share: other.share,
         fluid: other.fluid.clone(),
-        coupling: other.wheel.coupling,
+        coupling: other.wheel.coupling.clone(),
         residual: with_temperature(case, &other.wheel, residual),
         passages: other.passages,
         toughness: toughness_under(case, &other.wheel),
@@ -278,7 +277,7 @@ impl Case {
             network: case.network,
             share: case.mix.first().map_or(1.0, |first| first.share),
             fluid: case.fluid.clone(),
-            coupling: case.wheel.coupling,
+            coupling: case.wheel.coupling.clone(),
             others: others.map(|other| other_wheel(case, other, residual)).collect(),
             residual: with_temperature(case, &case.wheel, residual),
             passages: case.passages,

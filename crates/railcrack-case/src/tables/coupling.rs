@@ -16,8 +16,7 @@ pub(super) fn read_coupling(
     steel: &IsotropicElastic,
     report: &mut Report,
 ) -> Option<Option<WheelCoupling>> {
-    let sliding = contact.sliding().filter(|_| section.get(COUPLED) == Some(true));
-    let Some(&contact) = sliding else {
+    if section.get(COUPLED) != Some(true) {
         let help = "add coupled = true, or leave the key out";
         let says = "describes a wheel that feels the cracks, and coupled is not true";
         let nodes = section.entry(SURFACE_NODES).map(|_| section.fault(SURFACE_NODES, says));
@@ -28,10 +27,10 @@ pub(super) fn read_coupling(
             is_right = false;
         }
         return is_right.then_some(None);
-    };
+    }
     let nodes = section.get(SURFACE_NODES).map_or(WheelCoupling::NODES_PER_HALF_WIDTH, |n| n as f64);
     Some(Some(WheelCoupling {
-        contact: CoupledContact { contact, modulus: 0.5 * steel.plane_strain_modulus() },
+        contact: CoupledContact::new(contact, steel),
         nodes_per_half_width: nodes,
         within: section.get(COUPLED_WITHIN).unwrap_or(WheelCoupling::WITHIN),
     }))

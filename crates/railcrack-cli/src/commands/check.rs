@@ -27,8 +27,8 @@ use std::path::{Path, PathBuf};
 
 /// Validate a case or study file and show what would be computed
 ///
-/// Nothing is computed and nothing is written. The exit code is 0 for a valid case and 2 otherwise;
-/// all errors of the file are reported at once.
+/// Nothing is written, and nothing is computed but one passage over the first crack. The exit code
+/// is 0 for a valid case and 2 otherwise; all errors of the file are reported at once.
 #[derive(Debug, Args)]
 pub struct CheckArguments {
     /// The case file, or a study; `-` is standard input
@@ -89,7 +89,7 @@ fn case_json(case: &Case, folder: &Path) -> Value {
         "memory_bytes": needs.memory,
         "disk_bytes": needs.disk,
         "step_seconds": step_seconds(case, &size),
-        "warnings": of_case(case).into_iter().map(|warning| warning.text).collect::<Vec<_>>(),
+        "warnings": warning_texts(case),
         "summary": said,
     })
 }
@@ -728,8 +728,28 @@ fn plastic_state(case: &Case) -> Vec<CheckLine> {
 
 /// The warnings that a run would begin with.
 fn warnings(case: &Case) -> Vec<CheckLine> {
-    of_case(case).into_iter().map(|warning| ("", warning.text)).collect()
+    warning_texts(case).into_iter().map(|text| ("", text)).collect()
 }
+
+/// The warnings about a case, and whether its wheel should feel the cracks.
+fn warning_texts(case: &Case) -> Vec<String> {
+    let mut texts: Vec<String> = of_case(case).into_iter().map(|warning| warning.text).collect();
+    let felt = case.effect_of_coupling().filter(|ratio| (ratio - 1.0).abs() > FELT);
+    texts.extend(felt.map(|ratio| {
+        let remedy = if case.engine.is_in_space() {
+            "the space engine has no such wheel, the plane engines do"
+        } else {
+            "set contact.coupled = true"
+        };
+        format!(
+            "under a wheel that feels the crack, the first crack, alone and dry in the plane, would grow at {ratio:.2} times the rate: {remedy}"
+        )
+    }));
+    texts
+}
+
+/// Change of the growth rate from which on a wheel should feel the cracks.
+const FELT: f64 = 0.05;
 
 /// Needs of the run and the resources of the machine.
 fn machine(case: &Case, folder: &Path) -> Vec<CheckLine> {

@@ -52,7 +52,7 @@ fn the_models_of_the_fluid_stand_beside_each_other() {
     let volumes = numbers(&folder.join("trapped/sif.csv"), "fluid_mm2");
     assert!(volumes.iter().all(|volume| *volume >= 0.0) && largest(&volumes) > 1e-4);
     let page = read(&folder.join("trapped/report.html"));
-    assert!(page.contains("an upper bound") && page.contains("Fluid in the cracks"));
+    assert!(page.contains("none is lost sideways") && page.contains("Fluid in the cracks"));
     assert!(folder.join("trapped/plots/fluid.svg").exists() && !folder.join("dry/plots/fluid.svg").exists());
 }
 

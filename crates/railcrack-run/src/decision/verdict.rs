@@ -304,7 +304,7 @@ fn flap(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
     let opening = step.largest_opening;
     validity::flap(opening)?;
     let text = format!(
-        "fluid lifts the flap above a crack by {opening:.3} mm, which the wheel would press shut: limit the pressure ([fluid] pressure_cap_mpa) or take another model of the fluid"
+        "fluid lifts the flap above a crack by {opening:.3} mm, which the wheel would press shut: let the wheel feel the cracks ([contact] coupled = true) or limit the pressure ([fluid] pressure_cap_mpa)"
     );
     let reason = Reason { step: Some(step.step), ..Reason::new(ReasonKind::LiftedFlap, text) };
     Some(Reason { value: Some(opening), limit: Some(UNFELT_OPENING), ..reason })

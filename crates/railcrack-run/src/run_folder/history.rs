@@ -24,6 +24,11 @@ pub struct History {
     pub pressure: Vec<f64>,
     /// Volume of the crack with fluid per unit width, mm²; empty for dry cracks.
     pub volume: Vec<f64>,
+    /// How much farther a wheel that feels the cracks approaches the rail, µm; none by position
+    /// where it does not feel them.
+    pub approach: Vec<Option<f64>>,
+    /// Contact load within 0.1 a of the mouth of the crack, N/mm, in the same way.
+    pub lip_load: Vec<Option<f64>>,
 }
 
 impl History {
@@ -58,6 +63,8 @@ impl History {
                 history.kiii.extend(row.kiii);
                 history.pressure.extend(row.fluid_pressure);
                 history.volume.extend(row.fluid_volume);
+                history.approach.push(row.approach);
+                history.lip_load.push(row.lip_load);
             }
         }
         Ok(histories)

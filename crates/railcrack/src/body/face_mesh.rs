@@ -56,9 +56,18 @@ impl FaceMesh {
     /// [`FaceMesh::nodal_forces`] of a stress that is known by the index of the sample, from 0.
     #[must_use]
     pub fn nodal_forces_of_samples(&self, stress: impl Fn(usize, Vec2) -> Stress) -> Vec<f64> {
+        self.nodal_forces_on(&self.samples, stress)
+    }
+
+    /// [`FaceMesh::nodal_forces`] of a stress that varies over lengths comparable to the depth.
+    pub(crate) fn graded_nodal_forces(&self, stress: impl Fn(Vec2) -> Stress) -> Vec<f64> {
+        self.nodal_forces_on(&self.graded, |_, point| stress(point))
+    }
+
+    fn nodal_forces_on(&self, samples: &[FaceSample], stress: impl Fn(usize, Vec2) -> Stress) -> Vec<f64> {
         // Summed in x and y first, because a point has one frame for all of its shares.
         let mut forces = vec![0.0; 2 * self.points.len()];
-        for (k, sample) in self.samples.iter().enumerate() {
+        for (k, sample) in samples.iter().enumerate() {
             let traction = stress(k, sample.point).traction(sample.normal);
             for (point, length) in sample.shares {
                 forces[2 * point] += length * traction.x;

@@ -98,7 +98,7 @@ impl<'a> LatinSteps<'a> {
         let solution = FaceSolution::virgin_of(problem);
         let global = spd_inverse(&shifted).ok();
         let unit = |pocket: &Pocket| FaceRate {
-            jump: global.as_ref().map_or_else(Vec::new, |global| global.times(&pocket.unit)),
+            jump: global.as_ref().map_or_else(Vec::new, |global| global.times(&pocket.unit[..2 * points])),
             contact: vec![0.0; 2 * points],
         };
         Self {
@@ -159,8 +159,11 @@ impl<'a> StepSolver<'a> for LatinSteps<'a> {
             let known = self.reduced.take().filter(|reduced| reduced.loaded == loaded);
             let reduced = match known {
                 Some(reduced) => reduced,
-                None => ReducedWheel::new(wheel, problem.stiffness(), loaded, &self.global_direction)
-                    .ok_or_else(|| failure(iterations))?,
+                None => {
+                    let fluid = (&self.global_direction[..], problem.pockets());
+                    ReducedWheel::new(wheel, problem.stiffness(), loaded, fluid)
+                        .ok_or_else(|| failure(iterations))?
+                }
             };
             let solved = self.solve_reduced(step, faces, &reduced);
             let changes = reduced.demanded(wheel, &self.solution);
@@ -198,8 +201,9 @@ impl<'a> LatinSteps<'a> {
     ) -> Result<usize, NotConverged> {
         let forces = reduced.forces(step.forces);
         let global = self.global.replace(reduced.global.clone());
+        let units = std::mem::replace(&mut self.units, reduced.units.clone());
         let solved = self.iterate(LoadStep { forces: &forces, ..step }, faces);
-        self.global = global;
+        (self.global, self.units) = (global, units);
         let iterations = solved?;
         reduced.complete(step.forces, &mut self.solution);
         faces.adopt(&self.solution);

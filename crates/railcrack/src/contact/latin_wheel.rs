@@ -1,7 +1,8 @@
 //! A coupled wheel eliminated from the equations of the faces, for the LATIN method.
 
-use super::FaceSolution;
+use super::tableau::FaceRate;
 use super::wheel_surface::{SURFACE_ROUND_OFF, SurfaceSystem};
+use super::{FaceSolution, Pocket};
 use crate::linear::general_inverse;
 use crate::math::{Matrix, dot};
 
@@ -12,6 +13,8 @@ pub(super) struct ReducedWheel {
     pub loaded: Vec<bool>,
     /// (A + P G + k⁻)⁻¹.
     pub global: Matrix,
+    /// Jumps of the global stage for a unit pressure of each pocket of fluid.
+    pub units: Vec<FaceRate>,
     /// Components of the nodes in contact and of the approach.
     components: Vec<usize>,
     /// Inverse of their equations.
@@ -29,12 +32,13 @@ const TOLERANT: f64 = 1e3;
 
 impl ReducedWheel {
     /// The faces of the `stiffness` A with the nodes `loaded` of `wheel` in contact; `direction`
-    /// is k⁻. `None` for conditions that do not determine the pressures.
+    /// is k⁻, and fluid is in the `pockets`. `None` for conditions that do not determine the
+    /// pressures.
     pub(super) fn new(
         wheel: &SurfaceSystem,
         stiffness: &Matrix,
         loaded: Vec<bool>,
-        direction: &[f64],
+        (direction, pockets): (&[f64], &[Pocket]),
     ) -> Option<Self> {
         let faces = stiffness.rows();
         let columns = &wheel.columns;
@@ -56,7 +60,12 @@ impl ReducedWheel {
             effective[(j, j)] += direction[j];
         }
         let global = general_inverse(&effective).ok()?;
-        Some(Self { loaded, global, components, inverse, rows, forces, faces })
+        let unit = |pocket: &Pocket| FaceRate {
+            jump: global.times(&pocket.unit[..faces]),
+            contact: vec![0.0; faces],
+        };
+        let units = pockets.iter().map(unit).collect();
+        Some(Self { loaded, global, units, components, inverse, rows, forces, faces })
     }
 
     /// Values of the components in contact under `load` with the jumps `jump` (mm, 2p).

@@ -8,6 +8,7 @@ mod fluid;
 mod latin;
 mod latin_wheel;
 mod law;
+mod load_path;
 mod loads;
 mod newton;
 mod parabola;
@@ -22,6 +23,7 @@ mod stepping;
 mod tableau;
 mod trace;
 mod uncracked_path;
+mod uneven_path;
 mod wheel_surface;
 
 pub use fluid::{
@@ -29,11 +31,13 @@ pub use fluid::{
 };
 pub use latin::Latin;
 pub use law::{FaceState, FaceStatus};
+pub use load_path::LoadPath;
 pub use newton::Newton;
 pub(crate) use problem::FaceScale;
 pub use problem::{CrackFrictionError, FaceProblem, FaceSolution, PointStatus};
 pub use response::FaceResponse;
 pub use solver::{ContactSolver, LoadStep, NotConverged, StepSolver};
 pub(crate) use stepping::{Coupling, FaceHistory};
-pub use stepping::{LoadPath, StepControl, Stepper, SteppingCounts, SteppingError};
-pub use wheel_surface::{CoupledState, SurfaceNode, SurfaceState, WheelSurface};
+pub use stepping::{StepControl, Stepper, SteppingCounts, SteppingError};
+pub(crate) use wheel_surface::ratio_at;
+pub use wheel_surface::{CoupledState, SurfaceNode, SurfaceState, UnevenShear, WheelSurface};

@@ -81,6 +81,8 @@ pub struct FaceProblem<'a> {
     /// is an unknown.
     pub(super) free_volumes: Vec<f64>,
     wheel: Option<SurfaceSystem>,
+    /// Whether the nodes of the wheel load the fluid in the cracks.
+    presses_fluid: bool,
 }
 
 impl<'a> FaceProblem<'a> {
@@ -99,7 +101,7 @@ impl<'a> FaceProblem<'a> {
             return Err(CrackFrictionError::Value { crack: crack + 1, value: crack_friction[crack] });
         }
         let friction = points.iter().map(|point| crack_friction[point.crack]).collect();
-        Ok(Self { body, friction, fluid: None, free_volumes: Vec::new(), wheel: None })
+        Ok(Self { body, friction, fluid: None, free_volumes: Vec::new(), wheel: None, presses_fluid: false })
     }
 
     /// This problem with `fluid` in the cracks.
@@ -114,13 +116,18 @@ impl<'a> FaceProblem<'a> {
 
     /// This problem, whose fluid is known, under a wheel that feels the cracks, with the running
     /// `surface` under it. Fluid at the pressure over a mouth is a load of the surface nodes around
-    /// it.
+    /// it if the pressure falls along the crack; constant, it makes the flap snap, and is given.
     ///
     /// Errors: a surface without a solution of its contact.
     pub fn with_wheel(self, surface: Option<WheelSurface>) -> Result<Self, LinearError> {
         let stiffness = &self.body.stiffness;
-        let of_mouth = self.fluid.iter().filter(|fluid| matches!(fluid.model, FluidModel::Mouth { .. }));
-        let pockets: Vec<&Pocket> = of_mouth.flat_map(|fluid| &fluid.pockets).collect();
+        let falls = |fluid: &&FaceFluid| {
+            matches!(fluid.model, FluidModel::Mouth { .. })
+                && fluid.pockets.iter().all(|pocket| pocket.profile != pocket.unit)
+        };
+        let of_mouth = self.fluid.as_ref().filter(falls);
+        let presses_fluid = of_mouth.is_some();
+        let pockets: Vec<&Pocket> = of_mouth.iter().flat_map(|fluid| &fluid.pockets).collect();
         let wet = |mut surface: WheelSurface| {
             for pocket in &pockets {
                 let Some(mouth) = pocket.mouth else { continue };
@@ -131,7 +138,7 @@ impl<'a> FaceProblem<'a> {
             SurfaceSystem::new(surface, stiffness)
         };
         let wheel = surface.map(wet).transpose()?;
-        Ok(Self { wheel, ..self }.extended())
+        Ok(Self { wheel, presses_fluid, ..self }.extended())
     }
 
     /// This problem with forces of pockets that have an entry for every component.
@@ -142,6 +149,12 @@ impl<'a> FaceProblem<'a> {
             pocket.profile.resize(components, 0.0);
         }
         self
+    }
+
+    /// Whether the pressures of a wheel that feels the cracks over their mouths act on the fluid in
+    /// them, and are given.
+    pub(crate) fn has_given_mouth_pressures(&self) -> bool {
+        self.wheel.is_some() && self.fluid.is_some() && !self.presses_fluid
     }
 
     /// The wheel, if it feels the cracks.

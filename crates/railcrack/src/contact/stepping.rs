@@ -3,26 +3,16 @@
 use super::pocket_trace::OutsidePressure;
 use super::pressure::{content, total, violation};
 use super::trace::{Accuracy, AtRelease, StepLoad, Stop, Trace, follow};
+use super::uneven_path::{REPETITIONS, ShearAlongPath, WithShear};
+use super::wheel_surface::SurfaceSystem;
 use super::{
-    ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, PocketState,
-    PocketStatus, PointStatus, StepSolver,
+    ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadPath, LoadStep, NotConverged,
+    PocketState, PocketStatus, PointStatus, StepSolver,
 };
 use crate::math::axpy;
 use crate::words::{Choice, Word};
 use std::ops::Range;
 use thiserror::Error;
-
-/// The load of a path: nodal forces as a function of one coordinate.
-pub trait LoadPath: Sync {
-    /// Nodal forces (N/mm, 2p) at coordinate `at`.
-    fn nodal_forces(&self, at: f64) -> Vec<f64>;
-
-    /// The pressure (MPa) at coordinate `at` over the mouth of each pocket of fluid whose pressure
-    /// is an unknown; none where there are none.
-    fn over_mouths(&self, _at: f64) -> Vec<f64> {
-        Vec::new()
-    }
-}
 
 /// Control of the load steps along a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -137,6 +127,7 @@ pub struct Stepper<'a> {
     counts: SteppingCounts,
     interrupted: &'a (dyn Fn() -> bool + Sync),
     visited: Option<Visited>,
+    shear: ShearAlongPath,
     /// Work arrays of a step.
     memory: StepMemory,
 }
@@ -215,6 +206,8 @@ const SMALLEST: f64 = 1e-7;
 /// Outcome of a step.
 enum Attempt {
     Accepted,
+    /// To be repeated with the shear that follows from its pressures.
+    Again,
     /// To be repeated with this share of its length.
     Shorter(f64),
     /// To be repeated with this share of its length, without tracing.
@@ -255,6 +248,7 @@ impl<'a> Stepper<'a> {
             counts: SteppingCounts::default(),
             interrupted: &|| false,
             visited: None,
+            shear: ShearAlongPath::default(),
             memory: StepMemory::default(),
         }
     }
@@ -328,6 +322,11 @@ impl<'a> Stepper<'a> {
             && (0..2 * self.problem.points()).all(near)
     }
 
+    /// The current path coordinate.
+    pub(crate) fn at(&self) -> f64 {
+        self.at
+    }
+
     /// The nodal forces of the current solution.
     pub fn load(&self) -> &[f64] {
         &self.load
@@ -389,6 +388,7 @@ impl<'a> Stepper<'a> {
                     control = self.control;
                     at_release = AtRelease::EndStep;
                 }
+                Ok(Attempt::Again) => step = 0.5 * (target - self.at),
                 Ok(Attempt::Shorter(share)) => step = share * (target - self.at),
                 Ok(Attempt::ThenRelease) => at_release = AtRelease::Continue,
                 Ok(Attempt::Untraced(share)) => {
@@ -409,6 +409,38 @@ impl<'a> Stepper<'a> {
 
     /// Tries a step to `target`. If it is not accepted, the solution is unchanged.
     fn attempt(
+        &mut self,
+        path: &dyn LoadPath,
+        target: f64,
+        manner: (StepControl, AtRelease),
+        accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
+    ) -> Result<Attempt, NotConverged> {
+        let uneven = self.problem.wheel().is_some_and(SurfaceSystem::is_uneven);
+        if !(uneven && path.is_of_coupled_wheel()) {
+            return self.attempt_along(path, target, manner, accepted);
+        }
+        let (range, start) = ([self.at, target], self.shear.now.clone());
+        let mut step = self.shear.ahead(target - self.at);
+        let mut result = Ok(Attempt::Again);
+        for _ in 0..REPETITIONS {
+            self.shear.assumed = Some(step.clone());
+            let with_shear = WithShear { path, range, start: &start, step: &step };
+            result = self.attempt_along(&with_shear, target, manner, accepted);
+            match result {
+                Ok(Attempt::Again) => step = std::mem::take(&mut self.shear.found),
+                Ok(Attempt::Accepted) => {
+                    self.shear.advance(range[1] - range[0]);
+                    return result;
+                }
+                _ => break,
+            }
+        }
+        self.shear.assumed = None;
+        result
+    }
+
+    /// [`Stepper::attempt`] with the shear that is part of `path`.
+    fn attempt_along(
         &mut self,
         path: &dyn LoadPath,
         target: f64,
@@ -512,6 +544,9 @@ impl<'a> Stepper<'a> {
         if closes && at_release == AtRelease::EndStep {
             return Ok(Attempt::Shorter(0.5));
         }
+        if !self.shear_agrees(target, Some(&trace.middle)) {
+            return Ok(Attempt::Again);
+        }
         let from = self.at;
         for change in trace.changes() {
             if let Some(visited) = &mut self.visited {
@@ -534,7 +569,18 @@ impl<'a> Stepper<'a> {
         let reference_slip: Vec<f64> = self.current.jump.iter().step_by(2).take(points).copied().collect();
         self.solver.keep();
         self.solve(&end, &reference_slip, &outside)?;
+        if !self.shear_agrees(target, None) {
+            return Ok(Attempt::Again);
+        }
         Ok(self.accept(target, (end, outside), accepted))
+    }
+
+    /// Whether the uneven shear assumed in a step to `target` follows from its pressures; `middle`
+    /// are the jumps in the middle of it.
+    fn shear_agrees(&mut self, target: f64, middle: Option<&[f64]>) -> bool {
+        let end = &self.faces.solution().jump;
+        let (at, scales) = ([0.5 * (self.at + target), target], (self.tolerance, self.largest));
+        self.shear.agrees(self.problem, (middle, end), at, scales)
     }
 
     /// Solves contact under `forces` from the statuses in `faces`.
@@ -605,13 +651,26 @@ impl<'a> Stepper<'a> {
             loaded.resize(wheel.nodes(), false);
             wheel.uncracked.pressures(self.at).for_each(|(node, pressure)| loaded[node] = pressure > 0.0);
         }
+        let points = self.problem.points();
+        self.shear = match coupling {
+            Coupling::Coupled if wheel.is_uneven() => ShearAlongPath::none(points),
+            _ => ShearAlongPath::default(),
+        };
         self.faces.couple(&loaded);
         let at = self.at;
-        let (end, outside) = (path.nodal_forces(at), path.over_mouths(at));
-        self.faces.keep();
-        self.untraced(at, (end, outside), accepted)
-            .map(|_| ())
-            .map_err(|failure| SteppingError::NotConverged { at, failure })
+        let manner = (StepControl::Fixed, AtRelease::Continue);
+        match self.attempt(path, at, manner, accepted) {
+            Ok(Attempt::Accepted) => Ok(()),
+            Ok(_) => {
+                let failure = NotConverged {
+                    iterations: REPETITIONS,
+                    indicator: f64::INFINITY,
+                    tolerance: self.tolerance,
+                };
+                Err(SteppingError::NotConverged { at, failure })
+            }
+            Err(failure) => Err(SteppingError::NotConverged { at, failure }),
+        }
     }
 
     /// Admissible error (mm) of the slip at which point `j` is held, for K within the tolerance.

@@ -5,7 +5,7 @@ use super::parabola::Parabola;
 use super::pocket_trace::{OutsidePressure, PocketEvent, PocketTrace};
 use super::problem::ROUND_OFF;
 use super::tableau::FaceRate;
-use super::wheel_surface::SURFACE_ROUND_OFF;
+use super::wheel_surface::{SURFACE_ROUND_OFF, SurfaceSystem};
 use super::{FaceProblem, FaceResponse, FaceScale, FaceSolution, PointStatus};
 
 /// The load within a step, at share τ of it: start + τ first + τ² second.
@@ -48,6 +48,8 @@ pub(super) struct Trace {
     pub reference_slip: Vec<f64>,
     /// The faces at the point reached in the step, finally at its end.
     pub now: FaceSolution,
+    /// Jumps in the middle of the step under a wheel with an uneven shear; otherwise empty.
+    pub middle: Vec<f64>,
     /// Coefficients of τ and τ².
     rates: [FaceRate; 2],
     changes: Vec<Transition>,
@@ -140,6 +142,8 @@ pub(super) enum Stop {
 /// them the contact conditions have no solution, or the faces have just begun to touch everywhere.
 const MOST_AT_ONCE: usize = 32;
 const MOST_PER_POINT: usize = 4;
+/// The middle of a step.
+const MIDDLE: f64 = 0.5;
 /// Difference of two shares of a step below which they are the same moment.
 const MOMENT: f64 = 1e-12;
 
@@ -234,7 +238,17 @@ impl TracedStep<'_, '_> {
                 *value += one * first + two * second;
             }
         };
-        let Trace { now, rates: [first, second], .. } = &mut *self.trace;
+        let Trace { now, middle, rates: [first, second], .. } = &mut *self.trace;
+        if self.problem.wheel().is_some_and(SurfaceSystem::is_uneven)
+            && (self.share..self.share + after).contains(&MIDDLE)
+        {
+            now.jump.clone_into(middle);
+            let (after, from) = (MIDDLE - self.share, self.share);
+            let (one, two) = (after, after * (2.0 * from + after));
+            for ((value, first), second) in middle.iter_mut().zip(&first.jump).zip(&second.jump) {
+                *value += one * first + two * second;
+            }
+        }
         go(&mut now.jump, &first.jump, &second.jump);
         go(&mut now.contact, &first.contact, &second.contact);
         self.share += after;

@@ -24,6 +24,8 @@ struct PathPiece {
     pressures: Vec<[f64; 3]>,
     /// The same of the approach δ, mm.
     approach: [f64; 3],
+    /// ∂q/∂P′ from the first node on, 1/mm: that of a flat punch over the nodes in contact.
+    rises: Vec<f64>,
 }
 
 /// Number of iterations for the first position. Pressures are found from those of a Hertzian
@@ -53,6 +55,13 @@ impl UncrackedPath {
             let value = move |(i, q): (usize, &[f64; 3])| (piece.first + i, at(q, xc - piece.from));
             piece.pressures.iter().enumerate().map(value)
         })
+    }
+
+    /// The nodes that may carry pressure with the wheel at `xc` (mm), and their ∂q/∂P′ (1/mm).
+    pub fn rises(&self, xc: f64) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.piece(xc)
+            .into_iter()
+            .flat_map(|piece| piece.rises.iter().enumerate().map(move |(i, &rise)| (piece.first + i, rise)))
     }
 
     /// δ (mm) with the wheel at `xc` (mm).
@@ -88,6 +97,8 @@ struct Walk<'s> {
     loaded: Vec<bool>,
     now: FaceRate,
     rates: [FaceRate; 2],
+    /// Due to a unit of the line load.
+    of_load: FaceRate,
     share: f64,
 }
 
@@ -101,6 +112,7 @@ impl<'s> Walk<'s> {
             loaded: surface.loaded.clone(),
             now: zero(),
             rates: [zero(), zero()],
+            of_load: zero(),
             share: 0.0,
             surface,
         };
@@ -144,12 +156,15 @@ impl<'s> Walk<'s> {
         };
         let first = form(&|s, m, e| 4.0 * m - 3.0 * s - e);
         let second = form(&|s, m, e| 2.0 * (s + e) - 4.0 * m);
-        self.tableau.loads().set([start.clone(), first, second]);
+        let n = self.loaded.len();
+        let mut unit_load = vec![0.0; n + 1];
+        unit_load[n] = self.surface.units.1;
+        self.tableau.loads().set([start.clone(), first, second, unit_load]);
         let mut pieces = Vec::new();
         let mut at_once = 0;
         loop {
             let [first, second] = &mut self.rates;
-            self.tableau.rates(&mut [(1, first), (2, second)])?;
+            self.tableau.rates(&mut [(1, first), (2, second), (3, &mut self.of_load)])?;
             pieces.push(self.piece());
             let Some((after, node)) = self.next_event() else { break };
             at_once = if after > 1e-12 { 0 } else { at_once + 1 };
@@ -217,6 +232,7 @@ impl<'s> Walk<'s> {
             first,
             pressures: (first..=last).map(|i| of(i, self.surface.units.0)).collect(),
             approach: of(n, self.surface.units.1),
+            rises: (first..=last).map(|i| self.surface.units.0 * self.of_load.jump[i]).collect(),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::uncracked_path::{UncrackedPath, UncrackedSurface};
 use crate::linear::LinearError;
-use crate::math::{Matrix, axpy};
+use crate::math::{Matrix, axpy, dot};
 
 /// A node of the running surface with its hat function ψ.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,8 +28,10 @@ pub struct WheelSurface {
     pub compliance: Matrix,
     /// P_n, n × 2p: row i holds the nodal forces (N/mm per MPa) of a unit of q_i.
     pub measuring: Matrix,
-    /// P_μ, n × 2p: the same with the shear that accompanies the pressure.
+    /// P_μ, n × 2p: the same with the shear that accompanies the pressure everywhere.
     pub loading: Matrix,
+    /// The shear beyond it; none in full sliding.
+    pub uneven: Option<UnevenShear>,
     /// P′, N/mm.
     pub line_load: f64,
     /// p0 of the uncracked rail, MPa.
@@ -42,6 +44,27 @@ pub struct WheelSurface {
     pub coupled: (f64, f64),
     /// Abscissae of the mouths, mm.
     pub mouths: Vec<f64>,
+}
+
+/// Shear that accompanies the pressure by a ratio that depends on the place in the contact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UnevenShear {
+    /// n × 2p: row i holds the nodal forces (N/mm per MPa) of a unit shear of node i.
+    pub forces: Matrix,
+    /// Ratios by x − x_c (mm), increasing: linear in between, and constant beyond the first and the
+    /// last.
+    pub ratios: Vec<(f64, f64)>,
+}
+
+/// The value at `u` of `ratios` by abscissa, increasing: linear in between, and constant beyond the
+/// first and the last; zero without any.
+pub(crate) fn ratio_at(ratios: &[(f64, f64)], u: f64) -> f64 {
+    let after = ratios.partition_point(|known| known.0 <= u);
+    match (after.checked_sub(1).and_then(|i| ratios.get(i)), ratios.get(after)) {
+        (Some(&(from, one)), Some(&(to, other))) => one + (other - one) * (u - from) / (to - from),
+        (Some(&(_, ratio)), None) | (None, Some(&(_, ratio))) => ratio,
+        (None, None) => 0.0,
+    }
 }
 
 impl WheelSurface {
@@ -104,7 +127,7 @@ impl SurfaceSystem {
     /// Errors: a surface on which no contact can be found.
     pub fn new(surface: WheelSurface, stiffness: &Matrix) -> Result<Self, LinearError> {
         let none = || Matrix::zeros(surface.nodes.len(), 0);
-        let bare = WheelSurface { measuring: none(), loading: none(), ..surface.clone() };
+        let bare = WheelSurface { measuring: none(), loading: none(), uneven: None, ..surface.clone() };
         let bare = Self::assembled(bare, &Matrix::zeros(0, 0), UncrackedPath::default());
         let (pressure, gap) = bare.scales();
         let (first, half_width) = (surface.coupled.0, surface.half_width);
@@ -145,6 +168,11 @@ impl SurfaceSystem {
             columns[(p + n, p + j)] = -weight;
         }
         Self { surface, faces: p, pressure_unit, approach_unit, columns, uncracked }
+    }
+
+    /// Whether the ratio of shear to pressure depends on the place in the contact.
+    pub fn is_uneven(&self) -> bool {
+        self.surface.uneven.is_some()
     }
 
     /// Number of nodes.
@@ -192,6 +220,22 @@ impl SurfaceSystem {
         forces
     }
 
+    /// The nodal forces on the faces (N/mm, 2p) of the shear that depends on the place in the
+    /// contact with the wheel at `xc` (mm), beyond that on the uncracked rail; none in full
+    /// sliding.
+    pub fn uneven_forces(&self, jump: &[f64], xc: f64) -> Option<Vec<f64>> {
+        let uneven = self.surface.uneven.as_ref()?;
+        let mut pressures: Vec<f64> = (0..self.nodes()).map(|i| self.pressure(jump, i)).collect();
+        self.uncracked.pressures(xc).for_each(|(i, uncracked)| pressures[i] -= uncracked);
+        let mut forces = vec![0.0; self.faces];
+        for (i, (node, pressure)) in self.surface.nodes.iter().zip(pressures).enumerate() {
+            if pressure != 0.0 {
+                axpy(pressure * ratio_at(&uneven.ratios, node.x - xc), uneven.forces.row(i), &mut forces);
+            }
+        }
+        Some(forces)
+    }
+
     /// q_i, MPa.
     pub fn pressure(&self, jump: &[f64], node: usize) -> f64 {
         self.pressure_unit * jump[self.faces + node]
@@ -227,21 +271,34 @@ impl SurfaceSystem {
     }
 
     /// The contact with the components `jump` and the nodes `loaded` in contact, the wheel at `xc`
-    /// (mm) and mouths at `mouths` (mm); `None` where the wheel is not coupled.
+    /// (mm) and mouths at `mouths` (mm); `None` where the wheel is not coupled. `punch` are the
+    /// nodal forces on the faces (1, 2p) per increment of the line load on the uncracked rail.
     pub fn state(
         &self,
         (jump, loaded): (&[f64], &[bool]),
         xc: f64,
-        mouths: &[Option<f64>],
+        (mouths, punch): (&[Option<f64>], &[f64]),
     ) -> Option<CoupledState> {
-        let end = |place: Option<usize>| place.map(|i| self.surface.nodes[i].x);
+        let (from, to) = self.extent(loaded)?;
         let lip = LIP * self.surface.half_width;
         Some(CoupledState {
-            approach: self.approach_of(jump) - self.uncracked.approach(xc),
-            from: end(loaded.iter().position(|&loaded| loaded))?,
-            to: end(loaded.iter().rposition(|&loaded| loaded))?,
+            approach: self.approach_of(jump) - self.uncracked.approach(xc)
+                + self.sinking_under(punch, jump, xc),
+            from,
+            to,
             lip_loads: mouths.iter().map(|mouth| mouth.map(|x| 2.0 * lip * self.mean(jump, x))).collect(),
         })
+    }
+
+    /// How much more the jumps lower the wheel than the nodal pressures measure, mm.
+    ///
+    /// The load on the faces is e + P q, with e = F − P q_u the Hertzian load F beyond its nodal
+    /// pressures. The energy of wheel and rail is stationary, so that the approach as its
+    /// derivative with respect to the line load is δ + w · ∂e/∂P′.
+    fn sinking_under(&self, punch: &[f64], jump: &[f64], xc: f64) -> f64 {
+        let jump = &jump[..self.faces];
+        let of_nodes = |(i, rise): (usize, f64)| rise * dot(self.surface.measuring.row(i), jump);
+        dot(punch, jump) - self.uncracked.rises(xc).map(of_nodes).sum::<f64>()
     }
 
     /// All nodes with the components `jump` and `contact`.
@@ -254,8 +311,16 @@ impl SurfaceSystem {
         (0..self.nodes()).map(state).collect()
     }
 
+    /// Abscissae (mm) of the first and the last of the nodes `loaded`; none without contact.
+    pub fn extent(&self, loaded: &[bool]) -> Option<(f64, f64)> {
+        let at = |node: usize| self.surface.nodes[node].x;
+        let first = loaded.iter().position(|&loaded| loaded)?;
+        let last = loaded.iter().rposition(|&loaded| loaded)?;
+        Some((at(first), at(last)))
+    }
+
     /// The mean pressure (MPa) over 0.1 a on either side of `mouth` (mm).
-    fn mean(&self, jump: &[f64], mouth: f64) -> f64 {
+    pub fn mean(&self, jump: &[f64], mouth: f64) -> f64 {
         self.surface.mean_over(mouth).into_iter().map(|(i, share)| share * self.pressure(jump, i)).sum()
     }
 
@@ -276,7 +341,8 @@ const LIP: f64 = 0.1;
 /// The contact of a wheel that feels the cracks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CoupledState {
-    /// How much farther the wheel approaches than on the uncracked rail, mm.
+    /// How much farther the wheel approaches than on the uncracked rail, mm: the derivative of the
+    /// energy of wheel and rail with respect to the line load.
     pub approach: f64,
     /// Abscissa of the first surface node under pressure, mm.
     pub from: f64,

@@ -4,6 +4,7 @@
 mod compliance;
 mod grid;
 mod loads;
+mod uneven_shear;
 mod wheel;
 
 pub use wheel::{CoupledContact, WheelCoupling};

@@ -3,22 +3,50 @@
 use super::compliance::compliance;
 use super::grid::{NodeSpacing, SurfaceGrid};
 use super::loads::forces;
+use super::uneven_shear::uneven_shear;
 use crate::body::FaceMesh;
-use crate::contact::{SurfaceNode, WheelSurface};
-use crate::load::HertzianContact;
+use crate::contact::{SurfaceNode, UnevenShear, WheelSurface, ratio_at};
+use crate::load::{Contact, HertzianContact};
+use crate::material::IsotropicElastic;
 use crate::math::Matrix;
 
 /// Contact of a wheel that feels the cracks.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct CoupledContact {
-    /// The contact on the uncracked rail.
+    /// The pressure on the uncracked rail, and as friction the ratio Q′/P′ of its forces.
     pub contact: HertzianContact,
+    /// The steel of wheel and rail.
+    pub steel: IsotropicElastic,
+    /// q/p − Q′/P′ on the uncracked rail by u = x − x_c (mm), increasing; empty in full sliding.
+    pub uneven_shear: Vec<(f64, f64)>,
+}
+
+impl CoupledContact {
+    /// The contact of a wheel and a rail of `steel` that is `contact` on the uncracked rail: its
+    /// pressure is a half-ellipse.
+    #[must_use]
+    pub fn new(contact: &Contact, steel: &IsotropicElastic) -> Self {
+        let pressure = HertzianContact {
+            peak_pressure: contact.peak_pressure(),
+            half_width: contact.half_width(),
+            friction: contact.adhesion(),
+        };
+        Self { contact: pressure, steel: *steel, uneven_shear: uneven_shear(contact) }
+    }
+
     /// E* = E/(2 (1 − ν²)) of wheel and rail of equal steel, MPa.
-    pub modulus: f64,
+    fn modulus(&self) -> f64 {
+        0.5 * self.steel.plane_strain_modulus()
+    }
+
+    /// q/p at `u` = x − x_c (mm).
+    pub(crate) fn shear_ratio(&self, u: f64) -> f64 {
+        self.contact.friction + ratio_at(&self.uneven_shear, u)
+    }
 }
 
 /// Settings of the coupling.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct WheelCoupling {
     /// The contact.
     pub contact: CoupledContact,
@@ -56,15 +84,18 @@ impl WheelCoupling {
         let loading = Matrix::from_fn(nodes.len(), 2 * faces.points.len(), |i, k| {
             of_hats.pressure[(i, k)] + friction * of_hats.shear[(i, k)]
         });
+        let ratios = self.contact.uneven_shear.clone();
+        let uneven = (!ratios.is_empty()).then_some(UnevenShear { forces: of_hats.shear, ratios });
         Some(WheelSurface {
             nodes,
-            compliance: compliance(&grid, self.contact.modulus),
+            compliance: compliance(&grid, self.contact.modulus()),
             measuring: of_hats.pressure,
             loading,
+            uneven,
             line_load: self.contact.contact.line_load(),
             peak_pressure,
             half_width,
-            radius: 0.5 * half_width * self.contact.modulus / peak_pressure,
+            radius: 0.5 * half_width * self.contact.modulus() / peak_pressure,
             coupled: (first - coupled, last + coupled),
             mouths,
         })

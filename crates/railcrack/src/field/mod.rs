@@ -5,6 +5,7 @@ mod carter;
 mod depth_profile;
 #[cfg(test)]
 mod field_checks;
+mod flat_punch;
 mod hertz_displacement;
 mod hertz_half_plane;
 mod segment_stress;
@@ -17,6 +18,7 @@ mod wheels;
 pub use bending::BendingWheel;
 pub use carter::CarterWheel;
 pub use depth_profile::{DepthProfile, ProfileError};
+pub(crate) use flat_punch::FlatPunch;
 pub(crate) use hertz_displacement::HertzDisplacement;
 pub use hertz_half_plane::HertzField;
 pub(crate) use segment_stress::SegmentStress;

@@ -1,9 +1,10 @@
 //! The load on the faces through residual stress, approach, passage and departure.
 
+use super::mouth_pressures::MouthPressures;
 use super::rail_load::RailLoad;
 use super::track::Track;
 use crate::contact::{FaceProblem, FluidModel, FluidState, LoadPath, Pocket};
-use crate::field::{EndField, EndsError, StressesUnderWheel, Wheel};
+use crate::field::{EndField, EndsError, FlatPunch, StressesUnderWheel, Wheel};
 use crate::math::{Vec2, axpy};
 
 /// Nodal forces due to the stress of the uncracked rail.
@@ -100,14 +101,36 @@ impl<'a> FaceLoad<'a> {
     /// Adds the nodal forces of trapped fluid to `forces` (N/mm, 2p); `state` is the fluid in the
     /// crack of a tip.
     pub(super) fn press_trapped(&self, forces: &mut [f64], state: impl Fn(usize) -> Option<FluidState>) {
-        let Some(fluid) = self.problem.fluid().filter(|_| self.cap.is_none()) else { return };
-        for pocket in &fluid.pockets {
+        if self.cap.is_none() {
+            self.press(forces, state, |pocket| &pocket.unit);
+        }
+    }
+
+    /// [`FaceLoad::press_trapped`] of fluid at the pressure over the mouth.
+    pub(super) fn press_from_mouth(&self, forces: &mut [f64], state: impl Fn(usize) -> Option<FluidState>) {
+        if self.cap.is_some() {
+            self.press(forces, state, |pocket| &pocket.profile);
+        }
+    }
+
+    fn press(
+        &self,
+        forces: &mut [f64],
+        state: impl Fn(usize) -> Option<FluidState>,
+        of_unit: impl Fn(&Pocket) -> &Vec<f64>,
+    ) {
+        for pocket in self.problem.fluid().map_or(&[][..], |fluid| &fluid.pockets) {
             let tips = &self.problem.body().tips;
             let tip = tips.iter().position(|tip| pocket.cracks.contains(&tip.crack));
             if let Some(state) = tip.and_then(&state) {
-                axpy(state.pressure, &pocket.unit, forces);
+                axpy(state.pressure, of_unit(pocket), forces);
             }
         }
+    }
+
+    /// Whether the fluid has the pressure over the mouth.
+    pub(super) fn is_from_mouth(&self) -> bool {
+        self.cap.is_some()
     }
 
     /// The pressure (MPa) in each pocket that takes the pressure over its mouth; empty for other
@@ -123,10 +146,22 @@ impl<'a> FaceLoad<'a> {
         Self { others, ..self }
     }
 
+    /// The nodal forces (1, 2p) per increment of the line load of a wheel at `xc` (mm) without
+    /// friction on the uncracked rail.
+    pub(super) fn punch(&self, xc: f64) -> Vec<f64> {
+        let punch = FlatPunch { half_width: self.wheel.half_width() };
+        self.problem.body().faces.nodal_forces(|point| punch.stress(point, xc))
+    }
+
+    /// Nodal forces (N/mm, 2p) of the residual stress.
+    pub(super) fn residual(&self) -> &[f64] {
+        &self.residual
+    }
+
     /// The load path of the phase `part`.
     pub(super) fn along(&self, part: LoadPhase) -> PartLoad<'_> {
         let others = self.others.iter().find(|(own, _)| *own == part).map(|(_, track)| track);
-        PartLoad { load: self, part, others }
+        PartLoad { load: self, part, others, over_mouths: None }
     }
 
     /// The largest slip (mm) of each point over a sample of the wheel positions `xc`, with free
@@ -152,9 +187,22 @@ pub(super) struct PartLoad<'a> {
     load: &'a FaceLoad<'a>,
     part: LoadPhase,
     others: Option<&'a Track>,
+    /// The pressures over the mouths under a wheel that feels the cracks, if they are given.
+    over_mouths: Option<&'a MouthPressures>,
+}
+
+impl<'a> PartLoad<'a> {
+    /// This part with given pressures over the mouths.
+    pub(super) fn with_pressures(self, over_mouths: Option<&'a MouthPressures>) -> Self {
+        Self { over_mouths, ..self }
+    }
 }
 
 impl LoadPath for PartLoad<'_> {
+    fn is_of_coupled_wheel(&self) -> bool {
+        self.part == LoadPhase::Coupled
+    }
+
     fn over_mouths(&self, at: f64) -> Vec<f64> {
         if self.load.cap.is_some() {
             // The forces of other cracks are loads like any other.
@@ -165,7 +213,10 @@ impl LoadPath for PartLoad<'_> {
             LoadPhase::Far { .. } if at == 0.0 => self.load.over_mouths(0.0, 0.0),
             LoadPhase::Far { origin, side } => self.load.over_mouths(origin + side / at, 1.0),
             LoadPhase::Load { xc } => self.load.over_mouths(xc, at),
-            LoadPhase::Over | LoadPhase::Coupled => self.load.over_mouths(at, 1.0),
+            LoadPhase::Over | LoadPhase::Coupled => match self.over_mouths {
+                Some(given) => given.assumed(at),
+                None => self.load.over_mouths(at, 1.0),
+            },
         }
     }
 
@@ -203,7 +254,11 @@ impl PartLoad<'_> {
             forces.iter_mut().for_each(|f| *f *= share);
         }
         forces.iter_mut().zip(residual).for_each(|(f, r)| *f += r);
-        if let Some((pressures, fluid)) = self.load.in_pockets(xc, share).zip(problem.fluid()) {
+        let pressures = match self.over_mouths {
+            Some(given) => self.load.is_from_mouth().then(|| given.assumed(xc)),
+            None => self.load.in_pockets(xc, share),
+        };
+        if let Some((pressures, fluid)) = pressures.zip(problem.fluid()) {
             for (pressure, pocket) in pressures.into_iter().zip(&fluid.pockets) {
                 axpy(pressure, &pocket.profile, &mut forces);
             }

@@ -2,19 +2,22 @@
 //! the uncracked rail and of the cracked body.
 
 use super::face_load::{FaceLoad, LoadPhase};
+use super::felt_field::felt_wheel;
 use super::rail_load::RailLoad;
 use crate::body::{BodyError, Face, FacePoint, FieldGrid, FieldLoad};
 use crate::contact::{FaceState, LoadPath};
+use crate::coupling::CoupledContact;
+use crate::field::{TableWheel, Wheel};
 use crate::growth::{FieldRecord, FieldSettings, FieldSnapshot, StabilisedPassage};
-use crate::math::Vec2;
+use crate::math::{Vec2, axpy};
 
-/// The fields at `positions` (mm) in the stabilised `passage`; `None` where the engine provides
-/// none.
+/// The fields at `positions` (mm) in the stabilised `passage`, under a wheel that feels the cracks
+/// as `felt`, if it does; `None` where the engine provides none.
 ///
 /// Errors: fields that the engine cannot compute.
 pub(super) fn record_fields(
     face_load: &FaceLoad,
-    load: RailLoad,
+    (load, felt): (RailLoad, Option<&CoupledContact>),
     passage: &StabilisedPassage,
     settings: &FieldSettings,
 ) -> Result<Option<FieldRecord>, BodyError> {
@@ -23,34 +26,50 @@ pub(super) fn record_fields(
     let Some(xc) = passage.passages.last().map(|record| &record.xc) else { return Ok(None) };
     let chosen = nearest(xc, &settings.positions);
     let faces = &body.faces.points;
+    let coupled: Vec<Option<TableWheel>> =
+        chosen.iter().map(|&i| felt_wheel(passage.faces.surface.get(i)?, xc[i], felt?)).collect();
+    let wheels: Vec<&dyn Wheel> = coupled
+        .iter()
+        .map(|coupled| coupled.as_ref().map_or(load.wheel, |wheel| wheel as &dyn Wheel))
+        .collect();
     let forces: Vec<Vec<f64>> = chosen
         .iter()
-        .map(|&i| {
-            let removed = face_load.along(LoadPhase::Over).nodal_forces(xc[i]);
+        .zip(&coupled)
+        .map(|(&i, coupled)| {
+            let in_crack = |tip: usize| passage.passages.last()?.fluid.get(tip)?.get(i).copied();
+            let removed = match coupled {
+                Some(wheel) => {
+                    let mut forces = body.faces.graded_nodal_forces(|point| wheel.stress(point, xc[i]));
+                    axpy(1.0, face_load.residual(), &mut forces);
+                    face_load.press_from_mouth(&mut forces, in_crack);
+                    forces
+                }
+                None => face_load.along(LoadPhase::Over).nodal_forces(xc[i]),
+            };
             let states = faces.iter().zip(&passage.faces.states[i]);
             let contact = states.flat_map(|(point, s)| [-s.s12 * point.weight, -s.s22 * point.weight]);
             let mut forces: Vec<f64> =
                 removed.into_iter().zip(contact).map(|(removed, contact)| removed + contact).collect();
-            face_load
-                .press_trapped(&mut forces, |tip| passage.passages.last()?.fluid.get(tip)?.get(i).copied());
+            face_load.press_trapped(&mut forces, in_crack);
             forces
         })
         .collect();
-    let under = |(i, forces): (usize, _)| FieldLoad { forces, wheel: Some((load.wheel, xc[i])) };
-    let loads: Vec<FieldLoad> =
-        chosen.iter().copied().zip(forces.iter().map(Vec::as_slice)).map(under).collect();
+    let loads: Vec<FieldLoad> = (chosen.iter().zip(&forces).zip(&wheels))
+        .map(|((&i, forces), &wheel)| FieldLoad { forces, wheel: Some((wheel, xc[i])) })
+        .collect();
     let cracked = solver.fields(&loads)?;
     let grid = cracked.grid;
     let snapshots = chosen
         .iter()
         .zip(cracked.loads)
-        .map(|(&position, mut field)| {
+        .zip(&wheels)
+        .map(|((&position, mut field), wheel)| {
             let xc = xc[position];
             for (u, point) in field.displacement.iter_mut().zip(&grid.points) {
-                *u = *u + load.wheel.displacement(*point, xc);
+                *u = *u + wheel.displacement(*point, xc);
             }
             for (stress, &point) in field.stress.iter_mut().zip(&grid.inside) {
-                *stress = *stress + load.wheel.stress(point, xc);
+                *stress = *stress + wheel.stress(point, xc);
                 if let Some(residual) = load.residual {
                     *stress = *stress + residual.stress(point);
                 }

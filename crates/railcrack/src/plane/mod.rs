@@ -4,12 +4,14 @@ mod coalescence;
 mod crack_fluid;
 mod exchange;
 mod face_load;
+mod felt_field;
 mod fields;
 #[cfg(test)]
 mod fixtures;
 mod groups;
 mod increments;
 mod joining;
+mod mouth_pressures;
 mod network_contact;
 mod passage;
 mod pieces;

@@ -2,6 +2,7 @@
 //! repeats.
 
 use super::face_load::{FaceLoad, LoadPhase};
+use super::mouth_pressures::{MOST_CHANGES, MouthPressures, PressuresChange, Settling, covered, over_mouths};
 use super::rail_load::RailLoad;
 use super::tip_sifs::{TipMark, TipSifs};
 use crate::body::FacePoint;
@@ -112,6 +113,9 @@ pub(super) fn far_stations(near: f64) -> impl DoubleEndedIterator<Item = f64> {
 /// Distance from a contact edge, relative to a, within which stations resolve how it covers or
 /// leaves a mouth.
 const AHEAD: f64 = 1e-6;
+/// Number of parts between two output positions in which the pressures over the mouths follow the
+/// contact.
+const PARTS_UNDER_PRESSURE: usize = 4;
 /// Stations around the passage of a contact edge over a mouth, relative to a: the stress there
 /// varies as the square root of the distance.
 const EDGE_STATIONS: [f64; 7] = [-0.03, -0.015, -0.004, 0.0, 0.004, 0.015, 0.03];
@@ -135,6 +139,8 @@ pub(super) struct Rolling<'a> {
     covered: Vec<bool>,
     /// Whether the wheel currently feels the cracks.
     coupling: Coupling,
+    /// The given pressures over the mouths while the wheel feels the cracks.
+    over_mouths: Option<MouthPressures>,
     /// Abscissa (mm) of the mouth of the crack of each tip; `None` for buried cracks.
     tip_mouths: Vec<Option<f64>>,
     pub stepper: Stepper<'a>,
@@ -205,6 +211,7 @@ impl<'a> Rolling<'a> {
             control,
             covered: vec![false; trapped(problem).len()],
             coupling: Coupling::Uncoupled,
+            over_mouths: None,
             tip_mouths: tip_mouths(problem),
             stepper,
             edge_steps: 0,
@@ -267,13 +274,14 @@ impl<'a> Rolling<'a> {
         for (i, &x) in self.xc.iter().enumerate() {
             let last = if i == 0 { x } else { self.xc[i - 1] };
             for station in self.edges_between(last, x).chain([x]) {
-                let over = self.face_load.along(self.phase());
+                let over = self.face_load.along(self.phase()).with_pressures(self.over_mouths.as_ref());
                 self.edge_steps += usize::from(station != x);
                 let mut take =
                     |solution: &FaceSolution, forces: &[f64]| tips.follow(problem, solution, forces);
                 self.stepper.advance(&over, station, &mut take).map_err(failure(number, "passage"))?;
                 self.cover(station, travel, tips).map_err(failure(number, "passage"))?;
                 self.couple(station, travel, tips).map_err(failure(number, "passage"))?;
+                self.settle_pressures(station, tips).map_err(failure(number, "passage"))?;
             }
             pass.record.sifs.iter_mut().zip(tips.sifs()).for_each(|(tip, k)| tip.push(k));
             let fluid = self.fluid(x);
@@ -281,7 +289,7 @@ impl<'a> Rolling<'a> {
             pass.states.push(self.stepper.solution().face_states(self.problem));
             if let Some(wheel) = problem.wheel() {
                 let FaceSolution { jump, contact, loaded, .. } = self.stepper.solution();
-                let state = wheel.state((jump, loaded), x, &self.tip_mouths);
+                let state = wheel.state((jump, loaded), x, (&self.tip_mouths, &self.face_load.punch(x)));
                 let nodes = state.as_ref().map(|_| wheel.surface_states(jump, contact));
                 pass.record.wheel.push(state);
                 pass.surface.push(nodes.unwrap_or_default());
@@ -330,9 +338,14 @@ impl<'a> Rolling<'a> {
         if self.covered.is_empty() {
             return Ok(());
         }
-        let ahead = self.face_load.over_mouths(xc + travel * AHEAD * self.half_width, 1.0);
-        for (k, pressure) in ahead.into_iter().enumerate() {
-            let covers = pressure > 0.0;
+        let ahead = match self.coupling {
+            Coupling::Coupled => covered(self.problem, self.stepper.solution()),
+            Coupling::Uncoupled => {
+                let ahead = self.face_load.over_mouths(xc + travel * AHEAD * self.half_width, 1.0);
+                ahead.into_iter().map(|pressure| pressure > 0.0).collect()
+            }
+        };
+        for (k, covers) in ahead.into_iter().enumerate() {
             if covers && !self.covered[k] {
                 self.stepper.seal(k);
             } else if !covers && self.covered[k] {
@@ -374,9 +387,45 @@ impl<'a> Rolling<'a> {
     /// Solves the contact at the current position with another `coupling`.
     fn switch(&mut self, coupling: Coupling, tips: &mut TipSifs) -> Result<(), SteppingError> {
         self.coupling = coupling;
-        let path = self.face_load.along(self.phase());
+        let at = self.stepper.at();
+        self.over_mouths = match coupling {
+            Coupling::Coupled if self.problem.has_given_mouth_pressures() => {
+                let pockets = self.problem.fluid().map_or(0, |fluid| fluid.pockets.len());
+                Some(MouthPressures::none(pockets, at))
+            }
+            _ => None,
+        };
+        let path = self.face_load.along(self.phase()).with_pressures(self.over_mouths.as_ref());
         let mut take = |solution: &FaceSolution, forces: &[f64]| tips.follow(self.problem, solution, forces);
         self.stepper.couple(&path, coupling, &mut take)
+    }
+
+    /// Holds a wheel that feels the cracks at `xc` (mm) until the given pressures over the mouths
+    /// are those of its contact.
+    fn settle_pressures(&mut self, xc: f64, tips: &mut TipSifs) -> Result<(), SteppingError> {
+        let Some(pressures) = &self.over_mouths else { return Ok(()) };
+        let problem = self.problem;
+        let mut tried = pressures.assumed(xc);
+        let peak_pressure = problem.wheel().map_or(0.0, |wheel| wheel.surface.peak_pressure);
+        let mut settling = Settling::new(peak_pressure);
+        let mut take = |solution: &FaceSolution, forces: &[f64]| tips.follow(problem, solution, forces);
+        for _ in 0..MOST_CHANGES {
+            let solution = self.stepper.solution();
+            // Fluid is under pressure where its mouth is covered.
+            let found = over_mouths(problem, solution, &covered(problem, solution));
+            let Some(next) = settling.next(&tried, &found) else { break };
+            let start = self.stepper.load().to_vec();
+            let path = PressuresChange { problem, start, from: &tried, to: &next };
+            self.stepper.begin(0.0);
+            let moved = self.stepper.advance(&path, 1.0, &mut take);
+            self.stepper.begin(xc);
+            moved?;
+            tried = next;
+        }
+        if let Some(pressures) = &mut self.over_mouths {
+            pressures.advance(xc, tried);
+        }
+        Ok(())
     }
 
     /// Releases all fluid trapped by the contact.
@@ -399,7 +448,9 @@ impl<'a> Rolling<'a> {
         let Some(fluid) = self.problem.fluid() else { return Vec::new() };
         let solution = self.stepper.solution();
         let mut pressures = self.face_load.in_pockets(xc, 1.0).unwrap_or_default();
-        if let Some(wheel) = self.problem.wheel().filter(|_| self.coupling == Coupling::Coupled) {
+        if let Some(given) = self.over_mouths.as_ref().filter(|_| !pressures.is_empty()) {
+            pressures.clone_from(&given.now);
+        } else if let Some(wheel) = self.problem.wheel().filter(|_| self.coupling == Coupling::Coupled) {
             for (pressure, pocket) in pressures.iter_mut().zip(&fluid.pockets) {
                 let beyond = |mouth: PocketMouth| wheel.mean_beyond_uncracked(&solution.jump, mouth.x, xc);
                 *pressure += pocket.mouth.map_or(0.0, beyond);
@@ -434,6 +485,10 @@ impl<'a> Rolling<'a> {
         };
         let switches = self.problem.wheel().map(|wheel| wheel.surface.coupled);
         stations.extend(switches.iter().flat_map(|(first, last)| [*first, *last]).filter(within));
+        if self.over_mouths.is_some() {
+            let parts = PARTS_UNDER_PRESSURE;
+            stations.extend((1..parts).map(|k| from + (to - from) * k as f64 / parts as f64));
+        }
         stations.sort_by(|a, b| (a * travel).total_cmp(&(b * travel)));
         stations.into_iter()
     }

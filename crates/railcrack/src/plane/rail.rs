@@ -348,7 +348,8 @@ impl CrackedRail for PlaneRail {
         let (load, _) = self.loads(&uncovered)[0];
         let face_load = FaceLoad::new(&faces, load, ends.first().map(Arc::as_ref))
             .map_err(|source| off_the_rail(source, at.step))?;
-        record_fields(&face_load, load, passage, &settings)
+        let felt = self.coupling.as_ref().map(|coupling| &coupling.contact);
+        record_fields(&face_load, (load, felt), passage, &settings)
             .map_err(|source| GrowthError::Body { step: at.step, source })
     }
 

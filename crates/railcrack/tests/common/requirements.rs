@@ -807,7 +807,7 @@ pub const REQUIREMENTS: &[Requirement] = &[
     requirement(
         "coupled_wheel::approach_and_energy_release",
         "",
-        "Coupled wheel: the approach grows with the crack length as the energy release rate grows with the load (Maxwell).",
+        "Coupled wheel: at every load the approach grows with the crack length as the energy release rate grows with the load (Maxwell).",
     ),
     requirement(
         "coupled_wheel::stiffer_steel",
@@ -825,6 +825,11 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Coupled wheel: histories agree between the engines and between the contact solvers.",
     ),
     requirement(
+        "coupled_wheel::partial_slip_of_the_wheel",
+        "",
+        "Coupled wheel: partial slip agrees with a prototype, between the engines and the contact solvers, and tends to full sliding.",
+    ),
+    requirement(
         "coupled_wheel::mirrored_travel",
         "",
         "Coupled wheel: a mirrored pair of cracks has the mirrored history.",
@@ -832,6 +837,6 @@ pub const REQUIREMENTS: &[Requirement] = &[
     requirement(
         "coupled_wheel::water_under_a_wheel_that_bridges_the_mouth",
         "",
-        "Coupled wheel: K_I under the pressure from the mouth agrees with that of a prototype.",
+        "Coupled wheel: K_I under linear and constant pressure from the mouth agrees with that of prototypes, and histories with all fluids between the engines and the contact solvers.",
     ),
 ];

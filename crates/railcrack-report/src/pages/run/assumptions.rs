@@ -164,8 +164,7 @@ fn fluid(case: &Case) -> String {
                 String::new()
             };
             format!(
-                " Fluid in a crack is trapped while the contact covers the mouth{kept}: an upper bound of its effect; the dry crack is the \
-                 lower bound."
+                " Fluid in a crack is trapped while the contact covers the mouth{kept}; none is lost sideways."
             )
         }
     }

@@ -8,6 +8,7 @@ mod events;
 mod facts;
 mod far;
 mod lengths;
+mod lips;
 mod row;
 mod stored;
 mod warnings;
@@ -95,6 +96,7 @@ pub(crate) fn run_page(
         page.sections.push(explorer(data::explorer(run, shown, told), told, plots));
         page.sections.extend(far::section(run, plots));
         page.sections.extend(water(plots));
+        page.sections.extend(lips::section(run, shown));
         page.sections.extend(around::section(shown));
         page.sections.push(growth(run, told, warnings::remarks(run, shown, told)));
         page.sections.push(steps(run));

@@ -1,0 +1,101 @@
+//! The section on a wheel that feels the cracks.
+
+use super::stored::RunFolder;
+use crate::chart::{Chart, ChartAxis, ChartRange, Curve, CurveColour, CurveLook};
+use crate::page::{Block, Section};
+use crate::shown::ShownRun;
+use railcrack_run::run_folder::History;
+
+/// Distance from the mouth over a within which the contact load is that on the lips.
+const LIP: f64 = 0.1;
+/// Largest number of cracks that are drawn.
+const MOST: usize = 6;
+
+/// Pressure over the mouths and approach of a wheel that feels the cracks; none for other wheels.
+pub(super) fn section(run: &RunFolder, shown: &ShownRun) -> Option<Section> {
+    let steps = shown.steps();
+    let mut drawn: Vec<&History> = Vec::new();
+    for step in [steps.first()?, steps.last()?] {
+        let of_step = shown.histories(*step).iter();
+        let new = of_step.filter(|history| history.tip == 1 && history.approach.iter().any(Option::is_some));
+        drawn.extend(new.take(MOST).filter(|history| !drawn.contains(history)).collect::<Vec<_>>());
+    }
+    let first = *drawn.first()?;
+    let a = run.summary.half_width_mm;
+    let is_single = drawn.iter().all(|history| history.crack == first.crack);
+    let curves = |values: fn(&History) -> &[Option<f64>], scale: f64| -> Vec<Curve> {
+        let curve = |(place, history): (usize, &&History)| {
+            let words = match (is_single, history.step) {
+                (true, 0) => "initial crack".to_owned(),
+                (true, step) => format!("step {step}"),
+                (false, step) => format!("crack {}, step {step}", history.crack),
+            };
+            let all = history.xc_over_a.iter().zip(values(history));
+            let points = all.filter_map(|(&x, value)| Some([x, scale * (*value)?])).collect();
+            let along = CurveColour::Along(1.1 * place as f64 / drawn.len().max(2) as f64);
+            Curve::line(&words, points).with_colour(along)
+        };
+        drawn.iter().enumerate().map(curve).collect()
+    };
+    let axis = || ChartAxis::linear("Wheel position x_{c}/a", "").over(ChartRange::Tight);
+    let mut pressures = curves(|history| &history.lip_load, 1.0 / (2.0 * LIP * a));
+    let mouth = |history: &History| {
+        let crack = run.summary.cracks.get(history.crack.checked_sub(1)?)?;
+        Some(
+            (crack.initial_points_mm.first()?[0] - run.summary.cracks.first()?.initial_points_mm.first()?[0])
+                / a,
+        )
+    };
+    if let (true, Some(mouth)) = (is_single, mouth(first)) {
+        let p0 = run.case.wheel.contact().peak_pressure();
+        let hertz = first.xc_over_a.iter().map(|&x| [x, p0 * mean_of_half_ellipse(mouth - x)]);
+        let hertz = hertz.filter(|point| (point[0] - mouth).abs() < 2.0).collect();
+        pressures.push(Curve::line("uncracked rail", hertz).with_look(CurveLook::Dashed));
+    }
+    let pressure = Chart {
+        id: "mouth-pressure".to_owned(),
+        caption: "Mean contact pressure within 0.1 a of the mouth.".to_owned(),
+        x: axis(),
+        y: ChartAxis::linear("p", "MPa").over(ChartRange::AroundZero),
+        curves: pressures,
+        ..Chart::default()
+    };
+    let approach = Chart {
+        id: "approach".to_owned(),
+        caption: "How much farther the wheel approaches the rail than without cracks.".to_owned(),
+        x: axis(),
+        y: ChartAxis::linear("Approach", "µm").over(ChartRange::AroundZero),
+        curves: curves(|history| &history.approach, 1.0),
+        ..Chart::default()
+    };
+    let lead = format!(
+        "The wheel feels the cracks. Times {} mm, 0.2 a, the pressure over a mouth is the load on its lips.",
+        crate::numbers::fixed(2.0 * LIP * a, 2)
+    );
+    Some(Section {
+        id: "coupled".to_owned(),
+        heading: "Contact over the mouth".to_owned(),
+        blocks: vec![Block::List(vec![lead]), Block::charts([pressure, approach])],
+    })
+}
+
+/// The mean of √(1 − u²), zero beyond |u| = 1, over |u − `at`| ≤ 0.1.
+fn mean_of_half_ellipse(at: f64) -> f64 {
+    let below = |u: f64| {
+        let u = u.clamp(-1.0, 1.0);
+        0.5 * (u * ((1.0 - u) * (1.0 + u)).sqrt() + u.asin())
+    };
+    (below(at + LIP) - below(at - LIP)) / (2.0 * LIP)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::mean_of_half_ellipse;
+
+    #[test]
+    fn mean_of_a_half_ellipse_in_the_middle_and_beyond_its_edge() {
+        assert!((mean_of_half_ellipse(0.0) - (1.0 - 0.01 / 6.0)).abs() < 1e-5);
+        assert_eq!(mean_of_half_ellipse(1.2), 0.0);
+        assert!(mean_of_half_ellipse(1.05) > 0.0);
+    }
+}
