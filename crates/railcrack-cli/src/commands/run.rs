@@ -12,7 +12,7 @@ use railcrack::words::Choice;
 use railcrack_case::Overrides;
 use railcrack_report::{PageEngine, Pages};
 use railcrack_run::Summary;
-use railcrack_run::decision::{Reason, Verdict, VerdictLevel};
+use railcrack_run::decision::{Reason, TonnageWords, Verdict, VerdictLevel, three_digits};
 use railcrack_run::machine::{Budget, Needs, long_step, step_seconds};
 use railcrack_run::simulation::{Ending, Finished, RunEntry, RunError, Simulation};
 use serde_json::{Value, json};
@@ -212,8 +212,9 @@ fn verdict(verdict: &Verdict) -> String {
 fn decision(summary: &Summary) -> String {
     let mut text = summary.verdict.as_ref().map_or_else(String::new, verdict);
     let Some(decision) = &summary.decision else { return text };
+    let words = TonnageWords { mgt_per_year: decision.mgt_per_year };
     if let Some(paths) = decision.paths {
-        let life = |mgt: Option<f64>| mgt.map_or_else(|| "none".to_owned(), |mgt| format!("{mgt:.3}"));
+        let life = |mgt: Option<f64>| mgt.map_or_else(|| "none".to_owned(), three_digits);
         text.push_str(&format!(
             "million gross tonnes to failure: straight ahead {}, as computed {}, limit path {}\n",
             life(paths.straight),
@@ -222,7 +223,7 @@ fn decision(summary: &Summary) -> String {
         ));
     }
     for of in &decision.frictions {
-        let life = of.mgt.map_or_else(|| "none within the run".to_owned(), |mgt| format!("{mgt:.3}"));
+        let life = of.mgt.map_or_else(|| "none within the run".to_owned(), three_digits);
         text.push_str(&format!(
             "million gross tonnes to failure with friction {} between the faces: {life}\n",
             of.friction
@@ -241,11 +242,11 @@ fn decision(summary: &Summary) -> String {
         ));
     }
     if let Some(interval) = decision.inspection.and_then(|inspection| inspection.interval_mgt) {
-        text.push_str(&format!("inspection interval {interval:.3} million gross tonnes\n"));
+        text.push_str(&format!("inspection interval {}\n", words.of(interval)));
     }
     if let (Some(target), Some(interval)) = (decision.risk.target_risk, decision.risk.interval_for_target_mgt)
     {
-        text.push_str(&format!("interval for a risk of {target}: {interval:.3} million gross tonnes\n"));
+        text.push_str(&format!("interval for a risk of {target}: {}\n", words.of(interval)));
     }
     text.push_str(&format!("{}\n", decision.calibration));
     text

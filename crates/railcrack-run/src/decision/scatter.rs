@@ -45,6 +45,17 @@ pub struct Outlived {
     pub mgt: f64,
 }
 
+/// Accuracy of samples that are made between whole runs at several speeds of growth.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct CourseAccuracy {
+    /// Number of these runs, that of the case among them.
+    pub runs: usize,
+    /// The largest error (percent) of the tonnage to failure at the speed of a run that was left
+    /// out: about four times that of the samples, since it doubles the gap. Null where no run
+    /// between two others fails.
+    pub left_out_percent: Option<f64>,
+}
+
 /// Results of the samples.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ScatterSummary {
@@ -60,6 +71,9 @@ pub struct ScatterSummary {
     /// The samples that outlive what is computed; left out where none does.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub outlived: Option<Outlived>,
+    /// Accuracy of samples between several runs; left out where the run alone is enough.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub between_runs: Option<CourseAccuracy>,
     /// Million gross tonnes from detectable to critical.
     pub mgt_detectable_to_critical: Quantiles,
     /// Probability that a crack that was just missed is critical before the next inspection, one
@@ -250,6 +264,7 @@ impl Gathered {
             seed: scatter.seed,
             probability_of_failure: share_of(&|sample| sample.to_critical.is_finite()),
             outlived,
+            between_runs: None,
             mgt_to_critical: quantiles(self.samples.iter().map(|sample| sample.to_critical).collect())
                 .known(|mgt| share_of(&|sample| sample.outlives < mgt)),
             mgt_detectable_to_critical: quantiles(self.samples.iter().map(|sample| sample.way).collect()),
