@@ -238,7 +238,10 @@ fn quantiles_of_samples_are_lives_of_whole_runs() {
         // The samples say how well the runs between which they lie agree.
         let accuracy = &sampled["scatter"]["between_runs"];
         assert_eq!(accuracy.is_null(), !part.text.contains("[maintenance]"), "{accuracy}");
-        assert!(accuracy.is_null() || number(&accuracy["left_out_percent"]).unwrap() < 4.0 * 2.0, "{accuracy}");
+        assert!(
+            accuracy.is_null() || number(&accuracy["left_out_percent"]).unwrap() < 4.0 * 2.0,
+            "{accuracy}"
+        );
     }
 }
 

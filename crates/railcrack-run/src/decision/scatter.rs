@@ -87,7 +87,18 @@ pub struct ScatterSummary {
     pub depth: Vec<DepthQuantiles>,
     /// Contribution of each quantity that scatters, the largest first.
     pub sensitivities: Vec<Sensitivity>,
+    /// The first samples, where the surface is removed: million gross tonnes until failure, from
+    /// detectable to failure, and until which the sample is known to hold; null where it does not
+    /// fail, and where its fate is known. A study makes its samples between those of its runs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub first: Vec<FirstSample>,
 }
+
+/// Million gross tonnes until failure, from detectable to failure, and until which it is known.
+pub type FirstSample = [Option<f64>; 3];
+
+/// Number of first samples: their coefficients divide the distribution evenly.
+const FIRST: usize = 256;
 
 /// The samples, with quantiles of the depth up to `longest` million gross tonnes, where the crack
 /// is inspected every `interval` million gross tonnes.
@@ -255,6 +266,10 @@ impl Gathered {
             self.samples.iter().filter(|sample| is_it(sample)).count() as f64 / count
         };
         sensitivities.sort_by(|a, b| b.share.total_cmp(&a.share));
+        let of_sample = |sample: &Sample| {
+            [sample.to_critical, sample.way, sample.outlives].map(|mgt| mgt.is_finite().then_some(mgt))
+        };
+        let lives = self.samples.iter().take(if is_removed { FIRST } else { 0 }).map(of_sample).collect();
         let first = self.samples.iter().map(|sample| sample.outlives).fold(f64::INFINITY, f64::min);
         let outlived = first
             .is_finite()
@@ -278,6 +293,7 @@ impl Gathered {
                 .map(|(mgt, depths)| DepthQuantiles { mgt, depth_mm: quantiles(depths) })
                 .collect(),
             sensitivities,
+            first: lives,
         }
     }
 }

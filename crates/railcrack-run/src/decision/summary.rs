@@ -159,7 +159,9 @@ impl Decision {
         });
         let risk = risk.unwrap_or_default();
         let verdict = match risk.exceeds_target() {
-            Some((at, target)) => verdict.with(Reason::of_risk(at, target, TonnageWords { mgt_per_year: info.mgt_per_year })),
+            Some((at, target)) => {
+                verdict.with(Reason::of_risk(at, target, TonnageWords { mgt_per_year: info.mgt_per_year }))
+            }
             None => verdict,
         };
         Some(Self {

@@ -373,9 +373,7 @@ fn failure(
     let whose = crack.map_or_else(String::new, |crack| format!(" of crack {crack}"));
     let what = format!("{}{whose}", mode.words());
     let life = match mgt_error.map(|error| 100.0 * error / until).filter(|percent| *percent > 0.0) {
-        Some(percent) => {
-            words.noted(until, Some(&format!("± {:.1} % by the increments", percent.max(0.1))))
-        }
+        Some(percent) => words.noted(until, Some(&format!("± {:.1} % by the increments", percent.max(0.1)))),
         None => words.of(until),
     };
     let (kind, text) = if until == 0.0 {
@@ -409,7 +407,9 @@ fn end_of_run(
 ) -> Option<Reason> {
     let last = log.steps.last()?;
     let is_over = nominal.worn.or(nominal.replaced).is_some();
-    let is_cut = !is_over && last.stop == Some(RunStop::StepsDone) && last.step > 0;
+    // Without steps a run is one of K alone, unless somebody is to decide by it.
+    let decides = last.step > 0 || info.inspection.is_some();
+    let is_cut = !is_over && last.stop == Some(RunStop::StepsDone) && decides;
     let kind = if is_cut && asks_for_failure(info) { ReasonKind::StepLimit } else { ReasonKind::EndOfRun };
     let text = match (nominal.worn, last.stop) {
         _ if nominal.replaced.is_some() => format!(
@@ -423,10 +423,9 @@ fn end_of_run(
             last.step,
             words.of(mgt(last))
         ),
-        _ => format!(
-            "the run ends after {} without a failure: what follows is not known",
-            words.of(mgt(last))
-        ),
+        _ => {
+            format!("the run ends after {} without a failure: what follows is not known", words.of(mgt(last)))
+        }
     };
     Some(Reason {
         step: Some(last.step),
