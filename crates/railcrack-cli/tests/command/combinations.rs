@@ -95,6 +95,7 @@ fn text(parts: &[Part]) -> String {
     let coupled = if has(Coupled) { ", coupled = true, surface_nodes_per_half_width = 10" } else { "" };
     let contact = |peak: f64| {
         if has(Rolling) {
+            let coupled = if has(Coupled) { ", coupled = true" } else { "" };
             format!("kind = \"rolling\", normal_kn = {:?}, {ROLLING}{coupled}", 0.1 * peak)
         } else {
             format!("peak_pressure_mpa = {peak:?}, half_width_mm = 6.0, friction = 0.2{across}{coupled}")
