@@ -176,30 +176,6 @@ fn the_probability_of_a_plan_is_that_of_whole_runs_in_full() {
     assert!(between > 1, "the plans are certain: {plan}");
 }
 
-/// Difference of two shares of samples: both lie between runs, at other intervals of grinding in a
-/// plan and at other speeds of growth in a decision.
-const SAME_SHARE: f64 = 0.02;
-
-/// A plan and the decision on a run with its grinding tell the same probability of failure.
-#[test]
-fn the_probability_of_a_plan_is_that_of_a_decision() {
-    let place = common::folder("plan", "decision");
-    let scatter = "[scatter]\nsamples = 3000\nparis_c_log_std = 0.3\n";
-    fs::write(place.join("case.toml"), format!("{CASE}{scatter}")).unwrap();
-    let line = ["plan", "case.toml", "--grinding", "0.1", "--interval", "20", "--horizon", "120"];
-    done(&place, &[&line[..], &["--out", "plan", "--quiet"]].concat());
-    let planned = number(&json(&place.join("plan/plan.json"))["plans"][0]["probability_of_failure"]);
-    let run = CASE
-        .replace("[maintenance]\n", "[maintenance]\ngrinding_mm = 0.1\ngrinding_interval_mgt = 20.0\n")
-        .replace("[growth]\n", "[growth]\nsteps = 400\nstop_after_cycles = 6e6\n");
-    fs::write(place.join("run.toml"), format!("{run}{scatter}")).unwrap();
-    done(&place, &["run", "run.toml", "--quiet", "--out", "run"]);
-    let decision = &json(&place.join("run/summary.json"))["decision"];
-    let decided = number(&decision["scatter"]["probability_of_failure"]);
-    assert!((0.05..0.95).contains(&decided), "{decided}");
-    assert!((planned - decided).abs() < SAME_SHARE, "{planned} in the plan, {decided} in the decision");
-}
-
 /// The quantile of the standard normal distribution, by the sum of its density.
 fn inverse_normal(share: f64) -> f64 {
     let density = |z: f64| (-0.5 * z * z).exp() / std::f64::consts::TAU.sqrt();

@@ -76,49 +76,6 @@ fn samples_between_runs_are_log_normal_where_the_coefficient_is() {
     assert!(page.contains("Results are interpolated between 12 runs"), "the page says how");
 }
 
-/// Under wear the path depends on the sample: the lives of the samples of the runs are interpolated.
-/// Their quantiles are those of whole runs with the coefficient at those quantiles.
-#[test]
-fn samples_between_runs_that_wear_are_whole_runs_at_their_quantiles() {
-    let folder = folder("population", "wear");
-    let wears = "[maintenance]\nwear_mm_per_mgt = 0.004\n";
-    let rail = STUDY
-        .replace("steps = 4\n", "steps = 60\n")
-        .replace("detectable_length_mm = 4.2", "detectable_depth_mm = 1.8\ncritical_depth_mm = 2.2")
-        .replace("critical_length_mm = 4.6\n", "arrest_rate_mm_per_cycle = 1e-14\n")
-        .replace("[2e-9, 0.3]", "[2e-10, 0.3]")
-        .replace("samples = 12\n", "samples = 10\n")
-        .replace("samples = 40000", "samples = 20000");
-    fs::write(folder.join("study.toml"), format!("{rail}{wears}")).unwrap();
-    let told = done(&folder, &["sweep", "study.toml", "--out", "study", "--quiet"]);
-    assert!(told.contains("detectable to critical, MGT"), "{told}");
-    let population: Value = serde_json::from_str(&read(&folder.join("study/population.json"))).unwrap();
-    let population = &population[0];
-    assert!(population["error"]["worst_percent"].as_f64().unwrap() < 2.0, "{population}");
-    let scatter = &population["scatter"];
-    assert_eq!(scatter["probability_of_failure"].as_f64(), Some(1.0));
-    for (key, z) in [("p05", 1.644_854), ("p50", 0.0), ("p95", -1.644_854)] {
-        let coefficient = 2e-10 * f64::exp(0.5 * z);
-        let whole = rail
-            .replace("[study]\nsamples = 10\n", "")
-            .replace("{ log-normal = [2e-10, 0.3] }", &format!("{coefficient:e}"))
-            .replace("[scatter]\nparis_c_log_std = 0.4\nsamples = 20000\n", "");
-        fs::write(folder.join("whole.toml"), format!("{whole}{wears}")).unwrap();
-        done(&folder, &["run", "whole.toml", "--quiet", "--force", "--out", "whole"]);
-        let summary: Value = serde_json::from_str(&read(&folder.join("whole/summary.json"))).unwrap();
-        let inspection = &summary["decision"]["inspection"];
-        for (sampled, exact) in [
-            ("mgt_to_critical", "mgt_to_critical"),
-            ("mgt_detectable_to_critical", "mgt_detectable_to_critical"),
-        ] {
-            let found = scatter[sampled][key].as_f64().unwrap();
-            let exact = inspection[exact].as_f64().unwrap();
-            // 256 samples of the law, some ten inputs and courses between speeds: 1 to 2 %.
-            assert!((found / exact - 1.0).abs() < 0.03, "{sampled} {key}: {found}, not {exact}");
-        }
-    }
-}
-
 #[test]
 fn runs_of_such_a_study_leave_the_samples_to_it() {
     let folder = folder("population", "own");
