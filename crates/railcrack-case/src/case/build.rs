@@ -130,7 +130,7 @@ pub(crate) fn build(
     if let (Some(section), Some(_), None) = (sections.one(&TRAFFIC), &mix, axle_load) {
         require_axle_load(section, report);
     }
-    // A missing axle load is told once.
+    // A missing axle load is one error.
     let counts_tonnes = axle_load.is_some() || sections.one(&TRAFFIC).is_some();
     let maintenance = sections.one(&MAINTENANCE);
     let maintenance = maintenance.map(|s| read_maintenance(s, counts_tonnes, report));

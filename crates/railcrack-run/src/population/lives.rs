@@ -7,7 +7,6 @@
 //! detectable to failure are interpolated over the inputs of the study.
 
 use super::interpolation::Interpolation;
-use super::made::MOST_RUNS;
 use crate::decision::{
     Draw, Draws, FailureMode, Fate, FirstSample, Gathered, KEYS, Sample, ScatterSummary, spread,
 };
@@ -16,6 +15,8 @@ use railcrack::math::Matrix;
 use railcrack_case::Distribution;
 use rayon::prelude::*;
 
+/// Maximum number of runs used for interpolation.
+const MOST_RUNS: usize = 200;
 /// 1/life over that of the run that fails first, below which a rail does not fail.
 const NEVER: f64 = 1e-3;
 

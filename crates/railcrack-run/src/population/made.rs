@@ -16,7 +16,7 @@ use railcrack_case::{Distribution, Inspection, Scatter};
 use rayon::prelude::*;
 
 /// Maximum number of runs used for interpolation; further runs measure its error.
-pub(super) const MOST_RUNS: usize = 200;
+const MOST_RUNS: usize = 200;
 /// Fraction of the runs that may be left out.
 const MOST_LEFT_OUT: f64 = 0.05;
 /// Samples of a piece that one thread makes.

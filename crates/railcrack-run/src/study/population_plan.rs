@@ -28,7 +28,7 @@ pub struct PopulationPlan {
     pub critical_length_mm: Option<f64>,
     /// Safety factor.
     pub safety_factor: f64,
-    /// What is interpolated between the runs.
+    /// Quantities interpolated between the runs.
     #[serde(default)]
     pub between: Between,
     /// Standard deviation of the wear, mm per million gross tonnes.
@@ -36,7 +36,7 @@ pub struct PopulationPlan {
     pub wear_std_mm_per_mgt: f64,
 }
 
-/// What is interpolated between the runs of a study.
+/// Quantities interpolated between the runs of a study.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Between {
