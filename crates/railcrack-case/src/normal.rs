@@ -2,7 +2,8 @@
 
 /// The standard normal quantile of `p` in (0, 1), to about 1e-16 of its value (Wichura 1988,
 /// algorithm AS 241, PPND16).
-pub(crate) fn quantile(p: f64) -> f64 {
+#[must_use]
+pub fn quantile(p: f64) -> f64 {
     let q = p - 0.5;
     if q.abs() <= 0.425 {
         let r = 0.180_625 - q * q;

@@ -7,7 +7,7 @@ use super::finite_section::check_section;
 use super::in_page::check_explorer;
 use super::known_sizes::KnownSizes;
 use super::limits::check_size;
-use super::mix::{MixedWheel, read_mix};
+use super::mix::{MixedWheel, read_mix, require_axle_load};
 use super::read_wheel::ReadWheel;
 use super::space::{read_space, refuse_strike};
 use crate::files::read_profile;
@@ -130,18 +130,23 @@ pub(crate) fn build(
         mix.iter().map(|wheel| Some(wheel.share * wheel.axle_load?)).sum()
     };
     let axle_load = mix.as_ref().and_then(|mix| if mix.is_empty() { traffic } else { mean(mix) });
+    if let (Some(section), Some(_), None) = (sections.one(&TRAFFIC), &mix, axle_load) {
+        require_axle_load(section, report);
+    }
+    // A missing axle load is one error.
+    let counts_tonnes = axle_load.is_some() || sections.one(&TRAFFIC).is_some();
     let maintenance = sections.one(&MAINTENANCE);
-    let maintenance = maintenance.map(|s| read_maintenance(s, axle_load.is_some(), report));
+    let maintenance = maintenance.map(|s| read_maintenance(s, counts_tonnes, report));
     let inspection = sections.one(&INSPECTION);
     let risk = inspection.map(|s| read_risk(s, folder, report));
-    let inspection = inspection.map(|s| read_inspection(s, axle_load.is_some(), report));
+    let inspection = inspection.map(|s| read_inspection(s, counts_tonnes, report));
     let toughness = fracture.as_ref().and_then(|fracture| Some(fracture.as_ref()?.at_rail));
     let steel_of_law = growth.as_ref().and_then(|growth| growth.steel);
     let scatter = sections.one(&SCATTER);
     let scattering = Scattering {
         toughness,
         steel: steel_of_law,
-        has_tonnes: axle_load.is_some(),
+        has_tonnes: counts_tonnes,
         is_maintained: maintenance.is_some(),
         is_mix: mix.as_ref().is_none_or(|mix| mix.len() > 1),
     };

@@ -159,6 +159,17 @@ fn check_axle_loads(given: &[&SectionValues], wheels: &[ReadWheel], report: &mut
     None
 }
 
+/// Traffic is counted in tonnes: `[traffic]` needs the axle load that no wheel gives.
+pub(super) fn require_axle_load(traffic: &SectionValues, report: &mut Report) {
+    if traffic.is_refused(AXLE_LOAD) {
+        return;
+    }
+    let dotted = traffic.dotted(AXLE_LOAD.key.name);
+    let message = format!("`{dotted}` is missing: it must be {}", AXLE_LOAD.key.kind.accepted());
+    let help = "add axle_load_t to [traffic], or to every [[wheel]]";
+    report.add(Fault::of(dotted, traffic.span.clone(), message).help(help));
+}
+
 /// A stored case keeps one file of a contact.
 fn check_files(given: &[&SectionValues], wheels: &[ReadWheel], report: &mut Report) -> Option<()> {
     let all = wheels.iter().map(|wheel| wheel.wheel.companions()).enumerate();

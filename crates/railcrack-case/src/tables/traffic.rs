@@ -12,8 +12,8 @@ use railcrack::rolling::{CreepageSign, RollingTheory};
 section! {
     TRAFFIC "traffic", Optional,
         "Traffic. With this section, cycles are also given in million gross tonnes, and growth.csv has the columns depth_mm and mgt.";
-    AXLE_LOAD: f64 = number("axle_load_t", "t", closed(1e-3, 100.0), 17.0, "Axle load; one passage is one axle.")
-        .required();
+    AXLE_LOAD: f64 = number("axle_load_t", "t", closed(1e-3, 100.0), 17.0,
+        "Axle load; one passage is one axle. Required, unless every [[wheel]] has its own.").optional();
     MGT_PER_YEAR: f64 = number("mgt_per_year", "MGT", closed(1e-6, 1e4), 20.0,
         "Traffic of a year, million gross tonnes: results are then also given in months.").optional();
 }

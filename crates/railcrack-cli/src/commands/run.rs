@@ -12,7 +12,9 @@ use railcrack::words::Choice;
 use railcrack_case::Overrides;
 use railcrack_report::{PageEngine, Pages};
 use railcrack_run::Summary;
-use railcrack_run::decision::{Reason, StageSummary, StagesSummary, Verdict, VerdictLevel};
+use railcrack_run::decision::{
+    Reason, StageSummary, StagesSummary, TonnageWords, Verdict, VerdictLevel, three_digits,
+};
 use railcrack_run::machine::{Budget, Needs, long_step, step_seconds};
 use railcrack_run::simulation::{Ending, Finished, RunEntry, RunError, Simulation};
 use serde_json::{Value, json};
@@ -229,8 +231,9 @@ fn stages(stages: &StagesSummary) -> String {
 fn decision(summary: &Summary) -> String {
     let mut text = summary.verdict.as_ref().map_or_else(String::new, verdict);
     let Some(decision) = &summary.decision else { return text };
+    let words = TonnageWords { mgt_per_year: decision.mgt_per_year };
     if let Some(paths) = decision.paths {
-        let life = |mgt: Option<f64>| mgt.map_or_else(|| "none".to_owned(), |mgt| format!("{mgt:.3}"));
+        let life = |mgt: Option<f64>| mgt.map_or_else(|| "none".to_owned(), three_digits);
         text.push_str(&format!(
             "million gross tonnes to failure: straight ahead {}, as computed {}, limit path {}\n",
             life(paths.straight),
@@ -242,7 +245,7 @@ fn decision(summary: &Summary) -> String {
         text.push_str(&self::stages(stages));
     }
     for of in &decision.frictions {
-        let life = of.mgt.map_or_else(|| "none within the run".to_owned(), |mgt| format!("{mgt:.3}"));
+        let life = of.mgt.map_or_else(|| "none within the run".to_owned(), three_digits);
         text.push_str(&format!(
             "million gross tonnes to failure with friction {} between the faces: {life}\n",
             of.friction
@@ -261,11 +264,11 @@ fn decision(summary: &Summary) -> String {
         ));
     }
     if let Some(interval) = decision.inspection.and_then(|inspection| inspection.interval_mgt) {
-        text.push_str(&format!("inspection interval {interval:.3} million gross tonnes\n"));
+        text.push_str(&format!("inspection interval {}\n", words.of(interval)));
     }
     if let (Some(target), Some(interval)) = (decision.risk.target_risk, decision.risk.interval_for_target_mgt)
     {
-        text.push_str(&format!("interval for a risk of {target}: {interval:.3} million gross tonnes\n"));
+        text.push_str(&format!("interval for a risk of {target}: {}\n", words.of(interval)));
     }
     text.push_str(&format!("{}\n", decision.calibration));
     text

@@ -123,6 +123,18 @@ impl Nominal {
         Self { failure, second, detected: Some(first.detected).filter(|mgt| mgt.is_finite()), worn, replaced }
     }
 
+    /// Million gross tonnes to failure of cracks in `family` that grow faster by `speed`; none
+    /// where they do not fail.
+    pub fn mgt_at_speed(family: &Family, speed: f64, question: &Question) -> Option<f64> {
+        let walk = Walk::through(family, question.tonnes, question.removal());
+        let rates = SampledRates::of_case(question.tonnes, question.removal());
+        let rates = SampledRates { faster: speed, ..rates };
+        match walk.walk(&rates, &question.limits(), &mut Track::default()).fate {
+            Fate::Fails(_, mgt) => Some(mgt),
+            _ => None,
+        }
+    }
+
     /// The depth of the crack that is looked for in the run `course`, over traffic.
     pub fn depths(course: &Course, question: &Question) -> DepthCurve {
         let family = Family::alone(course);

@@ -15,6 +15,7 @@ mod sampler;
 mod scatter;
 mod stages;
 mod summary;
+mod tonnage;
 mod verdict;
 mod walk;
 mod wheels;
@@ -31,13 +32,16 @@ pub use path::{GrowthPath, PathPoint};
 pub use risk::{DepthCurve, DetectionCurve, IntervalForTarget, Life, Risk};
 pub use risk_summary::{RiskAtInterval, RiskSummary, TargetKept};
 pub use row::DecisionRow;
-pub(crate) use sampler::{Draw, Draws, KEYS, Sampler, Sampling};
-pub use scatter::{DepthQuantiles, Outlived, Quantiles, ScatterSummary, Sensitivity};
+pub(crate) use sampler::{Draw, Draws, KEYS, Sample, Sampler, Sampling};
+pub use scatter::{
+    CourseAccuracy, DepthQuantiles, FirstSample, Outlived, Quantiles, ScatterSummary, Sensitivity,
+};
 pub(crate) use scatter::{Gathered, spread, tonnages};
 pub use stages::{StageSummary, StagesSummary};
 pub use summary::Decision;
 pub(crate) use summary::{Judged, calibration, course_of, judged};
+pub use tonnage::{TonnageWords, three_digits};
 pub(crate) use verdict::deepening;
 pub use verdict::{Reason, ReasonKind, Verdict, VerdictLevel};
-pub(crate) use walk::Track;
+pub(crate) use walk::{Fate, Track};
 pub use wheels::WheelSummary;

@@ -5,7 +5,7 @@ use super::family::{Family, Removal};
 use super::walk::{Fate, Limits, SampledRates, SampledShares, Track, Walk};
 use crate::log::MixInfo;
 use railcrack::growth::MOST_WHEELS;
-use railcrack_case::Scatter;
+use railcrack_case::{Scatter, normal_quantile};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use std::f64::consts::PI;
@@ -35,6 +35,27 @@ pub(crate) const KEYS: [&str; 5] =
 /// A separate stream of random numbers for later quantities, so that the samples of the first four
 /// do not change.
 const LATER: u64 = 0x5EED_0000_0000;
+
+/// Deviates of the coefficient: quantiles of an additive sequence by the golden ratio, any first
+/// part of which covers all probabilities evenly. Its quantiles and shares are those of the
+/// distribution to about 1/n for n samples, not 1/√n.
+struct EvenDeviates(u64);
+
+impl EvenDeviates {
+    fn new(seed: u64) -> Self {
+        Self(Pcg64Mcg::seed_from_u64(seed ^ EVEN).next_u64())
+    }
+
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(GOLDEN);
+        normal_quantile(((self.0 >> 11) as f64 + 0.5) / (1u64 << 53) as f64)
+    }
+}
+
+/// 2⁶⁴ times the golden ratio less one.
+const GOLDEN: u64 = 0x9E37_79B9_7F4A_7C15;
+/// The stream in which that sequence begins.
+const EVEN: u64 = 0xE7E4_0000_0000;
 
 /// Standard normal deviates, two at a time (Box & Muller), the same on any machine.
 struct Deviates {
@@ -74,6 +95,7 @@ pub(crate) struct Draw {
 
 /// Draws, one sample after the other.
 pub(crate) struct Draws {
+    even: EvenDeviates,
     first: Deviates,
     later: Deviates,
     wears: bool,
@@ -84,6 +106,7 @@ impl Draws {
     /// Draws of the quantities that `scatter`, with the wheels of `mix`.
     pub fn of(scatter: &Scatter, mix: &[MixInfo]) -> Self {
         Self {
+            even: EvenDeviates::new(scatter.seed as u64),
             first: Deviates::new(scatter.seed as u64),
             later: Deviates::new(scatter.seed as u64 ^ LATER),
             wears: scatter.wear_std > 0.0,
@@ -93,7 +116,8 @@ impl Draws {
 
     /// The next sample.
     pub fn next(&mut self) -> Draw {
-        let [c, m, toughness, detected] = [0; 4].map(|_| self.first.next());
+        let c = self.even.next();
+        let [m, toughness, detected] = [0; 3].map(|_| self.first.next());
         let wear = if self.wears { self.later.next() } else { 0.0 };
         let mut shares = [0.0; MOST_WHEELS];
         shares.iter_mut().take(self.wheels).for_each(|z| *z = self.later.next());

@@ -45,6 +45,17 @@ pub struct Outlived {
     pub mgt: f64,
 }
 
+/// Accuracy of samples that are made between whole runs at several speeds of growth.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct CourseAccuracy {
+    /// Number of these runs, that of the case among them.
+    pub runs: usize,
+    /// The largest error (percent) of the tonnage to failure at the speed of a run that was left
+    /// out: about four times that of the samples, since it doubles the gap. Null where no run
+    /// between two others fails.
+    pub left_out_percent: Option<f64>,
+}
+
 /// Results of the samples.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ScatterSummary {
@@ -60,6 +71,9 @@ pub struct ScatterSummary {
     /// The samples that outlive what is computed; left out where none does.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub outlived: Option<Outlived>,
+    /// Accuracy of samples between several runs; left out where the run alone is enough.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub between_runs: Option<CourseAccuracy>,
     /// Million gross tonnes from detectable to critical.
     pub mgt_detectable_to_critical: Quantiles,
     /// Probability that a crack that was just missed is critical before the next inspection, one
@@ -73,7 +87,18 @@ pub struct ScatterSummary {
     pub depth: Vec<DepthQuantiles>,
     /// Contribution of each quantity that scatters, the largest first.
     pub sensitivities: Vec<Sensitivity>,
+    /// The first samples, where the surface is removed: million gross tonnes until failure, from
+    /// detectable to failure, and until which the sample is known to hold; null where it does not
+    /// fail, and where its fate is known. A study makes its samples between those of its runs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub first: Vec<FirstSample>,
 }
+
+/// Million gross tonnes until failure, from detectable to failure, and until which it is known.
+pub type FirstSample = [Option<f64>; 3];
+
+/// Number of first samples: their coefficients divide the distribution evenly.
+const FIRST: usize = 256;
 
 /// The samples, with quantiles of the depth up to `longest` million gross tonnes, where the crack
 /// is inspected every `interval` million gross tonnes.
@@ -241,6 +266,10 @@ impl Gathered {
             self.samples.iter().filter(|sample| is_it(sample)).count() as f64 / count
         };
         sensitivities.sort_by(|a, b| b.share.total_cmp(&a.share));
+        let of_sample = |sample: &Sample| {
+            [sample.to_critical, sample.way, sample.outlives].map(|mgt| mgt.is_finite().then_some(mgt))
+        };
+        let lives = self.samples.iter().take(if is_removed { FIRST } else { 0 }).map(of_sample).collect();
         let first = self.samples.iter().map(|sample| sample.outlives).fold(f64::INFINITY, f64::min);
         let outlived = first
             .is_finite()
@@ -250,6 +279,7 @@ impl Gathered {
             seed: scatter.seed,
             probability_of_failure: share_of(&|sample| sample.to_critical.is_finite()),
             outlived,
+            between_runs: None,
             mgt_to_critical: quantiles(self.samples.iter().map(|sample| sample.to_critical).collect())
                 .known(|mgt| share_of(&|sample| sample.outlives < mgt)),
             mgt_detectable_to_critical: quantiles(self.samples.iter().map(|sample| sample.way).collect()),
@@ -263,6 +293,7 @@ impl Gathered {
                 .map(|(mgt, depths)| DepthQuantiles { mgt, depth_mm: quantiles(depths) })
                 .collect(),
             sensitivities,
+            first: lives,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The decision block of `summary.json`.
 
-use super::companions::{Companions, FrictionLife, PathLives};
+use super::companions::{Companions, FrictionLife, PathLives, slowed};
 use super::course::{Course, FailureMode};
 use super::failure::{FailureSummary, Nominal, Question};
 use super::family::Family;
@@ -10,8 +10,9 @@ use super::path::{GrowthPath, PathPoint};
 use super::risk_summary::{RiskInputs, RiskSummary};
 use super::row::DecisionRow;
 use super::sampler::Sampling;
-use super::scatter::{Lives, Quantiles, ScatterSummary, sampled};
+use super::scatter::{CourseAccuracy, Lives, Quantiles, ScatterSummary, sampled};
 use super::stages::{StageLimits, StagesSummary};
+use super::tonnage::TonnageWords;
 use super::verdict::{Reason, Verdict};
 use super::wheels::WheelSummary;
 use crate::log::{RunInfo, RunLog};
@@ -33,6 +34,9 @@ pub struct Decision {
     pub tip: usize,
     /// Mean load of an axle, t.
     pub axle_load_t: f64,
+    /// Million gross tonnes in a year, where the case gives them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mgt_per_year: Option<f64>,
     /// The crack from step to step.
     pub rows: Vec<DecisionRow>,
     /// Growth against wear and grinding, where the case has them.
@@ -110,7 +114,8 @@ impl Decision {
         let can_scatter = is_sampled && has_ended && path.points.len() > 1;
         let scatter = info.scatter.as_ref().filter(|_| can_scatter);
         let scatter = scatter.map(|scatter| {
-            let family = family_of(&course, &companions.speeds());
+            let speeds = companions.speeds();
+            let family = family_of(&course, &speeds);
             let interval = inspection.as_ref().and_then(|inspection| inspection.interval_mgt);
             let of = Sampling {
                 family: &family,
@@ -123,7 +128,10 @@ impl Decision {
             let longest = course.points.last().map_or(0.0, |last| mgt(last.axles));
             let until = nominal.failure.mgt.unwrap_or(longest).max(MOST_BEFORE * longest);
             let is_asked = inspection.is_some() && verdict.gives_intervals();
-            sampled(of, until, interval, if is_asked { Lives::Kept } else { Lives::Dropped })
+            let kept = if is_asked { Lives::Kept } else { Lives::Dropped };
+            let (summary, lives) = sampled(of, until, interval, kept);
+            let between_runs = accuracy(&course, &speeds, &question);
+            (ScatterSummary { between_runs, ..summary }, lives)
         });
         let (mut scatter, lives) = scatter.unzip();
         let inspection = inspection.filter(|_| verdict.gives_intervals());
@@ -155,7 +163,9 @@ impl Decision {
         });
         let risk = risk.unwrap_or_default();
         let verdict = match risk.exceeds_target() {
-            Some((at, target)) => verdict.with(Reason::of_risk(at, target)),
+            Some((at, target)) => {
+                verdict.with(Reason::of_risk(at, target, TonnageWords { mgt_per_year: info.mgt_per_year }))
+            }
             None => verdict,
         };
         let limits = StageLimits {
@@ -176,6 +186,7 @@ impl Decision {
             crack: path.tip.0,
             tip: path.tip.1,
             axle_load_t: tonnes,
+            mgt_per_year: info.mgt_per_year,
             rows,
             maintenance,
             risk,
@@ -279,6 +290,24 @@ fn family_of(course: &Course, speeds: &[(f64, Course)]) -> Family {
     };
     let nominal = of(&|speed| speed == 1.0).first().copied().unwrap_or(course);
     Family::of(nominal, &of(&|speed| speed > 1.0), &of(&|speed| speed < 1.0))
+}
+
+/// How well samples between the run `course` and those at other `speeds` (the fastest first) repeat
+/// each of these that lies between two others; none without any.
+fn accuracy(course: &Course, speeds: &[(f64, Course)], question: &Question) -> Option<CourseAccuracy> {
+    let others = || speeds.iter().filter(|(speed, _)| *speed != 1.0);
+    let runs = others().count() + 1;
+    let inner = others().skip(1).take(runs.saturating_sub(3));
+    let error = |(speed, left_out): &(f64, Course)| {
+        let rest: Vec<(f64, Course)> = speeds.iter().filter(|(other, _)| other != speed).cloned().collect();
+        let family = family_of(course, &rest);
+        let slowed = question.maintenance.map(|plan| slowed(plan, *speed));
+        let own = Nominal::of(left_out, &Question { maintenance: slowed.as_ref(), ..*question });
+        let found = Nominal::mgt_at_speed(&family, *speed, question)?;
+        Some(100.0 * (found * speed / own.failure.mgt? - 1.0).abs())
+    };
+    let left_out_percent = inner.filter_map(error).reduce(f64::max);
+    (runs > 1).then_some(CourseAccuracy { runs, left_out_percent })
 }
 
 /// Depth (mm) of the crack of `rows` at `mgt`.

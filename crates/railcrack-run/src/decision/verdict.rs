@@ -2,6 +2,7 @@
 
 use super::failure::{FailureSummary, Nominal};
 use super::risk_summary::RiskAtInterval;
+use super::tonnage::{TonnageWords, three_digits};
 use crate::log::{RunInfo, RunLog, StepDigest};
 use railcrack::fatigue::RailSteel;
 use railcrack::growth::{RunStop, TipRecord, TipStop};
@@ -148,10 +149,10 @@ impl Reason {
     }
 
     /// A risk between inspections above its `target`.
-    pub(super) fn of_risk(at: RiskAtInterval, target: f64) -> Self {
+    pub(super) fn of_risk(at: RiskAtInterval, target: f64, words: TonnageWords) -> Self {
         let text = format!(
-            "with inspections every {:.3} million gross tonnes, the probability that a crack fails before it is found is {}, above the target of {}",
-            at.interval_mgt,
+            "with inspections every {}, the probability that a crack fails before it is found is {}, above the target of {}",
+            words.of(at.interval_mgt),
             probability(at.probability),
             probability(target)
         );
@@ -189,9 +190,10 @@ impl Verdict {
         let mut reasons = limits_of_model(info, &steps);
         reasons.extend(rate(&steps, tonnes));
         reasons = reasons.into_iter().map(|reason| at(reason, &steps, mgt)).collect();
-        reasons.extend(failure(nominal, log, mgt, is_inspected));
+        let words = TonnageWords { mgt_per_year: info.mgt_per_year };
+        reasons.extend(failure(nominal, log, (mgt, words), is_inspected));
         if reasons.is_empty() {
-            reasons.extend(end_of_run(info, log, nominal, mgt));
+            reasons.extend(end_of_run(info, log, nominal, (mgt, words)));
         }
         Self::of_reasons(reasons)
     }
@@ -316,7 +318,8 @@ fn rate(steps: &[&StepDigest], tonnes: f64) -> Option<Reason> {
     let fastest = all.reduce(|most, next| if next.1.1 > most.1.1 { next } else { most });
     let (step, (tip, value)) = fastest.filter(|(_, (_, value))| *value > LARGEST_RATE)?;
     let text = format!(
-        "a crack gets deeper by {value:.3} mm per million gross tonnes, more than {LARGEST_RATE}, which is ten times what the fastest head checks in track are found to grow: calibrate the growth law (railcrack calibrate) or check the loads"
+        "a crack gets deeper by {} mm per million gross tonnes, more than {LARGEST_RATE}, which is ten times what the fastest head checks in track are found to grow: calibrate the growth law (railcrack calibrate) or check the loads",
+        three_digits(value)
     );
     Some(of_tip(Reason::new(ReasonKind::Rate, text), step, tip, value, LARGEST_RATE))
 }
@@ -360,7 +363,7 @@ fn layer(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
 fn failure(
     nominal: &Nominal,
     log: &RunLog,
-    mgt: impl Fn(&StepDigest) -> f64,
+    (mgt, words): (impl Fn(&StepDigest) -> f64, TonnageWords),
     is_inspected: bool,
 ) -> Option<Reason> {
     let FailureSummary { mode, mgt: until, mgt_error, crack, tip } = nominal.failure;
@@ -370,10 +373,8 @@ fn failure(
     let whose = crack.map_or_else(String::new, |crack| format!(" of crack {crack}"));
     let what = format!("{}{whose}", mode.words());
     let life = match mgt_error.map(|error| 100.0 * error / until).filter(|percent| *percent > 0.0) {
-        Some(percent) => {
-            format!("{until:.3} million gross tonnes (± {:.1} % by the increments)", percent.max(0.1))
-        }
-        None => format!("{until:.3} million gross tonnes"),
+        Some(percent) => words.noted(until, Some(&format!("± {:.1} % by the increments", percent.max(0.1)))),
+        None => words.of(until),
     };
     let (kind, text) = if until == 0.0 {
         (ReasonKind::AtOnce, format!("{what} at once"))
@@ -402,28 +403,29 @@ fn end_of_run(
     info: &RunInfo,
     log: &RunLog,
     nominal: &Nominal,
-    mgt: impl Fn(&StepDigest) -> f64,
+    (mgt, words): (impl Fn(&StepDigest) -> f64, TonnageWords),
 ) -> Option<Reason> {
     let last = log.steps.last()?;
     let is_over = nominal.worn.or(nominal.replaced).is_some();
-    let is_cut = !is_over && last.stop == Some(RunStop::StepsDone) && last.step > 0;
+    // Without steps a run is one of K alone, unless somebody is to decide by it.
+    let decides = last.step > 0 || info.inspection.is_some();
+    let is_cut = !is_over && last.stop == Some(RunStop::StepsDone) && decides;
     let kind = if is_cut && asks_for_failure(info) { ReasonKind::StepLimit } else { ReasonKind::EndOfRun };
     let text = match (nominal.worn, last.stop) {
         _ if nominal.replaced.is_some() => format!(
-            "the rail is worn to the limit at which it is replaced after {:.3} million gross tonnes",
-            nominal.replaced.unwrap_or_default()
+            "the rail is worn to the limit at which it is replaced after {}",
+            words.of(nominal.replaced.unwrap_or_default())
         ),
-        (Some(worn), _) => format!("the cracks are worn away after {worn:.3} million gross tonnes"),
+        (Some(worn), _) => format!("the cracks are worn away after {}", words.of(worn)),
         (None, Some(stop)) if is_at_rest(stop) => "no crack grows any longer".to_owned(),
         _ if kind == ReasonKind::StepLimit => format!(
-            "the {} steps of the case end after {:.3} million gross tonnes without a failure, and what follows is not known: give more steps in [growth], or stop_after_cycles for the traffic in question",
+            "the {} steps of the case end after {} without a failure, and what follows is not known: give more steps in [growth], or stop_after_cycles for the traffic in question",
             last.step,
-            mgt(last)
+            words.of(mgt(last))
         ),
-        _ => format!(
-            "the run ends after {:.3} million gross tonnes without a failure: what follows is not known",
-            mgt(last)
-        ),
+        _ => {
+            format!("the run ends after {} without a failure: what follows is not known", words.of(mgt(last)))
+        }
     };
     Some(Reason {
         step: Some(last.step),

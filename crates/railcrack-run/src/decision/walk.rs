@@ -204,6 +204,11 @@ struct Part {
 }
 
 impl Part {
+    /// No way at all: `state` at `mgt`, with growth and removal of `work` (mm).
+    fn at_rest(state: State, mgt: f64, work: f64) -> Self {
+        Self { from: state, to: state, slowness: [0.0; 2], mgt: [mgt; 2], work: [work; 2] }
+    }
+
     /// The tonnage at which `share` of the way lies behind: the slowness is linear along it.
     fn at(&self, share: f64) -> f64 {
         let [a, b] = self.slowness;
@@ -306,6 +311,12 @@ impl<'a> Walk<'a> {
         let Some((mut state, mut shares)) = self.family.state(spot, 0.0) else { return walked };
         let (mut mgt, mut done) = (0.0, 0);
         track.push(mgt, &state);
+        // A rail that fails at once has no part of a way.
+        let begin = Part::at_rest(state, mgt, self.family.work(spot));
+        if let Some(fate) = limits.first(&begin, &self.family.events(spot, state.removed)) {
+            let detected = limits.detects(&begin).unwrap_or(f64::INFINITY);
+            return Walked { fate, detected, ..walked };
+        }
         for step in 0..MOST_STEPS {
             let rate = state.rate * rates.factor(&state, shares);
             if rate < rates.arrest_rate {
@@ -425,13 +436,7 @@ impl<'a> Walk<'a> {
                 };
                 (spot, state, shares) = (at, ground, ground_shares);
                 track.push(mgt, &state);
-                let part = Part {
-                    from: state,
-                    to: state,
-                    slowness: [0.0; 2],
-                    mgt: [mgt; 2],
-                    work: [self.family.work(spot); 2],
-                };
+                let part = Part::at_rest(state, mgt, self.family.work(spot));
                 if let Some(fate @ Fate::Worn(_)) =
                     limits.first(&part, &self.family.events(spot, state.removed))
                 {

@@ -125,6 +125,15 @@ impl Interpolation {
         sum
     }
 
+    /// One `quantity` at `point`.
+    pub fn one_at(&self, point: &[f64], quantity: usize) -> f64 {
+        let n = self.points.len();
+        let weight = |row: usize| self.weights[(row, quantity)];
+        let near = self.points.iter().enumerate().map(|(i, own)| self.kernel.at(own, point) * weight(i));
+        let trend = point.iter().enumerate().map(|(term, input)| input * weight(n + 1 + term));
+        near.sum::<f64>() + weight(n) + trend.sum::<f64>()
+    }
+
     /// The quantities at point `i`, interpolated from all others.
     pub fn left_out(&self, i: usize) -> Vec<f64> {
         let own = self.inverse[(i, i)];

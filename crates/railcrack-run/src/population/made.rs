@@ -7,8 +7,8 @@ use crate::decision::{
     Sampling, ScatterSummary, Sensitivity, Track, spread, tonnages,
 };
 use crate::study::{
-    InterpolationError, Population, PopulationPlan, RunState, StudyAxis, StudyPlan, StudyResults, StudyRow,
-    distributions,
+    Between, InterpolationError, Population, PopulationPlan, RunState, StudyAxis, StudyPlan, StudyResults,
+    StudyRow, distributions,
 };
 use railcrack::growth::RunStop;
 use railcrack::math::Matrix;
@@ -82,6 +82,9 @@ impl Population {
         distributions: &[Distribution],
         runs: &[(usize, &StudyRow)],
     ) -> Result<Self, String> {
+        if plan.between == Between::Lives {
+            return super::lives::population(plan, axis, distributions, runs);
+        }
         let done: Vec<_> = runs.iter().filter(|(_, row)| row.state == RunState::Done).collect();
         let points: Vec<Point> =
             done.iter().filter_map(|(index, row)| Point::of(axis, *index, distributions, row)).collect();
@@ -156,7 +159,7 @@ fn question<'a>(plan: &PopulationPlan, inspection: &'a Inspection) -> Question<'
 
 impl InterpolationError {
     /// Errors of pairs of exact and interpolated tonnages. None without pairs.
-    fn of(ways: &[(f64, f64)]) -> Option<Self> {
+    pub(super) fn of(ways: &[(f64, f64)]) -> Option<Self> {
         if ways.is_empty() {
             return None;
         }

@@ -2,5 +2,6 @@
 //! crack act by interpolated paths, the scatter of the law by its own deviates.
 
 mod interpolation;
+mod lives;
 mod made;
 mod shape;

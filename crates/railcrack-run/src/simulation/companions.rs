@@ -12,9 +12,14 @@ use railcrack_case::{Case, Engine, MaintenancePlan, Scatter};
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Deviations of the speed, over that of all samples together, at which cracks are followed against
-/// the removal of the surface.
-const SPEEDS: [f64; 4] = [2.2, 1.1, -1.1, -2.2];
+/// The largest deviation of the speed, over that of all samples together, at which cracks are
+/// followed against the removal of the surface.
+const FARTHEST: f64 = 2.2;
+/// Distance of the logarithms of two speeds at most: quantiles between them are within 1 % of whole
+/// runs, and the error grows with the square of it.
+const APART: f64 = 0.35;
+/// Speeds on each side at most.
+const MOST_SPEEDS: usize = 6;
 /// Runs at most between a speed at which the rail fails and one at which it does not, and the
 /// distance, as a fraction of the largest deviation, at which these are near enough.
 const MOST_BETWEEN: usize = 5;
@@ -112,7 +117,7 @@ impl Simulation<'_> {
             }
             if is_removed && deviation > 0.0 {
                 let deviation = deviation.max(LEAST_DEVIATION);
-                kinds.extend(SPEEDS.map(|z| CompanionKind::Speed((z * deviation).exp())));
+                kinds.extend(speeds(deviation).into_iter().map(CompanionKind::Speed));
             }
         }
         if !self.has_variants || info.inspection.is_none() || case.space.is_some() {
@@ -184,6 +189,15 @@ impl Simulation<'_> {
         }
         Ok(growth.state().clone())
     }
+}
+
+/// Speeds over that of the run at which cracks are followed for samples with this `deviation` of
+/// the logarithm of the speed, the fastest first.
+fn speeds(deviation: f64) -> Vec<f64> {
+    let farthest = FARTHEST * deviation;
+    let count = ((farthest / APART).ceil() as usize).clamp(2, MOST_SPEEDS);
+    let at = |i: usize| (farthest * i as f64 / count as f64).exp();
+    (1..=count).rev().map(at).chain((1..=count).map(|i| at(i).recip())).collect()
 }
 
 /// Whether the rail fails in `steps`.

@@ -9,7 +9,7 @@ use crate::disk::VERSION;
 use crate::error::OutputError;
 use crate::presentation::Presentation;
 use crate::run_folder::check_numbers;
-use crate::study::{PlannedRun, PopulationPlan, StudyAxis, StudyFolder, StudyKey, StudyPlan};
+use crate::study::{Between, PlannedRun, PopulationPlan, StudyAxis, StudyFolder, StudyKey, StudyPlan};
 use crate::summary::{Outcome, RunEnd, Summary};
 use railcrack::growth::RunStop;
 use railcrack::shakedown::ShakedownError;
@@ -121,8 +121,8 @@ impl StudyComputation<'_> {
             .sharing(next.shared_rail(&run.case))
             .of_a_study();
         let simulation = match &self.folder.plan().population {
-            Some(_) => simulation.sampled_by_its_study(),
-            None => simulation,
+            Some(plan) if plan.between == Between::Paths => simulation.sampled_by_its_study(),
+            _ => simulation,
         };
         let finished = simulation.run_in(&self.folder.own_run_folder(planned)?, RunEntry::ResumeOrBegin)?;
         Ok((finished.ending, finished.summary))

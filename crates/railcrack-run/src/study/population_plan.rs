@@ -28,14 +28,31 @@ pub struct PopulationPlan {
     pub critical_length_mm: Option<f64>,
     /// Safety factor.
     pub safety_factor: f64,
+    /// Quantities interpolated between the runs.
+    #[serde(default)]
+    pub between: Between,
+    /// Standard deviation of the wear, mm per million gross tonnes.
+    #[serde(default)]
+    pub wear_std_mm_per_mgt: f64,
+}
+
+/// Quantities interpolated between the runs of a study.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Between {
+    /// Paths of the crack, along which samples of the growth law are evaluated.
+    #[default]
+    Paths,
+    /// Lives of the samples of the runs: where the surface is removed the path of the crack depends
+    /// on the sample.
+    Lives,
 }
 
 /// Sections whose keys the samples take from the first run.
-const OF_ALL_RUNS: [&str; 5] = ["scatter.", "inspection.", "maintenance.", "traffic.", "growth.critical"];
+const OF_ALL_RUNS: [&str; 4] = ["scatter.", "inspection.", "traffic.", "growth.critical"];
 
 impl PopulationPlan {
-    /// The plan of `study`; none where no value is drawn, its cases have no `[scatter]`, or the
-    /// surface is removed, so that each run has its own path.
+    /// The plan of `study`; none where no value is drawn or its cases have no `[scatter]`.
     pub fn of(study: &Study) -> Option<Self> {
         let variations = || study.axes.iter().flat_map(|axis| &axis.variations);
         let is_one_for_all =
@@ -49,9 +66,7 @@ impl PopulationPlan {
 
     fn of_case(case: &Case) -> Option<Self> {
         let scatter = case.scatter?;
-        if case.maintenance.is_some() {
-            return None;
-        }
+        let is_removed = case.maintenance.is_some_and(|plan| plan.removal() > 0.0) || scatter.wear_std > 0.0;
         let inspection = case.inspection.unwrap_or_default();
         Some(Self {
             samples: scatter.samples,
@@ -65,6 +80,8 @@ impl PopulationPlan {
             critical_depth_mm: inspection.critical_depth,
             critical_length_mm: case.growth.critical_length,
             safety_factor: inspection.safety_factor,
+            between: if is_removed { Between::Lives } else { Between::Paths },
+            wear_std_mm_per_mgt: scatter.wear_std,
         })
     }
 
@@ -77,7 +94,7 @@ impl PopulationPlan {
             toughness: None,
             toughness_std: 0.0,
             detectable_depth_std: self.detectable_depth_std_mm,
-            wear_std: 0.0,
+            wear_std: self.wear_std_mm_per_mgt,
             share_log_std: 0.0,
         }
     }

@@ -133,8 +133,10 @@ fn columns(plan: &StudyPlan, runs: &[StudyRun]) -> Vec<Column> {
         runs.iter().map(|run| run.row.summary.as_ref().and_then(value).unwrap_or(f64::NAN)).collect()
     };
     if let Some(length) = common_length(runs) {
-        let title = format!("Load cycles to {length:.2} mm");
         let lives = of_tip(&|tip| cycles_to(&tip.rows, length).unwrap_or(f64::NAN));
+        // Not the length of the first sentence, which all growing cracks reach.
+        let reached = lives.iter().filter(|life| life.is_finite()).count();
+        let title = format!("Load cycles to {length:.2} mm (reached in {reached} of {} runs)", lives.len());
         columns.push(Column { is_logarithmic: true, ..numbers("life", &title, lives) });
     }
     columns.extend([

@@ -1,0 +1,180 @@
+//! A population of cracks whose surface is removed: interpolated between the lives of the samples
+//! of its runs.
+//!
+//! Under wear and grinding the path of a crack depends on what is sampled, so that each run has
+//! samples of its own. The first samples of all runs have the same deviates of the growth law: for
+//! each of them 1/life, zero where the rail does not fail, and the fraction of the life from
+//! detectable to failure are interpolated over the inputs of the study.
+
+use super::interpolation::Interpolation;
+use crate::decision::{
+    Draw, Draws, FailureMode, Fate, FirstSample, Gathered, KEYS, Sample, ScatterSummary, spread,
+};
+use crate::study::{InterpolationError, Population, PopulationPlan, RunState, StudyAxis, StudyRow};
+use railcrack::math::Matrix;
+use railcrack_case::Distribution;
+use rayon::prelude::*;
+
+/// Maximum number of runs used for interpolation.
+const MOST_RUNS: usize = 200;
+/// 1/life over that of the run that fails first, below which a rail does not fail.
+const NEVER: f64 = 1e-3;
+
+/// A run as a point of the space of inputs.
+struct Point<'a> {
+    inputs: Vec<f64>,
+    first: &'a [FirstSample],
+    /// The run itself.
+    nominal: [Option<f64>; 2],
+}
+
+impl<'a> Point<'a> {
+    fn of(axis: &StudyAxis, index: usize, distributions: &[Distribution], row: &'a StudyRow) -> Option<Self> {
+        let values = axis.keys.iter().zip(distributions);
+        let inputs: Option<Vec<f64>> =
+            values.map(|(key, distribution)| distribution.standardised(key.values.get(index)?)).collect();
+        let decision = row.summary.as_ref()?.decision.as_ref()?;
+        let way = decision.inspection.as_ref().and_then(|of| of.mgt_detectable_to_critical);
+        let first = &decision.scatter.as_ref()?.first;
+        Some(Self { inputs: inputs?, first, nominal: [decision.failure.mgt, way] })
+    }
+}
+
+/// 1/life and the fraction of the life from detectable to failure.
+fn numbers(life: Option<f64>, way: Option<f64>) -> Option<[f64; 2]> {
+    let life = life?.max(f64::MIN_POSITIVE);
+    Some([life.recip(), (way.unwrap_or(0.0) / life).clamp(0.0, 1.0)])
+}
+
+/// The population of `runs`.
+///
+/// Errors: why there are no samples.
+pub(super) fn population(
+    plan: &PopulationPlan,
+    axis: &StudyAxis,
+    distributions: &[Distribution],
+    runs: &[(usize, &StudyRow)],
+) -> Result<Population, String> {
+    let done: Vec<_> = runs.iter().filter(|(_, row)| row.state == RunState::Done).collect();
+    let mut points: Vec<Point> =
+        done.iter().filter_map(|(index, row)| Point::of(axis, *index, distributions, row)).collect();
+    let left_out = done.len() - points.len();
+    points.truncate(MOST_RUNS);
+    let count = points.iter().map(|point| point.first.len()).min().unwrap_or(0);
+    if count == 0 {
+        return Err("no run has samples of its own".to_owned());
+    }
+    // The first samples, and last the run itself.
+    let of_point = |point: &Point, k: usize| match point.first.get(k).filter(|_| k < count) {
+        Some([life, way, _]) => numbers(*life, *way),
+        None => numbers(point.nominal[0], point.nominal[1]),
+    };
+    let mut values = Matrix::zeros(points.len(), 2 * (count + 1));
+    for k in 0..=count {
+        let known: Vec<Option<[f64; 2]>> = points.iter().map(|point| of_point(point, k)).collect();
+        let fails = known.iter().flatten().count().max(1) as f64;
+        let usual = known.iter().flatten().map(|[_, fraction]| fraction).sum::<f64>() / fails;
+        for (i, own) in known.iter().enumerate() {
+            let [rate, fraction] = own.unwrap_or([0.0, usual]);
+            values[(i, 2 * k)] = rate;
+            values[(i, 2 * k + 1)] = fraction;
+        }
+    }
+    let inputs: Vec<Vec<f64>> = points.iter().map(|point| point.inputs.clone()).collect();
+    let interpolation = Interpolation::of(&inputs, &values)
+        .ok_or_else(|| format!("{} runs are too few for {} keys", points.len(), distributions.len()))?;
+    let largest = (0..points.len())
+        .flat_map(|i| (0..=count).map(move |k| (i, 2 * k)))
+        .map(|place| values[place])
+        .fold(0.0, f64::max);
+    let between = LivesBetween { points, count, interpolation, largest };
+    let way_of = |[rate, fraction]: [f64; 2]| between.life(rate).map(|life| life * fraction.clamp(0.0, 1.0));
+    let pairs: Vec<(f64, f64)> = (0..between.points.len())
+        .filter_map(|i| {
+            let found = between.interpolation.left_out(i);
+            let exact = between.points[i].nominal[1].filter(|way| *way > 0.0)?;
+            way_of([found[2 * count], found[2 * count + 1]]).filter(|way| *way > 0.0).map(|way| (exact, way))
+        })
+        .collect();
+    let middle = vec![0.0; distributions.len()];
+    let nominal = [0, 1].map(|of| between.interpolation.one_at(&middle, 2 * count + of));
+    let interval = way_of(nominal).map(|way| way / plan.safety_factor);
+    Ok(Population {
+        choice: String::new(),
+        runs: between.points.len(),
+        left_out,
+        error: InterpolationError::of(&pairs),
+        interval_mgt: interval,
+        scatter: Some(between.made(plan, axis, distributions, interval)),
+        reason: None,
+    })
+}
+
+/// Samples of the runs, interpolated.
+struct LivesBetween<'a> {
+    points: Vec<Point<'a>>,
+    /// Number of samples of each run.
+    count: usize,
+    interpolation: Interpolation,
+    /// The largest 1/life.
+    largest: f64,
+}
+
+impl LivesBetween<'_> {
+    /// The life with 1/life of `rate`; none where the rail does not fail.
+    fn life(&self, rate: f64) -> Option<f64> {
+        (rate > NEVER * self.largest).then(|| rate.recip())
+    }
+
+    /// The sample of `draw`, the sample `k` of the runs, with the inputs at `point`.
+    fn sample(&self, draw: Draw, k: usize, point: &[f64]) -> Sample {
+        let [rate, fraction] = [0, 1].map(|of| self.interpolation.one_at(point, 2 * k + of));
+        let life = self.life(rate).unwrap_or(f64::INFINITY);
+        let way = if life.is_finite() { life * fraction.clamp(0.0, 1.0) } else { f64::INFINITY };
+        let apart = |own: &Point| own.inputs.iter().zip(point).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+        let nearest = self.points.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
+        let outlives = nearest.and_then(|own| own.first[k][2]).filter(|_| life == f64::INFINITY);
+        let fate = match outlives {
+            Some(mgt) => Fate::Outlives(mgt),
+            None if life.is_finite() => Fate::Fails(FailureMode::Depth, life),
+            None => Fate::Rests,
+        };
+        let outlives = outlives.unwrap_or(f64::INFINITY);
+        Sample { draw, grows: false, to_critical: life, way, outlives, found_from: None, fate }
+    }
+
+    fn made(
+        &self,
+        plan: &PopulationPlan,
+        axis: &StudyAxis,
+        distributions: &[Distribution],
+        interval: Option<f64>,
+    ) -> ScatterSummary {
+        let scatter = plan.scatter();
+        let mut draws = Draws::of(&scatter, &[]);
+        let of_runs: Vec<Draw> = (0..self.count).map(|_| draws.next()).collect();
+        let inputs: Vec<Vec<f64>> = (0..scatter.samples)
+            .map(|_| {
+                let drawn = |of: &Distribution| of.standardised(&of.value(draws.share())).unwrap_or(0.0);
+                distributions.iter().map(drawn).collect()
+            })
+            .collect();
+        let made: Vec<Sample> = inputs
+            .par_iter()
+            .enumerate()
+            .map(|(j, point)| self.sample(of_runs[j % self.count], j % self.count, point))
+            .collect();
+        let mut gathered = Gathered::new(&scatter, Vec::new());
+        made.into_iter().for_each(|sample| gathered.take(sample, Vec::new()));
+        let of_keys = axis
+            .keys
+            .iter()
+            .enumerate()
+            .map(|(key, of)| gathered.sensitivity(&of.name, |_, sample| inputs[sample][key]));
+        let of_law = (0..KEYS.len())
+            .filter(|&i| spread(&scatter)[i] > 0.0)
+            .map(|i| gathered.sensitivity(KEYS[i], |sample, _| sample.draw.deviates[i]));
+        let sensitivities = of_keys.chain(of_law).collect();
+        gathered.summary(&scatter, interval, false, sensitivities)
+    }
+}
