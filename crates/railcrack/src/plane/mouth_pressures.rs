@@ -100,7 +100,7 @@ pub(super) struct PressuresChange<'a> {
 
 impl PressuresChange<'_> {
     /// The pockets whose fluid has the pressure over the mouth; none for trapped fluid.
-    fn from_mouth(&self) -> Option<&[Pocket]> {
+    fn fed_by_mouth(&self) -> Option<&[Pocket]> {
         let fluid = self.problem.fluid()?;
         matches!(fluid.model, FluidModel::Mouth { .. }).then_some(&fluid.pockets)
     }
@@ -109,7 +109,7 @@ impl PressuresChange<'_> {
 impl LoadPath for PressuresChange<'_> {
     fn nodal_forces(&self, at: f64) -> Vec<f64> {
         let mut forces = self.start.clone();
-        let pockets = self.from_mouth().unwrap_or_default();
+        let pockets = self.fed_by_mouth().unwrap_or_default();
         for (pocket, (from, to)) in pockets.iter().zip(self.from.iter().zip(self.to)) {
             axpy(at * (to - from), &pocket.profile, &mut forces);
         }
@@ -117,7 +117,7 @@ impl LoadPath for PressuresChange<'_> {
     }
 
     fn over_mouths(&self, at: f64) -> Vec<f64> {
-        if self.from_mouth().is_some() {
+        if self.fed_by_mouth().is_some() {
             return Vec::new();
         }
         self.from.iter().zip(self.to).map(|(from, to)| from + at * (to - from)).collect()
