@@ -90,6 +90,6 @@ mod tests {
                 .contains("row 2 lies 9.000 mm from the row before")
         );
         assert!(refused("y_mm,height\n0,0\n", Profiled::Wheel).contains("unknown column `height`"));
-        assert!(refused("y_mm,z_mm\n0,x\n", Profiled::Wheel).contains("`x`"));
+        assert!(refused("y_mm,z_mm\n0,x\n", Profiled::Wheel).contains("`z_mm = x`: must be a number"));
     }
 }

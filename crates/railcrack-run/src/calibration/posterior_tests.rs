@@ -66,8 +66,8 @@ fn evidence_of_three_sites_and_its_maximum() {
     assert_eq!(one.discrepancy, 0.0);
 }
 
-/// A poor reading next to a good one does not show that sites differ by less than 0.3, ten good ones
-/// that agree do; the evidence of the largest s is that of 95 %.
+/// A poor reading next to a good one does not show that sites differ by less than 0.3, ten good
+/// ones that agree do; the evidence of the largest s is that of 95 %.
 #[test]
 fn the_largest_discrepancy_is_what_the_sites_do_not_exclude() {
     let prior = Prior { mean: 0.0, log_std: 1.0, discrepancy: None };
