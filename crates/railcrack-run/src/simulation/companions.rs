@@ -35,7 +35,9 @@ const FRICTIONS: [f64; 2] = [0.1, 0.5];
 const BEYOND_CRITICAL: f64 = 1.1;
 /// Removal over the wear limit up to which cracks at other speeds are followed.
 const BEYOND_LIMIT: f64 = 1.3;
-/// Steps of a companion over those of the run: slower cracks and the limit path take more.
+/// Steps of a companion over those of the run: slower cracks and the limit path take more. Where
+/// wear nearly keeps up with growth, the limit path would go on by hundreds of small kinks; it then
+/// has the steps of the run.
 const MORE_STEPS: usize = 3;
 
 impl Simulation<'_> {
@@ -233,7 +235,10 @@ pub(super) fn deviation(case: &Case, scatter: &Scatter, course: &crate::decision
 /// `case` as `kind` changes it.
 fn case_of(case: &Case, kind: CompanionKind) -> Case {
     let mut case = case.clone();
-    case.growth.steps *= MORE_STEPS;
+    let is_removed = case.maintenance.is_some_and(|plan| plan.removal() > 0.0);
+    if kind != CompanionKind::Limit || !is_removed {
+        case.growth.steps *= MORE_STEPS;
+    }
     match kind {
         CompanionKind::Straight => case.growth.turning = Turning::Over(f64::INFINITY),
         CompanionKind::Limit => case.growth.turning = Turning::Over(0.0),
