@@ -135,7 +135,7 @@ fn copy_files(from: &Path, to: &Path) {
         let target = to.join(path.file_name().unwrap());
         if path.is_file() {
             fs::copy(&path, target).unwrap();
-        } else if path.ends_with("paper") {
+        } else if ["paper", "profiles"].iter().any(|shipped| path.ends_with(shipped)) {
             copy_files(&path, &target);
         }
     }
