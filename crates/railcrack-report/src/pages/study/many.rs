@@ -136,7 +136,7 @@ fn columns(plan: &StudyPlan, runs: &[StudyRun]) -> Vec<Column> {
         let lives = of_tip(&|tip| cycles_to(&tip.rows, length).unwrap_or(f64::NAN));
         // Not the length of the first sentence, which all growing cracks reach.
         let reached = lives.iter().filter(|life| life.is_finite()).count();
-        let title = format!("Load cycles to {length:.2} mm (reached in {reached} of {} runs)", lives.len());
+        let title = format!("Load cycles to {length:.2} mm (in {reached} runs)");
         columns.push(Column { is_logarithmic: true, ..numbers("life", &title, lives) });
     }
     columns.extend([
