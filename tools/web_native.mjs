@@ -67,8 +67,10 @@ function largestByKey(value, key = "", found = new Map()) {
 /** The same for two values of JSON, `scale` the largest numbers by key. */
 function compareValues(name, ours, theirs, scale, key = "") {
   if (typeof theirs === "number" && typeof ours === "number") {
-    // Probabilities are compared with 1: round-off of one is not a tenth of nothing.
-    const size = key === "probability" ? 1 : scale.get(key) || Number.MIN_VALUE;
+    // Probabilities are compared with 1, and shares of a life with the life: round-off of one is not a tenth
+    // of nothing.
+    const whole = { probability: 1, left_out_percent: 100 };
+    const size = whole[key] ?? (scale.get(key) || Number.MIN_VALUE);
     const difference = ours === theirs ? 0 : Math.abs(ours - theirs) / size;
     if (!(difference <= TOLERANCE)) faults.push(`${name}: ${ours} in the page, ${theirs} of the program`);
     return difference;

@@ -104,7 +104,7 @@ impl ProfilePair<'_> {
     ///
     /// where the surface is parallel to the rail. Contact begins where its distance to the rail is
     /// least. Each patch lies in the tangent plane there; its gap is measured normal to this plane
-    /// and its pressure follows from [`PatchPressure`]. All patches share the approach of the
+    /// and its pressure follows from `PatchPressure`. All patches share the approach of the
     /// wheel, downwards, which the normal force fixes.
     ///
     /// Errors: no contact; a contact at the end of a profile; a force or radius out of range.
