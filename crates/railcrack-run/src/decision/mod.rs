@@ -32,11 +32,11 @@ pub use path::{GrowthPath, PathPoint};
 pub use risk::{DepthCurve, DetectionCurve, IntervalForTarget, Life, Risk};
 pub use risk_summary::{RiskAtInterval, RiskSummary, TargetKept};
 pub use row::DecisionRow;
-pub(crate) use sampler::{Draw, Draws, KEYS, Sample, Sampler, Sampling};
+pub(crate) use sampler::{Draw, Draws, Sample, Sampler, Sampling};
 pub use scatter::{
     CourseAccuracy, DepthQuantiles, FirstSample, Outlived, Quantiles, ScatterSummary, Sensitivity,
 };
-pub(crate) use scatter::{Gathered, spread, tonnages};
+pub(crate) use scatter::{Gathered, tonnages};
 pub use stages::{StageSummary, StagesSummary};
 pub use summary::Decision;
 pub(crate) use summary::{Judged, calibration, course_of, judged};

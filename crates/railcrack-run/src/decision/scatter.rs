@@ -252,6 +252,22 @@ impl Gathered {
         Sensitivity { key: key.to_owned(), share: if share.is_finite() { share } else { 0.0 } }
     }
 
+    /// The sensitivities of the inputs with `names`, of which sample j has the deviates
+    /// `inputs[j]`, and of all that `scatter` scatters in the growth law.
+    pub fn sensitivities<'n>(
+        &self,
+        scatter: &Scatter,
+        names: impl IntoIterator<Item = &'n str>,
+        inputs: &[Vec<f64>],
+    ) -> Vec<Sensitivity> {
+        let names = names.into_iter().enumerate();
+        let of_inputs = names.map(|(input, name)| self.sensitivity(name, |_, sample| inputs[sample][input]));
+        let of_law = (0..KEYS.len())
+            .filter(|&i| spread(scatter)[i] > 0.0)
+            .map(|i| self.sensitivity(KEYS[i], |sample, _| sample.draw.deviates[i]));
+        of_inputs.chain(of_law).collect()
+    }
+
     /// The results, where the crack is inspected every `interval` million gross tonnes; with
     /// `is_removed`, the results include how often the crack grows despite the removal.
     pub fn summary(

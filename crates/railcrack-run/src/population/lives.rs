@@ -7,9 +7,7 @@
 //! detectable to failure are interpolated over the inputs of the study.
 
 use super::interpolation::Interpolation;
-use crate::decision::{
-    Draw, Draws, FailureMode, Fate, FirstSample, Gathered, KEYS, Sample, ScatterSummary, spread,
-};
+use crate::decision::{Draw, Draws, FailureMode, Fate, FirstSample, Gathered, Sample, ScatterSummary};
 use crate::study::{InterpolationError, Population, PopulationPlan, RunState, StudyAxis, StudyRow};
 use railcrack::math::Matrix;
 use railcrack_case::Distribution;
@@ -166,15 +164,8 @@ impl LivesBetween<'_> {
             .collect();
         let mut gathered = Gathered::new(&scatter, Vec::new());
         made.into_iter().for_each(|sample| gathered.take(sample, Vec::new()));
-        let of_keys = axis
-            .keys
-            .iter()
-            .enumerate()
-            .map(|(key, of)| gathered.sensitivity(&of.name, |_, sample| inputs[sample][key]));
-        let of_law = (0..KEYS.len())
-            .filter(|&i| spread(&scatter)[i] > 0.0)
-            .map(|i| gathered.sensitivity(KEYS[i], |sample, _| sample.draw.deviates[i]));
-        let sensitivities = of_keys.chain(of_law).collect();
+        let names = axis.keys.iter().map(|key| key.name.as_str());
+        let sensitivities = gathered.sensitivities(&scatter, names, &inputs);
         gathered.summary(&scatter, interval, false, sensitivities)
     }
 }

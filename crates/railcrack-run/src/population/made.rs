@@ -3,8 +3,8 @@
 use super::interpolation::Interpolation;
 use super::shape::{NUMBERS, numbers_of, path_of, path_of_tip};
 use crate::decision::{
-    Course, Draws, Family, Gathered, GrowthPath, InspectionSummary, KEYS, Nominal, Question, Sampler,
-    Sampling, ScatterSummary, Sensitivity, Track, spread, tonnages,
+    Course, Draws, Family, Gathered, GrowthPath, InspectionSummary, Nominal, Question, Sampler, Sampling,
+    ScatterSummary, Track, tonnages,
 };
 use crate::study::{
     Between, InterpolationError, Population, PopulationPlan, RunState, StudyAxis, StudyPlan, StudyResults,
@@ -238,15 +238,8 @@ impl Samples<'_> {
         for (sample, depths) in made {
             gathered.take(sample, depths);
         }
-        let of_keys = axis
-            .keys
-            .iter()
-            .enumerate()
-            .map(|(key, of)| gathered.sensitivity(&of.name, |_, sample| inputs[sample][key]));
-        let of_law = (0..KEYS.len())
-            .filter(|&i| spread(scatter)[i] > 0.0)
-            .map(|i| gathered.sensitivity(KEYS[i], |sample, _| sample.draw.deviates[i]));
-        let sensitivities: Vec<Sensitivity> = of_keys.chain(of_law).collect();
+        let names = axis.keys.iter().map(|key| key.name.as_str());
+        let sensitivities = gathered.sensitivities(scatter, names, &inputs);
         gathered.summary(scatter, interval, false, sensitivities)
     }
 }
