@@ -224,7 +224,9 @@ def draw():
     figure.savefig(root / "docs/figures/rate-over-depth.svg", metadata={"Date": None})
 
 
-if len(sys.argv) > 1:
+if __name__ != "__main__":
+    pass  # the cases alone, for scattered_wheels.py
+elif len(sys.argv) > 1:
     compute(str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:])
 else:
     draw()
