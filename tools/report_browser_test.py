@@ -457,6 +457,53 @@ def check_space(browser, checks, name, folder):
     checks.that(not browser.complaints, f"{name}: no complaints after all this", browser.complaints)
 
 
+def check_contact(browser, checks, name, folder):
+    """The pressure over the mouth follows the wheel and the step, as contact.csv and sif.csv have it; beside it that of Hertz."""
+    browser.open(folder / "report.html")
+    data = browser.run("(({ half_width, peak_pressure, origin, xc_over_a, steps }) => ({ half_width, peak_pressure, origin, xc_over_a, "
+                       "steps: steps.map((s) => s.step) }))(JSON.parse(document.getElementById('run-data').textContent))")
+    a, p0 = data["half_width"], data["peak_pressure"]
+    nodes, loads = {}, {}
+    for row in stabilised(table(folder / "contact.csv")):
+        nodes.setdefault((int(row["step"]), int(row["position"])), []).append((float(row["x_mm"]), float(row["p_mpa"])))
+    for row in stabilised(table(folder / "sif.csv")):
+        loads.setdefault((int(row["step"]), int(row["position"])), row["lip_load_n_per_mm"])
+    # What is drawn, in mm and MPa; a clipped line goes on beyond the frame.
+    drawn = lambda line: browser.run(
+        f"(() => {{ const svg = document.querySelector('#contact .drawing svg'), x = svg.scale('x'), y = svg.scale('y');"
+        f" const d = svg.querySelector('g.{line} path, path.{line}').getAttribute('d');"
+        " return d.slice(1).split('L').map((point) => point.split(',').map(Number)).map(([px, py]) => [x.invert(px), y.invert(py)]); })()")
+    seen = set()
+    for step in [data["steps"][0], data["steps"][-1]]:
+        browser.run(f"(() => {{ const e = document.getElementById('step'); e.value = {data['steps'].index(step)}; e.dispatchEvent(new Event('input')); }})()")
+        browser.until(f"document.getElementById('step-value').textContent.startsWith('{step} of')")
+        browser.settle()
+        felt = sorted(position for at, position in nodes if at == step)
+        for position in [1, felt[0], felt[len(felt) // 3], felt[len(felt) // 2], felt[-1]]:
+            browser.run(f"(() => {{ const e = document.getElementById('wheel'); e.value = {position - 1}; e.dispatchEvent(new Event('input')); }})()")
+            browser.settle()
+            what = f"{name}: contact pressure, step {step}, position {position}"
+            line, dashed = drawn("felt"), drawn("hertz")
+            xc = data["origin"] + a * data["xc_over_a"][position - 1]
+            hertz = lambda x: p0 * math.sqrt(max(0.0, 1 - ((x - xc) / a) ** 2))
+            checks.that(max(abs(p - hertz(x)) for x, p in dashed[3:-3]) < 2e-3 * p0, f"{what}: dashed, that of Hertz")
+            seen.add(tuple(p for _, p in line))
+            load = browser.run("document.querySelector('#contact .drawing svg').dataset.load")
+            rows = nodes.get((step, position))
+            checks.that((rows is not None) == (load != ""), f"{what}: known where the wheel feels the cracks")
+            if rows is None:
+                continue
+            checks.that(len(line) == len(rows), f"{what}: a point for each node", len(line), len(rows))
+            apart = max(max(abs(x - x0) / a, abs(p - p0_) / p0) for (x, p), (x0, p0_) in zip(line, rows))
+            # Half a level between zero and the largest pressure of the step, of which there are 65536, and a thousandth of a pixel.
+            checks.that(apart < 1e-4, f"{what}: as in contact.csv", apart)
+            checks.near(load, float(loads[step, position]), f"{what}: load on the lips as in sif.csv", relative=1e-3, absolute=1e-3 * a * p0)
+            words = browser.run("document.querySelector('#contact figcaption').textContent")
+            checks.that("N/mm lie on the lips" in words, f"{what}: the load in words", words)
+    # Far away it is that on the uncracked rail, in every step.
+    checks.that(len(seen) == 9, f"{name}: the contact pressure follows wheel and step", len(seen))
+
+
 def check_fluid(browser, checks, what, here):
     """The pressure of the fluid is in the picture of the cracks, drawn and written; `here` are the rows of the tips."""
     pressures = dict((row["crack"], float(row["fluid_mpa"])) for row in here)
@@ -900,6 +947,8 @@ def main():
                 check_row(browser, checks, name, folder)
                 check_fields(browser, checks, name, folder)
                 check_pieces(browser, checks, name, folder)
+                if (folder / "contact.csv").exists():
+                    check_contact(browser, checks, name, folder)
             elif (folder / "study.json").exists():
                 many = len(json.loads((folder / "study.json").read_text())["runs"]) > MANY
                 (check_many if many else check_switches)(browser, checks, name, folder)

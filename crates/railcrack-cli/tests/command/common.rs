@@ -4,8 +4,9 @@
 #![allow(dead_code)]
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 use std::sync::LazyLock;
+use std::time::{Duration, Instant};
 
 /// A quick case: few positions, few elements, frictional faces, a kink in the path.
 pub const QUICK_CASE: &str = r#"
@@ -67,6 +68,26 @@ pub fn ends(folder: &Path, arguments: &[&str], code: i32) -> Output {
 #[track_caller]
 pub fn done(folder: &Path, arguments: &[&str]) -> String {
     stdout(&ends(folder, arguments, 0))
+}
+
+/// `railcrack run CASE --out OUT`, killed once `growth.csv` has so many rows.
+pub fn killed_run(folder: &Path, (case, out): (&str, &str), at_rows: usize) {
+    let mut child = command(folder, &["run", case, "--out", out, "--quiet"])
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let growth = folder.join(out).join("growth.csv");
+    let rows = || {
+        let text = std::fs::read_to_string(&growth).unwrap_or_default();
+        text.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_digit())).count()
+    };
+    let started = Instant::now();
+    while rows() < at_rows && started.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
 }
 
 /// Standard output.

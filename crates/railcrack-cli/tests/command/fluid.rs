@@ -2,8 +2,6 @@
 
 use super::common::{self, done, numbers, read};
 use std::path::Path;
-use std::process::Stdio;
-use std::time::{Duration, Instant};
 
 /// A quick crack under a driven wheel.
 const CRACK: &str = "\
@@ -76,22 +74,7 @@ fn a_killed_run_with_fluid_resumes_to_the_same_files() {
     let case = CRACK.replace("steps = 1", "steps = 4");
     std::fs::write(folder.join("wet.toml"), format!("{case}{LEAKING}")).unwrap();
     done(&folder, &["run", "wet.toml", "--out", "whole", "--quiet"]);
-    let growth = folder.join("killed/growth.csv");
-    let mut child = common::command(&folder, &["run", "wet.toml", "--out", "killed", "--quiet"])
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn()
-        .unwrap();
-    let rows = || {
-        let text = std::fs::read_to_string(&growth).unwrap_or_default();
-        text.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_digit())).count()
-    };
-    let started = Instant::now();
-    while rows() < 2 && started.elapsed() < Duration::from_secs(60) {
-        std::thread::sleep(Duration::from_millis(1));
-    }
-    child.kill().unwrap();
-    child.wait().unwrap();
+    common::killed_run(&folder, ("wet.toml", "killed"), 2);
     done(&folder, &["run", "wet.toml", "--out", "killed", "--quiet", "--resume"]);
     for file in ["sif.csv", "growth.csv", "faces.csv"] {
         assert!(read(&folder.join("whole").join(file)) == read(&folder.join("killed").join(file)), "{file}");

@@ -6,6 +6,7 @@ mod case;
 mod combinations;
 mod common;
 mod compare;
+mod coupled;
 mod decision;
 mod documents;
 mod explorer;

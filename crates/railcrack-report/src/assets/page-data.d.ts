@@ -94,6 +94,15 @@ interface FacesData {
   shear: PackedLevels;
 }
 
+/** Pressures of a wheel that feels the cracks, by surface node and position. */
+interface ContactData {
+  /** The first position at which it feels them, and their number. */
+  first: number;
+  positions: number;
+  x: Packed;
+  pressure: PackedLevels;
+}
+
 interface RunStepData {
   step: number;
   /** First and last final point that each crack has in the step. */
@@ -103,6 +112,7 @@ interface RunStepData {
   whole: Pair[][] | null;
   tips: TipData[];
   faces: FacesData[] | null;
+  contact: ContactData | null;
 }
 
 interface PieceData {
@@ -120,6 +130,7 @@ interface RunData {
   named: number[] | null;
   half_width: number;
   origin: number;
+  is_coupled: boolean;
   peak_pressure: number | null;
   friction: number | null;
   axle_load: number | null;

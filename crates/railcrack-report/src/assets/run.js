@@ -89,6 +89,27 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     return s - faces.s[left] < faces.s[right] - s ? left : right;
   }
 
+  /**
+   * The pressure of a wheel that feels the cracks, by surface node and position.
+   * @typedef {Awaited<ReturnType<typeof decodeContact>>} Contact
+   */
+
+  /** @param {ContactData} contact */
+  async function decodeContact({ first, positions, x, pressure }) {
+    return { first, positions, x: await singles(x), pressure: await quantised(pressure, positions) };
+  }
+
+  /** @type {Map<number, Promise<Contact | null>>} */
+  const decodedContacts = new Map();
+
+  /** The contact in a step, where the page has it. @param {number} step */
+  function contactOf(step) {
+    const packed = steps[step].contact;
+    const known = decodedContacts.get(step) ?? (packed ? decodeContact(packed) : Promise.resolve(null));
+    decodedContacts.set(step, known);
+    return known;
+  }
+
   // ---- State ------------------------------------------------------------------------------------
 
   const firstCrack = data.named?.[0] ?? 1;
@@ -99,6 +120,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     /** Steps that are kept on the K charts. */
     kept: steps.length > 1 ? [steps.length - 1] : [],
     faces: /** @type {Faces | null} */ (null),
+    contact: /** @type {Contact | null} */ (null),
   };
 
   /**
@@ -224,6 +246,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   const figures = {
     scene: picture("scene"),
     residual: picture("residual"),
+    contact: picture("contact"),
     ki: picture("ki"),
     kii: picture("kii"),
     deformed: picture("deformed"),
@@ -488,6 +511,121 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
       ],
     });
     figures.residual.show(svg);
+  }
+
+  // ---- Contact pressure over the mouth ----------------------------------------------------------
+
+  /** Distance from a mouth over a within which the contact load is that on its lips. */
+  const LIP = 0.1;
+  /** Extent of the picture about the mouth over a, and its height over p0. */
+  const CONTACT_REACH = 2;
+  const CONTACT_HEIGHT = 1.6;
+
+  /** The mouth of a crack in this step; null of a buried one. @param {number} crack */
+  function mouthOf(crack) {
+    const points = pathOf(crack, state.step);
+    const ends = [points[0], points[points.length - 1]];
+    return ends.find(([, y]) => y > -1e-9)?.[0] ?? null;
+  }
+
+  /** A pressure at a place of the surface. @typedef {{ x: number, p: number }} SurfacePressure */
+
+  /**
+   * The pressure at the surface nodes at the wheel position; null where the wheel does not feel the
+   * cracks.
+   * @returns {SurfacePressure[] | null}
+   */
+  function nodalPressures() {
+    const { contact } = state;
+    const column = state.position - (contact?.first ?? 0);
+    if (!contact || column < 0 || column >= contact.positions) return null;
+    return Array.from(contact.x, (x, i) => ({ x, p: contact.pressure[i * contact.positions + column] }));
+  }
+
+  /**
+   * The load within `reach` of `mouth`, where the pressure is linear between `points`.
+   * @param {SurfacePressure[]} points
+   * @param {number} mouth
+   * @param {number} reach
+   */
+  function loadAround(points, mouth, reach) {
+    return d3.sum(d3.pairs(points), ([from, to]) => {
+      const [left, right] = [Math.max(from.x, mouth - reach), Math.min(to.x, mouth + reach)];
+      if (right <= left) return 0;
+      const middle = (0.5 * (left + right) - from.x) / (to.x - from.x);
+      return (right - left) * (from.p + middle * (to.p - from.p));
+    });
+  }
+
+  function drawContact() {
+    const figure = figures.contact;
+    const p0 = data.peak_pressure;
+    if (!(data.is_coupled && p0 && figure.width)) return;
+    const mouth = mouthOf(state.crack) ?? data.origin;
+    const domain = [mouth - CONTACT_REACH * a, mouth + CONTACT_REACH * a];
+    const hertz = railcrack
+      .hertzianPressure(contactCentre(), a, p0)
+      .map(({ x, y }) => ({ x, p: Math.abs(y) }));
+    const nodes = nodalPressures();
+    const felt = nodes ?? hertz;
+    const mouths = data.cracks.flatMap((_, i) => mouthOf(i + 1) ?? []);
+    const seen = felt.filter(({ x }) => x >= domain[0] && x <= domain[1]);
+    /** @param {SurfacePressure} point */
+    const title = ({ x, p }) => `x = ${signed(x, 2)} mm\np = ${words(p)} MPa`;
+    const svg = Plot.plot({
+      ...sized(figure.width, 280, { left: 62, right: 20, top: 10, bottom: 44 }),
+      x: linear("x (mm)", /** @type {Pair} */ (domain)),
+      y: linear("p (MPa)", [0, CONTACT_HEIGHT * p0]),
+      ariaLabel: "Contact pressure over the mouth",
+      marks: [
+        Plot.frame({ stroke: "var(--line)" }),
+        Plot.ruleX(
+          mouths.filter((x) => x >= domain[0] && x <= domain[1]),
+          { stroke: "var(--quiet)", strokeDasharray: "2 3" },
+        ),
+        Plot.areaY(felt, { x: "x", y: "p", fill: "var(--c1)", fillOpacity: 0.2, clip: true }),
+        Plot.line(hertz, {
+          x: "x",
+          y: "p",
+          stroke: "var(--ink)",
+          strokeWidth: 1.4,
+          strokeDasharray: "6 4",
+          clip: true,
+          className: "hertz",
+        }),
+        Plot.line(felt, {
+          x: "x",
+          y: "p",
+          stroke: "var(--c1)",
+          strokeWidth: 2,
+          clip: true,
+          className: "felt",
+        }),
+        Plot.tip(seen, Plot.pointer({ x: "x", y: "p", ...TIP, title })),
+      ],
+    });
+    const lip = LIP * a;
+    const load = loadAround(felt, mouth, lip);
+    svg.dataset.load = String(nodes ? load : "");
+    figure.show(svg);
+    figure.explain([
+      { name: "wheel that feels the cracks", colour: "var(--c1)" },
+      { name: "uncracked rail (Hertz)", colour: "var(--ink)", dashes: "6 4" },
+      { name: "mouth", colour: "var(--quiet)", dashes: "2 3" },
+    ]);
+    figure.caption(nodes ? contactText(load, loadAround(hertz, mouth, lip), lip) : withoutContact());
+  }
+
+  /** @param {number} load @param {number} hertz @param {number} lip */
+  const contactText = (load, hertz, lip) =>
+    `${words(load)} N/mm lie on the lips, within ${words(lip)} mm (0.1 a) of the mouth; on the uncracked rail it ` +
+    `would be ${words(hertz)} N/mm. At the lips themselves the pressure grows with the number of surface nodes, ` +
+    `and the picture ends at ${CONTACT_HEIGHT} times the Hertzian peak; that load does not depend on it.`;
+
+  /** What the page says where it has no pressures of the wheel. */
+  function withoutContact() {
+    if (!state.contact) return "No contact pressures of this step on this page; contact.csv has them.";
+    return "So far from the mouths the contact is that on the uncracked rail.";
   }
 
   // ---- K over the passage -----------------------------------------------------------------------
@@ -995,9 +1133,10 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
 
   async function stepChanged() {
     const turn = ++asked;
-    const all = await facesOf(state.step);
+    const [all, contact] = await Promise.all([facesOf(state.step), contactOf(state.step)]);
     // A later step has been asked for meanwhile.
     if (turn !== asked) return;
+    state.contact = contact;
     state.faces = all.find((faces) => faces.crack === state.crack) ?? null;
     for (const mode of MODES) drawK(mode);
     drawMaps();
@@ -1009,6 +1148,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
 
   function positionChanged() {
     drawScene();
+    drawContact();
     for (const mode of MODES) markK(mode);
     drawDeformed();
     markMap("status");
@@ -1057,11 +1197,17 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     caption.append(" Blue bands: fluid in the cracks, wider at higher pressure.");
   }
   element("residual").hidden = !data.residual;
+  element("contact").hidden = !data.is_coupled;
+  if (data.is_coupled) {
+    const caption = railcrack.within(element("scene"), "figcaption");
+    caption.append(" The wheel of this run feels the cracks: its true pressure is in the next figure.");
+  }
   await stepChanged();
   figures.scene.follow(() => {
     drawScene();
     drawResidual();
   });
+  if (data.is_coupled) figures.contact.follow(drawContact);
   figures.ki.follow(() => drawK("ki"));
   figures.kii.follow(() => drawK("kii"));
   figures.deformed.follow(drawDeformed);

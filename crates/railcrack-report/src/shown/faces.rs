@@ -218,7 +218,7 @@ fn code(status: FaceStatus) -> u8 {
 
 /// Values by position and point as values by point and position: along the passage they change
 /// little.
-fn by_point<T: Copy>(values: &[T], points: usize) -> Vec<T> {
+pub(super) fn by_point<T: Copy>(values: &[T], points: usize) -> Vec<T> {
     (0..points).flat_map(|point| values.iter().skip(point).step_by(points.max(1)).copied()).collect()
 }
 

@@ -1,12 +1,13 @@
 //! The shown part of a run.
 
+use super::contact::{PackedContact, ShownContact};
 use super::faces::{FacesOfStep, PackedFaces, ShownFaces, StepFaces};
 use super::histories::ShownHistories;
 use super::neighbourhood::{PackedFields, ShownFields};
 use super::of_steps::{OfSteps, read_table};
 use railcrack::growth::StepRecord;
 use railcrack_run::OutputError;
-use railcrack_run::csv::{SifRow, SifScale};
+use railcrack_run::csv::{ContactRow, SifRow, SifScale, Table};
 use railcrack_run::run_folder::History;
 use std::ops::Range;
 use std::path::Path;
@@ -16,6 +17,7 @@ use std::path::Path;
 pub(crate) struct ShownRun {
     histories: ShownHistories,
     faces: ShownFaces,
+    contact: ShownContact,
     pub fields: ShownFields,
 }
 
@@ -25,6 +27,7 @@ pub(crate) struct ShownStep {
     step: usize,
     histories: Vec<History>,
     faces: FacesOfStep,
+    contact: Option<PackedContact>,
     fields: Option<PackedFields>,
 }
 
@@ -40,8 +43,11 @@ impl ShownRun {
             || read_table(folder, steps),
             || (read_table(folder, steps), ShownFields::read(folder, steps)),
         );
+        // Only wheels that feel the cracks have this table.
+        let is_coupled = folder.join(ContactRow::FILE).is_file();
+        let contact = if is_coupled { read_table(folder, steps)? } else { ShownContact::default() };
         // In the order of the files, so that the first error is reported.
-        Ok(Self { histories: histories?, faces: faces?, fields: fields? })
+        Ok(Self { histories: histories?, faces: faces?, contact, fields: fields? })
     }
 
     /// The shown part of a recorded step.
@@ -52,6 +58,7 @@ impl ShownRun {
             step: record.step,
             histories: History::of_step(SifRow::of_step(record, scale).map(Ok))?,
             faces: self.faces.of_record(record)?,
+            contact: ShownContact::of_record(record)?,
             fields: ShownFields::of_record(record)?,
         })
     }
@@ -60,6 +67,7 @@ impl ShownRun {
     pub(crate) fn push(&mut self, step: ShownStep) {
         self.histories.push(step.step, step.histories);
         self.faces.push(step.step, step.faces);
+        self.contact.push(step.step, step.contact);
         if let Some(fields) = step.fields {
             self.fields.push(fields);
         }
@@ -79,6 +87,11 @@ impl ShownRun {
     /// The crack faces in a step that is shown.
     pub(crate) fn faces(&self, step: usize) -> Option<&PackedFaces> {
         self.faces.steps.get(step)
+    }
+
+    /// The pressures of a wheel that feels the cracks in a step that is shown.
+    pub(crate) fn contact(&self, step: usize) -> Option<&PackedContact> {
+        self.contact.steps.get(step)
     }
 
     /// Of many cracks the faces in a step, the first or the last, of those of `windows`, by number.

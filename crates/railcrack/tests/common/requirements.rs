@@ -800,6 +800,11 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Coupled wheel: over a vertical crack below its middle a frictionless wheel has the Hertzian pressure, K = 0 and no further approach.",
     ),
     requirement(
+        "coupled_wheel::load_on_the_lips_converges",
+        "",
+        "Coupled wheel: the load on the lips of a mouth converges with the number of surface nodes, whose largest pressure does not.",
+    ),
+    requirement(
         "coupled_wheel::frictionless_cracks",
         "",
         "Coupled wheel: K_II of frictionless cracks at 15° to 90° agrees with that of a prototype.",

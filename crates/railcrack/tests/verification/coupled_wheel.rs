@@ -129,6 +129,45 @@ fn a_symmetric_crack_is_not_felt() {
 }
 
 #[test]
+fn load_on_the_lips_converges() {
+    // The lips are punches, whose pressure grows without limit with the number of nodes; the load
+    // within 0.1 a of the mouth is finite. Of its largest value over the passage.
+    let rolling = Rolling::over(vec![surface_crack(0.0, 6.0, 60.0)], 0.1, -0.2);
+    let body = rolling.body();
+    let [coarse, default, fine] = [0.5, 1.0, 2.0].map(|share| {
+        let coupling = coupling(rolling.contact(), &steel());
+        let surface = WheelCoupling { nodes_per_half_width: share * NODES, ..coupling }.on(&body.faces);
+        let problem = FaceProblem::new(&body, &[rolling.crack_friction]).unwrap();
+        let passage = rolling.on(&problem.with_wheel(surface).unwrap(), &Newton::default());
+        let lips = last(&passage).wheel.iter().map(|state| state.as_ref()?.lip_loads[0]);
+        let loads: Vec<f64> = lips.map(Option::unwrap_or_default).collect();
+        let pressures = passage.faces.surface.iter().flatten().map(|node| node.pressure);
+        (loads, pressures.fold(0.0f64, f64::max))
+    });
+    let apart = |(one, _): &(Vec<f64>, f64), (other, _): &(Vec<f64>, f64)| {
+        largest(one.iter().zip(other).map(|(a, b)| a - b)) / largest(other.iter().copied())
+    };
+    close(apart(&default, &fine), 0.0, Absolute(4e-3), "over the passage; 0.2 % measured");
+    assert!(apart(&coarse, &fine) > 1.5 * apart(&default, &fine));
+    let most = |(loads, _): &(Vec<f64>, f64)| largest(loads.iter().copied());
+    close(most(&default), most(&fine), Relative(1e-3), "the largest load on the lips");
+    assert!(fine.1 > 1.2 * default.1 && default.1 > 1.2 * coarse.1, "no limit of the pressure itself");
+}
+
+#[test]
+fn same_bits_with_any_number_of_threads() {
+    let with_threads = |number: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(number).build().unwrap();
+        pool.install(|| {
+            let cracks = vec![surface_crack(0.0, 4.0, 30.0), surface_crack(3.0, 5.0, 60.0)];
+            let passage = coupled(&Rolling::over(cracks, 0.2, 0.3), &Newton::default());
+            (last(&passage).sifs.clone(), passage.faces.surface.clone())
+        })
+    };
+    assert!(with_threads(1) == with_threads(3), "a result depends on the number of threads");
+}
+
+#[test]
 fn frictionless_cracks() {
     // Prototype of the same equations, uniform surface grid, K_II in MPa√m.
     for (degrees, over_a, want) in

@@ -39,6 +39,7 @@ pub(super) fn explorer(run: &RunFolder, shown: &ShownRun, named: Option<&[NamedC
                 "whole": worn(run, step, Until::Last),
                 "tips": tips(run, shown.histories(step), windows.as_deref(), step),
                 "faces": faces,
+                "contact": shown.contact(step),
             })
         })
         .collect();
@@ -50,6 +51,7 @@ pub(super) fn explorer(run: &RunFolder, shown: &ShownRun, named: Option<&[NamedC
         "named": named.map(|named| named.iter().map(|named| named.crack).collect::<Vec<_>>()),
         "half_width": summary.half_width_mm,
         "origin": summary.cracks.first().and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |p| p[0]),
+        "is_coupled": run.case.wheel.coupling.is_some(),
         "peak_pressure": number(run.case.wheel.contact().peak_pressure()),
         "friction": run.case.wheel.contact().adhesion(),
         "axle_load": run.case.axle_load,

@@ -11,7 +11,7 @@ const LIP: f64 = 0.1;
 /// Largest number of cracks that are drawn.
 const MOST: usize = 6;
 
-/// Pressure over the mouths and approach of a wheel that feels the cracks; none for other wheels.
+/// Load on the lips and approach of a wheel that feels the cracks; none for other wheels.
 pub(super) fn section(run: &RunFolder, shown: &ShownRun) -> Option<Section> {
     let steps = shown.steps();
     let mut drawn: Vec<&History> = Vec::new();
@@ -38,7 +38,7 @@ pub(super) fn section(run: &RunFolder, shown: &ShownRun) -> Option<Section> {
         drawn.iter().enumerate().map(curve).collect()
     };
     let axis = || ChartAxis::linear("Wheel position x_{c}/a", "").over(ChartRange::Tight);
-    let mut pressures = curves(|history| &history.lip_load, 1.0 / (2.0 * LIP * a));
+    let mut loads = curves(|history| &history.lip_load, 1.0);
     let mouth = |history: &History| {
         let crack = run.summary.cracks.get(history.crack.checked_sub(1)?)?;
         Some(
@@ -48,16 +48,17 @@ pub(super) fn section(run: &RunFolder, shown: &ShownRun) -> Option<Section> {
     };
     if let (true, Some(mouth)) = (is_single, mouth(first)) {
         let p0 = run.case.wheel.contact().peak_pressure();
-        let hertz = first.xc_over_a.iter().map(|&x| [x, p0 * mean_of_half_ellipse(mouth - x)]);
+        let over_lips = 2.0 * LIP * a * p0;
+        let hertz = first.xc_over_a.iter().map(|&x| [x, over_lips * mean_of_half_ellipse(mouth - x)]);
         let hertz = hertz.filter(|point| (point[0] - mouth).abs() < 2.0).collect();
-        pressures.push(Curve::line("uncracked rail", hertz).with_look(CurveLook::Dashed));
+        loads.push(Curve::line("uncracked rail", hertz).with_look(CurveLook::Dashed));
     }
-    let pressure = Chart {
-        id: "mouth-pressure".to_owned(),
-        caption: "Mean contact pressure within 0.1 a of the mouth.".to_owned(),
+    let load = Chart {
+        id: "lip-load".to_owned(),
+        caption: "Load on the lips: contact pressure within 0.1 a of the mouth, integrated.".to_owned(),
         x: axis(),
-        y: ChartAxis::linear("p", "MPa").over(ChartRange::AroundZero),
-        curves: pressures,
+        y: ChartAxis::linear("Load", "N/mm").over(ChartRange::AroundZero),
+        curves: loads,
         ..Chart::default()
     };
     let approach = Chart {
@@ -69,13 +70,13 @@ pub(super) fn section(run: &RunFolder, shown: &ShownRun) -> Option<Section> {
         ..Chart::default()
     };
     let lead = format!(
-        "The wheel feels the cracks. Times {} mm, 0.2 a, the pressure over a mouth is the load on its lips.",
+        "The wheel feels the cracks. Over {} mm, 0.2 a, the load on the lips is the mean pressure over the mouth, that of fluid from it.",
         crate::numbers::fixed(2.0 * LIP * a, 2)
     );
     Some(Section {
         id: "coupled".to_owned(),
         heading: "Contact over the mouth".to_owned(),
-        blocks: vec![Block::List(vec![lead]), Block::charts([pressure, approach])],
+        blocks: vec![Block::List(vec![lead]), Block::charts([load, approach])],
     })
 }
 
