@@ -157,7 +157,8 @@ pub(crate) fn build(
                 Some(mix) if !mix.is_empty() => Some(mix.iter().map(|mixed| &mixed.wheel).collect()),
                 _ => wheel.as_ref().map(|wheel| vec![wheel]),
             };
-            read_space(&sections, placed.as_ref(), wheels.as_deref(), rail.as_ref(), report).map(Some)
+            let wheels = (wheels.as_deref(), wheel_table.as_ref());
+            read_space(&sections, placed.as_ref(), wheels, rail.as_ref(), report).map(Some)
         }
         false => {
             refuse_strike(&sections, report);

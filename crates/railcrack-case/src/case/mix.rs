@@ -68,16 +68,6 @@ pub(super) fn read_mix(
         report.add(second.fault(TABLE, says).help("one table holds all wheels"));
         return None;
     }
-    if let (Some((_, table)), ContactExtent::Ellipse) = (tables.first(), extent) {
-        let says =
-            "loads the plane by strips of its patches; the space engine takes the whole patch of each wheel";
-        report.add(
-            table
-                .fault(TABLE, says)
-                .help("use a plane engine, or [[wheel]] with contact = { kind = \"rolling\", ... }"),
-        );
-        return None;
-    }
     let read = |(i, given): &(usize, &SectionValues)| {
         let travel = given.get(DIRECTION).unwrap_or(travel);
         let of_wheel = WheelSections {
@@ -118,6 +108,7 @@ pub(super) fn read_mix(
             axle_load: given.get(WHEEL_AXLE_LOAD).or(traffic),
             first: wheels.len(),
             folder,
+            extent,
         };
         let (read, used) = read_wheels_of_table(given, &context, report)?;
         wheels.extend(read);

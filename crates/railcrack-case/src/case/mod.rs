@@ -5,6 +5,7 @@ mod carried;
 #[expect(clippy::module_inception, reason = "the type gives its file the name")]
 mod case;
 mod coarse_crack;
+mod coarse_front;
 mod coupled;
 mod coupling_estimate;
 mod cracks;
@@ -28,6 +29,7 @@ mod shared;
 mod size;
 mod space;
 mod space_case;
+mod space_demands;
 mod wheel_demands;
 mod wheel_table;
 mod wheels_of_table;

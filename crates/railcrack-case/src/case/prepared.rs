@@ -298,11 +298,17 @@ impl Case {
         state: Option<GrowthState>,
         judge: Option<Arc<dyn TipJudge>>,
     ) -> Option<Box<dyn StepSource>> {
-        let space = self.space.as_ref().filter(|_| self.engine.is_in_space())?;
+        let rail = self.space_rail(residual)?;
         let state = match state {
             Some(state) => state,
-            None => GrowthState::initial_in_space(space.shapes.clone()).ok()?,
+            None => GrowthState::initial_in_space(self.space.as_ref()?.shapes.clone()).ok()?,
         };
+        Some(boxed(rail, state, judge))
+    }
+
+    /// The rail and its wheels in space; none of a case for another engine.
+    pub(super) fn space_rail(&self, residual: Option<&Arc<dyn StressField>>) -> Option<SpaceRail> {
+        let space = self.space.as_ref().filter(|_| self.engine.is_in_space())?;
         let first = SpaceWheel {
             wheel: space.wheels.first()?.clone(),
             share: self.mix.first().map_or(1.0, |first| first.share),
@@ -321,7 +327,7 @@ impl Case {
             passages: mixed.passages,
             toughness: toughness_under(self, &mixed.wheel),
         });
-        let rail = SpaceRail {
+        Some(SpaceRail {
             steel: self.steel,
             wheels: std::iter::once(first).chain(others).collect(),
             friction: self.crack_friction.clone(),
@@ -331,8 +337,7 @@ impl Case {
             fields: self.field_settings(),
             rail: self.rail.extent,
             kernel: None,
-        };
-        Some(boxed(rail, state, judge))
+        })
     }
 }
 

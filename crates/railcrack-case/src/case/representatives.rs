@@ -1,16 +1,25 @@
 //! Representatives of the wheels of a table: groups by their passages over a coarse crack.
 
 use super::coarse_crack::{coarse_histories, coarse_rate};
+use super::coarse_front::CoarseFront;
 use super::wheel_table::TabledWheel;
 use railcrack::body::BodyEngine;
 use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::dislocation::DislocationEngine;
 use railcrack::fatigue::GrowthLaw;
 use railcrack::fracture::{Sif, SifHistory};
+use railcrack::growth::FrontShape;
 use railcrack::load::{Contact, Travel};
 use railcrack::material::IsotropicElastic;
 use railcrack::traffic::{Grouped, Groups, OpenCrack};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+
+/// The first crack: in the plane, all of them are given.
+#[derive(Clone, Copy)]
+pub(super) enum FirstCrack<'a> {
+    Plane(&'a CrackNetwork),
+    Space(&'a FrontShape),
+}
 
 /// Groups of the wheels `loaded` that run towards `travel`, at most `most`, by their passages over
 /// the first crack; `friction` is that of its faces. Where a coarse passage does not converge, the
@@ -19,16 +28,24 @@ pub(super) fn group(
     (wheels, travel): (&[TabledWheel], Travel),
     loaded: &[usize],
     most: usize,
-    (network, friction): (&CrackNetwork, f64),
+    (crack, friction): (FirstCrack<'_>, f64),
     (steel, law): (&IsotropicElastic, &GrowthLaw),
 ) -> Groups {
     let alone = |i: &usize| Grouped { share: wheels[*i].share, effect: vec![*i as f64], rate: 1.0 };
     if loaded.len() <= most {
         return Groups::of(&loaded.iter().map(alone).collect::<Vec<_>>(), most);
     }
-    let contacts: Vec<&Contact> = loaded.iter().filter_map(|i| wheels[*i].contact.as_ref()).collect();
-    let effects = by_coarse_crack(&contacts, (network, friction), steel, travel, law)
-        .or_else(|| by_open_crack(&contacts, (network, friction), steel, law));
+    let effects = match crack {
+        FirstCrack::Plane(network) => {
+            let contacts: Vec<&Contact> = loaded.iter().filter_map(|i| wheels[*i].contact.as_ref()).collect();
+            by_coarse_crack(&contacts, (network, friction), steel, travel, law)
+                .or_else(|| by_open_crack(&contacts, (network, friction), steel, law))
+        }
+        FirstCrack::Space(shape) => {
+            let loaded: Vec<&TabledWheel> = loaded.iter().map(|i| &wheels[*i]).collect();
+            by_coarse_front(&loaded, (shape, friction), steel, travel, law)
+        }
+    };
     let Some(effects) = effects else {
         return Groups::of(&loaded.iter().map(alone).collect::<Vec<_>>(), most);
     };
@@ -66,6 +83,19 @@ fn by_coarse_crack(
     let rated = rates(&histories, law, |own, law| coarse_rate(own, law));
     let effect = |tips: &Vec<SifHistory>| flat(tips.iter().flat_map(|tip| &tip.samples));
     Some(histories.iter().map(effect).zip(rated).collect())
+}
+
+fn by_coarse_front(
+    wheels: &[&TabledWheel],
+    (shape, friction): (&FrontShape, f64),
+    steel: &IsotropicElastic,
+    travel: Travel,
+    law: &GrowthLaw,
+) -> Option<Effects> {
+    let front = CoarseFront::new(shape, friction, steel)?;
+    let histories = front.histories(wheels, travel, 0.0);
+    let rated = rates(&histories, law, |own, law| front.rate(own, law));
+    Some(histories.iter().map(super::coarse_front::FrontHistory::flat).zip(rated).collect())
 }
 
 fn by_open_crack(

@@ -1,5 +1,6 @@
 //! A patch in rolling contact as the load of the half-space.
 
+use crate::files::TablePatch;
 use railcrack::load::{HertzEllipse, Travel};
 use railcrack::rolling::{RollingPatch, StripPoint};
 use railcrack::space::{BilinearPatch, EllipticWheel, StripTraction, WheelPatch};
@@ -37,4 +38,19 @@ pub(super) fn rolling_patch(patch: &RollingPatch, lateral: f64, travel: Travel) 
         }
     };
     WheelPatch::Bilinear(Arc::new(BilinearPatch::new(outline, strip)))
+}
+
+/// All `patches` of a wheel of a table that runs towards `travel`, at their places on the rail: the
+/// heaviest first.
+pub(super) fn table_patch(patches: &[TablePatch], travel: Travel) -> Option<WheelPatch> {
+    let mut order: Vec<&TablePatch> = patches.iter().collect();
+    order.sort_by(|a, b| b.patch.normal_force().total_cmp(&a.patch.normal_force()));
+    let sign = if travel == Travel::Forward { 1.0 } else { -1.0 };
+    let placed = |own: &&TablePatch| (sign * own.x, rolling_patch(&own.patch, own.y_rail, travel));
+    match order[..] {
+        [] => None,
+        // The centre of the wheel is the middle of its only patch.
+        [one] => Some(rolling_patch(&one.patch, one.y_rail, travel)),
+        _ => Some(WheelPatch::Several(order.iter().map(placed).collect())),
+    }
 }

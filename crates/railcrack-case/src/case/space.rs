@@ -3,6 +3,7 @@
 use super::cracks::PlacedCracks;
 use super::rolling_patch::rolling_patch;
 use super::space_case::SpaceCase;
+use super::wheel_table::WheelTable;
 use crate::schema::{Fault, Report, Section, SectionValues, Sections};
 use crate::tables::{
     CONTACT, CRACK, CRACK_LATERAL, ContactOrigin, ContactSolver, FRICTION, GROWTH, GivenWheel, KIND,
@@ -10,7 +11,7 @@ use crate::tables::{
     SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL, WHEEL_CONTACT,
 };
 use railcrack::bulk::Boundary;
-use railcrack::crack::Crack;
+use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::growth::FrontShape;
 use railcrack::load::HertzEllipse;
 use railcrack::space::{CloseCracks, EllipticWheel, SpaceCrack, WheelPatch};
@@ -25,7 +26,7 @@ const REFUSED: [(Section, &str); 1] =
 pub(super) fn read_space(
     sections: &Sections,
     placed: Option<&PlacedCracks>,
-    wheels: Option<&[&GivenWheel]>,
+    (wheels, table): (Option<&[&GivenWheel]>, Option<&WheelTable>),
     rail: Option<&Rail>,
     report: &mut Report,
 ) -> Option<SpaceCase> {
@@ -72,7 +73,9 @@ pub(super) fn read_space(
         contacts.extend(sections.one(&CONTACT));
     }
     let read = |(section, wheel): (&&SectionValues, &&GivenWheel)| read_wheel(section, wheel, report);
-    let wheels: Vec<Option<WheelPatch>> = contacts.iter().zip(wheels?).map(read).collect();
+    let mut wheels: Vec<Option<WheelPatch>> = contacts.iter().zip(wheels?).map(read).collect();
+    // Those of a table come last, and have no sections.
+    wheels.extend(table.iter().flat_map(|table| table.patches()));
     let wheels = wheels.into_iter().collect::<Option<Vec<_>>>()?;
     Some(SpaceCase { shapes: shapes?, wheels, mode_3_weight: growth.get(MODE_3_WEIGHT) })
 }
@@ -111,18 +114,16 @@ pub(super) fn refuse_strike(sections: &Sections, report: &mut Report) {
     }
 }
 
-fn read_shape(
-    crack: &Crack,
-    half_length: f64,
-    section: &SectionValues,
-    report: &mut Report,
-) -> Option<FrontShape> {
-    let points = crack.points();
-    let &[mut top, mut bottom] = points else {
-        let says = "the space engine computes planar cracks, which have two points";
-        report.add(section.fault_of_name("points_mm", says));
-        return None;
-    };
+/// The first crack as it is given, in a form that may not be admissible; none where something is
+/// missing.
+pub(super) fn first_front(sections: &Sections, network: &CrackNetwork) -> Option<FrontShape> {
+    let section = sections.all(&CRACK).next()?;
+    planar_shape(network.cracks().first()?, section.get(SURFACE_HALF_LENGTH)?, section)
+}
+
+/// The shape of a crack of two points, which may not be admissible.
+fn planar_shape(crack: &Crack, half_length: f64, section: &SectionValues) -> Option<FrontShape> {
+    let &[mut top, mut bottom] = crack.points() else { return None };
     if bottom.y > top.y {
         std::mem::swap(&mut top, &mut bottom);
     }
@@ -137,14 +138,28 @@ fn read_shape(
     // A buried crack turns about its own middle.
     let (aside, ahead) = strike.sin_cos();
     let away = buried.unwrap_or(0.0) * dip.cos();
-    let shape = FrontShape {
+    Some(FrontShape {
         dip: dip.rem_euclid(2.0 * PI),
         strike,
         length: if buried.is_some() { 0.5 * length } else { length },
         half_length,
         middle: [top.x - to_surface * dip.cos() + away * (1.0 - ahead), lateral - away * aside],
         buried,
-    };
+    })
+}
+
+fn read_shape(
+    crack: &Crack,
+    half_length: f64,
+    section: &SectionValues,
+    report: &mut Report,
+) -> Option<FrontShape> {
+    if crack.points().len() != 2 {
+        let says = "the space engine computes planar cracks, which have two points";
+        report.add(section.fault_of_name("points_mm", says));
+        return None;
+    }
+    let shape = planar_shape(crack, half_length, section)?;
     if let Err(error) = shape.crack() {
         let name = if section.is_given_name("angle_deg") { "angle_deg" } else { "points_mm" };
         report

@@ -10,7 +10,7 @@ use railcrack::body::BodyError;
 use railcrack::contact::{CrackFrictionError, FaceProblem, Latin, Newton};
 use railcrack::fatigue::{LoadRange, SifRanges};
 use railcrack::field::{StressField, wheel_under};
-use railcrack::growth::{PassageError, PassageSettings, Unobserved};
+use railcrack::growth::{GrowthError, PassageError, PassageSettings, Unobserved};
 use railcrack::load::{Passage, WheelLoad};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::plane::{CrackFluid, RailLoad, stabilised_passage};
@@ -30,9 +30,20 @@ pub struct WheelDemand {
 /// Passages that cannot be computed.
 #[derive(Debug, Error)]
 pub enum DemandError {
-    /// The cracks are in space.
-    #[error("the passages of single wheels are computed by the plane engines only")]
-    InSpace,
+    /// Cracks in space that cannot be made.
+    #[error("the cracks cannot be made")]
+    NoFront,
+    /// A body in space.
+    #[error(transparent)]
+    Growth(#[from] GrowthError),
+    /// The passage of a wheel over cracks in space.
+    #[error("wheel {wheel}: {source}")]
+    InSpace {
+        /// From 1.
+        wheel: usize,
+        /// Why.
+        source: Box<dyn std::error::Error + Send + Sync>,
+    },
     /// The residual stress.
     #[error(transparent)]
     Stress(#[from] CarriedStressError),
@@ -55,14 +66,17 @@ pub enum DemandError {
 impl Case {
     /// ΔK_eq and rate of a stabilised passage of every wheel over the cracks at the beginning: of
     /// the table of wheels, if there is one and it is the whole mix, otherwise of the mix or of the
-    /// only wheel. A wheel that misses the cracks has none.
+    /// only wheel. A wheel that misses the cracks has none. In space, the largest range along the
+    /// fronts and the mean rate of their points; see the documentation of tables of wheels.
     ///
     /// Errors: the first wheel whose passage cannot be computed.
     pub fn wheel_demands(&self) -> Result<Vec<WheelDemand>, DemandError> {
         let prepared = self.prepare(None)?;
         let residual: Option<Arc<dyn StressField>> = prepared.into_residual().map(Arc::from);
-        let engine = self.body_engine();
-        let body = engine.ok_or(DemandError::InSpace)?.body(&self.cracks)?;
+        if self.engine.is_in_space() {
+            return self.demands_in_space(residual.as_ref());
+        }
+        let body = self.body_engine().ok_or(DemandError::NoFront)?.body(&self.cracks)?;
         let of = |(number, wheel): &(usize, OneWheel<'_>)| {
             let Some(load) = &wheel.load else { return Ok(WheelDemand::default()) };
             let fluid = wheel.fluid.map(|fluid| fluid.on(&self.cracks, &body.faces));

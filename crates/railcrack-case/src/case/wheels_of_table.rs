@@ -1,14 +1,15 @@
 //! `[[wheel]] table`: the wheels of a table, grouped, as wheels of the mix.
 
 use super::read_wheel::ReadWheel;
-use super::representatives::group;
+use super::representatives::{FirstCrack, group};
+use super::space::first_front;
 use super::wheel_table::{TabledWheel, WheelTable};
 use crate::files::{TableWheel, WheelReading, WheelTableFile, read_wheel_table};
 use crate::schema::{Report, SectionValues, Sections};
 use crate::tables::{
-    CRACK, CRACK_FRICTION, CRACK_LATERAL, ContactOrigin, GivenWheel, PLACE, PLACE_WINDOW, REPRESENTATIVES,
-    REPRESENTATIVES_ERROR, TABLE, TABLE_SIGN, TABLE_THEORY, TEMPERATURE, TRACK, WHEEL_CONTACT, WHEEL_FLUID,
-    WHEEL_TEMPERATURE, WHEEL_TRACK, read_temperature, read_track,
+    CRACK, CRACK_FRICTION, CRACK_LATERAL, ContactExtent, ContactOrigin, GivenWheel, PLACE, PLACE_WINDOW,
+    REPRESENTATIVES, REPRESENTATIVES_ERROR, TABLE, TABLE_SIGN, TABLE_THEORY, TEMPERATURE, TRACK,
+    WHEEL_CONTACT, WHEEL_FLUID, WHEEL_TEMPERATURE, WHEEL_TRACK, read_temperature, read_track,
 };
 use railcrack::crack::CrackNetwork;
 use railcrack::fatigue::GrowthLaw;
@@ -35,6 +36,8 @@ pub(super) struct TableContext<'a> {
     /// Number of its first wheel in the mix.
     pub first: usize,
     pub folder: &'a Path,
+    /// What of its patches loads the cracks.
+    pub extent: ContactExtent,
 }
 
 /// The wheels of the mix for the table of `given`, and the table; none if something is wrong;
@@ -50,7 +53,13 @@ pub(super) fn read_wheels_of_table(
         report.add(contact.fault_of_all(says));
         return None;
     }
-    let lateral = lateral_place(sections, report)?;
+    let in_space = context.extent == ContactExtent::Ellipse;
+    // Cracks in space each lie at their own place.
+    let lateral = match in_space {
+        true => sections.all(&CRACK).next()?.get(CRACK_LATERAL).unwrap_or(0.0),
+        false => lateral_place(sections, report)?,
+    };
+    let front = if in_space { Some(first_front(sections, network)?) } else { None };
     let (sign, theory) = (given.get(TABLE_SIGN)?, given.get(TABLE_THEORY)?);
     let reading = WheelReading { steel, sign, theory };
     let file = read_wheel_table(given, TABLE, reading, folder, report)?;
@@ -65,7 +74,8 @@ pub(super) fn read_wheels_of_table(
     }
     let most = given.get(REPRESENTATIVES)?;
     let friction = sections.all(&CRACK).next().and_then(|crack| crack.get(CRACK_FRICTION))?;
-    let groups = group((&wheels, travel), &loaded, most, (network, friction), (steel, law));
+    let crack = front.as_ref().map_or(FirstCrack::Plane(network), FirstCrack::Space);
+    let groups = group((&wheels, travel), &loaded, most, (crack, friction), (steel, law));
     for (i, group) in loaded.iter().zip(&groups.group_of) {
         wheels[*i].represented_by = first + group;
     }
@@ -103,9 +113,17 @@ pub(super) fn read_wheels_of_table(
             1 => format!("wheel {}", wheel.wheel.number),
             _ => format!("wheel {} and {} like it", wheel.wheel.number, alike - 1),
         };
-        let patches = wheel.wheel.over(lateral);
-        let origin = patches.iter().find(|own| own.patch.half_length(own.y) > 0.0)?;
-        let origin = ContactOrigin::Rolling { patch: Box::new(origin.patch), lateral: origin.y, travel };
+        let origin = match in_space {
+            true => {
+                let own = wheel.wheel.heaviest();
+                ContactOrigin::Rolling { patch: Box::new(own.patch), lateral: -own.y_rail, travel }
+            }
+            false => {
+                let patches = wheel.wheel.over(lateral);
+                let own = patches.iter().find(|own| own.patch.half_length(own.y) > 0.0)?;
+                ContactOrigin::Rolling { patch: Box::new(own.patch), lateral: own.y, travel }
+            }
+        };
         mix.push(read(name, *share, wheel.contact.clone()?, origin, group));
     }
     if missed > 0.0 {
@@ -122,6 +140,8 @@ pub(super) fn read_wheels_of_table(
     let table = WheelTable {
         file,
         lateral,
+        in_space,
+        chosen: groups.representatives.iter().map(|own| loaded[*own]).collect(),
         travel,
         wheels,
         first,
@@ -167,10 +187,14 @@ fn passing(
         return None;
     }
     let sum: f64 = here.iter().map(|wheel| wheel.share.unwrap_or(1.0)).sum();
+    let contact = |wheel: &TableWheel| match context.extent {
+        ContactExtent::Ellipse => wheel.heaviest().patch.plane_contact(0.0, context.travel).ok(),
+        ContactExtent::Strip => PlacedPatch::plane_contact(&wheel.over(lateral), context.travel),
+    };
     let of = |wheel: &&TableWheel| TabledWheel {
         wheel: (*wheel).clone(),
         share: context.share * (wheel.share.unwrap_or(1.0) / sum),
-        contact: PlacedPatch::plane_contact(&wheel.over(lateral), context.travel),
+        contact: contact(wheel),
         represented_by: 0,
     };
     Some(here.iter().map(of).collect())

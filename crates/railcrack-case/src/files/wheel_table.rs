@@ -71,6 +71,14 @@ pub struct TableWheel {
 }
 
 impl TableWheel {
+    /// The patch that carries most; every wheel has one.
+    #[must_use]
+    pub fn heaviest(&self) -> &TablePatch {
+        let load = |own: &TablePatch| own.patch.normal_force();
+        let rest = self.patches.iter().skip(1);
+        rest.fold(&self.patches[0], |most, own| if load(own) > load(most) { own } else { most })
+    }
+
     /// The patches with the place of a crack at `lateral` (mm, as `y_rail`) in each of them.
     #[must_use]
     pub fn over(&self, lateral: f64) -> Vec<PlacedPatch> {

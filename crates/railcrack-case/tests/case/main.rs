@@ -12,6 +12,7 @@ mod samples;
 mod studies;
 mod table;
 mod wheels;
+mod wheels_in_space;
 
 #[path = "../../../railcrack/tests/common/random.rs"]
 mod random;

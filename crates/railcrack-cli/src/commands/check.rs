@@ -335,21 +335,26 @@ fn mix(case: &Case) -> Vec<CheckLine> {
         rows.push((
             "table",
             format!(
-                "{}: {} wheels, {} representatives, mean rate off by {} % by the open crack",
+                "{}: {} wheels, {} representatives, mean rate off by {} % by the coarse crack",
                 table.file.given_name(),
                 table.wheels.len(),
                 table.representatives,
                 short(100.0 * table.error)
             ),
         ));
-        rows.push((
+        let missed = (
             "missed",
             format!(
                 "{} % of the axles have no patch over the crack at lateral_mm = {}",
                 short(100.0 * table.missed),
                 short(table.lateral)
             ),
-        ));
+        );
+        let ys = || table.wheels.iter().flat_map(|wheel| &wheel.wheel.patches).map(|own| own.y_rail);
+        let (from, to) = (ys().fold(f64::INFINITY, f64::min), ys().fold(f64::NEG_INFINITY, f64::max));
+        let places =
+            ("places", format!("patches with their middles from z = {} to {} mm", short(from), short(to)));
+        rows.push(if table.in_space { places } else { missed });
     }
     if !rows.is_empty() {
         rows.push((

@@ -222,6 +222,45 @@ fn without_scatter_samples_are_the_run_under_all_kinds_of_wheels() {
     }
 }
 
+/// In space, too, samples without scatter are the run: of a wheel, of a mix across the rail, with
+/// wear and grinding, with fluid.
+#[test]
+fn without_scatter_samples_are_the_run_in_space() {
+    let place = folder("decision", "space");
+    let rail = RAIL
+        .replace("interface_elements = 8", "space_cells = 2\nspace_rings = 2")
+        .replace("\"dislocation\"", "\"space\"")
+        .replace("positions = 25", "positions = 15\nstep_tolerance = 0.05")
+        .replace("increment = 0.06", "increment = 0.1");
+    let ellipse = "half_width_mm = 6.75, lateral_half_width_mm = 5.0";
+    let wheel = WHEEL.replace("half_width_mm = 6.75", &ellipse.replace(", ", "\n"));
+    let mix = format!(
+        "[[wheel]]\nshare = 0.6\naxle_load_t = 22.5\ncontact = {{ peak_pressure_mpa = 845.0, {ellipse}, friction = 0.3 }}\n\
+         [[wheel]]\nshare = 0.4\naxle_load_t = 12.0\n\
+         contact = {{ peak_pressure_mpa = 700.0, {ellipse}, friction = -0.2, lateral_mm = 4.0 }}\n"
+    );
+    let crack = format!("{CRACK}surface_half_length_mm = 5.0\n");
+    let cases = [
+        (&wheel, "", "a wheel"),
+        (&mix, MAINTENANCE.text, "a mix with wear and grinding"),
+        (&wheel, FLUID.text, "fluid"),
+    ];
+    for (wheels, more, name) in cases {
+        let text = format!("{rail}{wheels}{crack}{more}[scatter]\nsamples = 20\nparis_c_log_std = 0.0\n");
+        fs::write(place.join("case.toml"), text).unwrap();
+        done(&place, &["run", "case.toml", "--quiet", "--force", "--out", "run"]);
+        let decision = decision(&place.join("run"));
+        let life = number(&decision["failure"]["mgt"]).unwrap_or_else(|| panic!("{name}"));
+        for key in ["p05", "p50", "p95"] {
+            let sampled = number(&decision["scatter"]["mgt_to_critical"][key]).unwrap();
+            assert!(
+                (sampled - life).abs() <= 1e-6 * life,
+                "{name}: {life} in the run, {sampled} in the samples"
+            );
+        }
+    }
+}
+
 /// Accuracy of quantiles of the samples against whole runs. Without removal a coefficient changes
 /// the traffic alone; with it the samples lie between runs at other speeds.
 const SAME_QUANTILE: f64 = 0.02;

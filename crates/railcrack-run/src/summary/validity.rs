@@ -75,7 +75,7 @@ fn of_wheel_table(case: &Case) -> Vec<Warning> {
     let mut warnings: Vec<Warning> = kinds.into_iter().map(of).collect();
     if table.error.abs() > table.accepted {
         let text = format!(
-            "the mean growth rate of the representatives is off by {:.2} % of that of all wheels by the open crack, more than representatives_error",
+            "the mean growth rate of the representatives is off by {:.2} % of that of all wheels by the coarse crack, more than representatives_error",
             100.0 * table.error
         );
         warnings.push(Warning { step: 0, kind: WarningKind::Validity, text, severity: None });

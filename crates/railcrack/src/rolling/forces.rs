@@ -29,6 +29,14 @@ impl RollingPatch {
         self.forces_on(STRIPS, INTERVALS)
     }
 
+    /// F_x/N and F_y/N by so many strips and intervals of each: a cheap estimate where thousands of
+    /// patches are compared.
+    #[must_use]
+    pub fn mean_shear(&self, [strips, intervals]: [usize; 2]) -> [f64; 2] {
+        let normal = self.normal_force();
+        self.forces_on(strips, intervals).force.map(|force| force / normal)
+    }
+
     /// [`RollingPatch::forces`] on `strips` strips of `intervals` intervals.
     pub(super) fn forces_on(&self, strips: usize, intervals: usize) -> PatchForces {
         let [from, to] = self.ends();

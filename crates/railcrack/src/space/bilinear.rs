@@ -13,6 +13,7 @@
 //! an angle or R times a polynomial; polynomials up to the second degree vanish in the differences
 //! and are left out. Source: Love 1929; Johnson, Contact Mechanics, 3.2.
 
+use super::corner_sums::Corners;
 use super::nuclei::Symmetric;
 use super::wheel::EllipticWheel;
 use std::f64::consts::TAU;
@@ -39,6 +40,8 @@ pub enum WheelPatch {
     Ellipse(EllipticWheel),
     /// Any tractions.
     Bilinear(Arc<BilinearPatch>),
+    /// Several patches of one wheel, at least one, each with its x from the wheel's centre (mm).
+    Several(Arc<[(f64, WheelPatch)]>),
 }
 
 /// Traction on the rail at x on a strip: pressure, shear along x and across, MPa.
@@ -75,12 +78,13 @@ impl From<EllipticWheel> for WheelPatch {
 }
 
 impl WheelPatch {
-    /// Its size, place and mean shear.
+    /// Its size, place and mean shear; of several patches, those of the first one.
     #[must_use]
     pub fn outline(&self) -> &EllipticWheel {
         match self {
             Self::Ellipse(wheel) => wheel,
             Self::Bilinear(patch) => &patch.outline,
+            Self::Several(patches) => patches[0].1.outline(),
         }
     }
 
@@ -91,6 +95,9 @@ impl WheelPatch {
         match self {
             Self::Ellipse(wheel) => wheel.pressure(position, at),
             Self::Bilinear(patch) => patch.below.pressure([at[0] - position, at[1] - patch.outline.lateral]),
+            Self::Several(patches) => {
+                patches.iter().map(|(ahead, own)| own.pressure(position + ahead, at)).sum()
+            }
         }
     }
 
@@ -100,6 +107,11 @@ impl WheelPatch {
         match self {
             Self::Ellipse(wheel) => wheel.stress(position, point, poisson),
             Self::Bilinear(patch) => patch.stress(position, point, poisson),
+            Self::Several(patches) => patches.iter().fold([0.0; 6], |mut sum, (ahead, own)| {
+                let stress = own.stress(position + ahead, point, poisson);
+                sum.iter_mut().zip(stress).for_each(|(sum, own)| *sum += own);
+                sum
+            }),
         }
     }
 }
@@ -151,8 +163,8 @@ struct Grid {
     first: [f64; 2],
     /// p, q_x, q_y, MPa: `[across][along]`.
     values: Vec<[f64; 3]>,
-    /// Σ of the slopes that end and begin at each node: `[across][along]`.
-    jumps: Vec<[f64; 3]>,
+    /// Σ of the slopes that end and begin at each node, relative to the first one.
+    corners: Corners,
 }
 
 impl Grid {
@@ -179,15 +191,17 @@ impl Grid {
                 }
             }
         }
-        let mut grid = Self { step, nodes, first, values: averages, jumps: Vec::new() };
+        let mut grid = Self { step, nodes, first, values: averages, corners: Corners::default() };
         let (along, across) = (grid.differences([1, 0]), grid.differences([0, 1]));
         for ((value, along), across) in grid.values.iter_mut().zip(&along).zip(&across) {
             (0..3).for_each(|k| value[k] -= (along[k] + across[k]) / 6.0);
         }
-        grid.jumps = grid.differences([1, 0]);
-        let once = Self { values: std::mem::take(&mut grid.jumps), ..grid.clone() };
+        let once = Self { values: grid.differences([1, 0]), ..grid.clone() };
         let area = step[0] * step[1];
-        grid.jumps = once.differences([0, 1]).into_iter().map(|jump| jump.map(|own| own / area)).collect();
+        let jumps = once.differences([0, 1]).into_iter().map(|jump| jump.map(|own| own / area));
+        let place = |node: usize| [(node % nodes) as f64 * step[0], (node / nodes) as f64 * step[1]];
+        let jumping = jumps.enumerate().filter(|(_, jump)| *jump != [0.0; 3]);
+        grid.corners = Corners::new(jumping.map(|(node, jump)| (place(node), jump)));
         grid
     }
 
@@ -224,20 +238,7 @@ impl Grid {
     }
 
     fn stress(&self, [x, y, depth]: [f64; 3], poisson: f64) -> Symmetric {
-        let mut sum = [0.0; 6];
-        for (node, jump) in self.jumps.iter().enumerate() {
-            if *jump == [0.0; 3] {
-                continue;
-            }
-            let (row, column) = (node / self.nodes, node % self.nodes);
-            let at = [
-                x - self.first[0] - column as f64 * self.step[0],
-                y - self.first[1] - row as f64 * self.step[1],
-                depth,
-            ];
-            add_corner(at, *jump, poisson, &mut sum);
-        }
-        sum.map(|value| value / TAU)
+        self.corners.stress([x - self.first[0], y - self.first[1], depth], poisson).map(|value| value / TAU)
     }
 }
 
@@ -247,71 +248,6 @@ fn between(points: &[StripTraction], x: f64) -> Option<[f64; 3]> {
     let (a, b) = (points.get(next.checked_sub(1)?)?, points.get(next)?);
     let part = if b.x > a.x { (x - a.x) / (b.x - a.x) } else { 0.0 };
     Some([0, 1, 2].map(|k| a.traction[k] + part * (b.traction[k] - a.traction[k])))
-}
-
-/// Adds 2π times the stress at (x, y, z) of a corner with these jumps of p, q_x and q_y.
-fn add_corner([x, y, z]: [f64; 3], [p, qx, qy]: [f64; 3], poisson: f64, sum: &mut Symmetric) {
-    let (xx, yy, zz) = (x * x, y * y, z * z);
-    let r = (xx + yy + zz).sqrt();
-    // ln(R + t), without cancellation where t is negative.
-    let log = |t: f64, others: f64| {
-        if t >= 0.0 { (r + t).ln() } else { (others / (r - t)).ln() }
-    };
-    let (lx, ly, lz) = (log(x, yy + zz), log(y, xx + zz), (r + z).ln());
-    // Angles without jumps in the half-space: arctan(y/x) − arctan(yz/xR), with x and y exchanged,
-    // and arctan(xy/zR).
-    let fan = x * y * (xx + yy) / (r + z);
-    let (tx, ty, tz) = (fan.atan2(xx * r + yy * z), fan.atan2(yy * r + xx * z), (x * y).atan2(z * r));
-    let two_nu = 2.0 * poisson;
-
-    // Derivatives of the potential that pressure and shear share.
-    let common = z * r - x * y * tz - x * z * lx - y * z * ly;
-    let (level_x, level_y) = (y * ly - r, x * lx - r);
-    let twist = x * ly + y * lx - z * tz;
-    let (rise_x, rise_y) = (-y * tz - z * lx, -x * tz - z * ly);
-
-    if p != 0.0 {
-        let h_xx = x * y * tx + 0.5 * (yy - xx) * lz + y * z * ly - 0.5 * z * r;
-        let h_yy = x * y * ty + 0.5 * (xx - yy) * lz + x * z * lx - 0.5 * z * r;
-        let h_xy = x * y * lz + x * z * ly + y * z * lx + 0.5 * (xx * tx + yy * ty - zz * tz);
-        let rest = two_nu - 1.0;
-        sum[0] += p * (two_nu * common + rest * h_xx - z * level_x);
-        sum[1] += p * (two_nu * common + rest * h_yy - z * level_y);
-        sum[2] += p * (common + z * (level_x + level_y));
-        sum[3] -= p * z * rise_y;
-        sum[4] -= p * z * rise_x;
-        sum[5] += p * (rest * h_xy - z * twist);
-    }
-    if qx == 0.0 && qy == 0.0 {
-        return;
-    }
-    let slope_x = x * y * ly - 0.5 * x * r + 0.5 * (yy - zz) * lx - y * z * tz;
-    let slope_y = x * y * lx - 0.5 * y * r + 0.5 * (xx - zz) * ly - x * z * tz;
-    let (mixed_x, mixed_y) = (x * lz + z * lx + y * ty, y * lz + z * ly + x * tx);
-    let (deep_x, deep_y) = (
-        x * z * lz - 0.5 * x * r + y * z * ty + 0.5 * (zz - yy) * lx,
-        y * z * lz - 0.5 * y * r + x * z * tx + 0.5 * (zz - xx) * ly,
-    );
-    if qx != 0.0 {
-        let far = y * tx - x * lz;
-        let own = x * r - x * z * lz - x * y * ly + y * z * tx;
-        sum[0] += qx * ((2.0 + two_nu) * slope_x + two_nu * own - z * far);
-        sum[1] += qx * (two_nu * (slope_x + deep_x) - z * mixed_x);
-        sum[2] += qx * z * (far + mixed_x);
-        sum[3] -= qx * z * twist;
-        sum[4] += qx * (common - z * level_x);
-        sum[5] += qx * (slope_y + two_nu * deep_y - z * mixed_y);
-    }
-    if qy != 0.0 {
-        let far = x * ty - y * lz;
-        let own = y * r - y * z * lz - x * y * lx + x * z * ty;
-        sum[0] += qy * (two_nu * (slope_y + deep_y) - z * mixed_y);
-        sum[1] += qy * ((2.0 + two_nu) * slope_y + two_nu * own - z * far);
-        sum[2] += qy * z * (far + mixed_y);
-        sum[3] += qy * (common - z * level_y);
-        sum[4] -= qy * z * twist;
-        sum[5] += qy * (slope_x + two_nu * deep_x - z * mixed_x);
-    }
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ mod bilinear;
 mod body;
 mod cell;
 mod contact;
+mod corner_sums;
 mod cross;
 mod distance;
 mod duffy;

@@ -2,17 +2,20 @@
 
 use railcrack_case::Case;
 
-/// Mean growth rate by the lateral place of the crack, over that at its place in the case, by the
-/// open crack.
+/// Mean growth rate by the lateral place of the crack, over that at its place in the case, by a
+/// surrogate.
 pub(super) struct Across {
     /// Lateral place (mm), rate over that of the case, share of the axles that meet the crack.
     pub places: Vec<[f64; 3]>,
     /// The place of the case, mm.
     pub here: f64,
+    /// What compares them, in words.
+    pub by: &'static str,
 }
 
-/// Places of the crack.
-const PLACES: usize = 61;
+/// Places of the crack: strips in the plane, passages in space.
+const STRIP_PLACES: usize = 61;
+const FRONT_PLACES: usize = 25;
 
 impl Across {
     /// For a case with a table of wheels; none without, and where nothing grows here.
@@ -26,18 +29,19 @@ impl Across {
         };
         let low = ends().map(|[low, _]| low).fold(f64::INFINITY, f64::min).min(table.lateral);
         let high = ends().map(|[_, high]| high).fold(f64::NEG_INFINITY, f64::max).max(table.lateral);
-        let place = |i: usize| low + (high - low) * i as f64 / (PLACES - 1) as f64;
-        let mut all: Vec<f64> = (0..PLACES).map(place).collect();
+        let count = if table.in_space { FRONT_PLACES } else { STRIP_PLACES };
+        let place = |i: usize| low + (high - low) * i as f64 / (count - 1) as f64;
+        let mut all: Vec<f64> = (0..count).map(place).collect();
         all.push(table.lateral);
         let rates = case.rates_across(&all)?;
         let here = rates.last().filter(|(rate, _)| *rate > 0.0)?.0;
         let places = all
             .iter()
             .zip(&rates)
-            .take(PLACES)
+            .take(count)
             .map(|(place, (rate, met))| [*place, rate / here, *met])
             .collect();
-        Some(Self { places, here: table.lateral })
+        Some(Self { places, here: table.lateral, by: table.compared_by() })
     }
 
     /// The place where the crack would grow fastest, and how much faster than here.

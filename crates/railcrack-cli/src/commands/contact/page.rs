@@ -38,11 +38,7 @@ pub(super) fn page(case: &Case, rows: &[WheelRow], drawn: &[usize], across: Opti
     if !charts.is_empty() {
         sections.push(section("places", "Lateral places", charts.into_iter().map(Block::Chart).collect()));
     }
-    sections.push(section(
-        "meaning",
-        "Meaning of the numbers",
-        vec![Block::List(MEANING.map(str::to_owned).to_vec())],
-    ));
+    sections.push(section("meaning", "Meaning of the numbers", vec![Block::List(meaning(case))]));
     let mean = rows.iter().map(|row| row.share * row.rate).sum::<f64>();
     let fact = |name: &str, value: String, note: &str| Fact { name: name.into(), value, note: note.into() };
     Page {
@@ -59,11 +55,25 @@ pub(super) fn page(case: &Case, rows: &[WheelRow], drawn: &[usize], across: Opti
     }
 }
 
-const MEANING: [&str; 4] = [
+fn meaning(case: &Case) -> Vec<String> {
+    let [demand, places] = if case.space.is_some() { IN_SPACE } else { IN_THE_PLANE };
+    ON_THE_RAIL.into_iter().chain([demand, places]).map(str::to_owned).collect()
+}
+
+const ON_THE_RAIL: [&str; 2] = [
     "Forces act on the rail: x with the travel, y across; they are those of the whole patch.",
     "Tγ = −(F_x ξ + F_y η) without the work of the spin, as damage functions use it; wheels.csv also has it with spin.",
+];
+
+const IN_THE_PLANE: [&str; 2] = [
     "ΔK_eq and the share of the growth are of a stabilised passage over the cracks as they are at the beginning, of each wheel alone.",
     "The growth by lateral place ranks places by a crack whose faces are open: contact of the faces and friction are not part of it.",
+];
+
+const IN_SPACE: [&str; 2] = [
+    "ΔK_eq is the largest along the fronts, and the share of the growth is that of the mean rate along them, in a stabilised passage over \
+     the cracks as they are at the beginning, of each wheel alone. Wheels that another one represents are scaled from a coarse crack.",
+    "The growth by lateral place is the mean rate along the front of a coarse crack with contact and friction of its faces.",
 ];
 
 fn table(rows: &[WheelRow]) -> Table {
@@ -111,7 +121,10 @@ fn charts(rows: &[WheelRow], across: Option<&Across>) -> Vec<Chart> {
         let points = across.places.iter().map(|[place, rate, _]| [*place, *rate]).collect();
         charts.push(Chart {
             id: "across".into(),
-            caption: "Mean growth rate by the lateral place of the crack, over that at its place in the case, by the open crack.".into(),
+            caption: format!(
+                "Mean growth rate by the lateral place of the crack, over that at its place in the case, by {}.",
+                across.by
+            ),
             x: ChartAxis::linear("Lateral place of the crack", "mm"),
             y: ChartAxis::linear("Rate over that of the case", ""),
             curves: vec![Curve::line("", points)],

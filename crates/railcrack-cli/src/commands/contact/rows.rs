@@ -40,7 +40,6 @@ impl WheelRow {
     pub fn of_case(case: &Case, demands: &[WheelDemand]) -> Vec<Self> {
         let mut rows: Vec<Self> = match &case.wheel_table {
             Some(table) => {
-                let mut first = vec![None; table.first + table.representatives + 1];
                 let rows: Vec<Self> = table
                     .wheels
                     .iter()
@@ -55,17 +54,10 @@ impl WheelRow {
                         Self { y_rail: Some(main), ..row }
                     })
                     .collect();
-                // The representative of a group carries the contact of a wheel of the mix.
-                for (i, wheel) in table.wheels.iter().enumerate() {
-                    let mixed = case.mix.get(wheel.represented_by);
-                    if mixed.is_some_and(|mixed| Some(mixed.wheel.contact()) == wheel.contact.as_ref()) {
-                        first[wheel.represented_by].get_or_insert(i);
-                    }
-                }
                 rows.into_iter()
                     .zip(&table.wheels)
                     .map(|(row, wheel)| {
-                        let represented_by = first[wheel.represented_by].filter(|_| wheel.contact.is_some());
+                        let represented_by = table.chosen.get(wheel.represented_by - table.first).copied();
                         Self { represented_by, ..row }
                     })
                     .collect()

@@ -2,7 +2,7 @@
 
 use super::across::Across;
 use super::rows::WheelRow;
-use railcrack_case::Case;
+use railcrack_case::{Case, WheelTable};
 
 /// Conclusions from the rows: who grows the cracks, the error of the representatives, the worst
 /// place.
@@ -26,6 +26,10 @@ pub(super) fn sentences(case: &Case, rows: &[WheelRow], across: Option<&Across>)
                 table.lateral
             ));
         }
+        if table.in_space {
+            said.push(in_space(case, table));
+            return with_worst_place(said, across);
+        }
         let error = representatives_error(rows);
         said.push(format!(
             "{} representatives: mean growth rate off by {:+.2} % of that of all wheels, computed one by one ({:+.2} % by the coarse crack){}",
@@ -35,13 +39,48 @@ pub(super) fn sentences(case: &Case, rows: &[WheelRow], across: Option<&Across>)
             if error.abs() > table.accepted { "; more than representatives_error" } else { "" }
         ));
     }
+    with_worst_place(said, across)
+}
+
+/// `said` with the place where the crack would grow fastest.
+fn with_worst_place(mut said: Vec<String>, across: Option<&Across>) -> Vec<String> {
     if let Some(across) = across {
         let (place, rate) = across.worst();
         said.push(format!(
-            "the crack would grow fastest at lateral_mm = {place:.1}, {rate:.2} times as fast as here, by the open crack"
+            "the crack would grow fastest at lateral_mm = {place:.1}, {rate:.2} times as fast as here, by {}",
+            across.by
         ));
     }
     said
+}
+
+/// Where the patches of a table lie in space, and the error of its representatives.
+fn in_space(case: &Case, table: &WheelTable) -> String {
+    let aside: f64 = table
+        .wheels
+        .iter()
+        .filter(|wheel| !wheel.wheel.over(table.lateral).iter().any(|own| own.patch.half_length(own.y) > 0.0))
+        .map(|wheel| wheel.share)
+        .sum();
+    let error = match table.wheels.len() > table.representatives {
+        true => format!(
+            "{} representatives, whose mean growth rate is off by {:+.2} % of that of all wheels by the coarse crack{}; the other wheels are \
+             those of the coarse crack times what it misses of their representative",
+            table.representatives,
+            100.0 * table.error,
+            if table.error.abs() > table.accepted { ", more than representatives_error" } else { "" }
+        ),
+        false => format!("all {} wheels are computed", table.wheels.len()),
+    };
+    let whose = if case.cracks.cracks().len() > 1 {
+        "the middle of the first crack"
+    } else {
+        "the middle of the crack"
+    };
+    format!(
+        "the patches of {:.1} % of the axles lie beside {whose} and load it all the same; {error}",
+        100.0 * aside
+    )
 }
 
 /// Mean rate of the representatives over that of all wheels, less 1.

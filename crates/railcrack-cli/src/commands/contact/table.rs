@@ -104,8 +104,9 @@ fn push_strip(
 
 /// Growth by the lateral place of the crack.
 pub(super) fn across(across: &Across) -> String {
-    let mut text = String::from(
-        "# relative_rate: mean growth rate over that at lateral_mm of the case, by the open crack\nlateral_mm,relative_rate,share_over_crack\n",
+    let mut text = format!(
+        "# relative_rate: mean growth rate over that at lateral_mm of the case, by {}\nlateral_mm,relative_rate,share_over_crack\n",
+        across.by
     );
     for [place, rate, met] in &across.places {
         text.push_str(&format!("{place},{rate},{met}\n"));

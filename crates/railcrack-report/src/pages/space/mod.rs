@@ -301,6 +301,9 @@ fn wheel_line(case: &Case, i: usize, patch: &WheelPatch) -> String {
     let kind = match patch {
         WheelPatch::Ellipse(_) => "elliptical Hertzian contact in full sliding",
         WheelPatch::Bilinear(_) => "patch in rolling contact, its tractions bilinear on a grid",
+        WheelPatch::Several(_) => {
+            "patches in rolling contact, the heaviest told, their tractions bilinear on grids"
+        }
     };
     format!(
         "{name}: {kind}, p_{{0}} = {} MPa, semi-axes {} mm along and {} mm across the rail, centre \
