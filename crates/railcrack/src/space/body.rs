@@ -18,7 +18,7 @@ use std::sync::Arc;
 use thiserror::Error;
 
 /// Points per cell and direction at which the stress of the uncracked rail is evaluated.
-const LOAD_POINTS: usize = 4;
+pub(super) const LOAD_POINTS: usize = 4;
 
 /// Smallest admissible distance of two cracks, relative to their smallest semi-axis: down to this
 /// distance the integrals between them are verified, and cells resolve the ligament.
@@ -104,7 +104,7 @@ impl SpaceKernel {
     }
 
     /// The image for planes of a given dip, computed anew unless the dip is one of those prepared.
-    fn image(&self, dip: f64) -> ImagePart {
+    pub(super) fn image(&self, dip: f64) -> ImagePart {
         let known = self.tables.iter().find(|(known, _)| *known == dip).map(|(_, table)| Arc::clone(table));
         ImagePart { table: known.unwrap_or_else(|| Arc::new(ImageTable::new(dip, self.poisson))), dip }
     }
@@ -150,6 +150,8 @@ impl FrontSif {
 pub(super) struct LoadPoint {
     /// Its crack, from 0.
     pub crack: usize,
+    /// Its plane, an index of those of the body.
+    pub plane: usize,
     /// x, lateral and depth, mm.
     pub position: [f64; 3],
     /// Points of the crack and the integrals of their hat functions, mm².
@@ -182,9 +184,53 @@ pub struct SpaceBody {
     sif_of_jumps: Matrix,
     loads: Vec<LoadPoint>,
     cells: Vec<[usize; 4]>,
+    planes: Vec<PlaneFrame>,
+    plane_of_point: Vec<usize>,
+}
+
+/// A single crack whose points lie in several planes, with its matrices.
+pub(super) struct Assembled {
+    pub crack: CrackPart,
+    pub points: Vec<[f64; 3]>,
+    pub front: Vec<FrontPoint>,
+    /// A, N/mm.
+    pub stiffness: Matrix,
+    /// K per jump.
+    pub sif_of_jumps: Matrix,
+    pub loads: Vec<LoadPoint>,
+    pub cells: Vec<[usize; 4]>,
+    /// The planes in which points have their components.
+    pub planes: Vec<PlaneFrame>,
+    /// The plane of each point, an index of `planes`.
+    pub plane_of_point: Vec<usize>,
 }
 
 impl SpaceBody {
+    /// The body with an assembled crack. An `interruption` ends the computation.
+    ///
+    /// Errors: a stiffness that is not positive definite; the interruption.
+    pub(super) fn assembled(parts: Assembled, interruption: Interruption<'_>) -> Result<Self, SpaceError> {
+        let compliance = spd_inverse_unless(interruption, &parts.stiffness).map_err(|error| match error {
+            LinearError::NotPositiveDefinite { .. } => {
+                SpaceError::TooCoarse { crack: 0, shape: Box::new(parts.crack.shape.clone()) }
+            }
+            error => error.into(),
+        })?;
+        Ok(Self {
+            sif_influence: crate::linear::product(&parts.sif_of_jumps, &compliance)?,
+            cracks: vec![parts.crack],
+            points: parts.points,
+            front: parts.front,
+            stiffness: parts.stiffness,
+            compliance,
+            sif_of_jumps: parts.sif_of_jumps,
+            loads: parts.loads,
+            cells: parts.cells,
+            planes: parts.planes,
+            plane_of_point: parts.plane_of_point,
+        })
+    }
+
     /// The body with `cracks` in `surroundings`.
     ///
     /// Errors: cracks that are too close to each other; a stiffness that is not positive definite.
@@ -236,6 +282,8 @@ impl SpaceBody {
             compliance,
             loads: Vec::new(),
             cells: Vec::new(),
+            planes: Vec::with_capacity(cracks.len()),
+            plane_of_point: Vec::with_capacity(total),
         };
         for (crack, placed) in cracks.iter().zip(&placed) {
             body.append(crack, placed, steel, total);
@@ -268,11 +316,18 @@ impl SpaceBody {
                         let corner = cell.vertices[a];
                         if corner < grid.free { (vertex(corner), weight) } else { (first, 0.0) }
                     });
-                    self.loads.push(LoadPoint { crack, position: placed.place(point.position), hats });
+                    self.loads.push(LoadPoint {
+                        crack,
+                        plane: crack,
+                        position: placed.place(point.position),
+                        hats,
+                    });
                 }
             }
         }
         self.cells.extend(grid.cells.iter().map(|cell| cell.vertices.map(vertex)));
+        self.planes.push(placed.frame);
+        self.plane_of_point.resize(self.points.len(), crack);
         self.cracks.push(CrackPart {
             shape: shape.clone(),
             frame: placed.frame,
@@ -331,7 +386,8 @@ impl SpaceBody {
         &self.cells
     }
 
-    /// C (mm/N), 3p × 3p: opening, slip along the dip and along the trace of each point.
+    /// C (mm/N), 3p × 3p: opening, slip along the dip and along the trace of each point. On a fold
+    /// they are those of the plane that halves its angle.
     pub fn compliance(&self) -> &Matrix {
         &self.compliance
     }
@@ -357,12 +413,20 @@ impl SpaceBody {
         &self,
         stress: impl Fn(usize, [f64; 3]) -> Symmetric + Sync,
     ) -> Vec<f64> {
-        let traction = |p: &LoadPoint| self.cracks[p.crack].frame.traction(&stress(p.crack, p.position));
-        let tractions: Vec<_> = self.loads.par_iter().map(traction).collect();
+        let stress_at = |p: &LoadPoint| stress(p.crack, p.position);
+        let stresses: Vec<_> = self.loads.par_iter().map(stress_at).collect();
         let mut forces = vec![0.0; 3 * self.points.len()];
-        for (point, traction) in self.loads.iter().zip(tractions) {
+        for (point, stress) in self.loads.iter().zip(stresses) {
+            let traction = self.planes[point.plane].traction(&stress);
             for (a, weight) in point.hats {
-                (0..3).for_each(|c| forces[3 * a + c] += weight * traction[c]);
+                // On a fold the components are along another plane than that of the traction.
+                let plane = self.plane_of_point[a];
+                let along = if plane == point.plane {
+                    traction
+                } else {
+                    self.planes[plane].components(self.planes[point.plane].vector(traction))
+                };
+                (0..3).for_each(|c| forces[3 * a + c] += weight * along[c]);
             }
         }
         forces

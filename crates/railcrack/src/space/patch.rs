@@ -181,8 +181,8 @@ impl ApartRules {
     }
 }
 
-/// Receives a point, whose gradients include its weight, and points of the other cell with their
-/// weights.
+/// Receives a point, whose gradients and area include its weight, and points of the other cell with
+/// their weights.
 pub(super) type Visit<'v> = dyn FnMut(&CellPoint, &[(CellPoint, f64)]) + 'v;
 
 /// Two cells whose products are integrated.
@@ -281,7 +281,8 @@ impl CellPair<'_> {
     }
 }
 
-/// A point whose gradients include its weight.
+/// A point whose gradients and area include its weight.
 pub(super) fn weighted(point: &CellPoint, weight: f64) -> CellPoint {
-    CellPoint { gradients: point.gradients.map(|g| scaled(weight, g)), ..*point }
+    let gradients = point.gradients.map(|g| scaled(weight, g));
+    CellPoint { gradients, area: weight * point.area, ..*point }
 }

@@ -3,6 +3,7 @@
 
 mod contact;
 mod fluid;
+mod fold;
 mod fronts;
 mod growth;
 mod kernel;

@@ -7,7 +7,7 @@ use railcrack::math::Matrix;
 use railcrack::space::{SpaceCrack, Surroundings};
 
 /// The largest eigenvalue of a symmetric positive definite matrix, by the power method.
-fn largest_eigenvalue(matrix: &Matrix) -> f64 {
+pub(super) fn largest_eigenvalue(matrix: &Matrix) -> f64 {
     let mut vector: Vec<f64> = (0..matrix.rows()).map(|i| ((i * 7919) % 101) as f64 - 50.0).collect();
     let mut value = 0.0;
     for _ in 0..300 {

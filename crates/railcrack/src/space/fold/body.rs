@@ -1,0 +1,157 @@
+//! Cracked body with a folded crack.
+//!
+//! Points on the fold belong to both planes. Their components are along the plane that halves the
+//! angle of the fold, and contact acts along its normal there: the points next to the fold on
+//! either plane hold both conditions, and in the limit of small cells a continuous jump satisfies
+//! them on the fold, too. Both conditions at one point would lock slip over the length of a cell.
+
+use super::super::body::{
+    Assembled, CrackPart, FrontPoint, LOAD_POINTS, LoadPoint, SpaceBody, SpaceError, SpaceKernel,
+};
+use super::super::plane::PlaneFrame;
+use super::super::shape::SpaceCrack;
+use super::assembly::{Assembly, MorePoints};
+use super::grid::{FoldedGrid, FoldedResolution, Part};
+use super::shape::{FoldError, FoldedCrack};
+use crate::interruption::Interruption;
+use crate::material::IsotropicElastic;
+use crate::math::{Matrix, dot3, gauss_legendre};
+use std::f64::consts::PI;
+
+/// The plane of a part: strip, fold, branch.
+fn plane_of(part: Part) -> usize {
+    match part {
+        Part::Mouth | Part::Strip => 0,
+        Part::Fold => 1,
+        Part::Branch => 2,
+    }
+}
+
+impl FoldedCrack {
+    /// The body with this crack in the half-space of steel `steel`; `kernel` may hold the image for
+    /// the plane of the strip. An `interruption` ends the computation.
+    ///
+    /// The front of the body runs from the mouth down one side of the strip (φ = 0), along the
+    /// branch (φ from 0 to π) and up the other side (φ = π); K refers to the plane of each point.
+    /// At the ends of the fold, where the front turns, K has no meaning.
+    ///
+    /// Errors: an inadmissible crack; a stiffness that is not positive definite; the interruption.
+    pub fn body(
+        &self,
+        steel: &IsotropicElastic,
+        kernel: &SpaceKernel,
+        resolution: FoldedResolution,
+        interruption: Interruption<'_>,
+    ) -> Result<SpaceBody, FoldedBodyError> {
+        self.checked()?;
+        let branch = self.branch_shape()?;
+        let grid = FoldedGrid::new(self, resolution)?;
+        let image = kernel.image(self.mouth_dip);
+        let assembly = Assembly::new(self, &grid, steel.poisson(), MorePoints(0));
+        let mut stiffness = assembly
+            .stiffness_unless(&image, interruption)
+            .map_err(|stopped| FoldedBodyError::Body(stopped.into()))?;
+        for i in 0..stiffness.rows() {
+            stiffness.row_mut(i).iter_mut().for_each(|entry| *entry *= steel.shear_modulus());
+        }
+        let [strip, below] = self.planes();
+        let planes = vec![strip, self.bisector(), below];
+        let plane_of_point: Vec<usize> = grid.part_of_vertex.iter().map(|part| plane_of(*part)).collect();
+        let parts = Assembled {
+            crack: CrackPart {
+                shape: branch,
+                frame: below,
+                points: 0..grid.free,
+                front: 0..grid.front.len(),
+            },
+            points: grid.vertices[..grid.free].iter().map(|&p| self.position(p)).collect(),
+            front: self.front(&grid),
+            stiffness,
+            sif_of_jumps: sif_rows(&grid, steel, &planes),
+            loads: self.loads(&grid),
+            cells: grid.cells.iter().map(|cell| cell.vertices).collect(),
+            planes,
+            plane_of_point,
+        };
+        Ok(SpaceBody::assembled(parts, interruption)?)
+    }
+
+    /// The branch as half an ellipse in the trace of its plane.
+    fn branch_shape(&self) -> Result<SpaceCrack, FoldedBodyError> {
+        Ok(SpaceCrack::surface_breaking(self.branch_dip, self.half_length, self.branch)?)
+    }
+
+    fn front(&self, grid: &FoldedGrid) -> Vec<FrontPoint> {
+        let of = |(q, front): (usize, &super::grid::FoldedFront)| FrontPoint {
+            crack: 0,
+            phi: front.column.phi,
+            position: self.position(grid.vertices[grid.free + q]),
+            normal: front.column.normal,
+        };
+        grid.front.iter().enumerate().map(of).collect()
+    }
+
+    fn loads(&self, grid: &FoldedGrid) -> Vec<LoadPoint> {
+        let rule = gauss_legendre(LOAD_POINTS);
+        let mut loads = Vec::new();
+        for (cell, part) in grid.cells.iter().zip(&grid.part_of_cell) {
+            for (u, wu) in &rule {
+                for (v, wv) in &rule {
+                    let point = cell.at(*u, *v);
+                    let hats = std::array::from_fn(|a| {
+                        let weight = wu * wv * point.area * point.hats[a];
+                        let corner = cell.vertices[a];
+                        if corner < grid.free { (corner, weight) } else { (0, 0.0) }
+                    });
+                    let position = self.position(point.position);
+                    loads.push(LoadPoint { crack: 0, plane: plane_of(*part), position, hats });
+                }
+            }
+        }
+        loads
+    }
+}
+
+/// Reasons why the body of a folded crack cannot be built.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum FoldedBodyError {
+    /// An inadmissible crack.
+    #[error(transparent)]
+    Fold(#[from] FoldError),
+    /// An inadmissible branch.
+    #[error(transparent)]
+    Branch(#[from] super::super::shape::ShapeError),
+    /// Matrices that cannot be computed.
+    #[error(transparent)]
+    Body(#[from] SpaceError),
+}
+
+/// K from the jumps of the first two rows, as for planar cracks, with jumps turned from the plane
+/// of each point to that of the front.
+fn sif_rows(grid: &FoldedGrid, steel: &IsotropicElastic, planes: &[PlaneFrame]) -> Matrix {
+    let mut rows = Matrix::zeros(3 * grid.front.len(), 3 * grid.free);
+    for (q, front) in grid.front.iter().enumerate() {
+        let column = &front.column;
+        let [e, f] = column.parameters;
+        let weights = [f * f / (e * (f * f - e * e)), -e * e / (f * (f * f - e * e))];
+        let scale = steel.shear_modulus() * (2.0 * PI).sqrt() / (4.0 * column.distance.sqrt());
+        let plane = scale / (1.0 - steel.poisson());
+        let [ms, mz] = column.normal;
+        let [normal, dip, trace] = planes[plane_of(front.part)].directions();
+        let across: [f64; 3] = std::array::from_fn(|c| ms * dip[c] + mz * trace[c]);
+        let along: [f64; 3] = std::array::from_fn(|c| ms * trace[c] - mz * dip[c]);
+        for (vertex, weight) in column.vertices.into_iter().zip(weights) {
+            if vertex >= grid.free {
+                continue;
+            }
+            let directions = planes[plane_of(grid.part_of_vertex[vertex])].directions();
+            for (j, direction) in directions.into_iter().enumerate() {
+                let modes = [(normal, plane), (across, plane), (along, scale)];
+                for (mode, (of_mode, scale)) in modes.into_iter().enumerate() {
+                    rows[(3 * q + mode, 3 * vertex + j)] += scale * weight * dot3(of_mode, direction);
+                }
+            }
+        }
+    }
+    rows
+}

@@ -1,0 +1,213 @@
+//! Grid of cells on a folded crack, in the plane into which it unfolds.
+//!
+//! The branch has the grid of a surface crack whose mouth is the fold. Its columns at the fold
+//! continue through the strip, whose rows are parallel to the mouth, so that vertices on the fold
+//! belong to both planes.
+
+use super::super::cell::Cell;
+use super::super::grid::{FrontColumn, Grid, SpaceResolution};
+use super::super::patch::Patch;
+use super::super::shape::{ShapeError, SpaceCrack};
+use super::shape::FoldedCrack;
+
+/// Numbers of cells of a folded crack.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FoldedResolution {
+    /// Rows of the strip between mouth and fold, at least 3.
+    pub strip: usize,
+    /// Cells of the branch, as of a crack that breaks the surface.
+    pub branch: SpaceResolution,
+}
+
+impl Default for FoldedResolution {
+    fn default() -> Self {
+        Self { strip: 5, branch: SpaceResolution::default() }
+    }
+}
+
+/// The least number of rows of the strip: hats on the mouth and on the fold do not touch.
+const LEAST_ROWS: usize = 3;
+
+/// The part of the crack to which a cell or a free vertex belongs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    /// On the mouth.
+    Mouth,
+    /// The strip between mouth and fold.
+    Strip,
+    /// On the fold.
+    Fold,
+    /// The branch below the fold.
+    Branch,
+}
+
+/// A point of the front and the plane in which it lies.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FoldedFront {
+    pub column: FrontColumn,
+    pub part: Part,
+}
+
+/// The cells of a folded crack. Positions are (s, ζ), s from the mouth over the fold.
+#[derive(Debug, Clone)]
+pub(super) struct FoldedGrid {
+    pub cells: Vec<Cell>,
+    /// Strip or branch, by cell.
+    pub part_of_cell: Vec<Part>,
+    /// Positions of the vertices, mm: those of mouth and strip, of fold and branch, of the front.
+    pub vertices: Vec<[f64; 2]>,
+    /// The part of each free vertex.
+    pub part_of_vertex: Vec<Part>,
+    pub free: usize,
+    /// The front, from the mouth down one side, along the branch and up the other side, in the
+    /// order of the vertices on it.
+    pub front: Vec<FoldedFront>,
+    /// The strip with vertices of mouth and strip free and those of the fold held.
+    pub strip: Grid,
+}
+
+/// Distances of the rows of the strip from the mouth, relative to the fold.
+fn row(r: usize, rows: usize) -> f64 {
+    r as f64 / rows as f64
+}
+
+impl FoldedGrid {
+    /// The cells of `crack`.
+    ///
+    /// Errors: a branch of an inadmissible shape.
+    pub fn new(crack: &FoldedCrack, resolution: FoldedResolution) -> Result<Self, ShapeError> {
+        let rows = resolution.strip.max(LEAST_ROWS);
+        let branch = SpaceCrack::surface_breaking(crack.branch_dip, crack.half_length, crack.branch)?;
+        let lower = Grid::new(&branch, resolution.branch);
+
+        // The vertices on the fold from ζ = c to −c; the first and the last are on the front.
+        let mut line: Vec<usize> = Vec::new();
+        for (cell, corners) in &lower.mouth {
+            line.extend(corners.map(|corner| lower.cells[*cell].vertices[corner]));
+        }
+        line.sort_by(|&a, &b| lower.vertices[b][1].total_cmp(&lower.vertices[a][1]));
+        line.dedup();
+        let columns = line.len() - 1;
+        let inside = columns - 1;
+        let (above, sides) = (rows * inside, rows);
+        let free = above + lower.free;
+        let count = free + lower.front.len() + 2 * sides;
+        let below = |v: usize| if v < lower.free { above + v } else { free + sides + v - lower.free };
+        let vertex = |r: usize, c: usize| match c {
+            c if r == rows => below(line[c]),
+            0 => free + r,
+            c if c == columns => count - 1 - r,
+            c => r * inside + c - 1,
+        };
+
+        let (mut cells, mut part_of_cell, mut mouth) = (Vec::new(), Vec::new(), Vec::new());
+        for (at, [from, to]) in &lower.mouth {
+            let cell = &lower.cells[*at];
+            let place = |corner: usize| line.iter().position(|&v| v == cell.vertices[corner]);
+            let (Some(start), Some(end)) = (place(*from), place(*to)) else { continue };
+            let edge = if start < end { Patch::along(*from, *to) } else { Patch::along(*to, *from) };
+            let first = start.min(end);
+            for r in 0..rows {
+                let [near, far] = [r, r + 1].map(|r| crack.fold * row(r, rows));
+                let corners = [(r, first), (r, first + 1), (r + 1, first + 1), (r + 1, first)];
+                if r == 0 {
+                    mouth.push((cells.len(), [0, 1]));
+                }
+                part_of_cell.push(Part::Strip);
+                cells.push(Cell::new(corners.map(|(r, c)| vertex(r, c)), |p, q| {
+                    let [u, v] = edge.at([p, 0.0]);
+                    [near + q * (far - near), cell.at(u, v).position[1]]
+                }));
+            }
+        }
+        let strip_cells = cells.clone();
+        for cell in &lower.cells {
+            part_of_cell.push(Part::Branch);
+            cells.push(Cell::new(cell.vertices.map(below), |u, v| {
+                let [s, zeta] = cell.at(u, v).position;
+                [crack.fold + s, zeta]
+            }));
+        }
+
+        let mut vertices = vec![[0.0; 2]; count];
+        for (v, [s, zeta]) in lower.vertices.iter().enumerate() {
+            vertices[below(v)] = [crack.fold + s, *zeta];
+        }
+        for (r, c) in (0..rows).flat_map(|r| (0..=columns).map(move |c| (r, c))) {
+            vertices[vertex(r, c)] = [crack.fold * row(r, rows), lower.vertices[line[c]][1]];
+        }
+        let part = |v: usize| match v {
+            v if v < inside => Part::Mouth,
+            v if v < above => Part::Strip,
+            v if line.contains(&(v - above)) => Part::Fold,
+            _ => Part::Branch,
+        };
+        let side = |r: usize, end: &FrontColumn, columns: [usize; 2]| {
+            let vertices = columns.map(|c| vertex(r, c));
+            FoldedFront { column: FrontColumn { vertices, ..*end }, part: Part::Strip }
+        };
+        let mut front = Vec::new();
+        if let [first, .., last] = &lower.front[..] {
+            front.extend((0..rows).map(|r| side(r, first, [1, 2])));
+            front.extend(lower.front.iter().map(|column| FoldedFront {
+                column: FrontColumn { vertices: column.vertices.map(below), ..*column },
+                part: Part::Branch,
+            }));
+            front.extend((0..rows).rev().map(|r| side(r, last, [columns - 1, columns - 2])));
+        }
+        let strip =
+            Grid { cells: strip_cells, mouth, vertices: vertices.clone(), free: above, front: Vec::new() };
+        let part_of_vertex = (0..free).map(part).collect();
+        Ok(Self { cells, part_of_cell, vertices, part_of_vertex, free, front, strip })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn cells_cover_both_planes() {
+        let crack = FoldedCrack {
+            mouth_dip: 0.4,
+            branch_dip: 1.2,
+            fold: 4.0,
+            half_length: 6.0,
+            branch: 3.0,
+            middle: [0.0; 2],
+        };
+        let resolution = FoldedResolution { strip: 4, branch: SpaceResolution { block: 2, ring: 3 } };
+        let grid = FoldedGrid::new(&crack, resolution).unwrap();
+        let rule = crate::math::gauss_legendre(6);
+        let mut areas = [0.0; 2];
+        for (cell, part) in grid.cells.iter().zip(&grid.part_of_cell) {
+            for (u, wu) in &rule {
+                let area: f64 = rule.iter().map(|(v, wv)| wu * wv * cell.at(*u, *v).area).sum();
+                areas[usize::from(*part == Part::Branch)] += area;
+            }
+        }
+        assert!((areas[0] / 48.0 - 1.0).abs() < 1e-10, "{areas:?}");
+        assert!((areas[1] / (0.5 * PI * 18.0) - 1.0).abs() < 1e-5, "{areas:?}");
+        // Corners of cells are where the vertices are.
+        for cell in &grid.cells {
+            for (v, [p, q]) in cell.vertices.iter().zip(super::super::super::cell::CORNERS) {
+                let [s, zeta] = cell.at(p, q).position;
+                let want = grid.vertices[*v];
+                assert!((s - want[0]).hypot(zeta - want[1]) < 1e-9, "{v}: {s} {zeta} {want:?}");
+            }
+        }
+        let count = |part: Part| grid.part_of_vertex.iter().filter(|p| **p == part).count();
+        assert_eq!((count(Part::Mouth), count(Part::Strip), count(Part::Fold)), (9, 27, 9));
+        assert_eq!(grid.front.len(), 9 + 8);
+        for (k, front) in grid.front.iter().enumerate() {
+            let [s, zeta] = grid.vertices[grid.free + k];
+            let x = (s - 4.0).max(0.0) / 3.0;
+            assert!((x.hypot(zeta / 6.0) - 1.0).abs() < 1e-9, "{k}: {s} {zeta}");
+            assert_eq!(front.part == Part::Strip, s < 4.0 - 1e-9);
+            let inner = grid.vertices[front.column.vertices[0]];
+            let away = (s - inner[0]) * front.column.normal[0] + (zeta - inner[1]) * front.column.normal[1];
+            assert!(away > 0.0, "{k}");
+        }
+    }
+}

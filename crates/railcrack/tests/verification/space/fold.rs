@@ -1,0 +1,211 @@
+//! Folded cracks: the kinked crack of the 2D engine, mirror images, energy release.
+
+use super::at;
+use crate::common::{
+    Of, Relative, Rolling, close, default_elements, largest, measured, open_sifs, steel, surface_crack,
+};
+use railcrack::contact::{FaceProblem, Newton};
+use railcrack::crack::{Crack, End};
+use railcrack::field::{HertzWheel, Wheel};
+use railcrack::growth::{PassageSettings, Unobserved};
+use railcrack::interruption::Interruption;
+use railcrack::linear::spd_inverse;
+use railcrack::load::{HertzianContact, Passage};
+use railcrack::math::{Matrix, Stress, Vec2};
+use railcrack::plane::{RailLoad, stabilised_passage};
+use railcrack::space::{
+    FoldedCrack, FoldedResolution, FrontSif, SpaceBody, SpaceContact, SpaceKernel, SpaceLoad,
+    SpacePassageSettings, SpaceResolution, Symmetric, space_passage,
+};
+use std::f64::consts::PI;
+
+const NU: f64 = 0.3;
+
+/// A crack with planes at these dips (degrees), a strip of 2 mm and a branch of 2 mm.
+fn folded(mouth: f64, branch: f64, half_length: f64) -> FoldedCrack {
+    FoldedCrack {
+        mouth_dip: mouth.to_radians(),
+        branch_dip: branch.to_radians(),
+        fold: 2.0,
+        half_length,
+        branch: 2.0,
+        middle: [0.0; 2],
+    }
+}
+
+/// The body with `cells` in the block and the ring of the branch, and half as many again between
+/// mouth and fold.
+fn body(crack: &FoldedCrack, cells: usize) -> SpaceBody {
+    let kernel = SpaceKernel::new(&[crack.mouth_dip], NU);
+    let branch = SpaceResolution { block: cells, ring: cells };
+    let resolution = FoldedResolution { strip: (3 * cells).div_ceil(2), branch };
+    crack.body(&steel(), &kernel, resolution, Interruption::NEVER).unwrap()
+}
+
+/// Tension along the rail and in depth, and shear.
+const TENSION: Symmetric = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+const SHEAR: Symmetric = [0.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+
+fn open(body: &SpaceBody, stress: Symmetric) -> Vec<FrontSif> {
+    body.sifs(&body.nodal_forces(|_| stress))
+}
+
+/// The crack of these dips in the plane.
+fn kinked(mouth: f64, branch: f64) -> Crack {
+    let turn = (branch - mouth).to_radians();
+    surface_crack(0.0, 2.0, mouth).extended(End::Last, 2.0, -turn).unwrap()
+}
+
+/// K_I and K_II of the kinked crack in the plane; `stress` as in space. y is up there.
+fn in_the_plane(mouth: f64, branch: f64, stress: Symmetric) -> [f64; 2] {
+    let kinked = kinked(mouth, branch);
+    let stress = Stress { xx: stress[0], yy: stress[2], xy: -stress[4], ..Stress::ZERO };
+    let k = open_sifs(&[kinked], default_elements(), |_| stress);
+    [k[0], k[1]]
+}
+
+#[test]
+#[ignore = "extra: a minute"]
+fn wide_folds_are_kinked_cracks_of_the_plane() {
+    for (mouth, branch) in [(25.0, 70.0), (60.0, 20.0)] {
+        let body = body(&folded(mouth, branch, 40.0), 3);
+        for stress in [TENSION, SHEAR] {
+            let want = in_the_plane(mouth, branch, stress);
+            let got = at(&open(&body, stress), 0.5);
+            println!("{mouth} {branch}: {got:?} {want:?}");
+            let peak = want[0].abs().max(want[1].abs());
+            let reason = "half a mouth of ten crack lengths, 3 cells";
+            close(got.ki, want[0], Of(WIDE, peak), reason);
+            close(got.kii, want[1], Of(WIDE, peak), reason);
+            close(got.kiii, 0.0, Of(SIDES, peak), "lateral symmetry");
+        }
+    }
+}
+
+/// Difference allowed from the plane, of the peak.
+const WIDE: f64 = 0.02;
+/// Difference allowed between the two sides of a symmetric crack, whose quadrature is not symmetric.
+const SIDES: f64 = 1e-3;
+
+#[test]
+fn mirror_images() {
+    let [one, other] = [(25.0, 70.0), (155.0, 110.0)].map(|(a, b)| body(&folded(a, b, 3.0), 2));
+    for stress in [TENSION, SHEAR] {
+        let turned = [stress[0], stress[1], stress[2], stress[3], -stress[4], -stress[5]];
+        let (a, b) = (open(&one, stress), open(&other, turned));
+        let peak = a.iter().fold(0.0f64, |most, k| most.max(k.ki.abs()).max(k.kii.abs()));
+        for (a, b) in a.iter().zip(&b) {
+            // The normal turns round and the dip does not; K_I keeps its sign.
+            let reason = "the table of the image";
+            close(a.ki, b.ki, Of(1e-5, peak), reason);
+            close(a.kii, -b.kii, Of(1e-5, peak), reason);
+            close(a.kiii, -b.kiii, Of(1e-5, peak), reason);
+        }
+        // The two sides of the crack are alike.
+        for (a, b) in a.iter().zip(a.iter().rev()) {
+            close(a.ki, b.ki, Of(SIDES, peak), "lateral symmetry");
+            close(a.kiii, -b.kiii, Of(SIDES, peak), "lateral symmetry");
+        }
+    }
+}
+
+/// Half the work of the nodal forces on the open crack.
+fn energy(body: &SpaceBody, stress: Symmetric) -> f64 {
+    let forces = body.nodal_forces(|_| stress);
+    0.5 * body.compliance().times(&forces).iter().zip(&forces).map(|(w, f)| w * f).sum::<f64>()
+}
+
+#[test]
+fn energy_release_is_that_of_the_work() {
+    let crack = folded(25.0, 70.0, 3.0);
+    let step = 0.02;
+    let [shorter, body, longer] =
+        [-step, 0.0, step].map(|by| body(&FoldedCrack { branch: crack.branch + by, ..crack }, 3));
+    for stress in [TENSION, SHEAR] {
+        let want = (energy(&longer, stress) - energy(&shorter, stress)) / (2.0 * step);
+        // The front moves by (dl/l) s down the dip: over dφ, G times c sin²φ dφ.
+        let steel = steel();
+        let sifs = open(&body, stress);
+        let branch: Vec<_> = body.front().iter().zip(&sifs).filter(|(p, _)| p.phi.sin() > 1e-9).collect();
+        let release = |k: &FrontSif| {
+            let plane = (k.ki * k.ki + k.kii * k.kii) * (1.0 - NU) / 2.0;
+            (plane + 0.5 * k.kiii * k.kiii) / steel.shear_modulus()
+        };
+        let dphi = PI / (branch.len() + 1) as f64;
+        let got: f64 =
+            branch.iter().map(|(p, k)| release(k) * crack.half_length * p.phi.sin().powi(2) * dphi).sum();
+        close(got, want, Relative(ENERGY), "differences of the work, 3 cells, front by trapezoids");
+    }
+}
+
+/// Difference allowed between K and the work: K along the front is good to about 1 %.
+const ENERGY: f64 = 0.03;
+
+/// Smallest over largest eigenvalue of the stiffness, scaled to a unit diagonal.
+fn condition(crack: &FoldedCrack, cells: usize) -> f64 {
+    let body = body(crack, cells);
+    let a = body.stiffness();
+    let size = |i: usize| a[(i, i)].sqrt();
+    let scaled = Matrix::from_fn(a.rows(), a.rows(), |i, j| a[(i, j)] / (size(i) * size(j)));
+    1.0 / (super::stiffness::largest_eigenvalue(&scaled)
+        * super::stiffness::largest_eigenvalue(&spd_inverse(&scaled).unwrap()))
+}
+
+#[test]
+fn folds_are_as_definite_as_planes() {
+    // Relative to the same crack without a fold.
+    let share = |cells: usize| {
+        condition(&folded(20.0, 70.0, 3.0), cells) / condition(&folded(70.0, 70.0, 3.0), cells)
+    };
+    let (coarse, fine) = (share(2), share(3));
+    println!("{coarse:.3e} {fine:.3e}");
+    measured(
+        coarse / fine,
+        1.7,
+        "smallest over largest eigenvalue over that of a plane at 70°, on refinement",
+    );
+    assert!(fine > coarse / 1.7, "{coarse} {fine}");
+}
+
+/// Contact and friction on both planes under a line contact, which closes and opens them.
+#[test]
+#[ignore = "extra: minutes"]
+fn wide_folds_under_a_line_contact_are_those_of_the_plane() {
+    let (mouth, branch, friction) = (25.0, 70.0, 0.3);
+    let line = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.1 };
+    let wheel = HertzWheel::new(&line, &steel()).unwrap();
+    let passage = |positions| Passage { from: -40.5, to: 40.5, positions };
+    let body = body(&folded(mouth, branch, 40.0), 3);
+    let contact = SpaceContact { body: &body, friction: &[friction] };
+    let settings = SpacePassageSettings { tolerance: 0.3, halvings: 8 };
+    // y is up in the plane.
+    let load = SpaceLoad {
+        wheel: &|position, [x, _, depth]| {
+            let s = wheel.stress(Vec2::new(x, -depth), position);
+            [s.xx, s.zz, s.yy, 0.0, -s.xy, 0.0]
+        },
+        bending: None,
+        constant: None,
+        fluid: None,
+    };
+    let space = space_passage(&contact, &load, passage(121), &settings, &mut contact.virgin()).unwrap();
+    assert!(space.violation < 1e-9, "{:e}", space.violation);
+
+    let cracked = Rolling::over(vec![kinked(mouth, branch)], friction, 0.1).body();
+    let problem = FaceProblem::new(&cracked, &[friction]).unwrap();
+    let settings = PassageSettings { passage: passage(121), max_passages: 1, ..PassageSettings::default() };
+    let load = RailLoad { wheel: &wheel, residual: None };
+    let plane = stabilised_passage(&problem, &Newton::default(), load, &settings, &Unobserved).unwrap();
+    let plane = &plane.passages[0].sifs[0];
+    let peak = largest(plane.iter().flat_map(|k| [k.ki, k.kii]));
+    let mut worst: f64 = 0.0;
+    for (sifs, plane) in space.sifs.iter().zip(plane) {
+        let got = sifs[sifs.len() / 2];
+        worst = worst.max((got.ki - plane.ki).abs()).max((got.kii - plane.kii).abs());
+    }
+    println!("peak {peak}, worst {worst}");
+    close(worst, 0.0, Of(ROLLED, peak), "half a mouth of ten crack lengths, 3 cells");
+}
+
+/// Difference allowed from the plane under the wheel, of the peak.
+const ROLLED: f64 = 0.03;
