@@ -4,7 +4,9 @@
 //! continuous and vanish on the edge of the surface (Nedelec 1982; Li, Mear & Xiao 1998),
 //!
 //!   A(w, w′) = k ∬ [δ_kj D_m w_k D_m w′_j + e_k e_j D_m w_k D_m w′_j − (1 − ν) D_k w_k D_j w′_j
-//!              − 2ν D_j w_k D_k w′_j]/r,   k = μ/(4π (1 − ν)), e the direction from point to point.
+//!              − 2ν D_j w_k D_k w′_j]/r
+//!
+//! with k = μ/(4π (1 − ν)) and e the direction from point to point.
 //!
 //! The surface may have folds: the integrals along a fold cancel between its two planes. On one
 //! plane this is the form of `galerkin`.

@@ -28,7 +28,7 @@ pub enum FoldError {
     /// A length that is not positive and finite.
     #[error("{name} {value} mm of a folded crack: must be positive and finite")]
     Length {
-        /// What it measures.
+        /// The measured length.
         name: &'static str,
         /// The given value, mm.
         value: f64,

@@ -84,7 +84,7 @@ fn wide_folds_are_kinked_cracks_of_the_plane() {
 
 /// Difference allowed from the plane, of the peak.
 const WIDE: f64 = 0.02;
-/// Difference allowed between the two sides of a symmetric crack, whose quadrature is not symmetric.
+/// Difference allowed between the sides of a symmetric crack, whose quadrature is not symmetric.
 const SIDES: f64 = 1e-3;
 
 #[test]
