@@ -75,8 +75,8 @@ impl<'a> Assembly<'a> {
     }
 
     /// The stiffness in units of the shear modulus (mm). Component i of the free vertex a has the
-    /// row 3a + i; components are along normal, dip and trace of the plane of the vertex. `image` is
-    /// that of the plane of the strip. An `interruption` ends the computation.
+    /// row 3a + i; components are along normal, dip and trace of the plane of the vertex. `image`
+    /// is that of the plane of the strip. An `interruption` ends the computation.
     pub fn stiffness_unless(
         &self,
         image: &ImagePart,
