@@ -125,3 +125,17 @@ fn cracks_that_do_not_grow_are_told_and_not_sampled() {
     let shown = done(&folder, &["show", "s", "--columns", "run,friction"]);
     assert!(shown.starts_with("run  crack[1].friction\n"), "{shown}");
 }
+
+/// Runs that the model does not describe make no population that it describes.
+#[test]
+fn a_population_outside_of_the_model_has_no_interval() {
+    let folder = folder("population", "outside");
+    let study = STUDY.replace("samples = 12", "samples = 6").replace("2e-9", "2e-6");
+    fs::write(folder.join("study.toml"), study).unwrap();
+    let told = done(&folder, &["sweep", "study.toml", "--out", "s", "--quiet"]);
+    let reason = "6 of 6 runs are outside of what the model describes, or fail at once";
+    assert!(told.contains(reason) && !told.contains("detectable to critical"), "{told}");
+    let population: Value = serde_json::from_str(&read(&folder.join("s/population.json"))).unwrap();
+    assert!(population[0]["interval_mgt"].is_null() && population[0]["scatter"].is_null(), "{population}");
+    assert!(read(&folder.join("s/report.html")).contains(reason));
+}

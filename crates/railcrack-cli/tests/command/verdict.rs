@@ -186,9 +186,17 @@ fn steps_that_end_before_a_failure_ask_for_action() {
     let place = folder("verdict", "step-limit");
     let text = NETWORK.replace("increment = 0.05", "increment = 0.05\nparis_c = 1e-12");
     let ended = text.replace("steps = 3", "steps = 3\nstop_after_cycles = 1e4");
-    let cases = [(&text, "act", "step-limit"), (&ended, "ok", "end-of-run")];
-    for (text, level, kind) in cases {
-        fs::write(place.join("case.toml"), format!("{text}{TRAFFIC}{INSPECTION}")).unwrap();
+    // Without any step nothing is known of growth, whatever is looked for.
+    let none = text.replace("steps = 3", "steps = 0");
+    let found = "[inspection]\ndetectable_depth_mm = 1.6\n";
+    let cases = [
+        (&text, INSPECTION, "act", "step-limit"),
+        (&ended, INSPECTION, "ok", "end-of-run"),
+        (&none, INSPECTION, "act", "step-limit"),
+        (&none, found, "act", "step-limit"),
+    ];
+    for (text, inspection, level, kind) in cases {
+        fs::write(place.join("case.toml"), format!("{text}{TRAFFIC}{inspection}")).unwrap();
         done(&place, &["run", "case.toml", "--quiet", "--force", "--out", "run"]);
         let verdict = summary(&place.join("run"))["decision"]["verdict"].clone();
         assert_eq!((&verdict["level"], kinds(&verdict)), (&level.into(), vec![kind]), "{verdict}");

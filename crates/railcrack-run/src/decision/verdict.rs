@@ -410,7 +410,8 @@ fn end_of_run(
     // Without steps a run is one of K alone, unless somebody is to decide by it.
     let decides = last.step > 0 || info.inspection.is_some();
     let is_cut = !is_over && last.stop == Some(RunStop::StepsDone) && decides;
-    let kind = if is_cut && asks_for_failure(info) { ReasonKind::StepLimit } else { ReasonKind::EndOfRun };
+    let is_unknown = asks_for_failure(info) || last.step == 0;
+    let kind = if is_cut && is_unknown { ReasonKind::StepLimit } else { ReasonKind::EndOfRun };
     let text = match (nominal.worn, last.stop) {
         _ if nominal.replaced.is_some() => format!(
             "the rail is worn to the limit at which it is replaced after {}",

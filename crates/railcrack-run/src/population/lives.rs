@@ -15,8 +15,10 @@ use rayon::prelude::*;
 
 /// Maximum number of runs used for interpolation.
 const MOST_RUNS: usize = 200;
-/// 1/life over that of the run that fails first, below which a rail does not fail.
-const NEVER: f64 = 1e-3;
+/// 1/life over the smallest of all runs for the same sample, below which a rail does not fail:
+/// under grinding the lives end abruptly where it outpaces growth, between two runs, and none twice
+/// as long as the longest was computed.
+const NEVER: f64 = 0.5;
 
 /// A run as a point of the space of inputs.
 struct Point<'a> {
@@ -81,12 +83,14 @@ pub(super) fn population(
     let inputs: Vec<Vec<f64>> = points.iter().map(|point| point.inputs.clone()).collect();
     let interpolation = Interpolation::of(&inputs, &values)
         .ok_or_else(|| format!("{} runs are too few for {} keys", points.len(), distributions.len()))?;
-    let largest = (0..points.len())
-        .flat_map(|i| (0..=count).map(move |k| (i, 2 * k)))
-        .map(|place| values[place])
-        .fold(0.0, f64::max);
-    let between = LivesBetween { points, count, interpolation, largest };
-    let way_of = |[rate, fraction]: [f64; 2]| between.life(rate).map(|life| life * fraction.clamp(0.0, 1.0));
+    let smallest = |k: usize| {
+        let all = (0..points.len()).map(|i| values[(i, 2 * k)]).filter(|rate| *rate > 0.0);
+        all.fold(f64::INFINITY, f64::min)
+    };
+    let smallest: Vec<f64> = (0..=count).map(smallest).collect();
+    let between = LivesBetween { points, count, interpolation, smallest };
+    let way_of =
+        |[rate, fraction]: [f64; 2]| between.life(count, rate).map(|life| life * fraction.clamp(0.0, 1.0));
     let pairs: Vec<(f64, f64)> = (0..between.points.len())
         .filter_map(|i| {
             let found = between.interpolation.left_out(i);
@@ -114,20 +118,21 @@ struct LivesBetween<'a> {
     /// Number of samples of each run.
     count: usize,
     interpolation: Interpolation,
-    /// The largest 1/life.
-    largest: f64,
+    /// The smallest 1/life of the runs that fail, for each sample and last for the runs themselves;
+    /// infinite where none fails.
+    smallest: Vec<f64>,
 }
 
 impl LivesBetween<'_> {
-    /// The life with 1/life of `rate`; none where the rail does not fail.
-    fn life(&self, rate: f64) -> Option<f64> {
-        (rate > NEVER * self.largest).then(|| rate.recip())
+    /// The life with 1/life of `rate` in the sample `k`; none where the rail does not fail.
+    fn life(&self, k: usize, rate: f64) -> Option<f64> {
+        (rate > NEVER * self.smallest[k]).then(|| rate.recip())
     }
 
     /// The sample of `draw`, the sample `k` of the runs, with the inputs at `point`.
     fn sample(&self, draw: Draw, k: usize, point: &[f64]) -> Sample {
         let [rate, fraction] = [0, 1].map(|of| self.interpolation.one_at(point, 2 * k + of));
-        let life = self.life(rate).unwrap_or(f64::INFINITY);
+        let life = self.life(k, rate).unwrap_or(f64::INFINITY);
         let way = if life.is_finite() { life * fraction.clamp(0.0, 1.0) } else { f64::INFINITY };
         let apart = |own: &Point| own.inputs.iter().zip(point).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
         let nearest = self.points.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));

@@ -19,6 +19,9 @@ use rayon::prelude::*;
 const MOST_RUNS: usize = 200;
 /// Fraction of the runs that may be left out.
 const MOST_LEFT_OUT: f64 = 0.05;
+/// Fraction of the runs that may have no interval by their verdicts: more, and the population is
+/// not described either.
+const MOST_REFUSED: f64 = 0.2;
 /// Samples of a piece that one thread makes.
 const PIECE: usize = 1000;
 
@@ -82,6 +85,12 @@ impl Population {
         distributions: &[Distribution],
         runs: &[(usize, &StudyRow)],
     ) -> Result<Self, String> {
+        let (refused, finished) = refused(runs);
+        if refused as f64 > MOST_REFUSED * finished as f64 {
+            return Err(format!(
+                "{refused} of {finished} runs are outside of what the model describes, or fail at once"
+            ));
+        }
         if plan.between == Between::Lives {
             return super::lives::population(plan, axis, distributions, runs);
         }
@@ -145,6 +154,16 @@ impl Point {
         let numbers = numbers_of(&path)?;
         Some(Self { inputs: inputs?, numbers, path, breaks: tip.last().stop == Some(RunStop::Fracture) })
     }
+}
+
+/// How many of the finished `runs` have no interval by their verdicts, and how many have finished.
+fn refused(runs: &[(usize, &StudyRow)]) -> (usize, usize) {
+    let done: Vec<_> = runs.iter().filter(|(_, row)| row.state == RunState::Done).collect();
+    let has_none = |row: &StudyRow| {
+        let verdict = row.summary.as_ref().and_then(|summary| summary.verdict.as_ref());
+        verdict.is_some_and(|verdict| !verdict.gives_intervals())
+    };
+    (done.iter().filter(|(_, row)| has_none(row)).count(), done.len())
 }
 
 /// The question to each crack of a population.

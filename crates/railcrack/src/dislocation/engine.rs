@@ -21,7 +21,7 @@ use thiserror::Error;
 pub enum DislocationError {
     /// The energy of the jumps is not positive definite: the elements are far too coarse for the
     /// geometry.
-    #[error("the cracks cannot be resolved by dislocations: {0}")]
+    #[error("the cracks cannot be resolved by dislocations: use more elements (interface_elements): {0}")]
     Unresolved(LinearError),
     /// Interrupted on request.
     #[error("{0}")]

@@ -120,6 +120,7 @@ pub(super) fn of_some_cracks(
             (LinearError::NotPositiveDefinite { .. }, Some(spacing)) => {
                 XfemError::FacePoints { spacing, reason }
             }
+            (LinearError::NotPositiveDefinite { .. }, None) => XfemError::TooCoarse { reason },
             _ => reason.into(),
         }
     })?;

@@ -40,6 +40,12 @@ pub enum XfemError {
         /// The error of inverting C.
         reason: LinearError,
     },
+    /// Elements that are too coarse for the jumps of the faces.
+    #[error("the elements are too coarse for a crack: use smaller ones (element_size_mm): {reason}")]
+    TooCoarse {
+        /// The error of inverting C.
+        reason: LinearError,
+    },
     /// Interrupted on request.
     #[error("{0}")]
     Interrupted(#[from] Interrupted),
