@@ -12,8 +12,8 @@ use railcrack::space::{
 };
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
-/// Cells of the coarse crack: the first of these whose stiffness is positive definite. A flap that is
-/// thinner than a cell needs more of them.
+/// Cells of the coarse crack: the first of these whose stiffness is positive definite. A flap that
+/// is thinner than a cell needs more of them.
 const CELLS: [SpaceResolution; 3] = [
     SpaceResolution { block: 1, ring: 2 },
     SpaceResolution { block: 2, ring: 2 },
@@ -75,8 +75,8 @@ impl CoarseFront {
         wheels.par_iter().map(|wheel| self.passage(&ellipses(wheel, travel, aside), travel)).collect()
     }
 
-    /// A passage of a wheel with `patches`, each with its x from the wheel's centre (mm), over virgin
-    /// faces. Where the contact of the faces does not converge, they are open.
+    /// A passage of a wheel with `patches`, each with its x from the wheel's centre (mm), over
+    /// virgin faces. Where the contact of the faces does not converge, they are open.
     fn passage(&self, patches: &[(f64, EllipticWheel)], travel: Travel) -> FrontHistory {
         let longest = patches.iter().map(|(_, own)| own.half_width).fold(0.0, f64::max);
         let (mut from, mut to) = (self.ends[0] - REACH * longest, self.ends[1] + REACH * longest);
@@ -152,8 +152,8 @@ impl FrontHistory {
     }
 }
 
-/// The patches of a wheel that runs towards `travel` as ellipses in full sliding with the mean shear
-/// of each, and the x of each from the wheel's centre; the rail is moved by −`aside` (mm).
+/// The patches of a wheel that runs towards `travel` as ellipses in full sliding with the mean
+/// shear of each, and the x of each from the wheel's centre; the rail is moved by −`aside` (mm).
 fn ellipses(wheel: &TabledWheel, travel: Travel, aside: f64) -> Vec<(f64, EllipticWheel)> {
     let sign = if travel == Travel::Forward { 1.0 } else { -1.0 };
     let of = |own: &crate::files::TablePatch| {

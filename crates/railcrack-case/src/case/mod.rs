@@ -17,6 +17,7 @@ mod known_sizes;
 mod limits;
 mod mix;
 mod overrides;
+mod planar_shape;
 mod prepared;
 mod rates_across;
 mod read;

@@ -1,21 +1,21 @@
 //! Cases for the space engine: required and excluded sections.
 
 use super::cracks::PlacedCracks;
+use super::planar_shape::planar_shape;
 use super::rolling_patch::rolling_patch;
 use super::space_case::SpaceCase;
 use super::wheel_table::WheelTable;
 use crate::schema::{Fault, Report, Section, SectionValues, Sections};
 use crate::tables::{
-    CONTACT, CRACK, CRACK_LATERAL, ContactOrigin, ContactSolver, FRICTION, GROWTH, GivenWheel, KIND,
-    LATERAL_FRICTION, LATERAL_HALF_WIDTH, LAW, MODE_3_WEIGHT, PLASTIC_STRESS, Rail, SOLVER, SOLVER_CONTACT,
-    SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL, WHEEL_CONTACT,
+    CONTACT, CRACK, ContactOrigin, ContactSolver, FRICTION, GROWTH, GivenWheel, KIND, LATERAL_FRICTION,
+    LATERAL_HALF_WIDTH, LAW, MODE_3_WEIGHT, PLASTIC_STRESS, Rail, SOLVER, SOLVER_CONTACT, SPACING, STRIKE,
+    SURFACE_HALF_LENGTH, WHEEL, WHEEL_CONTACT,
 };
 use railcrack::bulk::Boundary;
-use railcrack::crack::{Crack, CrackNetwork};
+use railcrack::crack::Crack;
 use railcrack::growth::FrontShape;
 use railcrack::load::HertzEllipse;
 use railcrack::space::{CloseCracks, EllipticWheel, SpaceCrack, WheelPatch};
-use std::f64::consts::PI;
 
 /// Sections that the engine does not support, with reasons.
 const REFUSED: [(Section, &str); 1] =
@@ -112,40 +112,6 @@ pub(super) fn refuse_strike(sections: &Sections, report: &mut Report) {
         let says = "rotates the crack about the vertical, which requires the space engine; in the plane its mouth lies across the rail";
         report.add(section.fault(STRIKE, says).help("use engine = \"space\" or strike_deg = 0"));
     }
-}
-
-/// The first crack as it is given, in a form that may not be admissible; none where something is
-/// missing.
-pub(super) fn first_front(sections: &Sections, network: &CrackNetwork) -> Option<FrontShape> {
-    let section = sections.all(&CRACK).next()?;
-    planar_shape(network.cracks().first()?, section.get(SURFACE_HALF_LENGTH)?, section)
-}
-
-/// The shape of a crack of two points, which may not be admissible.
-fn planar_shape(crack: &Crack, half_length: f64, section: &SectionValues) -> Option<FrontShape> {
-    let &[mut top, mut bottom] = crack.points() else { return None };
-    if bottom.y > top.y {
-        std::mem::swap(&mut top, &mut bottom);
-    }
-    let dip = -(bottom - top).angle();
-    let length = crack.length();
-    // Intersection of the plane with the surface; a crack parallel to it has none and is refused
-    // below.
-    let to_surface = -top.y / dip.sin();
-    let buried = (!crack.is_surface_breaking()).then_some(to_surface + 0.5 * length);
-    let lateral = section.get(CRACK_LATERAL).unwrap_or(0.0);
-    let strike = section.get(STRIKE).unwrap_or(0.0).to_radians();
-    // A buried crack turns about its own middle.
-    let (aside, ahead) = strike.sin_cos();
-    let away = buried.unwrap_or(0.0) * dip.cos();
-    Some(FrontShape {
-        dip: dip.rem_euclid(2.0 * PI),
-        strike,
-        length: if buried.is_some() { 0.5 * length } else { length },
-        half_length,
-        middle: [top.x - to_surface * dip.cos() + away * (1.0 - ahead), lateral - away * aside],
-        buried,
-    })
 }
 
 fn read_shape(

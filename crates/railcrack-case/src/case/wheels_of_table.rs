@@ -1,8 +1,8 @@
 //! `[[wheel]] table`: the wheels of a table, grouped, as wheels of the mix.
 
+use super::planar_shape::first_front;
 use super::read_wheel::ReadWheel;
 use super::representatives::{FirstCrack, group};
-use super::space::first_front;
 use super::wheel_table::{TabledWheel, WheelTable};
 use crate::files::{TableWheel, WheelReading, WheelTableFile, read_wheel_table};
 use crate::schema::{Report, SectionValues, Sections};
@@ -36,7 +36,7 @@ pub(super) struct TableContext<'a> {
     /// Number of its first wheel in the mix.
     pub first: usize,
     pub folder: &'a Path,
-    /// What of its patches loads the cracks.
+    /// The part of its patches that loads the cracks.
     pub extent: ContactExtent,
 }
 

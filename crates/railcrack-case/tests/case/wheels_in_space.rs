@@ -113,8 +113,8 @@ fn many(count: usize) -> String {
     (0..count).map(row).collect()
 }
 
-/// Error of the mean rate along the front of half as many representatives as wheels: the coarse crack
-/// ranks wheels to some per cent.
+/// Error of the mean rate along the front of half as many representatives as wheels: the coarse
+/// crack ranks wheels to some per cent.
 const REPRESENTED: f64 = 0.04;
 
 #[test]

@@ -62,8 +62,8 @@ fn the_running_surface_carries_the_wheel() {
 
 #[test]
 fn the_running_surface_carries_a_wheel_that_feels_the_crack() {
-    // Root mean square over p0, of points beyond a tenth of the length from the mouth: the stress of
-    // the cracked body is extrapolated to the surface; measured 3e-5.
+    // Root mean square over p0, of points beyond a tenth of the length from the mouth: the stress
+    // of the cracked body is extrapolated to the surface; measured 3e-5.
     const TOLERANCE: f64 = 2e-4;
     let record = step_under("coupled = true\n", "[output]\nfields_over_a = [0.0, 0.5]\n");
     let (mut squares, mut count, mut felt) = (0.0, 0.0, 0.0f64);

@@ -39,7 +39,7 @@ pub use scatter::{
 pub(crate) use scatter::{Gathered, tonnages};
 pub use stages::{StageSummary, StagesSummary};
 pub use summary::Decision;
-pub(crate) use summary::{Judged, calibration, course_of, judged};
+pub(crate) use summary::{Judged, calibration, course_of, judged, question};
 pub use tonnage::{TonnageWords, three_digits};
 pub(crate) use verdict::deepening;
 pub use verdict::{Reason, ReasonKind, Verdict, VerdictLevel};

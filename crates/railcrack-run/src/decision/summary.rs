@@ -15,7 +15,7 @@ use super::stages::{StageLimits, StagesSummary};
 use super::tonnage::TonnageWords;
 use super::verdict::{Reason, Verdict};
 use super::wheels::WheelSummary;
-use crate::log::{RunInfo, RunLog};
+use crate::log::{Companion, RunInfo, RunLog};
 use serde::{Deserialize, Serialize};
 
 /// From growth to a decision: key `decision` of `summary.json`, and the first block of the page.
@@ -214,7 +214,7 @@ const UNCALIBRATED: &str = "not calibrated: growth rates in track are known to a
 const MOST_BEFORE: f64 = 0.1;
 
 /// The question of a case to its runs with axles of `tonnes`.
-fn question(info: &RunInfo, tonnes: f64) -> Question<'_> {
+pub(crate) fn question(info: &RunInfo, tonnes: f64) -> Question<'_> {
     Question {
         inspection: info.inspection.as_ref(),
         critical_length: info.critical_length,
@@ -249,6 +249,15 @@ pub(crate) struct Judged {
     pub nominal: Nominal,
     /// The verdict.
     pub verdict: Verdict,
+}
+
+impl Judged {
+    /// The courses among which samples of the run are made; `companions` are its runs at other
+    /// speeds.
+    pub(crate) fn family(&self, question: Question, companions: &[Companion]) -> Family {
+        let found = self.nominal.failure.crack.map_or(0, |crack| crack - 1);
+        family_of(&self.course, &Companions { all: companions, question, found }.speeds())
+    }
 }
 
 /// The run of `log` under axles of `tonnes`; none without steps.

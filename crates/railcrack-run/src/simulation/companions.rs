@@ -17,7 +17,7 @@ use std::path::Path;
 const FARTHEST: f64 = 2.2;
 /// Distance of the logarithms of two speeds at most: quantiles between them are within 1 % of whole
 /// runs, and the error grows with the square of it.
-const APART: f64 = 0.35;
+pub(super) const APART: f64 = 0.35;
 /// Speeds on each side at most.
 const MOST_SPEEDS: usize = 6;
 /// Runs at most between a speed at which the rail fails and one at which it does not, and the
@@ -220,7 +220,7 @@ impl RunObserver for AskedAlone<'_> {
 }
 
 /// The standard deviation of the logarithm of growth over removal in the samples of `scatter`.
-pub(super) fn deviation(case: &Case, scatter: &Scatter, course: &crate::decision::Course) -> f64 {
+fn deviation(case: &Case, scatter: &Scatter, course: &crate::decision::Course) -> f64 {
     let removal = case.maintenance.map_or(0.0, |plan| plan.removal());
     let wear = if removal > 0.0 { scatter.wear_std / removal } else { 0.0 };
     let steeper = course

@@ -1,16 +1,16 @@
 //! Grinding plans: the same cracks under depths and intervals of grinding, computed in memory.
 
+use super::companions::APART;
 use super::error::RunError;
 use super::job::{Job, Stage, case_files};
 use super::observer::RunObserver;
 use super::run::Simulation;
 use crate::decision::{
-    Course, Draw, Draws, FailureMode, Family, Judged, Question, Sampler, Sampling, Track, VerdictLevel,
-    calibration, judged,
+    Draw, Draws, FailureMode, Judged, Sampler, Sampling, Track, VerdictLevel, calibration, judged, question,
 };
 use crate::disk::{FolderLock, VERSION};
 use crate::error::OutputError;
-use crate::log::{RunInfo, RunLog};
+use crate::log::{Companion, RunInfo, RunLog};
 use crate::planner::{LeastGrinding, PlanOutcome, PlanSummary, PlannedGrinding, civil, write_plan};
 use crate::run_folder::{Existing, begin};
 use crate::summary::validity;
@@ -49,14 +49,6 @@ const INTERVALS_OF_CASE: [f64; 3] = [0.5, 1.0, 2.0];
 const USUAL_TARGET: f64 = 0.05;
 /// Samples of each plan at most.
 const MOST_SAMPLES: usize = 5000;
-/// Deviations of the speed of growth at which a course must be near, and the distance of the
-/// logarithms of two intervals that is near.
-const DEVIATIONS: [f64; 2] = [-1.65, 1.65];
-const NEAR: f64 = 0.35;
-/// Rounds in which intervals between a rail that fails and one that does not are computed, and the
-/// distance of their logarithms at which they are near enough.
-const ROUNDS: usize = 2;
-const CLOSE: f64 = 0.2;
 
 impl Simulation<'_> {
     /// Computes what becomes of the rail of the case under the grinding plans of `request`, into
@@ -111,12 +103,9 @@ struct Followed {
     info: RunInfo,
     log: RunLog,
     judged: Judged,
-}
-
-impl Followed {
-    fn interval(&self) -> f64 {
-        self.grinding.map_or(f64::INFINITY, |(_, interval)| interval)
-    }
+    /// Runs at other speeds, between which its samples are made: those of a decision under this
+    /// grinding.
+    speeds: Vec<Companion>,
 }
 
 /// Passes on only whether to stop.
@@ -138,47 +127,19 @@ impl Planning<'_> {
         let alone_fails = alone.judged.nominal.failure.mgt;
         let horizon = asked.unwrap_or_else(|| alone_fails.map_or(LONGEST, |mgt| LIVES * mgt));
         let (depths, intervals) = self.tried(request, alone_fails.unwrap_or(horizon));
-        let deviation = self.deviation(&alone);
-        // Fast samples see a course for less traffic than it takes by itself.
-        let farthest = horizon * (DEVIATIONS[1] * deviation).exp();
+        // A sample at the horizon has a run on both sides.
+        let farthest = if case.scatter.is_some() { horizon * APART.exp() } else { horizon };
         let plans: Vec<(f64, f64)> = depths
             .iter()
             .flat_map(|depth| intervals.iter().map(move |interval| (*depth, *interval)))
             .collect();
-        let mut wanted = plans.clone();
-        if deviation > 0.0 {
-            for depth in &depths {
-                let mut row = intervals.clone();
-                for interval in &intervals {
-                    for z in DEVIATIONS {
-                        let needed = interval * (z * deviation).exp();
-                        if !row.iter().any(|known| (known / needed).ln().abs() < NEAR) {
-                            row.push(needed);
-                            wanted.push((*depth, needed));
-                        }
-                    }
-                }
-            }
-        }
-        let text = format!("{} grinding plans, {} runs", plans.len(), wanted.len());
-        self.simulation.observer.stage(&text);
-        let mut all = self.all(&wanted, &state, farthest)?;
-        for _ in 0..if deviation > 0.0 { ROUNDS } else { 0 } {
-            let between = self.between(&depths, &all, &alone);
-            if between.is_empty() {
-                break;
-            }
-            self.simulation.observer.stage(&format!("{} runs between them", between.len()));
-            all.extend(self.all(&between, &state, farthest)?);
-        }
-        let runs = all.len() + 1;
+        self.simulation.observer.stage(&format!("{} grinding plans", plans.len()));
+        let all = self.all(&plans, &state, farthest)?;
+        let runs = 1 + all.iter().map(|run| 1 + run.speeds.len()).sum::<usize>();
         let draws = self.draws();
-        let of_plan = |plan: &(f64, f64)| {
-            let run = all.iter().find(|run| run.grinding == Some(*plan));
-            run.map(|run| self.outcome(run, &self.row(plan.0, &all, &alone), horizon, &draws))
-        };
-        let outcomes: Vec<PlannedGrinding> = plans.iter().filter_map(of_plan).collect();
-        let without = self.outcome(&alone, &[], horizon, &[]);
+        let outcomes: Vec<PlannedGrinding> =
+            all.iter().map(|run| self.outcome(run, horizon, &draws)).collect();
+        let without = self.outcome(&alone, horizon, &[]);
         let verdict = alone.judged.verdict.clone();
         let today = today();
         let mut summary = PlanSummary {
@@ -271,7 +232,7 @@ impl Planning<'_> {
     ) -> Result<(Followed, GrowthState), RunError> {
         let case = self.case(grinding, horizon);
         let asked = AskedAlone(self.simulation.observer);
-        let simulation = Simulation { case: &case, observer: &asked, ..self.simulation };
+        let simulation = Simulation { case: &case, observer: &asked, has_variants: false, ..self.simulation };
         let stage = Stage {
             folder: self.folder,
             observer: if state.is_some() { &asked } else { self.simulation.observer },
@@ -285,7 +246,11 @@ impl Planning<'_> {
         let info = RunInfo { maintenance: case.maintenance, ..self.info.clone() };
         let judged = judged(&info, &log, self.tonnes)
             .ok_or_else(|| RunError::Plan("the case has no crack that could grow".to_owned()))?;
-        Ok((Followed { grinding, info, log, judged }, state))
+        let speeds = match grinding {
+            Some(_) => simulation.companions(&info, &log, &state, self.folder)?.unwrap_or_default(),
+            None => Vec::new(),
+        };
+        Ok((Followed { grinding, info, log, judged, speeds }, state))
     }
 
     fn all(
@@ -303,38 +268,6 @@ impl Planning<'_> {
         }
     }
 
-    /// The runs of a depth of grinding, the longest interval first: at the same growth they have
-    /// lost least of the surface.
-    fn row<'r>(&self, depth: f64, all: &'r [Followed], alone: &'r Followed) -> Vec<&'r Followed> {
-        let is_of_row = |run: &&Followed| run.grinding.is_some_and(|(own, _)| own == depth);
-        let mut row: Vec<&Followed> = all.iter().filter(is_of_row).chain([alone]).collect();
-        row.sort_by(|a, b| b.interval().total_cmp(&a.interval()));
-        row
-    }
-
-    /// Intervals between a rail that fails and one that does not, in each row.
-    fn between(&self, depths: &[f64], all: &[Followed], alone: &Followed) -> Vec<(f64, f64)> {
-        let fails = |run: &Followed| run.judged.nominal.failure.mode.is_some();
-        depths
-            .iter()
-            .flat_map(|depth| {
-                let row = self.row(*depth, all, alone);
-                let middle = |pair: &[&Followed]| {
-                    let (long, short) = (pair[0].interval(), pair[1].interval());
-                    let is_wide = long.is_finite() && (long / short).ln() > CLOSE;
-                    (is_wide && fails(pair[0]) != fails(pair[1])).then(|| (*depth, (long * short).sqrt()))
-                };
-                row.windows(2).filter_map(middle).collect::<Vec<_>>()
-            })
-            .collect()
-    }
-
-    /// The standard deviation of the logarithm of growth over removal in the samples.
-    fn deviation(&self, alone: &Followed) -> f64 {
-        let case = self.simulation.case;
-        case.scatter.map_or(0.0, |scatter| super::companions::deviation(case, &scatter, &alone.judged.course))
-    }
-
     /// The probability of failure up to which a plan holds.
     fn target(&self) -> f64 {
         self.simulation.case.inspection_risk.as_ref().and_then(|risk| risk.target).unwrap_or(USUAL_TARGET)
@@ -346,8 +279,8 @@ impl Planning<'_> {
         (0..scatter.samples.min(MOST_SAMPLES)).map(|_| draws.next()).collect()
     }
 
-    /// Outcome of `run`; `row` has the runs among which its samples are made.
-    fn outcome(&self, run: &Followed, row: &[&Followed], horizon: f64, draws: &[Draw]) -> PlannedGrinding {
+    /// Outcome of `run`.
+    fn outcome(&self, run: &Followed, horizon: f64, draws: &[Draw]) -> PlannedGrinding {
         let case = self.simulation.case;
         let nominal = &run.judged.nominal;
         let last = run.log.steps.last();
@@ -383,7 +316,7 @@ impl Planning<'_> {
             VerdictLevel::Ok | VerdictLevel::Act => VerdictLevel::Ok,
             level => level,
         };
-        let (probability, not_known) = self.probability(run, row, horizon, draws).unzip();
+        let (probability, not_known) = self.probability(run, horizon, draws).unzip();
         // A sample whose fate is not known may fail.
         let keeps = probability.is_none_or(|found| found + not_known.unwrap_or(0.0) <= self.target());
         let months = |mgt: f64| case.mgt_per_year.map(|year| 12.0 * mgt / year);
@@ -407,27 +340,10 @@ impl Planning<'_> {
     }
 
     /// The share of samples that fail before `horizon`, and of those of which it is not known.
-    fn probability(
-        &self,
-        run: &Followed,
-        row: &[&Followed],
-        horizon: f64,
-        draws: &[Draw],
-    ) -> Option<(f64, f64)> {
+    fn probability(&self, run: &Followed, horizon: f64, draws: &[Draw]) -> Option<(f64, f64)> {
         let scatter = self.simulation.case.scatter.as_ref().filter(|_| !draws.is_empty())?;
-        let of = |is_it: &dyn Fn(f64) -> bool| -> Vec<&Course> {
-            row.iter().filter(|other| is_it(other.interval())).map(|other| &other.judged.course).collect()
-        };
-        let own = run.interval();
-        let faster = of(&|interval| interval > own);
-        let slower = of(&|interval| interval < own);
-        let family = Family::of(&run.judged.course, &faster, &slower);
-        let question = Question {
-            inspection: run.info.inspection.as_ref(),
-            critical_length: run.info.critical_length,
-            tonnes: self.tonnes,
-            maintenance: run.info.maintenance.as_ref(),
-        };
+        let question = question(&run.info, self.tonnes);
+        let family = run.judged.family(question, &run.speeds);
         let sampler = Sampler::of(Sampling {
             family: &family,
             question,

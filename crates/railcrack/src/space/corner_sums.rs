@@ -1,8 +1,8 @@
 //! Sums over the corners of bilinear tractions, several corners at a time.
 //!
 //! Three logarithms and three angles of each corner are taken in short loops that do not branch, for
-//! which the compiler takes the widest vector unit: a third of the time of one corner after the other.
-//! There are [`LANES`] partial sums on every machine.
+//! which the compiler takes the widest vector unit: a third of the time of one corner after the
+//! other. There are [`LANES`] partial sums on every machine.
 
 use super::nuclei::Symmetric;
 use pulp::{Arch, Simd, WithSimd};
@@ -11,8 +11,8 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, LN_2};
 /// Corners side by side.
 const LANES: usize = 8;
 
-/// Corners with their x and y (mm) and jumps of p, q_x and q_y, in groups of [`LANES`]; the last one
-/// is filled up with corners without jumps.
+/// Corners with their x and y (mm) and jumps of p, q_x and q_y, in groups of [`LANES`]; the last
+/// one is filled up with corners without jumps.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Corners {
     groups: Vec<[[f64; LANES]; 5]>,

@@ -9,7 +9,7 @@ pub(super) struct Across {
     pub places: Vec<[f64; 3]>,
     /// The place of the case, mm.
     pub here: f64,
-    /// What compares them, in words.
+    /// The crack that compares them, in words.
     pub by: &'static str,
 }
 

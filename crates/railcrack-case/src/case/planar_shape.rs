@@ -1,0 +1,41 @@
+//! Cracks of two points as semi-ellipses in space.
+
+use crate::schema::{SectionValues, Sections};
+use crate::tables::{CRACK, CRACK_LATERAL, STRIKE, SURFACE_HALF_LENGTH};
+use railcrack::crack::{Crack, CrackNetwork};
+use railcrack::growth::FrontShape;
+use std::f64::consts::PI;
+
+/// The first crack as it is given, in a form that may not be admissible; none where something is
+/// missing.
+pub(super) fn first_front(sections: &Sections, network: &CrackNetwork) -> Option<FrontShape> {
+    let section = sections.all(&CRACK).next()?;
+    planar_shape(network.cracks().first()?, section.get(SURFACE_HALF_LENGTH)?, section)
+}
+
+/// The shape of a crack of two points, which may not be admissible.
+pub(super) fn planar_shape(crack: &Crack, half_length: f64, section: &SectionValues) -> Option<FrontShape> {
+    let &[mut top, mut bottom] = crack.points() else { return None };
+    if bottom.y > top.y {
+        std::mem::swap(&mut top, &mut bottom);
+    }
+    let dip = -(bottom - top).angle();
+    let length = crack.length();
+    // Intersection of the plane with the surface; a crack parallel to it has none and is refused
+    // below.
+    let to_surface = -top.y / dip.sin();
+    let buried = (!crack.is_surface_breaking()).then_some(to_surface + 0.5 * length);
+    let lateral = section.get(CRACK_LATERAL).unwrap_or(0.0);
+    let strike = section.get(STRIKE).unwrap_or(0.0).to_radians();
+    // A buried crack turns about its own middle.
+    let (aside, ahead) = strike.sin_cos();
+    let away = buried.unwrap_or(0.0) * dip.cos();
+    Some(FrontShape {
+        dip: dip.rem_euclid(2.0 * PI),
+        strike,
+        length: if buried.is_some() { 0.5 * length } else { length },
+        half_length,
+        middle: [top.x - to_surface * dip.cos() + away * (1.0 - ahead), lateral - away * aside],
+        buried,
+    })
+}
