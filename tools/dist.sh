@@ -8,7 +8,7 @@
 #           and fish, licences; it is unpacked and used in a root folder that holds nothing else
 # bill      railcrack-VERSION.cdx.json: a bill of materials of that program (CycloneDX 1.5), valid by the schema of that format
 # wheels    the Python package for Linux on x86_64 and aarch64 (glibc 2.17 or later); the first is installed and used in an empty
-#           environment
+#           environment, the second by QEMU where it is there, with Debian's Python for that machine
 # sdist     the sources of the Python package, complete; with everything else, they are built and used in an empty environment
 # site      railcrack-VERSION-site.tar.gz: the book with the explorer, and the pages of the interfaces for Rust and Python;
 #           railcrack-VERSION-explorer.html: the explorer by itself
@@ -190,6 +190,8 @@ part_wheels() {
     done
     environment "$scratch/empty" "$dist"/*x86_64.whl
     same_run "$scratch/empty/bin/railcrack"
+    # 3: this system cannot try it, and the script has said so.
+    tools/try_aarch64_wheel.sh "$dist"/*aarch64.whl || [ $? -eq 3 ] || fail "the wheel for aarch64"
 }
 
 part_site() {
