@@ -56,7 +56,7 @@ environment() {
     local folder=$1
     shift
     python3 -m venv "$folder"
-    "$folder/bin/pip" install --quiet --disable-pip-version-check "$@"
+    [ $# -eq 0 ] || "$folder/bin/pip" install --quiet --disable-pip-version-check "$@"
 }
 engine() {
     tools/web_module.sh
