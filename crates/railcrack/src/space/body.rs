@@ -5,6 +5,7 @@ use super::cross::{Placed, cross_stiffness};
 use super::galerkin::{Galerkin, ImagePart};
 use super::grid::{Grid, SpaceResolution};
 use super::image_table::ImageTable;
+use super::mirror_image::averaged_with_mirror_image;
 use super::plane::{PlaneFrame, Surroundings};
 use super::shape::SpaceCrack;
 use crate::interruption::{Interrupted, Interruption};
@@ -509,6 +510,7 @@ fn stiffness_of(
         } else {
             let image = kernel.map(|kernel| kernel.image(cracks[k].dip));
             let own = Galerkin::new(crack.grid, poisson, image.as_ref()).stiffness_unless(interruption)?;
+            let own = averaged_with_mirror_image(own, crack.grid);
             for i in 0..size {
                 let into = &mut stiffness.row_mut(start + i)[start..start + size];
                 into.iter_mut().zip(own.row(i)).for_each(|(into, value)| *into = mu * value);

@@ -9,16 +9,12 @@
 
 use super::body::SpaceBody;
 use super::face_problem::FaceProblem;
+use super::mirror_image::{COINCIDENT, SIGNS};
 use super::nuclei::Symmetric;
 use super::states::{SpaceFaces, SpaceStatus};
 use crate::linear::spd_inverse;
 use crate::math::Matrix;
 
-/// Signs of the components of mirrored jumps and forces.
-const SIGNS: [f64; 3] = [1.0, 1.0, -1.0];
-/// Distance of a point from the mirror image of another one, relative to the size of the cracks, up
-/// to which it is round-off: the points of a grid are closer together by a factor of 10⁴ at most.
-const COINCIDENT: f64 = 1e-9;
 /// Difference of mirrored values, relative to the largest one, up to which they count as symmetric:
 /// the residual of a converged contact step.
 const SYMMETRIC: f64 = 1e-9;

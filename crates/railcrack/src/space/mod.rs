@@ -19,6 +19,7 @@ mod image_table;
 mod linearised;
 mod mindlin_image;
 mod mirror;
+mod mirror_image;
 mod mouth_pair;
 mod nuclei;
 mod passage;
