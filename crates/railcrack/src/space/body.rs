@@ -5,6 +5,7 @@ use super::cross::{Placed, cross_stiffness};
 use super::galerkin::{Galerkin, ImagePart};
 use super::grid::{Grid, SpaceResolution};
 use super::image_table::ImageTable;
+use super::mirror_image::averaged_with_mirror_image;
 use super::plane::{PlaneFrame, Surroundings};
 use super::shape::SpaceCrack;
 use crate::interruption::{Interrupted, Interruption};
@@ -413,11 +414,25 @@ impl SpaceBody {
         &self,
         stress: impl Fn(usize, [f64; 3]) -> Symmetric + Sync,
     ) -> Vec<f64> {
-        let stress_at = |p: &LoadPoint| stress(p.crack, p.position);
-        let stresses: Vec<_> = self.loads.par_iter().map(stress_at).collect();
+        self.nodal_forces_where(|_| true, stress)
+    }
+
+    /// [`Self::nodal_forces_by_crack`] of the stress at the places (x, lateral, depth) that are
+    /// loaded according to `is_loaded`.
+    pub(super) fn nodal_forces_where(
+        &self,
+        is_loaded: impl Fn([f64; 3]) -> bool + Sync,
+        stress: impl Fn(usize, [f64; 3]) -> Symmetric + Sync,
+    ) -> Vec<f64> {
+        let traction = |p: &LoadPoint| {
+            if !is_loaded(p.position) {
+                return [0.0; 3];
+            }
+            self.planes[p.plane].traction(&stress(p.crack, p.position))
+        };
+        let tractions: Vec<_> = self.loads.par_iter().map(traction).collect();
         let mut forces = vec![0.0; 3 * self.points.len()];
-        for (point, stress) in self.loads.iter().zip(stresses) {
-            let traction = self.planes[point.plane].traction(&stress);
+        for (point, traction) in self.loads.iter().zip(tractions) {
             for (a, weight) in point.hats {
                 // On a fold the components are along another plane than that of the traction.
                 let plane = self.plane_of_point[a];
@@ -495,6 +510,7 @@ fn stiffness_of(
         } else {
             let image = kernel.map(|kernel| kernel.image(cracks[k].dip));
             let own = Galerkin::new(crack.grid, poisson, image.as_ref()).stiffness_unless(interruption)?;
+            let own = averaged_with_mirror_image(own, crack.grid);
             for i in 0..size {
                 let into = &mut stiffness.row_mut(start + i)[start..start + size];
                 into.iter_mut().zip(own.row(i)).for_each(|(into, value)| *into = mu * value);

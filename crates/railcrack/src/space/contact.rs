@@ -11,6 +11,7 @@
 //! of slip, and with it the error of the load step, is left to the passage.
 
 use super::body::SpaceBody;
+use super::face_problem::FaceProblem;
 use super::linearised::{Change, Form, LaggedFactor, Linearised, size, times_sparse};
 use super::states::{PointState, SpaceFaces, SpaceStatus};
 use super::trapped::{PocketsOfStep, TrappedPressures};
@@ -97,9 +98,23 @@ impl SpaceContact<'_> {
         forces: &[f64],
     ) -> Result<(SpaceFaces, StepReport), SpaceContactError> {
         let dry = PocketsOfStep { pockets: &[], states: &[], bulk_modulus: f64::INFINITY };
-        self.step_from(&before.jumps, &mut LaggedFactor::default(), &before.jumps, (forces, dry))
+        let friction = self.friction_of_points();
+        let factor = &mut LaggedFactor::default();
+        self.problem(&friction).step_from(&before.jumps, factor, &before.jumps, (forces, dry))
     }
 
+    /// The friction coefficient μ at each point.
+    pub(super) fn friction_of_points(&self) -> Vec<f64> {
+        (0..self.body.points().len()).map(|a| self.friction[self.body.crack_of(a)]).collect()
+    }
+
+    /// The contact problem of the whole faces, with the friction coefficient at each point.
+    pub(super) fn problem<'b>(&'b self, friction: &'b [f64]) -> FaceProblem<'b> {
+        FaceProblem { stiffness: self.body.stiffness(), compliance: self.body.compliance(), friction }
+    }
+}
+
+impl FaceProblem<'_> {
     /// The faces under `forces` (N), with slip that is measured from the jumps `origin` (mm). The
     /// iterations begin with the jumps `guess` (mm) and, if they fail to converge, again with
     /// `origin`. On entry `factor` is that of a similar step, on return that of this one. The
@@ -140,7 +155,7 @@ impl SpaceContact<'_> {
             let kinds: Vec<_> = states.iter().map(|state| std::mem::discriminant(&state.status)).collect();
             let form = Form::of(&states, factor.form());
             let held = self.held(form, &states, &jumps, &reactions, origin);
-            let conditions = Linearised::new(form, self.body, &states);
+            let conditions = Linearised::new(form, self, &states);
             let mut moved = sum(&jumps, &held.jumps);
             (0..moved.len()).filter(|i| i % 3 > 0).for_each(|i| moved[i] -= origin[i]);
             let mut right = conditions.of(&sum(&reactions, &held.forces), &moved);
@@ -216,23 +231,23 @@ impl SpaceContact<'_> {
                 Change { jumps: vec![0.0; unit.len()], forces: unit.iter().map(|force| -force).collect() }
             }
             Form::Forces => {
-                Change { jumps: times_sparse(self.body.compliance(), unit), forces: vec![0.0; unit.len()] }
+                Change { jumps: times_sparse(self.compliance, unit), forces: vec![0.0; unit.len()] }
             }
         }
     }
 
     fn reactions(&self, jumps: &[f64], forces: &[f64]) -> Vec<f64> {
-        let resisted = times_sparse(self.body.stiffness(), jumps);
+        let resisted = times_sparse(self.stiffness, jumps);
         resisted.iter().zip(forces).map(|(resisted, force)| resisted - force).collect()
     }
 
     /// The state of point a, where α is its augmentation stiffness.
     fn state(&self, a: usize, jumps: &[f64], reactions: &[f64], origin: &[f64]) -> PointState {
-        let weight = self.body.stiffness()[(3 * a, 3 * a)];
+        let weight = self.stiffness[(3 * a, 3 * a)];
         let normal = reactions[3 * a] - weight * jumps[3 * a];
         let [s, t] = [1, 2].map(|c| reactions[3 * a + c] - weight * (jumps[3 * a + c] - origin[3 * a + c]));
         let size = s.hypot(t);
-        let friction = self.friction_at(a);
+        let friction = self.friction[a];
         if normal <= 0.0 {
             PointState { status: SpaceStatus::Open, friction, turning: 0.0 }
         } else if size <= friction * normal || size == 0.0 {
@@ -241,11 +256,6 @@ impl SpaceContact<'_> {
             let status = SpaceStatus::Slip { direction: [s / size, t / size] };
             PointState { status, friction, turning: friction * normal / size }
         }
-    }
-
-    /// Friction coefficient μ at point a.
-    fn friction_at(&self, a: usize) -> f64 {
-        self.friction[self.body.crack_of(a)]
     }
 
     /// The change of the prescribed components: of jumps to the values at which they are held, or
@@ -273,14 +283,14 @@ impl SpaceContact<'_> {
             }
         }
         match form {
-            Form::Jumps => Change { forces: times_sparse(self.body.stiffness(), &moved), jumps: moved },
-            Form::Forces => Change { jumps: times_sparse(self.body.compliance(), &moved), forces: moved },
+            Form::Jumps => Change { forces: times_sparse(self.stiffness, &moved), jumps: moved },
+            Form::Forces => Change { jumps: times_sparse(self.compliance, &moved), forces: moved },
         }
     }
 
     fn violation(&self, faces: &SpaceFaces, origin: &[f64]) -> f64 {
         let jump = largest(&faces.jumps).max(largest(origin)).max(f64::MIN_POSITIVE);
-        let stiffness = self.body.stiffness();
+        let stiffness = self.stiffness;
         let stiffest = (0..faces.jumps.len()).fold(0.0f64, |m, i| m.max(stiffness[(i, i)]));
         let force = largest(&faces.reactions).max(stiffest * jump);
         faces.status.iter().enumerate().fold(0.0, |worst: f64, (a, _)| {
@@ -293,7 +303,7 @@ impl SpaceContact<'_> {
                 .max(open)
                 .max(pull)
                 .max(both.abs())
-                .max((shear - self.friction_at(a) * r.max(0.0)).max(0.0) / force)
+                .max((shear - self.friction[a] * r.max(0.0)).max(0.0) / force)
         })
     }
 }
@@ -340,7 +350,9 @@ mod tests {
         let resolution = SpaceResolution { block: 2, ring: 2 };
         let body = SpaceBody::new(std::slice::from_ref(&crack), &steel, Surroundings::HalfSpace, resolution)
             .unwrap();
-        let contact = SpaceContact { body: &body, friction: &[0.4] };
+        let whole = SpaceContact { body: &body, friction: &[0.4] };
+        let friction = whole.friction_of_points();
+        let contact = whole.problem(&friction);
         let count = 3 * body.points().len();
         let states: Vec<PointState> = (0..body.points().len())
             .map(|a| match a % 3 {
@@ -362,7 +374,7 @@ mod tests {
         let reactions = contact.reactions(&jumps, &forces);
         let [one, other] = [Form::Jumps, Form::Forces].map(|form| {
             let mut change = contact.held(form, &states, &jumps, &reactions, &origin);
-            let conditions = Linearised::new(form, &body, &states);
+            let conditions = Linearised::new(form, &contact, &states);
             let mut moved = sum(&jumps, &change.jumps);
             (0..count).filter(|i| i % 3 > 0).for_each(|i| moved[i] -= origin[i]);
             let mut right = conditions.of(&sum(&reactions, &change.forces), &moved);

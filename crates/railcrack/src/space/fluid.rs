@@ -98,6 +98,12 @@ impl SpacePocket {
         }
     }
 
+    /// The same fluid, where the nodal forces of a unit pressure on the faces that are solved for
+    /// are `unit`.
+    pub fn with_unit(&self, unit: Vec<f64>) -> Self {
+        Self { unit, ..self.clone() }
+    }
+
     /// V (mm³) at the jumps ⟦w⟧ (mm, 3p).
     pub fn volume(&self, jumps: &[f64]) -> f64 {
         dot(&self.unit, jumps)

@@ -1,6 +1,6 @@
 //! Contact conditions of faces in space, linearised for given states of the points.
 
-use super::body::SpaceBody;
+use super::face_problem::FaceProblem;
 use super::states::{PointState, SpaceStatus};
 use crate::linear::{LargeFactor, LinearError, least_residual};
 use crate::math::{Matrix, add_rows_to_each, axpy, dot};
@@ -80,11 +80,11 @@ pub(super) struct Linearised<'a> {
 }
 
 impl<'a> Linearised<'a> {
-    /// The conditions of points in `states` on the faces of `body`.
-    pub fn new(form: Form, body: &'a SpaceBody, states: &[PointState]) -> Self {
+    /// The conditions of points in `states` on the faces of `problem`.
+    pub fn new(form: Form, problem: &FaceProblem<'a>, states: &[PointState]) -> Self {
         let mut conditions = Vec::new();
         for (a, PointState { status, friction, turning }) in states.iter().enumerate() {
-            let weight = body.stiffness()[(3 * a, 3 * a)];
+            let weight = problem.stiffness[(3 * a, 3 * a)];
             let alone = |c: usize, factor: f64| {
                 let mut one = [0.0; 3];
                 one[c] = factor;
@@ -122,8 +122,8 @@ impl<'a> Linearised<'a> {
             }
         }
         let matrix = match form {
-            Form::Jumps => body.stiffness(),
-            Form::Forces => body.compliance(),
+            Form::Jumps => problem.stiffness,
+            Form::Forces => problem.compliance,
         };
         Self { form, matrix, conditions }
     }

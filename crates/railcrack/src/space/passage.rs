@@ -2,8 +2,9 @@
 
 use super::body::{FrontSif, SpaceBody};
 use super::contact::{SpaceContact, SpaceContactError, StepReport};
-use super::fluid::{ContactPressure, FluidOnFaces, SpaceFluid};
+use super::fluid::{ContactPressure, FluidOnFaces, SpaceFluid, SpacePocket};
 use super::linearised::LaggedFactor;
+use super::mirror::{MirroredHalf, agree, mirrored_stresses};
 use super::nuclei::Symmetric;
 use super::slip_origin::{LONGEST, WheelInstant, slip_origin};
 use super::states::SpaceFaces;
@@ -49,12 +50,30 @@ impl SpaceLoad<'_> {
         self.constant.map_or_else(|| vec![0.0; 3 * body.points().len()], |stress| body.nodal_forces(stress))
     }
 
+    /// Whether the load is symmetric about the plane of symmetry of `half` with the wheel at each
+    /// of `positions` (mm), by the stress at some points. The constant stress is not considered.
+    fn is_mirrored(&self, body: &SpaceBody, half: &MirroredHalf, positions: &[f64]) -> bool {
+        let probes = half.probes(body);
+        let values = |&position: &f64| {
+            let of = |&point: &[f64; 3]| {
+                let image = half.image(point);
+                let [one, other] = [point, image].map(|at| (self.wheel)(position, at));
+                let pressures =
+                    self.fluid.map(|fluid| [point, image].map(|at| (fluid.over)(position, [at[0], at[1]])));
+                mirrored_stresses(&one, &other).into_iter().chain(pressures)
+            };
+            probes.iter().flat_map(of).collect::<Vec<_>>()
+        };
+        let all: Vec<Vec<[f64; 2]>> = positions.par_iter().map(values).collect();
+        agree(&all.concat())
+    }
+
     /// Nodal forces (N) with the wheel at `position` (mm), those of `fluid` from the mouth
-    /// included.
+    /// included; where body and load are symmetric, from the stress on one half of the faces.
     fn forces(
         &self,
         body: &SpaceBody,
-        fluid: Option<&FluidUnderWheel<'_>>,
+        (fluid, half): (Option<&FluidUnderWheel<'_>>, Option<&MirroredHalf>),
         constant: &[f64],
         position: f64,
     ) -> Vec<f64> {
@@ -68,7 +87,13 @@ impl SpaceLoad<'_> {
             }
             stress
         };
-        body.nodal_forces_by_crack(stress).iter().zip(constant).map(|(f, c)| f + c).collect()
+        let forces = match half {
+            Some(half) => half.with_mirrored_forces(
+                body.nodal_forces_where(|[_, lateral, _]| lateral > half.middle, stress),
+            ),
+            None => body.nodal_forces_by_crack(stress),
+        };
+        forces.iter().zip(constant).map(|(f, c)| f + c).collect()
     }
 }
 
@@ -139,6 +164,10 @@ pub struct SpacePassages<'a> {
     observer: &'a dyn Observer,
     constant: Vec<f64>,
     fluid: Option<FluidUnderWheel<'a>>,
+    /// The friction coefficient of each point.
+    friction: Vec<f64>,
+    /// One half of the faces with its fluid, where body and load are symmetric.
+    half: Option<(MirroredHalf, Vec<SpacePocket>)>,
     positions: Vec<f64>,
     /// Nodal forces by the bits of their position, kept for the next passage.
     forces: RefCell<HashMap<u64, Rc<[f64]>>>,
@@ -177,16 +206,31 @@ impl<'a> SpacePassages<'a> {
                 positions.reverse();
             }
         }
+        let friction = contact.friction_of_points();
+        let pockets = fluid.as_ref().map_or(&[][..], |fluid| &fluid.faces.pockets);
+        let is_symmetric = |half: &MirroredHalf| {
+            half.is_symmetric(&constant)
+                && pockets.iter().all(|pocket| half.is_symmetric(&pocket.unit))
+                && load.is_mirrored(body, half, &positions)
+        };
+        let half = MirroredHalf::of(body, &friction).filter(is_symmetric);
         // Forces do not depend on the contact: those needed in every passage are computed at once.
         let forces = positions
             .par_iter()
             .map(|&position| {
                 interruption.check()?;
-                Ok((position.to_bits(), load.forces(body, fluid.as_ref(), &constant, position)))
+                let parts = (fluid.as_ref(), half.as_ref());
+                Ok((position.to_bits(), load.forces(body, parts, &constant, position)))
             })
             .collect::<Result<Vec<_>, Interrupted>>()?;
         let forces = forces.into_iter().map(|(at, forces)| (at, Rc::from(forces))).collect();
-        Ok(Self { contact, load, observer, constant, fluid, positions, forces: RefCell::new(forces) })
+        let half = half.map(|half| {
+            let of_half = |pocket: &SpacePocket| pocket.with_unit(half.forces(&pocket.unit));
+            let pockets = pockets.iter().map(of_half).collect();
+            (half, pockets)
+        });
+        let forces = RefCell::new(forces);
+        Ok(Self { contact, load, observer, constant, fluid, friction, half, positions, forces })
     }
 
     /// A passage over the faces `faces`, which are updated to their state after it, without the
@@ -216,6 +260,7 @@ impl<'a> SpacePassages<'a> {
             passages: self,
             settings,
             history,
+            half: self.half.as_ref().filter(|(half, _)| half.is_symmetric(&faces.jumps)),
             factor: LaggedFactor::default(),
             earlier: None,
             last: Rc::new(WheelInstant { position: f64::NAN, faces: faces.clone() }),
@@ -252,8 +297,8 @@ impl<'a> SpacePassages<'a> {
         if let Some(forces) = self.forces.borrow().get(&at) {
             return Rc::clone(forces);
         }
-        let forces: Rc<[f64]> =
-            self.load.forces(self.contact.body, self.fluid.as_ref(), &self.constant, position).into();
+        let parts = (self.fluid.as_ref(), self.half.as_ref().map(|(half, _)| half));
+        let forces: Rc<[f64]> = self.load.forces(self.contact.body, parts, &self.constant, position).into();
         self.forces.borrow_mut().insert(at, Rc::clone(&forces));
         forces
     }
@@ -264,6 +309,8 @@ struct PassageInProgress<'a> {
     passages: &'a SpacePassages<'a>,
     settings: &'a SpacePassageSettings,
     history: SpaceHistory,
+    /// The half of the faces that is solved for; none where they are solved for as a whole.
+    half: Option<&'a (MirroredHalf, Vec<SpacePocket>)>,
     factor: LaggedFactor,
     /// The instant before the last one, if the wheel was already present.
     earlier: Option<Rc<WheelInstant>>,
@@ -284,7 +331,7 @@ impl PassageInProgress<'_> {
         origin: &[f64],
         (forces, last, to): (&[f64], &WheelInstant, f64),
     ) -> Result<SpaceFaces, SpaceContactError> {
-        let SpacePassages { contact, observer, fluid, .. } = self.passages;
+        let SpacePassages { observer, fluid, .. } = self.passages;
         if observer.interrupted() {
             return Err(Interrupted.into());
         }
@@ -295,15 +342,15 @@ impl PassageInProgress<'_> {
             fluid.faces.begin((last.position, &last.faces), to, &over)
         };
         let mut states = fluid.as_ref().map_or_else(Vec::new, begin);
-        let (mut faces, mut report) = self.solved(contact, guess, origin, forces, &states)?;
+        let (mut faces, mut report) = self.solved(guess, origin, forces, &states)?;
         if let Some(FluidUnderWheel { faces: fluid, over }) = fluid {
             if let Some(released) = fluid.released(to, over, &faces, &states) {
                 states = released;
-                (faces, report) = self.solved(contact, guess, origin, forces, &states)?;
+                (faces, report) = self.solved(guess, origin, forces, &states)?;
             }
             if let Some(sealed) = fluid.refused(&states, &faces) {
                 states = sealed;
-                (faces, report) = self.solved(contact, guess, origin, forces, &states)?;
+                (faces, report) = self.solved(guess, origin, forces, &states)?;
             }
             fluid.follow(&mut faces);
         }
@@ -319,17 +366,26 @@ impl PassageInProgress<'_> {
     /// The faces with the fluid of `states` at the beginning of the step.
     fn solved(
         &mut self,
-        contact: &SpaceContact<'_>,
         guess: &[f64],
         origin: &[f64],
         forces: &[f64],
         states: &[PocketState],
     ) -> Result<(SpaceFaces, StepReport), SpaceContactError> {
+        let SpacePassages { contact, friction, .. } = self.passages;
         let fluid = self.passages.fluid.as_ref().map(|fluid| &fluid.faces);
-        let pockets = fluid.filter(|fluid| fluid.is_trapped()).map_or(&[][..], |fluid| &fluid.pockets);
+        let trapped = fluid.filter(|fluid| fluid.is_trapped());
         let bulk_modulus = fluid.map_or(f64::INFINITY, FluidOnFaces::bulk_modulus);
+        if let Some((half, pockets)) = self.half {
+            let pockets = trapped.map_or(&[][..], |_| pockets);
+            let pockets = PocketsOfStep { pockets, states, bulk_modulus };
+            let [guess, origin] = [guess, origin].map(|jumps| half.jumps(jumps));
+            let load = (&half.forces(forces)[..], pockets);
+            let (faces, report) = half.problem().step_from(&guess, &mut self.factor, &origin, load)?;
+            return Ok((half.whole(faces), report));
+        }
+        let pockets = trapped.map_or(&[][..], |fluid| &fluid.pockets);
         let pockets = PocketsOfStep { pockets, states, bulk_modulus };
-        contact.step_from(guess, &mut self.factor, origin, (forces, pockets))
+        contact.problem(friction).step_from(guess, &mut self.factor, origin, (forces, pockets))
     }
 
     /// The instant with the wheel at the position `to`, after the instants `earlier` and `last`.
@@ -487,4 +543,63 @@ pub fn space_passage(
     faces: &mut SpaceFaces,
 ) -> Result<SpaceHistory, SpaceContactError> {
     SpacePassages::new(contact, load, passage, &crate::growth::Unobserved)?.pass(settings, faces)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{FluidModel, PressureProfile};
+    use crate::growth::Unobserved;
+    use crate::material::IsotropicElastic;
+    use crate::space::{EllipticWheel, SpaceCrack, SpaceResolution, Surroundings};
+
+    const WHEEL: EllipticWheel = EllipticWheel {
+        peak_pressure: 900.0,
+        half_width: 5.0,
+        lateral_half_width: 6.0,
+        lateral: 2.0,
+        friction: 0.1,
+        lateral_friction: 0.0,
+    };
+    /// Largest difference of K from that of the whole faces, relative to the peak: divisions of the
+    /// quadrature of the stiffness are not mirrored.
+    const MIRRORED: f64 = 1e-6;
+
+    #[test]
+    fn one_half_of_symmetric_faces_is_enough() {
+        let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
+        let first = SpaceCrack { middle: [0.0, 2.0], ..SpaceCrack::surface_breaking(0.5, 4.0, 3.0).unwrap() };
+        let second =
+            SpaceCrack { middle: [5.0, 2.0], ..SpaceCrack::surface_breaking(0.6, 3.0, 2.0).unwrap() };
+        let resolution = SpaceResolution { block: 2, ring: 2 };
+        let cracks = [first.checked().unwrap(), second.checked().unwrap()];
+        let body = SpaceBody::new(&cracks, &steel, Surroundings::HalfSpace, resolution).unwrap();
+        let contact = SpaceContact { body: &body, friction: &[0.3, 0.2] };
+        let trapped = SpaceFluid {
+            model: FluidModel::Trapped { bulk_modulus: f64::INFINITY, leak: true },
+            profile: PressureProfile::Constant,
+            cracks: None,
+        };
+        let over = |position: f64, at: [f64; 2]| WHEEL.pressure(position, at);
+        let wheel = |position: f64, point: [f64; 3]| WHEEL.stress(position, point, 0.3);
+        let settings = SpacePassageSettings { tolerance: f64::INFINITY, halvings: 0 };
+        let passage = Passage { from: -15.0, to: 20.0, positions: 36 };
+        for fluid in [None, Some(SpaceFluidLoad { fluid: &trapped, over: &over })] {
+            let load = SpaceLoad { wheel: &wheel, bending: None, constant: None, fluid };
+            let mut passages = SpacePassages::new(&contact, &load, passage, &Unobserved).unwrap();
+            assert!(passages.half.is_some());
+            let halves = passages.pass(&settings, &mut contact.virgin()).unwrap();
+            passages.half = None;
+            let whole = passages.pass(&settings, &mut contact.virgin()).unwrap();
+            let (peak, difference) = (whole.peak(), whole.difference(&halves));
+            assert!(peak > 20.0 && difference < MIRRORED * peak, "{peak} {difference:e}");
+            let gap = whole.fluid.iter().flatten().zip(halves.fluid.iter().flatten());
+            let gap = gap.fold(0.0f64, |most, (a, b)| most.max((a.pressure - b.pressure).abs()));
+            assert!(gap < MIRRORED * 900.0, "{gap:e}");
+        }
+        let aside =
+            |position: f64, [x, lateral, depth]: [f64; 3]| wheel(position, [x, lateral + 1e-5, depth]);
+        let load = SpaceLoad { wheel: &aside, bending: None, constant: None, fluid: None };
+        assert!(SpacePassages::new(&contact, &load, passage, &Unobserved).unwrap().half.is_none());
+    }
 }

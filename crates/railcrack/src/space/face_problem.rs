@@ -1,0 +1,14 @@
+//! What the contact conditions of faces in space depend on.
+
+use crate::math::Matrix;
+
+/// Points in contact, those of whole faces or of one half of symmetric ones.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FaceProblem<'a> {
+    /// A (N/mm), 3p × 3p.
+    pub stiffness: &'a Matrix,
+    /// C = A⁻¹ (mm/N).
+    pub compliance: &'a Matrix,
+    /// Crack-face friction coefficient μ of each point.
+    pub friction: &'a [f64],
+}
