@@ -1,7 +1,7 @@
 //! Sums over the corners of bilinear tractions, several corners at a time.
 //!
-//! Three logarithms and three angles of each corner are taken in short loops that do not branch, for
-//! which the compiler takes the widest vector unit: a third of the time of one corner after the
+//! Three logarithms and three angles of each corner are taken in short loops that do not branch,
+//! for which the compiler takes the widest vector unit: a third of the time of one corner after the
 //! other. There are [`LANES`] partial sums on every machine.
 
 use super::nuclei::Symmetric;

@@ -1,4 +1,4 @@
-//! What the contact conditions of faces in space depend on.
+//! The quantities on which the contact conditions of faces in space depend.
 
 use crate::math::Matrix;
 

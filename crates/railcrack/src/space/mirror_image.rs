@@ -9,9 +9,9 @@ pub(super) const SIGNS: [f64; 3] = [1.0, 1.0, -1.0];
 /// to which it is round-off: the points of a grid are closer together by a factor of 10⁴ at most.
 pub(super) const COINCIDENT: f64 = 1e-9;
 
-/// The stiffness `own` (3p × 3p) of a crack by itself, averaged with its mirror image about the line
-/// of dip through the middle: every crack on the grid is its own mirror image, but the quadrature
-/// takes the cells in an order that is not.
+/// The stiffness `own` (3p × 3p) of a crack by itself, averaged with its mirror image about the
+/// line of dip through the middle: every crack on the grid is its own mirror image, but the
+/// quadrature takes the cells in an order that is not.
 pub(super) fn averaged_with_mirror_image(own: Matrix, grid: &Grid) -> Matrix {
     let points = &grid.vertices[..grid.free];
     let size = points.iter().flatten().fold(0.0f64, |most, x| most.max(x.abs()));
