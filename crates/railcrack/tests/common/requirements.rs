@@ -800,11 +800,6 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Coupled wheel: over a vertical crack below its middle a frictionless wheel has the Hertzian pressure, K = 0 and no further approach.",
     ),
     requirement(
-        "coupled_wheel::a_crack_that_sticks_is_not_felt",
-        "",
-        "Coupled wheel: over faces that stick the pressure is that on the uncracked rail, K = 0 and the wheel approaches no further.",
-    ),
-    requirement(
         "coupled_wheel::load_on_the_lips_converges",
         "",
         "Coupled wheel: the load on the lips of a mouth converges with the number of surface nodes, whose largest pressure does not.",
