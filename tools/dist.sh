@@ -8,7 +8,7 @@
 #           and fish, licences; it is unpacked and used in a root folder that holds nothing else
 # bill      railcrack-VERSION.cdx.json: a bill of materials of that program (CycloneDX 1.5), valid by the schema of that format
 # wheels    the Python package for Linux on x86_64 and aarch64 (glibc 2.17 or later); the first is installed and used in an empty
-#           environment, the second by QEMU where it is there, with Debian's Python for that machine
+#           environment, the second by QEMU, with Debian's Python for that machine, where apt-get has both
 # sdist     the sources of the Python package, complete; with everything else, they are built and used in an empty environment
 # site      railcrack-VERSION-site.tar.gz: the book with the explorer, and the pages of the interfaces for Rust and Python;
 #           railcrack-VERSION-explorer.html: the explorer by itself

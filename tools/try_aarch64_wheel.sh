@@ -3,8 +3,8 @@
 #
 # Debian's Python for aarch64 is unpacked into a scratch folder and run by QEMU, the wheel and numpy beside it. The
 # package computes the reference case by both engines, and the results are compared with those of the command of this
-# system. Needs apt-get, dpkg-deb and qemu-aarch64-static (Debian: qemu-user-static), and a network; ends with 3, and a
-# sentence, where one of the programs is not there.
+# system. Needs apt-get and dpkg-deb, and a network; QEMU is installed where it is not there. Ends with 3, and a
+# sentence, where one of the programs cannot be had.
 set -euo pipefail
 wheel=$(realpath "$1")
 cd "$(dirname "$0")/.."
@@ -12,9 +12,11 @@ fail() {
     printf 'failed: %s\n' "$*" >&2
     exit 1
 }
+source tools/system_packages.sh
+command -v qemu-aarch64-static > /dev/null || install_packages qemu-user-static || true
 for program in qemu-aarch64-static apt-get dpkg-deb; do
     command -v "$program" > /dev/null || {
-        echo "the wheel for aarch64 was not tried: $program is not there"
+        echo "the wheel for aarch64 was not tried: $program is not there, and apt-get cannot install it"
         exit 3
     }
 done
