@@ -102,8 +102,8 @@ try_program() {
     local root=$scratch/root command code=0
     mkdir -p "$root/home" "$root/tmp"
     # The command of the README, word by word.
-    command=$(grep -m 1 '^tar .*\.tar\.gz' README.md) || fail "README.md does not say how the archive is unpacked"
-    (cd "$dist" && mkdir -p "$root/home/.local" && HOME=$root/home bash -c "$command")
+    command=$(grep -m 1 '^mkdir .* && tar .*\.tar\.gz' README.md) || fail "README.md does not say how the archive is unpacked"
+    (cd "$dist" && HOME=$root/home bash -c "$command")
     # Nothing of this system: no library, no variable, no /proc. As the user, where the system lets users do this, or sudo does it.
     local enter=("$(command -v unshare)" --root="$root")
     if [ "$(id -u)" -ne 0 ]; then

@@ -20,6 +20,7 @@ from report_browser_test import BEYOND, OVERLAPS, Checks
 
 STEP_MS = 150
 LIFE_MS = 1000
+STATE = "document.getElementById('what-if-engine').dataset.state"
 WIDTHS = [390, 800, 1400]
 
 
@@ -31,12 +32,16 @@ class Explorer:
 
     def open(self, width=1400, theme="light", fragment=""):
         self.browser.open(self.page, width=width, theme=theme)
+        self.until("done")
         if fragment:
             self.browser.run(f"location.hash = {fragment!r}")
-        self.until("done")
+            self.decided()
+        self.browser.settle()
+
+    def decided(self):
+        """Waits for the first whole decision, which comes when the case is at rest."""
         self.browser.until("document.getElementById('what-if-engine').dataset.decided === 'true'")
         self.until("done")
-        self.browser.settle()
 
     def data(self, name):
         return self.browser.run(f"document.getElementById('what-if-engine').dataset.{name}")
@@ -100,6 +105,36 @@ def check_speed(explorer, checks):
     checks.that(slowest <= STEP_MS, f"a step takes at most {STEP_MS} ms", f"{slowest:.0f} ms")
     checks.that(life <= LIFE_MS, f"a life takes at most {LIFE_MS} ms", f"{life:.0f} ms")
     print(f"speed: slowest step of a life {slowest:.0f} ms, life of 12 steps {life:.0f} ms", flush=True)
+
+
+def check_deciding(explorer, checks):
+    """The rest of a decision takes longer than a life, and does not make the next one wait."""
+    browser = explorer.browser
+    times = []
+    for _ in range(3):
+        browser.open(explorer.page)
+        browser.until(f"{STATE} === 'deciding'")
+        words = explorer.text("#what-if-readout")
+        checks.that("the rest of the decision" in words.lower(), "the page says what it still computes", words)
+        checks.that(browser.run("document.getElementById('what-if-growth').disabled"), "no table is offered meanwhile")
+        times.append(browser.run(
+            "new Promise((done) => {"
+            "  const place = document.getElementById('what-if-engine'), input = document.getElementById('what-if-crack-length_mm');"
+            "  const before = place.dataset.lives, from = performance.now();"
+            "  new MutationObserver(() => { if (place.dataset.lives !== before) done(performance.now() - from); })"
+            "    .observe(place, { attributes: true });"
+            "  input.value = 3.5; input.dispatchEvent(new Event('input'));"
+            "})"))
+    checks.that(min(times) <= LIFE_MS, f"a change during a decision has its life within {LIFE_MS} ms", f"{min(times):.0f} ms")
+    print(f"a change while the decision is computed: its life after {min(times):.0f} ms", flush=True)
+    browser.until(f"{STATE} === 'deciding'")
+    browser.run("document.getElementById('what-if-stop').click()")
+    said = explorer.text("#what-if-readout")
+    checks.that(explorer.data("state") == "stopped" and "of this life alone" in said, "the button stops a decision", said)
+    # The rest of the decision has no limit of its time.
+    explorer.open()
+    explorer.decided()
+    print(f"the rest of the decision: {float(explorer.data('deciding')):.0f} ms", flush=True)
 
 
 def check_keys(explorer, checks):
@@ -198,6 +233,8 @@ def check_layout(explorer, checks, out):
     for width in WIDTHS:
         for theme in ["light", "dark"]:
             explorer.open(width=width, theme=theme)
+            if theme == "light":
+                explorer.decided()
             beyond = browser.run(BEYOND)
             checks.that(not beyond, f"{width} px: nothing ends beyond the page", str(beyond)[:300])
             overlaps = browser.run(OVERLAPS)
@@ -222,7 +259,7 @@ def main():
     browser = Browser(program)
     explorer = Explorer(browser, page)
     try:
-        for check in [check_drag, check_speed, check_keys, check_typing, check_stop]:
+        for check in [check_drag, check_speed, check_deciding, check_keys, check_typing, check_stop]:
             check(explorer, checks)
             checks.that(not browser.complaints, f"{check.__name__}: the browser has nothing to complain about", str(browser.complaints)[:300])
             foreign = [url for url in browser.requests if not url.startswith(("file:", "blob:", "data:"))]

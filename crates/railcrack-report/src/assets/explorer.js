@@ -289,6 +289,8 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
   let module = null;
   /** Whether something was computed, or is about to be. */
   let hasBegun = false;
+  /** Buttons that save a table of the last life, and its file. */
+  const TABLES = { "what-if-growth": "growth.csv", "what-if-sif": "sif.csv" };
   let id = 0;
   /** Where an answer was last given, ms. */
   let heard = 0;
@@ -313,7 +315,9 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
   /** @param {string} state */
   function isNow(state) {
     place.dataset.state = state;
-    stopButton.disabled = state !== "computing";
+    stopButton.disabled = state !== "computing" && state !== "deciding";
+    // The tables are those of a session that waits.
+    for (const name of Object.keys(TABLES)) element(name, HTMLButtonElement).disabled = state !== "done";
   }
 
   let resting = 0;
@@ -333,10 +337,14 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
   }
 
   function stop() {
-    if (place.dataset.state !== "computing" && place.dataset.state !== "deciding") return;
+    const { state } = place.dataset;
+    if (state !== "computing" && state !== "deciding") return;
     startWorker();
     isNow("stopped");
-    readout.textContent = "Stopped: the curves are those of the steps that were computed.";
+    readout.textContent =
+      state === "deciding"
+        ? "Stopped: the decision is that of this life alone, without the lives along other paths."
+        : "Stopped: the curves are those of the steps that were computed.";
   }
 
   /** @param {any} message */
@@ -359,7 +367,7 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
       now.steps.push(message.step);
       place.dataset.slowest = String(Math.max(Number(place.dataset.slowest), message.ms));
       redraw();
-    } else if (message.about === "decide") decided(message.value);
+    } else if (message.about === "decide") decided(message.value, message.ms);
     else if (message.about) answer?.(message.value);
     else if (message.summary && now) over(now, message);
   }
@@ -403,15 +411,17 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     writeAddress();
     if (place.dataset.state !== "done" || !whole?.summary.decision) return;
     isNow("deciding");
+    tell(Number(place.dataset.life));
     worker?.postMessage({ id, about: "decide" });
   }
 
-  /** @param {any} summary */
-  function decided(summary) {
+  /** @param {any} summary @param {number} ms */
+  function decided(summary, ms) {
     if (place.dataset.state !== "deciding" || !whole) return;
     whole.summary = summary;
     isNow("done");
     place.dataset.decided = "true";
+    place.dataset.deciding = String(ms);
     tell(Number(place.dataset.life));
   }
 
@@ -458,10 +468,11 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     const [step] = steps;
     const tip = step?.tips[0];
     const before = first && first !== whole ? ` As at first: ${lifeWords(first)}.` : "";
+    const rest = place.dataset.state === "deciding" ? " The rest of the decision is being computed." : "";
     say(
       readout,
       `Computed here and now: ${steps.length} steps in ${words(Math.round(ms))} ms, ${lifeWords(whole)}; ` +
-        `first step ΔK_{I} = ${words(tip?.delta_ki_mpa_sqrt_m ?? 0)}, ΔK_{II} = ${words(tip?.delta_kii_mpa_sqrt_m ?? 0)} MPa√m.${before}`,
+        `first step ΔK_{I} = ${words(tip?.delta_ki_mpa_sqrt_m ?? 0)}, ΔK_{II} = ${words(tip?.delta_kii_mpa_sqrt_m ?? 0)} MPa√m.${before}${rest}`,
     );
   }
 
@@ -662,10 +673,7 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     followText();
     compute();
   });
-  for (const [name, table] of [
-    ["what-if-growth", "growth.csv"],
-    ["what-if-sif", "sif.csv"],
-  ])
+  for (const [name, table] of Object.entries(TABLES))
     element(name).addEventListener("click", () => {
       if (place.dataset.state !== "done") return;
       answer = (tables) => {

@@ -71,8 +71,9 @@
 
   /** @param {Engine} engine @param {number} id @param {"decide" | "tables"} about */
   function more(engine, id, about) {
+    const from = performance.now();
     const { code, value } = engine[about]();
-    tell(code === 2 ? { id, errors: value.errors } : { id, about, value });
+    tell(code === 2 ? { id, errors: value.errors } : { id, about, value, ms: performance.now() - from });
   }
 
   async function serve() {
