@@ -37,7 +37,8 @@ Dir::State::status "$scratch/status";
 Dir::Cache "$scratch/cache";
 END
 APT_CONFIG=$scratch/apt.conf apt-get update -qq
-APT_CONFIG=$scratch/apt.conf apt-get install -qq -y --download-only --no-install-recommends python3-minimal libpython3-stdlib > /dev/null
+# numpy needs the library of C++.
+APT_CONFIG=$scratch/apt.conf apt-get install -qq -y --download-only --no-install-recommends python3-minimal libpython3-stdlib libstdc++6 > /dev/null
 for package in "$scratch"/cache/archives/*.deb; do
     dpkg-deb --extract "$package" "$root"
 done
