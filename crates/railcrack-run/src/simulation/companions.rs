@@ -7,6 +7,7 @@ use super::observer::RunObserver;
 use super::run::Simulation;
 use crate::decision::{course_of, slowed};
 use crate::log::{Companion, CompanionKind, RunInfo, RunLog, StepDigest};
+use railcrack::fatigue::DirectionCriterion;
 use railcrack::growth::{GrowthState, Turning};
 use railcrack_case::{Case, Engine, MaintenancePlan, Scatter};
 use rayon::prelude::*;
@@ -57,11 +58,17 @@ impl Simulation<'_> {
         if kinds.is_empty() {
             return Ok(None);
         }
-        let count = kinds.len();
-        let text = format!("{count} more runs for the decision: other speeds, paths, friction of the faces");
-        self.observer.stage(&text);
+        let count = kinds.iter().filter(|kind| !is_the_run(self.case, **kind)).count();
+        if count > 0 {
+            let text =
+                format!("{count} more runs for the decision: other speeds, paths, friction of the faces");
+            self.observer.stage(&text);
+        }
         let asked = AskedAlone(self.observer);
-        let of = |kind: &CompanionKind| self.companion(*kind, state, folder, &asked);
+        let of = |kind: &CompanionKind| match is_the_run(self.case, *kind) {
+            true => Ok(Companion { kind: *kind, steps: log.steps.clone(), reason: None }),
+            false => self.companion(*kind, state, folder, &asked),
+        };
         // The finite elements of several bodies at once may not fit into the memory.
         let all: Result<Vec<Companion>, RunError> = if self.case.engine == Engine::Dislocation {
             kinds.par_iter().map(of).collect()
@@ -192,6 +199,13 @@ impl Simulation<'_> {
         }
         Ok(growth.state().clone())
     }
+}
+
+/// Whether the companion of `kind` is the run of `case` itself: cracks that grow straight ahead by
+/// their criterion take the same path whatever length they turn over.
+fn is_the_run(case: &Case, kind: CompanionKind) -> bool {
+    let is_path = matches!(kind, CompanionKind::Straight | CompanionKind::Limit);
+    is_path && case.growth.criterion == DirectionCriterion::Coplanar
 }
 
 /// Speeds over that of the run at which cracks are followed for samples with this `deviation` of

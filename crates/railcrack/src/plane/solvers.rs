@@ -3,7 +3,7 @@
 use super::face_load::FaceLoad;
 use super::rail_load::RailLoad;
 use super::stabilise::passages_under;
-use crate::contact::ContactSolver;
+use crate::contact::{ContactSolver, Rescued};
 use crate::growth::{
     GrowthError, Observer, PassageError, PassageSettings, StabilisedPassage, Warning, WarningKind,
 };
@@ -12,7 +12,7 @@ use crate::growth::{
 #[derive(Clone, Copy)]
 pub(super) struct Solvers<'a> {
     pub first: &'a dyn ContactSolver,
-    /// Solver that takes over where the first one fails.
+    /// Solver that takes over where the first one fails: for single load steps, or for all.
     pub second: &'a dyn ContactSolver,
     pub step: usize,
 }
@@ -21,7 +21,8 @@ pub(super) struct Solvers<'a> {
 type Load<'a> = (RailLoad<'a>, &'a PassageSettings);
 
 impl Solvers<'_> {
-    /// The passages, computed by the first solver or, where it fails, by the second one.
+    /// The passages, computed by the first solver; where it fails, by the first one but for the
+    /// load steps in which it fails; and where this fails, by the second one.
     pub fn stabilise(
         &self,
         face_load: &FaceLoad,
@@ -35,7 +36,8 @@ impl Solvers<'_> {
         let result = match first {
             // Only Newton's method supports groups.
             Err(PassageError::NotConverged { .. }) if face_load.problem.body().blocks.is_none() => {
-                let second = by(self.second);
+                let rescued = by(&Rescued { first: self.first, second: self.second });
+                let second = if rescued.is_ok() { rescued } else { by(self.second) };
                 if let (Err(failure), Ok(_)) = (&first, &second) {
                     let text = format!(
                         "the other contact solver computed this step, because the first one failed: {failure}"
