@@ -79,6 +79,8 @@ const STEP: f64 = 0.05;
 const REACH: f64 = 20.0;
 /// Largest approach, mm.
 const MOST: f64 = 1.0;
+/// Forces whose logarithms differ by less are the same.
+const SAME_FORCE: f64 = 1e-9;
 /// Parts of a profile steeper than this (cosine of the angle, 85°) touch nothing from above.
 const STEEPEST: f64 = 0.087;
 /// Largest slope of the wheel's radius times the yaw.
@@ -105,7 +107,9 @@ impl ProfilePair<'_> {
     /// where the surface is parallel to the rail. Contact begins where its distance to the rail is
     /// least. Each patch lies in the tangent plane there; its gap is measured normal to this plane
     /// and its pressure follows from `PatchPressure`. All patches share the approach of the
-    /// wheel, downwards, which the normal force fixes.
+    /// wheel, downwards, which the normal force fixes. When a patch spreads to another contact the
+    /// force jumps; of a force within the jump, the patches are those of the side that is nearer to
+    /// it, with their pressures scaled.
     ///
     /// Errors: no contact; a contact at the end of a profile; a force or radius out of range.
     pub fn contacts(&self, normal: f64) -> Result<Vec<ProfileContact>, SearchError> {
@@ -129,8 +133,20 @@ impl ProfilePair<'_> {
             let [y, z, angle, ahead] = candidate.contact;
             pressure.contact([y, z], angle, ahead)
         };
+        // Where a patch spreads the force jumps, and no approach carries a force within the jump:
+        // then the patches of the nearer side carry it, their pressures scaled.
+        let off = |total: f64| (total / normal).ln().abs();
+        let carried = [total(low), total(high)];
+        let (approach, carried) =
+            if off(carried[0]) < off(carried[1]) { (low, carried[0]) } else { (high, carried[1]) };
         let mut contacts: Vec<ProfileContact> =
-            self.pressed(&candidates, high).into_iter().map(contact).collect();
+            self.pressed(&candidates, approach).into_iter().map(contact).collect();
+        if off(carried) > SAME_FORCE {
+            for own in &mut contacts {
+                own.normal_force *= normal / carried;
+                own.ellipse.peak_pressure *= normal / carried;
+            }
+        }
         contacts.sort_by(|a, b| a.y.total_cmp(&b.y));
         Ok(contacts)
     }
