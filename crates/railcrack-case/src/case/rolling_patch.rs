@@ -1,8 +1,7 @@
 //! A patch in rolling contact as the load of the half-space.
 
-use crate::files::TablePatch;
 use railcrack::load::{HertzEllipse, Travel};
-use railcrack::rolling::{RollingPatch, StripPoint};
+use railcrack::rolling::{PlacedPatch, RollingPatch, StripPoint};
 use railcrack::space::{BilinearPatch, EllipticWheel, StripTraction, WheelPatch};
 use std::sync::Arc;
 
@@ -40,17 +39,17 @@ pub(super) fn rolling_patch(patch: &RollingPatch, lateral: f64, travel: Travel) 
     WheelPatch::Bilinear(Arc::new(BilinearPatch::new(outline, strip)))
 }
 
-/// All `patches` of a wheel of a table that runs towards `travel`, at their places on the rail: the
-/// heaviest first.
-pub(super) fn table_patch(patches: &[TablePatch], travel: Travel) -> Option<WheelPatch> {
-    let mut order: Vec<&TablePatch> = patches.iter().collect();
+/// All `patches` of a wheel that runs towards `travel`, the place of each at z = 0: the heaviest
+/// first.
+pub(super) fn placed_patches(patches: &[PlacedPatch], travel: Travel) -> Option<WheelPatch> {
+    let mut order: Vec<&PlacedPatch> = patches.iter().collect();
     order.sort_by(|a, b| b.patch.normal_force().total_cmp(&a.patch.normal_force()));
     let sign = if travel == Travel::Forward { 1.0 } else { -1.0 };
-    let placed = |own: &&TablePatch| (sign * own.x, rolling_patch(&own.patch, own.y_rail, travel));
+    let placed = |own: &&PlacedPatch| (sign * own.x, rolling_patch(&own.patch, -own.y, travel));
     match order[..] {
         [] => None,
         // The centre of the wheel is the middle of its only patch.
-        [one] => Some(rolling_patch(&one.patch, one.y_rail, travel)),
+        [one] => Some(rolling_patch(&one.patch, -one.y, travel)),
         _ => Some(WheelPatch::Several(order.iter().map(placed).collect())),
     }
 }

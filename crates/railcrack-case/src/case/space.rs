@@ -2,7 +2,7 @@
 
 use super::cracks::PlacedCracks;
 use super::planar_shape::planar_shape;
-use super::rolling_patch::rolling_patch;
+use super::rolling_patch::{placed_patches, rolling_patch};
 use super::space_case::SpaceCase;
 use super::wheel_table::WheelTable;
 use crate::schema::{Fault, Report, Section, SectionValues, Sections};
@@ -155,8 +155,7 @@ fn read_wheel(section: &SectionValues, wheel: &GivenWheel, report: &mut Report) 
         return Some(rolling_patch(patch, -lateral, *travel));
     }
     if let ContactOrigin::Profiles(own) = &wheel.origin {
-        let [one] = own.placed[..] else { return None };
-        return Some(rolling_patch(&one.patch, -one.y, own.travel));
+        return placed_patches(&own.placed, own.travel);
     }
     if wheel.contact().sliding().is_none() {
         let says = "the space engine computes the Hertz ellipse in full sliding only";

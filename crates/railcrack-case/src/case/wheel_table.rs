@@ -1,6 +1,6 @@
 //! A table of wheels as a case uses it.
 
-use super::rolling_patch::table_patch;
+use super::rolling_patch::placed_patches;
 use crate::files::{TableWheel, WheelTableFile};
 use railcrack::load::{Contact, Travel};
 use railcrack::space::WheelPatch;
@@ -41,7 +41,7 @@ impl WheelTable {
 
     /// The whole patches of the representatives, in space.
     pub(super) fn patches(&self) -> Vec<Option<WheelPatch>> {
-        let of = |wheel: &usize| table_patch(&self.wheels[*wheel].wheel.patches, self.travel);
+        let of = |wheel: &usize| placed_patches(&self.wheels[*wheel].wheel.over(0.0), self.travel);
         self.chosen.iter().map(of).collect()
     }
 }

@@ -102,7 +102,9 @@ impl Columns {
         for (text, span) in lines {
             let fields: Vec<&str> = text.split(',').map(str::trim).collect();
             if fields.len() != order.len() {
-                let mut message = format!("{} values in a row of {} columns", fields.len(), order.len());
+                let (number, columns) = (read.rows.len() + 1, order.len());
+                let mut message =
+                    format!("row {number}: {} values in a row of {columns} columns", fields.len());
                 if fields.len() == 2 * order.len() && fields.iter().all(|field| field.parse::<f64>().is_ok())
                 {
                     message.push_str(": numbers have a decimal point, not a comma");
@@ -119,8 +121,13 @@ impl Columns {
                     (_, Ok(value)) if value.abs() <= self.largest => row[column] = value,
                     (other, _) => {
                         let (name, most) = (other.name(), self.largest);
+                        let number = read.rows.len() + 1;
+                        let found = match given.is_empty() {
+                            true => format!("`{name}` is blank"),
+                            false => format!("`{name} = {given}`"),
+                        };
                         let message =
-                            format!("`{name} = {given}`: must be a number in [-{most:e}, {most:e}]");
+                            format!("row {number}: {found}: must be a number in [-{most:e}, {most:e}]");
                         return Err(self.fault(message, &span));
                     }
                 }

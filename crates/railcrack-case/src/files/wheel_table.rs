@@ -6,8 +6,9 @@ use crate::schema::{Fault, KeyRow, Report, SectionValues, Source};
 use railcrack::load::{HertzEllipse, WheelOnRail};
 use railcrack::material::IsotropicElastic;
 use railcrack::rolling::{Creepage, CreepageSign, PlacedPatch, RollingPatch, RollingTheory};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::f64::consts::PI;
+use std::ops::RangeInclusive;
 use std::path::Path;
 
 const COLUMNS: Columns = Columns {
@@ -38,6 +39,9 @@ const COLUMNS: Columns = Columns {
 /// Farthest place of a patch from the middle of the rail head along the running surface, mm: the
 /// gauge face of a 60 kg/m rail ends there.
 const RAIL_HEAD: f64 = 50.0;
+
+/// Column of the place.
+const AT: usize = 7;
 
 /// Shares whose sum differs from 1 by less add up to 1: a thousand of them were rounded.
 const SUM: f64 = 1e-3;
@@ -143,7 +147,7 @@ fn parse(source: &Source, reading: WheelReading<'_>) -> Result<Vec<TableWheel>, 
     Ok(wheels)
 }
 
-/// Shares of all wheels or of none, adding up to 1 at every place or over all.
+/// Shares of all wheels or of none, adding up to 1; with places, to no more than 1 at each of them.
 fn check_shares(wheels: &[TableWheel], read: &Columned) -> Result<(), Box<Fault>> {
     let given = wheels.iter().filter(|wheel| wheel.share.is_some()).count();
     if given == 0 {
@@ -157,15 +161,48 @@ fn check_shares(wheels: &[TableWheel], read: &Columned) -> Result<(), Box<Fault>
         )));
     }
     let sum: f64 = wheels.iter().filter_map(|wheel| wheel.share).sum();
-    if wheels.iter().any(|wheel| wheel.place.is_some()) {
-        return Ok(());
-    }
-    if (sum - 1.0).abs() > SUM {
+    if wheels.iter().all(|wheel| wheel.place.is_none()) {
+        if (sum - 1.0).abs() <= SUM {
+            return Ok(());
+        }
         return Err(whole(format!(
             "`share`: the shares of all wheels add up to {sum}; they must add up to 1"
         )));
     }
-    Ok(())
+    let mut at_places: BTreeMap<u64, f64> = BTreeMap::new();
+    for wheel in wheels {
+        *at_places.entry(wheel.place.map_or(u64::MAX, f64::to_bits)).or_default() +=
+            wheel.share.unwrap_or(0.0);
+    }
+    let too_many = at_places.into_iter().find(|(_, sum)| *sum > 1.0 + SUM);
+    let Some((place, sum)) = too_many else { return Ok(()) };
+    let is_there =
+        |row: &Vec<f64>| if place == u64::MAX { row[AT].is_nan() } else { row[AT].to_bits() == place };
+    let last = read.rows.iter().rposition(is_there).map_or(0, |row| row + 1);
+    let named = match place {
+        u64::MAX => "without place_m".to_owned(),
+        bits => format!("at place_m = {}", f64::from_bits(bits)),
+    };
+    Err(COLUMNS.fault_of_row(
+        read,
+        last,
+        format!(
+            "row {last}: `share`: the shares of the wheels {named} add up to {sum}; at one place they must not \
+             add up to more than 1"
+        ),
+    ))
+}
+
+/// Peak pressures of a patch, MPa, as of `[contact]`.
+const PRESSURES: RangeInclusive<f64> = 1e-3..=1e4;
+
+/// Two columns that are given together or not at all.
+fn both(one: (&str, f64), other: (&str, f64)) -> Result<(), String> {
+    match (one.1.is_nan(), other.1.is_nan()) {
+        (true, false) => Err(format!("`{}` is missing: it belongs to `{}`", one.0, other.0)),
+        (false, true) => Err(format!("`{}` is missing: it belongs to `{}`", other.0, one.0)),
+        _ => Ok(()),
+    }
 }
 
 /// The wheel and the patch of a row; or what is wrong with which column.
@@ -220,6 +257,9 @@ fn wheel_of(row: &[f64], reading: WheelReading<'_>) -> Result<(TableWheel, Table
     within("axle_load_t", axle_load, loaded, "a number in [0.001, 100] t")?;
     within("angle_deg", angle, angle.is_nan() || angle.abs() <= 90.0, "in [-90, 90] degrees")?;
     within("x_mm", x, x.is_nan() || x.abs() <= 200.0, "in [-200, 200] mm")?;
+    both(("a_mm", a), ("b_mm", b))?;
+    both(("rail_radius_mm", head), ("wheel_radius_mm", radius))?;
+    let kilonewtons = normal;
     let normal = 1e3 * normal;
     let ellipse = match (a.is_nan() && b.is_nan(), head.is_nan() && radius.is_nan()) {
         (false, true) => {
@@ -247,6 +287,14 @@ fn wheel_of(row: &[f64], reading: WheelReading<'_>) -> Result<(TableWheel, Table
             return Err("`a_mm` says the same thing as `rail_radius_mm`: give one or the other".into());
         }
     };
+    let sizes = [ellipse.along, ellipse.across].map(|axis| (0.01..=100.0).contains(&axis));
+    if sizes != [true; 2] || !PRESSURES.contains(&ellipse.peak_pressure) {
+        let HertzEllipse { peak_pressure, along, across } = ellipse;
+        return Err(format!(
+            "`normal_kn = {kilonewtons}`: gives a patch with a = {along:.4} mm, b = {across:.4} mm and a peak \
+             pressure of {peak_pressure:.4e} MPa, which must be in [0.01, 100] mm and [0.001, 1e4] MPa"
+        ));
+    }
     let creepage = reading.sign.read(Creepage { longitudinal: along, lateral: across, spin });
     let patch = RollingPatch {
         ellipse,

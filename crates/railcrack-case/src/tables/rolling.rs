@@ -124,8 +124,9 @@ fn read_profiles(
             return None;
         }
     };
-    let heaviest =
-        contacts.iter().copied().reduce(|a, b| if b.normal_force > a.normal_force { b } else { a })?;
+    let load = |i: usize| contacts[i].normal_force;
+    let most = (0..contacts.len()).reduce(|a, b| if load(b) > load(a) { b } else { a })?;
+    let heaviest = contacts[most];
     let lateral = section.get(LATERAL).unwrap_or(heaviest.y);
     let mut placed = Vec::new();
     for own in &contacts {
@@ -136,14 +137,8 @@ fn read_profiles(
             x: own.ahead - heaviest.ahead,
         });
     }
-    if extent == ContactExtent::Ellipse && placed.len() > 1 {
-        let says =
-            format!("gives {} patches with these profiles; the space engine computes one", placed.len());
-        report.add(section.fault(SHIFT, says).help("use a plane engine, or another shift_mm"));
-        return None;
-    }
     let contact = match extent {
-        ContactExtent::Ellipse => placed[0].patch.plane_contact(0.0, travel).ok(),
+        ContactExtent::Ellipse => placed[most].patch.plane_contact(0.0, travel).ok(),
         ContactExtent::Strip => PlacedPatch::plane_contact(&placed, travel),
     };
     let Some(contact) = contact else {

@@ -204,7 +204,7 @@ fn profile_errors_name_the_line_of_the_profile() {
         ("depth_mm,sxx_mpa\n0,25\n1,-110,3\n", 3, "3 values in a row of 2 columns"),
         ("depth_mm,sxx_mpa\n0,25\n\n1,abc\n", 4, "`sxx_mpa = abc`"),
         ("depth_mm,sxx_mpa\n0,nan\n", 2, "`sxx_mpa = nan`"),
-        ("depth_mm,sxx_mpa\n0,1\n1,\n", 3, "`sxx_mpa = `"),
+        ("depth_mm,sxx_mpa\n0,1\n1,\n", 3, "row 2: `sxx_mpa` is blank"),
         ("depth_mm,sxx_mpa\n-1,25\n", 2, "must not be negative"),
         ("# a\r\ndepth_mm,sxx_mpa\r\n0,25\r\n0,30\r\n", 4, "must exceed"),
         ("depth_mm;sxx_mpa\n0;25\n", 1, "separated by commas, not by semicolons"),

@@ -2,6 +2,7 @@
 
 use railcrack::growth::{StepRecord, Unobserved};
 use railcrack::load::Contact;
+use railcrack::space::WheelPatch;
 use railcrack_case::{Case, ContactOrigin};
 use std::path::{Path, PathBuf};
 
@@ -182,6 +183,14 @@ fn tables_that_are_wrong_are_refused_with_row_and_column() {
         wrong("2,85,4.5,1e-3,0,0,0,6,5")
             .contains("row 2: `mu = 0`: must be positive where there is creepage")
     );
+    assert!(wrong("2,85,4.5,0,0,0,0.3,6,").contains("row 2: `b_mm` is missing: it belongs to `a_mm`"));
+    assert!(wrong("2,85,4.5,0,0,0,0.3,0.1,0.1").contains("row 2: `normal_kn = 85`: gives a patch with a = "));
+    assert!(wrong("2,,4.5,0,0,0,0.3,6,5").contains("row 2: `normal_kn` is blank: must be a number"));
+    assert!(wrong("2,85,4.5,0,0,0").contains("row 2: 6 values in a row of 9 columns"));
+    let places =
+        "1,85,4.5,0,0,0,0.3,6,5,10,0.6\n2,85,4.5,0,0,0,0.3,6,5,20,0.5\n3,85,4.5,0,0,0,0.3,6,5,20,0.75\n";
+    let says = refused(&format!("{HEADER},place_m,share\n{places}"), table);
+    assert!(says.contains("row 3: `share`: the shares of the wheels at place_m = 20 add up to 1.25; at one"));
     assert!(refused(&good.replace("mu", "friction"), table).contains("unknown column `friction`"));
     assert!(refused(&good, "table = \"curve.csv\"\n").contains("`wheel[1].creepage_sign` is missing"));
     let both =
@@ -219,6 +228,56 @@ fn profiles_load_the_crack_where_they_touch() {
     assert!(says("shift_mm = 150\n").contains("the wheel is not above the rail head"));
     assert!(says("shift_mm = -8.5\nlateral_mm = 12\n").contains("is outside the patches, which reach from"));
     assert!(says("semi_axes_mm = [6.0, 5.0]\n").contains("semi_axes_mm"));
+}
+
+/// A wheel that follows the head but for a hollow touches it 12 mm to either side: each patch loads
+/// the half-space where it lies.
+#[test]
+fn two_patches_of_profiles_load_the_half_space() {
+    let folder = folder("hollow");
+    let write = |name: &str, away: fn(f64) -> f64, end: i32| {
+        let row = |i: i32| {
+            let y = 0.2 * f64::from(i);
+            format!("{y},{}\n", 80.0 - (6400.0 - y * y).sqrt() - away(y))
+        };
+        let rows: String = (-end..=end).map(row).collect();
+        std::fs::write(folder.join(name), format!("y_mm,z_mm\n{rows}")).unwrap();
+    };
+    write("rail.csv", |_| 0.0, 175);
+    write("wheel.csv", |y| 2e-3 * (y.abs() - 12.0).powi(2), 125);
+    let text = "[contact]\nkind = \"rolling\"\nrail_profile = \"rail.csv\"\nwheel_profile = \"wheel.csv\"\n\
+        normal_kn = 85\nwheel_radius_mm = 460\nlateral_mm = 10.0\ncreepage_x = 8e-4\ncreepage_sign = \"contact\"\n\
+        friction = 0.3\n[[crack]]\nmouth_mm = 0\nlength_mm = 5\nangle_deg = 25\nfriction = 0.2\n\
+        surface_half_length_mm = 5\n[solver]\nengine = \"space\"\n";
+    let case = Case::parse(text, "case.toml", &folder).unwrap_or_else(|errors| panic!("{errors}"));
+    let ContactOrigin::Profiles(own) = &case.wheel.origin else { panic!("{:?}", case.wheel.origin) };
+    assert_eq!(own.contacts.len(), 2);
+    let wheel = &case.space.as_ref().unwrap().wheels[0];
+    let WheelPatch::Several(patches) = wheel else { panic!("{wheel:?}") };
+    // The crack lies 10 mm to the right of the middle of the head.
+    let places: Vec<f64> = patches.iter().map(|(_, own)| own.outline().lateral).collect();
+    assert!(places.len() == 2 && patches.iter().all(|(ahead, _)| ahead.abs() < 1e-6), "{places:?}");
+    for (contact, want) in own.contacts.iter().zip([-22.0, 2.0]) {
+        let place = places.iter().copied().find(|place| (place - want).abs() < 0.5).unwrap();
+        let pressure = wheel.pressure(1.5, [1.5, place]);
+        assert!((pressure / contact.ellipse.peak_pressure - 1.0).abs() < 0.02, "{pressure} {contact:?}");
+    }
+    assert_eq!(wheel.pressure(1.5, [1.5, -10.0]), 0.0);
+    // The middle strip of the heavier one stands for the wheel where one strip is needed.
+    let most = own.contacts.iter().map(|own| own.ellipse.peak_pressure).fold(0.0, f64::max);
+    assert!((case.wheel.contact().peak_pressure() / most - 1.0).abs() < 0.02);
+}
+
+/// Between tread and flange root a patch spreads over a pass, and the force of the theory jumps.
+#[test]
+fn spreading_patches_of_profiles_carry_the_normal_force() {
+    for shift in [-6.0, -5.8, -5.6, -5.55, -5.5, -5.4, -5.3, -5.2, -5.0] {
+        let case = profiled(&format!("shift_mm = {shift}\nyaw_deg = 0.34\n")).unwrap();
+        let ContactOrigin::Profiles(own) = &case.wheel.origin else { panic!("{:?}", case.wheel.origin) };
+        let told: f64 = own.contacts.iter().map(|own| own.normal_force).sum();
+        let carried: f64 = own.placed.iter().map(|own| own.patch.normal_force()).sum();
+        assert!((told / 80e3 - 1.0).abs() < 1e-6 && (carried / told - 1.0).abs() < 1e-6, "{shift}: {told}");
+    }
 }
 
 #[test]
