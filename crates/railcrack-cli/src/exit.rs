@@ -93,6 +93,12 @@ pub enum Failure {
         /// The file.
         path: PathBuf,
     },
+    /// A folder with earlier results of `railcrack contact`.
+    #[error("{} already exists; --force replaces it and the results beside it", path.display())]
+    HoldsContact {
+        /// The table of wheels there.
+        path: PathBuf,
+    },
     /// A folder that cannot be read.
     #[error("cannot read the folder {}: {source}", path.display())]
     CannotRead {
@@ -128,6 +134,7 @@ impl Failure {
             | Self::Calibration { .. }
             | Self::Figure(_)
             | Self::OverBudget(_)
+            | Self::HoldsContact { .. }
             | Self::CaseInRunFolder { .. } => Exit::BadInput,
             Self::Paper(error) => match error {
                 PaperError::Exists { .. }

@@ -6,6 +6,7 @@ mod case;
 mod combinations;
 mod common;
 mod compare;
+mod contact;
 mod coupled;
 mod decision;
 mod documents;

@@ -14,9 +14,12 @@ use across::Across;
 use clap::Args;
 use railcrack_case::{Case, Overrides};
 use railcrack_report::put;
+use railcrack_run::Existing;
 use railcrack_run::simulation::RunError;
 use rows::WheelRow;
 use said::sentences;
+use std::fs::DirEntry;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// Draw the contact patches of the wheels and rate the wheels by the growth that they cause
@@ -24,7 +27,8 @@ use std::path::{Path, PathBuf};
 /// Every wheel of the case, or of its table of wheels, passes once over the cracks as they are at
 /// the beginning. The folder gets wheels.csv (a row per wheel: pressure, forces, slip, Tgamma,
 /// dKeq, share of the growth), patches.csv and strips.csv (tractions of the wheels that are drawn),
-/// across.csv (growth by the lateral place of the crack), contact.html and plots/.
+/// across.csv (growth by the lateral place of the crack), contact.html and plots/; with --patches
+/// also patches/, a table per wheel and patch.
 #[derive(Debug, Args)]
 pub struct ContactArguments {
     /// Case file; `-` is standard input
@@ -33,6 +37,12 @@ pub struct ContactArguments {
     /// Folder for the results [default: name of the case file with -contact, next to it]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Also write a table of pressure, shear and slip of every patch
+    #[arg(long)]
+    pub patches: bool,
+    /// Replace existing results in the folder
+    #[arg(long)]
+    pub force: bool,
     #[command(flatten)]
     pub set: Set,
     /// Suppress the summary
@@ -47,10 +57,11 @@ const DRAWN: usize = 9;
 pub fn contact(arguments: &ContactArguments) -> Result<Exit, Failure> {
     let overrides = Overrides { settings: arguments.set.set.clone(), ..Overrides::default() };
     let case = input::case(&arguments.case, &overrides)?;
+    let folder = arguments.out.clone().unwrap_or_else(|| beside(&arguments.case));
+    clear(&folder, if arguments.force { Existing::Replace } else { Existing::Refuse })?;
     let demands = case.wheel_demands().map_err(|error| Failure::Calibration { reason: error.to_string() })?;
     let rows = WheelRow::of_case(&case, &demands);
     let across = Across::of(&case);
-    let folder = arguments.out.clone().unwrap_or_else(|| beside(&arguments.case));
     let plots = folder.join("plots");
     std::fs::create_dir_all(&plots).map_err(|source| Failure::CannotWrite { path: plots.clone(), source })?;
     let drawn = drawn(&rows);
@@ -65,6 +76,9 @@ pub fn contact(arguments: &ContactArguments) -> Result<Exit, Failure> {
             write(&plots.join(format!("wheel-{}.svg", rows[wheel].number)), &svg)?;
         }
     }
+    if arguments.patches {
+        write_patches(&folder.join(PATCHES), &rows)?;
+    }
     let page = page::page(&case, &rows, &drawn, across.as_ref());
     write(&folder.join("contact.html"), &page.html())?;
     if arguments.quiet {
@@ -73,6 +87,50 @@ pub fn contact(arguments: &ContactArguments) -> Result<Exit, Failure> {
     print::stdout(&told(&case, &rows, across.as_ref()))?;
     print::stdout(&format!("results in {}\n", folder.display()))?;
     Ok(Exit::Done)
+}
+
+/// The results by which a folder is known, those beside them, and the folders of the others, whose
+/// names begin with [`OF_A_WHEEL`].
+const ROWS: &str = "wheels.csv";
+const TABLES: [&str; 5] = [ROWS, "patches.csv", "strips.csv", "across.csv", "contact.html"];
+const PATCHES: &str = "patches";
+const FOLDERS: [&str; 2] = ["plots", PATCHES];
+const OF_A_WHEEL: &str = "wheel-";
+
+/// Leaves no earlier results of this command in `folder`, and everything else as it is.
+fn clear(folder: &Path, existing: Existing) -> Result<(), Failure> {
+    if existing == Existing::Refuse {
+        let path = folder.join(ROWS);
+        return if path.exists() { Err(Failure::HoldsContact { path }) } else { Ok(()) };
+    }
+    let of_wheels = FOLDERS.iter().filter_map(|name| std::fs::read_dir(folder.join(name)).ok()).flatten();
+    let is_ours = |file: &DirEntry| file.file_name().to_string_lossy().starts_with(OF_A_WHEEL);
+    let of_wheels = of_wheels.flatten().filter(is_ours).map(|file| file.path());
+    for path in TABLES.iter().map(|name| folder.join(name)).chain(of_wheels) {
+        match std::fs::remove_file(&path) {
+            Err(source) if source.kind() != ErrorKind::NotFound => {
+                return Err(Failure::CannotWrite { path, source });
+            }
+            _ => (),
+        }
+    }
+    Ok(())
+}
+
+/// A table of each patch of all wheels.
+fn write_patches(folder: &Path, rows: &[WheelRow]) -> Result<(), Failure> {
+    std::fs::create_dir_all(folder)
+        .map_err(|source| Failure::CannotWrite { path: folder.to_path_buf(), source })?;
+    for row in rows {
+        for (i, own) in row.patches.iter().enumerate() {
+            let name = match row.place {
+                Some(place) => format!("{OF_A_WHEEL}{}-place-{place}-patch-{}.csv", row.number, i + 1),
+                None => format!("{OF_A_WHEEL}{}-patch-{}.csv", row.number, i + 1),
+            };
+            write(&folder.join(name), &table::patch(own))?;
+        }
+    }
+    Ok(())
 }
 
 fn beside(case: &Path) -> PathBuf {

@@ -9,6 +9,8 @@ use std::f64::consts::PI;
 pub(super) struct WheelRow {
     /// Its number: of the table, or from 1.
     pub number: u64,
+    /// Its place along the track, m, in a table with places.
+    pub place: Option<f64>,
     /// The row of the wheel that represents it; none of one that misses the crack.
     pub represented_by: Option<usize>,
     pub share: f64,
@@ -51,7 +53,7 @@ impl WheelRow {
                             wheel.wheel.patches.iter().map(|own| own.angle).collect();
                         let identity = (wheel.wheel.number, wheel.share);
                         let row = Self::rolling(identity, patches, over.unwrap_or(0), angles);
-                        Self { y_rail: Some(main), ..row }
+                        Self { y_rail: Some(main), place: wheel.wheel.place, ..row }
                     })
                     .collect();
                 rows.into_iter()
@@ -121,6 +123,7 @@ impl WheelRow {
         };
         Self {
             number,
+            place: None,
             represented_by: None,
             share,
             peak_pressure: contact.peak_pressure(),
@@ -154,6 +157,7 @@ impl WheelRow {
             forces.iter().zip(&patches).map(|(own, patch)| own.slip_share * area(patch)).sum();
         Self {
             number,
+            place: None,
             represented_by: None,
             share,
             peak_pressure: ellipse.peak_pressure,

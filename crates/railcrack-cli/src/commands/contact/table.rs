@@ -62,6 +62,22 @@ pub(super) fn patches(rows: &[WheelRow], drawn: &[usize]) -> String {
     text
 }
 
+/// Tractions of one patch.
+pub(super) fn patch(own: &PlacedPatch) -> String {
+    let mut text = String::from(
+        "# pressure and shear on the rail, x with the travel and y across from the middle of the patch\n\
+         x_mm,y_mm,p_mpa,qx_mpa,qy_mpa,slips\n",
+    );
+    for y in places(own.patch.ends()) {
+        let Ok(strip) = own.patch.strip(y, INTERVALS) else { continue };
+        for point in &strip.points {
+            let ([along, over], slips) = (point.shear, u8::from(point.slips));
+            text.push_str(&format!("{},{y},{},{along},{over},{slips}\n", point.x, point.pressure));
+        }
+    }
+    text
+}
+
 /// Tractions of the strips above the crack.
 pub(super) fn strips(rows: &[WheelRow], drawn: &[usize]) -> String {
     let mut text = String::from("wheel,patch,x_mm,p_mpa,qx_mpa,qy_mpa,slips\n");
