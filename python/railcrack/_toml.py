@@ -55,7 +55,9 @@ def _csv(value: Any) -> str | None:
     if hasattr(value, "write_csv"):
         return str(value.write_csv())
     if hasattr(value, "to_csv"):
-        return str(value.to_csv(index=False))
+        # An index with a name is a column.
+        named = any(name is not None for name in value.index.names)
+        return str(value.to_csv(index=named))
     return None
 
 

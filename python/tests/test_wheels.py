@@ -47,6 +47,10 @@ def test_a_data_frame_of_wheels_comes_back_with_what_they_do() -> None:
     assert joined["p0_mpa"][0] == pytest.approx(1.5 * 85e3 / (np.pi * 30.0))
 
 
+def test_an_index_with_a_name_is_a_column() -> None:
+    np.testing.assert_array_equal(case(frame().set_index("wheel")).wheels().fx_kn, case(frame()).wheels().fx_kn)
+
+
 def test_vehicle_signs_are_opposite_and_a_wrong_row_is_named() -> None:
     table = frame()
     opposite = table.assign(**{name: -table[name] for name in ("creepage_x", "creepage_y", "spin_per_mm")})
