@@ -9,9 +9,10 @@ use railcrack::contact::{FluidModel, PressureProfile};
 use railcrack::coupling::{CoupledContact, WheelCoupling};
 use railcrack::dislocation::cracked_body;
 use railcrack::field::wheel_under;
-use railcrack::load::{Contact, ContactRow, WheelLoad};
+use railcrack::load::{Contact, ContactRow, HertzEllipse, WheelLoad};
 use railcrack::plane::{CrackFluid, MixedWheel};
 use railcrack::prelude::*;
+use railcrack::rolling::{Creepage, PlacedPatch, RollingPatch, RollingTheory};
 
 fn main() {
     divan::main();
@@ -191,4 +192,36 @@ fn contact_table(bencher: Bencher, rows: usize) {
 #[divan::bench(sample_count = 10, args = [200, 2000])]
 fn preparing_a_table(bencher: Bencher, rows: usize) {
     bencher.bench_local(|| table(rows));
+}
+
+/// Rows of a table of wheels: pressures, creepages with spin and frictions of a curve.
+fn rows() -> Vec<PlacedPatch> {
+    let row = |i: usize| {
+        let t = |step: f64| (step * i as f64).fract() - 0.5;
+        let ellipse = HertzEllipse { peak_pressure: 1100.0 + 600.0 * t(0.618), along: 6.5, across: 4.5 };
+        let creepage =
+            Creepage { longitudinal: 4e-3 * t(0.414), lateral: 6e-3 * t(0.732), spin: 1e-3 * t(0.236) };
+        let theory = RollingTheory::FaStrip;
+        let friction = 0.3 + 0.2 * t(0.162);
+        let patch = RollingPatch { ellipse, outline: None, friction, creepage, steel: steel(), theory };
+        PlacedPatch { patch, y: 4.0 * t(0.871), x: 0.0 }
+    };
+    (0..1000).map(row).collect()
+}
+
+/// A thousand rows of a table of wheels become loads of the plane: less than 50 ms on one thread.
+#[divan::bench(sample_count = 10)]
+fn thousand_strips(bencher: Bencher) {
+    let rows = rows();
+    let of = |row: &PlacedPatch| PlacedPatch::plane_contact(std::slice::from_ref(row), Travel::Forward);
+    bencher.bench_local(|| rows.iter().filter_map(of).count());
+}
+
+/// Mean shear of a thousand whole patches, by so many strips and intervals of each.
+#[divan::bench(sample_count = 5, args = ["15 x 20", "30 x 40", "60 x 80"])]
+fn thousand_patches(bencher: Bencher, grid: &str) {
+    let (strips, intervals) = grid.split_once(" x ").unwrap();
+    let grid = [strips, intervals].map(|count| count.parse::<usize>().unwrap());
+    let rows = rows();
+    bencher.bench_local(|| rows.iter().map(|row| row.patch.mean_shear(grid)[0]).sum::<f64>());
 }
