@@ -38,8 +38,8 @@ const BEYOND_CRITICAL: f64 = 1.1;
 const BEYOND_LIMIT: f64 = 1.3;
 /// Steps of a companion over those of the run: slower cracks and the limit path take more.
 const MORE_STEPS: usize = 3;
-/// Steps of the limit path, if the run has no more: where wear nearly keeps up with growth it would
-/// go on by hundreds of small kinks, each dearer than the one before.
+/// Steps of the limit path at most under wear or grinding: where they nearly keep up with growth it
+/// would go on by hundreds of small kinks, each dearer than the one before.
 const MOST_KINKS: usize = 75;
 
 impl Simulation<'_> {
@@ -250,11 +250,10 @@ fn deviation(case: &Case, scatter: &Scatter, course: &crate::decision::Course) -
 /// `case` as `kind` changes it.
 fn case_of(case: &Case, kind: CompanionKind) -> Case {
     let mut case = case.clone();
-    let own = case.growth.steps;
     case.growth.steps *= MORE_STEPS;
     let is_removed = case.maintenance.is_some_and(|plan| plan.removal() > 0.0);
     if kind == CompanionKind::Limit && is_removed {
-        case.growth.steps = case.growth.steps.min(own.max(MOST_KINKS));
+        case.growth.steps = case.growth.steps.min(MOST_KINKS);
     }
     match kind {
         CompanionKind::Straight => case.growth.turning = Turning::Over(f64::INFINITY),

@@ -309,12 +309,15 @@ impl Control<'_> {
         Some((slope(start, end, growth) - slope(first, start, before)) / (before + growth))
     }
 
-    /// Whether a tip that turned so far has to kink at the end of the step.
+    /// Whether a tip that turned so far has to kink at the end of the step. A tip whose growth is
+    /// not drawn has the direction of an earlier place, which no shorter step changes.
     fn has_kinked(&self, after: &End<'_>) -> bool {
         let jump = |tip: &TipRecord| tip.plane().and_then(|plane| plane.jump);
+        let turned =
+            |start: &TipRecord| start.plane().is_some_and(|plane| plane.jump.is_none() && plane.is_drawn);
         let starts = |tip: &TipRecord| {
             matches!(jump(tip), Some(Jump::Kink | Jump::Rival))
-                && self.before.tips.iter().any(|start| start.tip == tip.tip && jump(start).is_none())
+                && self.before.tips.iter().any(|start| start.tip == tip.tip && turned(start))
         };
         after.tips.iter().any(starts)
     }

@@ -11,6 +11,9 @@ use crate::growth::{
 };
 use crate::math::RailBox;
 
+/// Part of a step to which the place is known at which two cracks meet.
+const MEETING: f64 = 1e-4;
+
 /// Cracks at the start of a step.
 pub(super) struct Start<'a> {
     pub shapes: &'a [FrontShape],
@@ -70,7 +73,10 @@ impl FrontAdvance {
                 .zip(start.shapes)
                 .map(|(increment, shape)| increment.moved(shape))
                 .collect();
-            if let Some(event) = first_event(start, &next, &stopped, pace.removal, growth)
+            let meets = part_until_meeting(start.shapes, &increments, &stopped)
+                .map(|part| Event { part, ends_run: false });
+            let events = first_event(start, &next, &stopped, pace.removal, growth).into_iter().chain(meets);
+            if let Some(event) = Event::first(events.collect())
                 .filter(|event| part > LEAST_PART && is_worth_a_step(*event, &pace, &start.at, growth))
             {
                 part *= event.part;
@@ -81,9 +87,7 @@ impl FrontAdvance {
                 .find_map(|k| leaves(&next[k], rail).map(|stop| (k, stop)));
             if let Some((crack, stop)) = leaving {
                 stopped[crack] = Some(stop);
-            } else if let Some(close) = meeting(&next)
-                .filter(|close| [close.first, close.second].iter().any(|&crack| stopped[crack].is_none()))
-            {
+            } else if let Some(close) = meeting(&next, &stopped) {
                 for crack in [close.first, close.second] {
                     stopped[crack] = stopped[crack].or(Some(TipStop::Coalescence));
                 }
@@ -190,10 +194,39 @@ pub(super) fn resolution(shape: &FrontShape) -> f64 {
     0.5 * LEAST_DISTANCE * shape.length
 }
 
-/// Two cracks of these shapes that are too close for the computation.
-fn meeting(shapes: &[FrontShape]) -> Option<CloseCracks> {
+/// Two cracks of these shapes that are too close for the computation, and have not both stopped.
+fn meeting(shapes: &[FrontShape], stopped: &[Option<TipStop>]) -> Option<CloseCracks> {
     let cracks: Vec<SpaceCrack> = shapes.iter().filter_map(|shape| shape.crack().ok()).collect();
-    if cracks.len() < shapes.len() { None } else { CloseCracks::among(&cracks) }
+    let close = if cracks.len() < shapes.len() { None } else { CloseCracks::among(&cracks) };
+    close.filter(|close| [close.first, close.second].iter().any(|&crack| stopped[crack].is_none()))
+}
+
+/// The part of the step after which two cracks that grow by `increments` have come as close as
+/// they can be computed; `None` where they do not come so close, or are so at the start.
+fn part_until_meeting(
+    shapes: &[FrontShape],
+    increments: &[FrontSpeeds],
+    stopped: &[Option<TipStop>],
+) -> Option<f64> {
+    let meets = |part: f64| {
+        let moved = increments.iter().zip(shapes);
+        let moved = moved.map(|(increment, shape)| increment.map(|_, grown| part * grown).moved(shape));
+        meeting(&moved.collect::<Vec<_>>(), stopped).is_some()
+    };
+    if !meets(1.0) || meets(0.0) {
+        return None;
+    }
+    let (mut apart, mut close) = (0.0, 1.0);
+    while close - apart > MEETING {
+        let middle = 0.5 * (apart + close);
+        if meets(middle) {
+            close = middle;
+        } else {
+            apart = middle;
+        }
+    }
+    // What is left of the way to a place that an earlier step has located is no step.
+    (apart > 2.0 * MEETING).then_some(apart)
 }
 
 /// Whether a crack of this shape would leave the rail, or has no ligament left.
@@ -296,6 +329,21 @@ mod tests {
         assert!((next.shapes[2].length - 4.2).abs() < 1e-9 && next.meetings.len() == 1, "{next:?}");
         let alone = advance(&shapes[..2], &[None; 2], &[2e-6, 2e-6], &settings());
         assert_eq!(alone.stop, Some(RunStop::NoTipGrows(TipStop::Coalescence)));
+    }
+
+    #[test]
+    fn a_step_ends_where_cracks_meet() {
+        // A wide gap of 0.35 mm closes to the least distance of 0.05 of the length within a step.
+        let shapes = [circle(0.0, 0.0), circle(0.0, 8.35)];
+        let smooth = GrowthSettings { turning: Turning::Over(f64::INFINITY), ..settings() };
+        let next = advance(&shapes, &[None; 2], &[2e-6; 2], &smooth);
+        assert_eq!((next.stop, &next.stopped[..]), (None, &[None, None][..]));
+        let [first, second] = [0, 1].map(|k| next.shapes[k]);
+        let gap = 8.35 - first.half_length - second.half_length;
+        let least = LEAST_DISTANCE * first.length.min(second.length);
+        assert!(gap >= least && gap < 1.01 * least, "{gap} {least}");
+        let after = advance(&next.shapes, &next.stopped, &[2e-6; 2], &smooth);
+        assert_eq!(after.stop, Some(RunStop::NoTipGrows(TipStop::Coalescence)));
     }
 
     #[test]
