@@ -233,7 +233,7 @@ fn decision(summary: &Summary) -> String {
     let Some(decision) = &summary.decision else { return text };
     let words = TonnageWords { mgt_per_year: decision.mgt_per_year };
     if let Some(paths) = decision.paths {
-        let life = |mgt: Option<f64>| mgt.map_or_else(|| "none".to_owned(), three_digits);
+        let life = |mgt: Option<f64>| mgt.map_or_else(|| "none within the run".to_owned(), three_digits);
         text.push_str(&format!(
             "million gross tonnes to failure: straight ahead {}, as computed {}, limit path {}\n",
             life(paths.straight),

@@ -77,6 +77,9 @@ const SHARES: (f64, f64) = (5e-4, 0.1);
 const STEP_TOLERANCE: f64 = 0.3;
 /// Error from which a step of a given increment is cut.
 const OF_GIVEN: f64 = 0.01;
+/// The same under wear and grinding, where errors of single steps may decide on which side of a
+/// grinding a size is reached.
+const OF_GIVEN_UNDER_WEAR: f64 = 0.002;
 /// Largest turn of a step, radians, and the turn that steps are chosen for: the engines take a
 /// polyline of smaller turns for a smooth curve.
 const LARGEST_TURN: f64 = 0.05;
@@ -174,7 +177,8 @@ impl Control<'_> {
             if error.largest_turn > LARGEST_TURN && !settings.turning.is_limit() {
                 return cut((CHOSEN_TURN / error.largest_turn).max(0.2), None);
             }
-            let allowed = settings.tolerance.map_or(OF_GIVEN, |tolerance| 2.0 * STEP_TOLERANCE * tolerance);
+            let given = if settings.maintained().is_some() { OF_GIVEN_UNDER_WEAR } else { OF_GIVEN };
+            let allowed = settings.tolerance.map_or(given, |tolerance| 2.0 * STEP_TOLERANCE * tolerance);
             let excess = self.leverage() * error.relative() / allowed;
             if excess > 1.0 {
                 return cut((0.6 * excess.powf(-0.5)).clamp(0.2, 0.7), None);
