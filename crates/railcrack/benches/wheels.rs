@@ -6,10 +6,8 @@
 
 use divan::Bencher;
 use railcrack::contact::{FluidModel, PressureProfile};
-use railcrack::coupling::{CoupledContact, WheelCoupling};
 use railcrack::dislocation::cracked_body;
-use railcrack::field::wheel_under;
-use railcrack::load::{Contact, ContactRow, HertzEllipse, WheelLoad};
+use railcrack::load::{ContactRow, HertzEllipse};
 use railcrack::plane::{CrackFluid, MixedWheel};
 use railcrack::prelude::*;
 use railcrack::rolling::{Creepage, PlacedPatch, RollingPatch, RollingTheory};
@@ -150,38 +148,6 @@ fn full_sliding(bencher: Bencher) {
 #[divan::bench(sample_count = 10)]
 fn partial_slip(bencher: Bencher) {
     passage(bencher, &CarterWheel::new(&rolling(), &steel()).unwrap());
-}
-
-/// A wheel that feels the crack, with its surface: at most four times the passage of one that does
-/// not.
-#[divan::bench(sample_count = 10, args = ["full-sliding", "partial-slip", "water", "trapped"])]
-fn coupled(bencher: Bencher, kind: &str) {
-    let hertz = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.15 };
-    let contact = if kind == "partial-slip" { Contact::Carter(rolling()) } else { Contact::Hertz(hertz) };
-    let load = WheelLoad { contact: contact.clone(), track: None, temperature: None };
-    let wheel = wheel_under(&load, &steel()).unwrap();
-    let coupling = WheelCoupling {
-        contact: CoupledContact::new(&contact, &steel()),
-        nodes_per_half_width: WheelCoupling::NODES_PER_HALF_WIDTH,
-        within: WheelCoupling::WITHIN,
-    };
-    let crack = Crack::surface_breaking(0.0, 6.0, 15f64.to_radians()).unwrap();
-    let network: CrackNetwork = crack.into();
-    let body = cracked_body(&network, &steel(), FaceResolution::default()).unwrap();
-    let model = match kind {
-        "water" => Some(FluidModel::Mouth { cap: f64::INFINITY }),
-        "trapped" => Some(FluidModel::Trapped { bulk_modulus: f64::INFINITY, leak: true }),
-        _ => None,
-    };
-    let fluid = model.map(|model| CrackFluid { model, profile: PressureProfile::Linear, cracks: None });
-    let load = RailLoad { wheel: wheel.as_ref(), residual: None };
-    let settings = PassageSettings::default();
-    bencher.bench_local(|| {
-        let fluid = fluid.as_ref().map(|fluid| fluid.on(&network, &body.faces));
-        let faces = FaceProblem::new(&body, &[0.5]).unwrap().with_fluid(fluid);
-        let faces = faces.with_wheel(coupling.on(&body.faces)).unwrap();
-        stabilised_passage(&faces, &Newton::default(), load, &settings, &Unobserved).unwrap()
-    });
 }
 
 #[divan::bench(sample_count = 10, args = [50, 200, 2000])]

@@ -90,7 +90,7 @@ pub enum ValidityWarning {
     /// Faces that fluid opens so far that the wheel contact would change.
     #[error(
         "fluid opens the faces of a crack by up to {opening:.3} mm, beyond {limit} mm: the wheel would feel the flap above and press \
-         it down, which this model leaves out; K is a bound from above"
+         it down, which the contact on the uncracked rail leaves out: K is too large"
     )]
     LiftedFlap {
         /// The largest opening, mm.

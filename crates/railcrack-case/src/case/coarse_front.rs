@@ -23,6 +23,8 @@ const CELLS: [SpaceResolution; 3] = [
 /// the mouth and of the part below the deepest point.
 const POSITIONS: usize = 25;
 const REACH: f64 = 2.5;
+/// Distance of the wheel from the crack, in semi-axes, within which the gap under it is computed.
+const GAP_REACH: f64 = 1.5;
 /// Strips of a patch and intervals of each from which its mean shear is taken.
 const STRIPS: [usize; 2] = [15, 20];
 
@@ -75,9 +77,41 @@ impl CoarseFront {
         wheels.par_iter().map(|wheel| self.passage(&ellipses(wheel, travel, aside), travel)).collect()
     }
 
-    /// A passage of a wheel with `patches`, each with its x from the wheel's centre (mm), over
-    /// virgin faces. Where the contact of the faces does not converge, they are open.
+    /// A passage of a wheel with `patches`, each with its x from the wheel's centre (mm).
     fn passage(&self, patches: &[(f64, EllipticWheel)], travel: Travel) -> FrontHistory {
+        let mut history = Vec::with_capacity(POSITIONS);
+        self.follow(patches, travel, |_, forces, faces| {
+            history.push(match faces {
+                Some(faces) => self.body.sifs_of_jumps(&faces.jumps),
+                None => self.body.sifs(forces),
+            });
+        });
+        FrontHistory(history)
+    }
+
+    /// The largest gap (mm) that opens under `wheel` during its passage, since its contact does not
+    /// feel the crack.
+    pub fn gap_under(&self, wheel: &EllipticWheel, travel: Travel) -> f64 {
+        let reach = GAP_REACH * wheel.half_width;
+        let mut most = 0.0f64;
+        self.follow(&[(0.0, *wheel)], travel, |place, _, faces| {
+            let is_over = place > self.ends[0] - reach && place < self.ends[1] + reach;
+            if let Some(faces) = faces.filter(|_| is_over) {
+                most = most.max(self.body.gap_under(&faces.jumps, wheel, place, self.poisson));
+            }
+        });
+        most
+    }
+
+    /// Calls `visit` with each place (mm) of a wheel with `patches`, each with its x from the
+    /// wheel's centre (mm), the forces there and the faces, virgin at first. Where the contact of
+    /// the faces does not converge, they are none and count as open.
+    fn follow(
+        &self,
+        patches: &[(f64, EllipticWheel)],
+        travel: Travel,
+        mut visit: impl FnMut(f64, &[f64], Option<&SpaceFaces>),
+    ) {
         let longest = patches.iter().map(|(_, own)| own.half_width).fold(0.0, f64::max);
         let (mut from, mut to) = (self.ends[0] - REACH * longest, self.ends[1] + REACH * longest);
         if travel == Travel::Backward {
@@ -85,16 +119,12 @@ impl CoarseFront {
         }
         let contact = SpaceContact { body: &self.body, friction: std::slice::from_ref(&self.friction) };
         let mut faces: Option<SpaceFaces> = Some(contact.virgin());
-        let at = |i: usize| {
+        for i in 0..POSITIONS {
             let place = from + (to - from) * i as f64 / (POSITIONS - 1) as f64;
             let forces = self.forces(patches, place);
             faces = faces.take().and_then(|before| Some(contact.step(&before, &forces).ok()?.0));
-            match &faces {
-                Some(faces) => self.body.sifs_of_jumps(&faces.jumps),
-                None => self.body.sifs(&forces),
-            }
-        };
-        FrontHistory((0..POSITIONS).map(at).collect())
+            visit(place, &forces, faces.as_ref());
+        }
     }
 
     fn forces(&self, patches: &[(f64, EllipticWheel)], place: f64) -> Vec<f64> {

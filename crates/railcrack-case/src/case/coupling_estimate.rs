@@ -1,16 +1,17 @@
 //! Estimate of how much a wheel that feels the cracks would change their growth.
 
 use super::Case;
+use super::coarse_front::CoarseFront;
 use crate::tables::ContactOrigin;
 use railcrack::bulk::Boundary;
 use railcrack::contact::{FaceProblem, Newton};
-use railcrack::coupling::{CoupledContact, WheelCoupling};
+use railcrack::coupling::{CoupledContact, WheelCoupling, gap_in_plane};
 use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::dislocation::{FaceResolution, cracked_body};
 use railcrack::fatigue::SifRanges;
 use railcrack::field::wheel_under;
-use railcrack::growth::{PassageSettings, Unobserved};
-use railcrack::load::{Passage, WheelLoad};
+use railcrack::growth::{PassageSettings, StabilisedPassage, Unobserved};
+use railcrack::load::{HertzEllipse, Passage, WheelLoad};
 use railcrack::plane::{RailLoad, stabilised_passage};
 
 /// Extent of the passage over a, and number of its positions.
@@ -38,13 +39,66 @@ fn is_ordinary(crack: &Crack, half_width: f64) -> bool {
         && crack.segment_count() <= SEGMENTS
 }
 
+/// Distance of the wheel from the mouth, over a, within which the gap under it is computed.
+const GAP_REACH: f64 = 1.5;
+
+/// Effect in the plane of a wheel that feels the first crack.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EffectInPlane {
+    /// The growth rate under it over that under the contact on the uncracked rail.
+    pub rate: f64,
+    /// The largest gap that this contact leaves open, over a²/2R.
+    pub gap: f64,
+}
+
+/// Gap that the contact of the space engine leaves, since its wheel does not feel the cracks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UnfeltGap {
+    /// The largest gap that opens under the wheel over the first crack, over a²/2R.
+    pub gap: f64,
+    /// Effect of a coupled wheel in the plane.
+    pub in_plane: Option<EffectInPlane>,
+}
+
+impl UnfeltGap {
+    /// Whether the gap is so large that the wheel should feel the crack.
+    #[must_use]
+    pub fn is_felt(&self) -> bool {
+        self.gap > FELT_GAP
+    }
+}
+
+/// Gap over a²/2R from which on a wheel should feel the crack.
+const FELT_GAP: f64 = 0.05;
+
 impl Case {
+    /// The gap that opens under the first wheel over the first crack of a case in space, dry and
+    /// on few cells, whose sides it feels; `None` in the plane and for a buried crack.
+    #[must_use]
+    pub fn unfelt_gap(&self) -> Option<UnfeltGap> {
+        let space = self.space.as_ref()?;
+        let shape = space.shapes.first().filter(|shape| shape.buried.is_none())?;
+        let wheel = space.wheels.first()?.outline();
+        let front = CoarseFront::new(shape, *self.crack_friction.first()?, &self.steel)?;
+        let ellipse = HertzEllipse {
+            peak_pressure: wheel.peak_pressure,
+            along: wheel.half_width,
+            across: wheel.lateral_half_width,
+        };
+        let gap = front.gap_under(wheel, self.passages.passage.travel());
+        Some(UnfeltGap { gap: gap / ellipse.depth_along(&self.steel), in_plane: self.effect_in_plane() })
+    }
+
     /// The growth rate of the first surface-breaking crack under a wheel that feels it, over that
     /// under the contact on the uncracked rail: of the crack alone, dry, without residual stress,
     /// in the plane. `None` for a coupled wheel, for a block, for a measured contact, without such
     /// a crack, for one that is very flat, short, long or bent, and for one that does not grow.
     #[must_use]
     pub fn effect_of_coupling(&self) -> Option<f64> {
+        self.effect_in_plane().map(|effect| effect.rate)
+    }
+
+    fn effect_in_plane(&self) -> Option<EffectInPlane> {
         let measured = matches!(self.wheel.origin, ContactOrigin::Table(_));
         let in_half_plane = self.rail.boundary == Boundary::HalfPlane || self.engine.is_in_space();
         if self.has_coupled_wheel() || measured || !in_half_plane {
@@ -70,17 +124,32 @@ impl Case {
         let load = WheelLoad { contact: contact.clone(), track: None, temperature: None };
         let wheel = wheel_under(&load, &self.steel).ok()?;
         let friction = *self.crack_friction.get(place)?;
-        let range = |coupling: Option<&WheelCoupling>| {
+        let passed = |coupling: Option<&WheelCoupling>| {
             let problem = FaceProblem::new(&body, &[friction]).ok()?;
             let problem = problem.with_wheel(coupling.and_then(|coupling| coupling.on(&body.faces))).ok()?;
             let load = RailLoad { wheel: wheel.as_ref(), residual: None };
             let settings = PassageSettings { passage, ..PassageSettings::default() };
-            let solver = Newton::default();
-            let passed = stabilised_passage(&problem, &solver, load, &settings, &Unobserved).ok()?;
-            let SifRanges { delta_ki, delta_kii, .. } = SifRanges::of(passed.histories.first()?);
-            Some((delta_ki * delta_ki + MODE_2_WEIGHT * delta_kii * delta_kii).sqrt())
+            stabilised_passage(&problem, &Newton::default(), load, &settings, &Unobserved).ok()
         };
-        let (without, with) = (range(None)?, range(Some(&coupling))?);
-        (without > 0.0).then(|| (with / without).powf(EXPONENT))
+        let (without, with) = (passed(None)?, passed(Some(&coupling))?);
+        let hertz = coupling.contact.contact;
+        let mut gap = 0.0f64;
+        let record = without.passages.last()?;
+        for (&xc, states) in record.xc.iter().zip(&without.faces.states) {
+            if (xc - mouth).abs() < GAP_REACH * hertz.half_width {
+                let jumps: Vec<f64> = states.iter().flat_map(|state| [state.slip, state.opening]).collect();
+                gap = gap.max(gap_in_plane(&body.faces, &jumps, &hertz, &self.steel, xc).ok()?);
+            }
+        }
+        let depth = hertz.peak_pressure * hertz.half_width / (0.5 * self.steel.plane_strain_modulus());
+        let (without, with) = (range(&without)?, range(&with)?);
+        let rate = (with / without).powf(EXPONENT);
+        (without > 0.0).then_some(EffectInPlane { rate, gap: gap / depth })
     }
+}
+
+/// ΔK_eq (MPa √mm) of the first tip.
+fn range(passed: &StabilisedPassage) -> Option<f64> {
+    let SifRanges { delta_ki, delta_kii, .. } = SifRanges::of(passed.histories.first()?);
+    Some((delta_ki * delta_ki + MODE_2_WEIGHT * delta_kii * delta_kii).sqrt())
 }

@@ -129,7 +129,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         faces: faces(size, &now, &xc),
         fields: step.is_multiple_of(2).then(|| fields(step)),
         load_cycles: cycles(step),
-        largest_opening: 0.0,
+        unfelt_opening: 0.0,
         cycles_error: 0.0,
         removed: 0.0,
         dofs: 30_000 + step,

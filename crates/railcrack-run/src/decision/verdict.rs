@@ -302,11 +302,15 @@ fn toughness(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
 
 fn flap(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
     let step =
-        steps.iter().filter(|_| info.fluid).max_by(|a, b| a.largest_opening.total_cmp(&b.largest_opening))?;
-    let opening = step.largest_opening;
+        steps.iter().filter(|_| info.fluid).max_by(|a, b| a.unfelt_opening.total_cmp(&b.unfelt_opening))?;
+    let opening = step.unfelt_opening;
     validity::flap(opening)?;
+    let wheel = match info.engine.is_in_space() {
+        true => "",
+        false => "let the wheel feel the cracks ([contact] coupled = true) or ",
+    };
     let text = format!(
-        "fluid lifts the flap above a crack by {opening:.3} mm, which the wheel would press shut: let the wheel feel the cracks ([contact] coupled = true) or limit the pressure ([fluid] pressure_cap_mpa)"
+        "fluid lifts the flap above a crack by {opening:.3} mm, which the wheel would press shut: {wheel}limit the pressure ([fluid] pressure_cap_mpa)"
     );
     let reason = Reason { step: Some(step.step), ..Reason::new(ReasonKind::LiftedFlap, text) };
     Some(Reason { value: Some(opening), limit: Some(UNFELT_OPENING), ..reason })

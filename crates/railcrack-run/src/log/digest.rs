@@ -19,7 +19,7 @@ pub(crate) struct StepDigest {
     pub dofs: usize,
     pub face_points: usize,
     /// Largest opening of the faces, mm.
-    pub largest_opening: f64,
+    pub unfelt_opening: f64,
     pub counts: SolverCounts,
     pub times: PhaseTimes,
     pub stop: Option<RunStop>,

@@ -92,7 +92,7 @@ impl RunLog {
             largest_k1_at: largest_k1_at(record),
             dofs: record.dofs,
             face_points: record.faces.points.len(),
-            largest_opening: record.largest_opening,
+            unfelt_opening: record.unfelt_opening,
             counts: record.counts,
             times: record.times,
             stop: record.stop,

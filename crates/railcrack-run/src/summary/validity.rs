@@ -8,7 +8,7 @@ use railcrack::growth::{TipRecord, Warning, WarningKind};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::shakedown::ContactBounds;
 use railcrack::validity::{self, ResidualStress, Steel, SteelOrigin, ValidityWarning};
-use railcrack_case::{Case, GivenWheel};
+use railcrack_case::{Case, GivenWheel, UnfeltGap};
 use std::f64::consts::FRAC_PI_2;
 
 /// Warnings that follow from the case alone.
@@ -43,7 +43,25 @@ pub fn of_case(case: &Case) -> Vec<Warning> {
         );
     }
     warnings.extend(of_wheel_table(case));
+    warnings.extend(unfelt_gap(case));
     warnings
+}
+
+/// A warning where a wheel over a crack in space would feel it.
+fn unfelt_gap(case: &Case) -> Option<Warning> {
+    let UnfeltGap { gap, in_plane } = case.unfelt_gap().filter(UnfeltGap::is_felt)?;
+    let in_plane = in_plane.map_or_else(String::new, |plane| {
+        format!(
+            "; in the plane, where it is {:.0} %, the coupled wheel of the plane engines makes the rate {:.2} times",
+            100.0 * plane.gap,
+            plane.rate
+        )
+    });
+    let text = format!(
+        "the surface beside the first crack leaves the wheel by up to {:.0} % of the depth by which the contact flattens it, and the space engine computes the contact on the uncracked rail only{in_plane}",
+        100.0 * gap
+    );
+    Some(Warning { step: 0, kind: WarningKind::Validity, text, severity: Some(gap) })
 }
 
 /// Warnings about the wheels of a table: of its representatives one of each kind, and the error of
@@ -172,7 +190,7 @@ pub(crate) fn of_steps(info: &RunInfo, log: &RunLog) -> Vec<WarningSummary> {
         Some((rate, validity::depth_rate(rate)?))
     };
     let flap = |i: usize| {
-        let opening = steps[i].largest_opening;
+        let opening = steps[i].unfelt_opening;
         Some((opening, info.fluid.then(|| validity::flap(opening)).flatten()?))
     };
     let wish = |i: usize| {

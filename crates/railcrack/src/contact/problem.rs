@@ -1,11 +1,11 @@
 //! Contact problem on the faces of a cracked body, and its solutions.
 
 use super::wheel_surface::SurfaceSystem;
-use super::{FaceFluid, FaceState, FaceStatus, FluidModel, Pocket, PocketState, WheelSurface};
+use super::{FaceFluid, FaceState, FaceStatus, PocketState, WheelSurface};
 use crate::body::{CrackedBody, FacePoint};
 use crate::fracture::Sif;
 use crate::linear::LinearError;
-use crate::math::{Matrix, axpy, dot};
+use crate::math::{Matrix, dot};
 use thiserror::Error;
 
 /// Contact status of a face point; the sign of slip is that of s12.
@@ -81,8 +81,6 @@ pub struct FaceProblem<'a> {
     /// is an unknown.
     pub(super) free_volumes: Vec<f64>,
     wheel: Option<SurfaceSystem>,
-    /// Whether the nodes of the wheel load the fluid in the cracks.
-    presses_fluid: bool,
 }
 
 impl<'a> FaceProblem<'a> {
@@ -101,7 +99,7 @@ impl<'a> FaceProblem<'a> {
             return Err(CrackFrictionError::Value { crack: crack + 1, value: crack_friction[crack] });
         }
         let friction = points.iter().map(|point| crack_friction[point.crack]).collect();
-        Ok(Self { body, friction, fluid: None, free_volumes: Vec::new(), wheel: None, presses_fluid: false })
+        Ok(Self { body, friction, fluid: None, free_volumes: Vec::new(), wheel: None })
     }
 
     /// This problem with `fluid` in the cracks.
@@ -115,30 +113,13 @@ impl<'a> FaceProblem<'a> {
     }
 
     /// This problem, whose fluid is known, under a wheel that feels the cracks, with the running
-    /// `surface` under it. Fluid at the pressure over a mouth is a load of the surface nodes around
-    /// it if the pressure falls along the crack; constant, it makes the flap snap, and is given.
+    /// `surface` under it.
     ///
     /// Errors: a surface without a solution of its contact.
     pub fn with_wheel(self, surface: Option<WheelSurface>) -> Result<Self, LinearError> {
         let stiffness = &self.body.stiffness;
-        let falls = |fluid: &&FaceFluid| {
-            matches!(fluid.model, FluidModel::Mouth { .. })
-                && fluid.pockets.iter().all(|pocket| pocket.profile != pocket.unit)
-        };
-        let of_mouth = self.fluid.as_ref().filter(falls);
-        let presses_fluid = of_mouth.is_some();
-        let pockets: Vec<&Pocket> = of_mouth.iter().flat_map(|fluid| &fluid.pockets).collect();
-        let wet = |mut surface: WheelSurface| {
-            for pocket in &pockets {
-                let Some(mouth) = pocket.mouth else { continue };
-                for (node, share) in surface.mean_over(mouth.x) {
-                    axpy(share, &pocket.profile, surface.loading.row_mut(node));
-                }
-            }
-            SurfaceSystem::new(surface, stiffness)
-        };
-        let wheel = surface.map(wet).transpose()?;
-        Ok(Self { wheel, presses_fluid, ..self }.extended())
+        let wheel = surface.map(|surface| SurfaceSystem::new(surface, stiffness)).transpose()?;
+        Ok(Self { wheel, ..self }.extended())
     }
 
     /// This problem with forces of pockets that have an entry for every component.
@@ -154,7 +135,7 @@ impl<'a> FaceProblem<'a> {
     /// Whether the pressures of a wheel that feels the cracks over their mouths act on the fluid in
     /// them, and are given.
     pub(crate) fn has_given_mouth_pressures(&self) -> bool {
-        self.wheel.is_some() && self.fluid.is_some() && !self.presses_fluid
+        self.wheel.is_some() && self.fluid.is_some()
     }
 
     /// The wheel, if it feels the cracks.

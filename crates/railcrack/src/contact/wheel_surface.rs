@@ -70,7 +70,7 @@ pub(crate) fn ratio_at(ratios: &[(f64, f64)], u: f64) -> f64 {
 impl WheelSurface {
     /// The nodes that the mean pressure over |x − `mouth`| ≤ 0.1 a (mm) consists of, each with its
     /// share. The pressure at the very mouth depends on the number of nodes.
-    pub(super) fn mean_over(&self, mouth: f64) -> Vec<(usize, f64)> {
+    fn mean_over(&self, mouth: f64) -> Vec<(usize, f64)> {
         let lip = LIP * self.half_width;
         let mut shares: Vec<(usize, f64)> = Vec::new();
         let mut add = |node: usize, share: f64| match shares.iter_mut().find(|known| known.0 == node) {
@@ -322,15 +322,6 @@ impl SurfaceSystem {
     /// The mean pressure (MPa) over 0.1 a on either side of `mouth` (mm).
     pub fn mean(&self, jump: &[f64], mouth: f64) -> f64 {
         self.surface.mean_over(mouth).into_iter().map(|(i, share)| share * self.pressure(jump, i)).sum()
-    }
-
-    /// The difference (MPa) between that mean and the one on the uncracked rail with the wheel at
-    /// `xc` (mm).
-    pub fn mean_beyond_uncracked(&self, jump: &[f64], mouth: f64, xc: f64) -> f64 {
-        let shares = self.surface.mean_over(mouth);
-        let share = |node: usize| shares.iter().find(|known| known.0 == node).map_or(0.0, |known| known.1);
-        let uncracked: f64 = self.uncracked.pressures(xc).map(|(i, q)| share(i) * q).sum();
-        self.mean(jump, mouth) - uncracked
     }
 }
 

@@ -5,6 +5,8 @@ mod compliance;
 mod grid;
 mod loads;
 mod uneven_shear;
+mod unfelt_gap;
 mod wheel;
 
+pub use unfelt_gap::gap_in_plane;
 pub use wheel::{CoupledContact, WheelCoupling};

@@ -367,11 +367,9 @@ impl<R: CrackedRail> Growth<R> {
         let Loaded { report, mut passages, fields, mut warnings, load_cycles, .. } = now;
         let counts = passages.iter().skip(1).fold(passages[0].counts, |sum, other| sum.and(other.counts));
         warnings.extend(advance.warnings.iter().cloned());
-        let is_wet = |passage: &&StabilisedPassage| passage.is_wet();
-        let wet = passages.iter().filter(is_wet).map(StabilisedPassage::largest_opening);
-        let largest_opening = wet
-            .reduce(f64::max)
-            .unwrap_or_else(|| passages.iter().map(StabilisedPassage::largest_opening).fold(0.0, f64::max));
+        let lifts = |passage: &&StabilisedPassage| passage.is_wet() && !passage.is_coupled();
+        let unfelt_opening =
+            passages.iter().filter(lifts).map(StabilisedPassage::largest_opening).fold(0.0, f64::max);
         let other_wheels: Vec<StabilisedPassage> = passages.split_off(1);
         let first = passages.swap_remove(0);
         StepRecord {
@@ -381,7 +379,7 @@ impl<R: CrackedRail> Growth<R> {
             passages: first.passages,
             other_wheels: other_wheels.into_iter().map(|passage| passage.passages).collect(),
             faces: first.faces,
-            largest_opening,
+            unfelt_opening,
             fields,
             load_cycles,
             cycles_error: self.state.course.error(),

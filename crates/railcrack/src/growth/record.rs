@@ -150,9 +150,9 @@ pub struct StepRecord {
     pub other_wheels: Vec<Vec<PassageRecord>>,
     /// The faces during the stabilised passage; in a mix, of the first wheel.
     pub faces: FaceRecord,
-    /// Largest opening of the faces (mm) during the stabilised passages of the wheels under which
-    /// there is fluid in the cracks; of all wheels where there is none.
-    pub largest_opening: f64,
+    /// Largest opening of the faces (mm) during the stabilised passages of the wheels that do not
+    /// feel the cracks and under which there is fluid in them; zero without such a wheel.
+    pub unfelt_opening: f64,
     /// The fields around the cracks, where they are requested and the engine provides them.
     pub fields: Option<FieldRecord>,
     /// Load cycles at the start of the step.

@@ -56,6 +56,11 @@ impl StabilisedPassage {
         self.passages.last().is_some_and(|passage| !passage.fluid.is_empty())
     }
 
+    /// Whether the wheel feels the cracks.
+    pub(crate) fn is_coupled(&self) -> bool {
+        self.passages.last().is_some_and(|passage| passage.wheel.iter().any(Option::is_some))
+    }
+
     /// The largest opening of the faces at an output position, mm.
     pub(crate) fn largest_opening(&self) -> f64 {
         self.faces.states.iter().flatten().map(|state| state.opening).fold(0.0, f64::max)

@@ -76,6 +76,18 @@ impl HertzEllipse {
         Ok(Self { peak_pressure: 1.5 * wheel_load / (PI * longer * shorter), along, across })
     }
 
+    /// a²/2R (mm), by how much wheels and rails of `material` with this contact would part at the
+    /// end of a if they did not deform; 1/R is the curvature along the rail of [`Self::new`]. For a
+    /// long ellipse it is a p0/E*, that of the line contact.
+    pub fn depth_along(&self, material: &IsotropicElastic) -> f64 {
+        let (a, b) = (self.along, self.across);
+        let (minor, major) = (a.min(b), a.max(b));
+        let (d, other) = shape(minor / major);
+        let modulus = 0.5 * material.plane_strain_modulus();
+        let curvature = 2.0 * self.peak_pressure * minor / (modulus * major * major);
+        0.5 * a * a * curvature * if a <= b { other } else { d }
+    }
+
     /// The line contact of the strip at `lateral` (z, mm), in full sliding with signed `friction`:
     /// p0 √(1 − (z/b)²) and a √(1 − (z/b)²).
     ///
@@ -180,6 +192,19 @@ mod tests {
         let line =
             HertzianContact::from_line_load(strip.line_load(), 460.0, f64::INFINITY, &steel(), 0.1).unwrap();
         assert!((line.half_width / strip.half_width - 1.0).abs() < 1e-5, "{line:?} {strip:?}");
+    }
+
+    #[test]
+    fn depths_follow_from_the_radius_along_the_rail() {
+        for head in [80.0, 300.0, 460.0, 2000.0] {
+            let ellipse =
+                HertzEllipse::new(&WheelOnRail { rail_head_radius: head, ..WHEEL }, &steel()).unwrap();
+            let depth = ellipse.along * ellipse.along / (2.0 * 460.0);
+            assert!((ellipse.depth_along(&steel()) / depth - 1.0).abs() < 1e-6, "{ellipse:?}");
+        }
+        let line = HertzEllipse { peak_pressure: 900.0, along: 6.0, across: 6e4 };
+        let modulus = 0.5 * steel().plane_strain_modulus();
+        assert!((line.depth_along(&steel()) * modulus / (900.0 * 6.0) - 1.0).abs() < 1e-6);
     }
 
     #[test]

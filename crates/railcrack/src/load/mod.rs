@@ -10,6 +10,7 @@ mod rail_section;
 mod table;
 mod temperature;
 mod track;
+mod unfelt_gap;
 
 pub use carter::CarterContact;
 pub use contact::{Contact, WheelLoad};
@@ -21,3 +22,4 @@ pub use rail_section::{NamedSection, RailSection, SECTIONS};
 pub use table::{ContactRow, ContactTableError, TableContact};
 pub use temperature::Temperature;
 pub use track::{Axle, Bending, Track};
+pub use unfelt_gap::{SurfacePart, unfelt_gap};

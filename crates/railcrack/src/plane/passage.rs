@@ -8,7 +8,7 @@ use super::tip_sifs::{TipMark, TipSifs};
 use crate::body::FacePoint;
 use crate::contact::{
     ContactSolver, Coupling, FaceProblem, FaceSolution, FaceState, FluidModel, FluidState, Pocket,
-    PocketMouth, StepControl, Stepper, SteppingCounts, SteppingError, SurfaceState,
+    StepControl, Stepper, SteppingCounts, SteppingError, SurfaceState,
 };
 use crate::fracture::SifHistory;
 use crate::growth::{
@@ -450,11 +450,6 @@ impl<'a> Rolling<'a> {
         let mut pressures = self.face_load.in_pockets(xc, 1.0).unwrap_or_default();
         if let Some(given) = self.over_mouths.as_ref().filter(|_| !pressures.is_empty()) {
             pressures.clone_from(&given.now);
-        } else if let Some(wheel) = self.problem.wheel().filter(|_| self.coupling == Coupling::Coupled) {
-            for (pressure, pocket) in pressures.iter_mut().zip(&fluid.pockets) {
-                let beyond = |mouth: PocketMouth| wheel.mean_beyond_uncracked(&solution.jump, mouth.x, xc);
-                *pressure += pocket.mouth.map_or(0.0, beyond);
-            }
         }
         let state = |(k, pocket): (usize, &Pocket)| FluidState {
             pressure: solution

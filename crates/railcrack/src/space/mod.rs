@@ -33,6 +33,7 @@ mod stabilised;
 mod states;
 mod tips;
 mod trapped;
+mod unfelt_gap;
 mod wheel;
 mod worn;
 

@@ -82,6 +82,12 @@ impl EllipticWheel {
         self.peak_pressure * (1.0 - u * u - v * v).max(0.0).sqrt()
     }
 
+    /// P, N.
+    #[must_use]
+    pub fn load(&self) -> f64 {
+        2.0 / 3.0 * PI * self.half_width * self.lateral_half_width * self.peak_pressure
+    }
+
     /// The stress (MPa) at x, lateral and depth (mm) of a contact centred at `position` (mm).
     pub fn stress(&self, position: f64, point: [f64; 3], poisson: f64) -> Symmetric {
         let place = Place {

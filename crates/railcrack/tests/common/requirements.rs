@@ -795,9 +795,19 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Fluid: with an incompressible fluid K and pressure do not depend on E.",
     ),
     requirement(
+        "space::unfelt_gap::wide_cracks_have_that_of_the_plane",
+        "",
+        "Coupled wheel: the gap that the contact of the space engine leaves over a wide crack tends to that in the plane.",
+    ),
+    requirement(
         "coupled_wheel::a_symmetric_crack_is_not_felt",
         "",
         "Coupled wheel: over a vertical crack below its middle a frictionless wheel has the Hertzian pressure, K = 0 and no further approach.",
+    ),
+    requirement(
+        "coupled_wheel::faces_that_stick_are_not_felt",
+        "",
+        "Coupled wheel: over faces that stick (friction 10) the pressure is that on the uncracked rail, K = 0 and the wheel approaches no further.",
     ),
     requirement(
         "coupled_wheel::load_on_the_lips_converges",
@@ -820,6 +830,11 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Coupled wheel: with twice E at given pressure and half-width K is the same and the approach half as large.",
     ),
     requirement(
+        "coupled_wheel::stiffer_steel_over_a_passage",
+        "",
+        "Coupled wheel: over a passage with friction, partial slip or water twice E leaves K and the pressures as they are and halves the approach.",
+    ),
+    requirement(
         "coupled_wheel::history_with_friction",
         "",
         "Coupled wheel: the extremes of K over a passage with friction agree with those of a prototype, and the coupling begins without a jump of K.",
@@ -837,7 +852,7 @@ pub const REQUIREMENTS: &[Requirement] = &[
     requirement(
         "coupled_wheel::mirrored_travel",
         "",
-        "Coupled wheel: a mirrored pair of cracks has the mirrored history.",
+        "Coupled wheel: a mirrored pair of cracks has the mirrored history, in full sliding, in partial slip and with water.",
     ),
     requirement(
         "coupled_wheel::water_under_a_wheel_that_bridges_the_mouth",

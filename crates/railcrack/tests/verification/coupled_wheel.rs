@@ -3,13 +3,15 @@
 
 use crate::common::{Absolute, Of, Relative, Rolling, close, largest, steel, surface_crack};
 use railcrack::body::CrackedBody;
-use railcrack::contact::{ContactSolver, FaceProblem, FluidModel, Latin, Newton, PressureProfile};
+use railcrack::contact::{
+    ContactSolver, FaceProblem, FluidModel, Latin, Newton, PressureProfile, SurfaceState,
+};
 use railcrack::coupling::{CoupledContact, WheelCoupling};
-use railcrack::crack::CrackNetwork;
+use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::dislocation::{FaceResolution, cracked_body};
-use railcrack::field::{CarterWheel, HertzWheel};
+use railcrack::field::{CarterWheel, HertzWheel, wheel_under};
 use railcrack::growth::{PassageRecord, PassageSettings, StabilisedPassage, Unobserved};
-use railcrack::load::{CarterContact, Contact, HertzianContact, Passage, Travel};
+use railcrack::load::{CarterContact, Contact, HertzianContact, Passage, Travel, WheelLoad};
 use railcrack::material::IsotropicElastic;
 use railcrack::plane::{CrackFluid, RailLoad, stabilised_passage};
 
@@ -129,6 +131,47 @@ fn a_symmetric_crack_is_not_felt() {
 }
 
 #[test]
+fn faces_that_stick_are_not_felt() {
+    // Under a frictionless wheel all normal stresses are compressive, and with a crack-face
+    // friction of 10 faces neither open nor slip: wheel and rail are as without a crack. The nodes
+    // depend on the mouth alone.
+    let mut uncracked: Option<Vec<SurfaceState>> = None;
+    for degrees in [30.0, 45.0, 60.0, 120.0] {
+        let crack = || vec![surface_crack(0.0, 6.0, degrees)];
+        let rolling = Rolling::over(crack(), STUCK, 0.0);
+        let meshed = Rolling::meshed(crack(), STUCK, 0.0);
+        let newton = Newton::default();
+        for passage in
+            [coupled(&rolling, &newton), coupled(&rolling, &Latin::default()), coupled(&meshed, &newton)]
+        {
+            let k = largest(histories(&passage).into_iter().flatten());
+            close(k, 0.0, Absolute(1e-8), "MPa√m, tolerance of LATIN; Newton gives zero");
+            let (record, surface) = (last(&passage), &passage.faces.surface);
+            let approaches = record.wheel.iter().flatten().map(|state| state.approach);
+            close(largest(approaches), 0.0, Absolute(1e-9), "mm, round-off");
+            let coupled: Vec<(f64, &Vec<SurfaceState>)> =
+                record.xc.iter().copied().zip(surface).filter(|(_, nodes)| !nodes.is_empty()).collect();
+            assert!(coupled.len() > 100, "the wheel feels the crack within 3 a of it");
+            let off = coupled.iter().flat_map(|(xc, nodes)| {
+                let inside = nodes.iter().map(move |node| ((node.x - xc) / A, node.pressure / 845.0));
+                inside.filter(|(u, _)| u.abs() < 0.7).map(|(u, p)| p - (1.0 - u * u).sqrt())
+            });
+            close(largest(off), 0.0, Absolute(2e-3), "nodes of a/20; the edges are left out");
+            let nodes = surface.iter().flatten().copied();
+            let known = uncracked.get_or_insert_with(|| nodes.clone().collect());
+            let apart = nodes.zip(known.iter()).map(|(node, known)| {
+                assert_eq!(node.x, known.x);
+                node.pressure - known.pressure
+            });
+            close(largest(apart), 0.0, Of(1e-8, 845.0), "the same nodes over all cracks; round-off");
+        }
+    }
+}
+
+/// A crack-face friction that faces under pressure do not overcome.
+const STUCK: f64 = 10.0;
+
+#[test]
 fn load_on_the_lips_converges() {
     // The lips are punches, whose pressure grows without limit with the number of nodes; the load
     // within 0.1 a of the mouth is finite. Of its largest value over the passage.
@@ -156,15 +199,28 @@ fn load_on_the_lips_converges() {
 
 #[test]
 fn same_bits_with_any_number_of_threads() {
-    let with_threads = |number: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(number).build().unwrap();
-        pool.install(|| {
-            let cracks = vec![surface_crack(0.0, 4.0, 30.0), surface_crack(3.0, 5.0, 60.0)];
-            let passage = coupled(&Rolling::over(cracks, 0.2, 0.3), &Newton::default());
-            (last(&passage).sifs.clone(), passage.faces.surface.clone())
-        })
-    };
-    assert!(with_threads(1) == with_threads(3), "a result depends on the number of threads");
+    let cracks = || vec![surface_crack(0.0, 4.0, 30.0), surface_crack(3.0, 5.0, 60.0)];
+    let newton = Newton::default();
+    let mouth = wet_by(FluidModel::Mouth { cap: f64::INFINITY }, PressureProfile::Linear);
+    let trapped = wet_by(TRAPPED, PressureProfile::Constant);
+    let passages: [&(dyn Fn() -> StabilisedPassage + Sync); 6] = [
+        &|| coupled(&Rolling::over(cracks(), 0.2, 0.3), &newton),
+        &|| coupled(&Rolling::over(cracks(), 0.2, 0.3), &Latin::default()),
+        &|| coupled(&Rolling::meshed(vec![surface_crack(0.0, 4.0, 30.0)], 0.2, 0.3), &newton),
+        &|| partial_slip(&Rolling::over(cracks(), 0.2, 0.0), -0.5, &newton),
+        &|| wet(&Rolling::over(cracks(), 0.2, -0.2), &mouth, true, &newton),
+        &|| wet(&Rolling::over(cracks(), 0.2, -0.2), &trapped, true, &newton),
+    ];
+    for (k, passage) in passages.iter().enumerate() {
+        let [one, three] = [1, 3].map(|number| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(number).build().unwrap();
+            pool.install(|| {
+                let passage = passage();
+                (last(&passage).clone(), passage.faces.surface)
+            })
+        });
+        assert!(one == three, "passage {k} depends on the number of threads");
+    }
 }
 
 #[test]
@@ -206,6 +262,74 @@ fn stiffer_steel() {
     let (soft, stiff) = (soft.solve(), stiff.solve());
     close(stiff.k[1], soft.k[1], Relative(1e-9), "K does not depend on E at given p0 and a");
     close(2.0 * stiff.approach, soft.approach, Relative(1e-9), "displacements are proportional to 1/E");
+}
+
+#[test]
+fn stiffer_steel_over_a_passage() {
+    // Friction, partial slip and fluid that does not yield bring no modulus of their own.
+    let mouth = wet_by(FluidModel::Mouth { cap: f64::INFINITY }, PressureProfile::Linear);
+    let trapped = wet_by(TRAPPED, PressureProfile::Constant);
+    for (of, fluid) in [
+        (full_sliding(), None),
+        (half_slip(), None),
+        (full_sliding(), Some(mouth)),
+        (full_sliding(), Some(trapped)),
+    ] {
+        let [soft, stiff] = [1.0, 2.0].map(|share| {
+            let steel = IsotropicElastic::new(share * 210e3, 0.3).unwrap();
+            (share, under(&of, fluid.as_ref(), &steel))
+        });
+        close(apart(&soft.1, &stiff.1), 0.0, Absolute(1e-6), "of the peak of K; round-off moves the events");
+        let ((one, soft), (two, stiff)) = (soft, stiff);
+        let approaches = |share: f64, passage: &StabilisedPassage| -> Vec<f64> {
+            last(passage).wheel.iter().flatten().map(|state| share * state.approach).collect()
+        };
+        let (ours, theirs) = (approaches(one, &soft), approaches(two, &stiff));
+        let peak = largest(ours.iter().copied());
+        let apart = largest(ours.iter().zip(&theirs).map(|(a, b)| a - b));
+        close(apart, 0.0, Of(1e-6, peak), "E times the approach; round-off moves the events");
+        let pressures = |passage: &StabilisedPassage| -> Vec<f64> {
+            passage.faces.surface.iter().flatten().map(|node| node.pressure).collect()
+        };
+        let apart = largest(pressures(&soft).iter().zip(pressures(&stiff)).map(|(a, b)| a - b));
+        close(apart, 0.0, Of(1e-5, 845.0), "contact pressures; round-off moves the events");
+    }
+}
+
+/// The contact of `history_with_friction`.
+fn full_sliding() -> Contact {
+    Contact::Hertz(HertzianContact { peak_pressure: 845.0, half_width: A, friction: -0.2 })
+}
+
+/// A wheel in partial slip, Q = −½ μ P.
+fn half_slip() -> Contact {
+    Contact::Carter(CarterContact {
+        peak_pressure: 845.0,
+        half_width: A,
+        friction: 0.3,
+        traction: -0.5,
+        travel: Travel::Forward,
+    })
+}
+
+/// The passage of a coupled wheel with `contact` over a crack of 6 mm at 25° in a rail of `steel`.
+fn under(contact: &Contact, fluid: Option<&CrackFluid>, steel: &IsotropicElastic) -> StabilisedPassage {
+    let network = CrackNetwork::new(vec![surface_crack(0.0, 6.0, 25.0)]).unwrap();
+    let body = cracked_body(&network, steel, FaceResolution::default()).unwrap();
+    let coupling = WheelCoupling {
+        contact: CoupledContact::new(contact, steel),
+        nodes_per_half_width: NODES,
+        within: WheelCoupling::WITHIN,
+    };
+    let fluid = fluid.map(|fluid| fluid.on(&network, &body.faces));
+    let problem = FaceProblem::new(&body, &[0.2]).unwrap().with_fluid(fluid);
+    let problem = problem.with_wheel(coupling.on(&body.faces)).unwrap();
+    let load = WheelLoad { contact: contact.clone(), track: None, temperature: None };
+    let wheel = wheel_under(&load, steel).unwrap();
+    let passage = Passage { from: -6.0 * A, to: 6.0 * A, positions: 121 };
+    let settings = PassageSettings { passage, ..PassageSettings::default() };
+    let load = RailLoad { wheel: wheel.as_ref(), residual: None };
+    stabilised_passage(&problem, &Newton::default(), load, &settings, &Unobserved).unwrap()
 }
 
 #[test]
@@ -255,7 +379,7 @@ fn partial_slip(rolling: &Rolling, traction: f64, solver: &dyn ContactSolver) ->
         half_width: A,
         friction: 0.3,
         traction,
-        travel: Travel::Forward,
+        travel: if rolling.travel > 0.0 { Travel::Forward } else { Travel::Backward },
     };
     let body = rolling.body();
     let settings = WheelCoupling {
@@ -265,7 +389,10 @@ fn partial_slip(rolling: &Rolling, traction: f64, solver: &dyn ContactSolver) ->
     let problem = FaceProblem::new(&body, &vec![rolling.crack_friction; rolling.cracks.len()]).unwrap();
     let problem = problem.with_wheel(settings.on(&body.faces)).unwrap();
     let wheel = CarterWheel::new(&carter, &steel()).unwrap();
-    let passage = Passage { from: -6.0 * A, to: 6.0 * A, positions: rolling.steps.positions };
+    let network = CrackNetwork::new(rolling.cracks.clone()).unwrap();
+    let (left, right) = (network.leftmost_mouth() - 6.0 * A, network.rightmost_mouth() + 6.0 * A);
+    let (from, to) = if rolling.travel > 0.0 { (left, right) } else { (right, left) };
+    let passage = Passage { from, to, positions: rolling.steps.positions };
     let settings = PassageSettings { passage, ..PassageSettings::default() };
     let load = RailLoad { wheel: &wheel, residual: None };
     stabilised_passage(&problem, solver, load, &settings, &Unobserved).unwrap()
@@ -294,21 +421,46 @@ fn partial_slip_of_the_wheel() {
     close(apart(&almost, &full), 0.0, Absolute(1e-3), "of the peak; full sliding is the limit");
 }
 
+/// The mirrored case: cracks, friction of the wheel and travel.
+fn mirrored<'a>(rolling: &Rolling<'a>, cracks: Vec<Crack>) -> Rolling<'a> {
+    let mut mirrored = rolling.clone();
+    (mirrored.cracks, mirrored.wheel_friction) = (cracks, -rolling.wheel_friction);
+    mirrored.travel = -rolling.travel;
+    mirrored
+}
+
 #[test]
 fn mirrored_travel() {
     let cracks = vec![surface_crack(0.0, 4.0, 30.0), surface_crack(3.0, 5.0, 60.0)];
     let rolling = Rolling::over(cracks, 0.2, 0.3);
-    let mut mirrored = rolling.clone();
-    mirrored.cracks = vec![surface_crack(0.0, 4.0, 150.0), surface_crack(-3.0, 5.0, 120.0)];
-    (mirrored.wheel_friction, mirrored.travel) = (-0.3, -1.0);
-    let (one, other) = (coupled(&rolling, &Newton::default()), coupled(&mirrored, &Newton::default()));
-    let (k, m) = (histories(&one), histories(&other));
-    let peak = largest(k.iter().flatten().copied());
-    let difference = largest(k.iter().zip(&m).flat_map(|(a, b)| [a[0] - b[0], a[1] + b[1]]));
-    close(difference, 0.0, Of(1e-6, peak), "round-off, which moves the events of the path");
+    let other = mirrored(&rolling, vec![surface_crack(0.0, 4.0, 150.0), surface_crack(-3.0, 5.0, 120.0)]);
+    let newton = Newton::default();
+    let mouth = wet_by(FluidModel::Mouth { cap: f64::INFINITY }, PressureProfile::Linear);
+    let constant = CrackFluid { profile: PressureProfile::Constant, ..mouth.clone() };
+    let trapped = wet_by(TRAPPED, PressureProfile::Constant);
+    for passage in [
+        &(|rolling: &Rolling<'_>| coupled(rolling, &newton)) as &dyn Fn(&Rolling<'_>) -> StabilisedPassage,
+        &|rolling: &Rolling<'_>| partial_slip(rolling, -0.5 * rolling.travel, &newton),
+        &|rolling: &Rolling<'_>| wet(rolling, &mouth, true, &newton),
+        &|rolling: &Rolling<'_>| wet(rolling, &constant, true, &newton),
+        &|rolling: &Rolling<'_>| wet(rolling, &trapped, true, &newton),
+    ] {
+        let (k, m) = (histories(&passage(&rolling)), histories(&passage(&other)));
+        let peak = largest(k.iter().flatten().copied());
+        let difference = largest(k.iter().zip(&m).flat_map(|(a, b)| [a[0] - b[0], a[1] + b[1]]));
+        close(difference, 0.0, Of(1e-6, peak), "round-off, which moves the events of the path");
+    }
 }
 
-/// A shallow crack with the fluid of `model` under a wheel, which feels it if `coupled`.
+/// Incompressible fluid that leaks.
+const TRAPPED: FluidModel = FluidModel::Trapped { bulk_modulus: f64::INFINITY, leak: true };
+
+/// Fluid in all cracks.
+fn wet_by(model: FluidModel, profile: PressureProfile) -> CrackFluid {
+    CrackFluid { model, profile, cracks: None }
+}
+
+/// Cracks with `fluid` under a wheel, which feels it if `coupled`.
 fn wet(
     rolling: &Rolling,
     fluid: &CrackFluid,
@@ -317,7 +469,8 @@ fn wet(
 ) -> StabilisedPassage {
     let body = rolling.body();
     let fluid = fluid.on(&CrackNetwork::new(rolling.cracks.clone()).unwrap(), &body.faces);
-    let problem = FaceProblem::new(&body, &[rolling.crack_friction]).unwrap().with_fluid(Some(fluid));
+    let problem = FaceProblem::new(&body, &vec![rolling.crack_friction; rolling.cracks.len()]).unwrap();
+    let problem = problem.with_fluid(Some(fluid));
     let surface = coupling(rolling.contact(), &steel()).on(&body.faces);
     rolling.on(&problem.with_wheel(surface.filter(|_| coupled)).unwrap(), solver)
 }

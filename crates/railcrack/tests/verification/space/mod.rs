@@ -11,6 +11,7 @@ mod several;
 mod stiffness;
 mod strike;
 mod track;
+mod unfelt_gap;
 mod wheel;
 mod wide;
 
