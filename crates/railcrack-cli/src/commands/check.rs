@@ -739,9 +739,7 @@ fn warnings(case: &Case) -> Vec<CheckLine> {
 /// The warnings about a case, and whether its wheel should feel the cracks.
 fn warning_texts(case: &Case) -> Vec<String> {
     let mut texts: Vec<String> = of_case(case).into_iter().map(|warning| warning.text).collect();
-    // A case in space has its own estimate, which also says what the plane does.
-    let is_told = case.unfelt_gap().is_some_and(|unfelt| unfelt.is_felt());
-    let felt = case.effect_of_coupling().filter(|ratio| !is_told && (ratio - 1.0).abs() > FELT);
+    let felt = case.effect_of_coupling().filter(|ratio| (ratio - 1.0).abs() > FELT);
     texts.extend(felt.map(|ratio| {
         let remedy = if case.engine.is_in_space() {
             "the space engine has no such wheel, the plane engines do"
