@@ -177,7 +177,9 @@ impl Control<'_> {
             if error.largest_turn > LARGEST_TURN && !settings.turning.is_limit() {
                 return cut((CHOSEN_TURN / error.largest_turn).max(0.2), None);
             }
-            let given = if settings.maintained().is_some() { OF_GIVEN_UNDER_WEAR } else { OF_GIVEN };
+            // The limit path is cut by its bends.
+            let is_strict = settings.maintained().is_some() && !settings.turning.is_limit();
+            let given = if is_strict { OF_GIVEN_UNDER_WEAR } else { OF_GIVEN };
             let allowed = settings.tolerance.map_or(given, |tolerance| 2.0 * STEP_TOLERANCE * tolerance);
             let excess = self.leverage() * error.relative() / allowed;
             if excess > 1.0 {
