@@ -18,8 +18,7 @@ mod tables;
 pub use case::{
     CarriedStress, CarriedStressError, Case, Coefficient, DemandError, EffectInPlane, HeaviestWheel,
     KnownSizes, MixedWheel, NoCoefficient, NoNumber, NotInPage, Overrides, PreparedRun, Projection, RailKey,
-    Release, RunSize, SharedRail, SharedRailError, SpaceCase, TabledWheel, UnfeltGap, WheelDemand,
-    WheelTable,
+    Release, RunSize, SharedRail, SharedRailError, SpaceCase, TabledWheel, WheelDemand, WheelTable,
 };
 pub use entries::{Comparison, Entry, EntryValue, Grade, HowRead, Quantity, entry_schema};
 pub use files::{

@@ -11,7 +11,7 @@ use railcrack::dislocation::{FaceResolution, cracked_body};
 use railcrack::fatigue::SifRanges;
 use railcrack::field::wheel_under;
 use railcrack::growth::{PassageSettings, StabilisedPassage, Unobserved};
-use railcrack::load::{HertzEllipse, Passage, WheelLoad};
+use railcrack::load::{Passage, WheelLoad};
 use railcrack::plane::{RailLoad, stabilised_passage};
 
 /// Extent of the passage over a, and number of its positions.
@@ -51,54 +51,26 @@ pub struct EffectInPlane {
     pub gap: f64,
 }
 
-/// Gap that the contact of the space engine leaves, since its wheel does not feel the cracks.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct UnfeltGap {
-    /// The largest gap that opens under the wheel over the first crack, over a²/2R.
-    pub gap: f64,
-    /// Effect of a coupled wheel in the plane.
-    pub in_plane: Option<EffectInPlane>,
-}
-
-impl UnfeltGap {
-    /// Whether the gap is so large that the wheel should feel the crack.
-    #[must_use]
-    pub fn is_felt(&self) -> bool {
-        self.gap > FELT_GAP
-    }
-}
-
-/// Gap over a²/2R from which on a wheel should feel the crack.
-const FELT_GAP: f64 = 0.05;
-
 impl Case {
-    /// The gap that opens under the first wheel over the first crack of a case in space, dry and
-    /// on few cells, whose sides it feels; `None` in the plane and for a buried crack.
+    /// The largest gap, over a²/2R, that opens under the first wheel over the first crack of a case
+    /// in space, dry and on few cells, since the contact of that engine does not feel the cracks;
+    /// `None` in the plane and for a buried crack.
     #[must_use]
-    pub fn unfelt_gap(&self) -> Option<UnfeltGap> {
+    pub fn unfelt_gap(&self) -> Option<f64> {
         let space = self.space.as_ref()?;
         let shape = space.shapes.first().filter(|shape| shape.buried.is_none())?;
         let wheel = space.wheels.first()?.outline();
         let front = CoarseFront::new(shape, *self.crack_friction.first()?, &self.steel)?;
-        let ellipse = HertzEllipse {
-            peak_pressure: wheel.peak_pressure,
-            along: wheel.half_width,
-            across: wheel.lateral_half_width,
-        };
         let gap = front.gap_under(wheel, self.passages.passage.travel());
-        Some(UnfeltGap { gap: gap / ellipse.depth_along(&self.steel), in_plane: self.effect_in_plane() })
+        Some(gap / wheel.ellipse().depth_along(&self.steel))
     }
 
-    /// The growth rate of the first surface-breaking crack under a wheel that feels it, over that
-    /// under the contact on the uncracked rail: of the crack alone, dry, without residual stress,
-    /// in the plane. `None` for a coupled wheel, for a block, for a measured contact, without such
-    /// a crack, for one that is very flat, short, long or bent, and for one that does not grow.
+    /// The effect of a wheel that feels the first surface-breaking crack, against the contact on
+    /// the uncracked rail: of the crack alone, dry, without residual stress, in the plane. `None`
+    /// for a coupled wheel, for a block, for a measured contact, without such a crack, for one that
+    /// is very flat, short, long or bent, and for one that does not grow.
     #[must_use]
-    pub fn effect_of_coupling(&self) -> Option<f64> {
-        self.effect_in_plane().map(|effect| effect.rate)
-    }
-
-    fn effect_in_plane(&self) -> Option<EffectInPlane> {
+    pub fn effect_of_coupling(&self) -> Option<EffectInPlane> {
         let measured = matches!(self.wheel.origin, ContactOrigin::Table(_));
         let in_half_plane = self.rail.boundary == Boundary::HalfPlane || self.engine.is_in_space();
         if self.has_coupled_wheel() || measured || !in_half_plane {

@@ -37,7 +37,7 @@ mod wheels_of_table;
 
 pub use carried::{CarriedStress, CarriedStressError, Projection, Release};
 pub use case::{Case, HeaviestWheel};
-pub use coupling_estimate::{EffectInPlane, UnfeltGap};
+pub use coupling_estimate::EffectInPlane;
 pub use fitted::{Coefficient, NoCoefficient, NoNumber};
 pub use in_page::NotInPage;
 pub use known_sizes::KnownSizes;

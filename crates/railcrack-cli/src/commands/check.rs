@@ -739,15 +739,16 @@ fn warnings(case: &Case) -> Vec<CheckLine> {
 /// The warnings about a case, and whether its wheel should feel the cracks.
 fn warning_texts(case: &Case) -> Vec<String> {
     let mut texts: Vec<String> = of_case(case).into_iter().map(|warning| warning.text).collect();
-    let felt = case.effect_of_coupling().filter(|ratio| (ratio - 1.0).abs() > FELT);
-    texts.extend(felt.map(|ratio| {
+    let rate = case.effect_of_coupling().map(|effect| effect.rate);
+    let felt = rate.filter(|rate| (rate - 1.0).abs() > FELT);
+    texts.extend(felt.map(|rate| {
         let remedy = if case.engine.is_in_space() {
             "the space engine has no such wheel, the plane engines do"
         } else {
             "set contact.coupled = true"
         };
         format!(
-            "under a wheel that feels the crack, the first crack, alone and dry in the plane, would grow at {ratio:.2} times the rate: {remedy}"
+            "under a wheel that feels the crack, the first crack, alone and dry in the plane, would grow at {rate:.2} times the rate: {remedy}"
         )
     }));
     texts

@@ -18,7 +18,7 @@ pub(crate) struct StepDigest {
     pub largest_k1_at: Option<f64>,
     pub dofs: usize,
     pub face_points: usize,
-    /// Largest opening of the faces, mm.
+    /// Largest opening of the faces (mm) under wheels that do not feel the cracks, with fluid.
     pub unfelt_opening: f64,
     pub counts: SolverCounts,
     pub times: PhaseTimes,

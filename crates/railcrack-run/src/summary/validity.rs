@@ -8,7 +8,7 @@ use railcrack::growth::{TipRecord, Warning, WarningKind};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::shakedown::ContactBounds;
 use railcrack::validity::{self, ResidualStress, Steel, SteelOrigin, ValidityWarning};
-use railcrack_case::{Case, GivenWheel, UnfeltGap};
+use railcrack_case::{Case, GivenWheel};
 use std::f64::consts::FRAC_PI_2;
 
 /// Warnings that follow from the case alone.
@@ -47,10 +47,13 @@ pub fn of_case(case: &Case) -> Vec<Warning> {
     warnings
 }
 
+/// Gap over a²/2R from which on a wheel should feel the crack.
+const FELT_GAP: f64 = 0.05;
+
 /// A warning where a wheel over a crack in space would feel it.
 fn unfelt_gap(case: &Case) -> Option<Warning> {
-    let UnfeltGap { gap, in_plane } = case.unfelt_gap().filter(UnfeltGap::is_felt)?;
-    let in_plane = in_plane.map_or_else(String::new, |plane| {
+    let gap = case.unfelt_gap().filter(|gap| *gap > FELT_GAP)?;
+    let in_plane = case.effect_of_coupling().map_or_else(String::new, |plane| {
         format!(
             "; in the plane, where it is {:.0} %, the coupled wheel of the plane engines makes the rate {:.2} times",
             100.0 * plane.gap,

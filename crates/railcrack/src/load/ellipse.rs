@@ -76,6 +76,12 @@ impl HertzEllipse {
         Ok(Self { peak_pressure: 1.5 * wheel_load / (PI * longer * shorter), along, across })
     }
 
+    /// P = 2π a b p0/3, N.
+    #[must_use]
+    pub fn load(&self) -> f64 {
+        2.0 / 3.0 * PI * self.along * self.across * self.peak_pressure
+    }
+
     /// a²/2R (mm), by how much wheels and rails of `material` with this contact would part at the
     /// end of a if they did not deform; 1/R is the curvature along the rail of [`Self::new`]. For a
     /// long ellipse it is a p0/E*, that of the line contact.

@@ -82,8 +82,7 @@ impl RollingPatch {
     /// N = 2π a b p0/3, N.
     #[must_use]
     pub fn normal_force(&self) -> f64 {
-        let HertzEllipse { peak_pressure, along, across } = self.ellipse;
-        2.0 / 3.0 * PI * along * across * peak_pressure
+        self.ellipse.load()
     }
 
     /// Kalker's coefficients of the ellipse.

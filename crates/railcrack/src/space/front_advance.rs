@@ -73,8 +73,9 @@ impl FrontAdvance {
                 .zip(start.shapes)
                 .map(|(increment, shape)| increment.moved(shape))
                 .collect();
-            let meets = part_until_meeting(start.shapes, &increments, &stopped)
-                .map(|part| Event { part, ends_run: false });
+            let close = meeting(&next, &stopped);
+            let meets = close.as_ref().and_then(|_| part_until_meeting(start.shapes, &increments, &stopped));
+            let meets = meets.map(|part| Event { part, ends_run: false });
             let events = first_event(start, &next, &stopped, pace.removal, growth).into_iter().chain(meets);
             if let Some(event) = Event::first(events.collect())
                 .filter(|event| part > LEAST_PART && is_worth_a_step(*event, &pace, &start.at, growth))
@@ -87,7 +88,7 @@ impl FrontAdvance {
                 .find_map(|k| leaves(&next[k], rail).map(|stop| (k, stop)));
             if let Some((crack, stop)) = leaving {
                 stopped[crack] = Some(stop);
-            } else if let Some(close) = meeting(&next, &stopped) {
+            } else if let Some(close) = close {
                 for crack in [close.first, close.second] {
                     stopped[crack] = stopped[crack].or(Some(TipStop::Coalescence));
                 }
@@ -201,8 +202,8 @@ fn meeting(shapes: &[FrontShape], stopped: &[Option<TipStop>]) -> Option<CloseCr
     close.filter(|close| [close.first, close.second].iter().any(|&crack| stopped[crack].is_none()))
 }
 
-/// The part of the step after which two cracks that grow by `increments` have come as close as
-/// they can be computed; `None` where they do not come so close, or are so at the start.
+/// The part of the step after which two cracks that grow by `increments`, and meet at its end, have
+/// come as close as they can be computed; `None` where they are so at the start.
 fn part_until_meeting(
     shapes: &[FrontShape],
     increments: &[FrontSpeeds],
@@ -213,7 +214,7 @@ fn part_until_meeting(
         let moved = moved.map(|(increment, shape)| increment.map(|_, grown| part * grown).moved(shape));
         meeting(&moved.collect::<Vec<_>>(), stopped).is_some()
     };
-    if !meets(1.0) || meets(0.0) {
+    if meets(0.0) {
         return None;
     }
     let (mut apart, mut close) = (0.0, 1.0);

@@ -15,7 +15,8 @@ impl SpaceBody {
     /// (Boussinesq's) is needed.
     fn sinking(&self, jumps: &[f64], wheel: &EllipticWheel, position: f64, poisson: f64) -> f64 {
         let pressure = EllipticWheel { friction: 0.0, lateral_friction: 0.0, ..*wheel };
-        dot(&self.nodal_forces(|point| pressure.stress(position, point, poisson)), jumps) / pressure.load()
+        dot(&self.nodal_forces(|point| pressure.stress(position, point, poisson)), jumps)
+            / pressure.ellipse().load()
     }
 
     /// The largest gap (mm) that opens between rail and `wheel` at `position` (mm) by `jumps` (mm,

@@ -13,6 +13,7 @@
 //! slender ellipse.
 
 use super::nuclei::Symmetric;
+use crate::load::HertzEllipse;
 use crate::math::gauss_legendre;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::OnceLock;
@@ -82,10 +83,11 @@ impl EllipticWheel {
         self.peak_pressure * (1.0 - u * u - v * v).max(0.0).sqrt()
     }
 
-    /// P, N.
+    /// Its ellipse with the pressure.
     #[must_use]
-    pub fn load(&self) -> f64 {
-        2.0 / 3.0 * PI * self.half_width * self.lateral_half_width * self.peak_pressure
+    pub fn ellipse(&self) -> HertzEllipse {
+        let Self { peak_pressure, half_width, lateral_half_width, .. } = *self;
+        HertzEllipse { peak_pressure, along: half_width, across: lateral_half_width }
     }
 
     /// The stress (MPa) at x, lateral and depth (mm) of a contact centred at `position` (mm).

@@ -3,7 +3,6 @@
 use railcrack::load::Contact;
 use railcrack::rolling::{PatchForces, PlacedPatch};
 use railcrack_case::{Case, ContactOrigin, GivenWheel, WheelDemand};
-use std::f64::consts::PI;
 
 /// A wheel with its patches and what it makes of the cracks.
 pub(super) struct WheelRow {
@@ -99,7 +98,7 @@ impl WheelRow {
                 };
             }
             ContactOrigin::Ellipse { ellipse, .. } | ContactOrigin::GivenEllipse { ellipse, .. } => {
-                let normal = 2.0 / 3.0 * PI * ellipse.along * ellipse.across * ellipse.peak_pressure;
+                let normal = ellipse.load();
                 let row = Self::of_line(number, share, contact);
                 Self {
                     peak_pressure: ellipse.peak_pressure,
