@@ -4,11 +4,11 @@ use super::wheel_table::TabledWheel;
 use railcrack::crack::Crack;
 use railcrack::fatigue::{GrowthLaw, LoadRange};
 use railcrack::growth::FrontShape;
-use railcrack::load::Travel;
+use railcrack::load::{SurfacePart, Travel};
 use railcrack::material::IsotropicElastic;
 use railcrack::space::{
     EllipticWheel, FrontSif, PlaneFrame, SpaceBody, SpaceContact, SpaceFaces, SpaceResolution, Surroundings,
-    Symmetric,
+    Symmetric, UnfeltWheel,
 };
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
@@ -80,7 +80,7 @@ impl CoarseFront {
     /// A passage of a wheel with `patches`, each with its x from the wheel's centre (mm).
     fn passage(&self, patches: &[(f64, EllipticWheel)], travel: Travel) -> FrontHistory {
         let mut history = Vec::with_capacity(POSITIONS);
-        self.follow(patches, travel, |_, forces, faces| {
+        self.follow(patches, &self.places(patches, travel), |_, forces, faces| {
             history.push(match faces {
                 Some(faces) => self.body.sifs_of_jumps(&faces.jumps),
                 None => self.body.sifs(forces),
@@ -92,35 +92,48 @@ impl CoarseFront {
     /// The largest gap (mm) that opens under `wheel` during its passage, since its contact does not
     /// feel the crack.
     pub fn gap_under(&self, wheel: &EllipticWheel, travel: Travel) -> f64 {
-        let reach = GAP_REACH * wheel.half_width;
+        let a = wheel.half_width;
+        let mut unfelt = UnfeltWheel::new(&self.body, wheel, self.poisson);
         let mut most = 0.0f64;
-        self.follow(&[(0.0, *wheel)], travel, |place, _, faces| {
-            let is_over = place > self.ends[0] - reach && place < self.ends[1] + reach;
+        // Successive positions share parts of the running surface.
+        let spacing = SurfacePart::SPACING * a;
+        let [from, to] = [self.ends[0] - REACH * a, self.ends[1] + REACH * a];
+        let count = ((to - from) / spacing).ceil() as usize;
+        let mut places: Vec<f64> = (0..=count).map(|i| from + spacing * i as f64).collect();
+        if travel == Travel::Backward {
+            places.reverse();
+        }
+        self.follow(&[(0.0, *wheel)], &places, |place, _, faces| {
+            let is_over = place > self.ends[0] - GAP_REACH * a && place < self.ends[1] + GAP_REACH * a;
             if let Some(faces) = faces.filter(|_| is_over) {
-                most = most.max(self.body.gap_under(&faces.jumps, wheel, place, self.poisson));
+                most = most.max(unfelt.gap(place, &faces.jumps));
             }
         });
         most
     }
 
-    /// Calls `visit` with each place (mm) of a wheel with `patches`, each with its x from the
-    /// wheel's centre (mm), the forces there and the faces, virgin at first. Where the contact of
-    /// the faces does not converge, they are none and count as open.
-    fn follow(
-        &self,
-        patches: &[(f64, EllipticWheel)],
-        travel: Travel,
-        mut visit: impl FnMut(f64, &[f64], Option<&SpaceFaces>),
-    ) {
+    /// The places (mm) of a passage of wheels with `patches` towards `travel`.
+    fn places(&self, patches: &[(f64, EllipticWheel)], travel: Travel) -> Vec<f64> {
         let longest = patches.iter().map(|(_, own)| own.half_width).fold(0.0, f64::max);
         let (mut from, mut to) = (self.ends[0] - REACH * longest, self.ends[1] + REACH * longest);
         if travel == Travel::Backward {
             std::mem::swap(&mut from, &mut to);
         }
+        (0..POSITIONS).map(|i| from + (to - from) * i as f64 / (POSITIONS - 1) as f64).collect()
+    }
+
+    /// Calls `visit` with each of `places` (mm) of a wheel with `patches`, each with its x from the
+    /// wheel's centre (mm), the forces there and the faces, virgin at first. Where the contact of
+    /// the faces does not converge, they are none and count as open.
+    fn follow(
+        &self,
+        patches: &[(f64, EllipticWheel)],
+        places: &[f64],
+        mut visit: impl FnMut(f64, &[f64], Option<&SpaceFaces>),
+    ) {
         let contact = SpaceContact { body: &self.body, friction: std::slice::from_ref(&self.friction) };
         let mut faces: Option<SpaceFaces> = Some(contact.virgin());
-        for i in 0..POSITIONS {
-            let place = from + (to - from) * i as f64 / (POSITIONS - 1) as f64;
+        for &place in places {
             let forces = self.forces(patches, place);
             faces = faces.take().and_then(|before| Some(contact.step(&before, &forces).ok()?.0));
             visit(place, &forces, faces.as_ref());

@@ -113,7 +113,7 @@ section! {
         "Whether the wheel feels the cracks: the contact pressure follows from a smooth elastic wheel of the same steel on the rail with its cracks. If not, it is that on the uncracked rail. For cracks in a half-plane with the plane engines.")
         .only_with_words(KIND, &["hertz", "carter", "rolling"], "a wheel that feels the cracks needs a half-ellipse of pressure on the uncracked rail");
     SURFACE_NODES: usize = integer("surface_nodes_per_half_width", (10, 160), 40,
-        "With coupled = true, number of surface nodes per half-width a: they are half of a over this number apart at the mouths and twice a over this number away from them.")
+        "With coupled = true, number of surface nodes per half-width a: they are half of a over this number apart at the mouths, twice a over this number away from them, and up to eight times farther than 1.2 a from them.")
         .only_with_words(KIND, &["hertz", "carter", "rolling"], "a wheel that feels the cracks needs a half-ellipse of pressure on the uncracked rail").optional();
     COUPLED_WITHIN: f64 = number("coupled_within_over_a", "a", closed(1.5, 12.0), 3.0,
         "With coupled = true, distance of the contact centre from the nearest mouth up to which the wheel feels the cracks; beyond it, the contact is that on the uncracked rail. 3 if not given.")

@@ -3,7 +3,7 @@
 use super::pocket_trace::OutsidePressure;
 use super::pressure::{content, total, violation};
 use super::trace::{Accuracy, AtRelease, StepLoad, Stop, Trace, follow};
-use super::uneven_path::{REPETITIONS, ShearAlongPath, WithShear};
+use super::uneven_path::{Agreement, CORRECTIONS, REPETITIONS, ShearAlongPath, WithShear};
 use super::wheel_surface::SurfaceSystem;
 use super::{
     ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadPath, LoadStep, NotConverged,
@@ -528,6 +528,10 @@ impl<'a> Stepper<'a> {
             }
         }
         self.solve(&load.end, &trace.reference_slip, &outside_end)?;
+        let ends = (&trace.reference_slip[..], &outside_end[..]);
+        if !self.settle_shear(target, Some(&trace.middle), &mut load.end, ends)? {
+            return Ok(Attempt::Again);
+        }
         let after = self.faces.solution();
         let astray = |j: usize| {
             let (traced, solved) = (trace.now.status[j], after.status[j]);
@@ -544,9 +548,6 @@ impl<'a> Stepper<'a> {
         if closes && at_release == AtRelease::EndStep {
             return Ok(Attempt::Shorter(0.5));
         }
-        if !self.shear_agrees(target, Some(&trace.middle)) {
-            return Ok(Attempt::Again);
-        }
         let from = self.at;
         for change in trace.changes() {
             if let Some(visited) = &mut self.visited {
@@ -561,7 +562,7 @@ impl<'a> Stepper<'a> {
     fn untraced(
         &mut self,
         target: f64,
-        (end, outside): (Vec<f64>, Vec<f64>),
+        (mut end, outside): (Vec<f64>, Vec<f64>),
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Result<Attempt, NotConverged> {
         self.faces.load(&end);
@@ -569,18 +570,38 @@ impl<'a> Stepper<'a> {
         let reference_slip: Vec<f64> = self.current.jump.iter().step_by(2).take(points).copied().collect();
         self.solver.keep();
         self.solve(&end, &reference_slip, &outside)?;
-        if !self.shear_agrees(target, None) {
+        if !self.settle_shear(target, None, &mut end, (&reference_slip, &outside))? {
             return Ok(Attempt::Again);
         }
         Ok(self.accept(target, (end, outside), accepted))
     }
 
     /// Whether the uneven shear assumed in a step to `target` follows from its pressures; `middle`
-    /// are the jumps in the middle of it.
-    fn shear_agrees(&mut self, target: f64, middle: Option<&[f64]>) -> bool {
-        let end = &self.faces.solution().jump;
+    /// are the jumps in the middle of it. Where it does so but for its `end`, this is solved again
+    /// with the shear that follows.
+    ///
+    /// Errors: no convergence.
+    fn settle_shear(
+        &mut self,
+        target: f64,
+        middle: Option<&[f64]>,
+        end: &mut [f64],
+        (reference_slip, outside): (&[f64], &[f64]),
+    ) -> Result<bool, NotConverged> {
         let (at, scales) = ([0.5 * (self.at + target), target], (self.tolerance, self.largest));
-        self.shear.agrees(self.problem, (middle, end), at, scales)
+        for _ in 0..=CORRECTIONS {
+            let jump = &self.faces.solution().jump;
+            match self.shear.agrees(self.problem, (middle, jump), at, scales) {
+                Agreement::Full => return Ok(true),
+                Agreement::None => return Ok(false),
+                Agreement::Within => {
+                    axpy(1.0, &self.shear.correct_end(), &mut end[..2 * self.problem.points()]);
+                    self.faces.load(end);
+                    self.solve(end, reference_slip, outside)?;
+                }
+            }
+        }
+        Ok(false)
     }
 
     /// Solves contact under `forces` from the statuses in `faces`.

@@ -38,10 +38,24 @@ pub(super) struct NodeSpacing {
     pub at_mouth: f64,
     /// Away from the mouths.
     pub away: f64,
+    /// Distance from the mouths up to which `away` is the largest spacing.
+    pub near: f64,
+}
+
+impl NodeSpacing {
+    /// The spacing at a `distance` (mm) from the nearest mouth where `longest` is the largest near
+    /// the mouths.
+    fn at(&self, distance: f64, longest: f64) -> f64 {
+        let beyond = GROWTH * (distance - self.near).max(0.0);
+        longest.min(self.at_mouth + GROWTH * distance) + beyond.min(FAR * self.away)
+    }
 }
 
 /// Growth of the spacing with the distance from a mouth.
 const GROWTH: f64 = 0.15;
+/// Spacing added far away from the mouths, over that away from them. The nodes carry only what
+/// differs from the pressure on the uncracked rail, which is little there.
+const FAR: f64 = 3.0;
 /// Number of parts between two mouths, at least.
 const BETWEEN_MOUTHS: f64 = 8.0;
 
@@ -58,7 +72,7 @@ impl SurfaceGrid {
             let longest = if flap { spacing.away.min((to - from) / BETWEEN_MOUTHS) } else { spacing.away };
             let density = |x: f64| {
                 let distance = mouths.iter().map(|mouth| (x - mouth).abs()).fold(f64::INFINITY, f64::min);
-                1.0 / longest.min(spacing.at_mouth + GROWTH * distance)
+                1.0 / spacing.at(distance, longest)
             };
             let first = grid.nodes.len();
             grid.nodes.push(from);
@@ -92,7 +106,7 @@ impl SurfaceGrid {
 mod tests {
     use super::*;
 
-    const SPACING: NodeSpacing = NodeSpacing { at_mouth: 0.1, away: 0.4 };
+    const SPACING: NodeSpacing = NodeSpacing { at_mouth: 0.1, away: 0.4, near: 5.0 };
 
     #[test]
     fn nodes_are_dense_at_mouths_and_between_them() {
@@ -101,8 +115,14 @@ mod tests {
             (1..grid.nodes.len()).filter(|&i| grid.nodes[i] == grid.nodes[i - 1]).collect();
         assert_eq!(mouths.iter().map(|&i| grid.nodes[i]).collect::<Vec<f64>>(), [0.0, 1.0]);
         assert!(mouths[1] - mouths[0] > 6);
-        let longest = grid.segments.iter().map(SurfaceSegment::length).fold(0.0, f64::max);
-        assert!(longest <= SPACING.away * 1.01, "{longest}");
+        let longest = |from: f64, to: f64| {
+            let inside = grid.segments.iter().filter(|part| from <= part.range.0 && part.range.1 <= to);
+            inside.map(SurfaceSegment::length).fold(0.0, f64::max)
+        };
+        assert!((0.95..1.01).contains(&(longest(-5.0, 6.0) / SPACING.away)), "{grid:?}");
+        // Growth over the 5 mm between the end of the fine part and that of the surface.
+        let far = longest(-10.0, -5.0) / (SPACING.away + 5.0 * GROWTH);
+        assert!((0.8..1.0).contains(&far), "{far}");
         let next = grid.segments.iter().find(|segment| segment.range.0 == 1.0).unwrap();
         assert!(next.length() < 1.2 * SPACING.at_mouth, "{next:?}");
     }

@@ -2,7 +2,7 @@
 
 use super::grid::SurfaceGrid;
 use crate::body::FaceMesh;
-use crate::field::SegmentStress;
+use crate::field::{SegmentEnd, SegmentStress};
 use crate::math::{Matrix, Stress, Vec2};
 
 /// Nodal forces on the faces for a unit traction of each surface node; row i belongs to node i and
@@ -18,20 +18,30 @@ pub(super) struct SurfaceForces {
 pub(super) fn forces(grid: &SurfaceGrid, faces: &FaceMesh) -> SurfaceForces {
     let none = || Matrix::zeros(grid.nodes.len(), 2 * faces.points.len());
     let (mut pressure, mut shear) = (none(), none());
+    let mut ends: Vec<SegmentEnd> = Vec::with_capacity(grid.nodes.len());
+    let mut hats = Vec::with_capacity(grid.nodes.len());
     for sample in &faces.graded {
+        ends.clear();
+        ends.extend(grid.nodes.iter().map(|&x| SegmentEnd::of(sample.point, x)));
+        hats.clear();
+        hats.resize(grid.nodes.len(), [Stress::default(); 2]);
         for segment in &grid.segments {
-            let stress = SegmentStress::at(sample.point, segment.range.0, segment.range.1);
+            let [start, end] = segment.nodes.map(|node| &ends[node]);
+            let stress = SegmentStress::between(start, end);
             for (end, &node) in segment.nodes.iter().enumerate() {
-                let add = |forces: &mut Matrix, stress: Stress| {
-                    let traction = stress.traction(sample.normal);
-                    let row = forces.row_mut(node);
-                    for (point, length) in sample.shares {
-                        row[2 * point] += length * traction.x;
-                        row[2 * point + 1] += length * traction.y;
-                    }
-                };
-                add(&mut pressure, stress.pressure[end]);
-                add(&mut shear, stress.shear[end]);
+                let [pressure, shear] = &mut hats[node];
+                *pressure = *pressure + stress.pressure[end];
+                *shear = *shear + stress.shear[end];
+            }
+        }
+        for (node, stresses) in hats.iter().enumerate() {
+            for (forces, stress) in [&mut pressure, &mut shear].into_iter().zip(stresses) {
+                let traction = stress.traction(sample.normal);
+                let row = forces.row_mut(node);
+                for (point, length) in sample.shares {
+                    row[2 * point] += length * traction.x;
+                    row[2 * point + 1] += length * traction.y;
+                }
             }
         }
     }

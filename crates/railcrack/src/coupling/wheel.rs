@@ -51,7 +51,8 @@ pub struct WheelCoupling {
     /// The contact.
     pub contact: CoupledContact,
     /// Number of surface nodes per half-width a: the spacing is half of a over this number at a
-    /// mouth, and twice as much away from the mouths.
+    /// mouth, twice a over it away from the mouths, and up to eight times a over it farther than 1.2
+    /// a away.
     pub nodes_per_half_width: f64,
     /// Distance of x_c from a mouth, over a, within which the wheel feels the cracks.
     pub within: f64,
@@ -75,7 +76,7 @@ impl WheelCoupling {
         let (first, last) = (*mouths.first()?, *mouths.last()?);
         let (coupled, reach) = (self.within * half_width, (self.within + BEYOND) * half_width);
         let mean = half_width / self.nodes_per_half_width;
-        let spacing = NodeSpacing { at_mouth: AT_MOUTH * mean, away: AWAY * mean };
+        let spacing = NodeSpacing { at_mouth: AT_MOUTH * mean, away: AWAY * mean, near: NEAR * half_width };
         let grid = SurfaceGrid::new((first - reach, last + reach), &mouths, spacing);
         let mut nodes: Vec<SurfaceNode> =
             grid.nodes.iter().zip(grid.moments()).map(|(&x, moments)| SurfaceNode { x, moments }).collect();
@@ -105,6 +106,8 @@ impl WheelCoupling {
 /// Spacing of the nodes at a mouth and away from the mouths, over the mean.
 const AT_MOUTH: f64 = 0.5;
 const AWAY: f64 = 2.0;
+/// Distance from the mouths over a beyond which the spacing grows.
+const NEAR: f64 = 1.2;
 /// Extent of the surface beyond the last coupled x_c, over a: the contact, which the crack may
 /// widen.
 const BEYOND: f64 = 1.3;

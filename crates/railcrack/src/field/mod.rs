@@ -21,7 +21,7 @@ pub use depth_profile::{DepthProfile, ProfileError};
 pub(crate) use flat_punch::FlatPunch;
 pub(crate) use hertz_displacement::HertzDisplacement;
 pub use hertz_half_plane::HertzField;
-pub(crate) use segment_stress::SegmentStress;
+pub(crate) use segment_stress::{SegmentEnd, SegmentStress};
 pub use table::TableWheel;
 pub use wheel::{EndField, EndsError, HertzWheel, RailEnds, StressesUnderWheel, Wheel};
 pub use wheel_under::wheel_under;

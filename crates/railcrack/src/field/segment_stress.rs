@@ -14,20 +14,37 @@ pub(crate) struct SegmentStress {
     pub shear: [Stress; 2],
 }
 
+/// A point as seen from an end of a part of the running surface; two parts share an end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SegmentEnd {
+    /// z = x + i y from the end, mm.
+    z: Complex,
+    /// ln z with −π ≤ arg z ≤ 0.
+    logarithm: Complex,
+    /// 1/z.
+    inverse: Complex,
+}
+
+impl SegmentEnd {
+    /// `point` (mm, below the surface) from the end at the abscissa `x` (mm).
+    pub(crate) fn of(point: Vec2, x: f64) -> Self {
+        let z = Complex::new(point.x - x, point.y.min(0.0));
+        Self { z, logarithm: lower_logarithm(z), inverse: z.inv() }
+    }
+}
+
 impl SegmentStress {
-    /// The stress at `point` (mm, below the surface) due to unit tractions (MPa) on the part
-    /// between the abscissae `from` and `to` (mm).
+    /// The stress at a point due to unit tractions (MPa) on the part of the running surface between
+    /// two of its ends.
     ///
     /// With z = x + i y from the start, h the length, L = ln z − ln(z − h) and −π ≤ arg ≤ 0, the
     /// transforms ∫ p/(z − t) dt are (1 − z/h) L + 1 and (z/h) L − 1; the stress follows from them
     /// and from their derivatives as in [`super::TableWheel`].
-    pub(crate) fn at(point: Vec2, from: f64, to: f64) -> Self {
-        let h = to - from;
-        let y = point.y.min(0.0);
-        let (z, w) = (Complex::new(point.x - from, y), Complex::new(point.x - to, y));
-        let share = z / h;
-        let logarithm = lower_logarithm(z) - lower_logarithm(w);
-        let difference = z.inv() - w.inv();
+    pub(crate) fn between(from: &SegmentEnd, to: &SegmentEnd) -> Self {
+        let (h, y) = (from.z.re - to.z.re, from.z.im);
+        let share = from.z / h;
+        let logarithm = from.logarithm - to.logarithm;
+        let difference = from.inverse - to.inverse;
         let falling = ((1.0 - share) * logarithm + 1.0, (1.0 - share) * difference - logarithm / h);
         let rising = (share * logarithm - 1.0, share * difference + logarithm / h);
         Self {
@@ -69,8 +86,9 @@ mod tests {
             let table = TableWheel::new(&TableContact::new(rows, None).unwrap(), &steel);
             for (x, y) in [(0.0, -0.01), (0.5, -0.3), (-3.0, -2.0), (20.0, -5.0)] {
                 let point = Vec2::new(x, y);
+                let [start, middle, end] = [-1.5, 0.5, 1.5].map(|x| SegmentEnd::of(point, x));
                 let (rises, falls) =
-                    (SegmentStress::at(point, -1.5, 0.5), SegmentStress::at(point, 0.5, 1.5));
+                    (SegmentStress::between(&start, &middle), SegmentStress::between(&middle, &end));
                 let sum = (rises.pressure[1] + falls.pressure[0]) * pressure
                     + (rises.shear[1] + falls.shear[0]) * shear;
                 let want = table.stress(point, 0.0);

@@ -15,6 +15,13 @@ impl SurfacePart {
     pub const WHOLE: Self = Self { ahead: 0.0, share: 1.0 };
     /// Share of the parts that are compared with the whole. Each overlaps the next by a half.
     pub const SHARE: f64 = 0.25;
+    /// Distance of the middles of neighbouring parts, over a.
+    pub const SPACING: f64 = Self::SHARE;
+
+    /// The middles of the parts that are compared with the whole, over a beyond x_c.
+    pub fn all_ahead() -> impl Iterator<Item = f64> {
+        (0..PARTS).map(|k| Self::SPACING * (k as f64 - 0.5 * (PARTS - 1) as f64))
+    }
 }
 
 /// Number of the parts.
@@ -28,11 +35,8 @@ const PARTS: usize = 7;
 /// farther leaves the wheel by the difference, as long as the pressure stays as it is.
 pub fn unfelt_gap(sinking: impl Fn(SurfacePart) -> f64) -> f64 {
     let followed = sinking(SurfacePart::WHOLE);
-    let part = |k: usize| {
-        let ahead = SurfacePart::SHARE * (k as f64 - 0.5 * (PARTS - 1) as f64);
-        sinking(SurfacePart { ahead, share: SurfacePart::SHARE }) - followed
-    };
-    (0..PARTS).map(part).fold(0.0, f64::max)
+    let part = |ahead: f64| sinking(SurfacePart { ahead, share: SurfacePart::SHARE }) - followed;
+    SurfacePart::all_ahead().map(part).fold(0.0, f64::max)
 }
 
 #[cfg(test)]

@@ -289,7 +289,10 @@ impl<'a> Rolling<'a> {
             pass.states.push(self.stepper.solution().face_states(self.problem));
             if let Some(wheel) = problem.wheel() {
                 let FaceSolution { jump, contact, loaded, .. } = self.stepper.solution();
-                let state = wheel.state((jump, loaded), x, (&self.tip_mouths, &self.face_load.punch(x)));
+                let is_coupled = self.coupling == Coupling::Coupled;
+                let punch = is_coupled.then(|| self.face_load.punch(x));
+                let state =
+                    punch.and_then(|punch| wheel.state((jump, loaded), x, (&self.tip_mouths, &punch)));
                 let nodes = state.as_ref().map(|_| wheel.surface_states(jump, contact));
                 pass.record.wheel.push(state);
                 pass.surface.push(nodes.unwrap_or_default());

@@ -52,4 +52,5 @@ pub use plane::{PlaneFrame, Surroundings};
 pub use rail::{CracksInSpace, SpaceRail, SpaceWheel};
 pub use shape::{Extent, ShapeError, SpaceCrack};
 pub use states::{SpaceFaces, SpaceStatus};
+pub use unfelt_gap::UnfeltWheel;
 pub use wheel::EllipticWheel;
