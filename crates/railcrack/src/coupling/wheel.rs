@@ -51,8 +51,8 @@ pub struct WheelCoupling {
     /// The contact.
     pub contact: CoupledContact,
     /// Number of surface nodes per half-width a: the spacing is half of a over this number at a
-    /// mouth, twice a over it away from the mouths, and up to eight times a over it farther than 1.2
-    /// a away.
+    /// mouth, twice a over it away from the mouths, and up to eight times a over it farther than
+    /// 1.2 a away.
     pub nodes_per_half_width: f64,
     /// Distance of x_c from a mouth, over a, within which the wheel feels the cracks.
     pub within: f64,

@@ -139,14 +139,16 @@ fn faces_that_stick_are_not_felt() {
         let rolling = Rolling::over(crack(), STUCK, 0.0);
         let meshed = Rolling::meshed(crack(), STUCK, 0.0);
         let newton = Newton::default();
-        for passage in
-            [coupled(&rolling, &newton), coupled(&rolling, &Latin::default()), coupled(&meshed, &newton)]
-        {
+        for (passage, of_solver) in [
+            (coupled(&rolling, &newton), 1.0),
+            (coupled(&rolling, &Latin::default()), OF_LATIN),
+            (coupled(&meshed, &newton), 1.0),
+        ] {
             let k = largest(histories(&passage).into_iter().flatten());
-            close(k, 0.0, Absolute(1e-8), "MPa√m, tolerance of LATIN; Newton gives zero");
+            close(k, 0.0, Absolute(1e-8 * of_solver), "MPa√m, tolerance of LATIN; Newton gives zero");
             let (record, surface) = (last(&passage), &passage.faces.surface);
             let approaches = record.wheel.iter().flatten().map(|state| state.approach);
-            close(largest(approaches), 0.0, Absolute(1e-9), "mm, round-off");
+            close(largest(approaches), 0.0, Absolute(1e-9 * of_solver), "mm, round-off or LATIN");
             let coupled: Vec<(f64, &Vec<SurfaceState>)> =
                 record.xc.iter().copied().zip(surface).filter(|(_, nodes)| !nodes.is_empty()).collect();
             assert!(coupled.len() > 100, "the wheel feels the crack within 3 a of it");
@@ -165,10 +167,13 @@ fn faces_that_stick_are_not_felt() {
                 assert_eq!(node.x, known.x);
                 node.pressure - known.pressure
             });
-            close(largest(apart), 0.0, Of(1e-8, 845.0), "the same nodes over all cracks; round-off");
+            close(largest(apart), 0.0, Of(1e-8 * of_solver, 845.0), "the same nodes over all cracks");
         }
     }
 }
+
+/// Error of LATIN (1.3e-6 MPa√m; its indicator ends below 1e-9) over round-off.
+const OF_LATIN: f64 = 1e3;
 
 /// Distance from a mouth over a within which the surface nodes are fine.
 const FINE: f64 = 1.2;
