@@ -170,6 +170,8 @@ pub struct CrackPart {
     pub points: Range<usize>,
     /// The points of its front.
     pub front: Range<usize>,
+    /// Its points on a fold, where its faces transmit no friction; none in a planar crack.
+    pub fold: Vec<usize>,
 }
 
 /// Planar cracks in the half-space as matrices: with f the nodal forces on their faces, ⟦w⟧ = C f
@@ -334,6 +336,7 @@ impl SpaceBody {
             frame: placed.frame,
             points: first..self.points.len(),
             front: first_of_front..self.front.len(),
+            fold: Vec::new(),
         });
     }
 

@@ -103,9 +103,12 @@ impl SpaceContact<'_> {
         self.problem(&friction).step_from(&before.jumps, factor, &before.jumps, (forces, dry))
     }
 
-    /// The friction coefficient μ at each point.
+    /// The friction coefficient μ at each point: zero on folds.
     pub(super) fn friction_of_points(&self) -> Vec<f64> {
-        (0..self.body.points().len()).map(|a| self.friction[self.body.crack_of(a)]).collect()
+        let mut friction: Vec<f64> =
+            (0..self.body.points().len()).map(|a| self.friction[self.body.crack_of(a)]).collect();
+        self.body.cracks().iter().flat_map(|part| &part.fold).for_each(|&a| friction[a] = 0.0);
+        friction
     }
 
     /// The contact problem of the whole faces, with the friction coefficient at each point.

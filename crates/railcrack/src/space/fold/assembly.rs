@@ -116,7 +116,7 @@ impl<'a> Assembly<'a> {
         Ok(stiffness)
     }
 
-    /// The plane of a part.
+    /// The plane of a part; on the fold that of the strip.
     fn plane(&self, part: Part) -> &PlaneFrame {
         &self.planes[usize::from(part == Part::Branch)]
     }
@@ -147,13 +147,8 @@ impl<'a> Assembly<'a> {
 
     /// From the axes of the rail to the components of each vertex.
     fn turn(&self, stiffness: &mut Matrix) {
-        let fold = self.crack.bisector();
-        let directions: Vec<[[f64; 3]; 3]> = self
-            .grid
-            .part_of_vertex
-            .iter()
-            .map(|part| if *part == Part::Fold { fold.directions() } else { self.plane(*part).directions() })
-            .collect();
+        let directions: Vec<[[f64; 3]; 3]> =
+            self.grid.part_of_vertex.iter().map(|part| self.plane(*part).directions()).collect();
         for (a, rows) in directions.iter().enumerate() {
             for (b, columns) in directions.iter().enumerate() {
                 let block: [[f64; 3]; 3] =

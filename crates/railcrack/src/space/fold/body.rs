@@ -1,9 +1,10 @@
 //! Cracked body with a folded crack.
 //!
-//! Points on the fold belong to both planes. Their components are along the plane that halves the
-//! angle of the fold, and contact acts along its normal there: the points next to the fold on
-//! either plane hold both conditions, and in the limit of small cells a continuous jump satisfies
-//! them on the fold, too. Both conditions at one point would lock slip over the length of a cell.
+//! Points on the fold belong to both planes. Contact acts there along the normal of the strip, and
+//! without friction: where both planes are closed a continuous jump vanishes on the fold, and in the
+//! limit of small cells the points next to it see to that. Both conditions at one point, or friction
+//! there, would lock slip over the length of a cell; the normal of a plane between the two rounds
+//! off the fold over a cell on either side of it.
 
 use super::super::body::{
     Assembled, CrackPart, FrontPoint, LOAD_POINTS, LoadPoint, SpaceBody, SpaceError, SpaceKernel,
@@ -18,13 +19,9 @@ use crate::material::IsotropicElastic;
 use crate::math::{Matrix, dot3, gauss_legendre};
 use std::f64::consts::PI;
 
-/// The plane of a part: strip, fold, branch.
+/// The plane of a part: the strip with the fold, or the branch.
 fn plane_of(part: Part) -> usize {
-    match part {
-        Part::Mouth | Part::Strip => 0,
-        Part::Fold => 1,
-        Part::Branch => 2,
-    }
+    usize::from(part == Part::Branch)
 }
 
 impl FoldedCrack {
@@ -55,7 +52,7 @@ impl FoldedCrack {
             stiffness.row_mut(i).iter_mut().for_each(|entry| *entry *= steel.shear_modulus());
         }
         let [strip, below] = self.planes();
-        let planes = vec![strip, self.bisector(), below];
+        let planes = vec![strip, below];
         let plane_of_point: Vec<usize> = grid.part_of_vertex.iter().map(|part| plane_of(*part)).collect();
         let parts = Assembled {
             crack: CrackPart {
@@ -63,6 +60,7 @@ impl FoldedCrack {
                 frame: below,
                 points: 0..grid.free,
                 front: 0..grid.front.len(),
+                fold: (0..grid.free).filter(|&v| grid.part_of_vertex[v] == Part::Fold).collect(),
             },
             points: grid.vertices[..grid.free].iter().map(|&p| self.position(p)).collect(),
             front: self.front(&grid),

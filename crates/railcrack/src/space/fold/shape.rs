@@ -79,12 +79,6 @@ impl FoldedCrack {
         [self.mouth_dip, self.branch_dip].map(PlaneFrame::new)
     }
 
-    /// The plane that halves the angle of the fold.
-    #[must_use]
-    pub fn bisector(&self) -> PlaneFrame {
-        PlaneFrame::new(0.5 * (self.mouth_dip + self.branch_dip))
-    }
-
     /// x, lateral and depth (mm) of the point at the distance s from the mouth, measured over the
     /// fold, and at ζ along it.
     #[must_use]
