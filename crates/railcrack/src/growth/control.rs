@@ -1,6 +1,7 @@
 //! Control of the increments: their error, the location of events, and the turns of the limit path.
 
 use super::{Advance, EarlierStep, GrowthSettings, Jump, Mover, TipRecord, Turn};
+use crate::fatigue::SECONDARY_DISTANCE;
 use serde::{Deserialize, Serialize};
 
 /// The course of a run, carried from step to step.
@@ -46,6 +47,13 @@ impl Default for Trial {
     }
 }
 
+impl Trial {
+    /// This attempt, cut to `cycles`.
+    fn cut(&self, cycles: f64, then: Option<f64>) -> Self {
+        Self { cycles_at_most: cycles, cuts: self.cuts + 1, then, ..Self::default() }
+    }
+}
+
 /// The start or the end of a step, as far as the control depends on it.
 pub(super) struct End<'a> {
     pub tips: &'a [TipRecord],
@@ -73,8 +81,20 @@ const MOST_CUTS: usize = 16;
 const MOST_TURNS: usize = 24;
 /// Smallest and largest increment that the control chooses, as a fraction of the length.
 const SHARES: (f64, f64) = (5e-4, 0.1);
-/// Shares of the tolerance allowed for the error of one step, by its rates and by its turns.
-const STEP_TOLERANCE: f64 = 0.3;
+/// Shares of the tolerance allowed for the error of one step, by its rates and by its turns,
+/// relative to its own cycles.
+const STEP_TOLERANCE: f64 = 0.6;
+/// The same under wear and grinding: as [`OF_GIVEN_UNDER_WEAR`].
+const STEP_TOLERANCE_UNDER_WEAR: f64 = 0.3;
+/// Share of the tolerance that a step may always spend on the life without wear, however large its
+/// error is relative to its own cycles: behind a kink, and where the rate or the best kink changes
+/// abruptly.
+const OF_LIFE: f64 = 0.05;
+/// Growth, as a fraction of the length, whose cycles the life is taken to last at least.
+const SOON: f64 = 0.1;
+/// A step is at most so many times as long as the one before, and as one that was cut.
+const MOST_LONGER: f64 = 3.5;
+const LONGER_AFTER_CUT: f64 = 1.5;
 /// Error from which a step of a given increment is cut.
 const OF_GIVEN: f64 = 0.01;
 /// The same under wear and grinding, where errors of single steps may decide on which side of a
@@ -92,6 +112,13 @@ const OF_TURN: f64 = 0.2;
 /// Weight of the error of turns in the choice of increments: most of it is scatter of the best
 /// kink, which does not add up.
 const TURN_WEIGHT: f64 = 0.2;
+/// The same for one step by itself: where the best kink changes abruptly within it, its turn is
+/// wrong by up to half of the difference from the prediction, and near ties of directions need the
+/// path.
+const SUDDEN_TURN_WEIGHT: f64 = 2.0;
+/// Tolerance of the life from which the errors of turns are no longer allowed more: the branch that
+/// a path takes at a near tie depends on them.
+const PATH_TOLERANCE: f64 = 0.01;
 /// Relative change of the life per radian of direction that is allowed for at least: the rate
 /// hardly depends on the direction of the tip, but on the depth to which it leads.
 const LEAST_SENSITIVITY: f64 = 1.0;
@@ -123,6 +150,36 @@ pub(super) struct Control<'a> {
 }
 
 impl Control<'_> {
+    /// The attempt to make instead of `trial` where that is too long by its turn or its kink,
+    /// whatever it leads to.
+    pub fn shortened(&self, trial: &Trial) -> Option<Trial> {
+        let Self { settings, advance, .. } = self;
+        // The limit path bends at once, however short the step.
+        if settings.turning.is_kink() || settings.turning.is_limit() || trial.cuts >= MOST_CUTS {
+            return None;
+        }
+        // The rates change abruptly at a kink: it is the start of a short step.
+        if self.kinks() {
+            let is_long = settings.tolerance.is_some() && advance.share > 2.0 * AFTER_KINK;
+            return is_long.then(|| trial.cut(AFTER_KINK / advance.share * advance.cycles, None));
+        }
+        let turn = self.largest_turn();
+        let is_long = turn > LARGEST_TURN && self.moved() > 2.0 * SHARES.0 && advance.cycles > 0.0;
+        is_long.then(|| trial.cut((CHOSEN_TURN / turn).max(0.2) * advance.cycles, None))
+    }
+
+    /// Whether a tip kinks at the start of the step.
+    fn kinks(&self) -> bool {
+        self.before.tips.iter().any(|tip| tip.plane().is_some_and(|plane| plane.jump.is_some()))
+    }
+
+    /// The largest smooth turn of a tip in the step, radians.
+    fn largest_turn(&self) -> f64 {
+        let planes = self.before.tips.iter().filter_map(TipRecord::plane);
+        let smooth = planes.filter(|plane| plane.jump.is_none() && plane.is_drawn);
+        smooth.map(|plane| plane.turn.abs()).fold(0.0, f64::max)
+    }
+
     /// The verdict on the attempt `trial`, which leads to `after`.
     pub fn judge(&self, after: &End<'_>, trial: &Trial) -> Verdict {
         let Self { settings, before, advance, .. } = self;
@@ -138,33 +195,23 @@ impl Control<'_> {
             return self.accepted(after, trial);
         }
         let passed = after.load_cycles - before.load_cycles;
-        let cut = |part: f64, then: Option<f64>| {
-            Verdict::Again(Trial {
-                cycles_at_most: part * advance.cycles,
-                cuts: trial.cuts + 1,
-                then,
-                turns: Vec::new(),
-                searches: Vec::new(),
-            })
-        };
-        // The rates change abruptly at a kink: it is the start of a short step.
-        let kinks = before.tips.iter().any(|tip| tip.plane().is_some_and(|plane| plane.jump.is_some()));
-        if kinks && advance.share > 2.0 * AFTER_KINK {
-            if settings.turning.is_limit() {
-                // A long increment may only hide the curve of a path without a corner.
-                return cut((AFTER_KINK / advance.share).max(0.25), None);
-            }
-            if settings.tolerance.is_some() {
-                return cut(AFTER_KINK / advance.share, None);
-            }
+        let cut = |part: f64, then: Option<f64>| Verdict::Again(trial.cut(part * advance.cycles, then));
+        // A long increment may only hide the curve of a path without a corner.
+        if settings.turning.is_limit() && self.kinks() && advance.share > 2.0 * AFTER_KINK {
+            return cut((AFTER_KINK / advance.share).max(0.25), None);
         }
         let room = LOCATED * after.load_cycles / passed;
         if room < 1.0 && advance.share > SHARES.0 {
-            if before.hazard < 1.0 && after.hazard >= 1.0 {
-                let crossing = (1.0 - before.hazard) / (after.hazard - before.hazard);
-                let crossing = if crossing.is_finite() { crossing } else { 0.5 };
-                let part = (crossing - 0.4 * room).clamp(0.05, 0.9);
-                let left = (crossing - part).max(0.0) + 0.5 * room;
+            let breaks = before.hazard < 1.0 && after.hazard >= 1.0;
+            let by_hazard = (1.0 - before.hazard) / (after.hazard - before.hazard);
+            let by_hazard = if by_hazard.is_finite() { by_hazard } else { 0.5 };
+            if let Some(crossing) = if breaks { Some(by_hazard) } else { self.tied_at(after) } {
+                // The step ends just before the event, or contains it and is short enough.
+                if crossing < 0.5 * room {
+                    return cut(crossing + 0.4 * room, None);
+                }
+                let part = (crossing - 0.4 * room).min(0.9);
+                let left = (crossing - part) + 0.5 * room;
                 return cut(part, Some(left * advance.share));
             }
             if self.has_kinked(after) || self.has_arrested(after) {
@@ -173,15 +220,16 @@ impl Control<'_> {
         }
         let error = self.step_error(after);
         if self.moved() > 2.0 * SHARES.0 && passed > 0.0 {
-            // The limit path bends at once, however short the step.
-            if error.largest_turn > LARGEST_TURN && !settings.turning.is_limit() {
-                return cut((CHOSEN_TURN / error.largest_turn).max(0.2), None);
-            }
             // The limit path is cut by its bends.
             let is_strict = settings.maintained().is_some() && !settings.turning.is_limit();
             let given = if is_strict { OF_GIVEN_UNDER_WEAR } else { OF_GIVEN };
-            let allowed = settings.tolerance.map_or(given, |tolerance| 2.0 * STEP_TOLERANCE * tolerance);
-            let excess = self.leverage() * error.relative() / allowed;
+            let excess = match settings.tolerance {
+                Some(tolerance) => {
+                    let relative = error.relative() / (2.0 * self.step_tolerance());
+                    self.leverage() * relative.min(error.of_life / OF_LIFE) / tolerance
+                }
+                None => self.leverage() * error.relative() / given,
+            };
             if excess > 1.0 {
                 return cut((0.6 * excess.powf(-0.5)).clamp(0.2, 0.7), None);
             }
@@ -207,7 +255,7 @@ impl Control<'_> {
 
     /// The increment of the next step where the control chooses it.
     fn next_share(&self, error: &StepError, trial: &Trial) -> Option<f64> {
-        let Self { before, advance, settings, .. } = self;
+        let Self { advance, settings, .. } = self;
         let last = self.course.share.unwrap_or(settings.increment);
         let Some(tolerance) = settings.tolerance else {
             // Behind a bend a long increment would pass over the directions that follow.
@@ -217,19 +265,29 @@ impl Control<'_> {
         if let Some(then) = trial.then {
             return Some(then.clamp(SHARES.0, last));
         }
-        let jumps = |tip: &TipRecord| tip.plane().is_some_and(|plane| plane.jump.is_some());
-        if before.tips.iter().any(jumps) {
+        if self.kinks() {
             return Some(2.0 * AFTER_KINK);
         }
         // A step of no or few cycles, at a grinding or a limit, says nothing about the next one.
         if advance.share <= 0.0 {
             return Some(last);
         }
-        let scaled = self.leverage() * error.relative() / (STEP_TOLERANCE * tolerance);
-        let factor = (0.85 * scaled.max(1e-6).powf(-0.5)).clamp(0.4, 1.8);
+        // The relative error of a step is of second order in its length, that of the life of third.
+        let relative = self.leverage() * error.relative() / (self.step_tolerance() * tolerance);
+        let of_life = self.leverage() * error.of_life / (0.5 * OF_LIFE * tolerance);
+        let factor = relative.max(1e-6).powf(-0.5).max(of_life.max(1e-6).powf(-1.0 / 3.0));
+        let factor = (0.85 * factor).clamp(0.4, MOST_LONGER);
         let moved = self.moved();
-        let by_turn = CHOSEN_TURN * moved / error.largest_turn.max(1e-9);
-        Some((factor * moved.max(0.5 * last)).min(by_turn).clamp(SHARES.0, SHARES.1))
+        let by_turn = CHOSEN_TURN * moved / self.largest_turn().max(1e-9);
+        // What a step was cut for usually lies just behind it.
+        let longer = if trial.cuts > 0 { LONGER_AFTER_CUT * moved } else { f64::INFINITY };
+        let by_error = (factor * moved.max(0.5 * last)).min(longer);
+        Some(by_error.min(by_turn).clamp(SHARES.0, SHARES.1))
+    }
+
+    fn step_tolerance(&self) -> f64 {
+        let is_maintained = self.settings.maintained().is_some();
+        if is_maintained { STEP_TOLERANCE_UNDER_WEAR } else { STEP_TOLERANCE }
     }
 
     /// The change of a crack in the step as a fraction of its length: the growth of its tip, or the
@@ -278,9 +336,6 @@ impl Control<'_> {
             Some((tip, end, tip.plane()?, end.plane()?))
         });
         for (tip, end, start_plane, end_plane) in tips {
-            if start_plane.jump.is_none() && start_plane.is_drawn {
-                error.largest_turn = error.largest_turn.max(start_plane.turn.abs());
-            }
             if start_plane.jump.is_some() || (tip.tip.crack, tip.tip.tip) != (leader.crack, leader.index) {
                 continue;
             }
@@ -293,6 +348,9 @@ impl Control<'_> {
             error.sensitivity = end_plane.sensitivity.max(LEAST_SENSITIVITY);
             error.length_over_increment = tip.length / tip.increment.max(1e-12);
         }
+        error.strictness = (self.settings.tolerance.unwrap_or(0.0) / PATH_TOLERANCE).max(1.0);
+        let life = after.load_cycles.max(SOON * now.length / now.rate);
+        error.of_life = (error.rate * passed / life).max(SUDDEN_TURN_WEIGHT * error.turn * error.sensitivity);
         error
     }
 
@@ -326,6 +384,23 @@ impl Control<'_> {
                 && self.before.tips.iter().any(|start| start.tip == tip.tip && turned(start))
         };
         after.tips.iter().any(starts)
+    }
+
+    /// The part of the step after which a tip that turned so far has to kink, where that follows from
+    /// the direction that it leaves and the one that it takes: their rates are equal there.
+    fn tied_at(&self, after: &End<'_>) -> Option<f64> {
+        let at = |start: &TipRecord| {
+            let end = after.tips.iter().find(|end| end.tip == start.tip)?;
+            let (before, now) = (start.plane()?, end.plane()?);
+            let turned = before.jump.is_none() && before.is_drawn;
+            let jumps = turned && matches!(now.jump, Some(Jump::Kink | Jump::Rival));
+            let rises = -before.secondary_ratio?.ln();
+            let falls = -now.secondary_ratio?.ln();
+            let near = |one: f64, other: f64| (one - other).abs() < 0.5 * SECONDARY_DISTANCE;
+            let is_tie = near(before.secondary?, end.kink?) && near(now.secondary?, start.kink?);
+            (jumps && is_tie && rises + falls > 0.0).then(|| rises / (rises + falls))
+        };
+        self.before.tips.iter().filter_map(at).reduce(f64::min)
     }
 
     /// Whether a mover that grew at the start of the step is arrested at its end.
@@ -387,15 +462,18 @@ struct StepError {
     sensitivity: f64,
     /// The length of its crack over its increment.
     length_over_increment: f64,
-    /// The largest turn of a tip, radians.
-    largest_turn: f64,
+    /// Weight of the error of the turn in the control, besides those of its kind.
+    strictness: f64,
+    /// Of the life, relative, if the other steps have none; infinite under wear and grinding.
+    of_life: f64,
 }
 
 impl StepError {
     /// The error of the life if all steps were like this one, relative. An error of the direction
     /// stays: it counts over the growth by the length of the crack.
     fn relative(&self) -> f64 {
-        self.rate.max(TURN_WEIGHT * self.turn * self.sensitivity * self.length_over_increment)
+        let turned = self.turn * self.sensitivity * self.length_over_increment;
+        self.rate.max(TURN_WEIGHT * self.strictness * turned)
     }
 }
 

@@ -134,6 +134,10 @@ impl<R: CrackedRail> Growth<R> {
                     load_cycles: now.load_cycles,
                 },
             };
+            if let Some(shorter) = control.shortened(&trial) {
+                trial = shorter;
+                continue;
+            }
             let mut verdict = Verdict::Accepted(self.state.course);
             let judged = self.loaded(&state, observer, |next| {
                 verdict = control.judge(&next.end(), &trial);

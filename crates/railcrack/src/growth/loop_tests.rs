@@ -5,11 +5,13 @@ use crate::crack::{Crack, CrackTip, End};
 use crate::interruption::Interruption;
 use crate::math::Vec2;
 
-/// A vertical crack with da/dN = `RATE` a^`POWER` and k1 over the toughness `hazard` (a).
+/// A vertical crack with da/dN = `RATE` a^`POWER`, k1 over the toughness `hazard` (a)
+/// and the best kink and other directions of `direction` (a).
 struct Rule {
     settings: GrowthSettings,
     passages: PassageSettings,
     hazard: fn(f64) -> f64,
+    direction: fn(f64) -> (f64, PlaneTip),
     /// Lengths of all bodies, mm.
     computed: std::cell::RefCell<Vec<f64>>,
 }
@@ -30,7 +32,13 @@ fn crack(length: f64) -> Crack {
 impl Rule {
     fn new(settings: GrowthSettings) -> Self {
         let passages = PassageSettings::default();
-        Self { settings, passages, hazard: |_| 0.0, computed: Default::default() }
+        Self {
+            settings,
+            passages,
+            hazard: |_| 0.0,
+            direction: |_| (0.0, PlaneTip::default()),
+            computed: Default::default(),
+        }
     }
 
     /// All steps, and the bodies that they took.
@@ -101,6 +109,7 @@ impl CrackedRail for Rule {
 
     fn demands(&self, geometry: &PlaneGeometry, _: &[StabilisedPassage]) -> Vec<TipRecord> {
         let length = geometry.cracks[0].length();
+        let (kink, plane) = (self.direction)(length);
         vec![TipRecord {
             tip: CrackTip { crack: 0, tip: 0, end: End::Last },
             x: 0.0,
@@ -111,7 +120,7 @@ impl CrackedRail for Rule {
             delta_kii: 0.0,
             delta_keq: 1.0,
             largest_k1: None,
-            kink: Some(0.0),
+            kink: Some(kink),
             increment: 0.0,
             rate: RATE * length.powf(POWER),
             stop: None,
@@ -119,7 +128,7 @@ impl CrackedRail for Rule {
             opened_by: 0,
             toughness_ratio: 1.0,
             mouth_sine: Some(1.0),
-            geometry: TipGeometry::Plane(PlaneTip::default()),
+            geometry: TipGeometry::Plane(plane),
         }]
     }
 
@@ -148,6 +157,10 @@ impl CrackedRail for Rule {
         if stop.is_none() {
             next.cracks[0] = crack(tips[0].length + increment - pace.removal);
             tips[0].increment = increment;
+            let curvature = self.settings.turning.curvature(tips[0].kink.unwrap_or(0.0));
+            if let TipGeometry::Plane(plane) = &mut tips[0].geometry {
+                plane.predicted_turn = increment * curvature;
+            }
         }
         Advance {
             geometry: Geometry::Plane(next),
@@ -200,6 +213,28 @@ fn chosen_increments_keep_the_tolerance_and_say_so() {
         // Each step is computed once, but for a few.
         assert!(bodies < records.len() + 5, "{bodies} bodies for {} steps", records.len());
     }
+}
+
+/// Another direction becomes the best at a length of 7 mm.
+#[test]
+fn a_kink_is_located_by_the_ratio_of_the_rates() {
+    let direction = |length: f64| {
+        let (kink, other) = if length < 7.0 { (0.0, 1.0) } else { (1.0, 0.0) };
+        let plane = PlaneTip {
+            secondary: Some(other),
+            secondary_ratio: Some((-(length - 7.0).abs()).exp()),
+            jump: (kink > 0.0).then_some(Jump::Kink),
+            is_drawn: true,
+            ..PlaneTip::default()
+        };
+        (kink, plane)
+    };
+    let limited = GrowthSettings { critical_length: Some(7.05), ..settings(0.1) };
+    let (records, bodies) = Rule { direction, ..Rule::new(limited) }.run();
+    let kinked = records.iter().find(|record| record.tips[0].kink == Some(1.0)).unwrap();
+    let off = kinked.load_cycles / life(7.0) - 1.0;
+    assert!((0.0..0.01).contains(&off), "{off}");
+    assert!(bodies < records.len() + 4, "{bodies} bodies for {} steps", records.len());
 }
 
 #[test]
