@@ -190,6 +190,37 @@ impl Case {
         Stabilisation { method, max_passes, ..Stabilisation::default() }
     }
 
+    /// The case with the cracks of the indices `kept` (from 0) alone, resolved as in the whole case;
+    /// none in space, and where no crack is kept. Its text is that of the whole case.
+    #[must_use]
+    pub fn with_cracks(&self, kept: &[usize]) -> Option<Self> {
+        let cracks = self.cracks.part(kept).ok().filter(|_| self.space.is_none())?;
+        let sizes = self.element_sizes();
+        let own = |fluid: &CrackFluid| {
+            let wet = fluid.cracks.as_ref()?;
+            Some((0..kept.len()).filter(|own| wet.contains(&kept[*own])).collect())
+        };
+        let filled = |fluid: Option<&CrackFluid>| {
+            fluid.map(|fluid| CrackFluid { cracks: own(fluid), ..fluid.clone() })
+        };
+        let friction = kept.iter().filter_map(|&crack| self.crack_friction.get(crack)).copied().collect();
+        let size = kept.iter().filter_map(|&crack| sizes.get(crack)).copied().reduce(f64::min);
+        let mesh = MeshSettings {
+            element_size: size.filter(|_| self.engine == Engine::Xfem),
+            interface_elements: Some(self.face_resolution().elements),
+            ..self.mesh.clone()
+        };
+        let wheel = |mixed: &MixedWheel| MixedWheel { fluid: filled(mixed.fluid.as_ref()), ..mixed.clone() };
+        Some(Self {
+            mesh,
+            fluid: filled(self.fluid.as_ref()),
+            mix: self.mix.iter().map(wheel).collect(),
+            crack_friction: friction,
+            cracks,
+            ..self.clone()
+        })
+    }
+
     /// The same case with another title.
     #[must_use]
     pub(crate) fn titled(mut self, title: &str) -> Self {

@@ -251,6 +251,15 @@ fn decision(summary: &Summary) -> String {
             of.friction
         ));
     }
+    if let Some(part) = &decision.part_of_row {
+        text.push_str(&format!(
+            "other paths, frictions and speeds: with cracks {} of {} alone, which changes the {} by {:.2} %\n",
+            part.numbers(),
+            part.of,
+            if part.mgt.is_some() { "life" } else { "growth" },
+            part.difference_percent
+        ));
+    }
     for wheel in &decision.wheels {
         let turns = match wheel.turns_in_steps {
             0 => String::new(),

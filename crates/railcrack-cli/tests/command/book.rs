@@ -9,6 +9,7 @@
 //! * `console` are commands behind `$ ` with what they print, `…` for anything; of one that fails,
 //!   its message;
 //! * `console png` is run where the command has the feature `png`;
+//! * `console slow` is not run here: `.ci/run cases` runs it and looks for its lines;
 //! * `python` is run with a Python that has meshio;
 //! * `text`, or of no language, is not run.
 //!
@@ -57,7 +58,10 @@ fn blocks(page: &str) -> Vec<Block> {
         match (&mut open, line.strip_prefix("```")) {
             (None, Some(language)) => {
                 let (language, feature) = language.trim().split_once(' ').unwrap_or((language.trim(), ""));
-                let is_run = feature != "png" || cfg!(feature = "png");
+                let is_run = match feature {
+                    "png" => cfg!(feature = "png"),
+                    other => other != "slow",
+                };
                 let language = if is_run { language } else { "text" }.to_owned();
                 open = Some(Block { line: i + 1, language, text: String::new() });
             }

@@ -80,9 +80,12 @@ const FLUID: Part = Part { name: "fluid", text: "[fluid]\nmodel = \"trapped\"\n"
 const FRACTURE: Part = Part { name: "fracture", text: "[fracture]\ntoughness_mpa_sqrt_m = 20.0\n" };
 const COLD: Part = Part { name: "cold", text: "[temperature]\nneutral_c = 25.0\nrail_c = 5.0\n" };
 
+/// The decision of a run, whose verdict is that of its summary.
 fn decision(of: &Path) -> Value {
     let summary: Value = serde_json::from_str(&read(&of.join("summary.json"))).unwrap();
-    summary["decision"].clone()
+    let decision = summary["decision"].clone();
+    assert_eq!(summary["verdict"], decision["verdict"]);
+    decision
 }
 
 fn number(value: &Value) -> Option<f64> {
@@ -308,6 +311,59 @@ fn quantiles_of_samples_are_lives_of_whole_runs() {
             accuracy.is_null() || number(&accuracy["left_out_percent"]).unwrap() < 4.0 * 2.0,
             "{accuracy}"
         );
+    }
+}
+
+/// Accuracy of lives with other frictions that are computed with a part of a row: twice the 1 % that
+/// its choice allows for the run.
+const SAME_LIFE: f64 = 0.02;
+
+/// The companions of a long row follow the crack that decides with its neighbours, and the decision
+/// says which, and what leaving out the others changes. The life with a friction with which the
+/// crack at the other end leads, and quantiles of the samples, are those of whole runs with all
+/// cracks.
+#[test]
+fn a_part_of_a_long_row_decides_like_the_row() {
+    let place = folder("decision", "row");
+    let rail = RAIL
+        .replace("increment = 0.06", "increment = 0.1\ndirection = \"coplanar\"\ncritical_length_mm = 3.8")
+        .replace("2.05", "1.3")
+        .replace("2.5", "1.5");
+    let row = "[[crack]]\nmouth_mm = 0.0\nlength_mm = 2.8\nangle_deg = 25.0\nfriction = 0.1\ncount = 20\nspacing_mm = 4.0\n";
+    let case = format!("{rail}{WHEEL}{row}[maintenance]\nwear_mm_per_mgt = 0.001\n");
+    let scatter = "[scatter]\nsamples = 2000\nparis_c_log_std = 0.3\n";
+    fs::write(place.join("case.toml"), format!("{case}{scatter}")).unwrap();
+    let told = done(&place, &["run", "case.toml", "--quiet", "--out", "row"]);
+    let of_row = decision(&place.join("row"));
+    let part = &of_row["part_of_row"];
+    assert_eq!((&part["of"], &of_row["failure"]["crack"]), (&20.into(), &20.into()), "{part}");
+    let cracks: Vec<u64> = part["cracks"].as_array().unwrap().iter().map(|c| c.as_u64().unwrap()).collect();
+    assert!((4..=7).contains(&cracks.len()) && cracks.last() == Some(&20), "{part}");
+    let (life, alone) = (number(&of_row["failure"]["mgt"]).unwrap(), number(&part["mgt"]).unwrap());
+    let difference = number(&part["difference_percent"]).unwrap();
+    assert!((100.0 * (alone / life - 1.0).abs() - difference).abs() < 1e-9, "{part}");
+    assert!(difference > 0.0 && difference < 1.0, "{part}");
+    let sentence = format!("to 20 of 20 alone, which changes the life by {difference:.2} %");
+    assert!(told.contains(&sentence), "{told}");
+
+    let whole = |text: &str| {
+        fs::write(place.join("whole.toml"), text).unwrap();
+        done(&place, &["run", "whole.toml", "--quiet", "--force", "--out", "whole"]);
+        decision(&place.join("whole"))
+    };
+    let slow = whole(&case.replace("= 0.1\ncount", "= 0.5\ncount"));
+    assert_eq!(slow["failure"]["crack"], 1, "{}", slow["failure"]);
+    let (found, life) =
+        (number(&of_row["frictions"][1]["mgt"]).unwrap(), number(&slow["failure"]["mgt"]).unwrap());
+    assert!((found / life - 1.0).abs() < SAME_LIFE, "friction 0.5: {found}, not {life}");
+    for (key, z) in [("p05", 1.644_854_f64), ("p95", -1.644_854)] {
+        let other = whole(&case.replace("2e-11", &format!("{:e}", 2e-11 * (0.3 * z).exp())));
+        let of_samples = |quantity: &str| number(&of_row["scatter"][quantity][key]).unwrap();
+        let (found, life) = (of_samples("mgt_to_critical"), number(&other["failure"]["mgt"]).unwrap());
+        assert!((found / life - 1.0).abs() < SAME_QUANTILE, "{key}: {found}, not {life}");
+        let way = number(&other["inspection"]["mgt_detectable_to_critical"]).unwrap();
+        let found = of_samples("mgt_detectable_to_critical");
+        assert!((found / way - 1.0).abs() < SAME_QUANTILE, "{key}, from detectable: {found}, not {way}");
     }
 }
 

@@ -17,6 +17,7 @@ mod shakedown;
 mod sif;
 mod space;
 mod study;
+mod wheels;
 
 pub(crate) use compare::{comparison_plots, lengths_of_both, steps_of_both};
 pub(crate) use many::bundle;

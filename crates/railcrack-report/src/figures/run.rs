@@ -4,7 +4,7 @@ use super::faces::{CrackMap, FaceMap, face_map};
 use super::near::near;
 use super::plot::Plot;
 use super::sif::Mode;
-use super::{cycles, fluid, paths, row, sif};
+use super::{cycles, fluid, paths, row, sif, wheels};
 use crate::row::{CrackRow, NamedCrack, is_many, named};
 use crate::shown::{CrackFaces, ShownRun, StepFaces};
 use railcrack::words::Choice;
@@ -36,6 +36,7 @@ pub(crate) fn run_plots(summary: &Summary, growth: &[TipRow], shown: &ShownRun) 
     let mut plots: Vec<Plot> =
         Mode::BOTH.iter().map(|&mode| sif::plot(summary, &model, &histories, told, mode)).collect();
     plots.extend(fluid::plot(summary, &model, &histories, told));
+    plots.extend(wheels::plot(summary, &model, growth, shown.under_wheels()));
     plots.push(match &row {
         Some(row) => paths::strips(summary, row, &model),
         None => paths::plot(summary, &model),

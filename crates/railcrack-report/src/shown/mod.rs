@@ -11,7 +11,9 @@ mod of_steps;
 mod pack;
 mod run;
 mod thinned;
+mod wheels;
 
 pub(crate) use faces::{CrackFaces, StepFaces};
 pub(crate) use pack::{Deflated, Quantised};
 pub(crate) use run::{ShownRun, ShownStep};
+pub(crate) use wheels::UnderWheel;

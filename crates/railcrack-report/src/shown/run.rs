@@ -5,6 +5,7 @@ use super::faces::{FacesOfStep, PackedFaces, ShownFaces, StepFaces};
 use super::histories::ShownHistories;
 use super::neighbourhood::{PackedFields, ShownFields};
 use super::of_steps::{OfSteps, read_table};
+use super::wheels::{ShownWheels, UnderWheel};
 use railcrack::growth::StepRecord;
 use railcrack_run::OutputError;
 use railcrack_run::csv::{ContactRow, SifRow, SifScale, Table};
@@ -18,6 +19,7 @@ pub(crate) struct ShownRun {
     histories: ShownHistories,
     faces: ShownFaces,
     contact: ShownContact,
+    wheels: ShownWheels,
     pub fields: ShownFields,
 }
 
@@ -28,6 +30,7 @@ pub(crate) struct ShownStep {
     histories: Vec<History>,
     faces: FacesOfStep,
     contact: Option<PackedContact>,
+    wheels: Vec<UnderWheel>,
     fields: Option<PackedFields>,
 }
 
@@ -46,8 +49,9 @@ impl ShownRun {
         // Only wheels that feel the cracks have this table.
         let is_coupled = folder.join(ContactRow::FILE).is_file();
         let contact = if is_coupled { read_table(folder, steps)? } else { ShownContact::default() };
+        let wheels = read_table(folder, steps)?;
         // In the order of the files, so that the first error is reported.
-        Ok(Self { histories: histories?, faces: faces?, contact, fields: fields? })
+        Ok(Self { histories: histories?, faces: faces?, contact, wheels, fields: fields? })
     }
 
     /// The shown part of a recorded step.
@@ -59,6 +63,7 @@ impl ShownRun {
             histories: History::of_step(SifRow::of_step(record, scale).map(Ok))?,
             faces: self.faces.of_record(record)?,
             contact: ShownContact::of_record(record)?,
+            wheels: ShownWheels::of_record(record),
             fields: ShownFields::of_record(record)?,
         })
     }
@@ -68,6 +73,7 @@ impl ShownRun {
         self.histories.push(step.step, step.histories);
         self.faces.push(step.step, step.faces);
         self.contact.push(step.step, step.contact);
+        self.wheels.push(step.step, step.wheels);
         if let Some(fields) = step.fields {
             self.fields.push(fields);
         }
@@ -82,6 +88,11 @@ impl ShownRun {
     /// K of the tips in a step that is shown.
     pub(crate) fn histories(&self, step: usize) -> &[History] {
         self.histories.steps.get(step).map_or(&[], Vec::as_slice)
+    }
+
+    /// K in the last step under every wheel of a mix; empty under one wheel.
+    pub(crate) fn under_wheels(&self) -> &[UnderWheel] {
+        &self.wheels.last
     }
 
     /// The crack faces in a step that is shown.

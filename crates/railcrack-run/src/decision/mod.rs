@@ -11,6 +11,7 @@ mod path;
 mod risk;
 mod risk_summary;
 mod row;
+mod row_part;
 mod sampler;
 mod scatter;
 mod stages;
@@ -32,6 +33,8 @@ pub use path::{GrowthPath, PathPoint};
 pub use risk::{DepthCurve, DetectionCurve, IntervalForTarget, Life, Risk};
 pub use risk_summary::{RiskAtInterval, RiskSummary, TargetKept};
 pub use row::DecisionRow;
+pub use row_part::RowPartSummary;
+pub(crate) use row_part::{deciding, from_run};
 pub(crate) use sampler::{Draw, Draws, Sample, Sampler, Sampling};
 pub use scatter::{
     CourseAccuracy, DepthQuantiles, FirstSample, Outlived, Quantiles, ScatterSummary, Sensitivity,

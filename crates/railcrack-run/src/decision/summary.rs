@@ -9,6 +9,7 @@ use super::maintenance::MaintenanceSummary;
 use super::path::{GrowthPath, PathPoint};
 use super::risk_summary::{RiskInputs, RiskSummary};
 use super::row::DecisionRow;
+use super::row_part::RowPartSummary;
 use super::sampler::Sampling;
 use super::scatter::{CourseAccuracy, Lives, Quantiles, ScatterSummary, sampled};
 use super::stages::{StageLimits, StagesSummary};
@@ -56,6 +57,10 @@ pub struct Decision {
     /// the rest scatters.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub frictions: Vec<FrictionLife>,
+    /// The cracks of a long row with which these lives and the samples were computed; none where
+    /// all were.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub part_of_row: Option<RowPartSummary>,
     /// The inspection interval, where the case asks for one; null where the verdict is `stop` or
     /// `outside`.
     pub inspection: Option<InspectionSummary>,
@@ -180,6 +185,7 @@ impl Decision {
             calibration: calibration(info.calibrated_sites),
             paths: companions.paths(nominal.failure.mgt),
             frictions: companions.frictions(),
+            part_of_row: RowPartSummary::of(info, log),
             verdict,
             failure: nominal.failure,
             second: nominal.second,

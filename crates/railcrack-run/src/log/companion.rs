@@ -15,6 +15,9 @@ pub(crate) enum CompanionKind {
     Limit,
     /// Friction coefficient between the faces of all cracks.
     Friction(f64),
+    /// None but that only the cracks that other companions of a long row follow are there: what
+    /// leaving out the others changes.
+    PartOfRow,
 }
 
 /// A companion of a run.
@@ -22,7 +25,7 @@ pub(crate) enum CompanionKind {
 pub(crate) struct Companion {
     /// The difference.
     pub kind: CompanionKind,
-    /// Its finished steps.
+    /// Its finished steps, with the numbers that its cracks have in the run.
     pub steps: Vec<StepDigest>,
     /// Why there are no more; none where it ended.
     pub reason: Option<String>,

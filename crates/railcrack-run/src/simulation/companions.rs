@@ -4,6 +4,7 @@ use super::drive::OfSteps;
 use super::error::RunError;
 use super::job::Stage;
 use super::observer::RunObserver;
+use super::row_part::{RowPart, numbered_as_in_the_run};
 use super::run::Simulation;
 use crate::decision::{course_of, slowed};
 use crate::log::{Companion, CompanionKind, RunInfo, RunLog, StepDigest};
@@ -65,9 +66,17 @@ impl Simulation<'_> {
             self.observer.stage(&text);
         }
         let asked = AskedAlone(self.observer);
+        let beside = Beside { state, folder, observer: &asked };
+        let part = match count {
+            0 => None,
+            _ => self.part_of_row(info, log, &beside)?,
+        };
         let of = |kind: &CompanionKind| match is_the_run(self.case, *kind) {
             true => Ok(Companion { kind: *kind, steps: log.steps.clone(), reason: None }),
-            false => self.companion(*kind, state, folder, &asked),
+            false => match &part {
+                Some(part) => self.companion_of_part(*kind, part, &beside),
+                None => self.companion(*kind, None, &beside),
+            },
         };
         // The finite elements of several bodies at once may not fit into the memory.
         let all: Result<Vec<Companion>, RunError> = if self.case.engine == Engine::Dislocation {
@@ -80,6 +89,7 @@ impl Simulation<'_> {
             let Some(speed) = self.doubtful(info, &all, log) else { break };
             all.push(of(&CompanionKind::Speed(speed))?);
         }
+        all.extend(part.map(RowPart::into_companion));
         Ok(Some(all))
     }
 
@@ -152,22 +162,29 @@ impl Simulation<'_> {
         kinds
     }
 
-    fn companion(
+    /// The companion of `kind` `beside` the run; of the cracks `kept` (from 0) alone, where they
+    /// are given.
+    ///
+    /// Errors: an interruption.
+    pub(super) fn companion(
         &self,
         kind: CompanionKind,
-        state: &GrowthState,
-        folder: &Path,
-        observer: &dyn RunObserver,
+        kept: Option<&[usize]>,
+        beside: &Beside,
     ) -> Result<Companion, RunError> {
-        let case = case_of(self.case, kind);
-        let simulation = Simulation { case: &case, observer, ..*self };
+        let mut case = case_of(self.case, kind);
+        let part = kept.and_then(|kept| case.with_cracks(kept));
+        // A rail that is shared has the mesh of all cracks.
+        let shared = self.shared.filter(|_| part.is_none());
+        case = part.unwrap_or(case);
+        let simulation = Simulation { case: &case, observer: beside.observer, shared, ..*self };
         // The plastic state that the run has computed is read back.
         let stage = Stage {
-            folder,
-            observer,
+            folder: beside.folder,
+            observer: beside.observer,
             presentation: self.presentation,
-            shared: self.shared,
-            state: Some(state.clone()),
+            shared,
+            state: Some(beside.state.clone()),
         };
         let mut log = RunLog::default();
         let margin = if matches!(kind, CompanionKind::Speed(_)) { BEYOND_CRITICAL } else { 1.0 };
@@ -176,6 +193,7 @@ impl Simulation<'_> {
             Err(error) if error.is_interruption() => Err(error),
             ended => {
                 let reason = ended.err().map(|error| error.to_string());
+                numbered_as_in_the_run(&mut log.steps, kept);
                 Ok(Companion { kind, steps: log.steps, reason })
             }
         }
@@ -199,6 +217,15 @@ impl Simulation<'_> {
         }
         Ok(growth.state().clone())
     }
+}
+
+/// The run that companions stand beside.
+pub(super) struct Beside<'a> {
+    /// Its state after its last step.
+    pub state: &'a GrowthState,
+    /// Holds the plastic state of a rolled rail.
+    pub folder: &'a Path,
+    pub observer: &'a dyn RunObserver,
 }
 
 /// Whether the companion of `kind` is the run of `case` itself: cracks that grow straight ahead by
@@ -256,6 +283,7 @@ fn case_of(case: &Case, kind: CompanionKind) -> Case {
         case.growth.steps = case.growth.steps.min(MOST_KINKS);
     }
     match kind {
+        CompanionKind::PartOfRow => {}
         CompanionKind::Straight => case.growth.turning = Turning::Over(f64::INFINITY),
         CompanionKind::Limit => case.growth.turning = Turning::Over(0.0),
         CompanionKind::Friction(friction) => {

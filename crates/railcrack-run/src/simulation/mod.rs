@@ -15,6 +15,7 @@ mod queue;
 mod recorder;
 mod residual_stress;
 mod rolling;
+mod row_part;
 mod run;
 mod sweep;
 

@@ -248,9 +248,9 @@ impl Recorder {
         let summary = self.write_summary(Summary::new(&self.info, &self.log, true), Durability::Cached)?;
         self.shown.finish(&self.folder)?;
         self.count_time(begun);
-        // The samples are made once.
-        let decision = summary.decision;
-        let summary = Summary { decision, ..Summary::new(&self.info, &self.log, false) };
+        // The samples are made once, and the verdict rests on them.
+        let Summary { decision, verdict, .. } = summary;
+        let summary = Summary { decision, verdict, ..Summary::new(&self.info, &self.log, false) };
         self.write_summary(summary, Durability::Synced)
     }
 

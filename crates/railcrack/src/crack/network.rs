@@ -117,6 +117,43 @@ impl CrackNetwork {
         &self.points
     }
 
+    /// The cracks with the indices `kept` (from 0) alone, in this order, with the junctions among
+    /// them.
+    ///
+    /// Errors: no crack is kept.
+    pub fn part(&self, kept: &[usize]) -> Result<Self, NetworkError> {
+        let number = |crack: usize| kept.iter().position(|own| *own == crack);
+        let junction = |junction: &Junction| {
+            let joining = CrackEnd { crack: number(junction.joining.crack)?, ..junction.joining };
+            Some(Junction { joining, onto: number(junction.onto)? })
+        };
+        let cracks = kept.iter().filter_map(|&crack| self.cracks.get(crack)).cloned().collect();
+        Self::joined(cracks, self.junctions.iter().filter_map(junction).collect())
+    }
+
+    /// The cracks (from 0, ascending) with the indices in `middle`, up to `neighbours` on each side
+    /// of each along the rail, and all that these are joined to.
+    #[must_use]
+    pub fn around(&self, middle: &[usize], neighbours: usize) -> Vec<usize> {
+        let place = |crack: usize| self.cracks[crack].points()[0].x;
+        let mut order: Vec<usize> = (0..self.cracks.len()).collect();
+        order.sort_by(|&a, &b| place(a).total_cmp(&place(b)));
+        let mut kept = vec![false; self.cracks.len()];
+        for at in (0..order.len()).filter(|&at| middle.contains(&order[at])) {
+            let last = (at + neighbours).min(order.len() - 1);
+            order[at.saturating_sub(neighbours)..=last].iter().for_each(|&crack| kept[crack] = true);
+        }
+        // A chain of joined cracks is as long as there are junctions at most.
+        for _ in &self.junctions {
+            for junction in &self.junctions {
+                let is_kept = kept[junction.joining.crack] || kept[junction.onto];
+                kept[junction.joining.crack] = is_kept;
+                kept[junction.onto] = is_kept;
+            }
+        }
+        (0..kept.len()).filter(|&crack| kept[crack]).collect()
+    }
+
     /// The kind of `end`.
     pub(crate) fn end_kind(&self, end: CrackEnd) -> EndKind {
         if end.end == End::First && self.cracks[end.crack].is_surface_breaking() {

@@ -417,18 +417,23 @@ impl Control<'_> {
     /// The limit path: the next attempt at the turns, if the best kinks at the new tips are not
     /// zero yet.
     fn turned_again(&self, after: &End<'_>, trial: &Trial) -> Option<Trial> {
-        let mut searches = Vec::new();
+        // A tip whose growth is deferred in this attempt may be drawn in the next: its search goes
+        // on, or attempts that differ in what they draw would follow one another for ever.
+        let mut searches = trial.searches.clone();
         let mut is_done = true;
         for start in self.before.tips {
             let drawn = start.increment > 0.0 && start.plane().is_some_and(|plane| plane.is_drawn);
             let end = after.tips.iter().find(|end| end.tip == start.tip).filter(|_| drawn);
             let Some((end, plane)) = end.zip(start.plane()) else { continue };
             let key = (start.tip.crack, start.tip.tip);
-            let mut search = trial.searches.iter().find(|search| search.key == key).cloned();
-            let search = search.get_or_insert_with(|| Search::new(key));
+            let known = searches.iter().position(|search| search.key == key);
+            let place = known.unwrap_or_else(|| {
+                searches.push(Search::new(key));
+                searches.len() - 1
+            });
+            let search = &mut searches[place];
             search.add(plane.turn, end.kink.unwrap_or(0.0));
             is_done &= search.is_found;
-            searches.push(search.clone());
         }
         if is_done {
             return None;

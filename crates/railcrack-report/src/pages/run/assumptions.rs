@@ -6,18 +6,19 @@ use railcrack::bulk::Boundary;
 use railcrack::contact::{FluidModel, StepControl};
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::growth::Turning;
-use railcrack::load::Contact;
+use railcrack::load::{Contact, Passage};
 use railcrack::math::RailBox;
+use railcrack::plane::CrackFluid;
 use railcrack::profiles::ProfileContact;
 use railcrack::words::Choice;
-use railcrack_case::{Case, ContactOrigin, ContactSolver};
+use railcrack_case::{Case, ContactOrigin, ContactSolver, GivenWheel, MixedWheel};
 
 /// The assumptions, one paragraph each.
 pub(super) fn assumptions(run: &RunFolder) -> Vec<String> {
     let case = &run.case;
-    vec![
-        rail(case),
-        wheel(case),
+    let mut all = vec![rail(case)];
+    all.extend(wheels(case));
+    all.extend([
         passage(run),
         faces(case),
         residual(run),
@@ -25,7 +26,38 @@ pub(super) fn assumptions(run: &RunFolder) -> Vec<String> {
         direction(case),
         solution(run),
         limits(case),
-    ]
+    ]);
+    all
+}
+
+/// The wheel, or every wheel of a mix.
+fn wheels(case: &Case) -> Vec<String> {
+    if case.mix.is_empty() {
+        let passage = &case.passages.passage;
+        let text = wheel("Wheel", &case.wheel, passage);
+        return vec![format!(
+            "{text} It is the same in every load cycle.{}",
+            long_rail(case) + &fluid(case.fluid.as_ref(), &case.wheel)
+        )];
+    }
+    let of = |mixed: &MixedWheel| {
+        let load = mixed.axle_load.map_or_else(String::new, |load| format!(", {} t", given(load)));
+        let name = format!(
+            "Wheel \u{201c}{}\u{201d} ({} % of the axles{load})",
+            mixed.name,
+            given(rounded(100.0 * mixed.share, 3))
+        );
+        let text = wheel(&name, &mixed.wheel, &mixed.passages.passage);
+        text + &long_rail_under(&mixed.wheel, case) + &fluid(mixed.fluid.as_ref(), &mixed.wheel)
+    };
+    let mut all: Vec<String> = case.mix.iter().map(of).collect();
+    if let Some(last) = all.last_mut() {
+        last.push_str(&format!(
+            " The rate of a tip is the mean of those under the {} wheels, weighted with their shares.",
+            case.mix.len()
+        ));
+    }
+    all
 }
 
 fn limits(case: &Case) -> String {
@@ -61,14 +93,14 @@ fn rail(case: &Case) -> String {
     format!("Rail: linear elastic, plane strain, E = {} MPa, ν = {poisson}; {boundary}.", grouped(young))
 }
 
-fn wheel(case: &Case) -> String {
-    let contact = case.wheel.contact();
+/// A wheel called `name`, with its `passage`.
+fn wheel(name: &str, wheel: &GivenWheel, passage: &Passage) -> String {
+    let contact = wheel.contact();
     let drags = match contact.adhesion() {
         0.0 => "no friction",
         f if f > 0.0 => "drags the rail along +x",
         _ => "drags the rail along −x",
     };
-    let passage = &case.passages.passage;
     let travel = if passage.from > passage.to { "−x" } else { "+x" };
     let shear = match contact {
         Contact::Hertz(contact) => format!("wheel–rail friction {} ({drags})", given(contact.friction)),
@@ -80,7 +112,7 @@ fn wheel(case: &Case) -> String {
         Contact::Table(_) => format!("Q/P = {} ({drags})", given(contact.adhesion())),
     };
     let pressure = contact.kind().described();
-    let strip = match &case.wheel.origin {
+    let strip = match &wheel.origin {
         ContactOrigin::Ellipse { wheel, ellipse, lateral } => format!(
             " The plane of the model is {} mm off the centre of the Hertz ellipse of a wheel load of {} kN, with semi-axes {} mm along and {} mm \
              across the rail.",
@@ -127,7 +159,7 @@ fn wheel(case: &Case) -> String {
         }
         _ => String::new(),
     };
-    let felt = match &case.wheel.coupling {
+    let felt = match &wheel.coupling {
         Some(coupling) => format!(
             "Within {} a of a mouth the contact is that of a smooth elastic wheel on the rail with its cracks.",
             given(coupling.within)
@@ -135,20 +167,18 @@ fn wheel(case: &Case) -> String {
         None => "The contact is not affected by the cracks.".to_owned(),
     };
     format!(
-        "Wheel: {pressure}, p_{{0}} = {} MPa, half-width a = {} mm, {shear}, rolling towards {travel}.{strip} {felt} It is \
-         the same in every load cycle.{}",
+        "{name}: {pressure}, p_{{0}} = {} MPa, half-width a = {} mm, {shear}, rolling towards {travel}.{strip} {felt}",
         fixed(contact.peak_pressure(), 0),
-        fixed(contact.half_width(), 2),
-        long_rail(case) + &fluid(case)
+        fixed(contact.half_width(), 2)
     )
 }
 
-/// Fluid in the cracks.
-fn fluid(case: &Case) -> String {
-    match case.fluid.as_ref().map(|fluid| fluid.model) {
+/// Fluid in the cracks under `wheel`.
+fn fluid(fluid: Option<&CrackFluid>, wheel: &GivenWheel) -> String {
+    match fluid.map(|fluid| fluid.model) {
         None => String::new(),
         Some(FluidModel::Mouth { cap }) => {
-            if case.wheel.coupling.is_some() {
+            if wheel.coupling.is_some() {
                 let text = " The fluid pressure in a crack equals the mean contact pressure within 0.1 a of its mouth.";
                 return text.to_owned();
             }
@@ -170,10 +200,15 @@ fn fluid(case: &Case) -> String {
     }
 }
 
-/// Bending and temperature of the rail.
+/// Bending and temperature of the rail under the first wheel.
 pub(in crate::pages) fn long_rail(case: &Case) -> String {
+    long_rail_under(&case.wheel, case)
+}
+
+/// Bending and temperature of the rail under `wheel`.
+fn long_rail_under(wheel: &GivenWheel, case: &Case) -> String {
     let mut text = String::new();
-    if let (Some(track), Some(bending)) = (&case.wheel.load.track, case.wheel.bending(&case.steel)) {
+    if let (Some(track), Some(bending)) = (&wheel.load.track, wheel.bending(&case.steel)) {
         let axles = match track.axles.len() {
             1 => "the axle".to_owned(),
             count => format!("{count} axles"),
@@ -186,7 +221,7 @@ pub(in crate::pages) fn long_rail(case: &Case) -> String {
             fixed(bending.length(), 0)
         ));
     }
-    if let Some(temperature) = case.wheel.load.temperature {
+    if let Some(temperature) = wheel.load.temperature {
         text.push_str(&format!(
             " The rail is at {} °C, neutral at {} °C: σ_{{xx}} = {} MPa at all times.",
             given(temperature.rail),
@@ -245,9 +280,12 @@ fn residual(run: &RunFolder) -> String {
     }
     match (&summary.plastic_source, &summary.rolled) {
         (_, Some(rolled)) => text.push_str(&format!(
-            " Its plastic part was computed from repeated passages of the same wheel over this rail ({}, {} passages, in {}) \
+            " Its plastic part was computed from repeated passages of the {} over this rail ({}, {} passages, in {}) \
              and balanced on the mesh of the cracks.",
-            rolled.state.word(), rolled.passes, rolled.folder
+            if run.case.mix.is_empty() { "same wheel" } else { "heaviest wheel" },
+            rolled.state.word(),
+            rolled.passes,
+            rolled.folder
         )),
         (Some(source), None) => text.push_str(&format!(
             " Its plastic part is given ({}) and was balanced on the mesh of the cracks.",

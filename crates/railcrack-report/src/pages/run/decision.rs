@@ -8,7 +8,8 @@ use crate::pages::ways::ways;
 use crate::table::{MISSING, Table};
 use railcrack_run::decision::{
     Decision, FailureMode, FrictionLife, InspectionSummary, MaintenanceSummary, PathLives, Reason,
-    RiskSummary, ScatterSummary, StageSummary, StagesSummary, TargetKept, VerdictLevel, WheelSummary,
+    RiskSummary, RowPartSummary, ScatterSummary, StageSummary, StagesSummary, TargetKept, VerdictLevel,
+    WheelSummary,
 };
 
 /// Approximate number of rows in the table of depths; `summary.json` has all.
@@ -22,6 +23,7 @@ pub(in crate::pages) fn decision(run: &RunFolder) -> Vec<Block> {
     sentences.extend(decision.paths.as_ref().map(paths));
     sentences.extend(decision.stages.as_ref().into_iter().flat_map(stages));
     sentences.extend(frictions(&decision.frictions));
+    sentences.extend(decision.part_of_row.as_ref().map(part_of_row));
     sentences.extend(decision.inspection.as_ref().map(interval));
     sentences.extend(target(&decision.risk));
     sentences.extend(decision.maintenance.as_ref().map(maintenance));
@@ -128,6 +130,18 @@ fn frictions(lives: &[FrictionLife]) -> Option<String> {
             all.join(", ")
         )
     })
+}
+
+/// The cracks of a long row that were followed beside the run.
+fn part_of_row(part: &RowPartSummary) -> String {
+    format!(
+        "Other paths, frictions and speeds were followed with cracks {} of the {} alone. This changes the {} by {} %{}.",
+        part.numbers(),
+        part.of,
+        if part.mgt.is_some() { "life of the run" } else { "growth in the run" },
+        fixed(part.difference_percent, 2),
+        part.mgt.map_or_else(String::new, |mgt| format!(", to {} MGT", tonnage(mgt))),
+    )
 }
 
 /// The inspection interval.

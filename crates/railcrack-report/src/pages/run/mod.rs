@@ -128,6 +128,11 @@ fn explorer(data: Value, told: Option<&[NamedCrack]>, plots: &[Plot]) -> Section
     if told.is_none() {
         blocks.extend(still(plots, "faces.svg", "Crack faces in step 0."));
     }
+    let wheels: Vec<Chart> =
+        ["wheels-ki", "wheels-kii"].into_iter().filter_map(|id| chart(plots, id)).collect();
+    if !wheels.is_empty() {
+        blocks.push(Block::charts(wheels));
+    }
     Section { id: "passage".to_owned(), heading: "Passage of the wheel".to_owned(), blocks }
 }
 
