@@ -253,7 +253,7 @@ fn decision(summary: &Summary) -> String {
     }
     if let Some(part) = &decision.part_of_row {
         text.push_str(&format!(
-            "other paths, frictions and speeds: with cracks {} of {} alone, which changes the {} by {:.2} %\n",
+            "other paths and speeds: with cracks {} of {} alone, which changes the {} by {:.2} %\n",
             part.numbers(),
             part.of,
             if part.mgt.is_some() { "life" } else { "growth" },

@@ -7,12 +7,10 @@ use super::summary::course_of;
 use crate::log::{Companion, CompanionKind, RunInfo, RunLog};
 use serde::{Deserialize, Serialize};
 
-/// The cracks of a long row that were followed along other paths, with other frictions between the
-/// faces and at other speeds.
+/// The cracks of a long row that were followed along other paths and at other speeds.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RowPartSummary {
-    /// These cracks, from 1: those that decide and their neighbours. More may have been followed
-    /// with another friction.
+    /// These cracks, from 1: those that decide and their neighbours.
     pub cracks: Vec<usize>,
     /// Number of all cracks.
     pub of: usize,

@@ -19,10 +19,8 @@ const ONE_IN: usize = 2;
 
 /// The cracks that companions follow.
 pub(super) struct RowPart {
-    /// The cracks that decide, from 0.
-    deciding: Vec<usize>,
-    /// Neighbours of each on either side.
-    neighbours: usize,
+    /// The cracks that decide and their neighbours, from 0.
+    kept: Vec<usize>,
     /// The run with these cracks and their neighbours alone.
     run: Companion,
 }
@@ -52,14 +50,14 @@ impl Simulation<'_> {
             let Some(kept) = self.kept(&deciding, neighbours) else { return Ok(None) };
             let run = self.companion(CompanionKind::PartOfRow, Some(&kept), beside)?;
             if from_run(info, log, &run).is_some_and(|difference| difference <= LARGEST_DIFFERENCE) {
-                return Ok(Some(RowPart { deciding, neighbours, run }));
+                return Ok(Some(RowPart { kept, run }));
             }
         }
         Ok(None)
     }
 
-    /// The companion of `kind` with the cracks of `part` alone. With another friction between the
-    /// faces another crack may lead: it and its neighbours are added.
+    /// The companion of `kind` with the cracks of `part` alone. That with another friction between
+    /// the faces has all cracks: friction changes how far they shield one another, and which leads.
     ///
     /// Errors: an interruption.
     pub(super) fn companion_of_part(
@@ -69,20 +67,8 @@ impl Simulation<'_> {
         beside: &Beside,
     ) -> Result<Companion, RunError> {
         // Without scatter, samples about a run that must not break are that run.
-        if kind == CompanionKind::Speed(1.0) {
-            return self.companion(kind, None, beside);
-        }
-        let mut deciding = part.deciding.clone();
-        if matches!(kind, CompanionKind::Friction(_)) {
-            let mut first = self.case.clone();
-            first.growth.steps = 0;
-            let alone = Simulation { case: &first, ..*self }.companion(kind, None, beside)?;
-            let tips = alone.steps.first().map_or(&[][..], |step| &step.tips);
-            let leading = tips.iter().max_by(|a, b| a.rate.total_cmp(&b.rate)).map(|tip| tip.tip.crack);
-            deciding.extend(leading.filter(|crack| !part.deciding.contains(crack)));
-        }
-        let kept = self.case.cracks.around(&deciding, part.neighbours);
-        self.companion(kind, Some(&kept), beside)
+        let has_all = kind == CompanionKind::Speed(1.0) || matches!(kind, CompanionKind::Friction(_));
+        self.companion(kind, (!has_all).then_some(&part.kept), beside)
     }
 
     /// The cracks (from 0) around those that are `deciding`; none where they are so many that all

@@ -135,7 +135,7 @@ fn frictions(lives: &[FrictionLife]) -> Option<String> {
 /// The cracks of a long row that were followed beside the run.
 fn part_of_row(part: &RowPartSummary) -> String {
     format!(
-        "Other paths, frictions and speeds were followed with cracks {} of the {} alone. This changes the {} by {} %{}.",
+        "Other paths and speeds were followed with cracks {} of the {} alone. This changes the {} by {} %{}.",
         part.numbers(),
         part.of,
         if part.mgt.is_some() { "life of the run" } else { "growth in the run" },
