@@ -190,8 +190,8 @@ impl Case {
         Stabilisation { method, max_passes, ..Stabilisation::default() }
     }
 
-    /// The case with the cracks of the indices `kept` (from 0) alone, resolved as in the whole case;
-    /// none in space, and where no crack is kept. Its text is that of the whole case.
+    /// The case with the cracks of the indices `kept` (from 0) alone, resolved as in the whole
+    /// case; none in space, and where no crack is kept. Its text is that of the whole case.
     #[must_use]
     pub fn with_cracks(&self, kept: &[usize]) -> Option<Self> {
         let cracks = self.cracks.part(kept).ok().filter(|_| self.space.is_none())?;

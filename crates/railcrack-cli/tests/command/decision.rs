@@ -314,9 +314,8 @@ fn quantiles_of_samples_are_lives_of_whole_runs() {
     }
 }
 
-/// Accuracy of lives with other frictions that are computed with a part of a row: twice the 1 % that
-/// its choice allows for the run.
-const SAME_LIFE: f64 = 0.02;
+/// Accuracy of the life with another friction, which is computed with all cracks.
+const SAME_LIFE: f64 = 1e-6;
 
 /// The companions of a long row follow the crack that decides with its neighbours, and the decision
 /// says which, and what leaving out the others changes. The life with a friction with which the

@@ -1,9 +1,9 @@
-//! What leaving out the distant cracks of a long row changes in the runs beside that of a decision.
+//! The difference that the distant cracks of a long row make to the runs of a decision.
 
 use super::course::{Course, CoursePoint};
 use super::failure::Nominal;
+use super::nominal_course::course_of;
 use super::path::GrowthPath;
-use super::summary::course_of;
 use crate::log::{Companion, CompanionKind, RunInfo, RunLog};
 use serde::{Deserialize, Serialize};
 
@@ -17,8 +17,8 @@ pub struct RowPartSummary {
     /// Million gross tonnes to failure with these cracks alone, otherwise as in the run; null where
     /// the rail does not fail.
     pub mgt: Option<f64>,
-    /// What leaving out the others changes: the life, or where the rail does not fail the growth of
-    /// the crack that is looked for, percent.
+    /// Difference that leaving out the others makes to the life, or where the rail does not fail to
+    /// the growth of the crack that is looked for, percent.
     pub difference_percent: f64,
 }
 

@@ -1,5 +1,6 @@
 //! The companions of a run: other runs of the same cracks that its decision needs.
 
+use super::beside::Beside;
 use super::drive::OfSteps;
 use super::error::RunError;
 use super::job::Stage;
@@ -217,15 +218,6 @@ impl Simulation<'_> {
         }
         Ok(growth.state().clone())
     }
-}
-
-/// The run that companions stand beside.
-pub(super) struct Beside<'a> {
-    /// Its state after its last step.
-    pub state: &'a GrowthState,
-    /// Holds the plastic state of a rolled rail.
-    pub folder: &'a Path,
-    pub observer: &'a dyn RunObserver,
 }
 
 /// Whether the companion of `kind` is the run of `case` itself: cracks that grow straight ahead by

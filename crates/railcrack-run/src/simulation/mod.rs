@@ -1,6 +1,7 @@
 //! Simulation: what `railcrack run`, `shakedown` and `sweep` compute, also for users of the
 //! library.
 
+mod beside;
 mod by_step;
 mod companions;
 mod drive;

@@ -1,7 +1,7 @@
 //! The cracks of a long row that the companions of its run follow: those that decide, with the
 //! neighbours that shield them.
 
-use super::companions::Beside;
+use super::beside::Beside;
 use super::error::RunError;
 use super::run::Simulation;
 use crate::decision::{deciding, from_run};
@@ -11,8 +11,8 @@ use crate::log::{Companion, CompanionKind, RunInfo, RunLog, StepDigest};
 /// than [`LARGEST_DIFFERENCE`]. Cracks beyond the 4th neighbour change K by 1.4 %, beyond the 6th
 /// by 0.4 %, and of that most is common to all runs.
 const NEIGHBOURS: [usize; 2] = [3, 6];
-/// Difference of the life of a run with these cracks alone, relative to the life of the run. Samples
-/// are held to 2 % of whole runs.
+/// Difference of the life of a run with these cracks alone, relative to the life of the run.
+/// Samples are held to 2 % of whole runs.
 const LARGEST_DIFFERENCE: f64 = 0.01;
 /// All cracks are followed unless at most one in this many is enough.
 const ONE_IN: usize = 2;

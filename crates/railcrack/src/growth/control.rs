@@ -386,8 +386,8 @@ impl Control<'_> {
         after.tips.iter().any(starts)
     }
 
-    /// The part of the step after which a tip that turned so far has to kink, where that follows from
-    /// the direction that it leaves and the one that it takes: their rates are equal there.
+    /// The part of the step after which a tip that turned so far has to kink, where that follows
+    /// from the direction that it leaves and the one that it takes: their rates are equal there.
     fn tied_at(&self, after: &End<'_>) -> Option<f64> {
         let at = |start: &TipRecord| {
             let end = after.tips.iter().find(|end| end.tip == start.tip)?;

@@ -1,10 +1,10 @@
 //! Cracked body with a folded crack.
 //!
 //! Points on the fold belong to both planes. Contact acts there along the normal of the strip, and
-//! without friction: where both planes are closed a continuous jump vanishes on the fold, and in the
-//! limit of small cells the points next to it see to that. Both conditions at one point, or friction
-//! there, would lock slip over the length of a cell; the normal of a plane between the two rounds
-//! off the fold over a cell on either side of it.
+//! without friction: where both planes are closed a continuous jump vanishes on the fold, and in
+//! the limit of small cells the points next to it see to that. Both conditions at one point, or
+//! friction there, would lock slip over the length of a cell; the normal of a plane between the two
+//! rounds off the fold over a cell on either side of it.
 
 use super::super::body::{
     Assembled, CrackPart, FrontPoint, LOAD_POINTS, LoadPoint, SpaceBody, SpaceError, SpaceKernel,
