@@ -78,7 +78,7 @@ fn a_wide_fold_is_a_kinked_crack_of_the_plane() {
 }
 
 /// Largest difference of K_II in the middle of the front from the plane, of its peak, in a passage
-/// of a line contact over a wide fold of 25° and 70° whose planes have the friction coefficient 0.3.
+/// of a line contact over a wide fold of 25° and 70° with a crack-face friction of 0.3.
 fn error_in_a_passage(block: usize) -> f64 {
     let line = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.1 };
     let (friction, positions) = (0.3, 121);
