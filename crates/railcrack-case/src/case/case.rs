@@ -208,7 +208,7 @@ impl Case {
         let mesh = MeshSettings {
             element_size: size.filter(|_| self.engine == Engine::Xfem),
             interface_elements: Some(self.face_resolution().elements),
-            ..self.mesh.clone()
+            ..self.mesh
         };
         let wheel = |mixed: &MixedWheel| MixedWheel { fluid: filled(mixed.fluid.as_ref()), ..mixed.clone() };
         Some(Self {
