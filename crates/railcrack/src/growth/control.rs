@@ -123,8 +123,8 @@ const PATH_TOLERANCE: f64 = 0.01;
 /// hardly depends on the direction of the tip, but on the depth to which it leads.
 const LEAST_SENSITIVITY: f64 = 1.0;
 /// Where growth and removal nearly balance, an error of the growth moves the life by as many times
-/// more, at most by this factor: the balance shifts as the crack turns, and the number of
-/// increments must stay bounded.
+/// more. Increments are chosen for this factor at most, so that their number stays bounded; the
+/// estimated error knows no bound.
 const MOST_LEVERAGE: f64 = 5.0;
 /// The increment after a kink: the rates change over lengths in proportion to the distance from it.
 const AFTER_KINK: f64 = 0.004;
@@ -242,7 +242,7 @@ impl Control<'_> {
         let passed = after.load_cycles - self.before.load_cycles;
         let course = self.course;
         let turn_error = course.turn_error + error.turn;
-        let leverage = self.leverage();
+        let leverage = self.leverage_of_balance();
         let next = Course {
             share: self.next_share(&error, trial),
             // A step is not known to be wrong by more than its own cycles.
@@ -300,16 +300,21 @@ impl Control<'_> {
         advance.share.max(lost.fold(0.0, f64::max).min(last))
     }
 
-    /// The relative change of the life over that of the growth of the leading mover: growth over
-    /// growth less removal, at most [`MOST_LEVERAGE`]. An error of the growth, once made, stays the
-    /// same number of cycles.
+    /// The relative change of the life over that of the growth of the leading mover, as far as
+    /// increments are chosen by it.
     fn leverage(&self) -> f64 {
+        self.leverage_of_balance().min(MOST_LEVERAGE)
+    }
+
+    /// The relative change of the life over that of the growth of the leading mover: growth over
+    /// growth less removal. An error of the growth, once made, stays the same number of cycles.
+    fn leverage_of_balance(&self) -> f64 {
         let Some(maintenance) = self.settings.maintained() else { return 1.0 };
         let Some(leader) = leading(self.before.movers).filter(|leader| leader.rate > 0.0) else { return 1.0 };
         let own = |tip: &&TipRecord| (tip.tip.crack, tip.tip.tip) == (leader.crack, leader.index);
         let Some(sine) = self.before.tips.iter().find(own).and_then(|tip| tip.mouth_sine) else { return 1.0 };
         let net = (leader.rate - maintenance.removal() / sine).abs();
-        leader.rate / net.max(leader.rate / MOST_LEVERAGE)
+        leader.rate / net.max(f64::MIN_POSITIVE)
     }
 
     /// The estimated error of a step, of its leading mover.

@@ -9,8 +9,8 @@
 //! an error of first order.
 //!
 //! Where the path turns smoothly a short segment has no corner, and growth is deferred only up to a
-//! fixed small fraction of the length: the error of a slow tip is of second order in the increment,
-//! as is that of the fastest, but for that fraction.
+//! fixed small fraction of the length, behind one of its rare kinks up to twice that: the error of a
+//! slow tip is of second order in the increment, as is that of the fastest, but for that fraction.
 
 use crate::fatigue::SECONDARY_DISTANCE;
 use crate::math::Vec2;
@@ -35,6 +35,10 @@ impl DeferredGrowth {
     /// Smooth growth of this fraction of the length of the crack is not deferred: the shortest
     /// increment behind a kink. A lag of 0.4 % changes K by 0.2 %, and the rate by 0.6 % at most.
     pub(crate) const LEAST_SMOOTH: f64 = 0.004;
+    /// Where paths turn over a length, growth behind a kink of this fraction is not deferred
+    /// either: kinks are rare, and the fastest tip makes such an increment too. The rates change
+    /// abruptly with the kink.
+    pub(crate) const LEAST_KINKED: f64 = 0.008;
 
     /// The deferred growth after a further `increment` (mm) in `direction` (a unit vector).
     ///

@@ -475,8 +475,14 @@ fn planned(
         let to = via.map_or(from + growth.direction * growth.length, |via| via + growth.direction * half);
         let length = state.length(drive.tip.crack);
         let keeps_pace = increment >= DeferredGrowth::KEEPS_PACE * pace.share * length;
-        let full =
-            if growth.is_kinked { state.at.share } else { state.at.share.min(DeferredGrowth::LEAST_SMOOTH) };
+        let least = if !growth.is_kinked {
+            DeferredGrowth::LEAST_SMOOTH
+        } else if settings.turning.is_kink() {
+            f64::INFINITY
+        } else {
+            DeferredGrowth::LEAST_KINKED
+        };
+        let full = state.at.share.min(least);
         let deferred = !keeps_pace && growth.length < full * length;
         let step = Step { tip: drive.tip, from, via, to, deferred: growth.share_of(drive.deferred) };
         Some(PlannedAdvance { increment, growth, turned, step, deferred })
