@@ -251,7 +251,8 @@ impl<'a> LatinSteps<'a> {
                     bulk: problem.bulk_modulus(),
                     units: &self.units,
                 };
-                let pressed = rows.press(&mut self.solution.fluid, step.outside, &mut jump, &mut no_force);
+                let fluid = &mut self.solution.fluid;
+                let pressed = rows.press(fluid, |_| true, step.outside, &mut jump, &mut no_force);
                 pressed.map_err(|_| failure(iteration, indicator))?;
             }
             for i in 0..n {

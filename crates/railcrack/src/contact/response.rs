@@ -145,8 +145,9 @@ impl<'a> FaceResponse<'a> {
             bulk: problem.bulk_modulus(),
             units,
         };
-        let FaceSolution { jump, contact, fluid, .. } = &mut self.solution;
-        rows.press(fluid, &self.outside, jump, contact)
+        let FaceSolution { jump, contact, fluid, status, .. } = &mut self.solution;
+        let open = |point: usize| !status[point].is_closed();
+        rows.press(fluid, open, &self.outside, jump, contact)
     }
 
     /// Appends a load (N/mm, 2p) whose response is a rate.
