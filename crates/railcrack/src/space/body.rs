@@ -519,7 +519,18 @@ fn stiffness_of(
                 into.iter_mut().zip(own.row(i)).for_each(|(into, value)| *into = mu * value);
             }
         }
-        for (other, &first) in placed[..k].iter().zip(&starts) {
+        for (j, (other, &first)) in placed[..k].iter().zip(&starts).enumerate() {
+            if let Some([row, column]) = integrated_as([j, k], cracks) {
+                // Pairs of copies at equal offsets differ by a translation of the half-space.
+                for i in 0..3 * other.grid.free {
+                    for c in 0..size {
+                        let value = stiffness[(starts[row] + i, starts[column] + c)];
+                        stiffness[(first + i, start + c)] = value;
+                        stiffness[(start + c, first + i)] = value;
+                    }
+                }
+                continue;
+            }
             let between = cross_stiffness([*other, *crack], surroundings, poisson, interruption)?;
             for i in 0..between.rows() {
                 for (j, value) in between.row(i).iter().enumerate() {
@@ -530,6 +541,26 @@ fn stiffness_of(
         }
     }
     Ok(stiffness)
+}
+
+/// Offsets of cracks that differ by no more than this fraction of a semi-axis count as equal: far
+/// above the rounding of positions, far below the errors of the integrals.
+const SAME_OFFSET: f64 = 1e-9;
+
+/// The first pair of cracks before `pair`, in the order in which the stiffness is integrated, of
+/// copies of its cracks at the same offset.
+fn integrated_as(pair: [usize; 2], cracks: &[SpaceCrack]) -> Option<[usize; 2]> {
+    let [first, second] = pair.map(|crack| &cracks[crack]);
+    let offset = |a: &SpaceCrack, b: &SpaceCrack| [0, 1].map(|e| b.middle[e] - a.middle[e]);
+    let wanted = offset(first, second);
+    let near = SAME_OFFSET * first.length.min(second.length);
+    (1..=pair[1]).filter(|&k| cracks[k].is_copy_of(second)).find_map(|k| {
+        let row = (0..k).take_while(|&j| [j, k] != pair).find(|&j| {
+            let found = offset(&cracks[j], &cracks[k]);
+            cracks[j].is_copy_of(first) && (0..2).all(|e| (found[e] - wanted[e]).abs() <= near)
+        })?;
+        Some([row, k])
+    })
 }
 
 /// K from the jumps of the first two rows: w = α η + β η³ along a column, or α √(distance) near the
@@ -572,6 +603,32 @@ mod tests {
             let text = error.to_string();
             assert!(matches!(error, SpaceError::TooCoarse { crack: found, .. } if found == crack), "{text}");
             assert!(text.contains("more cells (space_cells") && text.contains(dip), "{text}");
+        }
+    }
+
+    #[test]
+    fn pairs_at_equal_offsets_are_integrated_once() {
+        let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
+        let crack = SpaceCrack::surface_breaking(30f64.to_radians(), 2.0, 1.5).unwrap();
+        let at = |x: f64, lateral: f64| SpaceCrack { middle: [x, lateral], ..crack.clone() };
+        let cracks = [at(0.0, 0.0), at(3.1, 0.2), at(6.2, 0.4), at(9.4, 0.6), at(12.5, 0.8)];
+        let pairs: Vec<_> = (0..5).flat_map(|k| (0..k).map(move |j| [j, k])).collect();
+        let shared = |pair| integrated_as(pair, &cracks);
+        let offsets = [shared([1, 2]), shared([3, 4]), shared([2, 3]), shared([2, 4])];
+        assert_eq!(offsets, [Some([0, 1]), Some([0, 1]), None, Some([1, 3])]);
+        let resolution = SpaceResolution { block: 2, ring: 2 };
+        let of = |cracks: &[SpaceCrack]| {
+            SpaceBody::new(cracks, &steel, Surroundings::HalfSpace, resolution).unwrap().stiffness
+        };
+        let all = of(&cracks);
+        let size = all.rows() / 5;
+        for [j, k] in pairs {
+            let alone = of(&[cracks[j].clone(), cracks[k].clone()]);
+            for (a, b) in (0..size).flat_map(|a| (0..size).map(move |b| (a, b))) {
+                let (wanted, found) = (alone[(a, size + b)], all[(j * size + a, k * size + b)]);
+                assert!((wanted - found).abs() < 1e-10 * all[(0, 0)], "{j} {k}: {wanted} {found}");
+                assert_eq!(found, all[(k * size + b, j * size + a)]);
+            }
         }
     }
 
