@@ -9,8 +9,9 @@
 //! an error of first order.
 //!
 //! Where the path turns smoothly a short segment has no corner, and growth is deferred only up to a
-//! fixed small fraction of the length, behind one of its rare kinks up to twice that: the error of a
-//! slow tip is of second order in the increment, as is that of the fastest, but for that fraction.
+//! fixed small fraction of the length, behind one of its rare kinks up to twice that: the error of
+//! a slow tip is of second order in the increment, as is that of the fastest, but for that
+//! fraction.
 
 use crate::fatigue::SECONDARY_DISTANCE;
 use crate::math::Vec2;
