@@ -58,8 +58,8 @@ pub struct Decision {
     /// the rest scatters.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub frictions: Vec<FrictionLife>,
-    /// The cracks of a long row with which these lives and the samples were computed; none where
-    /// all were.
+    /// The cracks of a long row with which the lives along other paths and the samples were
+    /// computed; none where all were.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part_of_row: Option<RowPartSummary>,
     /// The inspection interval, where the case asks for one; null where the verdict is `stop` or

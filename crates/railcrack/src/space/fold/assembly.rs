@@ -118,7 +118,7 @@ impl<'a> Assembly<'a> {
 
     /// The plane of a part; on the fold that of the strip.
     fn plane(&self, part: Part) -> &PlaneFrame {
-        &self.planes[usize::from(part == Part::Branch)]
+        &self.planes[part.plane()]
     }
 
     fn parts(&self, cell: usize) -> impl Iterator<Item = (usize, usize, Part)> + '_ {

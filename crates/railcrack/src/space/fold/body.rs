@@ -19,11 +19,6 @@ use crate::material::IsotropicElastic;
 use crate::math::{Matrix, dot3, gauss_legendre};
 use std::f64::consts::PI;
 
-/// The plane of a part: the strip with the fold, or the branch.
-fn plane_of(part: Part) -> usize {
-    usize::from(part == Part::Branch)
-}
-
 impl FoldedCrack {
     /// The body with this crack in the half-space of steel `steel`; `kernel` may hold the image for
     /// the plane of the strip. An `interruption` ends the computation.
@@ -53,7 +48,7 @@ impl FoldedCrack {
         }
         let [strip, below] = self.planes();
         let planes = vec![strip, below];
-        let plane_of_point: Vec<usize> = grid.part_of_vertex.iter().map(|part| plane_of(*part)).collect();
+        let plane_of_point: Vec<usize> = grid.part_of_vertex.iter().map(|part| part.plane()).collect();
         let parts = Assembled {
             crack: CrackPart {
                 shape: branch,
@@ -102,7 +97,7 @@ impl FoldedCrack {
                         if corner < grid.free { (corner, weight) } else { (0, 0.0) }
                     });
                     let position = self.position(point.position);
-                    loads.push(LoadPoint { crack: 0, plane: plane_of(*part), position, hats });
+                    loads.push(LoadPoint { crack: 0, plane: part.plane(), position, hats });
                 }
             }
         }
@@ -135,14 +130,14 @@ fn sif_rows(grid: &FoldedGrid, steel: &IsotropicElastic, planes: &[PlaneFrame]) 
         let scale = steel.shear_modulus() * (2.0 * PI).sqrt() / (4.0 * column.distance.sqrt());
         let plane = scale / (1.0 - steel.poisson());
         let [ms, mz] = column.normal;
-        let [normal, dip, trace] = planes[plane_of(front.part)].directions();
+        let [normal, dip, trace] = planes[front.part.plane()].directions();
         let across: [f64; 3] = std::array::from_fn(|c| ms * dip[c] + mz * trace[c]);
         let along: [f64; 3] = std::array::from_fn(|c| ms * trace[c] - mz * dip[c]);
         for (vertex, weight) in column.vertices.into_iter().zip(weights) {
             if vertex >= grid.free {
                 continue;
             }
-            let directions = planes[plane_of(grid.part_of_vertex[vertex])].directions();
+            let directions = planes[grid.part_of_vertex[vertex].plane()].directions();
             for (j, direction) in directions.into_iter().enumerate() {
                 let modes = [(normal, plane), (across, plane), (along, scale)];
                 for (mode, (of_mode, scale)) in modes.into_iter().enumerate() {

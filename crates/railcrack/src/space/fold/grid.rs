@@ -41,6 +41,13 @@ pub(super) enum Part {
     Branch,
 }
 
+impl Part {
+    /// Its plane: 0 for the strip with mouth and fold, 1 for the branch.
+    pub fn plane(self) -> usize {
+        usize::from(self == Self::Branch)
+    }
+}
+
 /// A point of the front and the plane in which it lies.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FoldedFront {
