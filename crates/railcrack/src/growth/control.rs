@@ -1,5 +1,6 @@
 //! Control of the increments: their error, the location of events, and the turns of the limit path.
 
+use super::deferred::AFTER_KINK;
 use super::{Advance, EarlierStep, GrowthSettings, Jump, Mover, TipRecord, Turn};
 use crate::fatigue::SECONDARY_DISTANCE;
 use serde::{Deserialize, Serialize};
@@ -78,7 +79,7 @@ pub(crate) const LOCATED: f64 = 0.004;
 /// A step is cut so often at most; what results then stands.
 const MOST_CUTS: usize = 16;
 /// Attempts at the turn of a step of the limit path; the last one stands.
-const MOST_TURNS: usize = 24;
+pub(super) const MOST_TURNS: usize = 24;
 /// Smallest and largest increment that the control chooses, as a fraction of the length.
 const SHARES: (f64, f64) = (5e-4, 0.1);
 /// Shares of the tolerance allowed for the error of one step, by its rates and by its turns,
@@ -126,8 +127,6 @@ const LEAST_SENSITIVITY: f64 = 1.0;
 /// more. Increments are chosen for this factor at most, so that their number stays bounded; the
 /// estimated error knows no bound.
 const MOST_LEVERAGE: f64 = 5.0;
-/// The increment after a kink: the rates change over lengths in proportion to the distance from it.
-const AFTER_KINK: f64 = 0.004;
 /// Best kink (radians) that counts as zero on the limit path: the scatter of the best kink. A path
 /// that drifts by a tenth of a degree in each increment has not arrived.
 const ZERO_KINK: f64 = 0.02 * std::f64::consts::PI / 180.0;

@@ -17,6 +17,10 @@ use crate::fatigue::SECONDARY_DISTANCE;
 use crate::math::Vec2;
 use serde::{Deserialize, Serialize};
 
+/// The increment after a kink, as a fraction of the length: the rates change over lengths in
+/// proportion to the distance from it.
+pub(super) const AFTER_KINK: f64 = 0.004;
+
 /// Growth of a tip that has not been added to its crack yet.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct DeferredGrowth {
@@ -35,11 +39,11 @@ impl DeferredGrowth {
     pub(crate) const KEEPS_PACE: f64 = 2.0 / 3.0;
     /// Smooth growth of this fraction of the length of the crack is not deferred: the shortest
     /// increment behind a kink. A lag of 0.4 % changes K by 0.2 %, and the rate by 0.6 % at most.
-    pub(crate) const LEAST_SMOOTH: f64 = 0.004;
+    pub(crate) const LEAST_SMOOTH: f64 = AFTER_KINK;
     /// Where paths turn over a length, growth behind a kink of this fraction is not deferred
-    /// either: kinks are rare, and the fastest tip makes such an increment too. The rates change
-    /// abruptly with the kink.
-    pub(crate) const LEAST_KINKED: f64 = 0.008;
+    /// either: kinks are rare, and the second increment of the fastest tip behind one is as long.
+    /// The rates change abruptly with the kink.
+    pub(crate) const LEAST_KINKED: f64 = 2.0 * AFTER_KINK;
 
     /// The deferred growth after a further `increment` (mm) in `direction` (a unit vector).
     ///

@@ -3,6 +3,8 @@
 
 mod advance;
 mod control;
+#[cfg(test)]
+mod control_tests;
 mod cycles;
 mod deferred;
 mod earlier;
