@@ -18,7 +18,9 @@ import pyvista
 
 def places(run):
     """Wheel positions of a passage, x_c/a by number, and over how much of their points the cracks are open, by step."""
-    rows = lambda name: csv.DictReader(line for line in (run / name).open() if not line.startswith("#"))
+    everything = lambda name: csv.DictReader(line for line in (run / name).open() if not line.startswith("#"))
+    # Fields are those of the first wheel of a mix.
+    rows = lambda name: (row for row in everything(name) if row.get("wheel", "1") == "1")
     centre = {int(row["position"]): float(row["xc_over_a"]) for row in rows("sif.csv")}
     points, opened = {}, {}
     if (run / "faces.csv").is_file():

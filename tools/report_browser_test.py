@@ -144,8 +144,9 @@ def table(path):
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
-def stabilised(rows):
-    """Rows of the last passage of each step."""
+def stabilised(rows, wheel=1):
+    """Rows of the last passage of each step, in a mix under one wheel."""
+    rows = [row for row in rows if row.get("wheel", str(wheel)) == str(wheel)]
     last = {}
     for row in rows:
         last[row["step"]] = row["passage"]
@@ -276,7 +277,7 @@ def check_explorer(browser, checks, name, folder):
     steps = sorted({int(row["step"]) for row in growth})
     position = 1
     # Of many cracks the page has each while the wheel is near, and begins with one that has a name.
-    windows, named = browser.run("(({ windows, named }) => [windows, named])(JSON.parse(document.getElementById('run-data').textContent))")
+    windows, named = browser.run("(({ wheels, named }) => [wheels[0].windows, named])(JSON.parse(document.getElementById('run-data').textContent))")
     crack = named[0] if windows else 1
 
     def check_k(step):
@@ -296,7 +297,7 @@ def check_explorer(browser, checks, name, folder):
                 checks.near(x, float(row["xc_over_a"]), f"{what}, wheel")
                 checks.near(k, float(row[column]), what, absolute=max(1e-6, 2e-5 * span))
         checks.near(browser.run("document.querySelector('#scene svg').dataset.centre"), float(here[0]["xc_mm"]), f"{name}: the wheel over the cracks")
-        if "fluid_mpa" in here[0] and not many:
+        if here[0].get("fluid_mpa") and not many:
             check_fluid(browser, checks, f"{name}: fluid, step {step}, position {position}", here)
         for figure in ["face-status", "face-pressure"] if not windows or step in (steps[0], steps[-1]) else []:
             line = browser.run(f"document.querySelector('#{figure} line.here')?.dataset.x")
@@ -355,6 +356,52 @@ def check_explorer(browser, checks, name, folder):
     hover(browser, checks, name)
     check_player(browser, checks, name)
     checks.that(not browser.complaints, f"{name}: no complaints after all this", browser.complaints)
+
+
+def check_wheels(browser, checks, name, folder):
+    """The menu of a mix selects the wheel whose passage is shown: K, the wheel over the cracks and the faces are those of the tables."""
+    browser.open(folder / "report.html")
+    count = browser.run("document.getElementById('of-mix')?.options.length ?? 1")
+    checks.that(count == 1 or not browser.run("document.getElementById('which-wheel').hidden"), f"{name}: the menu of wheels is there")
+    if count == 1:
+        return
+    sif = table(folder / "sif.csv")
+    windows = browser.run("JSON.parse(document.getElementById('run-data').textContent).wheels.map((wheel) => wheel.windows)")
+    crack = int(browser.run("document.getElementById('crack').value"))
+    scenes = set()
+    for wheel in [*range(2, count + 1), 1]:
+        at = float(browser.run("document.querySelector('#scene svg').dataset.centre"))
+        browser.run(f"(() => {{ const e = document.getElementById('of-mix'); e.value = {wheel - 1}; e.dispatchEvent(new Event('change')); }})()")
+        browser.settle()
+        rows = [row for row in stabilised(sif, wheel) if row["step"] == "0" and (not windows[0] or row["crack"] == str(crack))]
+        places = sorted({(abs(float(row["xc_mm"]) - at), int(row["position"])) for row in rows})
+        position = 1 + int(browser.run("document.getElementById('wheel').value"))
+        nearest = [place for distance, place in places if distance < places[0][0] + 1e-3]
+        checks.that(position in nearest, f"{name}: wheel {wheel} stands at its position nearest to the wheel before", position, nearest)
+        here = [row for row in rows if int(row["position"]) == position]
+        what = f"{name}: wheel {wheel}, position {position}"
+        checks.near(browser.run("document.querySelector('#scene svg').dataset.centre"), float(here[0]["xc_mm"]), f"{what}, over the cracks")
+        for figure, column in [("ki", "ki_mpa_sqrt_m"), ("kii", "kii_mpa_sqrt_m")]:
+            span = max(abs(float(row[column])) for row in rows) if windows[0] else 0.0
+            there = marks(browser, figure)
+            checks.that(len(there) == len(here), f"{what}: {figure} has a mark for each tip", there)
+            for (x, k), row in zip(there, here):
+                checks.near(x, float(row["xc_over_a"]), f"{what}: {figure}, wheel")
+                checks.near(k, float(row[column]), f"{what}: {figure}", absolute=max(1e-6, 2e-5 * span))
+        check_faces(browser, checks, name, folder, 0, position, crack, wheel)
+        scenes.add(browser.run("document.querySelector('#scene svg').innerHTML"))
+        # Between the first and the last step the other wheels have no faces, and the page says so.
+        if browser.run("+document.getElementById('step').max") > 1 and not windows[0]:
+            browser.run("(() => { const e = document.getElementById('step'); e.value = 1; e.dispatchEvent(new Event('input')); })()")
+            browser.settle()
+            text = browser.run("document.getElementById('deformed').textContent")
+            checks.that(("No face data for this wheel" in text) == (wheel > 1), f"{what}: what there is of the faces", text)
+            browser.run("(() => { const e = document.getElementById('step'); e.value = 0; e.dispatchEvent(new Event('input')); })()")
+            browser.settle()
+    checks.that(len(scenes) == count, f"{name}: every wheel is another picture", len(scenes))
+    last = browser.run("document.getElementById('wheel').max")
+    checks.that(int(last) + 1 == max(int(row["position"]) for row in stabilised(sif)), f"{name}: the slider has the positions of the wheel", last)
+    checks.that(not browser.complaints, f"{name}: no complaints after all wheels", browser.complaints)
 
 
 def check_player(browser, checks, name):
@@ -460,13 +507,18 @@ def check_space(browser, checks, name, folder):
 def check_contact(browser, checks, name, folder):
     """The pressure over the mouth follows the wheel and the step, as contact.csv and sif.csv have it; beside it that of Hertz."""
     browser.open(folder / "report.html")
-    data = browser.run("(({ half_width, peak_pressure, origin, xc_over_a, steps }) => ({ half_width, peak_pressure, origin, xc_over_a, "
-                       "steps: steps.map((s) => s.step) }))(JSON.parse(document.getElementById('run-data').textContent))")
-    a, p0 = data["half_width"], data["peak_pressure"]
+    # Of a mix, under the first wheel that feels the cracks.
+    data = browser.run("(({ wheels, origin, steps }) => { const number = wheels.findIndex((wheel) => wheel.is_coupled);"
+                       " return { ...wheels[number], number, origin, steps: steps.map((s) => s.step) }; })(JSON.parse(document.getElementById('run-data').textContent))")
+    a, p0, wheel = data["half_width"], data["peak_pressure"], data["number"] + 1
+    if wheel > 1:
+        checks.that(browser.run("document.getElementById('contact').hidden"), f"{name}: no contact pressure of a wheel that feels no cracks")
+        browser.run(f"(() => {{ const e = document.getElementById('of-mix'); e.value = {wheel - 1}; e.dispatchEvent(new Event('change')); }})()")
+        browser.settle()
     nodes, loads = {}, {}
-    for row in stabilised(table(folder / "contact.csv")):
+    for row in stabilised(table(folder / "contact.csv"), wheel):
         nodes.setdefault((int(row["step"]), int(row["position"])), []).append((float(row["x_mm"]), float(row["p_mpa"])))
-    for row in stabilised(table(folder / "sif.csv")):
+    for row in stabilised(table(folder / "sif.csv"), wheel):
         loads.setdefault((int(row["step"]), int(row["position"])), row["lip_load_n_per_mm"])
     # What is drawn, in mm and MPa; a clipped line goes on beyond the frame.
     drawn = lambda line: browser.run(
@@ -550,23 +602,24 @@ def hover(browser, checks, name):
     checks.that("K_II" in text and "MPa" in text and "x_c/a" in text, f"{name}: hover gives values", text)
 
 
-def check_faces(browser, checks, name, folder, step, position, crack):
+def check_faces(browser, checks, name, folder, step, position, crack, wheel=1):
     """The map under the pointer, and the deformed crack, against faces.csv."""
     last = {}
     rows = []
     with open(folder / "faces.csv", newline="") as file:
         for row in csv.DictReader(line for line in file if line.startswith((f"{step},", "step,"))):
-            if row["crack"] == str(crack) and int(row["position"]) == position:
+            if row["crack"] == str(crack) and int(row["position"]) == position and row.get("wheel", "1") == str(wheel):
                 last.setdefault(row["passage"], []).append(row)
     rows = list(last.values())[-1]
-    stride = browser.run("JSON.parse(document.getElementById('run-data').textContent).face_stride")
+    shown = browser.run(f"(({{ wheels }}) => wheels[{wheel - 1}])(JSON.parse(document.getElementById('run-data').textContent))")
+    stride, xc_over_a = shown["face_stride"], shown["xc_over_a"]
     if (position - 1) % stride:
         return
     browser.box("#face-status .drawing svg")
     for row in rows[:: max(1, len(rows) // 4)]:
         at = browser.run(
             "(() => { const svg = document.querySelector('#face-status .drawing svg'); const box = svg.getBoundingClientRect();"
-            f" const part = box.width / svg.viewBox.baseVal.width; return [box.left + part * svg.scale('x').apply({browser.run('JSON.parse(document.getElementById(`run-data`).textContent).xc_over_a')[position - 1]}),"
+            f" const part = box.width / svg.viewBox.baseVal.width; return [box.left + part * svg.scale('x').apply({xc_over_a[position - 1]}),"
             f" box.top + part * svg.scale('y').apply({row['s_mm']})]; }})()")
         browser.mouse(*at)
         text = browser.run("document.getElementById('face-value').textContent").replace("\u2212", "-")
@@ -944,6 +997,7 @@ def main():
                 check_space(browser, checks, name, folder)
             elif (folder / "sif.csv").exists():
                 check_explorer(browser, checks, name, folder)
+                check_wheels(browser, checks, name, folder)
                 check_row(browser, checks, name, folder)
                 check_fields(browser, checks, name, folder)
                 check_pieces(browser, checks, name, folder)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from ._results import RunResults
-from ._table import Table
+from ._table import Table, under
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -90,7 +90,7 @@ class RunPlots:
         axes.plot(xc, kii, label="$K_{II}$")
         name = _name(self._run, crack, tip)
         if in_space:
-            rows = self._run.sif.where(step=step, crack=crack, tip=tip)
+            rows = under(self._run.sif.where(step=step, crack=crack, tip=tip))
             rows = rows.where(passage=rows["passage"].max())
             axes.plot(xc, rows["kiii_mpa_sqrt_m"], label="$K_{III}$")
             whose = f"crack {crack} " if len(np.unique(self._run.growth["crack"])) > 1 else ""
@@ -155,11 +155,11 @@ class RunPlots:
         from matplotlib.patches import Patch
 
         axes: Axes = _axes(ax)
-        rows = self._run.faces.where(step=step, crack=crack)
+        rows = under(self._run.faces.where(step=step, crack=crack))
         positions = np.unique(rows["position"])
         words, colours = ["open", "stick", "slip"], ["#f2f0e9", "#7a9cc6", "#d1495b"]
         codes = np.select([rows["status"] == word for word in words], range(3))
-        sif = self._run.sif.where(step=step, crack=crack)
+        sif = under(self._run.sif.where(step=step, crack=crack))
         sif = sif.where(passage=sif["passage"].max(), tip=sif["tip"].min())
         handles = [Patch(color=c, label=w) for c, w in zip(colours, words, strict=True)]
         if _is_in_space(self._run):

@@ -17,7 +17,7 @@ from . import _railcrack
 from ._errors import BadInput, FolderError
 from ._grid import FieldGrid
 from ._html import facts
-from ._table import Table
+from ._table import Table, under
 
 
 class RunResults:
@@ -100,12 +100,12 @@ class RunResults:
         key = "points_mm" if step is None else "initial_points_mm"
         return [np.array(crack[key]) for crack in self.summary["cracks"]]
 
-    def history(self, step: int = 0, crack: int = 1, tip: int = 1) -> NDArray[np.float64]:
-        """K of a tip over the stabilised passage of a step at the output positions: shape
-        (positions, 3), x_c/a, K_I and K_II (MPa√m)."""
-        rows = self.sif.where(step=step, crack=crack, tip=tip)
+    def history(self, step: int = 0, crack: int = 1, tip: int = 1, wheel: int = 1) -> NDArray[np.float64]:
+        """K of a tip over the stabilised passage of a step at the output positions, in a mix under
+        one wheel: shape (positions, 3), x_c/a, K_I and K_II (MPa√m)."""
+        rows = under(self.sif.where(step=step, crack=crack, tip=tip), wheel)
         if rows.rows == 0:
-            raise BadInput(f"no K of step {step}, crack {crack}, tip {tip}")
+            raise BadInput(f"no K of step {step}, crack {crack}, tip {tip}, wheel {wheel}")
         last = rows.where(passage=rows["passage"].max())
         return np.column_stack([last[c] for c in ("xc_over_a", "ki_mpa_sqrt_m", "kii_mpa_sqrt_m")])
 

@@ -35,6 +35,11 @@ def unit_of(column: str) -> str:
     return _UNITS[max(endings, key=len)] if endings else ""
 
 
+def under(rows: Table, wheel: int = 1) -> Table:
+    """Of the rows of a mix those of one wheel; all rows of a single wheel."""
+    return rows.where(wheel=wheel) if "wheel" in rows else rows
+
+
 class Table(Mapping[str, NDArray[Any]]):
     """A table of results: columns by name, each a NumPy array with one entry per row.
 

@@ -160,7 +160,7 @@ struct Gathered {
 }
 
 impl RunPresentation for Gathered {
-    fn take(&mut self, record: &StepRecord, scale: SifScale) -> Result<(), OutputError> {
+    fn take(&mut self, record: &StepRecord, scale: &SifScale) -> Result<(), OutputError> {
         self.taken = Some(self.shown.of_record(record, scale)?);
         Ok(())
     }

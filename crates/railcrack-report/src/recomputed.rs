@@ -83,7 +83,7 @@ struct OfRun {
 }
 
 impl RunPresentation for OfRun {
-    fn take(&mut self, record: &StepRecord, scale: SifScale) -> Result<(), OutputError> {
+    fn take(&mut self, record: &StepRecord, scale: &SifScale) -> Result<(), OutputError> {
         self.taken = Some(self.gathered.of_record(record, scale)?);
         Ok(())
     }

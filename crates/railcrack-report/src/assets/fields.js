@@ -27,7 +27,7 @@ railcrack.viewer("neighbourhood", "The fields", "ParaView shows the files in fie
       i,
       j,
       step: step.step,
-      xcOverA: run.xc_over_a[snapshot.position - 1],
+      xcOverA: run.wheels[0].xc_over_a[snapshot.position - 1],
     })),
   );
 

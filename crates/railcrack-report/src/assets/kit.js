@@ -679,7 +679,7 @@ const railcrack = (() => {
    * passage, and the arrow keys. They read `state` and call `moveTo` with the requested state.
    * @param {object} passage
    * @param {number} passage.steps
-   * @param {number} passage.positions
+   * @param {() => number} passage.positions number of them, which may change with the state
    * @param {PassageState} passage.state
    * @param {(change: Partial<PassageState>) => void} passage.moveTo
    */
@@ -705,19 +705,19 @@ const railcrack = (() => {
     /** @param {number} position */
     const toPosition = (position) => {
       stop();
-      moveTo({ position: bounded(position, positions) });
+      moveTo({ position: bounded(position, positions()) });
     };
 
     play.addEventListener("click", () => {
       if (playing !== null) return stop();
-      if (state.position === positions - 1) moveTo({ position: 0 });
+      if (state.position === positions() - 1) moveTo({ position: 0 });
       play.textContent = "Stop";
       const [begun, from] = [performance.now(), state.position];
       /** @param {number} now */
       const next = (now) => {
-        const played = Math.floor(((now - begun) / PLAYED_IN) * positions);
-        moveTo({ position: bounded(from + played, positions) });
-        if (state.position >= positions - 1) stop();
+        const played = Math.floor(((now - begun) / PLAYED_IN) * positions());
+        moveTo({ position: bounded(from + played, positions()) });
+        if (state.position >= positions() - 1) stop();
         else playing = requestAnimationFrame(next);
       };
       playing = requestAnimationFrame(next);
@@ -750,7 +750,7 @@ const railcrack = (() => {
     });
 
     place.hidden = false;
-    const [step, wheel] = [slider("step", steps - 1, toStep), slider("wheel", positions - 1, toPosition)];
+    const [step, wheel] = [slider("step", steps - 1, toStep), slider("wheel", positions() - 1, toPosition)];
     return {
       stop,
       /**
@@ -761,6 +761,7 @@ const railcrack = (() => {
        */
       show(stepText, xcOverA, xc) {
         step.show(state.step, stepText);
+        wheel.endAt(positions() - 1);
         wheel.show(state.position, `x_{c}/a = ${signed(xcOverA, 3)} (x_{c} = ${signed(xc, 2)} mm)`);
       },
     };

@@ -75,6 +75,10 @@ interface TipData {
   /** Value of the secondary maximum over that of the chosen one. */
   ratio: number | null;
   stop: string;
+}
+
+/** Histories of a tip over the positions of a wheel; of many cracks over its window. */
+interface HistoryData {
   ki: Packed | PackedLevels | null;
   kii: Packed | PackedLevels | null;
   /** Pressure and volume. */
@@ -111,8 +115,33 @@ interface RunStepData {
   lines: Pair[][] | null;
   whole: Pair[][] | null;
   tips: TipData[];
+  /** By wheel. */
+  wheels: StepUnderWheel[];
+}
+
+/** A step under one wheel; of a mix the wheels but the first have faces in the first and the last step. */
+interface StepUnderWheel {
+  /** By tip. */
+  histories: HistoryData[];
   faces: FacesData[] | null;
   contact: ContactData | null;
+}
+
+interface WheelData {
+  /** Name and share of the axles in a mix. */
+  name: string | null;
+  share: number | null;
+  half_width: number;
+  is_coupled: boolean;
+  peak_pressure: number | null;
+  friction: number | null;
+  fluid_falls: boolean;
+  near: Pair;
+  /** Of each of many cracks the first and the last position near it. */
+  windows: Pair[] | null;
+  xc_over_a: number[];
+  /** Stride of the positions of its faces. */
+  face_stride: number;
 }
 
 interface PieceData {
@@ -124,22 +153,13 @@ interface PieceData {
 }
 
 interface RunData {
-  /** Of each of many cracks the first and the last position near it. */
-  windows: Pair[] | null;
+  wheels: WheelData[];
   /** Numbers of the named cracks of a row. */
   named: number[] | null;
-  half_width: number;
   origin: number;
-  is_coupled: boolean;
-  peak_pressure: number | null;
-  friction: number | null;
   axle_load: number | null;
-  near: Pair;
-  xc_over_a: number[];
-  face_stride: number;
   last_step: number;
   cracks: { points: Pair[] }[];
-  fluid_falls: boolean;
   pieces: PieceData[];
   junctions: { crack: number; onto: number; x: number; y: number; step: number }[];
   residual: { depth: number[]; sxx: number[] } | null;

@@ -74,7 +74,7 @@ railcrack.viewer("row-map", "The map", "plots/row.svg has a picture", async () =
         [
           "mgt",
           {
-            title: "Growth rate (mm per million gross tonnes)",
+            title: "Growth rate (mm per MGT)",
             name: "growth rate by tonnage",
             unit: "mm per million gross tonnes",
             log: true,

@@ -5,42 +5,66 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   const { TIP, charts, element, ends, linear, picture, plain, quantised, say, scaleOf } = railcrack;
   const { shades, signed, singles, sized, toScale, tonnage, unpack, words } = railcrack;
   const data = /** @type {RunData} */ (railcrack.pageData("run-data"));
-  const a = data.half_width;
-  const positions = data.xc_over_a;
-  const steps = data.steps;
+  const { wheels, steps } = data;
   const first = steps[0];
-  const lastPosition = positions.length - 1;
+  /** Half-width of the widest contact, mm. */
+  const widest = d3.max(wheels, (wheel) => wheel.half_width) ?? 0;
+  const hasWindows = wheels[0].windows !== null;
   // Beyond nine tips colours would repeat: then the chosen crack has one, and the others are quiet.
-  const isRow = data.windows !== null || first.tips.length > 9;
+  const isRow = hasWindows || first.tips.length > 9;
 
-  /** The positions near a crack: of a row, those that the page has of it. @param {number} crack */
-  const windowOf = (crack) => data.windows?.[crack - 1] ?? data.near;
+  /**
+   * The positions of a wheel near a crack: of a row, those that the page has of it.
+   * @param {WheelData} wheel
+   * @param {number} crack
+   */
+  const windowUnder = (wheel, crack) => wheel.windows?.[crack - 1] ?? wheel.near;
 
   // ---- Histories and faces ----------------------------------------------------------------------
 
   /**
-   * Values over all positions; of one crack of a row they are those near to it.
+   * Values over all positions of a wheel; of one crack of a row they are those near to it.
    * @param {Packed | PackedLevels} packed
+   * @param {WheelData} wheel
    * @param {number} crack
    */
-  async function overPassage(packed, crack) {
+  async function overPassage(packed, wheel, crack) {
     if (typeof packed === "string") return singles(packed);
-    const whole = new Float64Array(positions.length).fill(Number.NaN);
-    whole.set(await quantised(packed), windowOf(crack)[0]);
+    const whole = new Float64Array(wheel.xc_over_a.length).fill(Number.NaN);
+    whole.set(await quantised(packed), windowUnder(wheel, crack)[0]);
     return whole;
   }
 
-  /** The histories of a tip. @param {TipData} tip */
-  async function decodeHistory({ crack, ki, kii, fluid }) {
+  /**
+   * The histories of a tip of `crack` under a wheel.
+   * @param {HistoryData} history
+   * @param {WheelData} wheel
+   * @param {number} crack
+   */
+  async function decodeHistory({ ki, kii, fluid }, wheel, crack) {
     /** @param {Packed | PackedLevels | null} packed */
-    const history = (packed) => (packed ? overPassage(packed, crack) : new Float64Array());
+    const history = (packed) => (packed ? overPassage(packed, wheel, crack) : new Float64Array());
     return {
       ki: await history(ki),
       kii: await history(kii),
       fluid: fluid && { pressure: await history(fluid[0]), volume: await history(fluid[1]) },
     };
   }
-  const histories = await Promise.all(steps.map((step) => Promise.all(step.tips.map(decodeHistory))));
+  /**
+   * The histories of the tips of a step under a wheel.
+   * @param {RunStepData} step
+   * @param {number} wheel
+   */
+  const decodeStep = (step, wheel) =>
+    Promise.all(
+      step.wheels[wheel].histories.map((history, i) =>
+        decodeHistory(history, wheels[wheel], step.tips[i].crack),
+      ),
+    );
+  /** By wheel, step and tip. */
+  const histories = await Promise.all(
+    wheels.map((_, wheel) => Promise.all(steps.map((step) => decodeStep(step, wheel)))),
+  );
 
   /**
    * Faces of a crack: values by face point and stored position.
@@ -58,15 +82,29 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     return { crack: faces.crack, first: faces.first ?? 0, s, row, status, opening, slip, pressure, shear };
   }
 
-  /** @type {Map<number, Promise<Faces[]>>} */
-  const decoded = new Map();
-
-  /** The faces of a step, by crack. @param {number} step */
-  function facesOf(step) {
-    const known = decoded.get(step) ?? Promise.all((steps[step].faces ?? []).map(decodeFaces));
-    decoded.set(step, known);
-    return known;
+  /**
+   * What is decoded of a step under a wheel, once for all.
+   * @template Packed, Decoded
+   * @param {(parts: StepUnderWheel) => Packed} partOf
+   * @param {(part: Packed) => Promise<Decoded>} decode
+   */
+  function decodedOnce(partOf, decode) {
+    /** @type {Map<StepUnderWheel, Promise<Decoded>>} */
+    const decoded = new Map();
+    /** @param {number} step @param {number} wheel */
+    return (step, wheel) => {
+      const parts = steps[step].wheels[wheel];
+      const known = decoded.get(parts) ?? decode(partOf(parts));
+      decoded.set(parts, known);
+      return known;
+    };
   }
+
+  /** The faces of a step under a wheel, by crack. */
+  const facesOf = decodedOnce(
+    (parts) => parts.faces ?? [],
+    (faces) => Promise.all(faces.map(decodeFaces)),
+  );
 
   /**
    * The place among the stored positions of the faces that is nearest to a position.
@@ -74,8 +112,9 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
    * @param {number} position
    */
   function faceColumn(faces, position) {
-    if (position === lastPosition) return faces.row - 1;
-    return Math.max(0, Math.min(Math.round((position - faces.first) / data.face_stride), faces.row - 1));
+    if (position === positions().length - 1) return faces.row - 1;
+    const column = Math.round((position - faces.first) / wheel().face_stride);
+    return Math.max(0, Math.min(column, faces.row - 1));
   }
 
   /**
@@ -99,23 +138,19 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     return { first, positions, x: await singles(x), pressure: await quantised(pressure, positions) };
   }
 
-  /** @type {Map<number, Promise<Contact | null>>} */
-  const decodedContacts = new Map();
-
-  /** The contact in a step, where the page has it. @param {number} step */
-  function contactOf(step) {
-    const packed = steps[step].contact;
-    const known = decodedContacts.get(step) ?? (packed ? decodeContact(packed) : Promise.resolve(null));
-    decodedContacts.set(step, known);
-    return known;
-  }
+  /** The contact in a step under a wheel, where the page has it. */
+  const contactOf = decodedOnce(
+    (parts) => parts.contact,
+    async (contact) => contact && decodeContact(contact),
+  );
 
   // ---- State ------------------------------------------------------------------------------------
 
   const firstCrack = data.named?.[0] ?? 1;
   const state = {
     step: 0,
-    position: loudest(0, isRow ? firstCrack : null),
+    wheel: 0,
+    position: loudest(0, 0, isRow ? firstCrack : null),
     crack: firstCrack,
     /** Steps that are kept on the K charts. */
     kept: steps.length > 1 ? [steps.length - 1] : [],
@@ -123,14 +158,23 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     contact: /** @type {Contact | null} */ (null),
   };
 
+  const wheel = () => wheels[state.wheel];
+  /** The positions of the chosen wheel, over its half-width. */
+  const positions = () => wheel().xc_over_a;
+  /** The histories of the tips of a step under the chosen wheel. @param {number} step */
+  const historiesOf = (step) => histories[state.wheel][step];
+  /** The positions of the chosen wheel near a crack. @param {number} crack */
+  const windowOf = (crack) => windowUnder(wheel(), crack);
+
   /**
-   * The position with the largest |K| of a step, of one crack or of all.
+   * The position with the largest |K| of a step under a wheel, of one crack or of all.
    * @param {number} step
+   * @param {number} under
    * @param {number | null} crack
    */
-  function loudest(step, crack) {
+  function loudest(step, under, crack) {
     let [most, at] = [-1, 0];
-    for (const { ki, kii } of histories[step].filter(
+    for (const { ki, kii } of histories[under][step].filter(
       (_, i) => crack === null || steps[step].tips[i].crack === crack,
     ))
       for (let i = 0; i < ki.length; i++) {
@@ -140,11 +184,11 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     return at;
   }
 
-  const contactCentre = () => data.origin + positions[state.position] * a;
+  const contactCentre = () => data.origin + positions()[state.position] * wheel().half_width;
   /** The wheel positions that charts of the chosen crack span. */
   const nearDomain = () => {
     const [from, to] = windowOf(state.crack);
-    return ends([positions[from], positions[to]]);
+    return ends([positions()[from], positions()[to]]);
   };
   /** A rail that bends has positions far beyond the contact, of which the far charts have K. */
   const isNear = () => {
@@ -189,10 +233,10 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
    */
   function fluidOf(crack) {
     const tip = steps[state.step].tips.findIndex((tip) => tip.crack === crack);
-    const fluid = histories[state.step][tip]?.fluid;
+    const fluid = historiesOf(state.step)[tip]?.fluid;
     return fluid ? { pressure: fluid.pressure[state.position], volume: fluid.volume[state.position] } : null;
   }
-  const fluids = histories.flat().flatMap(({ fluid }) => fluid ?? []);
+  const fluids = histories.flat(2).flatMap(({ fluid }) => fluid ?? []);
   const isWet = fluids.length > 0;
   /** The largest pressure of fluid in the run. */
   const mostPressure = d3.max(fluids, ({ pressure }) => d3.max(pressure)) ?? 0;
@@ -274,14 +318,14 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     ...data.pieces.flatMap((piece) => piece.outline),
     ...steps.flatMap((step) => (step.lines ?? []).flat()),
   ];
-  const wholeView = viewOf(everyPoint, 1.4 * a);
+  const wholeView = viewOf(everyPoint, 1.4 * widest);
 
   /**
    * What the picture of the cracks shows, at one scale both ways: of a row, the surroundings of the
    * chosen crack.
    */
   function sceneView() {
-    const view = data.windows ? viewOf(wholePathOf(state.crack), 2.2 * a) : wholeView;
+    const view = hasWindows ? viewOf(wholePathOf(state.crack), 2.2 * widest) : wholeView;
     const inside = figures.scene.width - SCENE_MARGIN.left - SCENE_MARGIN.right;
     const fit = toScale(view.x, [-1.75 * view.load, view.depth], inside, { most: 520 });
     const height = Math.round(fit.height) + SCENE_MARGIN.top + SCENE_MARGIN.bottom;
@@ -406,12 +450,13 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const share = shareOfPressure(fluidOf(crack));
     if (!(share > 0)) return [];
     const points = pathOf(crack, state.step);
-    const parts = data.fluid_falls ? 24 : 1;
+    const falls = wheel().fluid_falls;
+    const parts = falls ? 24 : 1;
     const stations = d3.range(parts + 1).map((k) => (k * lengthOf(points)) / parts);
     return d3.range(parts).map((k) => {
       // A single part has the kinks of the crack between its ends.
       const ends = stations.slice(k, k + 2).map((s) => /** @type {Pair} */ (frameAt(points, s).at));
-      const here = data.fluid_falls ? share * (1 - (k + 0.5) / parts) : share;
+      const here = falls ? share * (1 - (k + 0.5) / parts) : share;
       return Plot.line(depths(parts === 1 ? points : ends), {
         stroke: "var(--c5)",
         strokeWidth: 4 + 5 * here,
@@ -428,7 +473,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
    */
   function wheelMarks(view) {
     const { x, load } = view;
-    const xc = contactCentre();
+    const [xc, a] = [contactCentre(), wheel().half_width];
     if (xc + a < x[0]) return [farWheel(`\u2190 wheel at x = ${signed(xc, 1)} mm`, view, "start")];
     if (xc - a > x[1]) return [farWheel(`wheel at x = ${signed(xc, 1)} mm \u2192`, view, "end")];
     return [
@@ -464,9 +509,10 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   /** The shear of the wheel as an arrow, and its words. @param {View} view */
   function shearMarks({ x, load, perMm }) {
     const xc = contactCentre();
-    const friction = data.friction ?? 0;
+    const { half_width: a, peak_pressure: peak } = wheel();
+    const friction = wheel().friction ?? 0;
     const y = -1.12 * load;
-    const name = data.peak_pressure ? `p_{0} = ${words(data.peak_pressure)} MPa` : "wheel";
+    const name = peak ? `p_{0} = ${words(peak)} MPa` : "wheel";
     const label = friction ? `${name}, friction ${signed(friction, 3).replace(/0+$/, "")}` : name;
     // The label ends within the picture: half its width, from the usual one of letters.
     const half = Math.min((3.5 * plain(label).length) / perMm, 0.5 * (x[1] - x[0]));
@@ -559,8 +605,9 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
 
   function drawContact() {
     const figure = figures.contact;
-    const p0 = data.peak_pressure;
-    if (!(data.is_coupled && p0 && figure.width)) return;
+    const { half_width: a, peak_pressure: p0, is_coupled: isCoupled } = wheel();
+    element("contact").hidden = !isCoupled;
+    if (!(isCoupled && p0 && figure.width)) return;
     const mouth = mouthOf(state.crack) ?? data.origin;
     const domain = [mouth - CONTACT_REACH * a, mouth + CONTACT_REACH * a];
     const hertz = railcrack
@@ -647,7 +694,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
       steps[index].tips.map((tip, i) => {
         const step = `step ${steps[index].step}`;
         const [from, to] = windowOf(tip.crack);
-        const history = histories[index][i][mode];
+        const history = historiesOf(index)[i][mode];
         return {
           name: hasTips ? `${tipName(tip)}, ${step}` : step,
           step,
@@ -655,7 +702,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
           isKept,
           colour: hasTips ? tipColour(tip) : colour,
           history,
-          points: Array.from(history.slice(from, to + 1), (k, p) => ({ x: positions[from + p], k })),
+          points: Array.from(history.slice(from, to + 1), (k, p) => ({ x: positions()[from + p], k })),
         };
       });
     const kept = state.kept.filter((index) => index !== state.step);
@@ -674,12 +721,12 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     return [...others, ...curves.filter((curve) => curve.tip.crack === state.crack)];
   }
 
-  /** What the K charts span, in all steps, so that steps compare. @type {Record<Mode, Pair>} */
+  /** What the K charts span, in all steps under all wheels, so that they compare. @type {Record<Mode, Pair>} */
   const kExtents = { ki: kExtent("ki"), kii: kExtent("kii") };
 
   /** @param {Mode} mode @returns {Pair} */
   function kExtent(mode) {
-    const [low, high] = ends(histories.flat().flatMap((history) => Array.from(history[mode])));
+    const [low, high] = ends(histories.flat(2).flatMap((history) => Array.from(history[mode])));
     const air = 0.05 * (high - low || 1);
     return [Math.min(low, 0) - air, Math.max(high, 0) + air];
   }
@@ -765,7 +812,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const chart = kCharts[mode];
     if (!chart) return;
     const [x, y] = [scaleOf(chart.svg, "x"), scaleOf(chart.svg, "y")];
-    const at = x.at(positions[state.position]);
+    const at = x.at(positions()[state.position]);
     const group = d3
       .select(chart.svg)
       .selectAll("g.marks")
@@ -780,7 +827,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
       .join("circle")
       .attr("cx", at)
       .attr("cy", ({ history }) => y.at(history[state.position] ?? 0))
-      .attr("data-x", positions[state.position])
+      .attr("data-x", positions()[state.position])
       .attr("data-y", ({ history }) => history[state.position])
       .attr("r", 5)
       .attr("fill", "var(--ground)")
@@ -890,7 +937,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     ]);
     const opening = microns(d3.max(stations, ({ opening }) => opening) ?? 0);
     const slip = microns(d3.max(stations, ({ slip }) => Math.abs(slip)) ?? 0);
-    const where = data.fluid_falls ? " at the mouth" : "";
+    const where = wheel().fluid_falls ? " at the mouth" : "";
     const wet = fluid ? `, and the fluid pressure is ${signed(fluid.pressure, 1)} MPa${where}` : "";
     figure.caption(
       `Crack ${faces.crack}. The displacement jump is magnified ${words(magnified)} times; each face shows half of it. ` +
@@ -915,12 +962,12 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
 
   /** What the page says where it has no faces. */
   function withoutFaces() {
-    if (!data.named) return "No crack-face data for this step.";
-    const known = steps.filter((step) => step.faces).map(({ step }) => step);
-    return (
-      "No face data for this crack in this step. This page includes cracks " +
-      `${d3.sort(data.named).join(", ")} in growth steps ${known.join(" and ")}; faces.csv has all.`
-    );
+    const known = steps.filter((step) => step.wheels[state.wheel].faces).map(({ step }) => step);
+    if (!data.named && state.wheel === 0) return "No crack-face data for this step.";
+    const whose = data.named ? `cracks ${d3.sort(data.named).join(", ")}` : "the faces under this wheel";
+    const what = data.named ? "this crack" : "this wheel";
+    const rest = state.wheel === 0 ? "; faces.csv has all" : "";
+    return `No face data for ${what} in this step. This page includes ${whose} in growth steps ${known.join(" and ")}${rest}.`;
   }
 
   // ---- Maps of the faces ------------------------------------------------------------------------
@@ -937,17 +984,17 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
    */
   function mapImage(faces, length, colour) {
     const rows = 240;
-    const [nearFirst, nearLast] = data.near;
-    const [from, to] = data.windows
+    const [nearFirst, nearLast] = wheel().near;
+    const [from, to] = hasWindows
       ? [0, faces.row - 1]
-      : [Math.ceil(nearFirst / data.face_stride), faceColumn(faces, nearLast)];
+      : [Math.ceil(nearFirst / wheel().face_stride), faceColumn(faces, nearLast)];
     const across = to - from + 1;
     const canvas = document.createElement("canvas");
     [canvas.width, canvas.height] = [across, rows];
     const context = canvas.getContext("2d");
     if (!context) throw new Error("no canvas to draw on");
     const image = context.createImageData(across, rows);
-    const isBackwards = positions[0] > positions[lastPosition];
+    const isBackwards = positions()[0] > positions()[positions().length - 1];
     for (let j = 0; j < rows; j++) {
       // The top row is the largest arc length.
       const point = nearestPoint(faces, (length * (rows - 0.5 - j)) / rows);
@@ -986,7 +1033,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const place = (event) => {
       const [px, py] = d3.pointer(event, svg);
       const [x, y] = [scaleOf(svg, "x").value(px), scaleOf(svg, "y").value(py)];
-      const position = d3.leastIndex(positions, (p) => Math.abs(p - x));
+      const position = d3.leastIndex(positions(), (p) => Math.abs(p - x));
       return y >= 0 && y <= length && position !== undefined
         ? { position, point: nearestPoint(faces, y) }
         : null;
@@ -1014,7 +1061,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   function faceText(faces, position, point) {
     const at = point * faces.row + faceColumn(faces, position);
     return (
-      `x_{c}/a = ${signed(positions[position], 3)}, s = ${words(faces.s[point])} mm: ${STATUS[faces.status[at]]}, ` +
+      `x_{c}/a = ${signed(positions()[position], 3)}, s = ${words(faces.s[point])} mm: ${STATUS[faces.status[at]]}, ` +
       `pressure ${words(faces.pressure[at])} MPa, shear ${words(faces.shear[at])} MPa, ` +
       `opening ${microns(faces.opening[at])}, slip ${microns(faces.slip[at])}`
     );
@@ -1025,14 +1072,14 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const svg = maps[name];
     if (!svg) return;
     const [x, y] = [scaleOf(svg, "x"), scaleOf(svg, "y")];
-    const at = x.at(positions[state.position]);
+    const at = x.at(positions()[state.position]);
     const line = d3
       .select(svg)
       .selectAll("line.here")
       .data(isNear() ? [at] : [])
       .join("line");
     line.attr("class", "here").attr("pointer-events", "none").attr("x1", at).attr("x2", at);
-    line.attr("y1", y.from).attr("y2", y.to).attr("data-x", positions[state.position]);
+    line.attr("y1", y.from).attr("y2", y.to).attr("data-x", positions()[state.position]);
     line.attr("stroke", "#d55e00").attr("stroke-width", 2);
   }
 
@@ -1073,6 +1120,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
 
   const [readout, keep, clear] = [element("readout"), element("keep", HTMLButtonElement), element("clear")];
   const crackMenu = element("crack", HTMLSelectElement);
+  const wheelMenu = element("of-mix", HTMLSelectElement);
 
   function describe() {
     const step = steps[state.step];
@@ -1080,15 +1128,22 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const whose = data.cracks.length > 1 ? `crack ${tip.crack} ` : "";
     const cycles = `${words(tip.cycles)} cycles${tonnage(tip.cycles, data.axle_load)}`;
     const stepText = `${step.step} of ${data.last_step}: ${whose}${signed(tip.length, 2)} mm, ${cycles}`;
-    controls.show(stepText, positions[state.position], contactCentre());
+    controls.show(stepText, positions()[state.position], contactCentre());
     crackMenu.value = String(state.crack);
+    wheelMenu.value = String(state.wheel);
     const k = step.tips.map((_, i) => kText(i));
     const shown = k.length <= 4 ? k.join("; ") : k[Math.max(0, step.tips.indexOf(tip))];
     const event = step.tips.some((tip) => tip.crack === state.crack) ? "" : joined();
-    say(readout, `${event}${shown}. ${kinkText(tip)}${tip.stop ? `; stop: ${tip.stop}` : ""}.`);
+    const { name } = wheel();
+    const under = name === null ? "" : `Under \u201c${name}\u201d: `;
+    say(readout, `${event}${under}${shown}. ${kinkText(tip)}${tip.stop ? `; stop: ${tip.stop}` : ""}.`);
     keep.disabled = state.kept.includes(state.step);
     clear.hidden = state.kept.length === 0;
   }
+
+  /** The name of a wheel of a mix in the menu. @param {WheelData} wheel @param {number} i */
+  const wheelName = ({ name, share }, i) =>
+    share === null ? `${i + 1}` : `${i + 1} ${name}, ${+(100 * share).toPrecision(3)}\u00a0%`;
 
   /** The name of a tip where there are several things to name. @param {TipData} tip */
   const nameIfSeveral = (tip) =>
@@ -1097,7 +1152,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   /** K of a tip with the wheel at its position. @param {number} i */
   function kText(i) {
     const tip = steps[state.step].tips[i];
-    const { ki, kii } = histories[state.step][i];
+    const { ki, kii } = historiesOf(state.step)[i];
     const name = nameIfSeveral(tip);
     if (Number.isNaN(ki[state.position])) return `${name}: no K at this distance of the wheel`;
     const fluid = fluidOf(tip.crack);
@@ -1133,14 +1188,17 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
 
   async function stepChanged() {
     const turn = ++asked;
-    const [all, contact] = await Promise.all([facesOf(state.step), contactOf(state.step)]);
+    const [all, contact] = await Promise.all([
+      facesOf(state.step, state.wheel),
+      contactOf(state.step, state.wheel),
+    ]);
     // A later step has been asked for meanwhile.
     if (turn !== asked) return;
     state.contact = contact;
     state.faces = all.find((faces) => faces.crack === state.crack) ?? null;
     for (const mode of MODES) drawK(mode);
     drawMaps();
-    const tips = steps[state.step].tips.filter((tip) => !data.windows || tip.crack === state.crack);
+    const tips = steps[state.step].tips.filter((tip) => !hasWindows || tip.crack === state.crack);
     charts.get("length-cycles")?.mark(tips.map((tip) => ({ x: tip.cycles, y: tip.length })));
     charts.get("rate-length")?.mark(tips.map((tip) => ({ x: tip.length, y: tip.rate })));
     positionChanged();
@@ -1156,20 +1214,29 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     describe();
   }
 
-  /** @param {Partial<Pick<typeof state, "step" | "position" | "crack">>} change */
+  /** @param {Partial<Pick<typeof state, "step" | "position" | "crack" | "wheel">>} change */
   function moveTo(change) {
     const before = { ...state };
     Object.assign(state, change);
-    if (state.step !== before.step || state.crack !== before.crack) stepChanged();
+    const isOther = state.crack !== before.crack || state.wheel !== before.wheel;
+    if (state.step !== before.step || isOther) stepChanged();
     else if (state.position !== before.position) positionChanged();
   }
 
   const controls = railcrack.passageControls({
     steps: steps.length,
-    positions: positions.length,
+    positions: () => positions().length,
     state,
     moveTo,
   });
+
+  /** Another wheel, at its position nearest to that of the wheel before. @param {number} under */
+  function chooseWheel(under) {
+    controls.stop();
+    const { xc_over_a: others, half_width: a } = wheels[under];
+    const xc = contactCentre() - data.origin;
+    moveTo({ wheel: under, position: d3.leastIndex(others, (x) => Math.abs(x * a - xc)) ?? 0 });
+  }
 
   /** @param {number[]} kept */
   const keepSteps = (kept) => {
@@ -1182,32 +1249,39 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
 
   element("which").hidden = data.cracks.length < 2;
   crackMenu.append(...data.cracks.map((_, i) => new Option(`${i + 1}`)));
-  if (data.windows) {
+  if (hasWindows) {
     // One crack for the whole page; the wheel goes where its |K| is largest.
     crackMenu.addEventListener("change", () => railcrack.crack.choose(+crackMenu.value));
     railcrack.crack.follow((crack) => {
-      if (crack !== state.crack) moveTo({ crack, position: loudest(state.step, crack) });
+      if (crack !== state.crack) moveTo({ crack, position: loudest(state.step, state.wheel, crack) });
     });
     state.crack = railcrack.crack.now;
-    state.position = loudest(state.step, state.crack);
+    state.position = loudest(state.step, state.wheel, state.crack);
   } else crackMenu.addEventListener("change", () => moveTo({ crack: +crackMenu.value }));
 
   if (isWet) {
     const caption = railcrack.within(element("scene"), "figcaption");
     caption.append(" Blue bands: fluid in the cracks, wider at higher pressure.");
   }
+  element("which-wheel").hidden = wheels.length < 2;
+  wheelMenu.append(...wheels.map((wheel, i) => new Option(wheelName(wheel, i), String(i))));
+  wheelMenu.addEventListener("change", () => chooseWheel(+wheelMenu.value));
+
   element("residual").hidden = !data.residual;
-  element("contact").hidden = !data.is_coupled;
-  if (data.is_coupled) {
+  const isCoupled = wheels.some((wheel) => wheel.is_coupled);
+  if (isCoupled) {
     const caption = railcrack.within(element("scene"), "figcaption");
-    caption.append(" The wheel of this run feels the cracks: its true pressure is in the next figure.");
+    const whose =
+      wheels.length > 1 ? "A wheel that feels the cracks has" : "The wheel of this run feels the cracks:";
+    caption.append(` ${whose} its true pressure ${wheels.length > 1 ? "" : "is "}in the next figure.`);
   }
   await stepChanged();
   figures.scene.follow(() => {
     drawScene();
     drawResidual();
   });
-  if (data.is_coupled) figures.contact.follow(drawContact);
+  if (isCoupled) figures.contact.follow(drawContact);
+  else element("contact").hidden = true;
   figures.ki.follow(() => drawK("ki"));
   figures.kii.follow(() => drawK("kii"));
   figures.deformed.follow(drawDeformed);

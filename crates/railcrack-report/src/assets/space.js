@@ -363,7 +363,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
 
   const controls = railcrack.passageControls({
     steps: steps.length,
-    positions: positions.length,
+    positions: () => positions.length,
     state,
     moveTo,
   });

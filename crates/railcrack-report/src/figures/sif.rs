@@ -1,7 +1,7 @@
 //! K_I and K_II against the wheel position.
 
 use super::many::bundle;
-use super::near::{mouth_over_a, near, origin, window};
+use super::near::{WheelPassage, mouth_over_a, near, origin};
 use super::plot::Plot;
 use crate::chart::{Chart, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour, CurveLook, SheetLegend};
 use crate::row::NamedCrack;
@@ -148,7 +148,7 @@ fn many(summary: &Summary, model: &str, histories: &[&History], named: &[NamedCr
     for histories in histories.chunk_by(|one, next| one.step == next.step) {
         let step = histories.first().map_or(0, |history| history.step);
         let curve = |history: &&History| {
-            let window = window(summary, history.crack, &history.xc_over_a);
+            let window = WheelPassage::first(summary).window(history.crack, &history.xc_over_a);
             let mouth = mouth_over_a(summary, history.crack);
             let points = mode.points(history)[window].iter().map(|&[x, k]| [x - mouth, k]).collect();
             (history.crack, Curve::line(&format!("crack {}", history.crack), points))

@@ -35,11 +35,7 @@ pub(super) fn plot(summary: &Summary, model: &str, growth: &[TipRow], all: &[Und
         };
         Chart {
             id: id.to_owned(),
-            caption: format!(
-                "{quantity} of crack {} under each wheel, step {last}. The other pictures of the passage are of \u{201c}{}\u{201d}.",
-                fastest.crack,
-                name(1)
-            ),
+            caption: format!("{quantity} of crack {} under each wheel, step {last}.", fastest.crack),
             x: ChartAxis::linear("Wheel position from the mouth", "mm").over(ChartRange::Tight),
             y: ChartAxis::linear(quantity, "MPa√m").over(ChartRange::AroundZero),
             curves: own.iter().enumerate().map(curve).collect(),

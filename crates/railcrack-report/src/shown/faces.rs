@@ -1,8 +1,9 @@
 //! The crack faces: all steps shown in packed form, the first and the last step also unpacked. For
-//! many cracks only these two are kept, and a page shows some of the cracks.
+//! many cracks only these two are kept, and a page shows some of the cracks. Under the other wheels
+//! of a mix, too, there are these two.
 
 use super::of_steps::OfSteps;
-use super::pack::{Deflated, Quantised, every, every_count};
+use super::pack::{Deflated, Quantised, every, every_count, within};
 use super::thinned::Thinned;
 use crate::row::is_many;
 use railcrack::contact::FaceStatus;
@@ -18,6 +19,9 @@ use std::ops::Range;
 const STATES: usize = 1_000_000;
 /// Minimum number of positions kept before steps are omitted.
 const POSITIONS: usize = 61;
+
+/// Cracks by number, each with the wheel positions near it.
+pub(crate) type CrackWindows = Vec<(usize, Range<usize>)>;
 
 /// The faces of one crack; what has a value per position and point is in that order.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -72,19 +76,21 @@ impl CrackFaces {
     }
 }
 
-/// The faces of all cracks in one step, with the numbers of `faces.csv`.
-#[derive(Debug, Clone, PartialEq)]
+/// The faces of all cracks in one step under one wheel, with the numbers of `faces.csv`.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct StepFaces {
     pub cracks: Vec<CrackFaces>,
 }
 
 impl StepFaces {
+    /// Under every wheel, the first wheel first.
+    ///
     /// Errors: the first row that is one.
-    fn of_rows(rows: impl Iterator<Item = Result<FaceRow, OutputError>>) -> Result<Self, OutputError> {
-        let mut cracks: BTreeMap<usize, CrackFaces> = BTreeMap::new();
+    fn by_wheel(rows: impl Iterator<Item = Result<FaceRow, OutputError>>) -> Result<Vec<Self>, OutputError> {
+        let mut wheels: BTreeMap<usize, BTreeMap<usize, CrackFaces>> = BTreeMap::new();
         for row in rows {
             let row = row?;
-            let faces = cracks.entry(row.crack).or_default();
+            let faces = wheels.entry(row.wheel.unwrap_or(1)).or_default().entry(row.crack).or_default();
             if row.position == 1 {
                 faces.s.push(row.s);
             }
@@ -94,7 +100,10 @@ impl StepFaces {
             faces.shear.push(row.s12);
             faces.status.push(row.status);
         }
-        Ok(Self { cracks: cracks.into_iter().map(|(crack, faces)| CrackFaces { crack, ..faces }).collect() })
+        let of_wheel = |cracks: BTreeMap<usize, CrackFaces>| Self {
+            cracks: cracks.into_iter().map(|(crack, faces)| CrackFaces { crack, ..faces }).collect(),
+        };
+        Ok(wheels.into_values().map(of_wheel).collect())
     }
 
     /// Whether only some of its cracks are on a page.
@@ -156,6 +165,23 @@ impl PackedCrack {
         }
     }
 
+    /// At these positions, from 0; all of them must be packed.
+    fn within(&self, positions: &Range<usize>) -> Self {
+        let status: Vec<u8> = within(&self.status.inflated(), self.positions, positions).collect();
+        Self {
+            crack: self.crack,
+            first: positions.start,
+            s: self.s.clone(),
+            opening: self.opening.within(positions),
+            slip: self.slip.within(positions),
+            pressure: self.pressure.within(positions),
+            shear: self.shear.within(positions),
+            status: Deflated::of(&status),
+            points: self.points,
+            positions: positions.len(),
+        }
+    }
+
     /// At every other position and the last.
     fn halved(&self) -> Self {
         let status: Vec<u8> = every(2, &self.status.inflated(), self.positions).collect();
@@ -188,6 +214,14 @@ impl PackedFaces {
         let of = |(crack, window): &(usize, Range<usize>)| {
             let faces = faces.cracks.iter().find(|faces| faces.crack == *crack)?;
             Some(PackedCrack { first: window.start, ..PackedCrack::of(&faces.within(window.clone()), 1) })
+        };
+        Self(windows.iter().filter_map(of).collect())
+    }
+
+    /// Those of some cracks, by number, at the positions given there.
+    fn within(&self, windows: &[(usize, Range<usize>)]) -> Self {
+        let of = |(crack, window): &(usize, Range<usize>)| {
+            Some(self.0.iter().find(|faces| faces.crack == *crack)?.within(window))
         };
         Self(windows.iter().filter_map(of).collect())
     }
@@ -228,6 +262,30 @@ pub(crate) struct FacesOfStep {
     faces: StepFaces,
     packed: PackedFaces,
     stride: usize,
+    /// Under the other wheels of a mix, at all positions.
+    others: Vec<PackedFaces>,
+}
+
+/// The faces under the other wheels of a mix, in the first and the last step, within the same size
+/// limit as those under the first wheel.
+#[derive(Debug, Clone)]
+pub(crate) struct OtherFaces {
+    /// By step and wheel.
+    steps: Vec<(usize, Vec<PackedFaces>)>,
+    /// Stride of the positions.
+    pub stride: usize,
+}
+
+impl OtherFaces {
+    /// Under `wheel`, from 0, in a step, if it has them.
+    pub(crate) fn under(&self, wheel: usize, step: usize) -> Option<&PackedFaces> {
+        let (_, wheels) = self.steps.iter().find(|(at, _)| *at == step)?;
+        wheels.get(wheel.checked_sub(1)?)
+    }
+
+    fn states(&self) -> usize {
+        self.steps.iter().flat_map(|(_, wheels)| wheels).map(PackedFaces::states).sum()
+    }
 }
 
 /// The faces of the steps shown, within the size limit: all steps and positions if possible,
@@ -240,25 +298,53 @@ pub(crate) struct ShownFaces {
     /// The first step, and the last if different: status and pressure for face maps, everything for
     /// many cracks.
     pub ends: Vec<(usize, StepFaces)>,
+    /// The same under the other wheels of a mix, at all positions.
+    others: Vec<(usize, Vec<PackedFaces>)>,
     most: usize,
 }
 
 impl Default for ShownFaces {
     fn default() -> Self {
-        Self { steps: Thinned::default(), stride: 1, ends: Vec::new(), most: STATES }
+        Self { steps: Thinned::default(), stride: 1, ends: Vec::new(), others: Vec::new(), most: STATES }
     }
 }
 
 impl ShownFaces {
     pub(crate) fn of_record(&self, record: &StepRecord) -> Result<FacesOfStep, OutputError> {
-        Ok(self.packed(StepFaces::of_rows(FaceRow::of_step(record).map(Ok))?))
+        Ok(self.packed(StepFaces::by_wheel(FaceRow::of_step(record).map(Ok))?))
     }
 
-    fn packed(&self, faces: StepFaces) -> FacesOfStep {
-        if faces.is_many() {
-            return FacesOfStep { packed: PackedFaces(Vec::new()), faces, stride: self.stride };
+    /// The part of a step with these faces by wheel.
+    fn packed(&self, wheels: Vec<StepFaces>) -> FacesOfStep {
+        let mut wheels = wheels.into_iter();
+        let faces = wheels.next().unwrap_or_default();
+        let packed = match faces.is_many() {
+            true => PackedFaces(Vec::new()),
+            false => PackedFaces::of(&faces, self.stride),
+        };
+        let others = wheels.map(|faces| PackedFaces::of(&faces, 1)).collect();
+        FacesOfStep { faces, packed, stride: self.stride, others }
+    }
+
+    /// The faces under the other wheels of a mix; for many cracks, of those in the windows of each
+    /// wheel.
+    pub(crate) fn others(&self, windows: Option<&[CrackWindows]>) -> OtherFaces {
+        let seen = |(wheel, faces): (usize, &PackedFaces)| match windows {
+            Some(windows) => faces.within(windows.get(wheel + 1).map_or(&[], Vec::as_slice)),
+            None => faces.clone(),
+        };
+        let of_step = |(step, wheels): &(usize, Vec<PackedFaces>)| {
+            (*step, wheels.iter().enumerate().map(seen).collect())
+        };
+        let mut others = OtherFaces { steps: self.others.iter().map(of_step).collect(), stride: 1 };
+        let most_positions = |others: &OtherFaces| {
+            others.steps.iter().flat_map(|(_, wheels)| wheels).map(PackedFaces::positions).max()
+        };
+        while others.states() > self.most && most_positions(&others).is_some_and(|count| count > 2) {
+            others.stride *= 2;
+            others.steps.iter_mut().flat_map(|(_, wheels)| wheels).for_each(PackedFaces::halve);
         }
-        FacesOfStep { packed: PackedFaces::of(&faces, self.stride), faces, stride: self.stride }
+        others
     }
 
     /// For many cracks, the faces of the cracks in `windows` in `step`, the first or the last.
@@ -288,16 +374,20 @@ impl OfSteps for ShownFaces {
     }
 
     fn read(&self, block: &StepBlock<FaceRow>) -> Result<FacesOfStep, OutputError> {
-        Ok(self.packed(StepFaces::of_rows(block.rows())?))
+        Ok(self.packed(StepFaces::by_wheel(block.rows())?))
     }
 
     fn push(&mut self, step: usize, part: FacesOfStep) {
-        let FacesOfStep { faces, mut packed, stride } = part;
+        let FacesOfStep { faces, mut packed, stride, others } = part;
         // Packed while there was more room.
         for _ in stride.ilog2()..self.stride.ilog2() {
             packed.halve();
         }
         self.steps.push(step, packed);
+        if !others.is_empty() {
+            self.others.truncate(1);
+            self.others.push((step, others));
+        }
         self.ends.truncate(1);
         self.ends.push((step, if faces.is_many() { faces } else { faces.drawn() }));
         while self.steps.weight(PackedFaces::states) > self.most && self.halve() {}
@@ -331,7 +421,7 @@ mod tests {
     fn shown(steps: usize, positions: usize, most: usize) -> ShownFaces {
         let mut shown = ShownFaces { most, ..ShownFaces::default() };
         for step in 0..steps {
-            let part = shown.packed(faces(step, positions));
+            let part = shown.packed(vec![faces(step, positions)]);
             shown.push(step, part);
         }
         shown
@@ -356,6 +446,43 @@ mod tests {
         }
         // Fewer than twice the positions that are wanted at least.
         assert_eq!([120, 119].map(|positions| shown(27, positions, 1).stride), [2, 1]);
+    }
+
+    #[test]
+    fn other_wheels_have_the_first_and_the_last_step() {
+        let mut shown = ShownFaces::default();
+        for step in 0..=4 {
+            let mut wheels = vec![faces(step, 241)];
+            if [0, 4].contains(&step) {
+                wheels.extend([faces(10 + step, 121), faces(20 + step, 241)]);
+            }
+            let part = shown.packed(wheels);
+            shown.push(step, part);
+        }
+        let others = shown.others(None);
+        assert_eq!(others.stride, 1);
+        for step in 0..=4 {
+            let packed = |seed: usize, positions: usize| PackedFaces::of(&faces(seed + step, positions), 1);
+            let is_end = [0, 4].contains(&step);
+            assert_eq!(others.under(1, step), is_end.then(|| packed(10, 121)).as_ref(), "step {step}");
+            assert_eq!(others.under(2, step), is_end.then(|| packed(20, 241)).as_ref(), "step {step}");
+            assert_eq!(shown.steps.get(step), Some(&packed(0, 241)), "the first wheel, step {step}");
+        }
+        // Of some cracks at some positions.
+        let window = vec![(3, 10..31)];
+        let near = shown.others(Some(&[Vec::new(), window.clone(), Vec::new()]));
+        let PackedFaces(of_first) = near.under(1, 4).unwrap();
+        let whole = PackedFaces::of(&faces(14, 121), 1);
+        assert_eq!(of_first[..], [whole.0[1].within(&(10..31))]);
+        let (cut, packed) = (&of_first[0], PackedFaces::near(&faces(14, 121), &window));
+        assert_eq!((cut.first, cut.positions, cut.points), (10, 21, 3));
+        assert_eq!((&cut.s, &cut.status), (&packed.0[0].s, &packed.0[0].status));
+        assert_eq!(near.under(2, 0), Some(&PackedFaces(Vec::new())));
+        // Fewer positions where there is no room: those of wheel 3 with the last one.
+        shown.most = 2 * (61 + 121) * 7;
+        let others = shown.others(None);
+        assert_eq!(others.stride, 2);
+        assert_eq!(others.under(2, 4), Some(&PackedFaces::of(&faces(24, 241), 2)));
     }
 
     #[test]

@@ -12,27 +12,35 @@ const VALUES: usize = 300_000;
 /// The same for many tips, of which the page shows the part near each crack.
 const OF_MANY: usize = 4 * VALUES;
 
-/// The histories of the steps shown.
+/// The histories of the steps shown, by wheel. Those of a mix may take twice as much.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ShownHistories {
-    pub steps: Thinned<Vec<History>>,
+    pub steps: Thinned<Vec<Vec<History>>>,
 }
 
 impl OfSteps for ShownHistories {
-    type OfStep = Vec<History>;
+    type OfStep = Vec<Vec<History>>;
     type TableRow = SifRow;
 
     fn keeps(&self, step: usize) -> bool {
         self.steps.is_kept(step)
     }
 
-    fn read(&self, block: &StepBlock<SifRow>) -> Result<Vec<History>, OutputError> {
-        History::of_step(block.rows())
+    fn read(&self, block: &StepBlock<SifRow>) -> Result<Vec<Vec<History>>, OutputError> {
+        History::by_wheel(block.rows())
     }
 
-    fn push(&mut self, step: usize, histories: Vec<History>) {
-        let most = if histories.len() > CATEGORIES { OF_MANY } else { VALUES };
-        self.steps.push(step, histories);
-        self.steps.thin_to(most, |histories| histories.iter().map(|history| history.ki.len()).sum());
+    fn push(&mut self, step: usize, mut wheels: Vec<Vec<History>>) {
+        // The page of cracks in space shows the first wheel.
+        if wheels.iter().flatten().any(|history| !history.kiii.is_empty()) {
+            wheels.truncate(1);
+        }
+        let tips = wheels.first().map_or(0, Vec::len);
+        let most = wheels.len().min(2) * if tips > CATEGORIES { OF_MANY } else { VALUES };
+        self.steps.push(step, wheels);
+        let values = |wheels: &Vec<Vec<History>>| {
+            wheels.iter().flatten().map(|history| history.ki.len()).sum::<usize>()
+        };
+        self.steps.thin_to(most, values);
     }
 }

@@ -13,7 +13,7 @@ mod run;
 mod thinned;
 mod wheels;
 
-pub(crate) use faces::{CrackFaces, StepFaces};
+pub(crate) use faces::{CrackFaces, CrackWindows, StepFaces};
 pub(crate) use pack::{Deflated, Quantised};
 pub(crate) use run::{ShownRun, ShownStep};
 pub(crate) use wheels::UnderWheel;

@@ -4,6 +4,7 @@ use miniz_oxide::deflate::compress_to_vec_zlib;
 use miniz_oxide::inflate::decompress_to_vec_zlib;
 use railcrack_vtu::base64;
 use serde::{Serialize, Serializer};
+use std::ops::Range;
 
 /// Effort of the compression, 0 to 10: beyond it, size falls by per cents and time doubles.
 const EFFORT: u8 = 6;
@@ -115,6 +116,18 @@ impl Quantised {
         let row = every_count(2, self.row);
         Self { data: Deflated::levels(&levels, row), row, ..*self }
     }
+
+    /// Of each row the numbers at these `places`.
+    pub(crate) fn within(&self, places: &Range<usize>) -> Self {
+        let levels = self.data.inflated_levels(self.row);
+        let levels: Vec<u16> = within(&levels, self.row, places).collect();
+        Self { data: Deflated::levels(&levels, places.len()), row: places.len(), ..*self }
+    }
+}
+
+/// Of `values` in rows of `row`, in each those at these `places`.
+pub(crate) fn within<T: Copy>(values: &[T], row: usize, places: &Range<usize>) -> impl Iterator<Item = T> {
+    values.chunks(row.max(1)).flat_map(|row| row.get(places.clone()).unwrap_or_default().iter().copied())
 }
 
 /// Of `values` in rows of `row`, in each every `stride`-th and the last.

@@ -1,7 +1,7 @@
 //! The shown part of a run.
 
-use super::contact::{PackedContact, ShownContact};
-use super::faces::{FacesOfStep, PackedFaces, ShownFaces, StepFaces};
+use super::contact::{ContactOfStep, PackedContact, ShownContact};
+use super::faces::{CrackWindows, FacesOfStep, OtherFaces, PackedFaces, ShownFaces, StepFaces};
 use super::histories::ShownHistories;
 use super::neighbourhood::{PackedFields, ShownFields};
 use super::of_steps::{OfSteps, read_table};
@@ -27,9 +27,9 @@ pub(crate) struct ShownRun {
 #[derive(Debug)]
 pub(crate) struct ShownStep {
     step: usize,
-    histories: Vec<History>,
+    histories: Vec<Vec<History>>,
     faces: FacesOfStep,
-    contact: Option<PackedContact>,
+    contact: ContactOfStep,
     wheels: Vec<UnderWheel>,
     fields: Option<PackedFields>,
 }
@@ -57,10 +57,10 @@ impl ShownRun {
     /// The shown part of a recorded step.
     ///
     /// Errors: its fields do not belong together.
-    pub(crate) fn of_record(&self, record: &StepRecord, scale: SifScale) -> Result<ShownStep, OutputError> {
+    pub(crate) fn of_record(&self, record: &StepRecord, scale: &SifScale) -> Result<ShownStep, OutputError> {
         Ok(ShownStep {
             step: record.step,
-            histories: History::of_step(SifRow::of_step(record, scale).map(Ok))?,
+            histories: History::by_wheel(SifRow::of_step(record, scale).map(Ok))?,
             faces: self.faces.of_record(record)?,
             contact: ShownContact::of_record(record)?,
             wheels: ShownWheels::of_record(record),
@@ -85,8 +85,13 @@ impl ShownRun {
         steps.filter(|&step| self.faces.steps.get(step).is_some()).collect()
     }
 
-    /// K of the tips in a step that is shown.
+    /// K of the tips under the first wheel in a step that is shown.
     pub(crate) fn histories(&self, step: usize) -> &[History] {
+        self.by_wheel(step).first().map_or(&[], Vec::as_slice)
+    }
+
+    /// K of the tips under every wheel in a step that is shown.
+    pub(crate) fn by_wheel(&self, step: usize) -> &[Vec<History>] {
         self.histories.steps.get(step).map_or(&[], Vec::as_slice)
     }
 
@@ -100,9 +105,15 @@ impl ShownRun {
         self.faces.steps.get(step)
     }
 
-    /// The pressures of a wheel that feels the cracks in a step that is shown.
-    pub(crate) fn contact(&self, step: usize) -> Option<&PackedContact> {
-        self.contact.steps.get(step)
+    /// The pressures of `wheel`, from 0, if it feels the cracks, in a step that is shown.
+    pub(crate) fn contact(&self, wheel: usize, step: usize) -> Option<&PackedContact> {
+        self.contact.under(wheel, step)
+    }
+
+    /// The crack faces under the other wheels of a mix; of many cracks, of those in the windows of
+    /// each wheel.
+    pub(crate) fn other_faces(&self, windows: Option<&[CrackWindows]>) -> OtherFaces {
+        self.faces.others(windows)
     }
 
     /// Of many cracks the faces in a step, the first or the last, of those of `windows`, by number.

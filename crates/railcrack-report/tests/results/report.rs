@@ -1,7 +1,10 @@
 //! The report of a run: its numbers against the tables, its structure, its safety against texts,
 //! its size.
 
-use super::support::{SMALL, Scratch, Size, case, case_of, case_text, info, record_steps};
+use super::support::{
+    HALF_WIDTH, SMALL, Scratch, Size, case, case_of, case_text, info, mixed_case, mixed_info, mixed_step,
+    record_steps,
+};
 use miniz_oxide::inflate::decompress_to_vec_zlib;
 use railcrack_report::{Block, FolderKind, Page, Pages, Section, rebuild_report};
 use railcrack_run::{Existing, Recorder};
@@ -12,6 +15,16 @@ use std::path::Path;
 pub fn run(folder: &Path, size: Size) {
     let mut recorder = Recorder::start(folder, case(), info(), Existing::Refuse, &Pages).unwrap();
     record_steps(&mut recorder, size, 0, size.increments + 1).unwrap();
+    recorder.finish().unwrap();
+}
+
+/// A run of two wheels.
+fn mix(folder: &Path, size: Size) {
+    let mut recorder = Recorder::start(folder, mixed_case(), mixed_info(), Existing::Refuse, &Pages).unwrap();
+    for n in 0..=size.increments {
+        let (record, state) = mixed_step(size, n);
+        recorder.record(&record, &state).unwrap();
+    }
     recorder.finish().unwrap();
 }
 
@@ -77,6 +90,62 @@ pub fn quantised(value: &Value, row: usize) -> (Vec<f64>, f64) {
     ((0..count).map(of).collect(), 0.5 * step)
 }
 
+/// Of a mix every wheel has its own half-width, positions, K and faces: the second one has half as
+/// many positions, and faces in the first and the last step.
+#[test]
+fn the_second_wheel_of_a_mix_has_its_own_passage() {
+    let scratch = Scratch::new("report-mix");
+    let size = Size { cracks: 2, ..SMALL };
+    mix(scratch.path(), size);
+    let page = report(scratch.path());
+    let data = data(&page);
+    let wheels = data["wheels"].as_array().unwrap();
+    let names: Vec<&str> = wheels.iter().map(|wheel| wheel["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["heavy", "light"]);
+    assert_eq!([&wheels[0]["share"], &wheels[1]["share"]], [0.25, 0.75]);
+    assert_eq!([&wheels[0]["half_width"], &wheels[1]["half_width"]], [HALF_WIDTH, 5.0]);
+    let positions = (size.positions - 1) / 2 + 1;
+    assert_eq!(wheels[1]["xc_over_a"].as_array().unwrap().len(), positions);
+    let steps = data["steps"].as_array().unwrap();
+    let columns = ["step", "passage", "crack", "position", "wheel", "kii_mpa_sqrt_m", "xc_over_a"];
+    let mut compared = [0, 0];
+    for row in rows(scratch.path(), "sif.csv", &columns) {
+        if row[1] != "2" {
+            continue; // not the stabilised passage
+        }
+        let count = |i: usize| row[i].parse::<usize>().unwrap();
+        let (wheel, place) = (count(4) - 1, count(3) - 1);
+        let kii = singles(&steps[count(0)]["wheels"][wheel]["histories"][count(2) - 1]["kii"])[place];
+        let want: f64 = row[5].parse().unwrap();
+        assert!((kii - want).abs() <= 1e-6 * want.abs(), "{row:?}: {kii}");
+        let x: f64 = row[6].parse().unwrap();
+        assert!((wheels[wheel]["xc_over_a"][place].as_f64().unwrap() - x).abs() <= 1e-5, "{row:?}");
+        compared[wheel] += 1;
+    }
+    assert_eq!(compared, [2 * 5 * size.positions, 2 * 5 * positions]);
+    let columns = ["step", "wheel", "crack", "s22_mpa"];
+    let table = rows(scratch.path(), "faces.csv", &columns);
+    assert_eq!(table.len(), 2 * size.face_points * (5 * size.positions + 2 * positions));
+    for step in 0..5 {
+        let faces = &steps[step]["wheels"][1]["faces"];
+        assert_eq!(faces.is_null(), ![0, 4].contains(&step), "step {step}");
+        for (crack, of_crack) in faces.as_array().into_iter().flatten().enumerate() {
+            let own = [step.to_string(), "2".to_owned(), (crack + 1).to_string()];
+            let want = table.iter().filter(|row| row[..3] == own).map(|row| -row[3].parse::<f64>().unwrap());
+            let (pressure, half) = quantised(&of_crack["pressure"], positions);
+            for (i, want) in want.enumerate() {
+                let at = (i % size.face_points) * positions + i / size.face_points;
+                assert!((pressure[at] - want).abs() <= 1.001 * half, "step {step}, row {i}: {want}");
+            }
+        }
+    }
+    assert!(page.contains("<select id=\"of-mix\">"));
+    // From the tables alone it is the same page.
+    fs::remove_file(scratch.path().join("report.html")).unwrap();
+    rebuild_report(scratch.path()).unwrap();
+    assert!(report(scratch.path()) == page);
+}
+
 #[test]
 fn histories_and_faces_are_those_of_the_tables() {
     let scratch = Scratch::new("report-numbers");
@@ -92,7 +161,7 @@ fn histories_and_faces_are_those_of_the_tables() {
             continue; // not the stabilised passage
         }
         let count = |i: usize| row[i].parse::<usize>().unwrap();
-        let tip = &steps[count(0)]["tips"][count(2) - 1];
+        let tip = &steps[count(0)]["wheels"][0]["histories"][count(2) - 1];
         for (name, i) in [("ki", 4), ("kii", 5)] {
             let (want, found) = (row[i].parse::<f64>().unwrap(), singles(&tip[name])[count(3) - 1]);
             assert!((found - want).abs() <= 1e-6 * want.abs(), "{row:?}: {found}");
@@ -105,7 +174,7 @@ fn histories_and_faces_are_those_of_the_tables() {
     assert_eq!(table.len(), 5 * size.positions * 2 * size.face_points);
     for step in 0..5 {
         for crack in 1..=2 {
-            let faces = &steps[step]["faces"][crack - 1];
+            let faces = &steps[step]["wheels"][0]["faces"][crack - 1];
             let of_crack: Vec<&Vec<String>> = table
                 .iter()
                 .filter(|row| row[0] == step.to_string() && row[2] == crack.to_string())

@@ -48,8 +48,9 @@ fn k_is_given_near_each_crack_and_faces_of_the_named_ones() {
     let scratch = Scratch::new("row-windows");
     run(scratch.path(), ROW);
     let data = data_of(&report(scratch.path()), "run-data");
-    let windows = data["windows"].as_array().unwrap();
-    let xc: Vec<f64> = data["xc_over_a"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+    let wheel = &data["wheels"][0];
+    let windows = wheel["windows"].as_array().unwrap();
+    let xc: Vec<f64> = wheel["xc_over_a"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
     // As far before each mouth as the passage begins before the first one, as far after it as the
     // passage ends after the last one.
     let after = xc[40] - 11.0 * 0.5;
@@ -67,7 +68,8 @@ fn k_is_given_near_each_crack_and_faces_of_the_named_ones() {
         let [step, crack, position] = [0, 2, 3].map(|i| row[i].parse::<usize>().unwrap());
         let [from, to] = [0, 1].map(|end| windows[crack - 1][end].as_u64().unwrap() as usize);
         if (from..=to).contains(&(position - 1)) {
-            let (values, half) = quantised(&data["steps"][step]["tips"][crack - 1]["kii"], to + 1 - from);
+            let (values, half) =
+                quantised(&data["steps"][step]["wheels"][0]["histories"][crack - 1]["kii"], to + 1 - from);
             let want: f64 = row[4].parse().unwrap();
             let found = values[position - 1 - from];
             assert!((found - want).abs() <= 1.001 * half + 1e-12, "{row:?}: {found}");
@@ -77,7 +79,7 @@ fn k_is_given_near_each_crack_and_faces_of_the_named_ones() {
     assert!(compared > 5 * 12 * 15, "{compared}");
     let named: Vec<u64> = data["named"].as_array().unwrap().iter().map(|n| n.as_u64().unwrap()).collect();
     for step in 0..5 {
-        let faces = &data["steps"][step]["faces"];
+        let faces = &data["steps"][step]["wheels"][0]["faces"];
         if ![0, 4].contains(&step) {
             assert!(faces.is_null());
             continue;

@@ -11,10 +11,10 @@ use railcrack::fracture::Sif;
 use railcrack::growth::{
     DeferredGrowth, FaceRecord, FieldRecord, FieldSnapshot, Geometry, GrowthState, PassageRecord, PhaseTimes,
     Piece, PieceKind, PlaneGeometry, PlaneTip, RunStop, SolverCounts, StepRecord, TipGeometry, TipRecord,
-    Warning, WarningKind,
+    Warning, WarningKind, WheelShares,
 };
 use railcrack::math::{Stress, Vec2};
-use railcrack_run::{CaseFiles, OutputError, Recorder, RunInfo};
+use railcrack_run::{CaseFiles, MixInfo, OutputError, Recorder, RunInfo};
 use std::path::{Path, PathBuf};
 
 /// Half-width of the contact, mm.
@@ -83,6 +83,31 @@ pub fn case_text(more: &str) -> String {
     )
 }
 
+/// The facts of a run under two wheels.
+pub fn mixed_info() -> RunInfo {
+    let wheel = |name: &str, share: f64, half_width: f64| MixInfo {
+        name: name.to_owned(),
+        share,
+        axle_load: Some(17.0),
+        half_width,
+    };
+    RunInfo { mix: vec![wheel("heavy", 0.25, HALF_WIDTH), wheel("light", 0.75, 5.0)], ..info() }
+}
+
+/// Their case.
+pub fn mixed_case() -> CaseFiles {
+    let wheel = |name: &str, share: f64, half_width: f64| {
+        format!(
+            "[[wheel]]\nname = \"{name}\"\nshare = {share}\naxle_load_t = 17.0\n\
+             contact = {{ peak_pressure_mpa = 845.0, half_width_mm = {half_width}, friction = 0.1 }}\n"
+        )
+    };
+    let wheels = wheel("heavy", 0.25, HALF_WIDTH) + &wheel("light", 0.75, 5.0);
+    let of_one = case_text("");
+    let (start, end) = (of_one.find("[contact]").unwrap(), of_one.find("[[crack]]").unwrap());
+    case_of(&format!("{}{wheels}{}", &of_one[..start], &of_one[end..]))
+}
+
 /// The cracks at the start of `step`.
 pub fn cracks(size: Size, step: usize) -> Vec<Crack> {
     let grown = |i: usize| {
@@ -125,6 +150,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         step,
         tips,
         other_wheels: Vec::new(),
+        other_faces: Vec::new(),
         passages: vec![passage(0), passage(1)],
         faces: faces(size, &now, &xc),
         fields: step.is_multiple_of(2).then(|| fields(step)),
@@ -176,6 +202,32 @@ fn geometry(size: Size, cracks: Vec<Crack>) -> Geometry {
         deferred: vec![vec![DeferredGrowth::default()]; size.cracks],
         courses: vec![vec![Default::default()]; size.cracks],
     })
+}
+
+/// The record of a step of a mix, whose second wheel has every other position of the first one and
+/// half of its K and its pressure on the faces; the state after it is that of [`step`].
+pub fn mixed_step(size: Size, n: usize) -> (StepRecord, GrowthState) {
+    let (mut record, state) = step(size, n);
+    let half = |passage: &PassageRecord| PassageRecord {
+        xc: passage.xc.iter().copied().step_by(2).collect(),
+        sifs: passage
+            .sifs
+            .iter()
+            .map(|sifs| sifs.iter().step_by(2).map(|k| Sif { ki: 0.5 * k.ki, kii: 0.5 * k.kii }).collect())
+            .collect(),
+        ..passage.clone()
+    };
+    record.tips.iter_mut().for_each(|tip| tip.shares = WheelShares::from_values(&[0.4, 0.6]));
+    record.other_wheels = vec![record.passages.iter().map(half).collect()];
+    if n == 0 || record.stop.is_some() {
+        let halved = |state: &FaceState| FaceState { s22: 0.5 * state.s22, ..*state };
+        let states = record.faces.states.iter().step_by(2);
+        record.other_faces = vec![FaceRecord {
+            states: states.map(|states| states.iter().map(halved).collect()).collect(),
+            ..record.faces.clone()
+        }];
+    }
+    (record, state)
 }
 
 /// One triangle and one line at two positions.

@@ -2,7 +2,7 @@
 
 use super::table;
 use railcrack::contact::FaceStatus;
-use railcrack::growth::StepRecord;
+use railcrack::growth::{FaceRecord, StepRecord};
 
 table! {
     /// A face point at a wheel position.
@@ -15,6 +15,7 @@ table! {
         "opening_mm, slip_mm: jump (+ face minus - face) along x2 and x1, mm; opening >= 0",
         "s22_mpa, s12_mpa: stress transmitted across the faces, MPa; s22 <= 0 is pressure",
         "status: open, stick or slip",
+        "wheel, of a mix: from 1; every step has the first wheel, the first and the last step have all",
     ] {
         /// As in `sif.csv`.
         step: usize = "step";
@@ -38,6 +39,8 @@ table! {
         s12: f64 = "s12_mpa";
         /// `open`, `stick` or `slip`.
         status: FaceStatus = "status";
+        /// Wheel of a mix, from 1: the first one in every step, all in the first and the last.
+        wheel: Option<usize> = "wheel", with "wheel";
         /// Lateral position of a face point in space, mm.
         lateral: Option<f64> = "z_mm", with "space";
         /// Slip along the trace of the plane of a crack in space, mm.
@@ -48,14 +51,18 @@ table! {
 }
 
 impl FaceRow {
-    /// The rows of a step: position by position, point by point.
+    /// The rows of a step: wheel by wheel, position by position, point by point.
     pub fn of_step(record: &StepRecord) -> impl Iterator<Item = Self> {
-        let StepRecord { step, passages, faces, .. } = record;
+        let all = record.faces_by_wheel().enumerate();
+        all.flat_map(|(wheel, (passages, faces))| Self::under(record.step, wheel, passages.len(), faces))
+    }
+
+    fn under(step: usize, wheel: usize, passage: usize, faces: &FaceRecord) -> impl Iterator<Item = Self> {
         faces.states.iter().enumerate().flat_map(move |(i, states)| {
             let across = faces.across.as_ref();
             faces.points.iter().zip(states).enumerate().map(move |(a, (point, state))| Self {
-                step: *step,
-                passage: passages.len(),
+                step,
+                passage,
                 position: i + 1,
                 crack: point.crack + 1,
                 segment: point.segment + 1,
@@ -65,6 +72,7 @@ impl FaceRow {
                 s22: state.s22,
                 s12: state.s12,
                 status: state.status,
+                wheel: Some(wheel + 1),
                 lateral: across.and_then(|across| across.lateral.get(a).copied()),
                 slip_across: across.and_then(|across| Some(across.states.get(i)?.get(a)?[0])),
                 s23: across.and_then(|across| Some(across.states.get(i)?.get(a)?[1])),

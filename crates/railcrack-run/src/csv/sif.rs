@@ -64,47 +64,33 @@ table! {
 const MICROMETRES: f64 = 1e3;
 
 /// Scale of the wheel positions x_c/a.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct SifScale {
     /// Mouth of the first crack in the initial geometry (its first point if it is buried), mm.
     pub origin: f64,
-    /// Half-width a of the wheel contact, mm; of the first one of a mix.
-    pub half_width: f64,
+    /// Half-widths a of the contacts of all wheels, mm.
+    pub half_widths: Vec<f64>,
 }
 
 impl SifScale {
-    /// x_c/a of the wheel position `xc`, mm.
-    fn over_a(self, xc: f64) -> f64 {
-        (xc - self.origin) / self.half_width
+    /// x_c/a of the position `xc` (mm) of a `wheel`, from 0.
+    fn over_a(&self, xc: f64, wheel: usize) -> f64 {
+        (xc - self.origin) / self.half_widths.get(wheel).copied().unwrap_or(1.0)
     }
 }
 
 impl SifRow {
-    /// The rows of a step under the first wheel: passage by passage, tip by tip, position by
-    /// position.
-    pub fn of_step(record: &StepRecord, scale: SifScale) -> impl Iterator<Item = Self> {
-        Self::under(record, &record.passages, 1, scale)
-    }
-
-    /// The rows of a step under all wheels of a mix, wheel by wheel; `half_widths` (mm) are those
-    /// of the contacts.
-    pub fn of_mix<'a>(
-        record: &'a StepRecord,
-        scale: SifScale,
-        half_widths: &'a [f64],
-    ) -> impl Iterator<Item = Self> + 'a {
+    /// The rows of a step: wheel by wheel, passage by passage, tip by tip, position by position.
+    pub fn of_step<'a>(record: &'a StepRecord, scale: &'a SifScale) -> impl Iterator<Item = Self> + 'a {
         let all = std::iter::once(&record.passages).chain(&record.other_wheels).enumerate();
-        all.flat_map(move |(i, passages)| {
-            let half_width = half_widths.get(i).copied().unwrap_or(scale.half_width);
-            Self::under(record, passages, i + 1, SifScale { half_width, ..scale })
-        })
+        all.flat_map(move |(wheel, passages)| Self::under(record, passages, wheel, scale))
     }
 
     fn under<'a>(
         record: &'a StepRecord,
         passages: &'a [PassageRecord],
         wheel: usize,
-        scale: SifScale,
+        scale: &'a SifScale,
     ) -> impl Iterator<Item = Self> + 'a {
         passages.iter().enumerate().flat_map(move |(p, passage)| {
             record.tips.iter().zip(&passage.sifs).enumerate().flat_map(move |(t, (tip, history))| {
@@ -118,10 +104,10 @@ impl SifRow {
                     tip: tip.tip.tip + 1,
                     position: i + 1,
                     xc,
-                    xc_over_a: scale.over_a(xc),
+                    xc_over_a: scale.over_a(xc, wheel),
                     ki: sif.ki_mpa_sqrt_m(),
                     kii: sif.kii_mpa_sqrt_m(),
-                    wheel: Some(wheel),
+                    wheel: Some(wheel + 1),
                     fluid_pressure: fluid.and_then(|fluid| Some(fluid.get(i)?.pressure)),
                     fluid_volume: fluid.and_then(|fluid| Some(fluid.get(i)?.volume)),
                     phi_deg: tip.front().map(|front| front.phi.to_degrees()),

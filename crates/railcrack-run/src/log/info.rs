@@ -108,6 +108,15 @@ impl RunInfo {
         }
     }
 
+    /// Half-widths of the contacts of all wheels, mm.
+    #[must_use]
+    pub fn half_widths(&self) -> Vec<f64> {
+        if self.mix.is_empty() {
+            return vec![self.half_width];
+        }
+        self.mix.iter().map(|wheel| wheel.half_width).collect()
+    }
+
     /// The sections of the case that bring columns of their own: `wheel` once for each wheel of a
     /// mix.
     pub fn sections(&self) -> Vec<&'static str> {

@@ -58,7 +58,7 @@ pub trait RunPresentation: Debug + Send {
     /// Takes what is shown of the step `record`. It counts once the step is [kept](Self::keep).
     ///
     /// Errors: its fields do not belong together.
-    fn take(&mut self, record: &StepRecord, scale: SifScale) -> Result<(), OutputError>;
+    fn take(&mut self, record: &StepRecord, scale: &SifScale) -> Result<(), OutputError>;
 
     /// Keeps the step that was taken last: its files are written.
     fn keep(&mut self);
@@ -84,7 +84,7 @@ impl Presentation for TablesOnly {
 }
 
 impl RunPresentation for TablesOnly {
-    fn take(&mut self, _: &StepRecord, _: SifScale) -> Result<(), OutputError> {
+    fn take(&mut self, _: &StepRecord, _: &SifScale) -> Result<(), OutputError> {
         Ok(())
     }
 

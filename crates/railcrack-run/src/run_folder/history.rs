@@ -32,22 +32,36 @@ pub struct History {
 }
 
 impl History {
-    /// Histories of every tip in the rows of one growth step, in their order.
+    /// Histories of every tip under the first wheel, in the rows of one growth step, in their
+    /// order.
     ///
     /// Errors: the first row that is one.
     pub fn of_step(
         rows: impl Iterator<Item = Result<SifRow, OutputError>>,
     ) -> Result<Vec<Self>, OutputError> {
-        let mut histories: Vec<Self> = Vec::new();
-        let mut passage = 0;
+        // Those of the first wheel of a mix stand first.
+        let is_first = |row: &Result<SifRow, OutputError>| !matches!(row, Ok(row) if row.wheel.is_some_and(|wheel| wheel > 1));
+        Ok(Self::by_wheel(rows.take_while(is_first))?.into_iter().next().unwrap_or_default())
+    }
+
+    /// Histories of every tip under every wheel, in the rows of one growth step, in their order.
+    ///
+    /// Errors: the first row that is one.
+    pub fn by_wheel(
+        rows: impl Iterator<Item = Result<SifRow, OutputError>>,
+    ) -> Result<Vec<Vec<Self>>, OutputError> {
+        let mut wheels: Vec<Vec<Self>> = Vec::new();
+        let (mut wheel, mut passage) = (0, 0);
         for row in rows {
             let row = row?;
-            // Those of the first wheel of a mix, which stand first.
-            if row.wheel.is_some_and(|wheel| wheel > 1) {
-                break;
+            let own = row.wheel.unwrap_or(1);
+            if own != wheel || wheels.is_empty() {
+                (wheel, passage) = (own, row.passage);
+                wheels.push(Vec::new());
             }
-            // The last passage of a step is the stabilised one: a later passage replaces an earlier
-            // one.
+            let Some(histories) = wheels.last_mut() else { continue };
+            // The last passage of a wheel is the stabilised one: a later passage replaces an
+            // earlier one.
             if row.passage != passage {
                 passage = row.passage;
                 histories.clear();
@@ -67,6 +81,6 @@ impl History {
                 history.lip_load.push(row.lip_load);
             }
         }
-        Ok(histories)
+        Ok(wheels)
     }
 }

@@ -132,10 +132,8 @@ impl RunInMemory {
     pub fn sif_rows(&self) -> impl Iterator<Item = SifRow> {
         let first = self.steps.first().and_then(|(record, _)| record.cracks().first());
         let origin = first.map_or(0.0, |crack| crack.points()[0].x);
-        let scale = SifScale { origin, half_width: self.job.info.half_width };
-        let half_widths: Vec<f64> = self.job.info.mix.iter().map(|wheel| wheel.half_width).collect();
-        self.records()
-            .flat_map(move |record| SifRow::of_mix(record, scale, &half_widths).collect::<Vec<SifRow>>())
+        let scale = SifScale { origin, half_widths: self.job.info.half_widths() };
+        self.records().flat_map(move |record| SifRow::of_step(record, &scale).collect::<Vec<SifRow>>())
     }
 
     /// The rows of `growth.csv`.

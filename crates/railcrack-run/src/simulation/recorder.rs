@@ -170,8 +170,8 @@ impl Recorder {
         };
         let fields = write_fields(&self.folder, record, durability)?;
         let scale = self.scale(record);
-        self.append(record, scale)?;
-        self.shown.take(record, scale)?;
+        self.append(record, &scale)?;
+        self.shown.take(record, &scale)?;
         let has_fields = !fields.is_empty();
         self.log.add(record, fields);
         if has_fields {
@@ -258,10 +258,10 @@ impl Recorder {
     fn scale(&self, record: &StepRecord) -> SifScale {
         let initial = if self.log.steps.is_empty() { record.cracks() } else { &self.log.now.initial_cracks };
         let origin = initial.first().map_or(0.0, |crack| crack.points()[0].x);
-        SifScale { origin, half_width: self.info.half_width }
+        SifScale { origin, half_widths: self.info.half_widths() }
     }
 
-    fn append(&mut self, record: &StepRecord, scale: SifScale) -> Result<(), OutputError> {
+    fn append(&mut self, record: &StepRecord, scale: &SifScale) -> Result<(), OutputError> {
         let before = self.seals();
         let appended = self.append_rows(record, scale);
         if appended.is_err() {
@@ -273,10 +273,9 @@ impl Recorder {
         appended
     }
 
-    fn append_rows(&mut self, record: &StepRecord, scale: SifScale) -> Result<(), OutputError> {
-        let half_widths: Vec<f64> = self.info.mix.iter().map(|wheel| wheel.half_width).collect();
+    fn append_rows(&mut self, record: &StepRecord, scale: &SifScale) -> Result<(), OutputError> {
         if let Some(sif) = self.sif.as_mut().filter(|_| keeps(self.info.output.sif, record)) {
-            append_to(sif, &mut self.rows, SifRow::of_mix(record, scale, &half_widths))?;
+            append_to(sif, &mut self.rows, SifRow::of_step(record, scale))?;
         }
         append_to(&mut self.growth, &mut self.rows, TipRow::of_step(record, self.info.axle_load))?;
         if !keeps(self.info.output.faces, record) {

@@ -374,15 +374,19 @@ impl<R: CrackedRail> Growth<R> {
         let lifts = |passage: &&StabilisedPassage| passage.is_wet() && !passage.is_coupled();
         let unfelt_opening =
             passages.iter().filter(lifts).map(StabilisedPassage::largest_opening).fold(0.0, f64::max);
-        let other_wheels: Vec<StabilisedPassage> = passages.split_off(1);
+        let others = passages.split_off(1).into_iter();
+        let (other_wheels, other_faces): (Vec<_>, Vec<_>) =
+            others.map(|passage| (passage.passages, passage.faces)).unzip();
+        let is_end = self.state.step == 0 || advance.stop.is_some();
         let first = passages.swap_remove(0);
         StepRecord {
             step: self.state.step,
             geometry: self.state.geometry.clone(),
             tips,
             passages: first.passages,
-            other_wheels: other_wheels.into_iter().map(|passage| passage.passages).collect(),
+            other_wheels,
             faces: first.faces,
+            other_faces: if is_end { other_faces } else { Vec::new() },
             unfelt_opening,
             fields,
             load_cycles,

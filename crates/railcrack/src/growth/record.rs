@@ -150,6 +150,9 @@ pub struct StepRecord {
     pub other_wheels: Vec<Vec<PassageRecord>>,
     /// The faces during the stabilised passage; in a mix, of the first wheel.
     pub faces: FaceRecord,
+    /// The faces under each other wheel of a mix, in the first and the last step of a run; empty in
+    /// between, where those of all wheels would multiply the memory and the files of a run.
+    pub other_faces: Vec<FaceRecord>,
     /// Largest opening of the faces (mm) during the stabilised passages of the wheels that do not
     /// feel the cracks and under which there is fluid in them; zero without such a wheel.
     pub unfelt_opening: f64,
@@ -183,6 +186,13 @@ impl StepRecord {
     #[must_use]
     pub fn cracks(&self) -> &[Crack] {
         self.geometry.cracks()
+    }
+
+    /// All passages and the faces under each wheel whose faces the record has, the first wheel
+    /// first.
+    pub fn faces_by_wheel(&self) -> impl Iterator<Item = (&[PassageRecord], &FaceRecord)> {
+        let others = self.other_wheels.iter().map(Vec::as_slice).zip(&self.other_faces);
+        std::iter::once((self.passages.as_slice(), &self.faces)).chain(others)
     }
 
     /// Junctions between the cracks.

@@ -1,13 +1,11 @@
 //! Data of the passage explorer.
 
 use super::stored::RunFolder;
-use crate::figures::{near, window};
+use super::wheels::{ShownWheel, wheels};
 use crate::numbers::{number, numbers};
 use crate::row::NamedCrack;
-use crate::shown::{Deflated, Quantised, ShownRun};
-use railcrack::contact::{FluidModel, PressureProfile};
+use crate::shown::{CrackWindows, Deflated, Quantised, ShownRun};
 use railcrack::growth::{RunStop, TipStop};
-use railcrack::plane::CrackFluid;
 use railcrack::words::Choice;
 use railcrack_run::csv::TipRow;
 use railcrack_run::run_folder::History;
@@ -15,54 +13,52 @@ use serde_json::{Value, json};
 use std::ops::Range;
 
 /// Maximum number of values of K of many cracks on a page (tips × positions × steps), of about
-/// three bytes each.
+/// three bytes each; twice as many of a mix.
 const VALUES: usize = 200_000;
 
 /// The data of the explorer. For many cracks, K at wheel positions near each of them, and the faces
 /// of the `named` ones.
 pub(super) fn explorer(run: &RunFolder, shown: &ShownRun, named: Option<&[NamedCrack]>) -> Value {
     let summary = &run.summary;
-    let windows = named.map(|_| windows(run, shown));
+    let wheels = wheels(run, shown, named);
+    let seen: Option<Vec<CrackWindows>> =
+        named.map(|named| wheels.iter().map(|wheel| wheel.windows_of(named)).collect());
+    let others = shown.other_faces(seen.as_deref());
+    let faces = |wheel: usize, step: usize| match (wheel, seen.as_ref().and_then(|seen| seen.first())) {
+        (0, Some(windows)) => json!(shown.faces_of(step, windows)),
+        (0, None) => json!(shown.faces(step)),
+        _ => json!(others.under(wheel, step)),
+    };
     let steps: Vec<Value> = explored_steps(run, shown, named)
         .into_iter()
         .map(|step| {
-            let faces = match (named, &windows) {
-                (Some(named), Some(windows)) => {
-                    json!(shown.faces_of(step, &told_windows(named, windows)))
-                }
-                _ => json!(shown.faces(step)),
+            let of_wheel = |(number, wheel): (usize, &ShownWheel)| {
+                json!({
+                    "histories": histories(run, shown, (number, wheel), step),
+                    "faces": faces(number, step),
+                    "contact": shown.contact(number, step),
+                })
             };
             json!({
                 "step": step,
                 "cracks": polylines(run, step),
                 "lines": worn(run, step, Until::Now),
                 "whole": worn(run, step, Until::Last),
-                "tips": tips(run, shown.histories(step), windows.as_deref(), step),
-                "faces": faces,
-                "contact": shown.contact(step),
+                "tips": tips(run, step),
+                "wheels": wheels.iter().enumerate().map(of_wheel).collect::<Vec<_>>(),
             })
         })
         .collect();
-    let xc_over_a: &[f64] = shown.histories(0).first().map_or(&[], |history| &history.xc_over_a);
-    let near = near(summary, xc_over_a);
-    let last_of = |window: &Range<usize>| json!([window.start, window.end.saturating_sub(1)]);
+    let stride = |number: usize| if number == 0 { shown.face_stride() } else { others.stride };
     json!({
-        "windows": windows.as_ref().map(|windows| windows.iter().map(last_of).collect::<Vec<_>>()),
+        "wheels": wheels.iter().enumerate().map(|(i, wheel)| wheel.told(stride(i))).collect::<Vec<_>>(),
         "named": named.map(|named| named.iter().map(|named| named.crack).collect::<Vec<_>>()),
-        "half_width": summary.half_width_mm,
         "origin": summary.cracks.first().and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |p| p[0]),
-        "is_coupled": run.case.wheel.coupling.is_some(),
-        "peak_pressure": number(run.case.wheel.contact().peak_pressure()),
-        "friction": run.case.wheel.contact().adhesion(),
         "axle_load": run.case.axle_load,
-        "near": [near.start, near.end.saturating_sub(1)],
-        "xc_over_a": numbers(xc_over_a.iter().copied()),
-        "face_stride": shown.face_stride(),
         "last_step": summary.steps_recorded.saturating_sub(1),
         "cracks": summary.cracks.iter().map(|crack| json!({
             "points": crack.points_mm.iter().map(|p| numbers(*p)).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
-        "fluid_falls": fluid_falls(run),
         "pieces": pieces(run),
         "junctions": junctions(run),
         "residual": (!run.residual.is_empty()).then(|| json!({
@@ -73,45 +69,24 @@ pub(super) fn explorer(run: &RunFolder, shown: &ShownRun, named: Option<&[NamedC
     })
 }
 
-/// Wheel positions near each crack of a row.
-fn windows(run: &RunFolder, shown: &ShownRun) -> Vec<Range<usize>> {
-    let xc_over_a: &[f64] = shown.histories(0).first().map_or(&[], |history| &history.xc_over_a);
-    (1..=run.summary.cracks.len()).map(|crack| window(&run.summary, crack, xc_over_a)).collect()
-}
-
-/// The windows of the `named` cracks, by number.
-fn told_windows(named: &[NamedCrack], windows: &[Range<usize>]) -> Vec<(usize, Range<usize>)> {
-    let of = |named: &NamedCrack| Some((named.crack, windows.get(named.crack.checked_sub(1)?)?.clone()));
-    named.iter().filter_map(of).collect()
-}
-
 /// The steps of the explorer: those `shown`, or as many of them as fit for many cracks.
 pub(super) fn explored_steps(run: &RunFolder, shown: &ShownRun, named: Option<&[NamedCrack]>) -> Vec<usize> {
     let steps = shown.steps();
     if named.is_none() {
         return steps;
     }
-    let windows = windows(run, shown);
-    let of_tip = |history: &History| {
-        history.crack.checked_sub(1).and_then(|place| windows.get(place)).map_or(0, Range::len)
-    };
-    let values: usize = shown.histories(0).iter().map(of_tip).sum();
+    let wheels = wheels(run, shown, named);
+    let of_tip = |wheel: &ShownWheel, crack: usize| wheel.window(crack).map_or(0, Range::len);
+    let all = wheels.iter().zip(shown.by_wheel(0));
+    let values: usize =
+        all.flat_map(|(wheel, histories)| histories.iter().map(|history| of_tip(wheel, history.crack))).sum();
+    let most = wheels.len().clamp(1, 2) * VALUES;
     let mut every = 1;
-    while steps.len().div_ceil(every) * values > VALUES && every < steps.len() {
+    while steps.len().div_ceil(every) * values > most && every < steps.len() {
         every *= 2;
     }
     let is_shown = |place: &usize| place.is_multiple_of(every) || place + 1 == steps.len();
     (0..steps.len()).filter(is_shown).map(|place| steps[place]).collect()
-}
-
-/// Whether the pressure of the fluid falls from the mouth to the tip, as far as cracks of their own
-/// show it.
-fn fluid_falls(run: &RunFolder) -> bool {
-    let fluid = run.case.fluid.as_ref();
-    let falls = |fluid: &CrackFluid| {
-        matches!(fluid.model, FluidModel::Mouth { .. }) && fluid.profile == PressureProfile::Linear
-    };
-    fluid.is_some_and(falls) && run.summary.junctions.is_empty()
 }
 
 /// Of every crack the first and the last of its final points that it has in `step`. An end without
@@ -205,19 +180,9 @@ pub(super) fn nearest(points: &[[f64; 2]], place: [f64; 2]) -> usize {
     all.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1))).map_or(0, |(i, _)| i)
 }
 
-/// State and histories of every tip in `step`, these within the `windows` of their cracks.
-fn tips(run: &RunFolder, histories: &[History], windows: Option<&[Range<usize>]>, step: usize) -> Vec<Value> {
+/// State of every tip in `step`.
+fn tips(run: &RunFolder, step: usize) -> Vec<Value> {
     let tip = |row: &TipRow| {
-        let history = histories.iter().find(|h| (h.crack, h.tip) == (row.crack, row.tip));
-        let window = windows.and_then(|windows| windows.get(row.crack.checked_sub(1)?));
-        let packed = |k: fn(&History) -> &[f64]| {
-            let values = k(history?);
-            Some(match window.and_then(|window| values.get(window.clone())) {
-                Some(near) => json!(Quantised::of(near, near.len())),
-                None => json!(Deflated::singles(values)),
-            })
-        };
-        let is_wet = history.is_some_and(|history| !history.pressure.is_empty());
         json!({
             "crack": row.crack,
             "tip": row.tip,
@@ -231,10 +196,36 @@ fn tips(run: &RunFolder, histories: &[History], windows: Option<&[Range<usize>]>
             "rival": row.rival_deg.map(number),
             "ratio": row.rival_ratio.map(number),
             "stop": row.stop_word(),
+        })
+    };
+    run.growth.iter().filter(|row| row.step == step).map(tip).collect()
+}
+
+/// Histories under a wheel of the tips in `step`, in the order of [`tips`]; of many cracks within
+/// their windows.
+fn histories(
+    run: &RunFolder,
+    shown: &ShownRun,
+    (number, wheel): (usize, &ShownWheel),
+    step: usize,
+) -> Vec<Value> {
+    let histories = shown.by_wheel(step).get(number).map_or(&[][..], Vec::as_slice);
+    let of_tip = |row: &TipRow| {
+        let history = histories.iter().find(|h| (h.crack, h.tip) == (row.crack, row.tip));
+        let window = wheel.window(row.crack);
+        let packed = |k: fn(&History) -> &[f64]| {
+            let values = k(history?);
+            Some(match window.and_then(|window| values.get(window.clone())) {
+                Some(near) => json!(Quantised::of(near, near.len())),
+                None => json!(Deflated::singles(values)),
+            })
+        };
+        let is_wet = history.is_some_and(|history| !history.pressure.is_empty());
+        json!({
             "ki": packed(|history| &history.ki),
             "kii": packed(|history| &history.kii),
             "fluid": is_wet.then(|| [packed(|history| &history.pressure), packed(|history| &history.volume)]),
         })
     };
-    run.growth.iter().filter(|row| row.step == step).map(tip).collect()
+    run.growth.iter().filter(|row| row.step == step).map(of_tip).collect()
 }

@@ -12,6 +12,7 @@ mod lips;
 mod row;
 mod stored;
 mod warnings;
+mod wheels;
 
 use super::pictures::still;
 use super::what_if;
@@ -93,7 +94,12 @@ pub(crate) fn run_page(
         if let Some((row, told)) = row.as_ref().zip(told) {
             page.sections.push(row::section(run, row, told, plots));
         }
-        page.sections.push(explorer(data::explorer(run, shown, told), told, plots));
+        page.sections.push(explorer(
+            data::explorer(run, shown, told),
+            told,
+            run.case.mix.first().map(|mixed| mixed.name.as_str()),
+            plots,
+        ));
         page.sections.extend(far::section(run, plots));
         page.sections.extend(water(plots));
         page.sections.extend(lips::section(run, shown));
@@ -118,15 +124,23 @@ pub(super) fn case_section(run: &RunFolder) -> Section {
     }
 }
 
-fn explorer(data: Value, told: Option<&[NamedCrack]>, plots: &[Plot]) -> Section {
+/// The passage of every wheel; pictures for readers without scripts are those under the `first`
+/// wheel of a mix.
+fn explorer(data: Value, told: Option<&[NamedCrack]>, first: Option<&str>, plots: &[Plot]) -> Section {
     let mut blocks =
         vec![Block::Viewer { html: EXPLORER, data_id: "run-data", data, script: EXPLORER_SCRIPT }];
+    let under = |block: Block| match (block, first) {
+        (Block::Still { svg, caption }, Some(first)) => {
+            Block::Still { svg, caption: format!("{caption} Under \u{201c}{first}\u{201d}.") }
+        }
+        (other, _) => other,
+    };
     // For many cracks the largest pictures are available as files only.
-    let files: &[&str] =
-        if told.is_some() { &["kii.svg", "paths.svg"] } else { &["ki.svg", "kii.svg", "paths.svg"] };
-    blocks.extend(files.iter().filter_map(|file| still(plots, file, "")));
+    let of_k: &[&str] = if told.is_some() { &["kii.svg"] } else { &["ki.svg", "kii.svg"] };
+    blocks.extend(of_k.iter().filter_map(|file| still(plots, file, "")).map(under));
+    blocks.extend(still(plots, "paths.svg", ""));
     if told.is_none() {
-        blocks.extend(still(plots, "faces.svg", "Crack faces in step 0."));
+        blocks.extend(still(plots, "faces.svg", "Crack faces in step 0.").map(under));
     }
     let wheels: Vec<Chart> =
         ["wheels-ki", "wheels-kii"].into_iter().filter_map(|id| chart(plots, id)).collect();

@@ -1,0 +1,98 @@
+//! The wheels of the passage explorer.
+
+use super::stored::RunFolder;
+use crate::figures::WheelPassage;
+use crate::numbers::{number, numbers};
+use crate::row::NamedCrack;
+use crate::shown::{CrackWindows, ShownRun};
+use railcrack::contact::{FluidModel, PressureProfile};
+use railcrack::plane::CrackFluid;
+use railcrack_case::{GivenWheel, MixedWheel};
+use railcrack_run::run_folder::History;
+use serde_json::{Value, json};
+use std::ops::Range;
+
+/// A wheel and its positions.
+pub(super) struct ShownWheel<'a> {
+    /// Its name and share of a mix; none of a single wheel.
+    mixed: Option<&'a MixedWheel>,
+    wheel: &'a GivenWheel,
+    half_width: f64,
+    xc_over_a: &'a [f64],
+    /// Positions near the cracks.
+    near: Range<usize>,
+    /// Of many cracks those near each.
+    windows: Option<Vec<Range<usize>>>,
+    /// Whether the pressure of the fluid falls from the mouth to the tip, as far as cracks of their
+    /// own show it.
+    fluid_falls: bool,
+}
+
+/// The wheels of which K is shown.
+pub(super) fn wheels<'a>(
+    run: &'a RunFolder,
+    shown: &'a ShownRun,
+    named: Option<&[NamedCrack]>,
+) -> Vec<ShownWheel<'a>> {
+    let of_wheel = |(number, histories): (usize, &'a Vec<History>)| {
+        let mixed = run.case.mix.get(number);
+        let passage = match mixed.filter(|_| number > 0) {
+            Some(MixedWheel { wheel, passages, .. }) => {
+                let ends = [passages.passage.from, passages.passage.to];
+                WheelPassage::other(&run.summary, wheel.half_width(), ends)
+            }
+            None => WheelPassage::first(&run.summary),
+        };
+        let xc_over_a: &[f64] = histories.first().map_or(&[], |history| &history.xc_over_a);
+        let cracks = 1..=run.summary.cracks.len();
+        ShownWheel {
+            mixed,
+            wheel: mixed.map_or(&run.case.wheel, |mixed| &mixed.wheel),
+            half_width: passage.half_width(),
+            xc_over_a,
+            near: passage.near(xc_over_a),
+            windows: named.map(|_| cracks.map(|crack| passage.window(crack, xc_over_a)).collect()),
+            fluid_falls: falls(mixed.map_or(run.case.fluid.as_ref(), |mixed| mixed.fluid.as_ref()))
+                && run.summary.junctions.is_empty(),
+        }
+    };
+    shown.by_wheel(0).iter().enumerate().map(of_wheel).collect()
+}
+
+fn falls(fluid: Option<&CrackFluid>) -> bool {
+    fluid.is_some_and(|fluid| {
+        matches!(fluid.model, FluidModel::Mouth { .. }) && fluid.profile == PressureProfile::Linear
+    })
+}
+
+impl ShownWheel<'_> {
+    /// The wheel as the page has it, with every `stride`-th position of its faces.
+    pub(super) fn told(&self, stride: usize) -> Value {
+        let last_of = |window: &Range<usize>| json!([window.start, window.end.saturating_sub(1)]);
+        let contact = self.wheel.contact();
+        json!({
+            "name": self.mixed.map(|mixed| &mixed.name),
+            "share": self.mixed.map(|mixed| number(mixed.share)),
+            "half_width": self.half_width,
+            "is_coupled": self.wheel.coupling.is_some(),
+            "peak_pressure": number(contact.peak_pressure()),
+            "friction": contact.adhesion(),
+            "fluid_falls": self.fluid_falls,
+            "near": last_of(&self.near),
+            "windows": self.windows.as_ref().map(|all| all.iter().map(last_of).collect::<Vec<_>>()),
+            "xc_over_a": numbers(self.xc_over_a.iter().copied()),
+            "face_stride": stride,
+        })
+    }
+
+    /// The windows of the `named` cracks, by number.
+    pub(super) fn windows_of(&self, named: &[NamedCrack]) -> CrackWindows {
+        let of = |named: &NamedCrack| Some((named.crack, self.window(named.crack)?.clone()));
+        named.iter().filter_map(of).collect()
+    }
+
+    /// The window of `crack`, from 1, one of many.
+    pub(super) fn window(&self, crack: usize) -> Option<&Range<usize>> {
+        self.windows.as_ref()?.get(crack.checked_sub(1)?)
+    }
+}
