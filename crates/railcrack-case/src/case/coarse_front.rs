@@ -4,11 +4,12 @@ use super::wheel_table::TabledWheel;
 use railcrack::crack::Crack;
 use railcrack::fatigue::{GrowthLaw, LoadRange};
 use railcrack::growth::FrontShape;
+use railcrack::interruption::Interruption;
 use railcrack::load::{SurfacePart, Travel};
 use railcrack::material::IsotropicElastic;
 use railcrack::space::{
-    EllipticWheel, FrontSif, PlaneFrame, SpaceBody, SpaceContact, SpaceFaces, SpaceResolution, Surroundings,
-    Symmetric, UnfeltWheel,
+    EllipticWheel, FrontSif, SpaceBody, SpaceContact, SpaceFaces, SpaceKernel, SpaceResolution, Symmetric,
+    UnfeltWheel, body_of,
 };
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
@@ -32,7 +33,6 @@ const STRIPS: [usize; 2] = [15, 20];
 /// with its own mean shear, and the stress is taken at one point per node.
 pub(super) struct CoarseFront {
     body: SpaceBody,
-    frame: PlaneFrame,
     /// Point (x, lateral, depth, mm) and area (mm²) of each node.
     nodes: Vec<([f64; 3], f64)>,
     /// x of the mouth and of the deepest point, mm.
@@ -47,12 +47,12 @@ pub(super) struct FrontHistory(Vec<Vec<FrontSif>>);
 impl CoarseFront {
     /// The crack of `shape`, whose faces have the `friction` μ_c; none where no body can be made.
     pub fn new(shape: &FrontShape, friction: f64, steel: &IsotropicElastic) -> Option<Self> {
-        let crack = shape.crack().ok()?;
         let section: Crack = shape.section().ok()?;
+        let kernel = SpaceKernel::new(&[shape.mouth_dip()], steel.poisson());
         let body = CELLS.iter().find_map(|cells| {
-            SpaceBody::new(std::slice::from_ref(&crack), steel, Surroundings::HalfSpace, *cells).ok()
+            body_of(std::slice::from_ref(shape), steel, &kernel, *cells, Interruption::NEVER).ok()
         })?;
-        let (frame, count) = (shape.frame(), body.points().len());
+        let count = body.points().len();
         // Forces due to an even unit tension are the areas of the nodes; those due to one in
         // proportion to a coordinate are their moments.
         let forces = |factor: &(dyn Fn([f64; 3]) -> f64 + Sync)| {
@@ -68,7 +68,7 @@ impl CoarseFront {
         let nodes = (0..count).map(node).collect();
         let xs = || section.points().iter().map(|point| point.x);
         let ends = [xs().fold(f64::INFINITY, f64::min), xs().fold(f64::NEG_INFINITY, f64::max)];
-        Some(Self { body, frame, nodes, ends, friction, poisson: steel.poisson() })
+        Some(Self { body, nodes, ends, friction, poisson: steel.poisson() })
     }
 
     /// The histories under passages of `wheels` towards `travel`, with the crack moved by `aside`
@@ -142,13 +142,14 @@ impl CoarseFront {
 
     fn forces(&self, patches: &[(f64, EllipticWheel)], place: f64) -> Vec<f64> {
         let mut forces = Vec::with_capacity(3 * self.nodes.len());
-        for &(point, area) in &self.nodes {
+        for (node, &(point, area)) in self.nodes.iter().enumerate() {
             let mut stress: Symmetric = [0.0; 6];
             for (ahead, patch) in patches {
                 let own = patch.stress(place + ahead, point, self.poisson);
                 stress.iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
             }
-            forces.extend(self.frame.traction(&stress).map(|traction| area * traction));
+            let (_, frame) = self.body.plane_of(node);
+            forces.extend(frame.traction(&stress).map(|traction| area * traction));
         }
         forces
     }

@@ -1,7 +1,7 @@
 //! Cases for the space engine: required and excluded sections.
 
 use super::cracks::PlacedCracks;
-use super::planar_shape::planar_shape;
+use super::front_shape::front_shape;
 use super::rolling_patch::{placed_patches, rolling_patch};
 use super::space_case::SpaceCase;
 use super::wheel_table::WheelTable;
@@ -15,7 +15,7 @@ use railcrack::bulk::Boundary;
 use railcrack::crack::Crack;
 use railcrack::growth::FrontShape;
 use railcrack::load::HertzEllipse;
-use railcrack::space::{CloseCracks, EllipticWheel, SpaceCrack, WheelPatch};
+use railcrack::space::{CloseCracks, EllipticWheel, LEAST_STRIP, SpaceCrack, WheelPatch};
 
 /// Sections that the engine does not support, with reasons.
 const REFUSED: [(Section, &str); 1] =
@@ -91,6 +91,17 @@ fn read_shapes(
         let section = given.get(owner)?;
         shapes.push(read_shape(crack, section.get(SURFACE_HALF_LENGTH)?, section, report)?);
     }
+    if shapes.len() > 1
+        && let Some(folded) = shapes.iter().position(|shape| shape.strip.is_some())
+    {
+        let says = format!(
+            "the space engine computes a folded crack only by itself; there are {} cracks",
+            shapes.len()
+        );
+        let fault = given[placed.owner[folded]].fault_of_name("points_mm", says);
+        report.add(fault.help("give one crack, or cracks of two points"));
+        return None;
+    }
     let cracks: Vec<SpaceCrack> = shapes.iter().filter_map(|shape| shape.crack().ok()).collect();
     let Some(close) = CloseCracks::among(&cracks) else { return Some(shapes) };
     let [first, second] = [close.first, close.second].map(|k| given[placed.owner[k]]);
@@ -120,16 +131,18 @@ fn read_shape(
     section: &SectionValues,
     report: &mut Report,
 ) -> Option<FrontShape> {
-    if crack.points().len() != 2 {
-        let says = "the space engine computes planar cracks, which have two points";
+    let Some(shape) = front_shape(crack, half_length, section) else {
+        let says = "the space engine computes planar cracks, of two points, and folded ones, of three: mouth, fold and deepest point";
         report.add(section.fault_of_name("points_mm", says));
         return None;
-    }
-    let shape = planar_shape(crack, half_length, section)?;
+    };
     if let Err(error) = shape.crack() {
         let name = if section.is_given_name("angle_deg") { "angle_deg" } else { "points_mm" };
         report
             .add(section.fault_of_name(name, format!("the space engine cannot compute this crack: {error}")));
+        return None;
+    }
+    if !accepts_fold(&shape, section, report) {
         return None;
     }
     let aspect = half_length / shape.length;
@@ -145,6 +158,33 @@ fn read_shape(
         return None;
     }
     Some(shape)
+}
+
+/// Whether a folded crack is one that the engine computes; otherwise an error is added.
+fn accepts_fold(shape: &FrontShape, section: &SectionValues, report: &mut Report) -> bool {
+    let (Some(folded), Some(strip)) = (shape.folded(), shape.strip) else { return true };
+    if let Err(error) = folded.checked() {
+        let says = format!("the space engine cannot compute this folded crack: {error}");
+        report.add(section.fault_of_name("points_mm", says));
+        return false;
+    }
+    if section.get(STRIKE).is_some_and(|strike| strike != 0.0) {
+        let says = "a folded crack lies across the rail";
+        report.add(section.fault(STRIKE, says).help("use strike_deg = 0, or a crack of two points"));
+        return false;
+    }
+    let [strip, branch] = [strip.length, shape.length];
+    if strip.min(branch) < LEAST_STRIP * strip.max(branch) {
+        let says = format!(
+            "the parts of the folded crack above and below the fold, {strip:.3} and {branch:.3} mm long, differ by a factor of more than {:.0}, which its cells do not resolve",
+            1.0 / LEAST_STRIP
+        );
+        report.add(
+            section.fault_of_name("points_mm", says).help("leave out the fold: use a crack of two points"),
+        );
+        return false;
+    }
+    true
 }
 
 /// Semi-axes of a crack that its grid resolves.

@@ -1,7 +1,7 @@
 //! The parts of a case that only the engine in space knows, and its size.
 
 use railcrack::growth::FrontShape;
-use railcrack::space::{SpaceResolution, WheelPatch};
+use railcrack::space::{FoldedResolution, SpaceResolution, WheelPatch};
 
 /// The parts of a case that only the engine in space knows.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,13 +20,27 @@ pub(super) const MOST_SPACE_POINTS: usize = 2000;
 impl SpaceCase {
     /// Points of the faces of all cracks of this resolution.
     pub(super) fn face_points(&self, resolution: SpaceResolution) -> usize {
-        self.shapes.iter().map(|shape| face_points(resolution, shape.buried.is_some())).sum()
+        let of_strip = |shape: &FrontShape| points_of_strip(shape, resolution)[0];
+        self.shapes
+            .iter()
+            .map(|shape| face_points(resolution, shape.buried.is_some()) + of_strip(shape))
+            .sum()
     }
 
     /// Points of all fronts.
     pub(super) fn front_points(&self, resolution: SpaceResolution) -> usize {
-        self.shapes.iter().map(|shape| front_points(resolution, shape.buried.is_some())).sum()
+        let of_strip = |shape: &FrontShape| points_of_strip(shape, resolution)[1];
+        self.shapes
+            .iter()
+            .map(|shape| front_points(resolution, shape.buried.is_some()) + of_strip(shape))
+            .sum()
     }
+}
+
+/// Points of the faces and of the front that the strip of a folded crack adds to those of its
+/// branch.
+fn points_of_strip(shape: &FrontShape, resolution: SpaceResolution) -> [usize; 2] {
+    shape.strip.map_or([0; 2], |_| FoldedResolution::below(resolution).points_of_strip())
 }
 
 /// Points of the faces of a crack.

@@ -1,6 +1,6 @@
 //! `[[wheel]] table`: the wheels of a table, grouped, as wheels of the mix.
 
-use super::planar_shape::first_front;
+use super::front_shape::first_front;
 use super::read_wheel::ReadWheel;
 use super::representatives::{FirstCrack, group};
 use super::wheel_table::{TabledWheel, WheelTable};

@@ -14,7 +14,7 @@ section! {
     ANGLE: f64 = number("angle_deg", "degrees", ANGLES, 15.0, "Angle of the crack below the surface, measured from +x; no engine resolves flatter cracks.")
         .required();
     POINTS: Vec<[f64; 2]> = points("points_mm", "mm", within(1e6), &[[0.0, 0.0], [4.0, -1.0], [6.0, -1.2]],
-        "Points of a polyline, the first on the surface (y = 0), or below it for a buried crack with two tips.")
+        "Points of a polyline, the first on the surface (y = 0), or below it for a buried crack with two tips. In the space engine two points, or three of a folded crack: mouth, fold and deepest point.")
         .required();
     CRACK_FRICTION: f64 = number("friction", "", closed(0.0, 2.0), 0.5, "Crack-face friction coefficient.")
         .required();

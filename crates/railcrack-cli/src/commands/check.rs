@@ -295,6 +295,13 @@ fn in_space(case: &Case) -> Vec<CheckLine> {
     let mut rows = Vec::new();
     for shape in &space.shapes {
         let [down, along] = [shape.length, shape.half_length].map(short);
+        if let Some(strip) = shape.strip {
+            let [length, dip] = [strip.length, strip.dip.to_degrees()].map(short);
+            rows.push((
+                "to the fold",
+                format!("{length} mm from the mouth, at {dip} degrees; below it the branch:"),
+            ));
+        }
         rows.push(("semi-axes", format!("{down} mm down the dip, {along} mm along the surface")));
         rows.push(("dip", format!("{} degrees", short(shape.dip.to_degrees()))));
         rows.push(("strike", format!("{} degrees", short(shape.strike.to_degrees()))));

@@ -218,12 +218,18 @@ fn stages(stages: &StagesSummary) -> String {
             stage.interval_mgt.map_or_else(String::new, |interval| format!(", {by} every {interval:.3}"));
         format!("{name}: {mgt:.3} million gross tonnes{inspected}\n")
     };
+    let transverse = one("stage 2, from the turn to failure", &stages.transverse, "ultrasonics");
+    let Some(head_check) = &stages.head_check else {
+        return format!(
+            "has turned down, {:.2} mm deep at the beginning\n{transverse}",
+            stages.turn_depth_mm
+        );
+    };
     format!(
-        "turns down {:.2} mm deep after {:.3} million gross tonnes\n{}{}",
+        "turns down {:.2} mm deep after {:.3} million gross tonnes\n{}{transverse}",
         stages.turn_depth_mm,
         stages.mgt_to_turn,
-        one("stage 1, until it turns", &stages.head_check, "eddy current"),
-        one("stage 2, from the turn to failure", &stages.transverse, "ultrasonics")
+        one("stage 1, until it turns", head_check, "eddy current"),
     )
 }
 
@@ -302,8 +308,12 @@ pub fn result_text(finished: &Finished) -> String {
     let all = if summary.fronts.is_empty() { summary.front.as_slice() } else { &summary.fronts };
     for (k, front) in all.iter().enumerate() {
         let whose = if all.len() > 1 { format!("crack {}: ", k + 1) } else { String::new() };
+        let (axes, fold) = match front.fold_mm {
+            Some(fold) => ("length and half-length", format!("; fold at {fold:.3} mm")),
+            None => ("semi-axes", String::new()),
+        };
         text.push_str(&format!(
-            "{whose}semi-axes {:.3} mm down the dip and {:.3} mm along the surface, from {:.3} and {:.3} mm; {:.3} mm deep\n",
+            "{whose}{axes} {:.3} mm down the dip and {:.3} mm along the surface, from {:.3} and {:.3} mm; {:.3} mm deep{fold}\n",
             front.length_mm,
             front.surface_half_length_mm,
             front.initial_length_mm,

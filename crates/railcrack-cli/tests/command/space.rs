@@ -262,3 +262,41 @@ fn a_mix_with_water_and_maintenance_ends_in_a_decision_and_names_its_places() {
     assert!(said.contains("by right at z = 4.0 mm") && said.contains("by left at z = −4.0 mm"), "{said}");
     done(&folder, &["verify", "run"]);
 }
+
+/// The case with a head check that has turned down, under everything that a case may add.
+fn folded() -> String {
+    let crack = "mouth_mm = 0.0\nlength_mm = 3.0\n";
+    let text = maintained_mix().replace(crack, "points_mm = [[0.0, 0.0], [2.7, -1.3], [3.3, -2.9]]\n");
+    text.replace("angle_deg = 45.0\n", "")
+        .replace("critical_depth_mm = 2.25", "critical_depth_mm = 3.2\nultrasonic_depth_mm = 3.0")
+        + "[fracture]\nsteel = \"R260\"\n[temperature]\nrail_c = -5.0\nneutral_c = 25.0\n"
+}
+
+#[test]
+fn a_folded_crack_has_all_its_files_and_a_decision() {
+    let folder = workplace("folded");
+    fs::write(folder.join("case.toml"), folded()).unwrap();
+    let check = done(&folder, &["check", "case.toml"]);
+    assert!(check.contains("to the fold          2.997 mm from the mouth, at 25.71 degrees"), "{check}");
+    let told = done(&folder, &["run", "case.toml", "--out", "whole", "--quiet"]);
+    assert!(told.contains("fold at ") && told.contains("has turned down, 2.90 mm deep"), "{told}");
+    let run = folder.join("whole");
+    let of = |column: &str| numbers(&run.join("growth.csv"), column);
+    let (phi, depth, length) = (of("phi_deg"), of("depth_mm"), of("length_mm"));
+    // Nine points of the branch between three on each side of the strip.
+    let wanted = [-90.0, -60.0, -30.0, 0.0, 22.5, 45.0, 67.5, 90.0];
+    let differ = phi.iter().zip(wanted).any(|(phi, want)| (phi - want).abs() > 1e-9);
+    assert!(!differ && (phi[14] - 270.0).abs() < 1e-9 && depth[0] == 0.0 && depth[7] == 2.9, "{phi:?}");
+    let path = (2.7f64.hypot(1.3) + 0.6f64.hypot(1.6), length[0]);
+    assert!((path.0 - path.1).abs() < 1e-9 && length[15] != length[0], "{length:?}");
+    for name in names(&run.join("fields")) {
+        assert!(read(&run.join("fields").join(&name)).contains("jump_mm"), "{name}");
+    }
+    let page = read(&run.join("report.html"));
+    assert!(page.contains("from-the-side") && page.contains("one branch"), "{page}");
+    assert!(page.contains("it has turned down before the run"), "{page}");
+    done(&folder, &["report", "whole"]);
+    assert_eq!(read(&run.join("report.html")), page, "rebuilt bit for bit");
+    done(&folder, &["verify", "whole"]);
+    goes_on(&folder);
+}

@@ -205,6 +205,8 @@ interface FrontPoint {
   phi: number;
   x: number;
   depth: number;
+  /** Distance from the mouth down the dip, over a fold. */
+  down: number;
   z: number;
   delta_keq: number;
   rate: number;
@@ -218,7 +220,7 @@ interface FrontPoint {
 interface SpaceData {
   wheel: { half_width: number; lateral_half_width: number; lateral: number };
   origin: number;
-  /** Dip and strike in radians. */
+  /** Dip and strike in radians; of a folded crack, of its branch. */
   cracks: { dip: number; strike: number; middle: number[]; buried: boolean }[];
   /** Angle of the layer at the surface, degrees. */
   layer: number;
@@ -227,7 +229,8 @@ interface SpaceData {
   steps: {
     step: number;
     cycles: number;
-    cracks: { depth: number; half_length: number; front: FrontPoint[] }[];
+    /** With the distance of the fold of a folded crack from the mouth. */
+    cracks: { depth: number; half_length: number; fold: number | null; front: FrontPoint[] }[];
   }[];
 }
 

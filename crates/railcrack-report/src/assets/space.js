@@ -210,9 +210,10 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   function drawPlane() {
     const figure = figures.plane;
     if (!figure.width) return;
-    const { dip, strike, middle } = cracks[state.crack];
+    const { strike, middle } = cracks[state.crack];
+    const { fold } = steps[state.step].cracks[state.crack];
     /** @param {FrontPoint} point */
-    const down = (point) => point.depth / Math.sin(dip);
+    const down = (point) => point.down;
     // Along the mouth, which a strike turns away from z.
     const [sin, cos] = [Math.sin(strike), Math.cos(strike)];
     /** @param {FrontPoint} point */
@@ -225,10 +226,11 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const svg = Plot.plot({
       ...size,
       x: plainAxis(sin === 0 ? "z, across the rail (mm)" : "Along the mouth (mm)", x),
-      y: plainAxis("Down the dip (mm)", [y[1], y[0]]),
+      y: plainAxis(fold === null ? "Down the dip (mm)" : "Down the dip, over the fold (mm)", [y[1], y[0]]),
       ariaLabel: "Fronts in the plane of the crack",
       marks: [
         Plot.ruleY([0], { stroke: "var(--ink)", strokeWidth: 2 }),
+        Plot.ruleY(fold === null ? [] : [fold], { stroke: "var(--quiet)", strokeDasharray: "6 4" }),
         ...steps.map((_, step) =>
           Plot.line(outline(step), {
             x: along,
@@ -262,7 +264,9 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     if (!figure.width) return;
     const points = front(state.step);
     const isClosed = cracks[state.crack].buried;
-    const end = isClosed ? 360 : 180;
+    const isFolded = steps[state.step].cracks[state.crack].fold !== null;
+    // The sides of a strip continue the angle to both sides.
+    const [start, end] = isClosed ? [0, 360] : isFolded ? [-90, 270] : [0, 180];
     const curves = MODES.flatMap(({ key, colour }) => {
       const rows = points.map(({ phi }, i) => {
         const values = histories()[i][key];
@@ -278,10 +282,12 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
         Plot.dot(rows, { x: "phi", y: "k", r: 2.4, fill: colour, title, tip: TIP }),
       ];
     });
-    const layer = isClosed ? [] : [data.layer, 180 - data.layer];
+    const ofStrip = 90 * Math.sin((data.layer * Math.PI) / 180);
+    const strip = [-90 + ofStrip, -ofStrip, 180 + ofStrip, 270 - ofStrip];
+    const layer = isClosed ? [] : [data.layer, 180 - data.layer, ...(isFolded ? strip : [])];
     const svg = Plot.plot({
       ...sized(figure.width, Math.min(380, Math.max(260, 0.6 * figure.width)), MARGIN),
-      x: { ...linear("\u03c6 along the front (\u00b0)", [0, end]), ticks: d3.range(0, end + 1, end / 6) },
+      x: { ...linear("\u03c6 along the front (\u00b0)", [start, end]), ticks: d3.range(start, end + 1, (end - start) / 6) },
       y: linear("K (MPa\u221am)"),
       ariaLabel: "K along the front",
       marks: [
@@ -332,14 +338,16 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const k = MODES.map(({ key, name }) => `${name} = ${signed(values[key][state.position] ?? 0, 2)}`).join(
       ", ",
     );
-    const whose = cracks.length > 1 ? `Crack ${state.crack + 1}: half` : "Half";
+    const axes = crack.fold === null ? "half axes" : "length over the fold and half-length";
+    const said = cracks.length > 1 ? `crack ${state.crack + 1}: ${axes}` : axes;
+    const whose = said.charAt(0).toUpperCase() + said.slice(1);
     const wanted =
       point.wanted === null
         ? ""
         : ` The direction criterion predicts a kink of ${signed(point.wanted, 0)}\u00b0 there.`;
     railcrack.say(
       element("readout"),
-      `${whose} axes ${words(crack.depth)} mm down the dip and ${words(crack.half_length)} mm along the surface, after ` +
+      `${whose} ${words(crack.depth)} mm down the dip and ${words(crack.half_length)} mm along the surface, after ` +
         `${words(step.cycles)} load cycles. At \u03c6 = ${words(point.phi)}\u00b0: ${k} MPa\u221am; ` +
         `\u0394K_{eq} = ${words(point.delta_keq)} MPa\u221am, ${words(point.rate)} mm per cycle.${wanted}`,
     );

@@ -247,7 +247,8 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     let mut steps: Vec<usize> = (0..=parts).map(|part| (part * last + parts / 2) / parts).collect();
     steps.dedup();
     let is_closed = |crack: usize| {
-        growth.iter().any(|row| row.crack == crack && row.phi_deg.is_some_and(|phi| phi > 180.5))
+        let angles = || growth.iter().filter(|row| row.crack == crack).filter_map(|row| row.phi_deg);
+        angles().any(|phi| phi > 180.5) && !angles().any(is_on_strip)
     };
     let curves = |of: &dyn Fn(&TipRow) -> Option<[f64; 2]>, closes: bool| -> Vec<Curve> {
         let curve = |place: usize, crack: usize| {
@@ -288,13 +289,31 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
         aspect: ChartAspect::Equal,
         ..Chart::default()
     };
+    let folded = growth.iter().filter_map(|row| row.phi_deg).any(is_on_strip).then(|| Chart {
+        id: "from-the-side".to_owned(),
+        heading: "From the side".to_owned(),
+        caption: "Fronts of the folded crack from the side, to scale: the sides of the strip from the mouth to the fold, and the \
+                  branch below it."
+            .to_owned(),
+        x: ChartAxis::linear("x, along the rail", "mm"),
+        y: ChartAxis::depth(),
+        curves: curves(&|row| Some([row.place[0], -row.place[1]]), false),
+        aspect: ChartAspect::Equal,
+        ..Chart::default()
+    });
     let sheet = ChartSheet {
         title: summary.title.clone(),
         subtitle: format!("Fronts to scale, from above and along the rail · {model}"),
-        rows: vec![vec![above], vec![side]],
+        rows: [above, side].into_iter().chain(folded).map(|chart| vec![chart]).collect(),
         legend: SheetLegend::default(),
     };
     Plot::sheet("paths.svg", sheet)
+}
+
+/// Whether the front point at φ (degrees) lies on the side of the strip of a folded crack where ζ is
+/// positive.
+fn is_on_strip(phi: f64) -> bool {
+    phi < 0.0
 }
 
 /// Both semi-axes against load cycles.
@@ -307,9 +326,11 @@ fn half_axes(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     let down: fn(&TipRow) -> Option<f64> = |row| Some(row.length);
     let along: fn(&TipRow) -> Option<f64> = |row| row.half_length;
     let count = cracks(growth);
+    let is_folded = growth.iter().filter_map(|row| row.phi_deg).any(is_on_strip);
     let curves = match count {
         0 | 1 => vec![
-            of("semi-axis down the dip", 1, down).with_colour(CurveColour::Category(0)),
+            of(if is_folded { "length over the fold" } else { "semi-axis down the dip" }, 1, down)
+                .with_colour(CurveColour::Category(0)),
             of("semi-axis along the surface", 1, along).with_colour(CurveColour::Category(1)),
         ],
         count => (1..=count)

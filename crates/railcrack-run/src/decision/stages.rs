@@ -11,14 +11,15 @@ use serde::{Deserialize, Serialize};
 pub struct StagesSummary {
     /// Angle of the path below the surface (degrees) from which the crack is transverse.
     pub turned_deg: f64,
-    /// Million gross tonnes until it turns, and is not flatter any more.
+    /// Million gross tonnes until it turns, and is not flatter any more; 0 where it had turned
+    /// before the run.
     pub mgt_to_turn: f64,
     /// Depth of the tip then, mm.
     pub turn_depth_mm: f64,
     /// Length of the crack then, mm.
     pub turn_length_mm: f64,
-    /// Until it turns, inspected by eddy current.
-    pub head_check: StageSummary,
+    /// Until it turns, inspected by eddy current; none where it had turned before the run.
+    pub head_check: Option<StageSummary>,
     /// From the turn to failure, inspected by ultrasonics.
     pub transverse: StageSummary,
 }
@@ -68,16 +69,16 @@ struct State {
 
 impl StagesSummary {
     /// The stages of the tip `followed` (crack and tip, from 0) of `steps` under axles of `tonnes`;
-    /// none where it is transverse from the beginning, or does not turn.
+    /// none where it is transverse from its mouth on, or does not turn.
     pub(super) fn of(
         steps: &[StepDigest],
         followed: (usize, usize),
         tonnes: f64,
         limits: &StageLimits,
     ) -> Option<Self> {
+        let is_followed = |tip: &TipRecord| (tip.tip.crack, tip.tip.tip) == followed;
         let state = |step: &StepDigest| {
-            let same = |tip: &&TipRecord| (tip.tip.crack, tip.tip.tip) == followed;
-            let tip = step.tips.iter().find(same)?;
+            let tip = step.tips.iter().find(|tip| is_followed(tip))?;
             Some(State {
                 mgt: 1e-6 * tonnes * step.load_cycles,
                 depth: tip.depth(),
@@ -87,12 +88,15 @@ impl StagesSummary {
             })
         };
         let states: Vec<State> = steps.iter().filter_map(state).collect();
-        let turn = turn(&states)?;
-        let head_check = {
+        let in_run = turn(&states);
+        let head_check = in_run.map(|turn| {
             let found = limits.detected.filter(|found| *found < turn.mgt);
             let depth = limits.inspection.and_then(|inspection| inspection.detectable_depth);
             limits.stage((0.0, Some(turn.mgt)), depth, found)
-        };
+        });
+        let first = steps.first().and_then(|step| step.tips.iter().find(|tip| is_followed(tip)));
+        let mouth_sine = first.and_then(|tip| tip.mouth_sine);
+        let turn = in_run.or_else(|| states.first().copied().filter(|_| has_turned(mouth_sine, &states)))?;
         let transverse = {
             let depth = limits.inspection.map(|inspection| inspection.ultrasonic_depth);
             let reached = depth.and_then(|depth| reaches(&states, depth)).map(|mgt| mgt.max(turn.mgt));
@@ -133,17 +137,29 @@ impl StageLimits<'_> {
 /// Where the path becomes as steep as a transverse crack, and remains so; none where it always is,
 /// or is not at the end.
 fn turn(states: &[State]) -> Option<State> {
+    let wanted = TURNED_DEG.to_radians().sin();
+    let directions = directions(states);
+    let last_flat = directions.iter().rposition(|(_, sine)| *sine < wanted)?;
+    let ((from, flat), (to, steep)) = (directions[last_flat], *directions.get(last_flat + 1)?);
+    Some(between(from, to, (wanted - flat) / (steep - flat)))
+}
+
+/// Whether a path that is a transverse crack throughout comes from a flat mouth.
+fn has_turned(mouth_sine: Option<f64>, states: &[State]) -> bool {
+    let wanted = TURNED_DEG.to_radians().sin();
+    let directions = directions(states);
+    let steep = !directions.is_empty() && directions.iter().all(|(_, sine)| *sine >= wanted);
+    steep && mouth_sine.is_some_and(|sine| sine < wanted)
+}
+
+/// The sines of the angles of the path below the surface, where they belong: in the middles of the
+/// increments.
+fn directions(states: &[State]) -> Vec<(State, f64)> {
     let sine = |pair: &[State]| {
         let deeper = pair[1].depth - pair[0].depth + pair[1].removed - pair[0].removed;
         (pair[0].grown > 0.0).then(|| deeper / pair[0].grown)
     };
-    let wanted = TURNED_DEG.to_radians().sin();
-    // Directions belong to the middles of the increments.
-    let directions: Vec<(State, f64)> =
-        states.windows(2).filter_map(|pair| Some((between(pair[0], pair[1], 0.5), sine(pair)?))).collect();
-    let last_flat = directions.iter().rposition(|(_, sine)| *sine < wanted)?;
-    let ((from, flat), (to, steep)) = (directions[last_flat], *directions.get(last_flat + 1)?);
-    Some(between(from, to, (wanted - flat) / (steep - flat)))
+    states.windows(2).filter_map(|pair| Some((between(pair[0], pair[1], 0.5), sine(pair)?))).collect()
 }
 
 /// Million gross tonnes until the tip is `depth` (mm) deep.
@@ -197,6 +213,12 @@ mod tests {
         let share = (0.5f64.sqrt() - 0.5) / (0.75f64.sqrt() - 0.5);
         assert!((found.mgt - (3.5 + share)).abs() < 1e-12, "{}", found.mgt);
         assert!(turn(&states[..4]).is_none() && turn(&states[5..]).is_none());
+        // The steep rest has turned where its mouth is flat.
+        let turned = [(Some(0.5), true), (Some(0.9), false), (None, false)];
+        for (mouth_sine, wanted) in turned {
+            assert_eq!(has_turned(mouth_sine, &states[5..]), wanted);
+            assert!(!has_turned(mouth_sine, &states) && !has_turned(mouth_sine, &states[5..6]));
+        }
         // A path that is steep for a while only does not turn.
         let mut back = states.clone();
         back.extend((1..4).map(|i| State { mgt: 10.0 + f64::from(i), ..states[10] }));

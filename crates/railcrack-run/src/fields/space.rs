@@ -3,7 +3,7 @@
 use super::names::name_in_space;
 use crate::disk::files::FIELDS_FOLDER;
 use railcrack::contact::FaceStatus;
-use railcrack::growth::{FaceAcross, FrontShape, PassageRecord, SpaceGeometry, StepRecord};
+use railcrack::growth::{FaceAcross, PassageRecord, SpaceGeometry, StepRecord};
 use railcrack::math::{MPA_SQRT_MM, Vec2};
 use railcrack::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
 
@@ -64,10 +64,10 @@ fn grid_of(
     let of_front = |value: &dyn Fn(usize) -> f64| -> Vec<f64> {
         std::iter::repeat_n(0.0, free).chain((0..tips).map(value)).collect()
     };
-    let frames: Vec<_> = cracks.shapes.iter().map(FrontShape::frame).collect();
+    let frames: Vec<Vec<_>> = cracks.shapes.iter().map(|shape| shape.frames().collect()).collect();
     let jumps = (0..free + tips).flat_map(|i| match states.get(i).zip(faces.points.get(i)) {
         Some((state, point)) => {
-            let frame = &frames[point.crack];
+            let frame = &frames[point.crack][point.segment];
             let [x, z, down] = frame.vector([state.opening, state.slip, third[i][0]]);
             [x, -down, z]
         }

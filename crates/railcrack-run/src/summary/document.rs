@@ -215,7 +215,8 @@ fn front(steps: &[StepDigest], crack: usize) -> Option<FrontSummary> {
     let (first, last) = (steps.first()?, steps.last()?);
     let axes = |step: &StepDigest| {
         let tip = step.tips.iter().find(|tip| tip.tip.crack == crack)?;
-        Some((tip.length, tip.front()?.half_length))
+        let front = tip.front()?;
+        Some((tip.length, front.half_length, front.strip))
     };
     let (initial, now) = (axes(first)?, axes(last)?);
     let own = || last.tips.iter().filter(|tip| tip.tip.crack == crack);
@@ -225,6 +226,7 @@ fn front(steps: &[StepDigest], crack: usize) -> Option<FrontSummary> {
         initial_surface_half_length_mm: initial.1,
         length_mm: now.0,
         surface_half_length_mm: now.1,
+        fold_mm: now.2,
         depth_mm: own().map(|tip| -tip.y).fold(0.0, f64::max),
         z_mm: [lateral().fold(f64::INFINITY, f64::min), lateral().fold(f64::NEG_INFINITY, f64::max)],
     })

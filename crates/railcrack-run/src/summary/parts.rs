@@ -104,14 +104,17 @@ pub struct CrackSummary {
 /// A crack in space in the first and in the last finished step.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FrontSummary {
-    /// Semi-axis down the dip in step 0, mm.
+    /// Semi-axis down the dip in step 0, of a folded crack the length down the dip over the fold, mm.
     pub initial_length_mm: f64,
     /// Semi-axis along the surface in step 0, mm.
     pub initial_surface_half_length_mm: f64,
-    /// Semi-axis down the dip, mm.
+    /// The same in the last step, mm.
     pub length_mm: f64,
     /// Semi-axis along the surface, mm.
     pub surface_half_length_mm: f64,
+    /// Distance of the fold of a folded crack from the mouth, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fold_mm: Option<f64>,
     /// Depth of the deepest point of the front, mm.
     pub depth_mm: f64,
     /// Lateral positions of its ends, mm.

@@ -1,36 +1,83 @@
 //! Cracks in space with their fronts.
 
 use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
 
-/// Shape of a planar crack in space: a half-ellipse that breaks the surface, or a full ellipse
-/// below it.
+/// Shape of a crack in space: a half-ellipse that breaks the surface, or a full ellipse below it.
+/// Of a folded crack the half-ellipse is its branch, below a strip.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FrontShape {
-    /// Angle between the plane, followed downwards, and +x, radians.
+    /// Angle between the plane of the ellipse, followed downwards, and +x, radians.
     pub dip: f64,
-    /// Turn of the plane about the vertical, from +x to the positive lateral direction, radians.
+    /// Turn of the plane about the vertical, from +x to the positive lateral direction, radians;
+    /// zero for a folded crack.
     pub strike: f64,
-    /// Length l: semi-axis down the dip, mm.
+    /// Semi-axis l of the ellipse down the dip, mm.
     pub length: f64,
-    /// Semi-axis c along the surface, mm.
+    /// Semi-axis c of the ellipse along the surface, mm.
     pub half_length: f64,
-    /// x and lateral position (mm) of the middle of the trace of the plane in the surface.
+    /// x and lateral position (mm) of the middle of the trace of the plane in the surface; of a
+    /// folded crack, of the middle of its mouth.
     pub middle: [f64; 2],
     /// Distance (mm) of the middle of a buried ellipse from that trace, along the dip; none for a
     /// crack that breaks the surface.
     pub buried: Option<f64>,
+    /// Part between the mouth and the fold of a folded crack; none for a planar one.
+    pub strip: Option<MouthStrip>,
+}
+
+/// The rectangular strip of a folded crack, from the mouth to the fold. It is as wide as the branch
+/// at the fold.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct MouthStrip {
+    /// Angle between the strip, followed downwards, and +x, radians.
+    pub dip: f64,
+    /// Distance of the fold from the mouth, mm.
+    pub length: f64,
+}
+
+impl FrontShape {
+    /// The length (mm) from the mouth down the dip, over the fold of a folded crack, to the deepest
+    /// point of the front; of a buried crack its semi-axis down the dip.
+    #[must_use]
+    pub fn path_length(&self) -> f64 {
+        self.length + self.strip.map_or(0.0, |strip| strip.length)
+    }
+
+    /// Angle between its topmost plane, followed downwards, and +x, radians: of a folded crack that
+    /// of its strip.
+    #[must_use]
+    pub fn mouth_dip(&self) -> f64 {
+        self.strip.map_or(self.dip, |strip| strip.dip)
+    }
+
+    /// Sine of the angle to the surface at which the crack reaches it; none for a buried crack.
+    #[must_use]
+    pub fn mouth_sine(&self) -> Option<f64> {
+        self.buried.is_none().then(|| self.mouth_dip().sin())
+    }
+
+    /// Whether the front point at φ lies on a side of the strip of a folded crack.
+    #[must_use]
+    pub fn is_on_strip(&self, phi: f64) -> bool {
+        self.strip.is_some() && !(0.0..=PI).contains(&phi)
+    }
 }
 
 /// Quantities that only front points in space have.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FrontTip {
     /// Parametric angle of the ellipse, radians: 0 at the end towards which the trace points
-    /// (without strike, the end with the larger lateral position), π/2 at the deepest point.
+    /// (without strike, the end with the larger lateral position), π/2 at the deepest point. The
+    /// sides of the strip of a folded crack continue it, in proportion to the distance from the
+    /// fold: to −π/2 at one end of the mouth, and from π to 3π/2 at the other.
     pub phi: f64,
     /// Lateral position, mm.
     pub lateral: f64,
     /// Semi-axis of the crack along the surface, mm.
     pub half_length: f64,
+    /// Distance of the fold from the mouth, of a folded crack, mm.
+    pub strip: Option<f64>,
     /// Range of K_III, MPa √mm.
     pub delta_kiii: f64,
     /// Kink that the direction criterion would choose from K_I and K_II, radians; `None` where
@@ -39,7 +86,7 @@ pub struct FrontTip {
     /// Ratio of the growth rate of that kink to the rate straight ahead, both without mode III.
     pub wanted_ratio: Option<f64>,
     /// Whether the point counts in the growth of the front; points in the layer where the front
-    /// meets the surface do not.
+    /// meets the surface, or turns at the end of a fold, do not.
     pub counts: bool,
     /// Ratio of its increment to that given by its own rate alone; `None` without growth, and for
     /// points that do not count.

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 pub enum Geometry {
     /// Polylines in the plane of the rail.
     Plane(PlaneGeometry),
-    /// Planar cracks with curved fronts.
+    /// Cracks with curved fronts.
     Space(SpaceGeometry),
 }
 
@@ -117,7 +117,7 @@ impl Geometry {
     }
 
     /// The length (mm) of every crack: in the plane the length of the polyline plus the deferred
-    /// growth of its tips, in space the semi-axis down the dip.
+    /// growth of its tips, in space [`FrontShape::path_length`].
     #[must_use]
     pub fn lengths(&self) -> Vec<f64> {
         match self {
@@ -125,7 +125,7 @@ impl Geometry {
                 let length = |(i, crack): (usize, &Crack)| crack.length() + plane.deferred_at(i);
                 plane.cracks.iter().enumerate().map(length).collect()
             }
-            Self::Space(space) => space.shapes.iter().map(|shape| shape.length).collect(),
+            Self::Space(space) => space.shapes.iter().map(FrontShape::path_length).collect(),
         }
     }
 }

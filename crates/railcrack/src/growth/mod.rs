@@ -50,7 +50,7 @@ pub use deferred::DeferredGrowth;
 pub use earlier::EarlierStep;
 pub use error::GrowthError;
 pub use field_record::{FieldRecord, FieldSettings, FieldSnapshot};
-pub use front::{FaceAcross, FrontMotion, FrontShape, FrontTip};
+pub use front::{FaceAcross, FrontMotion, FrontShape, FrontTip, MouthStrip};
 pub use geometry::{Geometry, PlaneGeometry, SpaceGeometry, TipCourse};
 pub use growth_loop::Growth;
 pub use judge::TipJudge;

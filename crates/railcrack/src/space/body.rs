@@ -8,6 +8,7 @@ use super::image_table::ImageTable;
 use super::mirror_image::averaged_with_mirror_image;
 use super::plane::{PlaneFrame, Surroundings};
 use super::shape::SpaceCrack;
+use crate::growth::MouthStrip;
 use crate::interruption::{Interrupted, Interruption};
 use crate::linear::{LinearError, spd_inverse_unless};
 use crate::material::IsotropicElastic;
@@ -116,7 +117,8 @@ impl SpaceKernel {
 pub struct FrontPoint {
     /// Its crack, from 0.
     pub crack: usize,
-    /// Parametric angle: 0 and π at the surface, π/2 at the deepest point, radians.
+    /// Parametric angle: 0 and π at the surface, π/2 at the deepest point, radians. The sides of the
+    /// strip of a folded crack continue it from 0 to −π/2 and from π to 3π/2 at the mouth.
     pub phi: f64,
     /// x, lateral and depth, mm.
     pub position: [f64; 3],
@@ -162,9 +164,11 @@ pub(super) struct LoadPoint {
 /// A crack of a body.
 #[derive(Debug, Clone)]
 pub struct CrackPart {
-    /// Its shape.
+    /// Its shape; of a folded crack, that of its branch.
     pub shape: SpaceCrack,
-    /// The directions of its plane.
+    /// The strip of a folded crack, above its branch.
+    pub strip: Option<MouthStrip>,
+    /// The directions of the plane of its shape.
     pub frame: PlaneFrame,
     /// Its points.
     pub points: Range<usize>,
@@ -174,7 +178,35 @@ pub struct CrackPart {
     pub fold: Vec<usize>,
 }
 
-/// Planar cracks in the half-space as matrices: with f the nodal forces on their faces, ⟦w⟧ = C f
+impl CrackPart {
+    /// (s, ζ) of a point (x, lateral, depth; mm) of the crack: the distance from the trace down the
+    /// dip, over the fold of a folded crack from its mouth, and the distance along the trace.
+    pub(super) fn coordinates(&self, [x, lateral, depth]: [f64; 3]) -> [f64; 2] {
+        let from = [x - self.shape.middle[0], lateral - self.shape.middle[1], depth];
+        let Some(strip) = self.strip else {
+            let [_, s, zeta] = self.frame.components(from);
+            return [s, zeta];
+        };
+        let fold = strip.length * strip.dip.sin();
+        let below = (depth - fold).max(0.0) / self.shape.dip.sin();
+        [depth.min(fold) / strip.dip.sin() + below, from[1]]
+    }
+
+    /// x and lateral position (mm) of the mouth at ζ.
+    pub(super) fn mouth(&self, zeta: f64) -> [f64; 2] {
+        let foot = self.frame.position(0.0, zeta);
+        [0, 1].map(|e| self.shape.middle[e] + foot[e])
+    }
+
+    /// s of the front at ζ.
+    pub(super) fn reach(&self, zeta: f64) -> f64 {
+        let across = zeta / self.shape.half_length;
+        let below = self.shape.length * (1.0 - across * across).max(0.0).sqrt();
+        below + self.strip.map_or(0.0, |strip| strip.length)
+    }
+}
+
+/// Cracks in the half-space as matrices: with f the nodal forces on their faces, ⟦w⟧ = C f
 /// and K = S f. Points of cracks and of fronts are numbered crack by crack.
 #[derive(Debug, Clone)]
 pub struct SpaceBody {
@@ -333,6 +365,7 @@ impl SpaceBody {
         self.plane_of_point.resize(self.points.len(), crack);
         self.cracks.push(CrackPart {
             shape: shape.clone(),
+            strip: None,
             frame: placed.frame,
             points: first..self.points.len(),
             front: first_of_front..self.front.len(),
@@ -343,6 +376,14 @@ impl SpaceBody {
     /// The cracks.
     pub fn cracks(&self) -> &[CrackPart] {
         &self.cracks
+    }
+
+    /// The plane in which a point has its components: of strip (0) or branch (1) of a folded crack,
+    /// otherwise that of its crack.
+    pub fn plane_of(&self, point: usize) -> (usize, &PlaneFrame) {
+        let plane = self.plane_of_point[point];
+        let of_crack = if self.cracks.iter().any(|crack| crack.strip.is_some()) { plane } else { 0 };
+        (of_crack, &self.planes[plane])
     }
 
     /// The crack (from 0) of a point.
@@ -513,7 +554,7 @@ fn stiffness_of(
         } else {
             let image = kernel.map(|kernel| kernel.image(cracks[k].dip));
             let own = Galerkin::new(crack.grid, poisson, image.as_ref()).stiffness_unless(interruption)?;
-            let own = averaged_with_mirror_image(own, crack.grid);
+            let own = averaged_with_mirror_image(own, &crack.grid.vertices[..crack.grid.free]);
             for i in 0..size {
                 let into = &mut stiffness.row_mut(start + i)[start..start + size];
                 into.iter_mut().zip(own.row(i)).for_each(|(into, value)| *into = mu * value);

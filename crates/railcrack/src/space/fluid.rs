@@ -185,12 +185,9 @@ impl FluidOnFaces {
             return 0.0;
         }
         let part = &body.cracks()[crack];
-        let [x, lateral] = part.shape.middle;
-        let [_, s, zeta] = part.frame.components([point[0] - x, point[1] - lateral, point[2]]);
-        let foot = part.frame.position(0.0, zeta);
-        let pressure = over(position, [x + foot[0], lateral + foot[1]]).min(cap);
-        let across = zeta / part.shape.half_length;
-        let length = part.shape.length * (1.0 - across * across).max(0.0).sqrt();
+        let [s, zeta] = part.coordinates(point);
+        let pressure = over(position, part.mouth(zeta)).min(cap);
+        let length = part.reach(zeta);
         match self.profile {
             PressureProfile::Constant => pressure,
             PressureProfile::Linear if s < length => pressure * (1.0 - s / length),

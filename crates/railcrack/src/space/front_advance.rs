@@ -100,7 +100,7 @@ impl FrontAdvance {
         if pace.removal > 0.0 {
             remove_surface(start, pace.removal, &mut shapes, &mut stopped);
         }
-        let longest = start.shapes.iter().map(|shape| shape.length).fold(0.0, f64::max);
+        let longest = start.shapes.iter().map(FrontShape::path_length).fold(0.0, f64::max);
         let stops: Vec<_> = start.stopped.iter().copied().zip(stopped.iter().copied()).collect();
         let stop = run_stop(growth, &start.at, start.breaks, longest).or_else(|| nothing_grows(&stops));
         if stop.is_some() {
@@ -128,15 +128,16 @@ fn first_event(
         }
         let grown = after.length - before.length;
         // A buried crack is not shortened.
-        let cut = removal / before.dip.sin();
+        let cut = removal / before.mouth_sine().unwrap_or_else(|| before.dip.sin());
+        let length = before.path_length();
         let lengthens = if before.buried.is_none() { grown - cut } else { grown };
         let critical = growth
             .critical_length
-            .filter(|critical| before.length < *critical && before.length + lengthens > *critical)
-            .map(|critical| Event { part: (critical - before.length) / lengthens, ends_run: true });
-        let least = least_length(start.at.worn.longest_of(crack, before.length), resolution(before));
+            .filter(|critical| length < *critical && length + lengthens > *critical)
+            .map(|critical| Event { part: (critical - length) / lengthens, ends_run: true });
+        let least = least_length(start.at.worn.longest_of(crack, length), resolution(before));
         let away = (before.buried.is_none() && removal > 0.0)
-            .then(|| part_until_worn_away(before.length, cut - grown, least))
+            .then(|| part_until_worn_away(length, cut - grown, least))
             .flatten()
             .map(|part| Event { part, ends_run: true });
         let ligament = |shape: &FrontShape, cut: f64| {
@@ -159,8 +160,8 @@ fn pace(start: &Start, growth: &GrowthSettings, stopped: &[Option<TipStop>], par
     let there = (0..start.shapes.len()).filter(|&crack| stopped[crack] != Some(TipStop::WornAway));
     let wearing = there.map(|crack| {
         let shape = &start.shapes[crack];
-        let mouth_sine = if shape.buried.is_none() { shape.dip.sin() } else { 1.0 };
-        WearingCrack { mouth_sine, longest: start.at.worn.longest_of(crack, shape.length) }
+        let mouth_sine = shape.mouth_sine().unwrap_or(1.0);
+        WearingCrack { mouth_sine, longest: start.at.worn.longest_of(crack, shape.path_length()) }
     });
     let moving = Moving {
         all: start.movers,
@@ -178,7 +179,7 @@ fn remove_surface(start: &Start, removal: f64, shapes: &mut [FrontShape], stoppe
         if *stop == Some(TipStop::WornAway) {
             continue;
         }
-        let longest = start.at.worn.longest_of(crack, start.shapes[crack].length);
+        let longest = start.at.worn.longest_of(crack, start.shapes[crack].path_length());
         let (left, fate) = worn(shape, removal, longest, resolution(shape));
         *shape = left;
         *stop = match fate {
@@ -232,9 +233,8 @@ fn part_until_meeting(
 
 /// Whether a crack of this shape would leave the rail, or has no ligament left.
 fn leaves(shape: &FrontShape, rail: RailBox) -> Option<TipStop> {
-    let deepest = shape.buried.unwrap_or(0.0) + shape.length;
-    let [x, _, depth] = shape.frame().position(deepest, 0.0);
-    let inside = depth < rail.depth && (shape.middle[0] + x - rail.centre).abs() < 0.5 * rail.width;
+    let deepest = shape.deepest();
+    let inside = -deepest.y < rail.depth && (deepest.x - rail.centre).abs() < 0.5 * rail.width;
     if !inside {
         return Some(TipStop::LeavesRail);
     }
@@ -261,6 +261,7 @@ mod tests {
             half_length: 4.0,
             middle: [x, lateral],
             buried: None,
+            strip: None,
         }
     }
 

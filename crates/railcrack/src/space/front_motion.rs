@@ -3,14 +3,14 @@
 //! The front stays an ellipse. Its motion is described by the speeds of its ends: down the dip and
 //! to both sides, and up the dip where it is buried. Of all motions without a retreating end, the
 //! one whose normal speed is closest to the local rates in the mean square along the front is
-//! taken.
+//! taken. The sides of the strip of a folded crack move with the ends of its branch.
 
 use super::body::FrontPoint;
 use crate::growth::{FrontMotion, FrontShape, Mover};
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Half-width (radians of φ) of the layer in which the front meets the surface, which no cell
-/// resolves.
+/// Half-width (radians of φ) of the layer in which the front meets the surface, or turns at the end
+/// of a fold, which no cell resolves.
 pub const VERTEX_LAYER: f64 = 15.0 * PI / 180.0;
 
 /// The speeds of the motions of an elliptical front (mm per cycle), or their increments (mm).
@@ -19,11 +19,29 @@ pub(super) struct FrontSpeeds {
     motions: Vec<(FrontMotion, f64)>,
 }
 
-/// Whether the point at φ counts in the growth of `shape`.
+/// Whether the point at φ counts in the growth of `shape`. On the sides of a strip the layer is as
+/// wide, relative to the length of the strip, as in the branch relative to its semi-axis.
 pub(super) fn counts(shape: &FrontShape, phi: f64) -> bool {
     // Points exactly at the limit count, irrespective of round-off.
     let least = VERTEX_LAYER - 1e-9;
+    if shape.is_on_strip(phi) {
+        let from_fold = strip_side(phi).1;
+        let layer = least.sin();
+        return from_fold >= layer && from_fold <= 1.0 - layer;
+    }
     shape.buried.is_some() || (phi >= least && phi <= PI - least)
+}
+
+/// The side of the strip on which the point at φ lies (1 where ζ > 0, −1 where ζ < 0), and its
+/// distance from the fold relative to the length of the strip.
+fn strip_side(phi: f64) -> (f64, f64) {
+    if phi < 0.0 { (1.0, -phi / FRAC_PI_2) } else { (-1.0, (phi - PI) / FRAC_PI_2) }
+}
+
+/// φ of the side points of a strip at the distance `from_fold` from the fold, relative to the
+/// length of the strip: where ζ > 0 and where ζ < 0.
+pub(super) fn phi_on_strip(from_fold: f64) -> [f64; 2] {
+    [-from_fold * FRAC_PI_2, PI + from_fold * FRAC_PI_2]
 }
 
 fn motions(shape: &FrontShape) -> &'static [FrontMotion] {
@@ -33,8 +51,9 @@ fn motions(shape: &FrontShape) -> &'static [FrontMotion] {
 
 /// The normal speed of the front at φ under a unit speed of `motion`.
 fn normal_speed(shape: &FrontShape, motion: FrontMotion, point: &FrontPoint) -> f64 {
-    let (sin, cos) = point.phi.sin_cos();
     let [down, along] = point.normal;
+    let (sin, cos) =
+        if shape.is_on_strip(point.phi) { (0.0, strip_side(point.phi).0) } else { point.phi.sin_cos() };
     match motion {
         // The mouth of a surface-breaking crack stays where it is.
         FrontMotion::Down if shape.buried.is_none() => down * sin,
@@ -183,9 +202,18 @@ fn least_squares(rows: &[(Vec<f64>, f64, f64)], moving: &[usize]) -> Option<Vec<
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::growth::MouthStrip;
 
     fn shape(buried: Option<f64>) -> FrontShape {
-        FrontShape { dip: 0.5, strike: 0.0, length: 3.0, half_length: 5.0, middle: [0.0, 1.0], buried }
+        FrontShape {
+            dip: 0.5,
+            strike: 0.0,
+            length: 3.0,
+            half_length: 5.0,
+            middle: [0.0, 1.0],
+            buried,
+            strip: None,
+        }
     }
 
     fn front(shape: &FrontShape, count: usize) -> Vec<FrontPoint> {
@@ -236,6 +264,45 @@ mod tests {
             assert!((x + 0.5).abs() < 1e-9 && lateral.abs() < 1e-9, "ends move along the trace: {turned:?}");
             assert!((by[0] - 3.0).abs() < 1e-9 && (by[1] + 2.0).abs() < 1e-9 && (by[2] - 1.0).abs() < 1e-9);
         }
+    }
+
+    #[test]
+    fn the_sides_of_a_strip_move_with_the_ends_of_the_branch() {
+        let strip = Some(MouthStrip { dip: 0.4, length: 2.0 });
+        let shape = FrontShape { strip, ..shape(None) };
+        let side = |from_fold: f64| {
+            let [plus, minus] = phi_on_strip(from_fold);
+            let at = |phi: f64, zeta: f64| FrontPoint {
+                crack: 0,
+                phi,
+                position: [0.0, zeta, -2.0 * from_fold],
+                normal: [0.0, zeta.signum()],
+            };
+            [at(plus, 5.0), at(minus, -5.0)]
+        };
+        let sides: Vec<[FrontPoint; 2]> = (1..=10).map(|k| side(0.1 * f64::from(k))).collect();
+        let before = sides.iter().rev().map(|pair| pair[0]);
+        let all: Vec<FrontPoint> =
+            before.chain(front(&shape, 17)).chain(sides.iter().map(|pair| pair[1])).collect();
+        // The layers at the mouth and at the fold do not count.
+        let counted: Vec<f64> =
+            sides.iter().filter(|pair| counts(&shape, pair[0].phi)).map(|pair| pair[0].position[2]).collect();
+        assert!(counted.len() == 5 && counted.iter().all(|z| *z < -0.5 && *z > -1.5), "{counted:?}");
+        let wanted =
+            FrontSpeeds { motions: motions(&shape).iter().copied().zip([1e-6, 3e-6, 2e-6]).collect() };
+        let rates: Vec<f64> = all.iter().map(|point| wanted.at(&shape, point)).collect();
+        assert!((rates[0] - 3e-6).abs() < 1e-18 && (rates[all.len() - 1] - 2e-6).abs() < 1e-18);
+        let found = FrontSpeeds::nearest(&shape, &all, &rates);
+        for &(motion, speed) in &wanted.motions {
+            assert!((found.of(motion) - speed).abs() < 1e-16, "{motion:?} {found:?}");
+        }
+        let grown = found.map(|_, speed| 1e6 * speed).moved(&shape);
+        assert!((grown.path_length() - shape.path_length() - 1.0).abs() < 1e-9 && grown.strip == strip);
+        // A fast side alone draws its end.
+        let rates: Vec<f64> = all.iter().map(|point| if point.phi < 0.0 { 1e-6 } else { 0.0 }).collect();
+        let found = FrontSpeeds::nearest(&shape, &all, &rates);
+        let ends = [FrontMotion::Plus, FrontMotion::Minus].map(|motion| found.of(motion));
+        assert!(ends[0] > 1e-7 && ends[1] < 0.2 * ends[0], "{found:?}");
     }
 
     #[test]

@@ -1,6 +1,5 @@
 //! Mirror images of the points of a crack about its line of dip.
 
-use super::grid::Grid;
 use crate::math::Matrix;
 
 /// Signs of the components of mirrored jumps and forces.
@@ -10,10 +9,9 @@ pub(super) const SIGNS: [f64; 3] = [1.0, 1.0, -1.0];
 pub(super) const COINCIDENT: f64 = 1e-9;
 
 /// The stiffness `own` (3p × 3p) of a crack by itself, averaged with its mirror image about the
-/// line of dip through the middle: every crack on the grid is its own mirror image, but the
-/// quadrature takes the cells in an order that is not.
-pub(super) fn averaged_with_mirror_image(own: Matrix, grid: &Grid) -> Matrix {
-    let points = &grid.vertices[..grid.free];
+/// line of dip through the middle: every crack with these `points` (s, ζ) is its own mirror image,
+/// but the quadrature takes the cells in an order that is not.
+pub(super) fn averaged_with_mirror_image(own: Matrix, points: &[[f64; 2]]) -> Matrix {
     let size = points.iter().flatten().fold(0.0f64, |most, x| most.max(x.abs()));
     let image = |[s, zeta]: &[f64; 2]| {
         let is_image = |[u, v]: &[f64; 2]| (u - s).abs().max((v + zeta).abs()) <= COINCIDENT * size;

@@ -1,4 +1,4 @@
-//! Planar cracks with curved fronts in the half-space.
+//! Cracks with curved fronts in the half-space.
 
 mod bilinear;
 mod body;
@@ -28,6 +28,7 @@ mod plane;
 mod rail;
 mod records;
 mod shape;
+mod shapes;
 mod slip_origin;
 mod stabilised;
 mod states;
@@ -51,6 +52,8 @@ pub use passage::{
 pub use plane::{PlaneFrame, Surroundings};
 pub use rail::{CracksInSpace, SpaceRail, SpaceWheel};
 pub use shape::{Extent, ShapeError, SpaceCrack};
+pub use shapes::{ShapesError, body_of};
 pub use states::{SpaceFaces, SpaceStatus};
 pub use unfelt_gap::UnfeltWheel;
 pub use wheel::EllipticWheel;
+pub use worn::LEAST_STRIP;

@@ -1,9 +1,10 @@
-//! A half-space with planar cracks, as the growth loop sees it.
+//! A half-space with cracks, as the growth loop sees it.
 
 use super::bilinear::WheelPatch;
 use super::body::{CloseCracks, FrontPoint, SpaceBody, SpaceError, SpaceKernel};
 use super::contact::{SpaceContact, SpaceContactError};
 use super::fluid::SpaceFluid;
+use super::fold::FoldedCrack;
 use super::front_advance::{FrontAdvance, Start};
 use super::front_motion::{FrontSpeeds, counts};
 use super::grid::SpaceResolution;
@@ -12,6 +13,7 @@ use super::passage::{SpaceFluidLoad, SpaceLoad};
 use super::plane::PlaneFrame;
 use super::records::stabilised_record;
 use super::shape::{Extent, ShapeError, SpaceCrack};
+use super::shapes::{ShapesError, body_of};
 use super::stabilised::{StabilisedSpace, stabilised_space_passage};
 use super::tips::FrontLaw;
 use crate::body::BodyError;
@@ -94,7 +96,8 @@ pub struct SpaceSite {
 }
 
 impl FrontShape {
-    /// The crack of this shape.
+    /// The planar crack of this shape; of a folded crack its branch, as if the fold lay in the
+    /// surface.
     ///
     /// Errors: an inadmissible shape.
     pub fn crack(&self) -> Result<SpaceCrack, ShapeError> {
@@ -111,27 +114,69 @@ impl FrontShape {
         crack.checked()
     }
 
+    /// The folded crack of this shape; none for a planar one.
+    #[must_use]
+    pub fn folded(&self) -> Option<FoldedCrack> {
+        let strip = self.strip?;
+        Some(FoldedCrack {
+            mouth_dip: strip.dip,
+            branch_dip: self.dip,
+            fold: strip.length,
+            half_length: self.half_length,
+            branch: self.length,
+            middle: self.middle,
+        })
+    }
+
     /// The line down the dip through the middle of the crack, seen from the side of the rail;
     /// without strike, the section of the crack along the rail.
     ///
     /// Errors: an inadmissible shape.
     pub fn section(&self) -> Result<Crack, CrackError> {
-        let at = |s: f64| {
-            let [x, _, depth] = self.frame().position(s, 0.0);
-            Vec2::new(self.middle[0] + x, -depth)
-        };
-        match self.buried {
-            None if self.strike == 0.0 => Crack::surface_breaking(self.middle[0], self.length, self.dip),
-            None => Crack::polyline(vec![at(0.0), at(self.length)]),
-            Some(centre) => Crack::polyline(vec![at(centre - self.length), at(centre + self.length)]),
+        match (self.buried, self.strip) {
+            (None, Some(strip)) => {
+                let mouth = Vec2::new(self.middle[0], 0.0);
+                Crack::polyline(vec![mouth, mouth + down(strip.dip) * strip.length, self.deepest()])
+            }
+            (None, None) if self.strike == 0.0 => {
+                Crack::surface_breaking(self.middle[0], self.length, self.dip)
+            }
+            (None, None) => Crack::polyline(vec![self.at(0.0), self.at(self.length)]),
+            (Some(centre), _) => {
+                Crack::polyline(vec![self.at(centre - self.length), self.at(centre + self.length)])
+            }
         }
     }
 
-    /// The directions of its plane.
+    /// The point at the distance s (mm) from the trace down the middle of the plane, seen from the
+    /// side of the rail.
+    fn at(&self, s: f64) -> Vec2 {
+        let [x, _, depth] = self.frame().position(s, 0.0);
+        Vec2::new(self.middle[0] + x, -depth)
+    }
+
+    /// The deepest point of the front, seen from the side of the rail.
+    pub(super) fn deepest(&self) -> Vec2 {
+        let from_fold = self.at(self.buried.unwrap_or(0.0) + self.length);
+        self.strip.map_or(from_fold, |strip| from_fold + down(strip.dip) * strip.length)
+    }
+
+    /// The directions of the plane of its ellipse.
     #[must_use]
     pub fn frame(&self) -> PlaneFrame {
         PlaneFrame::turned(self.dip, self.strike)
     }
+
+    /// The directions of all its planes, from the mouth down: one, or those of strip and branch.
+    pub fn frames(&self) -> impl Iterator<Item = PlaneFrame> {
+        self.strip.map(|strip| PlaneFrame::new(strip.dip)).into_iter().chain([self.frame()])
+    }
+}
+
+/// Unit vector down a plane without strike, seen from the side of the rail.
+fn down(dip: f64) -> Vec2 {
+    let [x, _, depth] = PlaneFrame::new(dip).position(1.0, 0.0);
+    Vec2::new(x, -depth)
 }
 
 impl GrowthState {
@@ -222,22 +267,22 @@ impl CrackedRail for SpaceRail {
         let Geometry::Space(geometry) = &state.geometry else {
             return Err(GrowthError::Geometry { step, found: "in the plane", wanted: "in space" });
         };
-        let cracks = geometry.shapes.iter().map(FrontShape::crack).collect::<Result<Vec<_>, _>>();
-        let cracks = cracks.map_err(|error| body_error(step, error))?;
         let steel = self.steel;
-        let dips: Vec<f64> = cracks.iter().map(|crack| crack.dip).collect();
+        let dips: Vec<f64> = geometry.shapes.iter().map(FrontShape::mouth_dip).collect();
         let kernel = self.kernel.get_or_insert_with(|| SpaceKernel::new(&dips, steel.poisson()));
-        let body = SpaceBody::with_kernel(&cracks, &steel, Some(kernel), self.resolution, interruption);
+        let body = body_of(&geometry.shapes, &steel, kernel, self.resolution, interruption);
         let body = body.map_err(|error| match error {
-            SpaceError::Interrupted(_) => GrowthError::Interrupted { step },
-            SpaceError::Linear(_) if interruption.check().is_err() => GrowthError::Interrupted { step },
+            ShapesError::Body(SpaceError::Interrupted(_)) => GrowthError::Interrupted { step },
+            ShapesError::Body(SpaceError::Linear(_)) if interruption.check().is_err() => {
+                GrowthError::Interrupted { step }
+            }
             other => body_error(step, other),
         })?;
         Ok(CracksInSpace { geometry: geometry.clone(), body })
     }
 
-    fn report(&self, CracksInSpace { body, .. }: &CracksInSpace) -> BodyReport {
-        let remarks = body.cracks().iter().enumerate().filter_map(|(k, part)| flat_crack(k, &part.shape));
+    fn report(&self, CracksInSpace { geometry, body }: &CracksInSpace) -> BodyReport {
+        let remarks = geometry.shapes.iter().enumerate().filter_map(|(k, shape)| flat_crack(k, shape));
         BodyReport { dofs: 3 * body.points().len(), remarks: remarks.collect(), ..BodyReport::default() }
     }
 
@@ -319,7 +364,7 @@ impl CrackedRail for SpaceRail {
         demand.largest_k1 / toughness
     }
 
-    /// Cracks in space are planar.
+    /// Cracks in space keep their planes.
     fn popped_in(&self, _: &SpaceSite, _: &[&TipRecord], _: f64) -> Option<Geometry> {
         None
     }
@@ -428,9 +473,9 @@ fn misfits(tips: &[TipRecord], start: &Start, site: &SpaceSite) -> Vec<Warning> 
 const FLAT: f64 = 15.0;
 
 /// A remark on crack `k` (from 0) where its flap is flatter than the verified cases.
-fn flat_crack(k: usize, shape: &SpaceCrack) -> Option<String> {
-    let angle = shape.dip.sin().asin().to_degrees();
-    (shape.extent == Extent::SurfaceBreaking && angle < FLAT * (1.0 - 1e-9)).then(|| {
+fn flat_crack(k: usize, shape: &FrontShape) -> Option<String> {
+    let angle = shape.mouth_sine()?.asin().to_degrees();
+    (angle < FLAT * (1.0 - 1e-9)).then(|| {
         format!(
             "crack {}: it dips at {angle:.1} degrees, below the {FLAT:.0} degrees down to which this engine is verified: the flap \
              above it bends, and at 10 degrees the integrals alone leave K uncertain by 3 %; more cells (space_cells, space_rings) \

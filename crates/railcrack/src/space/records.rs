@@ -62,11 +62,12 @@ fn face_record(body: &SpaceBody, passage: &StabilisedSpace, written: Vec<usize>)
     // Direction down the dip, seen from the side of the rail.
     let points = body.points().iter().zip(&areas).enumerate().map(|(a, ([x, _, depth], area))| {
         let crack = body.crack_of(a);
-        let [along, _, down] = body.cracks()[crack].frame.position(1.0, 0.0);
+        let (plane, frame) = body.plane_of(a);
+        let [along, _, down] = frame.position(1.0, 0.0);
         FacePoint {
             crack,
-            segment: 0,
-            s: depth / down,
+            segment: plane,
+            s: body.cracks()[crack].coordinates(body.points()[a])[0],
             position: Vec2::new(*x, -depth),
             tangent: Vec2::new(along, -down),
             weight: *area,

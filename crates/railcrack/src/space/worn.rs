@@ -1,6 +1,11 @@
 //! Cracks in space cut by wear and grinding.
 
-use crate::growth::{FrontShape, least_length, spent_ligament};
+use super::plane::PlaneFrame;
+use crate::growth::{FrontShape, MouthStrip, least_length, spent_ligament};
+
+/// Least length of the strip of a folded crack, relative to the semi-axis of its branch down the
+/// dip; that of the branch relative to the strip is the same.
+pub const LEAST_STRIP: f64 = 0.05;
 
 /// State of a crack after the surface above it has been removed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,7 +26,13 @@ pub(super) enum Worn {
 /// same deepest point and the same chord: l' = l − s and c' = c √(1 − s²/l²), whose area is larger
 /// by 1.1 % for s = 0.04 l and by 7.7 % for s = l/3. Many small cuts shorten the chord less than
 /// one cut of the same depth, since each begins from a front that is normal to the surface.
+///
+/// Of a folded crack the strip is shortened. Where less than [`LEAST_STRIP`] of it remains, the
+/// branch with its chord reaches the surface and is cut from then on.
 pub(super) fn worn(shape: &FrontShape, depth: f64, longest: f64, resolution: f64) -> (FrontShape, Worn) {
+    if let Some(strip) = shape.strip {
+        return worn_fold(shape, strip, depth, longest, resolution);
+    }
     let s = depth / shape.dip.sin();
     let [x, lateral, _] = shape.frame().position(s, 0.0);
     // The trace of the plane in the new surface is the new origin.
@@ -52,6 +63,33 @@ pub(super) fn worn(shape: &FrontShape, depth: f64, longest: f64, resolution: f64
     (FrontShape { length: least, half_length: aspect * least, buried, ..lowered }, Worn::Away)
 }
 
+fn worn_fold(
+    shape: &FrontShape,
+    strip: MouthStrip,
+    depth: f64,
+    longest: f64,
+    resolution: f64,
+) -> (FrontShape, Worn) {
+    let along = |s: f64| PlaneFrame::new(strip.dip).position(s, 0.0);
+    let [x, lateral] = shape.middle;
+    let cut = depth / strip.dip.sin();
+    let left = strip.length - cut;
+    if left >= LEAST_STRIP * shape.length {
+        let strip = Some(MouthStrip { length: left, ..strip });
+        return (FrontShape { middle: [x + along(cut)[0], lateral], strip, ..*shape }, Worn::Left);
+    }
+    let [ahead, _, fold] = along(strip.length);
+    // The branch below the depth of the fold, and what is left above it.
+    let above = (fold - depth).max(0.0);
+    let branch = FrontShape {
+        length: shape.length + above / shape.dip.sin(),
+        middle: [x + ahead - above / shape.dip.tan(), lateral],
+        strip: None,
+        ..*shape
+    };
+    worn(&branch, (depth - fold).max(0.0), longest, resolution)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -64,6 +102,7 @@ mod tests {
         half_length: 9.0,
         middle: [1.0, 2.0],
         buried: None,
+        strip: None,
     };
 
     #[test]
@@ -104,5 +143,34 @@ mod tests {
         // The lower end keeps its place in the steel.
         let lower = left.buried.unwrap() + left.length;
         assert!(fate == Worn::BrokenOut && (lower - (7.0 - 3.2)).abs() < 1e-12, "{left:?}");
+    }
+
+    #[test]
+    fn the_strip_of_a_folded_crack_is_worn_first() {
+        let strip = Some(MouthStrip { dip: FRAC_PI_6, length: 4.0 });
+        let crack = FrontShape { dip: 1.2, strip, ..CRACK };
+        let place = |shape: &FrontShape, removed: f64| {
+            let deepest = shape.deepest();
+            [deepest.x, deepest.y - removed]
+        };
+        let want = place(&crack, 0.0);
+        let stays = |shape: &FrontShape, removed: f64| {
+            let found = place(shape, removed);
+            (found[0] - want[0]).hypot(found[1] - want[1]) < 1e-12
+        };
+        // 2 mm along the strip.
+        let (left, fate) = worn(&crack, 1.0, 10.0, 0.1);
+        assert_eq!((fate, left.length, left.half_length), (Worn::Left, 6.0, 9.0));
+        assert!((left.strip.unwrap().length - 2.0).abs() < 1e-12 && stays(&left, 1.0), "{left:?}");
+        // Down to 0.02 mm above the fold: that little is left to the branch.
+        let (left, _) = worn(&crack, 1.98, 10.0, 0.1);
+        assert!(left.strip.is_none() && stays(&left, 1.98), "{left:?}");
+        assert!((left.length - 6.0 - 0.02 / 1.2f64.sin()).abs() < 1e-12 && left.half_length == 9.0);
+        // Below the fold the branch is cut as a planar crack.
+        let (left, _) = worn(&crack, 2.5, 10.0, 0.1);
+        let planar = FrontShape { strip: None, middle: [1.0 + 4.0 * FRAC_PI_6.cos(), 2.0], ..crack };
+        let (want, _) = worn(&planar, 0.5, 10.0, 0.1);
+        assert!((left.length - want.length).abs() < 1e-12 && stays(&left, 2.5), "{left:?}");
+        assert!((left.half_length - want.half_length).abs() < 1e-12, "{left:?}");
     }
 }

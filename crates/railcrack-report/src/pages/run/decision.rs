@@ -103,14 +103,19 @@ fn stages(stages: &StagesSummary) -> [String; 2] {
         || "the run ends before it fails".to_owned(),
         |mgt| format!("{} MGT to failure", tonnage(mgt)),
     );
-    [
-        format!(
-            "Stage 1, head check: {} MGT until it turns down, {} mm deep and {} mm long.{}",
+    let [depth, long] = [stages.turn_depth_mm, stages.turn_length_mm].map(|value| fixed(value, 2));
+    let first = match &stages.head_check {
+        Some(head_check) => format!(
+            "Stage 1, head check: {} MGT until it turns down, {depth} mm deep and {long} mm long.{}",
             tonnage(stages.mgt_to_turn),
-            fixed(stages.turn_depth_mm, 2),
-            fixed(stages.turn_length_mm, 2),
-            found(&stages.head_check, "Eddy current")
+            found(head_check, "Eddy current")
         ),
+        None => format!(
+            "Stage 1, head check: it has turned down before the run, which begins {depth} mm deep and {long} mm long."
+        ),
+    };
+    [
+        first,
         format!("Stage 2, transverse crack: {length}.{}", found(&stages.transverse, "Ultrasonic testing")),
     ]
 }

@@ -14,7 +14,7 @@ use crate::shown::{Deflated, ShownRun};
 use crate::table::Table;
 use railcrack::contact::FluidModel;
 use railcrack::fatigue::GrowthLaw;
-use railcrack::growth::RunStop;
+use railcrack::growth::{FrontShape, RunStop, TipStop};
 use railcrack::space::{VERTEX_LAYER, WheelPatch};
 use railcrack_case::{Case, SpaceCase};
 use railcrack_run::csv::TipRow;
@@ -56,7 +56,7 @@ pub(crate) fn space_page(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, p
         page.sections.push(Section {
             id: "fronts".to_owned(),
             heading: "Fronts".to_owned(),
-            blocks: vec![charts(plots, &["from-above", "from-the-front"])],
+            blocks: vec![charts(plots, &["from-above", "from-the-front", "from-the-side"])],
         });
         page.sections.push(steps(run));
     }
@@ -81,6 +81,11 @@ fn deepest(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
     all.reduce(|best, next| if is_ahead(rank(&next), rank(&best)) { next } else { best })
 }
 
+/// Whether the crack has a fold.
+fn is_folded(run: &RunFolder) -> bool {
+    run.case.space.as_ref().is_some_and(|space| space.shapes.iter().any(|shape| shape.strip.is_some()))
+}
+
 /// Number of cracks.
 fn cracks(run: &RunFolder) -> usize {
     run.summary.cracks.len()
@@ -90,6 +95,7 @@ fn verdict(run: &RunFolder) -> String {
     let Some((first, last)) = deepest(run) else { return "No step is finished yet.".to_owned() };
     let axes =
         |row: &TipRow| format!("{} by {} mm", fixed(row.length, 2), fixed(row.half_length.unwrap_or(0.0), 2));
+    let sizes = if is_folded(run) { "a length and a half-length" } else { "semi-axes" };
     let grown = last.length > first.length || last.half_length > first.half_length;
     let (which, rank) = match cracks(run) {
         1 => ("The crack".to_owned(), String::new()),
@@ -104,16 +110,16 @@ fn verdict(run: &RunFolder) -> String {
             )
         });
         format!(
-            "{which}{rank} grows from semi-axes of {} (down the dip, along the surface) to {} in {} load cycles{tonnes}.",
+            "{which}{rank} grows from {sizes} of {} (down the dip, along the surface) to {} in {} load cycles{tonnes}.",
             axes(first),
             axes(last),
             grouped(last.load_cycles)
         )
-    } else if last.stop == Some(RunStop::NoTipGrows(railcrack::growth::TipStop::Arrest)) {
-        format!("{which} with semi-axes of {} does not grow.", axes(first))
+    } else if last.stop == Some(RunStop::NoTipGrows(TipStop::Arrest)) {
+        format!("{which} with {sizes} of {} does not grow.", axes(first))
     } else {
         format!(
-            "{which} with semi-axes of {} has ΔK_{{eq}} = {} MPa√m and an initial growth rate of {} mm per load cycle at its \
+            "{which} with {sizes} of {} has ΔK_{{eq}} = {} MPa√m and an initial growth rate of {} mm per load cycle at its \
              deepest point; no increment was computed.",
             axes(first),
             significant(first.delta_keq),
@@ -137,7 +143,11 @@ fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
     facts.push(fact(
         "Depth",
         depth,
-        format!("semi-axis down the dip {}", from_to(first.length, last.length)),
+        format!(
+            "{} {}",
+            if is_folded(run) { "length down the dip, over the fold," } else { "semi-axis down the dip" },
+            from_to(first.length, last.length)
+        ),
     ));
     facts.push(fact(
         "On the surface",
@@ -182,7 +192,12 @@ fn front_table(run: &RunFolder) -> Block {
     ];
     let mut table = Table::new(headings);
     let what = if cracks(run) == 1 { "The front" } else { "The fronts" };
-    table.caption = format!("{what} in the last finished step, {}; K in MPa√m", run.summary.steps);
+    let sides = if is_folded(run) {
+        "; φ below 0 and above 180° on the sides of the strip, ±90° beyond at the mouth"
+    } else {
+        ""
+    };
+    table.caption = format!("{what} in the last finished step, {}; K in MPa√m{sides}", run.summary.steps);
     for row in run.last() {
         table.row([
             row.crack.to_string(),
@@ -236,10 +251,11 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
         ),
         format!(
             "Growth: {} mm per cycle at each point of the front, with K_{{III}} in the equivalent range. The front remains an ellipse in its \
-             plane, fitted to the local growth rates. Points within {:.0}° of the surface are excluded from the fit, because the cells do not \
-             resolve the surface layer of K.",
+             plane, fitted to the local growth rates. Points within {:.0}° of the surface{} are excluded from the fit, because the cells do not \
+             resolve the layer of K there.",
             powers(&formula(&rate_text(&case.growth.law))),
-            VERTEX_LAYER.to_degrees()
+            VERTEX_LAYER.to_degrees(),
+            if is_folded(run) { " or of the fold, and as much of either end of the strip," } else { "" }
         ),
         format!(
             "Solution: Galerkin boundary elements, {} face points; contact solved {} times, with a relative violation of its \
@@ -248,9 +264,16 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
             grouped(run.summary.contact_solves as f64),
             run.summary.complementarity_max
         ),
-        "Limits: plane cracks, growth in their planes; cracks stop before they meet. Small-scale yielding, no fluid except as given in the \
-         case. Load cycles are uncertain by a factor of several, the scatter of the growth law."
-            .to_owned(),
+        format!(
+            "Limits: {}; cracks stop before they meet. Small-scale yielding, no fluid except as given in the case. Load cycles are uncertain \
+             by a factor of several, the scatter of the growth law.",
+            if is_folded(run) {
+                "a straight fold as long as the mouth, without twist, and one branch; strip and branch grow in their planes, the sides of \
+                 the strip with the ends of the branch"
+            } else {
+                "plane cracks, growth in their planes"
+            }
+        ),
     ]);
     lines
 }
@@ -345,7 +368,8 @@ fn whole_passage(run: &RunFolder, plots: &[Plot]) -> Option<Section> {
 }
 
 fn data(run: &RunFolder, space: &SpaceCase, shown: &ShownRun) -> Value {
-    let steps: Vec<Value> = shown.steps().into_iter().map(|step| step_data(run, shown, step)).collect();
+    let steps: Vec<Value> =
+        shown.steps().into_iter().map(|step| step_data(run, space, shown, step)).collect();
     let xc_over_a: &[f64] = shown.histories(0).first().map_or(&[], |history| &history.xc_over_a);
     let cracks = run.summary.cracks.first();
     let origin = cracks.and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |p| p[0]);
@@ -374,9 +398,34 @@ fn data(run: &RunFolder, space: &SpaceCase, shown: &ShownRun) -> Value {
     })
 }
 
-fn step_data(run: &RunFolder, shown: &ShownRun, step: usize) -> Value {
+/// The way down a crack in one step.
+struct WayDown {
+    dip: f64,
+    /// Dip of the strip of a folded crack and depth of the fold, mm.
+    fold: Option<(f64, f64)>,
+}
+
+impl WayDown {
+    /// That of a crack of this shape, from the points of its front; a worn strip has none.
+    fn of(shape: &FrontShape, front: &[&TipRow]) -> Self {
+        let depth = |row: &&&TipRow| (row.phi_deg == Some(0.0)).then(|| -row.place[1]);
+        let is_folded = front.iter().any(|row| row.phi_deg.is_some_and(|phi| phi < 0.0));
+        let at_fold = front.iter().find_map(|row| depth(&row)).filter(|_| is_folded);
+        Self { dip: shape.dip, fold: shape.strip.map(|strip| strip.dip).zip(at_fold) }
+    }
+
+    /// Distance from the mouth (mm), over the fold, at a depth (mm).
+    fn to(&self, depth: f64) -> f64 {
+        match self.fold {
+            Some((strip, fold)) => depth.min(fold) / strip.sin() + (depth - fold).max(0.0) / self.dip.sin(),
+            None => depth / self.dip.sin(),
+        }
+    }
+}
+
+fn step_data(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, step: usize) -> Value {
     let rows: Vec<&TipRow> = run.growth.iter().filter(|row| row.step == step).collect();
-    let point = |row: &&TipRow| {
+    let point = |row: &&TipRow, way: Option<&WayDown>| {
         let is_own = |history: &&History| (history.crack, history.tip) == (row.crack, row.tip);
         let history = shown.histories(step).iter().find(is_own);
         let packed = |k: fn(&History) -> &[f64]| {
@@ -386,6 +435,7 @@ fn step_data(run: &RunFolder, shown: &ShownRun, step: usize) -> Value {
             "phi": number(row.phi_deg.unwrap_or(0.0)),
             "x": number(row.place[0]),
             "depth": number(-row.place[1]),
+            "down": way.map(|way| number(way.to(-row.place[1]))),
             "z": number(row.lateral.unwrap_or(0.0)),
             "delta_keq": number(row.delta_keq),
             "rate": number(row.rate),
@@ -397,10 +447,13 @@ fn step_data(run: &RunFolder, shown: &ShownRun, step: usize) -> Value {
     };
     let crack = |number_of: usize| {
         let own: Vec<&TipRow> = rows.iter().copied().filter(|row| row.crack == number_of).collect();
+        let way = space.shapes.get(number_of - 1).map(|shape| WayDown::of(shape, &own));
+        let fold = way.as_ref().and_then(|way| Some(number(way.to(way.fold?.1))));
         json!({
             "depth": own.first().map(|row| number(row.length)),
+            "fold": fold,
             "half_length": own.first().and_then(|row| row.half_length).map(number),
-            "front": own.iter().map(point).collect::<Vec<_>>(),
+            "front": own.iter().map(|row| point(row, way.as_ref())).collect::<Vec<_>>(),
         })
     };
     json!({

@@ -15,14 +15,24 @@ struct FrontPart {
     contains: fn(f64) -> bool,
 }
 
-/// The ends and the deepest part share a half-turn in equal parts; the upper part exists only where
-/// the front is closed.
-const PARTS: [FrontPart; 4] = [
+/// The ends and the deepest part share a half-turn in equal parts; the sides of the strip of a
+/// folded crack belong to the ends.
+const OPEN: [FrontPart; 3] = [
+    FrontPart { name: "End at φ < 60°", contains: |phi| phi < 60.0 },
+    DEEPEST,
+    FrontPart { name: "End at φ > 120°", contains: |phi| phi > 120.0 },
+];
+
+/// A closed front has an upper part as well.
+const CLOSED: [FrontPart; 4] = [
     FrontPart { name: "End at φ < 60°", contains: |phi| !(60.0..=300.0).contains(&phi) },
-    FrontPart { name: "Deepest, 60° to 120°", contains: |phi| (60.0..=120.0).contains(&phi) },
+    DEEPEST,
     FrontPart { name: "End at φ > 120°", contains: |phi| phi > 120.0 && phi < 240.0 },
     FrontPart { name: "Upper, 240° to 300°", contains: |phi| (240.0..=300.0).contains(&phi) },
 ];
+
+const DEEPEST: FrontPart =
+    FrontPart { name: "Deepest, 60° to 120°", contains: |phi| (60.0..=120.0).contains(&phi) };
 
 /// The shares of the wheels in the growth of a part of a front during the run.
 struct PartGrowth {
@@ -40,8 +50,9 @@ pub(super) fn wheels(run: &RunFolder, space: &SpaceCase) -> Vec<Block> {
     if mix.len() < 2 || count != mix.len() || space.wheels.len() != count {
         return Vec::new();
     }
-    let closed = run.growth.iter().any(|row| row.phi_deg.is_some_and(|phi| phi > 180.5));
-    let parts = if closed { &PARTS[..] } else { &PARTS[..3] };
+    let angles = || run.growth.iter().filter_map(|row| row.phi_deg);
+    let closed = angles().any(|phi| phi > 180.5) && !angles().any(|phi| phi < 0.0);
+    let parts = if closed { &CLOSED[..] } else { &OPEN[..] };
     let headings = ["Crack", "Wheel", "z of its contact (mm)", "Axles (%)"].into_iter();
     let mut table = Table::new(headings.chain(parts.iter().map(|part| part.name)).collect::<Vec<_>>());
     table.caption =

@@ -9,11 +9,14 @@
 use super::super::body::{
     Assembled, CrackPart, FrontPoint, LOAD_POINTS, LoadPoint, SpaceBody, SpaceError, SpaceKernel,
 };
+use super::super::front_motion::phi_on_strip;
+use super::super::mirror_image::averaged_with_mirror_image;
 use super::super::plane::PlaneFrame;
 use super::super::shape::SpaceCrack;
 use super::assembly::{Assembly, MorePoints};
 use super::grid::{FoldedGrid, FoldedResolution, Part};
 use super::shape::{FoldError, FoldedCrack};
+use crate::growth::MouthStrip;
 use crate::interruption::Interruption;
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, dot3, gauss_legendre};
@@ -23,8 +26,9 @@ impl FoldedCrack {
     /// The body with this crack in the half-space of steel `steel`; `kernel` may hold the image for
     /// the plane of the strip. An `interruption` ends the computation.
     ///
-    /// The front of the body runs from the mouth down one side of the strip (φ = 0), along the
-    /// branch (φ from 0 to π) and up the other side (φ = π); K refers to the plane of each point.
+    /// The front of the body runs from the mouth down one side of the strip (φ from −π/2), along the
+    /// branch (φ from 0 to π) and up the other side (φ to 3π/2); K refers to the plane of each
+    /// point.
     /// At the ends of the fold, where the front turns, K has no meaning.
     ///
     /// Errors: an inadmissible crack; a stiffness that is not positive definite; the interruption.
@@ -43,6 +47,7 @@ impl FoldedCrack {
         let mut stiffness = assembly
             .stiffness_unless(&image, interruption)
             .map_err(|stopped| FoldedBodyError::Body(stopped.into()))?;
+        stiffness = averaged_with_mirror_image(stiffness, &grid.vertices[..grid.free]);
         for i in 0..stiffness.rows() {
             stiffness.row_mut(i).iter_mut().for_each(|entry| *entry *= steel.shear_modulus());
         }
@@ -52,6 +57,7 @@ impl FoldedCrack {
         let parts = Assembled {
             crack: CrackPart {
                 shape: branch,
+                strip: Some(MouthStrip { dip: self.mouth_dip, length: self.fold }),
                 frame: below,
                 points: 0..grid.free,
                 front: 0..grid.front.len(),
@@ -71,15 +77,21 @@ impl FoldedCrack {
 
     /// The branch as half an ellipse in the trace of its plane.
     fn branch_shape(&self) -> Result<SpaceCrack, FoldedBodyError> {
-        Ok(SpaceCrack::surface_breaking(self.branch_dip, self.half_length, self.branch)?)
+        let branch = SpaceCrack::surface_breaking(self.branch_dip, self.half_length, self.branch)?;
+        Ok(SpaceCrack { middle: self.middle, ..branch })
     }
 
     fn front(&self, grid: &FoldedGrid) -> Vec<FrontPoint> {
-        let of = |(q, front): (usize, &super::grid::FoldedFront)| FrontPoint {
-            crack: 0,
-            phi: front.column.phi,
-            position: self.position(grid.vertices[grid.free + q]),
-            normal: front.column.normal,
+        let of = |(q, front): (usize, &super::grid::FoldedFront)| {
+            let [s, zeta] = grid.vertices[grid.free + q];
+            let [right, left] = phi_on_strip(1.0 - s / self.fold);
+            let side = if zeta > 0.0 { right } else { left };
+            FrontPoint {
+                crack: 0,
+                phi: if front.part == Part::Strip { side } else { front.column.phi },
+                position: self.position([s, zeta]),
+                normal: front.column.normal,
+            }
         };
         grid.front.iter().enumerate().map(of).collect()
     }

@@ -19,9 +19,25 @@ pub struct FoldedResolution {
     pub branch: SpaceResolution,
 }
 
+impl FoldedResolution {
+    /// A strip with half as many rows again as the block of the branch.
+    #[must_use]
+    pub fn below(branch: SpaceResolution) -> Self {
+        Self { strip: (3 * branch.block).div_ceil(2).max(LEAST_ROWS), branch }
+    }
+
+    /// Points of the faces besides those of a planar crack like the branch, and of its front.
+    #[must_use]
+    pub fn points_of_strip(&self) -> [usize; 2] {
+        let SpaceResolution { block, ring } = self.branch;
+        let rows = self.strip.max(LEAST_ROWS);
+        [rows * (2 * (block + ring) - 1), 2 * rows]
+    }
+}
+
 impl Default for FoldedResolution {
     fn default() -> Self {
-        Self { strip: 5, branch: SpaceResolution::default() }
+        Self::below(SpaceResolution::default())
     }
 }
 
@@ -191,7 +207,7 @@ mod tests {
         for (cell, part) in grid.cells.iter().zip(&grid.part_of_cell) {
             for (u, wu) in &rule {
                 let area: f64 = rule.iter().map(|(v, wv)| wu * wv * cell.at(*u, *v).area).sum();
-                areas[usize::from(*part == Part::Branch)] += area;
+                areas[part.plane()] += area;
             }
         }
         assert!((areas[0] / 48.0 - 1.0).abs() < 1e-10, "{areas:?}");

@@ -2,8 +2,8 @@
 
 use crate::common::{Of, Relative, close, steel};
 use railcrack::growth::{
-    FrontShape, Growth, GrowthError, GrowthSettings, GrowthState, Maintenance, PassageSettings, StepRecord,
-    StressMoves, Unobserved,
+    FrontShape, Grinding, Growth, GrowthError, GrowthSettings, GrowthState, Maintenance, MouthStrip,
+    PassageSettings, StepRecord, StressMoves, Unobserved,
 };
 use railcrack::load::Passage;
 use railcrack::math::RailBox;
@@ -17,6 +17,7 @@ fn shape() -> FrontShape {
         half_length: 5.0,
         middle: [0.0, 0.0],
         buried: None,
+        strip: None,
     }
 }
 
@@ -59,9 +60,24 @@ fn rail(wheels: Vec<SpaceWheel>, friction: f64, wear: f64) -> SpaceRail {
     }
 }
 
+/// A head check that has turned down: 3 mm at 25°, then a branch of 2 mm at 70°.
+fn folded() -> FrontShape {
+    let strip = Some(MouthStrip { dip: 25f64.to_radians(), length: 3.0 });
+    FrontShape { dip: 70f64.to_radians(), length: 2.0, strip, ..shape() }
+}
+
 fn run(rail: SpaceRail) -> Vec<StepRecord> {
-    let mut growth = Growth::new(rail, GrowthState::initial_in_space(vec![shape()]).unwrap());
+    run_of(rail, shape())
+}
+
+fn run_of(rail: SpaceRail, shape: FrontShape) -> Vec<StepRecord> {
+    let mut growth = Growth::new(rail, GrowthState::initial_in_space(vec![shape]).unwrap());
     std::iter::from_fn(|| growth.next_step(&Unobserved).unwrap()).collect()
+}
+
+/// The shape of the only crack in a step.
+fn shape_in(step: &StepRecord) -> FrontShape {
+    step.geometry.space().unwrap().shapes[0]
 }
 
 fn lengths(steps: &[StepRecord]) -> Vec<f64> {
@@ -120,10 +136,65 @@ fn wear_takes_from_the_mouth_what_it_takes_from_the_surface() {
 }
 
 #[test]
+fn a_folded_crack_grows_alike_on_both_sides_of_its_middle() {
+    let steps = run_of(rail(vec![wheel(2.0, 0.5), wheel(-2.0, 0.5)], 0.2, 0.0), folded());
+    for step in &steps {
+        // The sides of the strip have points at φ < 0 and φ > 180°, above the fold.
+        let fold = 3.0 * 25f64.to_radians().sin();
+        for (one, other) in step.tips.iter().zip(step.tips.iter().rev()) {
+            close(one.rate, other.rate, Relative(1e-6), "mirrored passages, tolerance of the contact 1e-8");
+            let (a, b) = (one.front().unwrap(), other.front().unwrap());
+            close(a.phi + b.phi, std::f64::consts::PI, Of(1e-12, 1.0), "points face each other");
+            assert_eq!(a.phi < 0.0 || a.phi > std::f64::consts::PI, -one.y < fold - 1e-9, "{a:?}");
+        }
+    }
+    let [first, last] = [&steps[0], &steps[2]].map(shape_in);
+    assert!(last.length > first.length && last.half_length >= first.half_length, "{last:?}");
+    assert_eq!((last.strip, last.dip), (first.strip, first.dip));
+    close(last.middle[1], 0.0, Of(1e-6, 1.0), "mirrored passages");
+    close(steps[2].tips[0].length, 3.0 + last.length, Of(1e-12, 1.0), "the way over the fold");
+}
+
+#[test]
+fn wear_shortens_the_strip_of_a_folded_crack_and_then_its_branch() {
+    let wear = 1e-7;
+    let free = run_of(rail(vec![wheel(0.0, 1.0)], 0.2, 0.0), folded());
+    let worn = run_of(rail(vec![wheel(0.0, 1.0)], 0.2, wear), folded());
+    let [free, left] = [&free[1], &worn[1]].map(shape_in);
+    close(left.length, free.length, Relative(1e-9), "the branch grows as without wear");
+    let taken = worn[1].removed / 25f64.to_radians().sin();
+    close(left.strip.unwrap().length, 3.0 - taken, Of(1e-9, 1.0), "w/sin(dip of the strip)");
+}
+
+#[test]
+fn grinding_takes_the_strip_of_a_folded_crack_and_then_its_branch() {
+    let grinding = Some(Grinding { depth: 1.5, interval: 1e4, first: 1e4 });
+    let mut often = rail(vec![wheel(0.0, 1.0)], 0.2, 0.0);
+    let maintenance = Maintenance { wear: 0.0, grinding, stress: StressMoves::WithSurface, limit: None };
+    often.growth = GrowthSettings { steps: 8, maintenance: Some(maintenance), ..often.growth };
+    let steps = run_of(often, folded());
+    let depth = |step: &StepRecord| step.tips.iter().map(|tip| -tip.y).fold(0.0, f64::max);
+    // The fold is 1.27 mm deep.
+    let unfolded = steps.iter().position(|step| shape_in(step).strip.is_none()).unwrap();
+    let [before, after] = [&steps[unfolded - 1], &steps[unfolded]];
+    let grown = before.tips.iter().map(|tip| tip.increment).fold(0.0, f64::max);
+    let lost = depth(before) - depth(after);
+    assert!(lost <= 1.5 + 1e-9 && lost > 1.5 - 1.01 * grown, "{lost} {grown}");
+    let front = after.tips.iter().map(|tip| tip.front().unwrap().phi).fold(0.0, f64::min);
+    assert_eq!((front, after.tips[0].y), (0.0, 0.0), "a planar crack");
+    assert!(depth(steps.last().unwrap()) < 1.0, "{:?}", steps.last().map(depth));
+}
+
+#[test]
 fn a_resumed_run_goes_on_with_the_same_bits() {
+    resumes(shape());
+    resumes(folded());
+}
+
+fn resumes(shape: FrontShape) {
     let mix = || rail(vec![wheel(1.0, 0.6), wheel(-1.0, 0.4)], 0.2, 1e-7);
-    let whole = run(mix());
-    let mut state = GrowthState::initial_in_space(vec![shape()]).unwrap();
+    let whole = run_of(mix(), shape);
+    let mut state = GrowthState::initial_in_space(vec![shape]).unwrap();
     for want in &whole {
         let mut growth = Growth::new(mix(), state);
         let got = growth.next_step(&Unobserved).unwrap().unwrap();

@@ -1,21 +1,45 @@
-//! Cracks of two points as semi-ellipses in space.
+//! Cracks of two points as semi-ellipses in space, those of three as folded cracks.
 
 use crate::schema::{SectionValues, Sections};
 use crate::tables::{CRACK, CRACK_LATERAL, STRIKE, SURFACE_HALF_LENGTH};
 use railcrack::crack::{Crack, CrackNetwork};
-use railcrack::growth::FrontShape;
+use railcrack::growth::{FrontShape, MouthStrip};
+use railcrack::math::Vec2;
 use std::f64::consts::PI;
 
 /// The first crack as it is given, in a form that may not be admissible; none where something is
 /// missing.
 pub(super) fn first_front(sections: &Sections, network: &CrackNetwork) -> Option<FrontShape> {
     let section = sections.all(&CRACK).next()?;
-    planar_shape(network.cracks().first()?, section.get(SURFACE_HALF_LENGTH)?, section)
+    front_shape(network.cracks().first()?, section.get(SURFACE_HALF_LENGTH)?, section)
 }
 
-/// The shape of a crack of two points, which may not be admissible.
-pub(super) fn planar_shape(crack: &Crack, half_length: f64, section: &SectionValues) -> Option<FrontShape> {
-    let &[mut top, mut bottom] = crack.points() else { return None };
+/// The shape of a crack of two points, or of three from its mouth on, which may not be admissible.
+pub(super) fn front_shape(crack: &Crack, half_length: f64, section: &SectionValues) -> Option<FrontShape> {
+    match *crack.points() {
+        [one, other] => Some(planar_shape(crack, [one, other], half_length, section)),
+        [mouth, fold, deepest] if crack.is_surface_breaking() => {
+            let dip = |from: Vec2, to: Vec2| (-(to - from).angle()).rem_euclid(2.0 * PI);
+            Some(FrontShape {
+                dip: dip(fold, deepest),
+                strike: 0.0,
+                length: (deepest - fold).length(),
+                half_length,
+                middle: [mouth.x, section.get(CRACK_LATERAL).unwrap_or(0.0)],
+                buried: None,
+                strip: Some(MouthStrip { dip: dip(mouth, fold), length: (fold - mouth).length() }),
+            })
+        }
+        _ => None,
+    }
+}
+
+fn planar_shape(
+    crack: &Crack,
+    [mut top, mut bottom]: [Vec2; 2],
+    half_length: f64,
+    section: &SectionValues,
+) -> FrontShape {
     if bottom.y > top.y {
         std::mem::swap(&mut top, &mut bottom);
     }
@@ -30,12 +54,13 @@ pub(super) fn planar_shape(crack: &Crack, half_length: f64, section: &SectionVal
     // A buried crack turns about its own middle.
     let (aside, ahead) = strike.sin_cos();
     let away = buried.unwrap_or(0.0) * dip.cos();
-    Some(FrontShape {
+    FrontShape {
         dip: dip.rem_euclid(2.0 * PI),
         strike,
         length: if buried.is_some() { 0.5 * length } else { length },
         half_length,
         middle: [top.x - to_surface * dip.cos() + away * (1.0 - ahead), lateral - away * aside],
         buried,
-    })
+        strip: None,
+    }
 }

@@ -1,0 +1,64 @@
+//! The body with the cracks of a growing front.
+
+use super::body::{SpaceBody, SpaceError, SpaceKernel};
+use super::fold::{FoldedBodyError, FoldedResolution};
+use super::grid::SpaceResolution;
+use super::shape::{ShapeError, SpaceCrack};
+use crate::growth::FrontShape;
+use crate::interruption::Interruption;
+use crate::material::IsotropicElastic;
+use thiserror::Error;
+
+/// Reasons why the body with cracks of some shapes cannot be built.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ShapesError {
+    /// An inadmissible shape.
+    #[error(transparent)]
+    Shape(#[from] ShapeError),
+    /// An inadmissible folded crack.
+    #[error(transparent)]
+    Fold(#[from] super::fold::FoldError),
+    /// A folded crack that is not the only one.
+    #[error("a folded crack in space must be the only crack; there are {cracks}")]
+    NotAlone {
+        /// The number of cracks.
+        cracks: usize,
+    },
+    /// Matrices that cannot be computed.
+    #[error(transparent)]
+    Body(#[from] SpaceError),
+}
+
+impl From<FoldedBodyError> for ShapesError {
+    fn from(error: FoldedBodyError) -> Self {
+        match error {
+            FoldedBodyError::Fold(error) => error.into(),
+            FoldedBodyError::Branch(error) => error.into(),
+            FoldedBodyError::Body(error) => error.into(),
+        }
+    }
+}
+
+/// The body with cracks of `shapes` in the half-space of `kernel`; a folded crack has half as many
+/// rows of cells again between mouth and fold as its branch has in the block of `resolution`. An
+/// `interruption` ends the computation.
+///
+/// Errors: an inadmissible shape; a folded crack among others; cracks that are too close to each
+/// other; a stiffness that is not positive definite; the interruption.
+pub fn body_of(
+    shapes: &[FrontShape],
+    steel: &IsotropicElastic,
+    kernel: &SpaceKernel,
+    resolution: SpaceResolution,
+    interruption: Interruption<'_>,
+) -> Result<SpaceBody, ShapesError> {
+    if let Some(folded) = shapes.iter().find_map(FrontShape::folded) {
+        if shapes.len() > 1 {
+            return Err(ShapesError::NotAlone { cracks: shapes.len() });
+        }
+        let resolution = FoldedResolution::below(resolution);
+        return Ok(folded.body(steel, kernel, resolution, interruption)?);
+    }
+    let cracks = shapes.iter().map(FrontShape::crack).collect::<Result<Vec<SpaceCrack>, _>>()?;
+    Ok(SpaceBody::with_kernel(&cracks, steel, Some(kernel), resolution, interruption)?)
+}
