@@ -310,8 +310,8 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     Plot::sheet("paths.svg", sheet)
 }
 
-/// Whether the front point at φ (degrees) lies on the side of the strip of a folded crack where ζ is
-/// positive.
+/// Whether the front point at φ (degrees) lies on the side of the strip of a folded crack where ζ
+/// is positive.
 fn is_on_strip(phi: f64) -> bool {
     phi < 0.0
 }

@@ -104,7 +104,7 @@ pub struct CrackSummary {
 /// A crack in space in the first and in the last finished step.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FrontSummary {
-    /// Semi-axis down the dip in step 0, of a folded crack the length down the dip over the fold, mm.
+    /// Semi-axis down the dip in step 0, of a folded crack the length over the fold, mm.
     pub initial_length_mm: f64,
     /// Semi-axis along the surface in step 0, mm.
     pub initial_surface_half_length_mm: f64,

@@ -117,8 +117,8 @@ impl SpaceKernel {
 pub struct FrontPoint {
     /// Its crack, from 0.
     pub crack: usize,
-    /// Parametric angle: 0 and π at the surface, π/2 at the deepest point, radians. The sides of the
-    /// strip of a folded crack continue it from 0 to −π/2 and from π to 3π/2 at the mouth.
+    /// Parametric angle: 0 and π at the surface, π/2 at the deepest point, radians. The sides of
+    /// the strip of a folded crack continue it from 0 to −π/2 and from π to 3π/2 at the mouth.
     pub phi: f64,
     /// x, lateral and depth, mm.
     pub position: [f64; 3],

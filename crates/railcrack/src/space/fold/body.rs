@@ -26,8 +26,8 @@ impl FoldedCrack {
     /// The body with this crack in the half-space of steel `steel`; `kernel` may hold the image for
     /// the plane of the strip. An `interruption` ends the computation.
     ///
-    /// The front of the body runs from the mouth down one side of the strip (φ from −π/2), along the
-    /// branch (φ from 0 to π) and up the other side (φ to 3π/2); K refers to the plane of each
+    /// The front of the body runs from the mouth down one side of the strip (φ from −π/2), along
+    /// the branch (φ from 0 to π) and up the other side (φ to 3π/2); K refers to the plane of each
     /// point.
     /// At the ends of the fold, where the front turns, K has no meaning.
     ///
