@@ -435,22 +435,28 @@ def check_player(browser, checks, name):
 def check_space(browser, checks, name, folder):
     """The sliders of cracks in space move what they should, to what the tables say."""
     browser.open(folder / "report.html")
-    sif = {(int(row["step"]), row["crack"], row["tip"], float(row["xc_over_a"])): row for row in stabilised(table(folder / "sif.csv"))}
+    rows = table(folder / "sif.csv")
     growth = table(folder / "growth.csv")
     data = browser.run("JSON.parse(document.getElementById('space-data').textContent)")
-    positions, steps, cracks = data["positions"], [step["step"] for step in data["steps"]], len(data["cracks"])
+    wheels, steps, cracks = data["wheels"], [step["step"] for step in data["steps"]], len(data["cracks"])
+    of_mix = 0
+    # By wheel, those of a step, crack and tip.
+    sif = [{} for _ in wheels]
+    for number, under in enumerate(sif):
+        for row in stabilised(rows, number + 1):
+            under.setdefault((int(row["step"]), row["crack"], row["tip"]), []).append(row)
     # As the page writes them: a true minus sign, thousands apart.
     number = lambda text: float(re.match("[-+.e\\d]+", text.replace("\u2212", "-").replace("\u00a0", ""))[0].rstrip("."))
     value = lambda id: int(browser.run(f"document.getElementById('{id}').value"))
     drawing = lambda figure: browser.run(f"document.querySelector('#{figure} .drawing svg').innerHTML")
 
     def check_values(what):
-        step, point, at = steps[value("step")], value("front"), positions[value("wheel")]
+        step, point, at = steps[value("step")], value("front"), wheels[of_mix]["positions"][value("wheel")]
         crack = str(value("crack") + 1)
         front = [row for row in growth if int(row["step"]) == step and row["crack"] == crack]
         state = front[point]
         what = f"{name}: {what}, step {step}, crack {crack}, point {point + 1}, x_c/a = {at}"
-        row = min((row for key, row in sif.items() if key[:3] == (step, crack, state["tip"])), key=lambda row: abs(float(row["xc_over_a"]) - at))
+        row = min(sif[of_mix][step, crack, state["tip"]], key=lambda row: abs(float(row["xc_over_a"]) - at))
         text = browser.run("document.getElementById('readout').textContent")
         for mode, column in [("KI", "ki_mpa_sqrt_m"), ("KII", "kii_mpa_sqrt_m"), ("KIII", "kiii_mpa_sqrt_m")]:
             checks.near(number(text.split(f"{mode} = ")[1]), float(row[column]), f"{what}, {mode}", absolute=0.0051)
@@ -497,8 +503,15 @@ def check_space(browser, checks, name, folder):
     if cracks > 1:
         browser.run("(() => { const e = document.getElementById('crack'); e.selectedIndex = e.options.length - 1; e.dispatchEvent(new Event('change')); })()")
         text = browser.run("document.getElementById('readout').textContent")
-        checks.that(text.startswith(f"Crack {cracks}:"), f"{name}: the last crack is chosen", text)
+        checks.that(f"Crack {cracks}:" in text, f"{name}: the last crack is chosen", text)
         check_values("another crack")
+    checks.that(browser.run("document.getElementById('which-wheel').hidden") == (len(wheels) == 1), f"{name}: of several wheels one can be chosen")
+    for of_mix in range(1, len(wheels)):
+        before = {figure: drawing(figure) for figure in ["above", "along", "history"]}
+        browser.run(f"(() => {{ const e = document.getElementById('of-mix'); e.value = {of_mix}; e.dispatchEvent(new Event('change')); }})()")
+        check_values("another wheel")
+        for figure, drawn in before.items():
+            checks.that(drawing(figure) != drawn, f"{name}: {figure} follows the choice of the wheel")
     check_player(browser, checks, name)
     check_values("after the player")
     checks.that(not browser.complaints, f"{name}: no complaints after all this", browser.complaints)

@@ -286,7 +286,10 @@ fn a_folded_crack_has_all_its_files_and_a_decision() {
     // Nine points of the branch between three on each side of the strip.
     let wanted = [-90.0, -60.0, -30.0, 0.0, 22.5, 45.0, 67.5, 90.0];
     let differ = phi.iter().zip(wanted).any(|(phi, want)| (phi - want).abs() > 1e-9);
-    assert!(!differ && (phi[14] - 270.0).abs() < 1e-9 && depth[0] == 0.0 && (depth[7] - 2.9).abs() < 1e-9, "{phi:?}");
+    assert!(
+        !differ && (phi[14] - 270.0).abs() < 1e-9 && depth[0] == 0.0 && (depth[7] - 2.9).abs() < 1e-9,
+        "{phi:?}"
+    );
     let path = (2.7f64.hypot(1.3) + 0.6f64.hypot(1.6), length[0]);
     assert!((path.0 - path.1).abs() < 1e-9 && length[15] != length[0], "{length:?}");
     for name in names(&run.join("fields")) {

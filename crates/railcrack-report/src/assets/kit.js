@@ -671,6 +671,14 @@ const railcrack = (() => {
    * @typedef {{ step: number, position: number }} PassageState
    */
 
+  /**
+   * The name of a wheel in a menu; of a single wheel its number.
+   * @param {{ name: string | null, share: number | null }} wheel
+   * @param {number} i
+   */
+  const wheelName = ({ name, share }, i) =>
+    share === null ? `${i + 1}` : `${i + 1} ${name}, ${+(100 * share).toPrecision(3)}\u00a0%`;
+
   /** Time that a passage is played in, milliseconds. */
   const PLAYED_IN = 8000;
 
@@ -1022,6 +1030,7 @@ const railcrack = (() => {
     typeset,
     unpack,
     viewer,
+    wheelName,
     within,
     words,
   };

@@ -212,19 +212,27 @@ interface FrontPoint {
   rate: number;
   /** Kink that the direction criterion asks for, degrees. */
   wanted: number | null;
-  ki: Packed | null;
-  kii: Packed | null;
-  kiii: Packed | null;
+  /** K by wheel. */
+  wheels: { ki: Packed | null; kii: Packed | null; kiii: Packed | null }[];
+}
+
+interface SpaceWheel {
+  /** Name and share of the axles in a mix. */
+  name: string | null;
+  share: number | null;
+  half_width: number;
+  lateral_half_width: number;
+  lateral: number;
+  positions: number[];
 }
 
 interface SpaceData {
-  wheel: { half_width: number; lateral_half_width: number; lateral: number };
+  wheels: SpaceWheel[];
   origin: number;
   /** Dip and strike in radians; of a folded crack, of its branch. */
   cracks: { dip: number; strike: number; middle: number[]; buried: boolean }[];
   /** Angle of the layer at the surface, degrees. */
   layer: number;
-  positions: number[];
   last_step: number;
   steps: {
     step: number;

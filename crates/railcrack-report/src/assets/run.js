@@ -1141,10 +1141,6 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     clear.hidden = state.kept.length === 0;
   }
 
-  /** The name of a wheel of a mix in the menu. @param {WheelData} wheel @param {number} i */
-  const wheelName = ({ name, share }, i) =>
-    share === null ? `${i + 1}` : `${i + 1} ${name}, ${+(100 * share).toPrecision(3)}\u00a0%`;
-
   /** The name of a tip where there are several things to name. @param {TipData} tip */
   const nameIfSeveral = (tip) =>
     data.cracks.length > 1 || steps[state.step].tips.length > 1 ? tipName(tip) : "";
@@ -1264,7 +1260,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     caption.append(" Blue bands: fluid in the cracks, wider at higher pressure.");
   }
   element("which-wheel").hidden = wheels.length < 2;
-  wheelMenu.append(...wheels.map((wheel, i) => new Option(wheelName(wheel, i), String(i))));
+  wheelMenu.append(...wheels.map((wheel, i) => new Option(railcrack.wheelName(wheel, i), String(i))));
   wheelMenu.addEventListener("change", () => chooseWheel(+wheelMenu.value));
 
   element("residual").hidden = !data.residual;

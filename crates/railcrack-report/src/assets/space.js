@@ -6,35 +6,41 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   const { TIP, aired, element, hertzianPressure, linear, picture, signed, singles, sized, toScale, words } =
     railcrack;
   const data = /** @type {SpaceData} */ (railcrack.pageData("space-data"));
-  const { wheel, positions, steps, cracks } = data;
+  const { wheels, steps, cracks } = data;
   const MODES = /** @type {const} */ ([
     { key: "ki", name: "K_{I}", colour: "var(--c0)" },
     { key: "kii", name: "K_{II}", colour: "var(--c1)" },
     { key: "kiii", name: "K_{III}", colour: "var(--c2)" },
   ]);
   const lastStep = steps.length - 1;
-  const state = { step: 0, position: 0, crack: 0, point: 0 };
+  const state = { step: 0, position: 0, crack: 0, point: 0, wheel: 0 };
+  const wheel = () => wheels[state.wheel];
+  /** The positions of the chosen wheel, over its half-width. */
+  const positions = () => wheel().positions;
 
   /** @param {number} step */
   const front = (step, crack = state.crack) => steps[step].cracks[crack].front;
 
   // ---- Histories of K ---------------------------------------------------------------------------
 
-  /** K of the modes over the wheel positions, at a point of a front. @param {FrontPoint} point */
-  async function decode(point) {
-    const [ki, kii, kiii] = await Promise.all(
-      MODES.map(({ key }) => {
-        const packed = point[key];
-        return packed ? singles(packed) : new Float32Array();
+  /** K of the modes over the positions of each wheel, at a point of a front. @param {FrontPoint} point */
+  const decode = (point) =>
+    Promise.all(
+      point.wheels.map(async (under) => {
+        const [ki, kii, kiii] = await Promise.all(
+          MODES.map(({ key }) => {
+            const packed = under[key];
+            return packed ? singles(packed) : new Float32Array();
+          }),
+        );
+        return { ki, kii, kiii };
       }),
     );
-    return { ki, kii, kiii };
-  }
   const all = await Promise.all(
     steps.map((step) => Promise.all(step.cracks.map((crack) => Promise.all(crack.front.map(decode))))),
   );
-  /** K at the points of the front of the chosen crack. */
-  const histories = (step = state.step) => all[step][state.crack];
+  /** K at the points of the front of the chosen crack under the chosen wheel. */
+  const histories = (step = state.step) => all[step][state.crack].map((point) => point[state.wheel]);
 
   /**
    * Chooses a crack: its deepest point, and the position at which K is largest there.
@@ -51,7 +57,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   }
   choose(d3.maxIndex(cracks, (_, crack) => d3.max(front(0, crack), (point) => point.delta_keq) ?? 0));
 
-  const contactCentre = () => data.origin + positions[state.position] * wheel.half_width;
+  const contactCentre = () => data.origin + positions()[state.position] * wheel().half_width;
 
   // ---- Geometry ---------------------------------------------------------------------------------
 
@@ -67,8 +73,14 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   /** First and last fronts of all cracks, which a picture has room for. */
   const extremes = ofEveryCrack((crack) => [...outline(0, crack), ...outline(lastStep, crack)]);
   const [leftmost, rightmost] = railcrack.ends(extremes.map((point) => point.x));
-  /** The cracks and a half-width of the wheel on either side of them. */
-  const alongRail = aired([leftmost - wheel.half_width, rightmost + wheel.half_width]);
+  const widest = d3.max(wheels, (one) => one.half_width) ?? 0;
+  /** The cracks and a half-width of the widest wheel on either side of them. */
+  const alongRail = aired([leftmost - widest, rightmost + widest]);
+  /** The lateral ends of all contacts. */
+  const acrossRail = wheels.flatMap((one) => [
+    one.lateral - one.lateral_half_width,
+    one.lateral + one.lateral_half_width,
+  ]);
 
   const figures = {
     above: picture("above"),
@@ -140,14 +152,13 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     if (!figure.width) return;
     const xc = contactCentre();
     const ellipse = d3.range(73).map((i) => ({
-      x: xc + wheel.half_width * Math.cos((Math.PI * i) / 36),
-      z: wheel.lateral + wheel.lateral_half_width * Math.sin((Math.PI * i) / 36),
+      x: xc + wheel().half_width * Math.cos((Math.PI * i) / 36),
+      z: wheel().lateral + wheel().lateral_half_width * Math.sin((Math.PI * i) / 36),
     }));
-    const wide = [wheel.lateral - wheel.lateral_half_width, wheel.lateral + wheel.lateral_half_width];
     const { x, y, size } = fitted(
       figure,
       alongRail,
-      aired([...extremes.map((point) => point.z), ...wide]),
+      aired([...extremes.map((point) => point.z), ...acrossRail]),
       420,
     );
     const mouths = ofEveryCrack((crack) => {
@@ -186,9 +197,9 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const figure = figures.side;
     if (!figure.width) return;
     const deepest = d3.max(extremes, (point) => point.depth) ?? 1;
-    const load = 0.35 * Math.max(deepest, 0.5 * wheel.half_width);
+    const load = 0.35 * Math.max(deepest, 0.5 * widest);
     const { x, y, size } = fitted(figure, alongRail, aired([-1.2 * load, deepest]), 420);
-    const pressure = hertzianPressure(contactCentre(), wheel.half_width, load);
+    const pressure = hertzianPressure(contactCentre(), wheel().half_width, load);
     const ticks = Math.max(2, Math.min(5, Math.round((size.height - MARGIN.top - MARGIN.bottom) / 30)));
     const loaded = { fill: "var(--c1)", fillOpacity: 0.3, stroke: "var(--c1)", clip: true };
     const svg = Plot.plot({
@@ -287,7 +298,10 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const layer = isClosed ? [] : [data.layer, 180 - data.layer, ...(isFolded ? strip : [])];
     const svg = Plot.plot({
       ...sized(figure.width, Math.min(380, Math.max(260, 0.6 * figure.width)), MARGIN),
-      x: { ...linear("\u03c6 along the front (\u00b0)", [start, end]), ticks: d3.range(start, end + 1, (end - start) / 6) },
+      x: {
+        ...linear("\u03c6 along the front (\u00b0)", [start, end]),
+        ticks: d3.range(start, end + 1, (end - start) / 6),
+      },
       y: linear("K (MPa\u221am)"),
       ariaLabel: "K along the front",
       marks: [
@@ -306,7 +320,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const k = histories()[state.point];
     const curves = MODES.map(({ key, colour }) =>
       Plot.line(
-        Array.from(k[key], (value, i) => [positions[i], value]),
+        Array.from(k[key], (value, i) => [positions()[i], value]),
         { stroke: colour, strokeWidth: 2 },
       ),
     );
@@ -315,7 +329,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
       x: linear("Wheel position x_{c}/a"),
       y: linear("K (MPa\u221am)"),
       ariaLabel: "K at the chosen point of the front over the passage",
-      marks: [...kFrame(), ...curves, chosenPlace(positions[state.position])],
+      marks: [...kFrame(), ...curves, chosenPlace(positions()[state.position])],
     });
     figure.show(svg);
   }
@@ -341,13 +355,15 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const axes = crack.fold === null ? "half axes" : "length over the fold and half-length";
     const said = cracks.length > 1 ? `crack ${state.crack + 1}: ${axes}` : axes;
     const whose = said.charAt(0).toUpperCase() + said.slice(1);
+    const { name } = wheel();
+    const under = name === null ? "" : `Under \u201c${name}\u201d. `;
     const wanted =
       point.wanted === null
         ? ""
         : ` The direction criterion predicts a kink of ${signed(point.wanted, 0)}\u00b0 there.`;
     railcrack.say(
       element("readout"),
-      `${whose} ${words(crack.depth)} mm down the dip and ${words(crack.half_length)} mm along the surface, after ` +
+      `${under}${whose} ${words(crack.depth)} mm down the dip and ${words(crack.half_length)} mm along the surface, after ` +
         `${words(step.cycles)} load cycles. At \u03c6 = ${words(point.phi)}\u00b0: ${k} MPa\u221am; ` +
         `\u0394K_{eq} = ${words(point.delta_keq)} MPa\u221am, ${words(point.rate)} mm per cycle.${wanted}`,
     );
@@ -360,7 +376,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     state.point = Math.min(state.point, points.length - 1);
     controls.show(
       `${steps[state.step].step} of ${data.last_step}`,
-      positions[state.position],
+      positions()[state.position],
       contactCentre(),
     );
     frontSlider.endAt(points.length - 1);
@@ -371,7 +387,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
 
   const controls = railcrack.passageControls({
     steps: steps.length,
-    positions: () => positions.length,
+    positions: () => positions().length,
     state,
     moveTo,
   });
@@ -387,6 +403,16 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     controls.stop();
     choose(+select.value);
     moveTo({});
+  });
+  const wheelMenu = element("of-mix", HTMLSelectElement);
+  wheelMenu.append(...wheels.map((one, i) => new Option(railcrack.wheelName(one, i), String(i))));
+  element("which-wheel").hidden = wheels.length < 2;
+  wheelMenu.addEventListener("change", () => {
+    controls.stop();
+    // The position nearest to that of the wheel before.
+    const { positions: others, half_width: a } = wheels[+wheelMenu.value];
+    const xc = contactCentre() - data.origin;
+    moveTo({ wheel: +wheelMenu.value, position: d3.leastIndex(others, (x) => Math.abs(x * a - xc)) ?? 0 });
   });
   const modes = MODES.map(({ name, colour }) => ({ name, colour }));
   for (const figure of [figures.along, figures.history]) figure.explain(modes);

@@ -21,7 +21,7 @@ mod wheels;
 
 pub(crate) use compare::{comparison_plots, lengths_of_both, steps_of_both};
 pub(crate) use many::bundle;
-pub(crate) use near::{WheelPassage, near, origin};
+pub(crate) use near::{WheelPassage, origin};
 pub(crate) use plan::plan_plots;
 pub(crate) use plot::{Plot, chart};
 pub(crate) use run::run_plots;

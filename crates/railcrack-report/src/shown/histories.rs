@@ -12,7 +12,7 @@ const VALUES: usize = 300_000;
 /// The same for many tips, of which the page shows the part near each crack.
 const OF_MANY: usize = 4 * VALUES;
 
-/// The histories of the steps shown, by wheel. Those of a mix may take twice as much.
+/// The histories of the steps shown, by wheel. Those of a mix in the plane may take twice as much.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ShownHistories {
     pub steps: Thinned<Vec<Vec<History>>>,
@@ -30,17 +30,15 @@ impl OfSteps for ShownHistories {
         History::by_wheel(block.rows())
     }
 
-    fn push(&mut self, step: usize, mut wheels: Vec<Vec<History>>) {
-        // The page of cracks in space shows the first wheel.
-        if wheels.iter().flatten().any(|history| !history.kiii.is_empty()) {
-            wheels.truncate(1);
-        }
+    fn push(&mut self, step: usize, wheels: Vec<Vec<History>>) {
         let tips = wheels.first().map_or(0, Vec::len);
-        let most = wheels.len().min(2) * if tips > CATEGORIES { OF_MANY } else { VALUES };
+        let most = if tips > CATEGORIES { OF_MANY } else { VALUES };
+        let is_in_space = wheels.iter().flatten().any(|history| !history.kiii.is_empty());
+        let times = if is_in_space { 1 } else { wheels.len().min(2) };
         self.steps.push(step, wheels);
         let values = |wheels: &Vec<Vec<History>>| {
             wheels.iter().flatten().map(|history| history.ki.len()).sum::<usize>()
         };
-        self.steps.thin_to(most, values);
+        self.steps.thin_to(times * most, values);
     }
 }

@@ -34,6 +34,7 @@ pub(super) use decision::{banner, decision};
 pub(super) use facts::{ending, stop_of, stop_sentence};
 pub(crate) use stored::RunFolder;
 pub(super) use warnings::{count as warning_count, warnings};
+pub(super) use wheels::passage_of;
 
 const EXPLORER: &str = include_str!("../../assets/run.html");
 const EXPLORER_SCRIPT: &str = include_str!("../../assets/run.js");

@@ -36,13 +36,7 @@ pub(super) fn wheels<'a>(
 ) -> Vec<ShownWheel<'a>> {
     let of_wheel = |(number, histories): (usize, &'a Vec<History>)| {
         let mixed = run.case.mix.get(number);
-        let passage = match mixed.filter(|_| number > 0) {
-            Some(MixedWheel { wheel, passages, .. }) => {
-                let ends = [passages.passage.from, passages.passage.to];
-                WheelPassage::other(&run.summary, wheel.half_width(), ends)
-            }
-            None => WheelPassage::first(&run.summary),
-        };
+        let passage = passage_of(run, number);
         let xc_over_a: &[f64] = histories.first().map_or(&[], |history| &history.xc_over_a);
         let cracks = 1..=run.summary.cracks.len();
         ShownWheel {
@@ -57,6 +51,17 @@ pub(super) fn wheels<'a>(
         }
     };
     shown.by_wheel(0).iter().enumerate().map(of_wheel).collect()
+}
+
+/// The passage of wheel `number`, from 0.
+pub(in crate::pages) fn passage_of(run: &RunFolder, number: usize) -> WheelPassage<'_> {
+    match run.case.mix.get(number).filter(|_| number > 0) {
+        Some(MixedWheel { wheel, passages, .. }) => {
+            let ends = [passages.passage.from, passages.passage.to];
+            WheelPassage::other(&run.summary, wheel.half_width(), ends)
+        }
+        None => WheelPassage::first(&run.summary),
+    }
 }
 
 fn falls(fluid: Option<&CrackFluid>) -> bool {

@@ -4,10 +4,10 @@ mod wheels;
 
 use super::pictures::{charts, still};
 use super::run::{
-    RunFolder, banner, case_section, decision, ending, long_rail, stop_of, stop_sentence, warning_count,
-    warnings,
+    RunFolder, banner, case_section, decision, ending, long_rail, passage_of, stop_of, stop_sentence,
+    warning_count, warnings,
 };
-use crate::figures::{Plot, near};
+use crate::figures::{Plot, WheelPassage};
 use crate::numbers::{fixed, formula, given, grouped, number, numbers, significant, tonnage};
 use crate::page::{Block, Fact, Page, Section};
 use crate::shown::{Deflated, ShownRun};
@@ -319,8 +319,6 @@ fn wheel_line(case: &Case, i: usize, patch: &WheelPatch) -> String {
         }
         None => "Wheel".to_owned(),
     };
-    let shown =
-        if case.mix.len() > 1 && i == 0 { " The passages shown are those of this wheel." } else { "" };
     let kind = match patch {
         WheelPatch::Ellipse(_) => "elliptical Hertzian contact in full sliding",
         WheelPatch::Bilinear(_) => "patch in rolling contact, its tractions bilinear on a grid",
@@ -330,7 +328,7 @@ fn wheel_line(case: &Case, i: usize, patch: &WheelPatch) -> String {
     };
     format!(
         "{name}: {kind}, p_{{0}} = {} MPa, semi-axes {} mm along and {} mm across the rail, centre \
-         at z = {} mm, ratio of shear to pressure {} along x and {} along z. The contact is not affected by the crack.{shown}",
+         at z = {} mm, ratio of shear to pressure {} along x and {} along z. The contact is not affected by the crack.",
         fixed(wheel.peak_pressure, 0),
         fixed(wheel.half_width, 2),
         fixed(wheel.lateral_half_width, 2),
@@ -368,21 +366,30 @@ fn whole_passage(run: &RunFolder, plots: &[Plot]) -> Option<Section> {
 }
 
 fn data(run: &RunFolder, space: &SpaceCase, shown: &ShownRun) -> Value {
+    let histories = shown.by_wheel(0);
+    let passages: Vec<WheelPassage> = (0..histories.len()).map(|wheel| passage_of(run, wheel)).collect();
     let steps: Vec<Value> =
-        shown.steps().into_iter().map(|step| step_data(run, space, shown, step)).collect();
-    let xc_over_a: &[f64] = shown.histories(0).first().map_or(&[], |history| &history.xc_over_a);
+        shown.steps().into_iter().map(|step| step_data(run, space, shown, step, &passages)).collect();
     let cracks = run.summary.cracks.first();
     let origin = cracks.and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |p| p[0]);
-    let wheel = space.wheels.first().map(|wheel| {
-        let wheel = wheel.outline();
-        json!({
-            "half_width": number(wheel.half_width),
-            "lateral_half_width": number(wheel.lateral_half_width),
-            "lateral": number(wheel.lateral),
-        })
-    });
+    let wheel =
+        |(i, ((passage, histories), patch)): (usize, ((&WheelPassage, &Vec<History>), &WheelPatch))| {
+            let wheel = patch.outline();
+            let mixed = run.case.mix.get(i);
+            let xc_over_a: &[f64] = histories.first().map_or(&[], |history| &history.xc_over_a);
+            json!({
+                "name": mixed.map(|mixed| &mixed.name),
+                "share": mixed.map(|mixed| number(mixed.share)),
+                "half_width": number(wheel.half_width),
+                "lateral_half_width": number(wheel.lateral_half_width),
+                "lateral": number(wheel.lateral),
+                // With bending the passage has distant positions, which the charts in metres show.
+                "positions": numbers(xc_over_a[passage.near(xc_over_a)].iter().copied()),
+            })
+        };
+    let wheels = passages.iter().zip(histories).zip(&space.wheels).enumerate().map(wheel);
     json!({
-        "wheel": wheel,
+        "wheels": wheels.collect::<Vec<_>>(),
         "origin": origin,
         "cracks": space.shapes.iter().map(|shape| json!({
             "dip": shape.dip,
@@ -391,8 +398,6 @@ fn data(run: &RunFolder, space: &SpaceCase, shown: &ShownRun) -> Value {
             "buried": shape.buried.is_some(),
         })).collect::<Vec<_>>(),
         "layer": VERTEX_LAYER.to_degrees(),
-        // With bending the passage has distant positions, which the charts in metres show.
-        "positions": numbers(xc_over_a[near(&run.summary, xc_over_a)].iter().copied()),
         "last_step": run.summary.steps_recorded.saturating_sub(1),
         "steps": steps,
     })
@@ -423,13 +428,26 @@ impl WayDown {
     }
 }
 
-fn step_data(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, step: usize) -> Value {
+fn step_data(
+    run: &RunFolder,
+    space: &SpaceCase,
+    shown: &ShownRun,
+    step: usize,
+    passages: &[WheelPassage],
+) -> Value {
     let rows: Vec<&TipRow> = run.growth.iter().filter(|row| row.step == step).collect();
     let point = |row: &&TipRow, way: Option<&WayDown>| {
         let is_own = |history: &&History| (history.crack, history.tip) == (row.crack, row.tip);
-        let history = shown.histories(step).iter().find(is_own);
-        let packed = |k: fn(&History) -> &[f64]| {
-            history.map(|history| Deflated::singles(&k(history)[near(&run.summary, &history.xc_over_a)]))
+        let under = |(passage, histories): (&WheelPassage, &Vec<History>)| {
+            let history = histories.iter().find(is_own);
+            let packed = |k: fn(&History) -> &[f64]| {
+                history.map(|history| Deflated::singles(&k(history)[passage.near(&history.xc_over_a)]))
+            };
+            json!({
+                "ki": packed(|history| &history.ki),
+                "kii": packed(|history| &history.kii),
+                "kiii": packed(|history| &history.kiii),
+            })
         };
         json!({
             "phi": number(row.phi_deg.unwrap_or(0.0)),
@@ -440,9 +458,7 @@ fn step_data(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, step: usize) 
             "delta_keq": number(row.delta_keq),
             "rate": number(row.rate),
             "wanted": row.wanted_kink_deg.map(number),
-            "ki": packed(|history| &history.ki),
-            "kii": packed(|history| &history.kii),
-            "kiii": packed(|history| &history.kiii),
+            "wheels": passages.iter().zip(shown.by_wheel(step)).map(under).collect::<Vec<_>>(),
         })
     };
     let crack = |number_of: usize| {
