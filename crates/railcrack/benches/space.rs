@@ -2,7 +2,9 @@
 //!
 //! `cargo bench --bench space > space.csv` prints a table, and exponents (least squares in
 //! logarithms) as comments at its end. Every row is a process of its own, so that its peak of
-//! memory is its own. `-- --elements 600 --dip 15` measures one crack.
+//! memory is its own. `-- --elements 600 --dip 15` measures one crack. With the wheel in the middle
+//! of the crack one half of the faces is solved for; `--lateral 1e-3` moves it aside (mm), so that
+//! whole faces are.
 
 mod common;
 
@@ -48,7 +50,7 @@ struct Cost {
     peak: f64,
 }
 
-fn measure([block, ring]: [usize; 2], dip: f64) -> Result<Cost, Box<dyn Error>> {
+fn measure([block, ring]: [usize; 2], dip: f64, lateral: f64) -> Result<Cost, Box<dyn Error>> {
     let steel = IsotropicElastic::new(210e3, 0.3)?;
     let crack = SpaceCrack::surface_breaking(dip.to_radians(), HALF_LENGTH, DEPTH)?;
     let begun = Instant::now();
@@ -64,7 +66,7 @@ fn measure([block, ring]: [usize; 2], dip: f64) -> Result<Cost, Box<dyn Error>> 
         peak_pressure: 1000.0,
         half_width: CONTACT,
         lateral_half_width: CONTACT,
-        lateral: 0.0,
+        lateral,
         friction: 0.1,
         lateral_friction: 0.0,
     };
@@ -102,9 +104,9 @@ fn option(name: &str) -> Option<String> {
     std::env::args().skip_while(|argument| argument != name).nth(1)
 }
 
-fn row(cells: [usize; 2], dip: f64) -> Result<String, Box<dyn Error>> {
+fn row(cells: [usize; 2], dip: f64, lateral: f64) -> Result<String, Box<dyn Error>> {
     let pool = ThreadPoolBuilder::new().num_threads(THREADS).build()?;
-    let cost = pool.install(|| measure(cells, dip).map_err(|reason| reason.to_string()))?;
+    let cost = pool.install(|| measure(cells, dip, lateral).map_err(|reason| reason.to_string()))?;
     let Cost { points, table_s, body_s, forces_s, coarse_s, passage_s, steps, iterations, peak } = cost;
     let memory = peak_memory_mb().map_or(String::new(), |mb| format!("{mb:.0}"));
     Ok(format!(
@@ -116,9 +118,10 @@ fn row(cells: [usize; 2], dip: f64) -> Result<String, Box<dyn Error>> {
 fn main() -> Result<(), Box<dyn Error>> {
     let wanted = option("--elements").map(|text| text.parse::<usize>()).transpose()?;
     let dip = option("--dip").map(|text| text.parse::<f64>()).transpose()?;
+    let lateral = option("--lateral").map_or(Ok(0.0), |text| text.parse::<f64>())?;
     if let (Some(count), Some(dip)) = (wanted, dip) {
         let cells = CELLS.into_iter().find(|cells| elements(*cells) >= count).unwrap_or(CELLS[0]);
-        println!("{}", row(cells, dip)?);
+        println!("{}", row(cells, dip, lateral)?);
         return Ok(());
     }
     println!(
@@ -127,8 +130,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut table: Vec<Vec<f64>> = Vec::new();
     for (dip, most) in DIPS {
         for cells in CELLS.into_iter().filter(|cells| elements(*cells) <= most) {
-            let [elements, dip] = [elements(cells).to_string(), dip.to_string()];
-            let arguments = ["--elements", &elements, "--dip", &dip];
+            let [elements, dip, lateral] =
+                [elements(cells) as f64, dip, lateral].map(|value| value.to_string());
+            let arguments = ["--elements", &elements, "--dip", &dip, "--lateral", &lateral];
             let output = Command::new(std::env::current_exe()?).args(arguments).output()?;
             if !output.status.success() {
                 return Err(format!("{arguments:?}: {}", String::from_utf8_lossy(&output.stderr)).into());

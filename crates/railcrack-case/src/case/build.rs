@@ -25,11 +25,11 @@ use crate::tables::{
 use railcrack::bulk::Boundary;
 use railcrack::contact::FluidModel;
 use railcrack::crack::CrackNetwork;
-use railcrack::growth::GrowthSettings;
+use railcrack::growth::{GrowthSettings, NetworkContact};
 use railcrack::load::{Passage, Temperature};
 use railcrack::material::IsotropicElastic;
 use railcrack::math::MPA_SQRT_MM;
-use railcrack::plane::{CrackFluid, NetworkContact};
+use railcrack::plane::CrackFluid;
 use std::path::Path;
 
 /// The case that `sections` describe; none if something is wrong or missing; errors are added to
@@ -319,11 +319,8 @@ fn check_network(sections: &Sections, (is_trapped, is_block): (bool, bool), repo
     if solver.get(NETWORK) != Some(NetworkContact::Groups) {
         return;
     }
-    let help = "network = \"whole\" solves all cracks together, with either plane engine";
+    let help = "network = \"whole\" solves all cracks together";
     let mut refuse = |says: &str| report.add(solver.fault(NETWORK, says).help(help));
-    if solver.get(ENGINE).is_some_and(Engine::is_in_space) {
-        refuse("is \"groups\", which is not available with solver.engine = \"space\"");
-    }
     if is_block {
         refuse("is \"groups\", which requires rail.boundary = \"half-plane\"");
     }

@@ -12,10 +12,10 @@ use crate::tables::{
 };
 use railcrack::crack::CrackNetwork;
 use railcrack::fatigue::RailSteel;
-use railcrack::growth::{GrowthSettings, PassageSettings};
+use railcrack::growth::{GrowthSettings, NetworkContact, PassageSettings};
 use railcrack::load::Passage;
 use railcrack::material::IsotropicElastic;
-use railcrack::plane::{CrackFluid, NetworkContact};
+use railcrack::plane::CrackFluid;
 use railcrack::shakedown::{ContactBounds, RolledRail, Stabilisation};
 
 /// Everything in a case file, checked, in the types of the mechanics. Two are equal when their

@@ -4,8 +4,8 @@ use crate::schema::{Report, Sections};
 use crate::tables::{
     CONTACT, COUPLED, CRACKED_SECTION, ENGINE, Engine, NETWORK, RAIL, Rail, SOLVER, WHEEL_CONTACT,
 };
+use railcrack::growth::NetworkContact;
 use railcrack::load::Track;
-use railcrack::plane::NetworkContact;
 
 /// Refuses what is computed for the half-plane only, and a `track` (of any wheel) whose rail bends
 /// as another section.

@@ -328,6 +328,7 @@ impl Case {
             toughness: toughness_under(self, &mixed.wheel),
         });
         Some(SpaceRail {
+            network: self.network,
             steel: self.steel,
             wheels: std::iter::once(first).chain(others).collect(),
             friction: self.crack_friction.clone(),

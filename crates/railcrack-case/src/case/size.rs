@@ -2,8 +2,8 @@
 
 use super::case::Case;
 use super::engines::{self, FaceSize};
-use crate::tables::PlasticSource;
-use railcrack::plane::NetworkContact;
+use crate::tables::{Engine, PlasticSource};
+use railcrack::growth::NetworkContact;
 use railcrack::residual::PlasticField;
 
 /// Size of the face problem of a case at its first step.
@@ -29,6 +29,10 @@ const MATRICES: usize = 4;
 /// them, and the histories of its jumps.
 const COLUMNS: usize = 3000;
 
+/// Squares of the unknowns of one crack that the group around it needs in space besides A of all
+/// cracks: four matrices of three cracks.
+const OF_GROUPS: usize = 36;
+
 /// Memory that every case needs, bytes.
 const BASE: usize = 20 << 20;
 
@@ -50,6 +54,9 @@ impl Case {
         let number = size_of::<f64>();
         let columns = match self.network {
             NetworkContact::Whole => MATRICES * unknowns,
+            NetworkContact::Groups if self.engine == Engine::Space => {
+                (unknowns + OF_GROUPS * unknowns / self.cracks.cracks().len().max(1)).min(MATRICES * unknowns)
+            }
             NetworkContact::Groups => unknowns.min(COLUMNS),
         };
         let matrices = columns * unknowns + 2 * tips * unknowns;

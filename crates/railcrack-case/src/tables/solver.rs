@@ -1,7 +1,7 @@
 //! `[solver]`: the engine of the cracked rail and the solver of the contact conditions.
 
 use crate::schema::{Choice, Word, choice, read_by_word, section};
-use railcrack::plane::NetworkContact;
+use railcrack::growth::NetworkContact;
 
 section! {
     SOLVER "solver", Defaulted, "Engine and solvers.";

@@ -1,6 +1,6 @@
 //! Estimate of the time that a growth step takes.
 
-use railcrack::plane::NetworkContact;
+use railcrack::growth::NetworkContact;
 use railcrack_case::{Case, Engine, RunSize};
 
 /// Seconds per cube of the number of contact unknowns: inverse and factors of the body. This and

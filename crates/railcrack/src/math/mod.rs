@@ -13,6 +13,7 @@ mod quadrature;
 mod rail_box;
 mod range;
 mod stress;
+mod track;
 mod units;
 mod vector;
 
@@ -27,6 +28,7 @@ pub use quadrature::gauss_legendre;
 pub use rail_box::RailBox;
 pub use range::OutOfRange;
 pub use stress::Stress;
+pub(crate) use track::{Track, every_second};
 pub use units::MPA_SQRT_MM;
 pub use vector::Vec2;
 pub(crate) use vector::dot3;

@@ -2,10 +2,9 @@
 
 use super::face_load::LoadPhase;
 use super::groups::Group;
-use super::track::Track;
 use crate::body::BlockStiffness;
 use crate::linear::{LinearError, add_product, product};
-use crate::math::Matrix;
+use crate::math::{Matrix, Track};
 use rayon::prelude::*;
 
 /// The jumps of the faces of a unit (mm) in each phase of the load path.

@@ -2,10 +2,9 @@
 
 use super::mouth_pressures::MouthPressures;
 use super::rail_load::RailLoad;
-use super::track::Track;
 use crate::contact::{FaceProblem, FluidModel, FluidState, LoadPath, Pocket};
 use crate::field::{EndField, EndsError, FlatPunch, StressesUnderWheel, Wheel};
-use crate::math::{Vec2, axpy};
+use crate::math::{Track, Vec2, axpy};
 
 /// Nodal forces due to the stress of the uncracked rail.
 pub(super) struct FaceLoad<'a> {

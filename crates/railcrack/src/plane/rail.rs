@@ -4,7 +4,6 @@ use super::crack_fluid::CrackFluid;
 use super::face_load::FaceLoad;
 use super::fields::record_fields;
 use super::increments::{advance, kinked};
-use super::network_contact::NetworkContact;
 use super::rail_load::RailLoad;
 use super::solvers::Solvers;
 use super::step_state::{StepState, TipDrive};
@@ -21,9 +20,10 @@ use crate::field::{EndField, EndsError, RailEnds, StressField, Wheel};
 use crate::fracture::SifHistory;
 use crate::growth::{
     Advance, BodyReport, CrackedRail, DeferredGrowth, FieldRecord, FieldSettings, Geometry, GrowthError,
-    GrowthSettings, GrowthState, Jump, MixedTip, Mover, Observer, PassageError, PassageSettings,
-    PlaneGeometry, PlaneTip, StabilisedPassage, StepStart, StressMoves, TipCourse, TipGeometry, TipRecord,
-    Uncovered, Warning, WarningKind, WheelDemand, WheelOfRail, WornSurface, under_each_wheel,
+    GrowthSettings, GrowthState, Jump, MixedTip, Mover, NetworkContact, Observer, PassageError,
+    PassageSettings, PlaneGeometry, PlaneTip, StabilisedPassage, StepStart, StressMoves, TipCourse,
+    TipGeometry, TipRecord, Uncovered, Warning, WarningKind, WheelDemand, WheelOfRail, WornSurface,
+    under_each_wheel,
 };
 use crate::interruption::Interruption;
 use crate::math::RailBox;

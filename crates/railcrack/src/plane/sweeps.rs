@@ -9,7 +9,6 @@ use super::passage::{
 use super::rail_load::RailLoad;
 use super::stations::{stations, weights};
 use super::tip_sifs::TipSifs;
-use super::track::{Track, every_second};
 use crate::body::BlockStiffness;
 use crate::contact::{
     ContactSolver, FaceHistory, FaceProblem, FaceState, FluidState, NotConverged, Stepper, SteppingCounts,
@@ -21,7 +20,7 @@ use crate::growth::{
     output_positions, until_repeated,
 };
 use crate::linear::LinearError;
-use crate::math::Matrix;
+use crate::math::{Matrix, Track, every_second};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 

@@ -1,116 +1,23 @@
 //! Cracked body in space: compliance, stiffness and stress intensity factors along the front.
 
 use super::Symmetric;
-use super::cross::{Placed, cross_stiffness};
-use super::galerkin::{Galerkin, ImagePart};
+use super::cross::Placed;
+use super::error::{CloseCracks, SpaceError};
 use super::grid::{Grid, SpaceResolution};
-use super::image_table::ImageTable;
-use super::mirror_image::averaged_with_mirror_image;
 use super::plane::{PlaneFrame, Surroundings};
 use super::shape::SpaceCrack;
+use super::stiffness::{SpaceKernel, stiffness_of};
 use crate::growth::MouthStrip;
-use crate::interruption::{Interrupted, Interruption};
+use crate::interruption::Interruption;
 use crate::linear::{LinearError, spd_inverse_unless};
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, gauss_legendre};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::ops::Range;
-use std::sync::Arc;
-use thiserror::Error;
 
 /// Points per cell and direction at which the stress of the uncracked rail is evaluated.
 pub(super) const LOAD_POINTS: usize = 4;
-
-/// Smallest admissible distance of two cracks, relative to their smallest semi-axis: down to this
-/// distance the integrals between them are verified, and cells resolve the ligament.
-pub(super) const LEAST_DISTANCE: f64 = 0.05;
-
-/// Reasons why a body in space cannot be built.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum SpaceError {
-    /// The stiffness of the cracks is not positive definite: the cells are too coarse, most likely
-    /// for the thin flap above a crack of this dip.
-    #[error(
-        "the cells of crack {} in space (dip {:.1}°, semi-axes {:.3} mm down the dip and {:.3} mm along the surface) are too \
-         coarse, most likely for the flap above it: its stiffness is not positive definite; use more cells (space_cells, \
-         space_rings) or a steeper crack", crack + 1, shape.dip.to_degrees(), shape.length, shape.half_length
-    )]
-    TooCoarse {
-        /// The crack, from 0.
-        crack: usize,
-        /// Its shape.
-        shape: Box<SpaceCrack>,
-    },
-    /// A matrix that cannot be inverted for another reason.
-    #[error(transparent)]
-    Linear(#[from] LinearError),
-    /// Interrupted on request.
-    #[error("{0}")]
-    Interrupted(#[from] Interrupted),
-    /// Cracks that meet, or nearly meet.
-    #[error(transparent)]
-    Close(#[from] CloseCracks),
-}
-
-/// Two cracks in space that meet, or nearly meet.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[error(
-    "cracks {} and {} in space are {distance:.3e} mm apart: must be at least {least:.3e} mm, {LEAST_DISTANCE} of the smallest \
-     semi-axis of the two", first + 1, second + 1
-)]
-pub struct CloseCracks {
-    /// One of them, from 0.
-    pub first: usize,
-    /// The other one.
-    pub second: usize,
-    /// Their distance, mm.
-    pub distance: f64,
-    /// The smallest admissible distance, mm.
-    pub least: f64,
-}
-
-impl CloseCracks {
-    /// The first two of `cracks` that are too close to each other.
-    pub fn among(cracks: &[SpaceCrack]) -> Option<Self> {
-        let pairs = (0..cracks.len()).flat_map(|second| (0..second).map(move |first| (first, second)));
-        let of = |(first, second): (usize, usize)| {
-            let axes = [&cracks[first], &cracks[second]].map(|crack| crack.length.min(crack.half_length));
-            let least = LEAST_DISTANCE * axes[0].min(axes[1]);
-            let distance = cracks[first].distance(&cracks[second]);
-            (distance < least).then_some(Self { first, second, distance, least })
-        };
-        pairs.into_iter().find_map(of)
-    }
-}
-
-/// The images in the surface for the planes of some dips, shared by all cracks that grow in such
-/// planes.
-#[derive(Debug, Clone)]
-pub struct SpaceKernel {
-    poisson: f64,
-    tables: Vec<(f64, Arc<ImageTable>)>,
-}
-
-impl SpaceKernel {
-    /// The kernel for planes that descend at `dips` (radians) in steel of Poisson's ratio
-    /// `poisson`.
-    pub fn new(dips: &[f64], poisson: f64) -> Self {
-        let mut tables: Vec<(f64, Arc<ImageTable>)> = Vec::new();
-        for &dip in dips {
-            if tables.iter().all(|(known, _)| *known != dip) {
-                tables.push((dip, Arc::new(ImageTable::new(dip, poisson))));
-            }
-        }
-        Self { poisson, tables }
-    }
-
-    /// The image for planes of a given dip, computed anew unless the dip is one of those prepared.
-    pub(super) fn image(&self, dip: f64) -> ImagePart {
-        let known = self.tables.iter().find(|(known, _)| *known == dip).map(|(_, table)| Arc::clone(table));
-        ImagePart { table: known.unwrap_or_else(|| Arc::new(ImageTable::new(dip, self.poisson))), dip }
-    }
-}
 
 /// A point of the front.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -293,6 +200,21 @@ impl SpaceBody {
         resolution: SpaceResolution,
         interruption: Interruption<'_>,
     ) -> Result<Self, SpaceError> {
+        let mut body = Self::in_parts(cracks, steel, kernel, resolution, interruption)?;
+        body.invert(interruption)?;
+        Ok(body)
+    }
+
+    /// [`Self::with_kernel`] without C and S: a body of which only parts are solved for.
+    ///
+    /// Errors: cracks that are too close to each other; the interruption.
+    pub(super) fn in_parts(
+        cracks: &[SpaceCrack],
+        steel: &IsotropicElastic,
+        kernel: Option<&SpaceKernel>,
+        resolution: SpaceResolution,
+        interruption: Interruption<'_>,
+    ) -> Result<Self, SpaceError> {
         if let Some(close) = CloseCracks::among(cracks) {
             return Err(close.into());
         }
@@ -303,8 +225,6 @@ impl SpaceBody {
             .map(|(crack, grid)| Placed { grid, frame: crack.frame(), middle: crack.middle })
             .collect();
         let stiffness = stiffness_of(cracks, &placed, steel, kernel, interruption)?;
-        let compliance = spd_inverse_unless(interruption, &stiffness)
-            .map_err(|error| too_coarse(error, cracks, &grids))?;
         let total = stiffness.rows() / 3;
         let fronts = grids.iter().map(|grid| grid.front.len()).sum::<usize>();
         let mut body = Self {
@@ -314,7 +234,7 @@ impl SpaceBody {
             sif_of_jumps: Matrix::zeros(3 * fronts, 3 * total),
             sif_influence: Matrix::zeros(0, 0),
             stiffness,
-            compliance,
+            compliance: Matrix::zeros(0, 0),
             loads: Vec::new(),
             cells: Vec::new(),
             planes: Vec::with_capacity(cracks.len()),
@@ -323,7 +243,73 @@ impl SpaceBody {
         for (crack, placed) in cracks.iter().zip(&placed) {
             body.append(crack, placed, steel, total);
         }
-        body.sif_influence = crate::linear::product(&body.sif_of_jumps, &body.compliance)?;
+        Ok(body)
+    }
+
+    /// Computes C and S.
+    fn invert(&mut self, interruption: Interruption<'_>) -> Result<(), SpaceError> {
+        self.compliance = spd_inverse_unless(interruption, &self.stiffness)
+            .map_err(|error| too_coarse(error, &self.cracks))?;
+        self.sif_influence = crate::linear::product(&self.sif_of_jumps, &self.compliance)?;
+        Ok(())
+    }
+
+    /// The body with the cracks of these numbers (from 0) alone.
+    ///
+    /// Errors: a stiffness that is not positive definite; the interruption.
+    pub(super) fn part(&self, cracks: &[usize], interruption: Interruption<'_>) -> Result<Self, SpaceError> {
+        let chosen = || cracks.iter().map(|&crack| &self.cracks[crack]);
+        let old: Vec<usize> = chosen().flat_map(|part| part.points.clone()).collect();
+        let old_front: Vec<usize> = chosen().flat_map(|part| part.front.clone()).collect();
+        let mut new = vec![0; self.points.len() + self.front.len()];
+        old.iter().enumerate().for_each(|(k, &point)| new[point] = k);
+        for (k, &point) in old_front.iter().enumerate() {
+            new[self.points.len() + point] = old.len() + k;
+        }
+        let mut crack_of = vec![None; self.cracks.len()];
+        cracks.iter().enumerate().for_each(|(k, &crack)| crack_of[crack] = Some(k));
+        let columns = |i: usize| 3 * old[i / 3] + i % 3;
+        let mut body = Self {
+            cracks: Vec::with_capacity(cracks.len()),
+            points: old.iter().map(|&point| self.points[point]).collect(),
+            front: Vec::with_capacity(old_front.len()),
+            stiffness: Matrix::from_fn(3 * old.len(), 3 * old.len(), |i, j| {
+                self.stiffness[(columns(i), columns(j))]
+            }),
+            compliance: Matrix::zeros(0, 0),
+            sif_influence: Matrix::zeros(0, 0),
+            sif_of_jumps: Matrix::from_fn(3 * old_front.len(), 3 * old.len(), |i, j| {
+                self.sif_of_jumps[(3 * old_front[i / 3] + i % 3, columns(j))]
+            }),
+            loads: Vec::new(),
+            cells: Vec::new(),
+            planes: self.planes.clone(),
+            plane_of_point: old.iter().map(|&point| self.plane_of_point[point]).collect(),
+        };
+        let (mut first, mut first_of_front) = (0, 0);
+        for (k, part) in chosen().enumerate() {
+            let points = first..first + part.points.len();
+            let front = first_of_front..first_of_front + part.front.len();
+            (first, first_of_front) = (points.end, front.end);
+            body.front
+                .extend(self.front[part.front.clone()].iter().map(|point| FrontPoint { crack: k, ..*point }));
+            let fold = part.fold.iter().map(|&point| new[point]).collect();
+            body.cracks.push(CrackPart { points, front, fold, ..part.clone() });
+        }
+        for load in &self.loads {
+            if let Some(crack) = crack_of[load.crack] {
+                let hats = load.hats.map(|(point, weight)| (new[point], weight));
+                body.loads.push(LoadPoint { crack, hats, ..load.clone() });
+            }
+        }
+        let is_chosen = |cell: &&[usize; 4]| {
+            cell.iter().all(|&v| match v.checked_sub(self.points.len()) {
+                None => crack_of[self.crack_of(v)].is_some(),
+                Some(front) => crack_of[self.front[front].crack].is_some(),
+            })
+        };
+        body.cells = self.cells.iter().filter(is_chosen).map(|cell| cell.map(|v| new[v])).collect();
+        body.invert(interruption)?;
         Ok(body)
     }
 
@@ -437,6 +423,25 @@ impl SpaceBody {
         &self.compliance
     }
 
+    /// A between two cracks (from 0).
+    pub(super) fn stiffness_between(&self, [one, other]: [usize; 2]) -> Matrix {
+        self.stiffness_towards(one, &[other])
+    }
+
+    /// A of the jumps of a crack (rows) and those of `others` (columns).
+    pub(super) fn stiffness_towards(&self, crack: usize, others: &[usize]) -> Matrix {
+        let points = &self.cracks[crack].points;
+        let ranges = || others.iter().map(|&other| &self.cracks[other].points);
+        let mut entries =
+            Vec::with_capacity(9 * points.len() * ranges().map(|range| range.len()).sum::<usize>());
+        for row in 3 * points.start..3 * points.end {
+            let row = self.stiffness.row(row);
+            ranges().for_each(|range| entries.extend_from_slice(&row[3 * range.start..3 * range.end]));
+        }
+        let columns = ranges().map(|range| 3 * range.len()).sum();
+        Matrix::from_entries(3 * points.len(), columns, entries).unwrap_or_else(|| Matrix::zeros(0, 0))
+    }
+
     /// A = C⁻¹ (N/mm).
     pub fn stiffness(&self) -> &Matrix {
         &self.stiffness
@@ -468,15 +473,37 @@ impl SpaceBody {
         is_loaded: impl Fn([f64; 3]) -> bool + Sync,
         stress: impl Fn(usize, [f64; 3]) -> Symmetric + Sync,
     ) -> Vec<f64> {
+        self.nodal_forces_of(&self.loads, is_loaded, stress)
+    }
+
+    /// [`Self::nodal_forces_where`] at the points of `crack` (from 0) alone.
+    pub(super) fn nodal_forces_on(
+        &self,
+        crack: usize,
+        is_loaded: impl Fn([f64; 3]) -> bool + Sync,
+        stress: impl Fn(usize, [f64; 3]) -> Symmetric + Sync,
+    ) -> Vec<f64> {
+        let from = |crack: usize| self.loads.partition_point(|load| load.crack < crack);
+        let forces = self.nodal_forces_of(&self.loads[from(crack)..from(crack + 1)], is_loaded, stress);
+        let points = &self.cracks[crack].points;
+        forces[3 * points.start..3 * points.end].to_vec()
+    }
+
+    fn nodal_forces_of(
+        &self,
+        loads: &[LoadPoint],
+        is_loaded: impl Fn([f64; 3]) -> bool + Sync,
+        stress: impl Fn(usize, [f64; 3]) -> Symmetric + Sync,
+    ) -> Vec<f64> {
         let traction = |p: &LoadPoint| {
             if !is_loaded(p.position) {
                 return [0.0; 3];
             }
             self.planes[p.plane].traction(&stress(p.crack, p.position))
         };
-        let tractions: Vec<_> = self.loads.par_iter().map(traction).collect();
+        let tractions: Vec<_> = loads.par_iter().map(traction).collect();
         let mut forces = vec![0.0; 3 * self.points.len()];
-        for (point, traction) in self.loads.iter().zip(tractions) {
+        for (point, traction) in loads.iter().zip(tractions) {
             for (a, weight) in point.hats {
                 // On a fold the components are along another plane than that of the traction.
                 let plane = self.plane_of_point[a];
@@ -503,105 +530,16 @@ impl SpaceBody {
 }
 
 /// `error` of the inverse of the stiffness of `cracks`, with the crack whose cells are too coarse.
-fn too_coarse(error: LinearError, cracks: &[SpaceCrack], grids: &[Grid]) -> SpaceError {
+fn too_coarse(error: LinearError, cracks: &[CrackPart]) -> SpaceError {
     let LinearError::NotPositiveDefinite { pivot, .. } = error else { return error.into() };
-    let mut end = 0;
-    let contains = |grid: &Grid| {
-        end += 3 * grid.free;
-        pivot < end
-    };
-    match grids.iter().position(contains).and_then(|crack| Some((crack, cracks.get(crack)?))) {
-        Some((crack, shape)) => SpaceError::TooCoarse { crack, shape: Box::new(shape.clone()) },
+    match cracks.iter().position(|part| pivot < 3 * part.points.end) {
+        Some(crack) => SpaceError::TooCoarse { crack, shape: Box::new(cracks[crack].shape.clone()) },
         None => error.into(),
     }
 }
 
 fn sifs(values: &[f64]) -> Vec<FrontSif> {
     values.chunks_exact(3).map(|k| FrontSif { ki: k[0], kii: k[1], kiii: k[2] }).collect()
-}
-
-/// A of all cracks, N/mm.
-fn stiffness_of(
-    cracks: &[SpaceCrack],
-    placed: &[Placed],
-    steel: &IsotropicElastic,
-    kernel: Option<&SpaceKernel>,
-    interruption: Interruption<'_>,
-) -> Result<Matrix, SpaceError> {
-    let poisson = steel.poisson();
-    debug_assert!(kernel.is_none_or(|kernel| kernel.poisson == poisson));
-    let surroundings = kernel.map_or(Surroundings::FullSpace, |_| Surroundings::HalfSpace);
-    let starts: Vec<usize> = placed
-        .iter()
-        .scan(0, |next, crack| {
-            let start = *next;
-            *next += 3 * crack.grid.free;
-            Some(start)
-        })
-        .collect();
-    let order = placed.iter().map(|crack| 3 * crack.grid.free).sum();
-    let mut stiffness = Matrix::zeros(order, order);
-    let mu = steel.shear_modulus();
-    for (k, (crack, &start)) in placed.iter().zip(&starts).enumerate() {
-        let size = 3 * crack.grid.free;
-        // Copies of a crack have the same self-stiffness, wherever they lie.
-        if let Some(copied) = (0..k).find(|&other| cracks[k].is_copy_of(&cracks[other])) {
-            let from = starts[copied];
-            for i in 0..size {
-                let row = stiffness.row(from + i)[from..from + size].to_vec();
-                stiffness.row_mut(start + i)[start..start + size].copy_from_slice(&row);
-            }
-        } else {
-            let image = kernel.map(|kernel| kernel.image(cracks[k].dip));
-            let own = Galerkin::new(crack.grid, poisson, image.as_ref()).stiffness_unless(interruption)?;
-            let own = averaged_with_mirror_image(own, &crack.grid.vertices[..crack.grid.free]);
-            for i in 0..size {
-                let into = &mut stiffness.row_mut(start + i)[start..start + size];
-                into.iter_mut().zip(own.row(i)).for_each(|(into, value)| *into = mu * value);
-            }
-        }
-        for (j, (other, &first)) in placed[..k].iter().zip(&starts).enumerate() {
-            if let Some([row, column]) = integrated_as([j, k], cracks) {
-                // Pairs of copies at equal offsets differ by a translation of the half-space.
-                for i in 0..3 * other.grid.free {
-                    for c in 0..size {
-                        let value = stiffness[(starts[row] + i, starts[column] + c)];
-                        stiffness[(first + i, start + c)] = value;
-                        stiffness[(start + c, first + i)] = value;
-                    }
-                }
-                continue;
-            }
-            let between = cross_stiffness([*other, *crack], surroundings, poisson, interruption)?;
-            for i in 0..between.rows() {
-                for (j, value) in between.row(i).iter().enumerate() {
-                    stiffness[(first + i, start + j)] = mu * value;
-                    stiffness[(start + j, first + i)] = mu * value;
-                }
-            }
-        }
-    }
-    Ok(stiffness)
-}
-
-/// Offsets of cracks that differ by no more than this fraction of a semi-axis count as equal: far
-/// above the rounding of positions, far below the errors of the integrals.
-const SAME_OFFSET: f64 = 1e-9;
-
-/// The first pair of cracks before `pair`, in the order in which the stiffness is integrated, of
-/// copies of its cracks at the same offset.
-fn integrated_as(pair: [usize; 2], cracks: &[SpaceCrack]) -> Option<[usize; 2]> {
-    let [first, second] = pair.map(|crack| &cracks[crack]);
-    let offset = |a: &SpaceCrack, b: &SpaceCrack| [0, 1].map(|e| b.middle[e] - a.middle[e]);
-    let wanted = offset(first, second);
-    let near = SAME_OFFSET * first.length.min(second.length);
-    (1..=pair[1]).filter(|&k| cracks[k].is_copy_of(second)).find_map(|k| {
-        let row = (0..k).take_while(|&j| [j, k] != pair).find(|&j| {
-            let found = offset(&cracks[j], &cracks[k]);
-            cracks[j].is_copy_of(first) && (0..2).all(|e| (found[e] - wanted[e]).abs() <= near)
-        })?;
-        Some([row, k])
-    })
 }
 
 /// K from the jumps of the first two rows: w = α η + β η³ along a column, or α √(distance) near the
@@ -631,16 +569,22 @@ fn front_rows(grid: &Grid, steel: &IsotropicElastic, start: [usize; 2], rows: &m
 mod tests {
     use super::*;
     use crate::linear::spd_inverse;
+    use crate::space::galerkin::Galerkin;
+    use crate::space::stiffness::{first_copies, integrated_as};
 
     #[test]
     fn a_crack_with_too_few_cells_is_named_with_the_remedy() {
         let flat = |dip: f64| SpaceCrack::surface_breaking(dip.to_radians(), 4.0, 4.0).unwrap();
         let cracks = [flat(30.0), flat(6.0)];
         let resolution = SpaceResolution { block: 2, ring: 2 };
-        let grids = cracks.each_ref().map(|crack| Grid::new(crack, resolution));
-        let order = 3 * (grids[0].free + grids[1].free);
-        for (pivot, crack, dip) in [(3 * grids[0].free - 1, 0, "30.0°"), (3 * grids[0].free, 1, "6.0°")] {
-            let error = too_coarse(LinearError::NotPositiveDefinite { order, pivot }, &cracks, &grids);
+        let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
+        let at = |crack: &SpaceCrack, x| SpaceCrack { middle: [x, 0.0], ..crack.clone() };
+        let apart = [at(&cracks[0], 0.0), at(&cracks[1], 20.0)];
+        let body = SpaceBody::in_parts(&apart, &steel, None, resolution, Interruption::NEVER).unwrap();
+        let [first, second] = [&body.cracks()[0].points, &body.cracks()[1].points];
+        let order = 3 * second.end;
+        for (pivot, crack, dip) in [(3 * first.end - 1, 0, "30.0°"), (3 * first.end, 1, "6.0°")] {
+            let error = too_coarse(LinearError::NotPositiveDefinite { order, pivot }, body.cracks());
             let text = error.to_string();
             assert!(matches!(error, SpaceError::TooCoarse { crack: found, .. } if found == crack), "{text}");
             assert!(text.contains("more cells (space_cells") && text.contains(dip), "{text}");
@@ -654,7 +598,12 @@ mod tests {
         let at = |x: f64, lateral: f64| SpaceCrack { middle: [x, lateral], ..crack.clone() };
         let cracks = [at(0.0, 0.0), at(3.1, 0.2), at(6.2, 0.4), at(9.4, 0.6), at(12.5, 0.8)];
         let pairs: Vec<_> = (0..5).flat_map(|k| (0..k).map(move |j| [j, k])).collect();
-        let shared = |pair| integrated_as(pair, &cracks);
+        let first_copies = first_copies(&cracks);
+        assert_eq!(first_copies, [0; 5]);
+        let shared = |pair: [usize; 2]| {
+            let before: Vec<_> = pairs.iter().copied().take_while(|known| *known != pair).collect();
+            integrated_as(pair, &cracks, &first_copies, &before)
+        };
         let offsets = [shared([1, 2]), shared([3, 4]), shared([2, 3]), shared([2, 4])];
         assert_eq!(offsets, [Some([0, 1]), Some([0, 1]), None, Some([1, 3])]);
         let resolution = SpaceResolution { block: 2, ring: 2 };

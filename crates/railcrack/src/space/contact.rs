@@ -80,13 +80,7 @@ pub struct SpaceContact<'a> {
 impl SpaceContact<'_> {
     /// Faces that are closed, without slip and force.
     pub fn virgin(&self) -> SpaceFaces {
-        let points = self.body.points().len();
-        SpaceFaces {
-            jumps: vec![0.0; 3 * points],
-            reactions: vec![0.0; 3 * points],
-            status: vec![SpaceStatus::Stick; points],
-            fluid: Vec::new(),
-        }
+        SpaceFaces::virgin(self.body.points().len())
     }
 
     /// The faces under the nodal forces `forces` (N), after `before`.

@@ -279,7 +279,8 @@ impl<'a> Cross<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::body::{LEAST_DISTANCE, SpaceBody};
+    use super::super::body::SpaceBody;
+    use super::super::error::LEAST_DISTANCE;
     use super::super::galerkin::{Galerkin, ImagePart};
     use super::super::grid::SpaceResolution;
     use super::super::image_table::ImageTable;

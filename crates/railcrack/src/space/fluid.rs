@@ -28,6 +28,12 @@ pub struct SpaceFluid {
 /// (mm).
 pub(super) type ContactPressure<'a> = dyn Fn(f64, [f64; 2]) -> f64 + Sync + 'a;
 
+/// The fluid on the faces of a body, and the pressure of the wheel over their mouths.
+pub(super) struct FluidUnderWheel<'a> {
+    pub faces: FluidOnFaces,
+    pub over: &'a ContactPressure<'a>,
+}
+
 /// A point of the mouth: its face point, x and lateral position (mm).
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct MouthPoint {
@@ -42,7 +48,7 @@ pub(super) struct SpacePocket {
     /// Nodal forces (N per MPa, 3p) of a unit pressure; they also give the volume, V = unit · ⟦w⟧
     /// (mm³).
     pub unit: Vec<f64>,
-    /// Volume of a unit pressure on free faces, mm³/MPa.
+    /// Volume of a unit pressure on free faces, mm³/MPa; zero for pressure from the mouth.
     pub free: f64,
     points: Range<usize>,
     /// Its mouth; empty for a buried crack, which is always closed.
@@ -68,7 +74,13 @@ impl SpaceFluid {
     /// The fluid on the faces of `body`.
     pub(super) fn on(&self, body: &SpaceBody) -> FluidOnFaces {
         let is_wet = |crack: &usize| self.cracks.as_ref().is_none_or(|wet| wet.contains(crack));
-        let pockets = (0..body.cracks().len()).filter(is_wet).map(|crack| SpacePocket::of(body, crack));
+        let pockets = (0..body.cracks().len()).filter(is_wet).map(|crack| {
+            let mut pocket = SpacePocket::of(body, crack);
+            if let FluidModel::Trapped { .. } = self.model {
+                pocket.free = dot(&pocket.unit, &body.compliance().times(&pocket.unit));
+            }
+            pocket
+        });
         FluidOnFaces { model: self.model, pockets: pockets.collect(), profile: self.profile }
     }
 }
@@ -79,7 +91,6 @@ impl SpacePocket {
         let pressed =
             |of: usize, _: [f64; 3]| if of == crack { [1.0, 1.0, 1.0, 0.0, 0.0, 0.0] } else { [0.0; 6] };
         let unit = body.nodal_forces_by_crack(pressed);
-        let free = dot(&unit, &body.compliance().times(&unit));
         let is_open = part.shape.extent == Extent::SurfaceBreaking;
         let at_mouth = |&point: &usize| is_open && body.points()[point][2] == 0.0;
         let mouth = part.points.clone().filter(at_mouth);
@@ -90,7 +101,7 @@ impl SpacePocket {
         Self {
             crack,
             unit,
-            free,
+            free: 0.0,
             points: part.points.clone(),
             mouth: mouth.collect(),
             neighbours: sides.filter(inside).collect(),

@@ -1,6 +1,6 @@
 //! Advance of cracks in space from one step to the next.
 
-use super::body::{CloseCracks, LEAST_DISTANCE};
+use super::error::{CloseCracks, LEAST_DISTANCE};
 use super::front_motion::FrontSpeeds;
 use super::shape::SpaceCrack;
 use super::worn::{Worn, worn};

@@ -36,30 +36,38 @@ pub(super) fn mirrored_stresses(one: &Symmetric, image: &Symmetric) -> [[f64; 2]
     std::array::from_fn(|k| [one[k], STRESS_SIGNS[k] * image[k]])
 }
 
-/// One half of symmetric faces.
+/// The points of cracks that are symmetric about a plane.
 #[derive(Debug, Clone)]
-pub(super) struct MirroredHalf {
+pub(super) struct MirroredPoints {
     /// Lateral position of the plane of symmetry, mm.
-    pub middle: f64,
-    /// The points of the half, and the mirror image of each, which on the plane is itself.
+    middle: f64,
+    /// The points of one half, and the mirror image of each, which on the plane is itself.
     pairs: Vec<[usize; 2]>,
     /// Number of all points.
     points: usize,
+}
+
+/// One half of symmetric faces.
+#[derive(Debug, Clone)]
+pub(super) struct MirroredHalf {
+    /// The points of the faces.
+    pub points: MirroredPoints,
     stiffness: Matrix,
     compliance: Matrix,
     friction: Vec<f64>,
 }
 
-impl MirroredHalf {
-    /// The half of the faces of `body` with the friction coefficient `friction` of each point; none
-    /// if a crack is not its own mirror image or the half cannot be inverted.
-    pub fn of(body: &SpaceBody, friction: &[f64]) -> Option<Self> {
+impl MirroredPoints {
+    /// The points of `body`; none if a crack is not its own mirror image.
+    pub fn of(body: &SpaceBody) -> Option<Self> {
         let (middle, pairs) = pairs(body)?;
-        let stiffness = half_stiffness(body.stiffness(), &pairs);
-        let compliance = spd_inverse(&stiffness).ok()?;
-        let friction = pairs.iter().map(|&[point, _]| friction[point]).collect();
-        let points = body.points().len();
-        Some(Self { middle, pairs, points, stiffness, compliance, friction })
+        Some(Self { middle, pairs, points: body.points().len() })
+    }
+
+    /// Whether a place (x, lateral, depth) lies on that side of the plane whose forces give those
+    /// of both by [`Self::with_mirrored_forces`].
+    pub fn is_beyond(&self, [_, lateral, _]: [f64; 3]) -> bool {
+        lateral > self.middle
     }
 
     /// The mirror image of a point: x, lateral and depth, mm.
@@ -76,36 +84,12 @@ impl MirroredHalf {
         apart.iter().step_by(every).map(|&point| body.points()[point]).collect()
     }
 
-    /// The contact problem of the half.
-    pub fn problem(&self) -> FaceProblem<'_> {
-        FaceProblem { stiffness: &self.stiffness, compliance: &self.compliance, friction: &self.friction }
-    }
-
     /// Whether values (3p) are symmetric.
     pub fn is_symmetric(&self, values: &[f64]) -> bool {
         let of = |&[one, other]: &[usize; 2]| {
             std::array::from_fn::<_, 3, _>(|c| [values[3 * one + c], SIGNS[c] * values[3 * other + c]])
         };
         agree(&self.pairs.iter().flat_map(of).collect::<Vec<_>>())
-    }
-
-    /// The jumps (mm) of the half, from all `jumps` (3p).
-    pub fn jumps(&self, jumps: &[f64]) -> Vec<f64> {
-        let of = |&[one, other]: &[usize; 2]| {
-            std::array::from_fn::<_, 3, _>(|c| 0.5 * (jumps[3 * one + c] + SIGNS[c] * jumps[3 * other + c]))
-        };
-        self.pairs.iter().flat_map(of).collect()
-    }
-
-    /// The nodal forces (N) of the half, from all `forces` (3p).
-    pub fn forces(&self, forces: &[f64]) -> Vec<f64> {
-        let of = |&[one, other]: &[usize; 2]| {
-            let both = if one == other { 0.5 } else { 1.0 };
-            std::array::from_fn::<_, 3, _>(|c| {
-                both * (forces[3 * one + c] + SIGNS[c] * forces[3 * other + c])
-            })
-        };
-        self.pairs.iter().flat_map(of).collect()
     }
 
     /// All nodal forces (N, 3p), from those of the loads at one side of the plane alone.
@@ -119,17 +103,52 @@ impl MirroredHalf {
         }
         forces
     }
+}
+
+impl MirroredHalf {
+    /// The half of the faces of `body` with the friction coefficient `friction` of each point; none
+    /// if it cannot be inverted.
+    pub fn of(body: &SpaceBody, points: MirroredPoints, friction: &[f64]) -> Option<Self> {
+        let stiffness = half_stiffness(body.stiffness(), &points.pairs);
+        let compliance = spd_inverse(&stiffness).ok()?;
+        let friction = points.pairs.iter().map(|&[point, _]| friction[point]).collect();
+        Some(Self { points, stiffness, compliance, friction })
+    }
+
+    /// The contact problem of the half.
+    pub fn problem(&self) -> FaceProblem<'_> {
+        FaceProblem { stiffness: &self.stiffness, compliance: &self.compliance, friction: &self.friction }
+    }
+
+    /// The jumps (mm) of the half, from all `jumps` (3p).
+    pub fn jumps(&self, jumps: &[f64]) -> Vec<f64> {
+        let of = |&[one, other]: &[usize; 2]| {
+            std::array::from_fn::<_, 3, _>(|c| 0.5 * (jumps[3 * one + c] + SIGNS[c] * jumps[3 * other + c]))
+        };
+        self.points.pairs.iter().flat_map(of).collect()
+    }
+
+    /// The nodal forces (N) of the half, from all `forces` (3p).
+    pub fn forces(&self, forces: &[f64]) -> Vec<f64> {
+        let of = |&[one, other]: &[usize; 2]| {
+            let both = if one == other { 0.5 } else { 1.0 };
+            std::array::from_fn::<_, 3, _>(|c| {
+                both * (forces[3 * one + c] + SIGNS[c] * forces[3 * other + c])
+            })
+        };
+        self.points.pairs.iter().flat_map(of).collect()
+    }
 
     /// All faces, from those of the half.
     pub fn whole(&self, half: SpaceFaces) -> SpaceFaces {
         let SpaceFaces { jumps, reactions, status, fluid } = half;
         let mut whole = SpaceFaces {
-            jumps: vec![0.0; 3 * self.points],
-            reactions: vec![0.0; 3 * self.points],
-            status: vec![SpaceStatus::Stick; self.points],
+            jumps: vec![0.0; 3 * self.points.points],
+            reactions: vec![0.0; 3 * self.points.points],
+            status: vec![SpaceStatus::Stick; self.points.points],
             fluid,
         };
-        for (k, &[one, other]) in self.pairs.iter().enumerate() {
+        for (k, &[one, other]) in self.points.pairs.iter().enumerate() {
             let share = if one == other { 1.0 } else { 0.5 };
             for (c, sign) in SIGNS.into_iter().enumerate() {
                 let (jump, force) = (jumps[3 * k + c], share * reactions[3 * k + c]);

@@ -1,20 +1,25 @@
 //! A half-space with cracks, as the growth loop sees it.
 
 use super::bilinear::WheelPatch;
-use super::body::{CloseCracks, FrontPoint, SpaceBody, SpaceError, SpaceKernel};
+use super::body::{FrontPoint, SpaceBody};
 use super::contact::{SpaceContact, SpaceContactError};
+use super::error::{CloseCracks, SpaceError};
 use super::fluid::SpaceFluid;
 use super::fold::FoldedCrack;
 use super::front_advance::{FrontAdvance, Start};
 use super::front_motion::{FrontSpeeds, counts};
 use super::grid::SpaceResolution;
+use super::groups::{CrackGroup, groups};
+use super::load::{SpaceFluidLoad, SpaceLoad, StressAt};
 use super::nuclei::Symmetric;
-use super::passage::{SpaceFluidLoad, SpaceLoad};
+use super::passage::SpacePassages;
 use super::plane::PlaneFrame;
 use super::records::stabilised_record;
 use super::shape::{Extent, ShapeError, SpaceCrack};
-use super::shapes::{ShapesError, body_of};
+use super::shapes::{ShapesError, body_in_parts, body_of};
 use super::stabilised::{StabilisedSpace, stabilised_space_passage};
+use super::stiffness::SpaceKernel;
+use super::sweeps::GroupedPassages;
 use super::tips::FrontLaw;
 use crate::body::BodyError;
 use crate::crack::{Crack, CrackError};
@@ -22,9 +27,9 @@ use crate::fatigue::RUNAWAY;
 use crate::field::StressField;
 use crate::growth::{
     Advance, BodyReport, CrackedRail, FieldRecord, FieldSettings, FrontShape, Geometry, GrowthError,
-    GrowthSettings, GrowthState, Mover, Observer, PassageSettings, SpaceGeometry, StabilisedPassage,
-    StepStart, StressMoves, TipDemand, TipGeometry, TipRecord, TipStop, Uncovered, Warning, WarningKind,
-    WheelOfRail, under_each_wheel,
+    GrowthSettings, GrowthState, Memory, Mover, NetworkContact, Observer, PassageSettings, SpaceGeometry,
+    StabilisedPassage, StepStart, StressMoves, TipDemand, TipGeometry, TipRecord, TipStop, Uncovered,
+    Warning, WarningKind, WheelOfRail, under_each_wheel,
 };
 use crate::interruption::Interruption;
 use crate::load::Bending;
@@ -44,6 +49,8 @@ pub struct SpaceRail {
     pub wheels: Vec<SpaceWheel>,
     /// Crack-face friction coefficient of each crack.
     pub friction: Vec<f64>,
+    /// Treatment of the contact of many cracks; in groups, trapped fluid is not sealed.
+    pub network: NetworkContact,
     /// Cells of each crack.
     pub resolution: SpaceResolution,
     /// Growth law, limits and the direction criterion, which is only reported; the toughness is
@@ -83,6 +90,8 @@ pub struct SpaceWheel {
 pub struct CracksInSpace {
     geometry: SpaceGeometry,
     body: SpaceBody,
+    /// Its cracks in groups, where they are not solved for together.
+    groups: Option<Vec<CrackGroup>>,
 }
 
 /// Cracks in space, as far as their increments depend on them.
@@ -270,25 +279,29 @@ impl CrackedRail for SpaceRail {
         let steel = self.steel;
         let dips: Vec<f64> = geometry.shapes.iter().map(FrontShape::mouth_dip).collect();
         let kernel = self.kernel.get_or_insert_with(|| SpaceKernel::new(&dips, steel.poisson()));
-        let body = body_of(&geometry.shapes, &steel, kernel, self.resolution, interruption);
-        let body = body.map_err(|error| match error {
+        let failed = |error| match error {
             ShapesError::Body(SpaceError::Interrupted(_)) => GrowthError::Interrupted { step },
             ShapesError::Body(SpaceError::Linear(_)) if interruption.check().is_err() => {
                 GrowthError::Interrupted { step }
             }
             other => body_error(step, other),
-        })?;
-        Ok(CracksInSpace { geometry: geometry.clone(), body })
+        };
+        let in_groups = self.network == NetworkContact::Groups && geometry.shapes.len() > 1;
+        let body = if in_groups { body_in_parts } else { body_of };
+        let body = body(&geometry.shapes, &steel, kernel, self.resolution, interruption).map_err(failed)?;
+        let groups = in_groups.then(|| groups(&body, interruption));
+        let groups = groups.transpose().map_err(|error| failed(error.into()))?;
+        Ok(CracksInSpace { geometry: geometry.clone(), body, groups })
     }
 
-    fn report(&self, CracksInSpace { geometry, body }: &CracksInSpace) -> BodyReport {
+    fn report(&self, CracksInSpace { geometry, body, .. }: &CracksInSpace) -> BodyReport {
         let remarks = geometry.shapes.iter().enumerate().filter_map(|(k, shape)| flat_crack(k, shape));
         BodyReport { dofs: 3 * body.points().len(), remarks: remarks.collect(), ..BodyReport::default() }
     }
 
     fn passages(
         &mut self,
-        CracksInSpace { body, .. }: &CracksInSpace,
+        CracksInSpace { body, groups, .. }: &CracksInSpace,
         at: &StepStart<'_>,
         observer: &dyn Observer,
         warnings: &mut Vec<Warning>,
@@ -305,10 +318,10 @@ impl CrackedRail for SpaceRail {
             let load = SpaceLoad {
                 wheel: &wheel,
                 bending: bending.as_ref(),
-                constant: uncovered.is_some().then_some(&stays as &super::passage::StressAt),
+                constant: uncovered.is_some().then_some(&stays as &StressAt),
                 fluid: fluid.as_ref().map(|fluid| SpaceFluidLoad { fluid, over: &over }),
             };
-            let passage = stabilised_space_passage(&contact, &load, passages, observer)
+            let passage = stabilised_over(&contact, groups.as_deref(), &load, passages, observer)
                 .map_err(|error| of_contact(at.step, error))?;
             let written = self.written(&passage, at.step);
             Ok(stabilised_record(body, &passage, written))
@@ -327,7 +340,7 @@ impl CrackedRail for SpaceRail {
 
     fn demands(
         &self,
-        CracksInSpace { geometry, body }: &CracksInSpace,
+        CracksInSpace { geometry, body, .. }: &CracksInSpace,
         passages: &[StabilisedPassage],
     ) -> Vec<TipRecord> {
         let law = FrontLaw {
@@ -338,7 +351,7 @@ impl CrackedRail for SpaceRail {
         law.tips(&geometry.shapes, body, &self.wheels(), passages)
     }
 
-    fn movers(&self, CracksInSpace { geometry, body }: &CracksInSpace, tips: &[TipRecord]) -> Vec<Mover> {
+    fn movers(&self, CracksInSpace { geometry, body, .. }: &CracksInSpace, tips: &[TipRecord]) -> Vec<Mover> {
         let rates: Vec<f64> = tips.iter().map(|tip| self.moving_rate(tip)).collect();
         let of = |(crack, (shape, part)): (usize, (&FrontShape, &super::body::CrackPart))| {
             let points = part.front.clone();
@@ -348,7 +361,7 @@ impl CrackedRail for SpaceRail {
         geometry.shapes.iter().zip(body.cracks()).enumerate().flat_map(of).collect()
     }
 
-    fn site(&self, CracksInSpace { geometry, body }: &CracksInSpace) -> SpaceSite {
+    fn site(&self, CracksInSpace { geometry, body, .. }: &CracksInSpace) -> SpaceSite {
         SpaceSite {
             geometry: geometry.clone(),
             front: body.front().to_vec(),
@@ -427,6 +440,28 @@ impl CrackedRail for SpaceRail {
             ground,
             stop,
             warnings,
+        }
+    }
+}
+
+/// The stabilised passage over the faces of `contact`, in `groups` if there are any.
+fn stabilised_over(
+    contact: &SpaceContact<'_>,
+    groups: Option<&[CrackGroup]>,
+    load: &SpaceLoad<'_>,
+    settings: &PassageSettings,
+    observer: &dyn Observer,
+) -> Result<StabilisedSpace, SpaceContactError> {
+    let SpaceContact { body, friction } = *contact;
+    let memory = if friction.iter().any(|&mu| mu > 0.0) { Memory::Friction } else { Memory::None };
+    match groups {
+        None => {
+            let mut passages = SpacePassages::new(contact, load, settings.passage, observer)?;
+            stabilised_space_passage(body, memory, &mut passages, settings)
+        }
+        Some(groups) => {
+            let mut passages = GroupedPassages::new((body, groups), friction, load, settings, observer)?;
+            stabilised_space_passage(body, memory, &mut passages, settings)
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Records of passages in space, in the form used for the plane.
 
 use super::body::{FrontPoint, SpaceBody};
-use super::passage::SpaceHistory;
+use super::history::SpaceHistory;
 use super::stabilised::StabilisedSpace;
 use super::states::SpaceStatus;
 use crate::body::FacePoint;
@@ -37,7 +37,7 @@ pub(super) fn stabilised_record(
         faces: face_record(body, passage, written),
         counts: passage.counts,
         last_change: passage.last_change,
-        coupling: None,
+        coupling: passage.groups,
         delta_kiii: points.map(range).collect(),
     }
 }

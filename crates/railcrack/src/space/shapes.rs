@@ -1,9 +1,11 @@
 //! The body with the cracks of a growing front.
 
-use super::body::{SpaceBody, SpaceError, SpaceKernel};
+use super::body::SpaceBody;
+use super::error::SpaceError;
 use super::fold::{FoldedBodyError, FoldedResolution};
 use super::grid::SpaceResolution;
 use super::shape::{ShapeError, SpaceCrack};
+use super::stiffness::SpaceKernel;
 use crate::growth::FrontShape;
 use crate::interruption::Interruption;
 use crate::material::IsotropicElastic;
@@ -61,4 +63,22 @@ pub fn body_of(
     }
     let cracks = shapes.iter().map(FrontShape::crack).collect::<Result<Vec<SpaceCrack>, _>>()?;
     Ok(SpaceBody::with_kernel(&cracks, steel, Some(kernel), resolution, interruption)?)
+}
+
+/// [`body_of`] without C and S: a body of which only parts are solved for.
+///
+/// Errors: an inadmissible shape; a folded crack; cracks that are too close to each other; the
+/// interruption.
+pub(super) fn body_in_parts(
+    shapes: &[FrontShape],
+    steel: &IsotropicElastic,
+    kernel: &SpaceKernel,
+    resolution: SpaceResolution,
+    interruption: Interruption<'_>,
+) -> Result<SpaceBody, ShapesError> {
+    if shapes.iter().any(|shape| shape.folded().is_some()) {
+        return Err(ShapesError::NotAlone { cracks: shapes.len() });
+    }
+    let cracks = shapes.iter().map(FrontShape::crack).collect::<Result<Vec<SpaceCrack>, _>>()?;
+    Ok(SpaceBody::in_parts(&cracks, steel, Some(kernel), resolution, interruption)?)
 }

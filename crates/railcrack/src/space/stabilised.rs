@@ -1,10 +1,13 @@
 //! The stabilised passage over a crack in space.
 
-use super::body::FrontSif;
-use super::contact::{SpaceContact, SpaceContactError};
-use super::passage::{SpaceHistory, SpaceLoad, SpacePassageSettings, SpacePassages};
+use super::body::{FrontSif, SpaceBody};
+use super::contact::SpaceContactError;
+use super::history::{SpaceHistory, SpacePassageSettings};
+use super::passage::SpacePassages;
+use super::states::SpaceFaces;
 use crate::contact::StepControl;
-use crate::growth::{Memory, Observer, PassageSettings, Repeats, SolverCounts, until_repeated};
+use crate::growth::{GroupsError, Memory, PassageSettings, Repeats, SolverCounts, until_repeated};
+use crate::linear::LinearError;
 use std::rc::Rc;
 
 /// Largest number of times that two intervals between output positions are halved.
@@ -21,37 +24,77 @@ pub(super) struct StabilisedSpace {
     pub counts: SolverCounts,
     /// Change of K between the last two passages, relative to its peak; `None` after a single one.
     pub last_change: Option<f64>,
+    /// The estimated error of K, where cracks are solved for in groups.
+    pub groups: Option<GroupsError>,
 }
 
-/// Computes passages over the faces of `contact` until K changes by less than the tolerance.
+/// Passages over cracks that are solved for together or in groups.
+pub(super) trait Passages {
+    /// The largest K (MPa √mm) in a trial passage over virgin faces, which is not counted.
+    ///
+    /// Errors: contact that does not converge; an interruption.
+    fn trial(&mut self, settings: &SpacePassageSettings) -> Result<f64, SpaceContactError>;
+
+    /// A passage over the faces `faces`, which are updated to their state after it, without the
+    /// wheel.
+    ///
+    /// Errors: contact that does not converge; an interruption.
+    fn pass(
+        &mut self,
+        settings: &SpacePassageSettings,
+        faces: &mut SpaceFaces,
+    ) -> Result<SpaceHistory, SpaceContactError>;
+
+    /// The estimated error of K; none where all cracks are solved for together.
+    ///
+    /// Errors: matrices whose shapes do not match.
+    fn error(&self) -> Result<Option<GroupsError>, LinearError>;
+}
+
+impl Passages for SpacePassages<'_> {
+    fn trial(&mut self, settings: &SpacePassageSettings) -> Result<f64, SpaceContactError> {
+        Ok(Self::pass(self, settings, &mut self.virgin())?.peak())
+    }
+
+    fn pass(
+        &mut self,
+        settings: &SpacePassageSettings,
+        faces: &mut SpaceFaces,
+    ) -> Result<SpaceHistory, SpaceContactError> {
+        Self::pass(self, settings, faces)
+    }
+
+    fn error(&self) -> Result<Option<GroupsError>, LinearError> {
+        Ok(None)
+    }
+}
+
+/// Computes passages over the faces of `body`, with friction in the cracks or without any, until K
+/// changes by less than the tolerance.
 ///
-/// The step control is scaled by the peak of K in a trial passage with one step between positions,
-/// which is not counted.
+/// The step control is scaled by the peak of K in a trial passage with one step between positions.
 ///
-/// Errors: contact that does not converge; an interruption by `observer`.
+/// Errors: contact that does not converge; an interruption.
 pub(super) fn stabilised_space_passage(
-    contact: &SpaceContact,
-    load: &SpaceLoad,
+    body: &SpaceBody,
+    memory: Memory,
+    passages: &mut impl Passages,
     settings: &PassageSettings,
-    observer: &dyn Observer,
 ) -> Result<StabilisedSpace, SpaceContactError> {
-    let passages = SpacePassages::new(contact, load, settings.passage, observer)?;
-    let mut faces = contact.virgin();
+    let mut faces = SpaceFaces::virgin(body.points().len());
     let coarse = SpacePassageSettings { tolerance: f64::INFINITY, halvings: 0 };
     let fine = match settings.step_control {
         StepControl::Fixed => coarse,
         StepControl::Adaptive => {
             let guarded = SpacePassageSettings { halvings: HALVINGS, ..coarse };
-            let peak = match passages.pass(&coarse, &mut contact.virgin()) {
-                Err(SpaceContactError::NotConverged { .. }) => passages.pass(&guarded, &mut contact.virgin()),
+            let peak = match passages.trial(&coarse) {
+                Err(SpaceContactError::NotConverged { .. }) => passages.trial(&guarded),
                 peak => peak,
-            }?
-            .peak();
+            }?;
             let tolerance = (settings.step_tolerance * peak).max(f64::MIN_POSITIVE);
             SpacePassageSettings { tolerance, halvings: HALVINGS }
         }
     };
-    let memory = if contact.friction.iter().any(|&mu| mu > 0.0) { Memory::Friction } else { Memory::None };
     let repeated = until_repeated(settings, memory, |_, _| passages.pass(&fine, &mut faces).map(Rc::new))?;
     drop(repeated.last);
     let histories: Vec<SpaceHistory> = repeated.records.into_iter().map(Rc::unwrap_or_clone).collect();
@@ -68,10 +111,11 @@ pub(super) fn stabilised_space_passage(
         sum.and(one)
     });
     Ok(StabilisedSpace {
-        between: contact.body.sifs_of_jumps(&faces.jumps),
+        between: body.sifs_of_jumps(&faces.jumps),
         counts: SolverCounts { passages: histories.len(), ..counts },
         passages: histories,
         last_change: repeated.change,
+        groups: passages.error()?,
     })
 }
 

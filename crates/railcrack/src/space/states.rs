@@ -30,6 +30,16 @@ pub struct SpaceFaces {
 }
 
 impl SpaceFaces {
+    /// Faces of `points` points that are closed, without slip and force.
+    pub(super) fn virgin(points: usize) -> Self {
+        Self {
+            jumps: vec![0.0; 3 * points],
+            reactions: vec![0.0; 3 * points],
+            status: vec![SpaceStatus::Stick; points],
+            fluid: Vec::new(),
+        }
+    }
+
     /// Whether every point has the same state as in the other faces: open, sticking or slipping.
     pub(super) fn keeps_states_of(&self, other: &Self) -> bool {
         let kind = |status: &SpaceStatus| std::mem::discriminant(status);

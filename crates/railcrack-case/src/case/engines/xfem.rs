@@ -5,7 +5,7 @@ use crate::case::case::Case;
 use crate::tables::{ELEMENT_SIZE, INTERFACE_SPACING};
 use railcrack::body::BodyEngine;
 use railcrack::crack::Crack;
-use railcrack::plane::NetworkContact;
+use railcrack::growth::NetworkContact;
 use railcrack::xfem::XfemEngine;
 
 pub(super) struct Xfem;

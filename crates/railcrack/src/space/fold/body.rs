@@ -6,13 +6,13 @@
 //! friction there, would lock slip over the length of a cell; the normal of a plane between the two
 //! rounds off the fold over a cell on either side of it.
 
-use super::super::body::{
-    Assembled, CrackPart, FrontPoint, LOAD_POINTS, LoadPoint, SpaceBody, SpaceError, SpaceKernel,
-};
+use super::super::body::{Assembled, CrackPart, FrontPoint, LOAD_POINTS, LoadPoint, SpaceBody};
+use super::super::error::SpaceError;
 use super::super::front_motion::phi_on_strip;
 use super::super::mirror_image::averaged_with_mirror_image;
 use super::super::plane::PlaneFrame;
 use super::super::shape::SpaceCrack;
+use super::super::stiffness::SpaceKernel;
 use super::assembly::{Assembly, MorePoints};
 use super::grid::{FoldedGrid, FoldedResolution, Part};
 use super::shape::{FoldError, FoldedCrack};

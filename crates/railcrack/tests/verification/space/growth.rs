@@ -3,7 +3,7 @@
 use crate::common::{Of, Relative, close, steel};
 use railcrack::growth::{
     FrontShape, Grinding, Growth, GrowthError, GrowthSettings, GrowthState, Maintenance, MouthStrip,
-    PassageSettings, StepRecord, StressMoves, Unobserved,
+    NetworkContact, PassageSettings, StepRecord, StressMoves, Unobserved,
 };
 use railcrack::load::Passage;
 use railcrack::math::RailBox;
@@ -48,6 +48,7 @@ fn wheel(lateral: f64, share: f64) -> SpaceWheel {
 fn rail(wheels: Vec<SpaceWheel>, friction: f64, wear: f64) -> SpaceRail {
     let maintenance = Maintenance { wear, grinding: None, stress: StressMoves::WithSurface, limit: None };
     SpaceRail {
+        network: NetworkContact::Whole,
         steel: steel(),
         wheels,
         friction: vec![friction],

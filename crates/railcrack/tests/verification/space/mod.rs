@@ -5,6 +5,7 @@ mod contact;
 mod fluid;
 mod fold;
 mod fronts;
+mod groups;
 mod growth;
 mod kernel;
 mod several;

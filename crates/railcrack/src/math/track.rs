@@ -1,10 +1,10 @@
 //! Histories of jumps and forces along the path of the wheel.
 
-use crate::math::{Matrix, axpy};
+use super::{Matrix, axpy};
 
 /// Values at coordinates of a load path, with linear interpolation between them.
 #[derive(Debug, Clone)]
-pub(super) struct Track {
+pub(crate) struct Track {
     /// The coordinates, in the order of travel.
     at: Vec<f64>,
     /// A row for each of them.
@@ -85,7 +85,7 @@ impl Track {
 }
 
 /// Every second of `count` indices, and the last one.
-pub(super) fn every_second(count: usize) -> impl Iterator<Item = usize> {
+pub(crate) fn every_second(count: usize) -> impl Iterator<Item = usize> {
     (0..count).filter(move |&i| i % 2 == 0 || i + 1 == count)
 }
 

@@ -24,7 +24,7 @@ impl Choice for NetworkContact {
             Self::Groups,
             Word::now(
                 "groups",
-                "each crack with its neighbours, in sweeps until they agree within network_tolerance; for dozens of cracks in a half-plane, with the newton solver, without trapped fluid and without fields",
+                "each crack with its neighbours, in sweeps until they agree within network_tolerance; for dozens of cracks in a half-plane or in space, with the newton solver, without trapped fluid and without fields",
             ),
         ),
     ];

@@ -1,0 +1,136 @@
+//! A of all cracks: each by itself, and the forces between them.
+
+use super::cross::{Placed, cross_stiffness};
+use super::error::SpaceError;
+use super::galerkin::{Galerkin, ImagePart};
+use super::image_table::ImageTable;
+use super::mirror_image::averaged_with_mirror_image;
+use super::plane::Surroundings;
+use super::shape::SpaceCrack;
+use crate::interruption::Interruption;
+use crate::material::IsotropicElastic;
+use crate::math::Matrix;
+use std::sync::Arc;
+
+/// The images in the surface for the planes of some dips, shared by all cracks that grow in such
+/// planes.
+#[derive(Debug, Clone)]
+pub struct SpaceKernel {
+    poisson: f64,
+    tables: Vec<(f64, Arc<ImageTable>)>,
+}
+
+impl SpaceKernel {
+    /// The kernel for planes that descend at `dips` (radians) in steel of Poisson's ratio
+    /// `poisson`.
+    pub fn new(dips: &[f64], poisson: f64) -> Self {
+        let mut tables: Vec<(f64, Arc<ImageTable>)> = Vec::new();
+        for &dip in dips {
+            if tables.iter().all(|(known, _)| *known != dip) {
+                tables.push((dip, Arc::new(ImageTable::new(dip, poisson))));
+            }
+        }
+        Self { poisson, tables }
+    }
+
+    /// The image for planes of a given dip, computed anew unless the dip is one of those prepared.
+    pub(super) fn image(&self, dip: f64) -> ImagePart {
+        let known = self.tables.iter().find(|(known, _)| *known == dip).map(|(_, table)| Arc::clone(table));
+        ImagePart { table: known.unwrap_or_else(|| Arc::new(ImageTable::new(dip, self.poisson))), dip }
+    }
+}
+
+/// A of all cracks, N/mm.
+pub(super) fn stiffness_of(
+    cracks: &[SpaceCrack],
+    placed: &[Placed],
+    steel: &IsotropicElastic,
+    kernel: Option<&SpaceKernel>,
+    interruption: Interruption<'_>,
+) -> Result<Matrix, SpaceError> {
+    let poisson = steel.poisson();
+    debug_assert!(kernel.is_none_or(|kernel| kernel.poisson == poisson));
+    let surroundings = kernel.map_or(Surroundings::FullSpace, |_| Surroundings::HalfSpace);
+    let starts: Vec<usize> = placed
+        .iter()
+        .scan(0, |next, crack| {
+            let start = *next;
+            *next += 3 * crack.grid.free;
+            Some(start)
+        })
+        .collect();
+    let order = placed.iter().map(|crack| 3 * crack.grid.free).sum();
+    let mut stiffness = Matrix::zeros(order, order);
+    let mu = steel.shear_modulus();
+    let first_copies = first_copies(cracks);
+    let mut integrated: Vec<[usize; 2]> = Vec::new();
+    for (k, (crack, &start)) in placed.iter().zip(&starts).enumerate() {
+        let size = 3 * crack.grid.free;
+        // Copies of a crack have the same self-stiffness, wherever they lie.
+        if first_copies[k] < k {
+            let from = starts[first_copies[k]];
+            for i in 0..size {
+                let row = stiffness.row(from + i)[from..from + size].to_vec();
+                stiffness.row_mut(start + i)[start..start + size].copy_from_slice(&row);
+            }
+        } else {
+            let image = kernel.map(|kernel| kernel.image(cracks[k].dip));
+            let own = Galerkin::new(crack.grid, poisson, image.as_ref()).stiffness_unless(interruption)?;
+            let own = averaged_with_mirror_image(own, &crack.grid.vertices[..crack.grid.free]);
+            for i in 0..size {
+                let into = &mut stiffness.row_mut(start + i)[start..start + size];
+                into.iter_mut().zip(own.row(i)).for_each(|(into, value)| *into = mu * value);
+            }
+        }
+        for (j, (other, &first)) in placed[..k].iter().zip(&starts).enumerate() {
+            if let Some([row, column]) = integrated_as([j, k], cracks, &first_copies, &integrated) {
+                // Pairs of copies at equal offsets differ by a translation of the half-space.
+                for i in 0..3 * other.grid.free {
+                    for c in 0..size {
+                        let value = stiffness[(starts[row] + i, starts[column] + c)];
+                        stiffness[(first + i, start + c)] = value;
+                        stiffness[(start + c, first + i)] = value;
+                    }
+                }
+                continue;
+            }
+            integrated.push([j, k]);
+            let between = cross_stiffness([*other, *crack], surroundings, poisson, interruption)?;
+            for i in 0..between.rows() {
+                for (j, value) in between.row(i).iter().enumerate() {
+                    stiffness[(first + i, start + j)] = mu * value;
+                    stiffness[(start + j, first + i)] = mu * value;
+                }
+            }
+        }
+    }
+    Ok(stiffness)
+}
+
+/// Offsets of cracks that differ by no more than this fraction of a semi-axis count as equal: far
+/// above the rounding of positions, far below the errors of the integrals.
+const SAME_OFFSET: f64 = 1e-9;
+
+/// For each crack the first one of which it is a copy: itself, where no earlier one is the same.
+pub(super) fn first_copies(cracks: &[SpaceCrack]) -> Vec<usize> {
+    let first = |k: usize| (0..k).find(|&other| cracks[k].is_copy_of(&cracks[other])).unwrap_or(k);
+    (0..cracks.len()).map(first).collect()
+}
+
+/// The pair among those `integrated` whose cracks are copies of those of `pair` at the same offset.
+pub(super) fn integrated_as(
+    pair: [usize; 2],
+    cracks: &[SpaceCrack],
+    first_copies: &[usize],
+    integrated: &[[usize; 2]],
+) -> Option<[usize; 2]> {
+    let offset = |[a, b]: [usize; 2]| [0, 1].map(|e| cracks[b].middle[e] - cracks[a].middle[e]);
+    let copied = pair.map(|crack| first_copies[crack]);
+    let wanted = offset(pair);
+    let near = SAME_OFFSET * cracks[pair[0]].length.min(cracks[pair[1]].length);
+    integrated.iter().copied().find(|known| {
+        let found = offset(*known);
+        known.map(|crack| first_copies[crack]) == copied
+            && (0..2).all(|e| (found[e] - wanted[e]).abs() <= near)
+    })
+}
