@@ -1,7 +1,8 @@
 """From a head check to the broken rail: what decides the turn, and how deep the rail breaks.
 
 python3 tools/transverse_crack.py RAILCRACK computes the tables of verification/transverse-crack
-with that program from cases/transverse.toml; without arguments, they are drawn as
+with that program from cases/transverse.toml, with "space" behind it that of the curved front, from
+cases/transverse-in-space.toml; without arguments, they are drawn as
 docs/figures/transverse-crack.svg. Needs matplotlib for that.
 """
 
@@ -108,6 +109,25 @@ def compute(program):
             csv.writer(out, lineterminator="\n").writerows(table)
 
 
+def compute_in_space(program):
+    """The deepest point of a branch from folds of two widths, at every step."""
+    case = (root / "cases/transverse-in-space.toml").read_text()
+    columns = ["mgt", "depth_mm", "length_mm", "surface_half_length_mm", "ki_max_mpa_sqrt_m", "delta_kii_mpa_sqrt_m", "rate_mm_per_cycle"]
+    table = [["fold_half_length_mm"] + columns]
+    with tempfile.TemporaryDirectory() as temporary:
+        for half in (8, 16):
+            text = edited(case, {"crack.surface_half_length_mm": f"{half}.0"}, [])
+            _, rows = run(program, pathlib.Path(temporary), f"half-{half}", text)
+            table += deepest(rows, half, columns)
+    with open(tables / "space.csv", "w", newline="") as out:
+        csv.writer(out, lineterminator="\n").writerows(table)
+
+
+def deepest(rows, half, columns):
+    """Rows of the table: those at the deepest point of the front."""
+    return [[half] + [rounded(row[key]) for key in columns] for row in rows if float(row["phi_deg"]) == 90.0]
+
+
 def rounded(value):
     return f"{float(value):.5g}" if value != "" else ""
 
@@ -137,4 +157,9 @@ def draw():
 
 
 if __name__ == "__main__":
-    compute(sys.argv[1]) if len(sys.argv) > 1 else draw()
+    if len(sys.argv) == 1:
+        draw()
+    elif sys.argv[2:] == ["space"]:
+        compute_in_space(sys.argv[1])
+    else:
+        compute(sys.argv[1])

@@ -15,8 +15,8 @@ use railcrack::load::{HertzianContact, Passage};
 use railcrack::math::{Matrix, Stress};
 use railcrack::plane::{RailLoad, stabilised_passage};
 use railcrack::space::{
-    FoldedCrack, FoldedResolution, FrontSif, SpaceBody, SpaceContact, SpaceKernel, SpaceLoad,
-    SpacePassageSettings, SpaceResolution, Symmetric, space_passage,
+    FoldedCrack, FoldedResolution, FrontSif, SpaceBody, SpaceContact, SpaceCrack, SpaceKernel, SpaceLoad,
+    SpacePassageSettings, SpaceResolution, Surroundings, Symmetric, space_passage,
 };
 use std::f64::consts::PI;
 
@@ -144,6 +144,35 @@ fn mirror_images() {
         }
     }
 }
+
+/// K_I in the middle of a vertical branch from a fold at 2.8 mm of depth, down to `depth` (mm) and
+/// as wide, in tension along the rail; over that of a planar crack of that depth and width.
+fn over_a_planar_crack(depth: f64) -> f64 {
+    let (fold, at) = (6.3, 2.8f64);
+    let mouth_dip = (at / fold).asin();
+    let folded = FoldedCrack { mouth_dip, fold, branch: depth - at, ..folded(25.0, 90.0, depth) };
+    let planar = SpaceCrack::surface_breaking(0.5 * PI, depth, depth).unwrap();
+    let resolution = SpaceResolution { block: 3, ring: 3 };
+    let planar = SpaceBody::new(&[planar], &steel(), Surroundings::HalfSpace, resolution).unwrap();
+    let [below, planar] = [body(&folded, 3), planar].map(|body| at_the_deepest(&body));
+    below / planar
+}
+
+fn at_the_deepest(body: &SpaceBody) -> f64 {
+    at(&open(body, TENSION), 0.5).ki
+}
+
+#[test]
+fn a_branch_that_has_outgrown_its_strip_is_a_transverse_crack() {
+    // The strip enlarges the crack by what a wider mouth does, less and less.
+    let [short, long] = [10.0, 20.0].map(over_a_planar_crack);
+    println!("{short:.4} {long:.4}");
+    measured(long - 1.0, OUTGROWN, "a strip of 6.3 mm above a branch of 17 mm");
+    assert!(long > 1.0 && long - 1.0 < OUTGROWN && long - 1.0 < 0.7 * (short - 1.0), "{short} {long}");
+}
+
+/// Excess allowed over a planar crack of the same depth.
+const OUTGROWN: f64 = 0.03;
 
 /// Half the work of the nodal forces on the open crack.
 fn energy(body: &SpaceBody, stress: Symmetric) -> f64 {
