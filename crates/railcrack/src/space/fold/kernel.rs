@@ -155,3 +155,58 @@ pub(super) fn add_strong(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::gauss_legendre;
+
+    /// The points of a tent over four cells of 1 mm in the plane of `dip`, about (s, ζ).
+    fn tent(frame: &PlaneFrame, middle: [f64; 2], x: f64) -> Vec<SurfacePoint> {
+        let rule = gauss_legendre(8);
+        let mut points = Vec::new();
+        for signs in [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]] {
+            for (u, wu) in &rule {
+                for (v, wv) in &rule {
+                    let [a, b] = [*u, *v];
+                    let weight = wu * wv;
+                    let mut position = frame.position(middle[0] + signs[0] * a, middle[1] + signs[1] * b);
+                    position[0] += x;
+                    points.push(SurfacePoint {
+                        position,
+                        normal: frame.directions()[0],
+                        hats: [(1.0 - a) * (1.0 - b) * weight, 0.0, 0.0, 0.0],
+                        gradients: [
+                            [-signs[0] * (1.0 - b) * weight, -signs[1] * (1.0 - a) * weight],
+                            [0.0; 2],
+                            [0.0; 2],
+                            [0.0; 2],
+                        ],
+                    });
+                }
+            }
+        }
+        points
+    }
+
+    #[test]
+    fn curls_of_jumps_on_two_planes_have_the_work_of_their_tractions() {
+        // Tents that vanish at their edges do not touch: by parts, both forms are the same, in every
+        // component and for every Poisson's ratio.
+        let frames = [0.4, 1.3].map(PlaneFrame::new);
+        let tents = [tent(&frames[0], [4.0, 0.3], 0.0), tent(&frames[1], [7.5, -1.1], 1.5)];
+        for poisson in [0.0, 0.3, 0.45] {
+            let (mut weak, mut strong, mut sums) = (EMPTY, EMPTY, NO_SUMS);
+            for x in &tents[0] {
+                add_weak(x, &tents[1], &mut sums);
+                add_strong(Stress::Kelvin, x, &tents[1], poisson, &mut strong);
+            }
+            add_sums(&sums, [&frames[0], &frames[1]], poisson, &mut weak);
+            let [weak, strong] = [weak, strong].map(|block| block[0].map(|row| row[0]));
+            let largest = strong.iter().flatten().fold(0.0f64, |most, value| most.max(value.abs()));
+            for (weak, strong) in weak.iter().flatten().zip(strong.iter().flatten()) {
+                assert!((weak - strong).abs() < 1e-6 * largest, "{poisson}: {weak} {strong} {largest}");
+            }
+        }
+    }
+}
