@@ -191,8 +191,8 @@ mod tests {
 
     #[test]
     fn curls_of_jumps_on_two_planes_have_the_work_of_their_tractions() {
-        // Tents that vanish at their edges do not touch: by parts, both forms are the same, in every
-        // component and for every Poisson's ratio.
+        // Tents that vanish at their edges do not touch: by parts, both forms are the same, in
+        // every component and for every Poisson's ratio.
         let frames = [0.4, 1.3].map(PlaneFrame::new);
         let tents = [tent(&frames[0], [4.0, 0.3], 0.0), tent(&frames[1], [7.5, -1.1], 1.5)];
         for poisson in [0.0, 0.3, 0.45] {
