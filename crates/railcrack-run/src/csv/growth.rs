@@ -75,12 +75,13 @@ table! {
         /// `[maintenance]`.
         removed: Option<f64> = "removed_mm", with "maintenance";
         /// Parametric angle of a front point in space, degrees: 0 and 180 at the surface, 90
-        /// deepest.
+        /// deepest; on the sides of the strip of a folded crack −90 at the mouth to 0 at the fold,
+        /// and 180 to 270.
         phi_deg: Option<f64> = "phi_deg", with "space";
         /// Lateral position of a front point in space, mm.
         lateral: Option<f64> = "tip_z_mm", with "space";
         /// Semi-axis of the crack in space along the surface, mm; `length_mm` is the one down the
-        /// dip.
+        /// dip, of a folded crack the length over the fold.
         half_length: Option<f64> = "surface_half_length_mm", with "space";
         /// Range of K_III of a front point in space, MPa√m.
         delta_kiii: Option<f64> = "delta_kiii_mpa_sqrt_m", with "space";

@@ -41,7 +41,8 @@ table! {
         /// Volume of the crack per unit width, in space over the length of its mouth, mm².
         fluid_volume: Option<f64> = "fluid_mm2", with "fluid";
         /// Parametric angle of a front point in space, degrees: 0 and 180 at the surface, 90
-        /// deepest.
+        /// deepest; on the sides of the strip of a folded crack −90 at the mouth to 0 at the fold,
+        /// and 180 to 270.
         phi_deg: Option<f64> = "phi_deg", with "space";
         /// K_III of a front point in space, MPa√m.
         kiii: Option<f64> = "kiii_mpa_sqrt_m", with "space";

@@ -124,6 +124,9 @@ impl<'a> TrappedPressures<'a> {
             let excess = pocket.volume(jumps) - content;
             match state.status {
                 PocketStatus::Sealed => excess.abs() <= VOLUME * state.content,
+                // The volume of closed faces that slip over a fold may be negative by the length of
+                // a cell.
+                PocketStatus::Cavity if state.content == 0.0 => true,
                 PocketStatus::Cavity => excess >= -VOLUME * state.content,
                 PocketStatus::Vented | PocketStatus::Leaking => true,
             }
