@@ -263,11 +263,15 @@ fn a_mix_with_water_and_maintenance_ends_in_a_decision_and_names_its_places() {
     done(&folder, &["verify", "run"]);
 }
 
-/// The case with a head check that has turned down, under everything that a case may add.
+/// `case` with a head check that has turned down.
+fn with_fold(case: &str) -> String {
+    case.replace("mouth_mm = 0.0\nlength_mm = 3.0\n", "points_mm = [[0.0, 0.0], [2.7, -1.3], [3.3, -2.9]]\n")
+        .replace("angle_deg = 45.0\n", "")
+}
+
+/// The folded crack under everything that a case may add.
 fn folded() -> String {
-    let crack = "mouth_mm = 0.0\nlength_mm = 3.0\n";
-    let text = maintained_mix().replace(crack, "points_mm = [[0.0, 0.0], [2.7, -1.3], [3.3, -2.9]]\n");
-    text.replace("angle_deg = 45.0\n", "")
+    with_fold(&maintained_mix())
         .replace("critical_depth_mm = 2.25", "critical_depth_mm = 3.2\nultrasonic_depth_mm = 3.0")
         + "[fracture]\nsteel = \"R260\"\n[temperature]\nrail_c = -5.0\nneutral_c = 25.0\n"
 }
@@ -275,9 +279,7 @@ fn folded() -> String {
 #[test]
 fn a_folded_crack_that_slips_while_it_is_closed_traps_no_fluid() {
     let folder = workplace("folded-trapped");
-    let crack = "mouth_mm = 0.0\nlength_mm = 3.0\n";
-    let text = CASE.replace(crack, "points_mm = [[0.0, 0.0], [2.7, -1.3], [3.3, -2.9]]\n");
-    let text = text.replace("angle_deg = 45.0\n", "").replace("steps = 2", "steps = 0");
+    let text = with_fold(CASE).replace("steps = 2", "steps = 0");
     let text = text.replace("friction = 0.1", "friction = -0.4");
     // Before the wheel arrives the rail bends, and the faces slip.
     let text = text + "[fluid]\nmodel = \"trapped\"\n[track]\nwheel_load_kn = 100.0\nsection = \"60E1\"\n";

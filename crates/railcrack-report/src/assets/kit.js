@@ -679,6 +679,28 @@ const railcrack = (() => {
   const wheelName = ({ name, share }, i) =>
     share === null ? `${i + 1}` : `${i + 1} ${name}, ${+(100 * share).toPrecision(3)}\u00a0%`;
 
+  /**
+   * The menu of the wheels of a mix, which is not shown for a single one.
+   * @param {{ name: string | null, share: number | null }[]} wheels
+   * @param {(wheel: number) => void} choose
+   */
+  function wheelMenu(wheels, choose) {
+    const menu = element("of-mix", HTMLSelectElement);
+    menu.append(...wheels.map((wheel, i) => new Option(wheelName(wheel, i), String(i))));
+    element("which-wheel").hidden = wheels.length < 2;
+    menu.addEventListener("change", () => choose(+menu.value));
+    return menu;
+  }
+
+  /**
+   * The number of the position, of `positions` over the half-width `a`, that is nearest to `x` (mm).
+   * @param {number[]} positions
+   * @param {number} a
+   * @param {number} x
+   */
+  const nearestPosition = (positions, a, x) =>
+    d3.leastIndex(positions, (position) => Math.abs(position * a - x)) ?? 0;
+
   /** Time that a passage is played in, milliseconds. */
   const PLAYED_IN = 8000;
 
@@ -1003,6 +1025,7 @@ const railcrack = (() => {
     linear,
     logarithmic,
     logarithmicAxis,
+    nearestPosition,
     onTheme,
     onWidth,
     pageData,
@@ -1030,7 +1053,7 @@ const railcrack = (() => {
     typeset,
     unpack,
     viewer,
-    wheelName,
+    wheelMenu,
     within,
     words,
   };

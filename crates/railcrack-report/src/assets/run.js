@@ -1120,7 +1120,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
 
   const [readout, keep, clear] = [element("readout"), element("keep", HTMLButtonElement), element("clear")];
   const crackMenu = element("crack", HTMLSelectElement);
-  const wheelMenu = element("of-mix", HTMLSelectElement);
+  const wheelMenu = railcrack.wheelMenu(wheels, chooseWheel);
 
   function describe() {
     const step = steps[state.step];
@@ -1230,8 +1230,8 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   function chooseWheel(under) {
     controls.stop();
     const { xc_over_a: others, half_width: a } = wheels[under];
-    const xc = contactCentre() - data.origin;
-    moveTo({ wheel: under, position: d3.leastIndex(others, (x) => Math.abs(x * a - xc)) ?? 0 });
+    const position = railcrack.nearestPosition(others, a, contactCentre() - data.origin);
+    moveTo({ wheel: under, position });
   }
 
   /** @param {number[]} kept */
@@ -1259,9 +1259,6 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const caption = railcrack.within(element("scene"), "figcaption");
     caption.append(" Blue bands: fluid in the cracks, wider at higher pressure.");
   }
-  element("which-wheel").hidden = wheels.length < 2;
-  wheelMenu.append(...wheels.map((wheel, i) => new Option(railcrack.wheelName(wheel, i), String(i))));
-  wheelMenu.addEventListener("change", () => chooseWheel(+wheelMenu.value));
 
   element("residual").hidden = !data.residual;
   const isCoupled = wheels.some((wheel) => wheel.is_coupled);

@@ -404,15 +404,12 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     choose(+select.value);
     moveTo({});
   });
-  const wheelMenu = element("of-mix", HTMLSelectElement);
-  wheelMenu.append(...wheels.map((one, i) => new Option(railcrack.wheelName(one, i), String(i))));
-  element("which-wheel").hidden = wheels.length < 2;
-  wheelMenu.addEventListener("change", () => {
+  railcrack.wheelMenu(wheels, (under) => {
     controls.stop();
     // The position nearest to that of the wheel before.
-    const { positions: others, half_width: a } = wheels[+wheelMenu.value];
-    const xc = contactCentre() - data.origin;
-    moveTo({ wheel: +wheelMenu.value, position: d3.leastIndex(others, (x) => Math.abs(x * a - xc)) ?? 0 });
+    const { positions: others, half_width: a } = wheels[under];
+    const position = railcrack.nearestPosition(others, a, contactCentre() - data.origin);
+    moveTo({ wheel: under, position });
   });
   const modes = MODES.map(({ name, colour }) => ({ name, colour }));
   for (const figure of [figures.along, figures.history]) figure.explain(modes);

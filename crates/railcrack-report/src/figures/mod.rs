@@ -27,5 +27,5 @@ pub(crate) use plot::{Plot, chart};
 pub(crate) use run::run_plots;
 pub(crate) use shakedown::shakedown_plots;
 pub(crate) use sif::far_chart;
-pub(crate) use space::space_plots;
+pub(crate) use space::{has_closed_front, space_plots};
 pub(crate) use study::{MANY, StudyRun, Styles, band_charts, stratified, study_charts, study_plots, values};

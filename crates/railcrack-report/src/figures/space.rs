@@ -246,10 +246,7 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     let parts = last.clamp(1, FRONTS - 1);
     let mut steps: Vec<usize> = (0..=parts).map(|part| (part * last + parts / 2) / parts).collect();
     steps.dedup();
-    let is_closed = |crack: usize| {
-        let angles = || growth.iter().filter(|row| row.crack == crack).filter_map(|row| row.phi_deg);
-        angles().any(|phi| phi > 180.5) && !angles().any(is_on_strip)
-    };
+    let is_closed = |crack: usize| has_closed_front(growth.iter().filter(|row| row.crack == crack));
     let curves = |of: &dyn Fn(&TipRow) -> Option<[f64; 2]>, closes: bool| -> Vec<Curve> {
         let curve = |place: usize, crack: usize| {
             let step = steps[place];
@@ -314,6 +311,12 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
 /// is positive.
 fn is_on_strip(phi: f64) -> bool {
     phi < 0.0
+}
+
+/// Whether a front among `rows` is closed: that of a buried crack, without sides of a strip.
+pub(crate) fn has_closed_front<'a>(rows: impl Iterator<Item = &'a TipRow> + Clone) -> bool {
+    let angles = rows.filter_map(|row| row.phi_deg);
+    angles.clone().any(|phi| phi > 180.5) && !angles.clone().any(is_on_strip)
 }
 
 /// Both semi-axes against load cycles.

@@ -36,6 +36,17 @@ pub struct MouthStrip {
     pub length: f64,
 }
 
+impl MouthStrip {
+    /// The distance (mm) from the mouth of the point at a `depth` (mm), over the fold where it lies
+    /// on a branch that descends at `branch_dip` (radians).
+    #[must_use]
+    pub fn way_to(&self, depth: f64, branch_dip: f64) -> f64 {
+        let fold = self.length * self.dip.sin();
+        let below = (depth - fold).max(0.0) / branch_dip.sin();
+        depth.min(fold) / self.dip.sin() + below
+    }
+}
+
 impl FrontShape {
     /// The length (mm) from the mouth down the dip, over the fold of a folded crack, to the deepest
     /// point of the front; of a buried crack its semi-axis down the dip.

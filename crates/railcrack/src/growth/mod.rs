@@ -38,6 +38,7 @@ mod step_start;
 mod stop;
 mod stops;
 mod surface;
+mod sweep_progress;
 mod turning;
 mod warning;
 mod warnings;
@@ -84,3 +85,4 @@ pub(crate) use repeat::{Memory, Repeated, Repeats, until_repeated};
 pub(crate) use stops::{
     TipDemand, least_length, nothing_grows, part_until_worn_away, run_stop, spent_ligament, standstill,
 };
+pub(crate) use sweep_progress::SweepProgress;

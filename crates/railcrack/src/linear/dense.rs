@@ -122,6 +122,17 @@ pub(crate) fn products_of_rows(rows: &Matrix, interruption: Interruption<'_>) ->
     Ok(products)
 }
 
+/// √tr(C_k A_kl C_l A_lk), how strongly two units are coupled by the block A_kl of the stiffness,
+/// with C of each unit alone: the root of the sum of squared cosines of the angles between the
+/// jumps of both in the energy norm.
+///
+/// Errors: matrices whose shapes do not match.
+pub(crate) fn coupling(one: &Matrix, between: &Matrix, other: &Matrix) -> Result<f64, LinearError> {
+    let (left, right) = (product(one, between)?, product(between, other)?);
+    let pairs = left.entries().iter().zip(right.entries());
+    Ok(pairs.map(|(l, r)| l * r).sum::<f64>().max(0.0).sqrt())
+}
+
 /// The product A B.
 ///
 /// Errors: a number of columns of A that differs from the number of rows of B.

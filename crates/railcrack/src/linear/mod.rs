@@ -23,7 +23,7 @@ mod sweep;
 pub(crate) use bordered::BorderedFactor;
 pub use cholesky::{SparseCholesky, SparseFactor};
 pub(crate) use dense::spd_inverse_unless;
-pub(crate) use dense::{SmallFactor, add_product, products_of_rows};
+pub(crate) use dense::{SmallFactor, add_product, coupling, products_of_rows};
 pub use dense::{general_inverse, product, spd_inverse};
 pub use elements::ElementSum;
 pub use error::LinearError;

@@ -3,7 +3,7 @@
 
 use crate::body::{BlockStiffness, CrackedBody, RowPart, TipGain};
 use crate::contact::{FaceFluid, FaceProblem, Pocket, PocketMouth};
-use crate::linear::{LinearError, product, spd_inverse};
+use crate::linear::{LinearError, coupling, spd_inverse};
 use crate::math::Matrix;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -50,14 +50,6 @@ pub(super) fn groups(problem: &FaceProblem, blocks: &BlockStiffness) -> Result<V
     };
     let group = |k: usize| group(problem, blocks, k, members(k)?);
     (0..count).into_par_iter().map(group).collect()
-}
-
-/// √tr(C_k A_kl C_l A_lk), with C of each unit alone: the root of the sum of squared cosines of the
-/// angles between the jumps of both units in the energy norm.
-fn coupling(one: &Matrix, between: &Matrix, other: &Matrix) -> Result<f64, LinearError> {
-    let (left, right) = (product(one, between)?, product(between, other)?);
-    let pairs = left.entries().iter().zip(right.entries());
-    Ok(pairs.map(|(l, r)| l * r).sum::<f64>().max(0.0).sqrt())
 }
 
 fn group(

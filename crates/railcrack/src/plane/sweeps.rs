@@ -16,13 +16,12 @@ use crate::contact::{
 };
 use crate::fracture::{Sif, SifHistory};
 use crate::growth::{
-    GroupsError, Observer, PassageError, PassageRecord, PassageSettings, StabilisedPassage, WithoutProgress,
-    output_positions, until_repeated,
+    GroupsError, Observer, PassageError, PassageRecord, PassageSettings, StabilisedPassage, SweepProgress,
+    WithoutProgress, output_positions, until_repeated,
 };
 use crate::linear::LinearError;
 use crate::math::{Matrix, Track, every_second};
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Interpolation error of the stored jumps between their coordinates, relative to the largest jump:
 /// with 3e-3 the sweeps no longer terminate.
@@ -318,14 +317,11 @@ impl GroupRow<'_> {
         };
         let exchange =
             Exchange::new(self.blocks, &self.groups, &self.histories, &nodes).map_err(unsolvable)?;
-        // The number of sweeps is unknown: each one is reported as half of the remaining progress.
-        let done = AtomicUsize::new(0);
-        let left = 0.5f64.powi(number as i32 - 1);
+        let progress = SweepProgress::new(observer, number, self.groups.len());
         let run = |k: usize| {
             let forces = exchange.forces_on(k, nodes(k)).map_err(unsolvable)?;
             let run = self.run(leg, k, forces, observer);
-            let share = (done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / self.groups.len() as f64;
-            observer.progress(1.0 - left * (1.0 - 0.5 * share));
+            progress.group_done();
             run
         };
         let runs: Vec<LegOfGroup> =

@@ -94,9 +94,7 @@ impl CrackPart {
             let [_, s, zeta] = self.frame.components(from);
             return [s, zeta];
         };
-        let fold = strip.length * strip.dip.sin();
-        let below = (depth - fold).max(0.0) / self.shape.dip.sin();
-        [depth.min(fold) / strip.dip.sin() + below, from[1]]
+        [strip.way_to(depth, self.shape.dip), from[1]]
     }
 
     /// x and lateral position (mm) of the mouth at ζ.

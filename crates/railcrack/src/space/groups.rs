@@ -4,7 +4,7 @@
 use super::body::SpaceBody;
 use super::error::SpaceError;
 use crate::interruption::Interruption;
-use crate::linear::{LinearError, product, spd_inverse_unless};
+use crate::linear::{LinearError, coupling, spd_inverse_unless};
 use crate::math::Matrix;
 use rayon::prelude::*;
 
@@ -65,12 +65,4 @@ pub(super) fn groups(
         Ok(CrackGroup { own, body: body.part(&members, interruption)?, members })
     };
     (0..count).into_par_iter().map(group).collect()
-}
-
-/// √tr(C_k A_kl C_l A_lk), with C of each crack alone: the root of the sum of squared cosines of
-/// the angles between the jumps of both in the energy norm.
-fn coupling(one: &Matrix, between: &Matrix, other: &Matrix) -> Result<f64, LinearError> {
-    let (left, right) = (product(one, between)?, product(between, other)?);
-    let pairs = left.entries().iter().zip(right.entries());
-    Ok(pairs.map(|(l, r)| l * r).sum::<f64>().max(0.0).sqrt())
 }

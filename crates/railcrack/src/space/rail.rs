@@ -145,7 +145,7 @@ impl FrontShape {
         match (self.buried, self.strip) {
             (None, Some(strip)) => {
                 let mouth = Vec2::new(self.middle[0], 0.0);
-                Crack::polyline(vec![mouth, mouth + down(strip.dip) * strip.length, self.deepest()])
+                Crack::polyline(vec![mouth, mouth + Vec2::unit(-strip.dip) * strip.length, self.deepest()])
             }
             (None, None) if self.strike == 0.0 => {
                 Crack::surface_breaking(self.middle[0], self.length, self.dip)
@@ -167,7 +167,7 @@ impl FrontShape {
     /// The deepest point of the front, seen from the side of the rail.
     pub(super) fn deepest(&self) -> Vec2 {
         let from_fold = self.at(self.buried.unwrap_or(0.0) + self.length);
-        self.strip.map_or(from_fold, |strip| from_fold + down(strip.dip) * strip.length)
+        self.strip.map_or(from_fold, |strip| from_fold + Vec2::unit(-strip.dip) * strip.length)
     }
 
     /// The directions of the plane of its ellipse.
@@ -180,12 +180,6 @@ impl FrontShape {
     pub fn frames(&self) -> impl Iterator<Item = PlaneFrame> {
         self.strip.map(|strip| PlaneFrame::new(strip.dip)).into_iter().chain([self.frame()])
     }
-}
-
-/// Unit vector down a plane without strike, seen from the side of the rail.
-fn down(dip: f64) -> Vec2 {
-    let [x, _, depth] = PlaneFrame::new(dip).position(1.0, 0.0);
-    Vec2::new(x, -depth)
 }
 
 impl GrowthState {
@@ -278,7 +272,9 @@ impl CrackedRail for SpaceRail {
         };
         let steel = self.steel;
         let dips: Vec<f64> = geometry.shapes.iter().map(FrontShape::mouth_dip).collect();
-        let kernel = self.kernel.get_or_insert_with(|| SpaceKernel::new(&dips, steel.poisson()));
+        let kernel = self.kernel.get_or_insert_with(|| SpaceKernel::new(&[], steel.poisson()));
+        // The branch of a folded crack reaches the surface where wear has taken its strip.
+        kernel.prepare(&dips);
         let failed = |error| match error {
             ShapesError::Body(SpaceError::Interrupted(_)) => GrowthError::Interrupted { step },
             ShapesError::Body(SpaceError::Linear(_)) if interruption.check().is_err() => {

@@ -54,15 +54,13 @@ pub fn body_of(
     resolution: SpaceResolution,
     interruption: Interruption<'_>,
 ) -> Result<SpaceBody, ShapesError> {
-    if let Some(folded) = shapes.iter().find_map(FrontShape::folded) {
-        if shapes.len() > 1 {
-            return Err(ShapesError::NotAlone { cracks: shapes.len() });
-        }
+    if let [only] = shapes
+        && let Some(folded) = only.folded()
+    {
         let resolution = FoldedResolution::below(resolution);
         return Ok(folded.body(steel, kernel, resolution, interruption)?);
     }
-    let cracks = shapes.iter().map(FrontShape::crack).collect::<Result<Vec<SpaceCrack>, _>>()?;
-    Ok(SpaceBody::with_kernel(&cracks, steel, Some(kernel), resolution, interruption)?)
+    Ok(SpaceBody::with_kernel(&planar(shapes)?, steel, Some(kernel), resolution, interruption)?)
 }
 
 /// [`body_of`] without C and S: a body of which only parts are solved for.
@@ -76,9 +74,13 @@ pub(super) fn body_in_parts(
     resolution: SpaceResolution,
     interruption: Interruption<'_>,
 ) -> Result<SpaceBody, ShapesError> {
-    if shapes.iter().any(|shape| shape.folded().is_some()) {
+    Ok(SpaceBody::in_parts(&planar(shapes)?, steel, Some(kernel), resolution, interruption)?)
+}
+
+/// The cracks of `shapes`, none of which may be folded.
+fn planar(shapes: &[FrontShape]) -> Result<Vec<SpaceCrack>, ShapesError> {
+    if shapes.iter().any(|shape| shape.strip.is_some()) {
         return Err(ShapesError::NotAlone { cracks: shapes.len() });
     }
-    let cracks = shapes.iter().map(FrontShape::crack).collect::<Result<Vec<SpaceCrack>, _>>()?;
-    Ok(SpaceBody::in_parts(&cracks, steel, Some(kernel), resolution, interruption)?)
+    Ok(shapes.iter().map(FrontShape::crack).collect::<Result<_, _>>()?)
 }

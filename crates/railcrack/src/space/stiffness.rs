@@ -24,13 +24,18 @@ impl SpaceKernel {
     /// The kernel for planes that descend at `dips` (radians) in steel of Poisson's ratio
     /// `poisson`.
     pub fn new(dips: &[f64], poisson: f64) -> Self {
-        let mut tables: Vec<(f64, Arc<ImageTable>)> = Vec::new();
+        let mut kernel = Self { poisson, tables: Vec::new() };
+        kernel.prepare(dips);
+        kernel
+    }
+
+    /// Adds planes that descend at `dips` (radians), where they are not among those prepared.
+    pub fn prepare(&mut self, dips: &[f64]) {
         for &dip in dips {
-            if tables.iter().all(|(known, _)| *known != dip) {
-                tables.push((dip, Arc::new(ImageTable::new(dip, poisson))));
+            if self.tables.iter().all(|(known, _)| *known != dip) {
+                self.tables.push((dip, Arc::new(ImageTable::new(dip, self.poisson))));
             }
         }
-        Self { poisson, tables }
     }
 
     /// The image for planes of a given dip, computed anew unless the dip is one of those prepared.

@@ -15,7 +15,9 @@ use super::load::SpaceLoad;
 use super::mirror::{MirroredHalf, MirroredPoints};
 use super::stabilised::Passages;
 use super::states::{SpaceFaces, SpaceStatus};
-use crate::growth::{GroupsError, Observer, PassageSettings, WithoutProgress, output_positions};
+use crate::growth::{
+    GroupsError, Observer, PassageSettings, SweepProgress, WithoutProgress, output_positions,
+};
 use crate::interruption::{Interrupted, Interruption};
 use crate::linear::LinearError;
 use rayon::prelude::*;
@@ -23,7 +25,6 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::ops::Range;
 use std::rc::Rc;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Largest number of sweeps over a passage.
@@ -190,13 +191,10 @@ impl<'a> GroupedPassages<'a> {
         faces: &SpaceFaces,
         number: usize,
     ) -> Result<Vec<OwnResults>, SpaceContactError> {
-        // The number of sweeps is unknown: each one is reported as half of the remaining progress.
-        let done = AtomicUsize::new(0);
-        let left = 0.5f64.powi(number as i32 - 1);
+        let progress = SweepProgress::new(self.observer, number, self.groups.len());
         let run = |group: &GroupInPassage<'_>| {
             let run = self.run(settings, faces, group);
-            let share = (done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / self.groups.len() as f64;
-            self.observer.progress(1.0 - left * (1.0 - 0.5 * share));
+            progress.group_done();
             run
         };
         self.groups.par_iter().map(run).collect()

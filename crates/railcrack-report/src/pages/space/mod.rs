@@ -14,7 +14,7 @@ use crate::shown::{Deflated, ShownRun};
 use crate::table::Table;
 use railcrack::contact::FluidModel;
 use railcrack::fatigue::GrowthLaw;
-use railcrack::growth::{FrontShape, RunStop, TipStop};
+use railcrack::growth::{FrontShape, MouthStrip, RunStop, TipStop};
 use railcrack::space::{VERTEX_LAYER, WheelPatch};
 use railcrack_case::{Case, SpaceCase};
 use railcrack_run::csv::TipRow;
@@ -406,8 +406,8 @@ fn data(run: &RunFolder, space: &SpaceCase, shown: &ShownRun) -> Value {
 /// The way down a crack in one step.
 struct WayDown {
     dip: f64,
-    /// Dip of the strip of a folded crack and depth of the fold, mm.
-    fold: Option<(f64, f64)>,
+    /// The strip of a folded crack, as far as wear has left it.
+    strip: Option<MouthStrip>,
 }
 
 impl WayDown {
@@ -416,15 +416,13 @@ impl WayDown {
         let depth = |row: &&&TipRow| (row.phi_deg == Some(0.0)).then(|| -row.place[1]);
         let is_folded = front.iter().any(|row| row.phi_deg.is_some_and(|phi| phi < 0.0));
         let at_fold = front.iter().find_map(|row| depth(&row)).filter(|_| is_folded);
-        Self { dip: shape.dip, fold: shape.strip.map(|strip| strip.dip).zip(at_fold) }
+        let left = |(strip, fold): (MouthStrip, f64)| MouthStrip { length: fold / strip.dip.sin(), ..strip };
+        Self { dip: shape.dip, strip: shape.strip.zip(at_fold).map(left) }
     }
 
     /// Distance from the mouth (mm), over the fold, at a depth (mm).
     fn to(&self, depth: f64) -> f64 {
-        match self.fold {
-            Some((strip, fold)) => depth.min(fold) / strip.sin() + (depth - fold).max(0.0) / self.dip.sin(),
-            None => depth / self.dip.sin(),
-        }
+        self.strip.map_or_else(|| depth / self.dip.sin(), |strip| strip.way_to(depth, self.dip))
     }
 }
 
@@ -464,7 +462,7 @@ fn step_data(
     let crack = |number_of: usize| {
         let own: Vec<&TipRow> = rows.iter().copied().filter(|row| row.crack == number_of).collect();
         let way = space.shapes.get(number_of - 1).map(|shape| WayDown::of(shape, &own));
-        let fold = way.as_ref().and_then(|way| Some(number(way.to(way.fold?.1))));
+        let fold = way.as_ref().and_then(|way| Some(number(way.strip?.length)));
         json!({
             "depth": own.first().map(|row| number(row.length)),
             "fold": fold,

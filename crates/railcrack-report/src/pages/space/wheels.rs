@@ -1,6 +1,6 @@
 //! The wheels of a mix over the fronts: which lateral places grow which part.
 
-use crate::figures::Plot;
+use crate::figures::{Plot, has_closed_front};
 use crate::numbers::fixed;
 use crate::page::Block;
 use crate::pages::pictures::charts;
@@ -50,9 +50,7 @@ pub(super) fn wheels(run: &RunFolder, space: &SpaceCase) -> Vec<Block> {
     if mix.len() < 2 || count != mix.len() || space.wheels.len() != count {
         return Vec::new();
     }
-    let angles = || run.growth.iter().filter_map(|row| row.phi_deg);
-    let closed = angles().any(|phi| phi > 180.5) && !angles().any(|phi| phi < 0.0);
-    let parts = if closed { &CLOSED[..] } else { &OPEN[..] };
+    let parts = if has_closed_front(run.growth.iter()) { &CLOSED[..] } else { &OPEN[..] };
     let headings = ["Crack", "Wheel", "z of its contact (mm)", "Axles (%)"].into_iter();
     let mut table = Table::new(headings.chain(parts.iter().map(|part| part.name)).collect::<Vec<_>>());
     table.caption =
