@@ -1,15 +1,11 @@
 //! Sums over the corners of bilinear tractions, several corners at a time.
 //!
-//! Three logarithms and three angles of each corner are taken in short loops that do not branch,
-//! for which the compiler takes the widest vector unit: a third of the time of one corner after the
-//! other. There are [`LANES`] partial sums on every machine.
+//! Three logarithms and three angles of each corner are taken in [lanes](super::lanes): a third of
+//! the time of one corner after the other.
 
+use super::lanes::{LANES, Lanes, angles, logarithms};
 use super::nuclei::Symmetric;
 use pulp::{Arch, Simd, WithSimd};
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, LN_2};
-
-/// Corners side by side.
-const LANES: usize = 8;
 
 /// Corners with their x and y (mm) and jumps of p, q_x and q_y, in groups of [`LANES`]; the last
 /// one is filled up with corners without jumps.
@@ -66,9 +62,6 @@ impl WithSimd for Sum<'_> {
         sums.map(|lanes| lanes.iter().sum())
     }
 }
-
-/// A value for each of the corners of a group.
-type Lanes = [f64; LANES];
 
 /// R, the logarithms ln(R + x), ln(R + y), ln(R + z), and angles without jumps in the half-space:
 /// arctan(y/x) − arctan(yz/xR), with x and y exchanged, and arctan(xy/zR).
@@ -162,108 +155,4 @@ impl Parts {
 fn sum(r: f64, t: f64, others: f64) -> f64 {
     let (above, below) = (r + t, others / (r + t.abs()));
     if t >= 0.0 { above } else { below }
-}
-
-/// arctan(y/x) of x ≥ 0, which is −π/2 to π/2.
-#[inline(always)]
-fn angles(ys: &Lanes, xs: &Lanes) -> Lanes {
-    let (mut tangents, mut squares, mut bases) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-    for i in 0..LANES {
-        let (size, x) = (ys[i].abs(), xs[i]);
-        let (small, large) = if size > x { (x, size) } else { (size, x) };
-        let large = if large > f64::MIN_POSITIVE { large } else { f64::MIN_POSITIVE };
-        // Above tan(π/8), the angle from π/4 is taken.
-        let is_steep = small > EIGHTH * large;
-        let above = if is_steep { small - large } else { small };
-        let below = if is_steep { small + large } else { large };
-        tangents[i] = above / below;
-        squares[i] = tangents[i] * tangents[i];
-        bases[i] = if is_steep { FRAC_PI_4 } else { 0.0 };
-    }
-    let series = polynomials(&ARCTANGENT, &squares);
-    let mut angles = [0.0; LANES];
-    for i in 0..LANES {
-        let flat = tangents[i] * series[i] + bases[i];
-        let whole = if ys[i].abs() > xs[i] { FRAC_PI_2 - flat } else { flat };
-        angles[i] = whole.copysign(ys[i]);
-    }
-    angles
-}
-
-/// Σ `coefficients`[n] xⁿ.
-#[inline(always)]
-fn polynomials<const N: usize>(coefficients: &[f64; N], xs: &Lanes) -> Lanes {
-    let mut sums = [0.0; LANES];
-    for coefficient in coefficients.iter().rev() {
-        for i in 0..LANES {
-            sums[i] = sums[i] * xs[i] + coefficient;
-        }
-    }
-    sums
-}
-
-/// tan(π/8).
-const EIGHTH: f64 = 0.414_213_562_373_095_03;
-/// Series of the arctangent up to tan(π/8), whose last term is below 1e-17.
-const ARCTANGENT: [f64; 21] = odd_series(1.0, -1.0);
-
-/// ln x of positive, normal x.
-#[inline(always)]
-fn logarithms(xs: &Lanes) -> Lanes {
-    let (mut exponents, mut ratios, mut squares) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-    for i in 0..LANES {
-        // x = 2^k m with m between 0.6875 and 1.375; k as the low bits of a number just above 2^52.
-        let bits = xs[i].to_bits();
-        let biased = bits.wrapping_add(SHIFTED) >> 52;
-        let m = f64::from_bits(bits.wrapping_sub(biased.wrapping_sub(1023) << 52));
-        exponents[i] = f64::from_bits(biased | TWO_52.to_bits()) - (TWO_52 + 1023.0);
-        ratios[i] = (m - 1.0) / (m + 1.0);
-        squares[i] = ratios[i] * ratios[i];
-    }
-    let series = polynomials(&LOGARITHM, &squares);
-    let mut logarithms = [0.0; LANES];
-    for i in 0..LANES {
-        logarithms[i] = exponents[i] * LN_2 + ratios[i] * series[i];
-    }
-    logarithms
-}
-
-/// 2^52.
-const TWO_52: f64 = 4_503_599_627_370_496.0;
-/// Bits of 1 less those of 0.6875.
-const SHIFTED: u64 = 1f64.to_bits() - 0.6875f64.to_bits();
-/// Series of ln m = 2 artanh((m − 1)/(m + 1)), whose last term is below 1e-17.
-const LOGARITHM: [f64; 12] = odd_series(2.0, 1.0);
-
-/// `first`/1, `first` `ratio`/3, `first` `ratio`²/5, …
-const fn odd_series<const N: usize>(first: f64, ratio: f64) -> [f64; N] {
-    let (mut series, mut value, mut term) = ([0.0; N], first, 0);
-    while term < N {
-        series[term] = value / (2 * term + 1) as f64;
-        value *= ratio;
-        term += 1;
-    }
-    series
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn angle(y: f64, x: f64) -> f64 {
-        angles(&[y; LANES], &[x; LANES])[0]
-    }
-
-    #[test]
-    fn elementary_functions() {
-        for i in 0..4000 {
-            let x = (0.01 * f64::from(i) - 20.0).exp();
-            assert!((logarithms(&[x; LANES])[3] - x.ln()).abs() <= 4e-16 * x.ln().abs().max(1.0), "{x}");
-            let angles = [(x, 1.0), (-x, 1.0), (1.0, x), (-1e-3, 1e-3 * x)];
-            for (y, x) in angles {
-                assert!((angle(y, x) - y.atan2(x)).abs() <= 4e-16, "{y} {x}: {} {}", angle(y, x), y.atan2(x));
-            }
-        }
-        assert_eq!((angle(0.0, 0.0), angle(2.0, 0.0), angle(-2.0, 0.0)), (0.0, FRAC_PI_2, -FRAC_PI_2));
-    }
 }

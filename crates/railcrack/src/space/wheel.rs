@@ -12,9 +12,12 @@
 //! hyperbolic sines stretch the neighbourhood of these angles, and that of the bend of R for a
 //! slender ellipse.
 
+use super::directions::{Directions, Node, Place};
+use super::lanes::{LANES, Lanes, angles, logarithms, sines_and_cosines};
 use super::nuclei::Symmetric;
 use crate::load::HertzEllipse;
 use crate::math::gauss_legendre;
+use pulp::{Arch, Simd, WithSimd};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::OnceLock;
 
@@ -50,9 +53,6 @@ const OFF_MIDDLE: f64 = 1e-3;
 const WIDEST: f64 = 2.0;
 /// A bend of R closer than this many of its widths to a tangent is not stretched separately.
 const APART: f64 = 1.5;
-/// |w|² above which series in 1/w replace the logarithms, and the last term of these series.
-const FAR: f64 = 64.0;
-const LAST_TERM: u32 = 15;
 
 fn rule(points: usize) -> &'static [(f64, f64)] {
     static RULES: OnceLock<Vec<Vec<(f64, f64)>>> = OnceLock::new();
@@ -64,14 +64,6 @@ fn rule(points: usize) -> &'static [(f64, f64)] {
 struct Centre {
     at: f64,
     width: f64,
-}
-
-/// A point relative to the contact: x/a, y/b and its depth (mm).
-#[derive(Debug, Clone, Copy)]
-struct Place {
-    along: f64,
-    across: f64,
-    depth: f64,
 }
 
 impl EllipticWheel {
@@ -92,155 +84,152 @@ impl EllipticWheel {
 
     /// The stress (MPa) at x, lateral and depth (mm) of a contact centred at `position` (mm).
     pub fn stress(&self, position: f64, point: [f64; 3], poisson: f64) -> Symmetric {
+        let at =
+            [(point[0] - position) / self.half_width, (point[1] - self.lateral) / self.lateral_half_width];
         let place = Place {
-            along: (point[0] - position) / self.half_width,
-            across: (point[1] - self.lateral) / self.lateral_half_width,
+            half_axes: [self.half_width, self.lateral_half_width],
+            at,
             depth: point[2].max(SHALLOWEST * self.half_width),
+            friction: [self.friction, self.lateral_friction],
+            poisson,
         };
-        let bend = self.bend();
-        let tangents = self.tangents(&place);
-        let from_bend = |c: &Centre| (c.at - bend.at + FRAC_PI_2).rem_euclid(PI) - FRAC_PI_2;
+        Arch::new().dispatch(AllDirections(place)).map(|value| self.peak_pressure * value / PI)
+    }
+}
+
+/// The sum over all directions at a place.
+struct AllDirections(Place);
+
+impl WithSimd for AllDirections {
+    type Output = Symmetric;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> Symmetric {
+        let Self(place) = self;
+        let bend = bend(place.half_axes);
+        let tangents = tangents(&place);
+        let from_bend = |c: &Centre| {
+            let turned = (c.at - bend.at) / PI;
+            PI * (turned - turned.round_ties_even())
+        };
         let mut centres = [tangents[0], tangents[1], bend];
         let is_alone = tangents.iter().all(|c| from_bend(c).abs() > APART * bend.width);
         let count = if is_alone { 3 } else { 2 };
         let centres = &mut centres[..count];
-        centres.iter_mut().for_each(|c| c.at = c.at.rem_euclid(PI));
+        for c in centres.iter_mut() {
+            c.at -= PI * (c.at / PI).floor();
+            c.width = c.width.min(WIDEST);
+        }
         centres.sort_by(|one, other| one.at.total_cmp(&other.at));
-        let mut sum = [0.0; 6];
         // The integrand has the period π. The part of each angle extends to the midpoints between
         // it and its neighbours.
+        let mut ends = [0.0; LANES];
         for (k, c) in centres.iter().enumerate() {
             let before = if k > 0 { centres[k - 1].at } else { centres[count - 1].at - PI };
             let after = if k + 1 < count { centres[k + 1].at } else { centres[0].at + PI };
-            let width = c.width.min(WIDEST);
-            let [from, to] = [before, after].map(|at| (0.5 * (at - c.at) / width).asinh());
-            let reach = to - from;
+            ends[2 * k] = 0.5 * (c.at - before) / c.width;
+            ends[2 * k + 1] = 0.5 * (after - c.at) / c.width;
+        }
+        let ends = inverse_hyperbolic_sines(&ends);
+        // Logarithms of the sums of the semi-axes of the ellipses that have the interval's ends as
+        // foci and pass through the singular points.
+        let mut bends = [[0.0; LANES]; 2];
+        for (k, c) in centres.iter().enumerate() {
+            (bends[0][k], bends[1][k]) = (bend.width / c.width, -from_bend(c) / c.width);
+        }
+        let of_bend = if is_alone { bends } else { arc_cosines(&bends) };
+        let mut singular = [[0.0; LANES]; 2];
+        for k in 0..count {
+            let (from, to) = (-ends[2 * k], ends[2 * k + 1]);
+            let of_bend = [of_bend[1][k].copysign(bends[1][k]), FRAC_PI_2 - of_bend[0][k]];
+            for (lane, [at, off_axis]) in [(2 * k, [0.0, FRAC_PI_2]), (2 * k + 1, of_bend)] {
+                singular[0][lane] = (2.0 * at - from - to) / (to - from);
+                singular[1][lane] = 2.0 * off_axis / (to - from);
+            }
+        }
+        let decays = arc_cosines(&singular)[1];
+        let mut directions = Directions::new(place);
+        for (k, c) in centres.iter().enumerate() {
+            let reach = ends[2 * k] + ends[2 * k + 1];
             if reach <= 0.0 {
                 continue;
             }
-            // Logarithm of the sum of the semi-axes of the ellipse that has the interval's ends as
-            // foci and passes through a singular point.
-            let decay = |[at, off_axis]: [f64; 2]| {
-                arc_cosine([(2.0 * at - from - to) / reach, 2.0 * off_axis / reach])[1]
-            };
-            let mut slowest = decay([0.0, FRAC_PI_2]);
-            if !is_alone {
-                let x = -from_bend(c) / width;
-                let [real, imaginary] = arc_cosine([bend.width / width, x]);
-                slowest = slowest.min(decay([imaginary.copysign(x), FRAC_PI_2 - real]));
-            }
+            let slowest = if is_alone { decays[2 * k] } else { decays[2 * k].min(decays[2 * k + 1]) };
             let points = (0.5 * DIGITS / slowest).ceil() as usize + 1;
             for (share, weight) in rule(points.clamp(POINTS[0], POINTS[1])) {
-                let grown = (from + reach * share).exp();
-                let (sinh, cosh) = (0.5 * (grown - 1.0 / grown), 0.5 * (grown + 1.0 / grown));
-                let weight = weight * reach * width * cosh;
-                self.add_direction(c.at + width * sinh, weight, &place, poisson, &mut sum);
+                let t = reach * share - ends[2 * k];
+                directions.add(Node { at: c.at, width: c.width, t, weight: weight * reach });
             }
         }
-        sum.map(|value| self.peak_pressure * value / PI)
-    }
-
-    /// 1/R (per mm) at the parametric angle with this sine and cosine, and its parts along x and y.
-    fn wave([sin, cos]: [f64; 2], half_axes: [f64; 2]) -> (f64, [f64; 2]) {
-        let parts = [cos / half_axes[0], sin / half_axes[1]];
-        ((parts[0] * parts[0] + parts[1] * parts[1]).sqrt(), parts)
-    }
-
-    /// Where R of a slender ellipse bends.
-    fn bend(&self) -> Centre {
-        let (a, b) = (self.half_width, self.lateral_half_width);
-        let width = (a.min(b) / a.max(b)).atanh().min(10.0);
-        Centre { at: if b > a { FRAC_PI_2 } else { 0.0 }, width }
-    }
-
-    /// The angles at which a line through the point touches the ellipse; they are complex below the
-    /// surface and inside the ellipse.
-    fn tangents(&self, place: &Place) -> [Centre; 2] {
-        let inverse = 1.0 / place.along.hypot(place.across).max(OFF_MIDDLE);
-        let towards = place.across.atan2(place.along);
-        [-1.0, 1.0].map(|sign| {
-            let mut angle = [inverse.min(1.0).acos(), 0.0];
-            // The dependence of R on the angle is weak.
-            for _ in 0..2 {
-                let (sin, cos) = (towards + sign * angle[0]).sin_cos();
-                let (wave, _) = Self::wave([sin, cos], [self.half_width, self.lateral_half_width]);
-                angle = arc_cosine([inverse, place.depth * wave * inverse]);
-            }
-            Centre { at: towards + sign * angle[0], width: angle[1] }
-        })
-    }
-
-    /// Adds the contribution of the waves of the parametric angle `phi`.
-    fn add_direction(&self, phi: f64, weight: f64, place: &Place, poisson: f64, sum: &mut Symmetric) {
-        let (sin, cos) = phi.sin_cos();
-        let (wave, [x, y]) = Self::wave([sin, cos], [self.half_width, self.lateral_half_width]);
-        let (c, s) = (x / wave, y / wave);
-        let depth = place.depth * wave;
-        let ([j, ji], [k, ki]) = waves_of_hertz([depth, -(place.along * cos + place.across * sin)]);
-        let (k, ki) = (depth * k, depth * ki);
-        // Shear along and across the direction.
-        let along = self.friction * c + self.lateral_friction * s;
-        let across = self.lateral_friction * c - self.friction * s;
-        // Pressure, then shear: plane strain with the depth and the direction, antiplane shear.
-        let uu = -(j - k) - along * (2.0 * ji - ki);
-        let vv = -2.0 * poisson * (j + along * ji);
-        let uz = -ki - along * (j - k);
-        let (vz, uv) = (-across * j, -across * ji);
-        sum[0] += weight * (c * c * uu + s * s * vv - 2.0 * c * s * uv);
-        sum[1] += weight * (s * s * uu + c * c * vv + 2.0 * c * s * uv);
-        sum[2] -= weight * (j + k + along * ki);
-        sum[3] += weight * (s * uz + c * vz);
-        sum[4] += weight * (c * uz - s * vz);
-        sum[5] += weight * (c * s * (uu - vv) + (c * c - s * s) * uv);
+        directions.total()
     }
 }
 
-type Complex = [f64; 2];
-
-fn times([a, b]: Complex, [c, d]: Complex) -> Complex {
-    [a * c - b * d, a * d + b * c]
+/// Where R of a slender ellipse bends.
+fn bend([a, b]: [f64; 2]) -> Centre {
+    let width = (a.min(b) / a.max(b)).atanh().min(10.0);
+    Centre { at: if b > a { FRAC_PI_2 } else { 0.0 }, width }
 }
 
-/// 1 − w arccot w and minus its derivative, arccot w − w/(1 + w²), of Re w > 0.
-fn waves_of_hertz(w: Complex) -> (Complex, Complex) {
-    let [re, im] = w;
-    let size = re * re + im * im;
-    if size < FAR {
-        let (above, below) = (re * re + (1.0 - im) * (1.0 - im), re * re + (1.0 + im) * (1.0 + im));
-        let arccot = [0.5 * (2.0 * re).atan2(size - 1.0), 0.25 * (above / below).ln()];
-        let product = times(w, arccot);
-        // w / (1 + w²); the squared modulus of the divisor is above · below.
-        let share = 1.0 / (above * below);
-        let quotient = times(w, [1.0 + re * re - im * im, -2.0 * re * im]).map(|value| share * value);
-        return ([1.0 - product[0], -product[1]], [arccot[0] - quotient[0], arccot[1] - quotient[1]]);
+/// The angles at which a line through the point touches the ellipse; they are complex below the
+/// surface and inside the ellipse.
+#[inline(always)]
+fn tangents(place: &Place) -> [Centre; 2] {
+    let Place { half_axes: [a, b], at: [along, across], depth, .. } = *place;
+    let inverse = 1.0 / (along * along + across * across).sqrt().max(OFF_MIDDLE);
+    let towards = across.atan2(along);
+    let mut cosines = [[0.0; LANES]; 2];
+    cosines[0].fill(inverse.min(1.0));
+    let mut sides = arc_cosines(&cosines);
+    // The dependence of R on the angle is weak.
+    for _ in 0..2 {
+        let phi = std::array::from_fn(|lane| towards + SIDES[lane % 2] * sides[0][lane]);
+        let [sin, cos] = sines_and_cosines(&phi);
+        for lane in 0..LANES {
+            let (x, y) = (cos[lane] / a, sin[lane] / b);
+            (cosines[0][lane], cosines[1][lane]) = (inverse, depth * inverse * (x * x + y * y).sqrt());
+        }
+        sides = arc_cosines(&cosines);
     }
-    let inverse = [re / size, -im / size];
-    let square = times(inverse, inverse);
-    let (mut one, mut two) = ([0.0; 2], [0.0; 2]);
-    for term in (3..=LAST_TERM).rev().step_by(2) {
-        let odd = f64::from(term);
-        let next = |sum: Complex, first: f64| {
-            let [re, im] = times(sum, square);
-            [first - re, -im]
-        };
-        (one, two) = (next(one, 1.0 / odd), next(two, (odd - 1.0) / odd));
-    }
-    (times(one, square), times(times(two, square), inverse))
+    [0, 1].map(|side| Centre { at: towards + SIDES[side] * sides[0][side], width: sides[1][side] })
 }
 
-/// Real part of the arc cosine of a complex number, and the magnitude of its imaginary part.
-fn arc_cosine([x, y]: Complex) -> [f64; 2] {
-    let mirrored = x.abs();
-    let (far, near) = ((mirrored + 1.0).hypot(y), (mirrored - 1.0).hypot(y));
-    // Half of far + near − 2, without a difference of nearly equal numbers.
-    let beyond = y * y / (far + mirrored + 1.0);
-    let excess = if mirrored <= 1.0 {
-        0.5 * (beyond + y * y / (near + 1.0 - mirrored).max(f64::MIN_POSITIVE))
-    } else {
-        mirrored - 1.0 + 0.5 * (beyond + y * y / (near + mirrored - 1.0))
-    };
-    let real = (0.5 * (far - near)).clamp(-1.0, 1.0).acos();
-    [if x < 0.0 { PI - real } else { real }, (excess * (excess + 2.0)).sqrt().asinh()]
+/// The tangents on either side of the direction from the middle to the point.
+const SIDES: [f64; 2] = [-1.0, 1.0];
+
+/// Inverse hyperbolic sines of positive numbers.
+#[inline(always)]
+fn inverse_hyperbolic_sines(values: &Lanes) -> Lanes {
+    let mut sums = [0.0; LANES];
+    for i in 0..LANES {
+        sums[i] = values[i] + (values[i] * values[i] + 1.0).sqrt();
+    }
+    logarithms(&sums)
+}
+
+/// Real parts of the arc cosines of complex numbers, and the magnitudes of their imaginary parts.
+#[inline(always)]
+fn arc_cosines([xs, ys]: &[Lanes; 2]) -> [Lanes; 2] {
+    let (mut sines, mut cosines, mut sums) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+    for i in 0..LANES {
+        let (x, y) = (xs[i].abs(), ys[i]);
+        let square = y * y;
+        let (ahead, behind) = (x + 1.0, x - 1.0);
+        let (far, near) = ((ahead * ahead + square).sqrt(), (behind * behind + square).sqrt());
+        // Half of far + near − 2, without a difference of nearly equal numbers.
+        let below = if x <= 1.0 { near - behind } else { near + behind };
+        let share = square / if below > f64::MIN_POSITIVE { below } else { f64::MIN_POSITIVE };
+        let excess = 0.5 * (square / (far + ahead) + share) + if x <= 1.0 { 0.0 } else { behind };
+        let cosine = 0.5 * (far - near);
+        let less = (1.0 - cosine) * (1.0 + cosine);
+        (sines[i], cosines[i]) = (if less > 0.0 { less.sqrt() } else { 0.0 }, cosine);
+        sums[i] = 1.0 + excess + (excess * (excess + 2.0)).sqrt();
+    }
+    let (mut reals, imaginaries) = (angles(&sines, &cosines), logarithms(&sums));
+    for i in 0..LANES {
+        reals[i] = if xs[i] < 0.0 { PI - reals[i] } else { reals[i] };
+    }
+    [reals, imaginaries]
 }
 
 #[cfg(test)]
