@@ -14,8 +14,8 @@ use railcrack::interruption::Interruption;
 use railcrack::load::Passage;
 use railcrack::material::IsotropicElastic;
 use railcrack::space::{
-    EllipticWheel, SpaceBody, SpaceContact, SpaceCrack, SpaceKernel, SpaceLoad, SpacePassageSettings,
-    SpacePassages, SpaceResolution,
+    EllipticWheel, PatchOnRail, SpaceBody, SpaceContact, SpaceCrack, SpaceKernel, SpaceLoad,
+    SpacePassageSettings, SpacePassages, SpaceResolution, WheelPatch,
 };
 use rayon::ThreadPoolBuilder;
 use std::error::Error;
@@ -71,8 +71,9 @@ fn measure([block, ring]: [usize; 2], dip: f64, lateral: f64) -> Result<Cost, Bo
         lateral_friction: 0.0,
     };
     let contact = SpaceContact { body: &body, friction: &[0.3] };
-    let stress = |position: f64, point: [f64; 3]| wheel.stress(position, point, steel.poisson());
-    let load = SpaceLoad { wheel: &stress, bending: None, constant: None, fluid: None };
+    let patch = WheelPatch::Ellipse(wheel);
+    let over = PatchOnRail { patch: &patch, poisson: steel.poisson() };
+    let load = SpaceLoad { wheel: &over, bending: None, constant: None, fluid: None };
     let settings = PassageSettings::default();
     let passage = Passage { from: -6.0 * CONTACT, to: 6.0 * CONTACT, ..settings.passage };
     let begun = Instant::now();

@@ -461,47 +461,37 @@ impl SpaceBody {
         &self,
         stress: impl Fn(usize, [f64; 3]) -> Symmetric + Sync,
     ) -> Vec<f64> {
-        self.nodal_forces_where(|_| true, stress)
+        let traction = |_, load: &LoadPoint| self.traction_at(load, &stress(load.crack, load.position));
+        self.forces_of_tractions(0..self.loads.len(), traction)
     }
 
-    /// [`Self::nodal_forces_by_crack`] of the stress at the places (x, lateral, depth) that are
-    /// loaded according to `is_loaded`.
-    pub(super) fn nodal_forces_where(
-        &self,
-        is_loaded: impl Fn([f64; 3]) -> bool + Sync,
-        stress: impl Fn(usize, [f64; 3]) -> Symmetric + Sync,
-    ) -> Vec<f64> {
-        self.nodal_forces_of(&self.loads, is_loaded, stress)
+    /// Points at which the stress of the uncracked rail is evaluated, crack by crack.
+    pub(super) fn load_points(&self) -> &[LoadPoint] {
+        &self.loads
     }
 
-    /// [`Self::nodal_forces_where`] at the points of `crack` (from 0) alone.
-    pub(super) fn nodal_forces_on(
-        &self,
-        crack: usize,
-        is_loaded: impl Fn([f64; 3]) -> bool + Sync,
-        stress: impl Fn(usize, [f64; 3]) -> Symmetric + Sync,
-    ) -> Vec<f64> {
+    /// The load points of `crack` (from 0).
+    pub(super) fn load_points_of(&self, crack: usize) -> Range<usize> {
         let from = |crack: usize| self.loads.partition_point(|load| load.crack < crack);
-        let forces = self.nodal_forces_of(&self.loads[from(crack)..from(crack + 1)], is_loaded, stress);
-        let points = &self.cracks[crack].points;
-        forces[3 * points.start..3 * points.end].to_vec()
+        from(crack)..from(crack + 1)
     }
 
-    fn nodal_forces_of(
+    /// The traction (opening, slip along the dip and along the trace; MPa) of a stress at a load
+    /// point.
+    pub(super) fn traction_at(&self, load: &LoadPoint, stress: &Symmetric) -> [f64; 3] {
+        self.planes[load.plane].traction(stress)
+    }
+
+    /// Nodal forces (N), 3p, due to the traction (MPa) at each of `loads`, given with its number.
+    pub(super) fn forces_of_tractions(
         &self,
-        loads: &[LoadPoint],
-        is_loaded: impl Fn([f64; 3]) -> bool + Sync,
-        stress: impl Fn(usize, [f64; 3]) -> Symmetric + Sync,
+        loads: Range<usize>,
+        traction: impl Fn(usize, &LoadPoint) -> [f64; 3] + Sync,
     ) -> Vec<f64> {
-        let traction = |p: &LoadPoint| {
-            if !is_loaded(p.position) {
-                return [0.0; 3];
-            }
-            self.planes[p.plane].traction(&stress(p.crack, p.position))
-        };
-        let tractions: Vec<_> = loads.par_iter().map(traction).collect();
+        let numbered = loads.clone().into_par_iter().map(|number| traction(number, &self.loads[number]));
+        let tractions: Vec<_> = numbered.collect();
         let mut forces = vec![0.0; 3 * self.points.len()];
-        for (point, traction) in loads.iter().zip(tractions) {
+        for (point, traction) in self.loads[loads].iter().zip(tractions) {
             for (a, weight) in point.hats {
                 // On a fold the components are along another plane than that of the traction.
                 let plane = self.plane_of_point[a];

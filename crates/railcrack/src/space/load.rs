@@ -1,9 +1,12 @@
 //! Loads of a rail with cracks in space, and their nodal forces.
 
-use super::body::SpaceBody;
+use super::body::{LoadPoint, SpaceBody};
 use super::fluid::{FluidUnderWheel, SpaceFluid};
 use super::mirror::{MirroredPoints, agree, mirrored_stresses};
 use super::nuclei::Symmetric;
+use super::wheel_lines::WheelLines;
+use super::wheel_stress::WheelStress;
+use crate::interruption::{Interrupted, Interruption};
 use crate::load::Bending;
 use rayon::prelude::*;
 
@@ -12,9 +15,8 @@ pub(super) type StressAt<'a> = dyn Fn([f64; 3]) -> Symmetric + Sync + 'a;
 
 /// Load of the rail with cracks: a passing wheel that may bend the rail, and a constant stress.
 pub struct SpaceLoad<'a> {
-    /// Stress (MPa) of the uncracked rail with the wheel at an abscissa (mm), at x, lateral and
-    /// depth (mm).
-    pub wheel: &'a (dyn Fn(f64, [f64; 3]) -> Symmetric + Sync),
+    /// Stress of the uncracked rail under the wheel.
+    pub wheel: &'a dyn WheelStress,
     /// Bending of the rail under the axles of the train, which moves with the wheel.
     pub bending: Option<&'a Bending>,
     /// Constant stress without the wheel, residual and thermal.
@@ -46,7 +48,7 @@ impl SpaceLoad<'_> {
         let values = |&position: &f64| {
             let of = |&point: &[f64; 3]| {
                 let image = points.image(point);
-                let [one, other] = [point, image].map(|at| (self.wheel)(position, at));
+                let [one, other] = [point, image].map(|at| self.wheel.stress(position, at));
                 let pressures =
                     self.fluid.map(|fluid| [point, image].map(|at| (fluid.over)(position, [at[0], at[1]])));
                 mirrored_stresses(&one, &other).into_iter().chain(pressures)
@@ -57,42 +59,75 @@ impl SpaceLoad<'_> {
         agree(&all.concat())
     }
 
-    /// The stress (MPa) with the wheel at `position` (mm) on a crack of `body` at a point (mm),
-    /// with the pressure of `fluid` from the mouth and without the constant stress.
-    pub(super) fn stress_at<'b>(
+    /// What does not depend on the contact of the faces of `body`, for a passage with results at
+    /// `positions` (mm); with `mirrored` points, body and load are symmetric.
+    ///
+    /// Errors: an interruption.
+    pub(super) fn over<'b>(
         &'b self,
-        body: &'b SpaceBody,
-        fluid: Option<&'b FluidUnderWheel<'b>>,
-        position: f64,
-    ) -> impl Fn(usize, [f64; 3]) -> Symmetric + Sync + 'b {
-        move |crack, point| {
-            let mut stress = (self.wheel)(position, point);
-            stress[0] += self.bending.map_or(0.0, |beam| beam.stress(point[0] - position, point[2]));
-            // Tension across the faces opens them like a pressure in the crack.
-            if let Some(FluidUnderWheel { faces, over }) = fluid {
-                let pressure = faces.mouth_pressure(body, crack, (position, *over), point);
-                stress[..3].iter_mut().for_each(|normal| *normal += pressure);
-            }
-            stress
+        (body, mirrored): (&'b SpaceBody, Option<MirroredPoints>),
+        fluid: Option<FluidUnderWheel<'b>>,
+        positions: &[f64],
+        interruption: Interruption<'_>,
+    ) -> Result<WheelOverFaces<'b>, Interrupted> {
+        let is_loaded = |at| mirrored.as_ref().is_none_or(|points| points.is_beyond(at));
+        let lines = WheelLines::new(body, self.wheel, is_loaded, positions, interruption)?;
+        Ok(WheelOverFaces { load: self, body, fluid, mirrored, lines })
+    }
+}
+
+/// A wheel over the faces of a body: its forces on them, before they touch.
+pub(super) struct WheelOverFaces<'a> {
+    load: &'a SpaceLoad<'a>,
+    body: &'a SpaceBody,
+    pub fluid: Option<FluidUnderWheel<'a>>,
+    /// The points of faces that are symmetric, under a load that is.
+    pub mirrored: Option<MirroredPoints>,
+    lines: WheelLines,
+}
+
+impl WheelOverFaces<'_> {
+    /// The traction (MPa) with the wheel at `position` (mm), with the pressure of the fluid from the
+    /// mouth and without the constant stress; zero on the half of symmetric faces that is not
+    /// loaded.
+    fn traction(&self, number: usize, load: &LoadPoint, position: f64) -> [f64; 3] {
+        let Self { load: SpaceLoad { wheel, bending, .. }, body, fluid, mirrored, lines } = self;
+        let [x, _, depth] = load.position;
+        if mirrored.as_ref().is_some_and(|points| !points.is_beyond(load.position)) {
+            return [0.0; 3];
+        }
+        let mut traction = lines
+            .traction(number, x, position)
+            .unwrap_or_else(|| body.traction_at(load, &wheel.stress(position, load.position)));
+        let mut stress = [0.0; 6];
+        stress[0] += bending.map_or(0.0, |beam| beam.stress(x - position, depth));
+        // Tension across the faces opens them like a pressure in the crack.
+        if let Some(FluidUnderWheel { faces, over }) = fluid {
+            let pressure = faces.mouth_pressure(body, load.crack, (position, *over), load.position);
+            stress[..3].iter_mut().for_each(|normal| *normal += pressure);
+        }
+        let others = body.traction_at(load, &stress);
+        traction.iter_mut().zip(others).for_each(|(sum, other)| *sum += other);
+        traction
+    }
+
+    /// Nodal forces (N) with the wheel at `position` (mm), those of the fluid from the mouth
+    /// included.
+    pub fn forces(&self, position: f64) -> Vec<f64> {
+        let all = 0..self.body.load_points().len();
+        let forces = self.body.forces_of_tractions(all, |k, load| self.traction(k, load, position));
+        match &self.mirrored {
+            Some(points) => points.with_mirrored_forces(forces),
+            None => forces,
         }
     }
 
-    /// Nodal forces (N) with the wheel at `position` (mm), those of `fluid` from the mouth
-    /// included; where body and load are symmetric, from the stress on one half of the faces.
-    pub(super) fn forces(
-        &self,
-        body: &SpaceBody,
-        (fluid, mirrored): (Option<&FluidUnderWheel<'_>>, Option<&MirroredPoints>),
-        constant: &[f64],
-        position: f64,
-    ) -> Vec<f64> {
-        let stress = self.stress_at(body, fluid, position);
-        let forces = match mirrored {
-            Some(points) => {
-                points.with_mirrored_forces(body.nodal_forces_where(|at| points.is_beyond(at), stress))
-            }
-            None => body.nodal_forces_by_crack(stress),
-        };
-        forces.iter().zip(constant).map(|(f, c)| f + c).collect()
+    /// Nodal forces (N) at the points of `crack` (from 0); of symmetric faces, those of the loads on
+    /// one side.
+    pub fn forces_on(&self, crack: usize, position: f64) -> Vec<f64> {
+        let loads = self.body.load_points_of(crack);
+        let forces = self.body.forces_of_tractions(loads, |k, load| self.traction(k, load, position));
+        let points = &self.body.cracks()[crack].points;
+        forces[3 * points.start..3 * points.end].to_vec()
     }
 }

@@ -46,6 +46,8 @@ mod tips;
 mod trapped;
 mod unfelt_gap;
 mod wheel;
+mod wheel_lines;
+mod wheel_stress;
 mod worn;
 
 pub use bilinear::{BilinearPatch, StripTraction, WheelPatch};
@@ -68,4 +70,5 @@ pub use states::{SpaceFaces, SpaceStatus};
 pub use stiffness::SpaceKernel;
 pub use unfelt_gap::UnfeltWheel;
 pub use wheel::EllipticWheel;
+pub use wheel_stress::{PatchOnRail, WheelStress};
 pub use worn::LEAST_STRIP;

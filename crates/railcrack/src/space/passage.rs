@@ -4,7 +4,7 @@ use super::contact::{SpaceContact, SpaceContactError};
 use super::fluid::{FluidUnderWheel, SpacePocket};
 use super::followed::{FollowedFaces, HalfWithFluid};
 use super::history::{SpaceHistory, SpacePassageSettings};
-use super::load::SpaceLoad;
+use super::load::{SpaceLoad, WheelOverFaces};
 use super::mirror::{MirroredHalf, MirroredPoints};
 use super::states::SpaceFaces;
 use crate::growth::{Observer, output_positions};
@@ -20,10 +20,9 @@ use std::rc::Rc;
 /// interpolation would leave permanent slip.
 pub struct SpacePassages<'a> {
     contact: &'a SpaceContact<'a>,
-    load: &'a SpaceLoad<'a>,
+    over: WheelOverFaces<'a>,
     observer: &'a dyn Observer,
     constant: Vec<f64>,
-    fluid: Option<FluidUnderWheel<'a>>,
     /// The friction coefficient of each point.
     friction: Vec<f64>,
     /// One half of the faces with its fluid, where body and load are symmetric.
@@ -68,23 +67,24 @@ impl<'a> SpacePassages<'a> {
         };
         let points = MirroredPoints::of(body).filter(is_symmetric);
         let half = points.and_then(|points| MirroredHalf::of(body, points, &friction));
+        let half: Option<HalfWithFluid> = half.map(|half| {
+            let of_half = |pocket: &SpacePocket| pocket.with_unit(half.forces(&pocket.unit));
+            let pockets = pockets.iter().map(of_half).collect();
+            (half, pockets)
+        });
+        let mirrored = half.as_ref().map(|(half, _)| half.points.clone());
+        let over = load.over((body, mirrored), fluid, &positions, interruption)?;
         // Forces do not depend on the contact: those needed in every passage are computed at once.
         let forces = positions
             .par_iter()
             .map(|&position| {
                 interruption.check()?;
-                let parts = (fluid.as_ref(), half.as_ref().map(|half| &half.points));
-                Ok((position.to_bits(), load.forces(body, parts, &constant, position)))
+                Ok((position.to_bits(), with_constant(over.forces(position), &constant)))
             })
             .collect::<Result<Vec<_>, Interrupted>>()?;
         let forces = forces.into_iter().map(|(at, forces)| (at, Rc::from(forces))).collect();
-        let half = half.map(|half| {
-            let of_half = |pocket: &SpacePocket| pocket.with_unit(half.forces(&pocket.unit));
-            let pockets = pockets.iter().map(of_half).collect();
-            (half, pockets)
-        });
         let forces = RefCell::new(forces);
-        Ok(Self { contact, load, observer, constant, fluid, friction, half, positions, forces })
+        Ok(Self { contact, over, observer, constant, friction, half, positions, forces })
     }
 
     /// The faces, closed and without slip.
@@ -104,7 +104,7 @@ impl<'a> SpacePassages<'a> {
         let followed = FollowedFaces {
             body: self.contact.body,
             friction: &self.friction,
-            fluid: self.fluid.as_ref(),
+            fluid: self.over.fluid.as_ref(),
             half: self.half.as_ref(),
             positions: &self.positions,
             unloaded: [&self.constant; 2],
@@ -120,11 +120,15 @@ impl<'a> SpacePassages<'a> {
         if let Some(forces) = self.forces.borrow().get(&at) {
             return Rc::clone(forces);
         }
-        let parts = (self.fluid.as_ref(), self.half.as_ref().map(|(half, _)| &half.points));
-        let forces: Rc<[f64]> = self.load.forces(self.contact.body, parts, &self.constant, position).into();
+        let forces: Rc<[f64]> = with_constant(self.over.forces(position), &self.constant).into();
         self.forces.borrow_mut().insert(at, Rc::clone(&forces));
         forces
     }
+}
+
+fn with_constant(mut forces: Vec<f64>, constant: &[f64]) -> Vec<f64> {
+    forces.iter_mut().zip(constant).for_each(|(force, constant)| *force += constant);
+    forces
 }
 
 /// The passage of the wheel over the faces `faces`, which are updated to their state after it.

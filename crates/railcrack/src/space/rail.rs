@@ -21,6 +21,7 @@ use super::stabilised::{StabilisedSpace, stabilised_space_passage};
 use super::stiffness::SpaceKernel;
 use super::sweeps::GroupedPassages;
 use super::tips::FrontLaw;
+use super::wheel_stress::PatchOnRail;
 use crate::body::BodyError;
 use crate::crack::{Crack, CrackError};
 use crate::fatigue::RUNAWAY;
@@ -308,7 +309,7 @@ impl CrackedRail for SpaceRail {
         under_each_wheel(self.wheels.len(), observer, warnings, |number, observer, _| {
             let SpaceWheel { wheel, bending, residual, fluid, passages, .. } = &self.wheels[number];
             let over = |position: f64, at: [f64; 2]| wheel.pressure(position, at);
-            let wheel = |position: f64, point: [f64; 3]| wheel.stress(position, point, poisson);
+            let wheel = PatchOnRail { patch: wheel, poisson };
             let uncovered = residual.as_deref().map(|field| Uncovered { field, removed });
             let stays = |point: [f64; 3]| residual_stress(uncovered.as_ref(), point);
             let load = SpaceLoad {

@@ -11,7 +11,7 @@ use super::fluid::FluidUnderWheel;
 use super::followed::{FollowedFaces, HalfWithFluid};
 use super::groups::CrackGroup;
 use super::history::{SpaceHistory, SpacePassageSettings};
-use super::load::SpaceLoad;
+use super::load::{SpaceLoad, WheelOverFaces};
 use super::mirror::{MirroredHalf, MirroredPoints};
 use super::stabilised::Passages;
 use super::states::{SpaceFaces, SpaceStatus};
@@ -50,13 +50,10 @@ struct OwnResults {
 /// Passages of one wheel over groups of cracks.
 pub(super) struct GroupedPassages<'a> {
     body: &'a SpaceBody,
-    load: &'a SpaceLoad<'a>,
+    over: WheelOverFaces<'a>,
     settings: &'a PassageSettings,
     observer: &'a dyn Observer,
-    fluid: Option<FluidUnderWheel<'a>>,
     groups: Vec<GroupInPassage<'a>>,
-    /// Whether body and load are symmetric.
-    mirrored: Option<MirroredPoints>,
     constant: Vec<f64>,
     positions: Vec<f64>,
     /// Nodal forces on each crack due to the wheel, by the bits of its position.
@@ -104,15 +101,16 @@ impl<'a> GroupedPassages<'a> {
         if mirrored.is_none() {
             groups.iter_mut().for_each(|group| group.half = None);
         }
+        let asked = || observer.interrupted();
+        let interruption = Interruption::when(&asked);
+        let over = load.over((body, mirrored), fluid, &positions, interruption)?;
         let count = groups.len();
         let passages = Self {
             body,
-            load,
+            over,
             settings,
             observer,
-            fluid,
             groups,
-            mirrored,
             constant,
             positions,
             forces: (0..count).map(|_| Mutex::default()).collect(),
@@ -123,8 +121,6 @@ impl<'a> GroupedPassages<'a> {
             error: 0.0,
         };
         // Forces do not depend on the contact: those needed in every passage are computed at once.
-        let asked = || observer.interrupted();
-        let interruption = Interruption::when(&asked);
         passages.positions.par_iter().try_for_each(|&position| {
             (0..count).for_each(|crack| drop(passages.wheel_forces(crack, position)));
             interruption.check()
@@ -132,16 +128,14 @@ impl<'a> GroupedPassages<'a> {
         Ok(passages)
     }
 
-    /// Nodal forces (N) on a crack with the wheel at `position` (mm), of the loads on one side
-    /// where body and load are symmetric.
+    /// Nodal forces (N) on a crack with the wheel at `position` (mm), computed once
+    /// ([`WheelOverFaces::forces_on`]).
     fn wheel_forces(&self, crack: usize, position: f64) -> Arc<[f64]> {
         let known = || self.forces[crack].lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(forces) = known().get(&position.to_bits()) {
             return Arc::clone(forces);
         }
-        let stress = self.load.stress_at(self.body, self.fluid.as_ref(), position);
-        let is_loaded = |at| self.mirrored.as_ref().is_none_or(|points| points.is_beyond(at));
-        let forces: Arc<[f64]> = self.body.nodal_forces_on(crack, is_loaded, stress).into();
+        let forces: Arc<[f64]> = self.over.forces_on(crack, position).into();
         known().insert(position.to_bits(), Arc::clone(&forces));
         forces
     }
@@ -277,7 +271,7 @@ impl<'a> GroupedPassages<'a> {
         let faces: Vec<SpaceFaces> = (0..self.positions.len()).map(at).collect();
         let fluid = |(position, faces): (&f64, &SpaceFaces)| {
             let cracks = 0..runs.len();
-            let FluidUnderWheel { faces: fluid, over } = self.fluid.as_ref()?;
+            let FluidUnderWheel { faces: fluid, over } = self.over.fluid.as_ref()?;
             Some(cracks.map(|crack| fluid.state_of(crack, *position, *over, faces)).collect())
         };
         SpaceHistory {
