@@ -4,10 +4,10 @@ use faer::MatMut;
 use rayon::prelude::*;
 
 /// The columns of a matrix in blocks of `width`, the last one with what is left, in order.
-pub(super) fn column_blocks(
-    matrix: MatMut<'_, f64>,
+pub(super) fn column_blocks<T: Send + Sync>(
+    matrix: MatMut<'_, T>,
     width: usize,
-) -> impl IndexedParallelIterator<Item = MatMut<'_, f64>> {
+) -> impl IndexedParallelIterator<Item = MatMut<'_, T>> {
     let mut blocks = Vec::with_capacity(matrix.ncols().div_ceil(width));
     let mut rest = matrix;
     while rest.ncols() > width {

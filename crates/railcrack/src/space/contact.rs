@@ -68,6 +68,14 @@ pub struct StepReport {
     pub violation: f64,
 }
 
+/// Jumps (mm) with which the iterations of a step begin, and the forces A ⟦w⟧ (N) that resist them
+/// where they are known.
+#[derive(Debug, Clone)]
+pub(super) struct Guess {
+    pub jumps: Vec<f64>,
+    pub resisted: Option<Vec<f64>>,
+}
+
 /// The contact problem of the faces of a body.
 #[derive(Debug, Clone, Copy)]
 pub struct SpaceContact<'a> {
@@ -94,7 +102,10 @@ impl SpaceContact<'_> {
         let dry = PocketsOfStep { pockets: &[], states: &[], bulk_modulus: f64::INFINITY };
         let friction = self.friction_of_points();
         let factor = &mut LaggedFactor::default();
-        self.problem(&friction).step_from(&before.jumps, factor, &before.jumps, (forces, dry))
+        let guess = Guess { jumps: before.jumps.clone(), resisted: None };
+        let (faces, report, _) =
+            self.problem(&friction).step_from(&guess, factor, &before.jumps, (forces, dry))?;
+        Ok((faces, report))
     }
 
     /// The friction coefficient μ at each point: zero on folds.
@@ -112,22 +123,23 @@ impl SpaceContact<'_> {
 }
 
 impl FaceProblem<'_> {
-    /// The faces under `forces` (N), with slip that is measured from the jumps `origin` (mm). The
-    /// iterations begin with the jumps `guess` (mm) and, if they fail to converge, again with
-    /// `origin`. On entry `factor` is that of a similar step, on return that of this one. The
-    /// pressures of `pockets` act on the faces in addition to `forces`.
+    /// The faces under `forces` (N), with slip that is measured from the jumps `origin` (mm), and the
+    /// forces A ⟦w⟧ (N) that resist their jumps. The iterations begin with `guess` and, if they fail
+    /// to converge, again with `origin`. On entry `factor` is that of a similar step, on return that
+    /// of this one. The pressures of `pockets` act on the faces in addition to `forces`.
     ///
     /// Errors: iterations that do not converge; a singular system.
     pub(super) fn step_from(
         &self,
-        guess: &[f64],
+        guess: &Guess,
         factor: &mut LaggedFactor,
         origin: &[f64],
         load: (&[f64], PocketsOfStep<'_>),
-    ) -> Result<(SpaceFaces, StepReport), SpaceContactError> {
+    ) -> Result<(SpaceFaces, StepReport, Vec<f64>), SpaceContactError> {
         match self.iterated(guess, factor, origin, load) {
-            Err(SpaceContactError::NotConverged { .. }) if guess != origin => {
-                self.iterated(origin, factor, origin, load)
+            Err(SpaceContactError::NotConverged { .. }) if guess.jumps != origin => {
+                let guess = Guess { jumps: origin.to_vec(), resisted: None };
+                self.iterated(&guess, factor, origin, load)
             }
             result => result,
         }
@@ -135,16 +147,19 @@ impl FaceProblem<'_> {
 
     fn iterated(
         &self,
-        guess: &[f64],
+        guess: &Guess,
         factor: &mut LaggedFactor,
         origin: &[f64],
         (forces, pockets): (&[f64], PocketsOfStep<'_>),
-    ) -> Result<(SpaceFaces, StepReport), SpaceContactError> {
+    ) -> Result<(SpaceFaces, StepReport, Vec<f64>), SpaceContactError> {
         let points = origin.len() / 3;
-        let mut jumps = guess.to_vec();
+        let mut jumps = guess.jumps.clone();
         let mut fluid = TrappedPressures::of(pockets);
         let mut forces = fluid.added_to(forces);
-        let mut reactions = self.reactions(&jumps, &forces);
+        let mut reactions = match &guess.resisted {
+            Some(resisted) => difference(resisted, &forces),
+            None => difference(&times_sparse(self.stiffness, &jumps), &forces),
+        };
         let mut last = (Vec::new(), f64::INFINITY);
         for iteration in 1..=ITERATIONS {
             let states: Vec<PointState> =
@@ -210,15 +225,16 @@ impl FaceProblem<'_> {
         origin: &[f64],
         (forces, fluid): (&[f64], &TrappedPressures<'_>),
         iterations: usize,
-    ) -> (SpaceFaces, StepReport) {
+    ) -> (SpaceFaces, StepReport, Vec<f64>) {
         hold(&mut jumps, states, origin);
-        let mut reactions = self.reactions(&jumps, forces);
+        let resisted = times_sparse(self.stiffness, &jumps);
+        let mut reactions = difference(&resisted, forces);
         // Remaining forces on open faces are round-off.
         let_go(&mut reactions, states);
         let status = states.iter().map(|state| state.status).collect();
         let faces = SpaceFaces { jumps, reactions, status, fluid: fluid.states().to_vec() };
         let violation = self.violation(&faces, origin);
-        (faces, StepReport { iterations, violation })
+        (faces, StepReport { iterations, violation }, resisted)
     }
 
     /// The effect of a unit pressure of a pocket while no unknown changes.
@@ -231,11 +247,6 @@ impl FaceProblem<'_> {
                 Change { jumps: times_sparse(self.compliance, unit), forces: vec![0.0; unit.len()] }
             }
         }
-    }
-
-    fn reactions(&self, jumps: &[f64], forces: &[f64]) -> Vec<f64> {
-        let resisted = times_sparse(self.stiffness, jumps);
-        resisted.iter().zip(forces).map(|(resisted, force)| resisted - force).collect()
     }
 
     /// The state of point a, where α is its augmentation stiffness.
@@ -326,6 +337,10 @@ fn let_go(reactions: &mut [f64], states: &[PointState]) {
     }
 }
 
+fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
 fn sum(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a + b).collect()
 }
@@ -368,7 +383,7 @@ mod tests {
         let of =
             |scale: f64, turn: f64| (0..count).map(|i| scale * (turn * i as f64).sin()).collect::<Vec<_>>();
         let (jumps, origin, forces) = (of(1e-3, 1.7), of(1e-3, 0.9), of(50.0, 0.3));
-        let reactions = contact.reactions(&jumps, &forces);
+        let reactions = difference(&times_sparse(contact.stiffness, &jumps), &forces);
         let [one, other] = [Form::Jumps, Form::Forces].map(|form| {
             let mut change = contact.held(form, &states, &jumps, &reactions, &origin);
             let conditions = Linearised::new(form, &contact, &states);

@@ -1,7 +1,7 @@
 //! Faces followed from position to position of a passing wheel.
 
 use super::body::SpaceBody;
-use super::contact::{SpaceContactError, StepReport};
+use super::contact::{Guess, SpaceContactError, StepReport};
 use super::face_problem::FaceProblem;
 use super::fluid::{FluidOnFaces, FluidUnderWheel, SpacePocket};
 use super::history::{SpaceHistory, SpacePassageSettings};
@@ -77,20 +77,19 @@ impl FollowedFaces<'_> {
             half: self.half.filter(|(half, _)| half.points.is_symmetric(&faces.jumps)),
             factor: LaggedFactor::default(),
             earlier: None,
-            last: Rc::new(WheelInstant { position: f64::NAN, faces: faces.clone() }),
+            last: Rc::new(WheelInstant { position: f64::NAN, faces: faces.clone(), resisted: None }),
             is_calm: false,
             level: 0,
         };
         let [before, after] = self.unloaded;
         let last = Rc::clone(&passage.last);
-        let constant = passage.step(&faces.jumps, &faces.jumps, (before, &last, f64::NAN))?;
-        passage.history.before = body.sifs_of_jumps(&constant.jumps);
+        let before = passage.step(&last.guess(), &faces.jumps, (before, &last, f64::NAN))?;
+        passage.history.before = body.sifs_of_jumps(&before.faces.jumps);
         let (first, last) = (passage.history.positions[0], passage.history.positions[positions - 1]);
-        let before = WheelInstant { position: f64::NAN, faces: constant };
         (passage.visit)(&before);
-        let jumps = &before.faces.jumps;
-        let faces_then = passage.step(jumps, jumps, (&(self.forces)(first), &before, first))?;
-        passage.accept(Rc::new(WheelInstant { position: first, faces: faces_then }));
+        let load = (&*(self.forces)(first), &before, first);
+        let instant = passage.step(&before.guess(), &before.faces.jumps, load)?;
+        passage.accept(Rc::new(instant));
         while passage.history.sifs.len() < positions {
             let done = passage.history.sifs.len();
             match passage.history.positions.get(done + 1) {
@@ -102,8 +101,7 @@ impl FollowedFaces<'_> {
             self.observer.progress(passage.history.sifs.len() as f64 / positions as f64);
         }
         let last = Rc::clone(&passage.last);
-        let jumps = &last.faces.jumps;
-        *faces = passage.step(jumps, jumps, (after, &last, f64::NAN))?;
+        *faces = passage.step(&last.guess(), &last.faces.jumps, (after, &last, f64::NAN))?.faces;
         Ok(passage.history)
     }
 }
@@ -128,14 +126,14 @@ struct PassageInProgress<'a> {
 }
 
 impl PassageInProgress<'_> {
-    /// The faces under `forces` with the wheel at the position `to` (not a number without it) after
-    /// the instant `last`, with slip measured from the jumps `origin` and jumps close to `guess`.
+    /// The instant under `forces` with the wheel at the position `to` (not a number without it),
+    /// after the instant `last`, with slip measured from the jumps `origin`.
     fn step(
         &mut self,
-        guess: &[f64],
+        guess: &Guess,
         origin: &[f64],
         (forces, last, to): (&[f64], &WheelInstant, f64),
-    ) -> Result<SpaceFaces, SpaceContactError> {
+    ) -> Result<WheelInstant, SpaceContactError> {
         let FollowedFaces { observer, fluid, .. } = self.of;
         if observer.interrupted() {
             return Err(Interrupted.into());
@@ -147,15 +145,15 @@ impl PassageInProgress<'_> {
             fluid.faces.begin((last.position, &last.faces), to, &over)
         };
         let mut states = fluid.map_or_else(Vec::new, begin);
-        let (mut faces, mut report) = self.solved(guess, origin, forces, &states)?;
+        let (mut faces, mut report, mut resisted) = self.solved(guess, origin, forces, &states)?;
         if let Some(FluidUnderWheel { faces: fluid, over }) = fluid {
             if let Some(released) = fluid.released(to, over, &faces, &states) {
                 states = released;
-                (faces, report) = self.solved(guess, origin, forces, &states)?;
+                (faces, report, resisted) = self.solved(guess, origin, forces, &states)?;
             }
             if let Some(sealed) = fluid.refused(&states, &faces) {
                 states = sealed;
-                (faces, report) = self.solved(guess, origin, forces, &states)?;
+                (faces, report, resisted) = self.solved(guess, origin, forces, &states)?;
             }
             fluid.follow(&mut faces);
         }
@@ -165,17 +163,18 @@ impl PassageInProgress<'_> {
         history.iterations += iterations;
         history.iterations_max = history.iterations_max.max(iterations);
         history.violation = history.violation.max(violation);
-        Ok(faces)
+        Ok(WheelInstant { position: to, faces, resisted: Some(resisted) })
     }
 
-    /// The faces with the fluid of `states` at the beginning of the step.
+    /// The faces with the fluid of `states` at the beginning of the step, and the forces that resist
+    /// their jumps.
     fn solved(
         &mut self,
-        guess: &[f64],
+        guess: &Guess,
         origin: &[f64],
         forces: &[f64],
         states: &[PocketState],
-    ) -> Result<(SpaceFaces, StepReport), SpaceContactError> {
+    ) -> Result<(SpaceFaces, StepReport, Vec<f64>), SpaceContactError> {
         let FollowedFaces { body, friction, fluid, .. } = self.of;
         let fluid = fluid.map(|fluid| &fluid.faces);
         let trapped = fluid.filter(|fluid| fluid.is_trapped());
@@ -183,10 +182,11 @@ impl PassageInProgress<'_> {
         if let Some((half, pockets)) = self.half {
             let pockets = trapped.map_or(&[][..], |_| pockets);
             let pockets = PocketsOfStep { pockets, states, bulk_modulus };
-            let [guess, origin] = [guess, origin].map(|jumps| half.jumps(jumps));
+            let guess = Guess { jumps: half.jumps(&guess.jumps), resisted: guess.resisted.clone() };
             let load = (&half.forces(forces)[..], pockets);
-            let (faces, report) = half.problem().step_from(&guess, &mut self.factor, &origin, load)?;
-            return Ok((half.whole(faces), report));
+            let (faces, report, resisted) =
+                half.problem().step_from(&guess, &mut self.factor, &half.jumps(origin), load)?;
+            return Ok((half.whole(faces), report, resisted));
         }
         let pockets = trapped.map_or(&[][..], |fluid| &fluid.pockets);
         let pockets = PocketsOfStep { pockets, states, bulk_modulus };
@@ -197,19 +197,15 @@ impl PassageInProgress<'_> {
     /// The instant with the wheel at the position `to`, after the instants `earlier` and `last`.
     fn instant(
         &mut self,
-        guess: Option<&[f64]>,
+        guess: Option<Guess>,
         earlier: Option<&WheelInstant>,
         last: &WheelInstant,
         to: f64,
     ) -> Result<Rc<WheelInstant>, SpaceContactError> {
         let forces = (self.of.forces)(to);
         let origin = slip_origin(earlier, last, to);
-        let load = (&*forces, last, to);
-        let faces = match guess {
-            Some(guess) => self.step(guess, &origin, load)?,
-            None => self.step(&extrapolated_jumps(earlier, last, to), &origin, load)?,
-        };
-        Ok(Rc::new(WheelInstant { position: to, faces }))
+        let guess = guess.unwrap_or_else(|| extrapolated(earlier, last, to));
+        Ok(Rc::new(self.step(&guess, &origin, (&forces, last, to))?))
     }
 
     /// Advances to the position `to` in one step.
@@ -258,15 +254,13 @@ impl PassageInProgress<'_> {
         }
         let one = match &whole {
             // Midway between the two.
-            Some(whole) => self.instant(
-                Some(&mean(&last.faces.jumps, &whole.faces.jumps)),
-                earlier.as_deref(),
-                &last,
-                between,
-            ),
+            Some(whole) => {
+                let guess = last.towards(whole, 0.5);
+                self.instant(Some(guess), earlier.as_deref(), &last, between)
+            }
             None => self.instant(None, earlier.as_deref(), &last, between),
         };
-        let guess = whole.as_ref().map(|whole| &whole.faces.jumps[..]);
+        let guess = whole.as_ref().map(|whole| whole.guess());
         let two = match &one {
             Ok(one) => self.instant(guess, Some(&last), one, to),
             Err(error) => Err(error.clone()),
@@ -279,7 +273,7 @@ impl PassageInProgress<'_> {
                 } else {
                     let whole = match whole {
                         Some(whole) => Ok(whole),
-                        None => self.instant(Some(&two.faces.jumps), earlier.as_deref(), &last, to),
+                        None => self.instant(Some(two.guess()), earlier.as_deref(), &last, to),
                     };
                     let error = match whole {
                         Ok(whole) => self.difference(&whole, &two),
@@ -326,14 +320,9 @@ impl PassageInProgress<'_> {
     }
 }
 
-fn mean(a: &[f64], b: &[f64]) -> Vec<f64> {
-    a.iter().zip(b).map(|(a, b)| 0.5 * (a + b)).collect()
-}
-
-/// Jumps extrapolated to the position `to`.
-fn extrapolated_jumps(earlier: Option<&WheelInstant>, last: &WheelInstant, to: f64) -> Vec<f64> {
-    let jumps = last.faces.jumps.clone();
-    let Some(earlier) = earlier else { return jumps };
+/// The state of the faces extrapolated to the position `to`.
+fn extrapolated(earlier: Option<&WheelInstant>, last: &WheelInstant, to: f64) -> Guess {
+    let Some(earlier) = earlier else { return last.guess() };
     let ratio = ((to - last.position) / (last.position - earlier.position)).min(LONGEST);
-    jumps.iter().zip(&earlier.faces.jumps).map(|(new, old)| new + ratio * (new - old)).collect()
+    last.towards(earlier, -ratio)
 }

@@ -153,19 +153,20 @@ impl<'a> Linearised<'a> {
 
     fn factor(&self) -> Result<LargeFactor, LinearError> {
         let order = self.conditions.len();
-        let mut columns = Matrix::zeros(order, order);
-        columns.entries_mut().par_chunks_mut(order.max(1)).enumerate().for_each(|(k, column)| {
+        let mut columns = vec![0.0f32; order * order];
+        columns.par_chunks_mut(order.max(1)).enumerate().for_each(|(k, column)| {
             let unknown = self.conditions[k].unknown;
             let row = self.matrix.row(unknown);
             for (condition, entry) in self.conditions.iter().zip(column) {
                 let at = condition.unknown / 3 * 3;
-                *entry = (0..3).map(|e| condition.image[e] * row[at + e]).sum();
+                let mut value: f64 = (0..3).map(|e| condition.image[e] * row[at + e]).sum();
                 if unknown / 3 * 3 == at {
-                    *entry += condition.own[unknown - at];
+                    value += condition.own[unknown - at];
                 }
+                *entry = value as f32;
             }
         });
-        LargeFactor::of_columns(columns)
+        LargeFactor::of_columns(order, columns)
     }
 }
 
@@ -186,8 +187,9 @@ impl Change {
     }
 }
 
-/// Factor of conditions that are solved repeatedly with small changes: that of an earlier iteration
-/// preconditions minimal residuals for the present one, until it no longer pays.
+/// Factor of conditions that are solved repeatedly with small changes, in single precision: that of
+/// an earlier iteration preconditions minimal residuals for the present one, until it no longer
+/// pays.
 #[derive(Debug, Default)]
 pub(super) struct LaggedFactor {
     factor: Option<(Form, LargeFactor)>,
@@ -199,8 +201,8 @@ pub(super) struct LaggedFactor {
 
 /// Wasted products after which a new factor is made, constant and per unknown: the cost of a
 /// factorisation in products.
-const PRODUCTS: usize = 5;
-const UNKNOWNS_PER_PRODUCT: usize = 30;
+const PRODUCTS: usize = 4;
+const UNKNOWNS_PER_PRODUCT: usize = 60;
 /// Number of products of a solution with a new factor.
 const NEEDED: usize = 2;
 
@@ -238,8 +240,13 @@ impl LaggedFactor {
             self.places[condition.unknown] = Some(place);
         }
         self.factor = Some((conditions.form, conditions.factor()?));
-        self.improves(conditions, right, tolerance, most, change)?;
-        Ok(())
+        // Behind a factor that rounding has spoilt, minimal residuals take as many products as there
+        // are unknowns at most.
+        if self.improves(conditions, right, tolerance, right.len().max(most), change)? {
+            Ok(())
+        } else {
+            Err(LinearError::Singular { order: right.len() })
+        }
     }
 
     /// [`Self::solve`] with this factor; if more than `most` products are required, nothing changes

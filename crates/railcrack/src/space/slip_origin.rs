@@ -6,6 +6,7 @@
 //! still open. Second-order backward differences (Gear 1971) take the slip of the previous step
 //! into account; closing points are held where their extrapolated jumps would have met.
 
+use super::contact::Guess;
 use super::states::{SpaceFaces, SpaceStatus};
 
 /// The faces with the wheel at a position.
@@ -14,6 +15,27 @@ pub(super) struct WheelInstant {
     /// Abscissa of the centre of the contact, mm.
     pub position: f64,
     pub faces: SpaceFaces,
+    /// Forces A ⟦w⟧ (N) that resist the jumps of the points that are solved for, where known.
+    pub resisted: Option<Vec<f64>>,
+}
+
+impl WheelInstant {
+    /// This state as the guess of another one.
+    pub fn guess(&self) -> Guess {
+        Guess { jumps: self.faces.jumps.clone(), resisted: self.resisted.clone() }
+    }
+
+    /// The state at this share of the way to another one, which may be negative.
+    pub fn towards(&self, other: &Self, share: f64) -> Guess {
+        let between = |own: &[f64], other: &[f64]| {
+            own.iter().zip(other).map(|(own, other)| own + share * (other - own)).collect()
+        };
+        let resisted = self.resisted.as_deref().zip(other.resisted.as_deref());
+        Guess {
+            jumps: between(&self.faces.jumps, &other.faces.jumps),
+            resisted: resisted.map(|(own, other)| between(own, other)),
+        }
+    }
 }
 
 /// A step longer than this many times the previous step ignores its history. A sequence in which
@@ -56,7 +78,7 @@ mod tests {
             status: vec![status],
             fluid: Vec::new(),
         };
-        WheelInstant { position, faces }
+        WheelInstant { position, faces, resisted: None }
     }
 
     #[test]

@@ -180,7 +180,7 @@ fn grinding_takes_the_strip_of_a_folded_crack_and_then_its_branch() {
     let [before, after] = [&steps[unfolded - 1], &steps[unfolded]];
     let grown = before.tips.iter().map(|tip| tip.increment).fold(0.0, f64::max);
     let lost = depth(before) - depth(after);
-    assert!(lost <= 1.5 + 1e-9 && lost > 1.5 - 1.01 * grown, "{lost} {grown}");
+    assert!(lost <= 1.5 + 1e-9 && lost > 1.5 - 1.01 * grown - 1e-9, "{lost} {grown}");
     let front = after.tips.iter().map(|tip| tip.front().unwrap().phi).fold(0.0, f64::min);
     assert_eq!((front, after.tips[0].y), (0.0, 0.0), "a planar crack");
     assert!(depth(steps.last().unwrap()) < 1.0, "{:?}", steps.last().map(depth));

@@ -5,7 +5,7 @@ use crate::common::{Of, close, largest};
 use railcrack::load::Passage;
 use railcrack::space::{
     EllipticWheel, FrontSif, SpaceContact, SpaceCrack, SpaceHistory, SpaceLoad, SpacePassageSettings,
-    Surroundings, Symmetric, space_passage,
+    Surroundings, WheelStress, space_passage,
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -23,7 +23,7 @@ const WHEEL: EllipticWheel = EllipticWheel {
     lateral_friction: 0.04,
 };
 
-fn pass(crack: &SpaceCrack, wheel: &(dyn Fn(f64, [f64; 3]) -> Symmetric + Sync)) -> SpaceHistory {
+fn pass(crack: &SpaceCrack, wheel: &dyn WheelStress) -> SpaceHistory {
     let body = body(crack, Surroundings::HalfSpace, 2);
     let contact = SpaceContact { body: &body, friction: &[0.3] };
     let load = SpaceLoad { wheel, bending: None, constant: None, fluid: None };
@@ -54,7 +54,7 @@ fn same(one: &SpaceHistory, other: &SpaceHistory, (kii, kiii, is_reversed): (f64
 fn a_crack_along_the_rail_is_the_case_turned() {
     let along = pass(&crack(0.7, FRAC_PI_2), &|x, point| WHEEL.stress(x, point, 0.3));
     // The same seen with z as x: the wheel comes from larger lateral positions.
-    let across = pass(&crack(0.7, 0.0), &|x, point| {
+    let across = pass(&crack(0.7, 0.0), &|x: f64, point: [f64; 3]| {
         let EllipticWheel { half_width, lateral_half_width, friction, lateral_friction, .. } = WHEEL;
         let wheel = EllipticWheel {
             half_width: lateral_half_width,

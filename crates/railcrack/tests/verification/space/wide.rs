@@ -10,7 +10,7 @@ use railcrack::math::{Stress, Vec2};
 use railcrack::plane::{RailLoad, stabilised_passage};
 use railcrack::space::{
     EllipticWheel, FrontSif, SpaceBody, SpaceContact, SpaceCrack, SpaceHistory, SpaceLoad,
-    SpacePassageSettings, SpaceResolution, Surroundings, Symmetric, space_passage,
+    SpacePassageSettings, SpaceResolution, Surroundings, Symmetric, WheelStress, space_passage,
 };
 
 /// Half the length of the mouth over the depth along the dip.
@@ -35,7 +35,7 @@ impl Wide {
         Passage { from: -6.0 * self.half_width, to: 6.0 * self.half_width, positions }
     }
 
-    fn in_space(&self, wheel: &(dyn Fn(f64, [f64; 3]) -> Symmetric + Sync)) -> SpaceHistory {
+    fn in_space(&self, wheel: &dyn WheelStress) -> SpaceHistory {
         let crack = SpaceCrack::surface_breaking(self.degrees.to_radians(), WIDTH * self.length, self.length);
         let resolution = SpaceResolution { block: self.cells, ring: self.cells };
         let body = SpaceBody::new(&[crack.unwrap()], &steel(), Surroundings::HalfSpace, resolution).unwrap();
@@ -139,7 +139,7 @@ fn under_an_ellipse(degrees: f64, cells: usize) {
         lateral_friction: 0.0,
     };
     let wide = Wide { degrees, length: 4.0, friction: 0.3, half_width, cells };
-    let space = wide.in_space(&|position, point| wheel.stress(position, point, 0.3));
+    let space = wide.in_space(&|position: f64, point: [f64; 3]| wheel.stress(position, point, 0.3));
     let plane = wide.in_the_plane(&MiddlePlane(wheel, [-half_width, half_width]));
     let reason = "a mouth of 12 depths under an ellipse, the plane under the stress in its middle";
     agrees(&space, &plane, 0.02, reason);
