@@ -3,7 +3,8 @@
 python3 tools/scattered_wheels.py RAILCRACK computes verification/plane-and-space/offsets.csv with that
 program: the rate of step 0 at the deepest point under one wheel at each lateral offset. Without
 arguments it prints the mean over normally distributed offsets relative to the centred wheel, for the
-page that compares plane and space.
+page that compares plane and space, and draws both with the rates over depth as
+docs/figures/rate-and-scatter.svg. Needs matplotlib for that.
 """
 
 import csv
@@ -86,18 +87,52 @@ def closed_form(scatter, exponent=3.33):
     return sum(of((k + 0.5) / steps) for k in range(steps)) / steps / (scatter * math.sqrt(0.5 * math.pi))
 
 
-def show():
+def by_crack():
+    """Rates at all offsets by depth and surface length over depth."""
     rates = {}
     for row in csv.DictReader(line for line in open(table) if not line.startswith("#")):
         key = (float(row["depth_mm"]), float(row["surface_length_over_depth"]))
         rates.setdefault(key, []).append(float(row["rate_mm_per_mgt"]))
+    return rates
+
+
+def show():
+    rates = by_crack()
     print("closed form", *(f"{closed_form(scatter):.4f}" for scatter in SCATTERS))
     for (depth, width), own in rates.items():
         print(depth, width, f"{own[0]:.3f}", *(f"{mean(own, scatter) / own[0]:.3f}" for scatter in SCATTERS),
               "at offsets", *(f"{rate / own[0]:.3f}" for rate in own))
 
 
+def draw():
+    plot = head_check.plots()
+    over_depth = {}
+    for row in csv.DictReader(open(root / "verification/rate-over-depth/rates.csv")):
+        rate = float(row["rate_mm_per_mgt"])
+        if rate > 0.0:
+            over_depth.setdefault(row["cause"], []).append((float(row["depth_mm"]), rate))
+    figure, (left, right) = plot.subplots(1, 2, figsize=(10.5, 3.8), layout="constrained")
+    causes = [("plane", "plane, line contact", "k--"), ("line contact, width 4:1", "space, line contact, 4:1", "k-"),
+              ("ellipse, width 6:1", "space, ellipse, 6:1", "C0-"), ("ellipse, width 4:1", "4:1", "C1-"),
+              ("ellipse, width 2:1", "2:1", "C2-")]
+    for cause, label, look in causes:
+        left.plot(*zip(*over_depth[cause]), look, marker="o", ms=3, lw=1, label=label)
+    left.set(xscale="log", yscale="log", xlabel="depth, mm", ylabel="growth in depth, mm per MGT")
+    left.legend(fontsize=7)
+    scatters = [0.05 + 0.05 * k for k in range(30)]
+    right.plot(scatters, [closed_form(scatter) for scatter in scatters], "k:", lw=1, label="∝ √(1 − y²/b²), exponent 3.33")
+    names = {0.0: ("plane, strip of the ellipse", "k"), 6.0: ("space, 6:1", "C0"), 4.0: ("4:1", "C1"), 2.0: ("2:1", "C2")}
+    for (depth, width), own in by_crack().items():
+        name, colour = names[width]
+        means = [mean(own, scatter) / own[0] for scatter in scatters]
+        right.plot(scatters, means, "--" if depth < 3.0 else "-", color=colour, lw=1, label=f"{name}, {depth:g} mm")
+    right.set(xlabel="standard deviation of the lateral offset over b", ylabel="mean rate over that of a centred wheel", ylim=(0, 1.1))
+    right.legend(fontsize=7, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    figure.savefig(root / "docs/figures/rate-and-scatter.svg", metadata={"Date": None})
+
+
 if len(sys.argv) > 1:
     compute(str(pathlib.Path(sys.argv[1]).resolve()))
 else:
     show()
+    draw()
