@@ -16,6 +16,7 @@ use super::cell::{Cell, CellPoint};
 use super::duffy::DuffyRules;
 use super::grid::Grid;
 use super::image_table::ImageTable;
+use super::mirror_image::{MirroredCells, averaged_with_mirror_image};
 use super::mouth_pair::{LinePoint, MouthPair};
 use super::patch::{ApartRules, CellPair, Cover, Patch, weighted};
 use crate::interruption::{Interrupted, Interruption};
@@ -65,6 +66,7 @@ pub(super) struct Galerkin<'a> {
     /// Cells at the points of the rules of the whole cell.
     points: Vec<Vec<Vec<(CellPoint, f64)>>>,
     covers: Vec<Cover>,
+    mirrored: Option<MirroredCells>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -88,7 +90,8 @@ impl<'a> Galerkin<'a> {
         let order = image.map_or(1.0, |image| IMAGE_ORDER + SHALLOW_ORDER / image.dip.sin());
         let (near, mouth) = (DuffyRules::new(DUFFY_ORDER), DuffyRules::new(order.round() as usize));
         let logarithmic = gauss_legendre(MOUTH_ORDER);
-        Self { grid, poisson, image, near, mouth, apart, apart_mouth, logarithmic, points, covers }
+        let mirrored = MirroredCells::of(grid);
+        Self { grid, poisson, image, near, mouth, apart, apart_mouth, logarithmic, points, covers, mirrored }
     }
 
     /// The stiffness in units of the shear modulus (mm): component i of the free vertex a is row 3a
@@ -106,7 +109,8 @@ impl<'a> Galerkin<'a> {
                 .into_par_iter()
                 .map(|i| {
                     interruption.check()?;
-                    Ok((i..cells.len()).map(|j| self.pair(i, j)).collect())
+                    let count = |j| self.mirrored.as_ref().map_or(1.0, |mirrored| mirrored.count([i, j]));
+                    Ok((i..cells.len()).map(|j| times(count(j), || self.pair(i, j))).collect())
                 })
                 .collect::<Result<_, Interrupted>>()?;
             for (i, row) in strip.zip(&blocks) {
@@ -121,7 +125,9 @@ impl<'a> Galerkin<'a> {
                 .into_par_iter()
                 .map(|i| {
                     interruption.check()?;
-                    Ok((0..edges.len()).map(|e| self.line(i, e)).collect())
+                    let count =
+                        |e| self.mirrored.as_ref().map_or(1.0, |mirrored| mirrored.count_with_edge([i, e]));
+                    Ok((0..edges.len()).map(|e| times(count(e), || self.line(i, e))).collect())
                 })
                 .collect::<Result<_, Interrupted>>()?;
             for (i, row) in lines.iter().enumerate() {
@@ -145,7 +151,7 @@ impl<'a> Galerkin<'a> {
                 stiffness[(j, i)] = mean;
             }
         }
-        Ok(stiffness)
+        Ok(averaged_with_mirror_image(stiffness, &self.grid.vertices[..free]))
     }
 
     fn scatter(&self, stiffness: &mut Matrix, i: usize, j: usize, block: &Block, and_transposed: bool) {
@@ -416,3 +422,39 @@ impl<'a> Galerkin<'a> {
 
 /// Number of cells whose blocks are held at a time.
 const STRIP: usize = 32;
+
+/// A block `count` times, which is not computed for a count of zero.
+fn times(count: f64, block: impl FnOnce() -> Block) -> Block {
+    if count == 0.0 {
+        return EMPTY;
+    }
+    let mut block = block();
+    block.iter_mut().flatten().flatten().flatten().for_each(|value| *value *= count);
+    block
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::space::{SpaceCrack, SpaceKernel, SpaceResolution};
+
+    #[test]
+    fn one_of_two_mirrored_products_is_enough() {
+        let crack = SpaceCrack::surface_breaking(0.5, 3.0, 2.0).unwrap();
+        let grid = Grid::new(&crack, SpaceResolution { block: 2, ring: 2 });
+        let image = SpaceKernel::new(&[crack.dip], 0.3).image(crack.dip);
+        let half = Galerkin::new(&grid, 0.3, Some(&image));
+        assert!(half.mirrored.is_some());
+        let pairs = (0..grid.cells.len()).flat_map(|i| (i..grid.cells.len()).map(move |j| [i, j]));
+        let count = |pair| half.mirrored.as_ref().map_or(1.0, |mirrored| mirrored.count(pair));
+        let left_out = pairs.clone().filter(|&pair| count(pair) == 0.0).count();
+        assert!(5 * left_out > 2 * pairs.count(), "{left_out} of all products");
+        let whole = Galerkin { mirrored: None, ..Galerkin::new(&grid, 0.3, Some(&image)) };
+        let [half, whole] = [half, whole].map(|all| all.stiffness_unless(Interruption::NEVER).unwrap());
+        let largest = (0..whole.rows()).fold(0.0f64, |most, i| most.max(whole[(i, i)]));
+        let entries = half.entries().iter().zip(whole.entries());
+        let off = entries.fold(0.0f64, |most, (a, b)| most.max((a - b).abs())) / largest;
+        // The divisions of the quadrature are not mirrored.
+        assert!(off < 1e-6, "{off:e}");
+    }
+}

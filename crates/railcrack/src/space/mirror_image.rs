@@ -1,6 +1,10 @@
 //! Mirror images of the points of a crack about its line of dip.
 
+use super::cell::Cell;
+use super::grid::Grid;
 use crate::math::Matrix;
+use std::cmp::Ordering;
+use std::collections::HashMap;
 
 /// Signs of the components of mirrored jumps and forces.
 pub(super) const SIGNS: [f64; 3] = [1.0, 1.0, -1.0];
@@ -8,19 +12,72 @@ pub(super) const SIGNS: [f64; 3] = [1.0, 1.0, -1.0];
 /// to which it is round-off: the points of a grid are closer together by a factor of 10⁴ at most.
 pub(super) const COINCIDENT: f64 = 1e-9;
 
-/// The stiffness `own` (3p × 3p) of a crack by itself, averaged with its mirror image about the
-/// line of dip through the middle: every crack with these `points` (s, ζ) is its own mirror image,
-/// but the quadrature takes the cells in an order that is not.
-pub(super) fn averaged_with_mirror_image(own: Matrix, points: &[[f64; 2]]) -> Matrix {
+/// The mirror image of each of `points` (s, ζ) about the line of dip through the middle; none if one
+/// is missing.
+fn images(points: &[[f64; 2]]) -> Option<Vec<usize>> {
     let size = points.iter().flatten().fold(0.0f64, |most, x| most.max(x.abs()));
     let image = |[s, zeta]: &[f64; 2]| {
         let is_image = |[u, v]: &[f64; 2]| (u - s).abs().max((v + zeta).abs()) <= COINCIDENT * size;
         points.iter().position(is_image)
     };
-    let Some(images) = points.iter().map(image).collect::<Option<Vec<usize>>>() else { return own };
+    points.iter().map(image).collect()
+}
+
+/// The stiffness `own` (3p × 3p) of a crack by itself, averaged with its mirror image about the
+/// line of dip through the middle, if its `points` (s, ζ) are their own mirror image: the quadrature
+/// takes the cells in an order that is not.
+pub(super) fn averaged_with_mirror_image(own: Matrix, points: &[[f64; 2]]) -> Matrix {
+    let Some(images) = images(points) else { return own };
     Matrix::from_fn(own.rows(), own.rows(), |i, j| {
         let (c, d) = (i % 3, j % 3);
         let mirrored = own[(3 * images[i / 3] + c, 3 * images[j / 3] + d)];
         0.5 * (own[(i, j)] + SIGNS[c] * SIGNS[d] * mirrored)
     })
+}
+
+/// Cells, and edges on the mouth, that are mirror images of each other: of two products of which
+/// one is the mirror image of the other, one is integrated, and the average with the mirror image
+/// gives the other.
+pub(super) struct MirroredCells {
+    cells: Vec<usize>,
+    edges: Vec<usize>,
+}
+
+impl MirroredCells {
+    /// Those of a grid; none if it is not its own mirror image.
+    pub fn of(grid: &Grid) -> Option<Self> {
+        let vertices = images(&grid.vertices)?;
+        let sorted = |mut corners: [usize; 4]| {
+            corners.sort_unstable();
+            corners
+        };
+        let known: HashMap<_, _> =
+            grid.cells.iter().enumerate().map(|(k, cell)| (sorted(cell.vertices), k)).collect();
+        let image = |cell: &Cell| known.get(&sorted(cell.vertices.map(|v| vertices[v]))).copied();
+        let cells = grid.cells.iter().map(image).collect::<Option<Vec<usize>>>()?;
+        let edge = |(cell, _): &(usize, _)| grid.mouth.iter().position(|(other, _)| *other == cells[*cell]);
+        let edges = grid.mouth.iter().map(edge).collect::<Option<_>>()?;
+        Some(Self { cells, edges })
+    }
+
+    /// How often the product of two cells counts: not at all where that of its mirror image is taken
+    /// twice.
+    pub fn count(&self, pair: [usize; 2]) -> f64 {
+        let mut image = pair.map(|cell| self.cells[cell]);
+        image.sort_unstable();
+        counted(pair, image)
+    }
+
+    /// The same of a cell and an edge on the mouth.
+    pub fn count_with_edge(&self, [cell, edge]: [usize; 2]) -> f64 {
+        counted([cell, edge], [self.cells[cell], self.edges[edge]])
+    }
+}
+
+fn counted(pair: [usize; 2], image: [usize; 2]) -> f64 {
+    match image.cmp(&pair) {
+        Ordering::Less => 0.0,
+        Ordering::Equal => 1.0,
+        Ordering::Greater => 2.0,
+    }
 }

@@ -4,7 +4,6 @@ use super::cross::{Placed, cross_stiffness};
 use super::error::SpaceError;
 use super::galerkin::{Galerkin, ImagePart};
 use super::image_table::ImageTable;
-use super::mirror_image::averaged_with_mirror_image;
 use super::plane::Surroundings;
 use super::shape::SpaceCrack;
 use crate::interruption::Interruption;
@@ -81,7 +80,6 @@ pub(super) fn stiffness_of(
         } else {
             let image = kernel.map(|kernel| kernel.image(cracks[k].dip));
             let own = Galerkin::new(crack.grid, poisson, image.as_ref()).stiffness_unless(interruption)?;
-            let own = averaged_with_mirror_image(own, &crack.grid.vertices[..crack.grid.free]);
             for i in 0..size {
                 let into = &mut stiffness.row_mut(start + i)[start..start + size];
                 into.iter_mut().zip(own.row(i)).for_each(|(into, value)| *into = mu * value);

@@ -33,6 +33,10 @@ const MOST_SWEEPS: usize = 12;
 /// first sweep is compared with a trial of longer load steps, which differs by more than its error.
 const LEAST_CONTRACTION: f64 = 0.05;
 
+/// The tolerance of the load steps of a group over that of all cracks together: each group chooses
+/// its own steps, and a crack feels the errors of its neighbours.
+const SHARE_OF_TOLERANCE: f64 = 0.5;
+
 /// A group with what its contact needs besides its body.
 struct GroupInPassage<'a> {
     of: &'a CrackGroup,
@@ -304,6 +308,8 @@ impl Passages for GroupedPassages<'_> {
         settings: &SpacePassageSettings,
         faces: &mut SpaceFaces,
     ) -> Result<SpaceHistory, SpaceContactError> {
+        let share = if self.are_whole() { 1.0 } else { SHARE_OF_TOLERANCE };
+        let settings = &SpacePassageSettings { tolerance: share * settings.tolerance, ..*settings };
         let mut before = 0.0;
         let (mut steps, mut iterations, mut most) = (0, 0, 0);
         let mut sweep = 0;
