@@ -10,8 +10,10 @@
 //! treatment, since the image of a point of one crack is never closer to the other crack than the
 //! point itself.
 
+use super::block::{Block, EMPTY, times};
 use super::cell::Cell;
 use super::grid::Grid;
+use super::mirror_image::MirroredPair;
 use super::nuclei::{Symmetric, image_matrix, kelvin_stress, moment};
 use super::patch::Patch;
 use super::plane::{PlaneFrame, Surroundings};
@@ -128,11 +130,6 @@ impl Influence {
     }
 }
 
-/// A block of two cells: hat functions of the first, components, hat functions of the second,
-/// components.
-type Block = [[[[f64; 3]; 4]; 3]; 4];
-const EMPTY: Block = [[[[0.0; 3]; 4]; 3]; 4];
-
 /// Fineness of the integration.
 #[derive(Debug, Clone, Copy)]
 struct Fineness {
@@ -179,13 +176,18 @@ impl<'a> Cross<'a> {
     }
 
     fn stiffness_unless(&self, interruption: Interruption<'_>) -> Result<Matrix, Interrupted> {
-        let [rows, columns] = [&self.cracks[0], &self.cracks[1]].map(|crack| crack.crack.grid);
+        let placed = self.cracks.each_ref().map(|crack| crack.crack);
+        let [rows, columns] = placed.map(|crack| crack.grid);
+        let is_across = |crack: &Placed| crack.frame.normal()[1] == 0.0;
+        let is_symmetric = placed[0].middle[1] == placed[1].middle[1] && placed.iter().all(is_across);
+        let mirrored = if is_symmetric { MirroredPair::of([rows, columns]) } else { None };
+        let count = |pair| mirrored.as_ref().map_or(1.0, |mirrored| mirrored.count(pair));
         let mut stiffness = Matrix::zeros(3 * rows.free, 3 * columns.free);
         let blocks: Vec<Vec<Block>> = (0..rows.cells.len())
             .into_par_iter()
             .map(|i| {
                 interruption.check()?;
-                Ok((0..columns.cells.len()).map(|j| self.pair(i, j)).collect())
+                Ok((0..columns.cells.len()).map(|j| times(count([i, j]), || self.pair(i, j))).collect())
             })
             .collect::<Result<_, Interrupted>>()?;
         // The order of summation does not depend on the number of threads.
@@ -202,7 +204,10 @@ impl<'a> Cross<'a> {
                 }
             }
         }
-        Ok(stiffness)
+        Ok(match mirrored {
+            Some(mirrored) => mirrored.averaged(&stiffness),
+            None => stiffness,
+        })
     }
 
     /// The block of the cells i and j.

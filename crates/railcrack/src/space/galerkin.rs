@@ -12,6 +12,7 @@
 //! grow as 1/r at most, so that the integrals are as accurate as their quadrature rules, with Duffy
 //! coordinates where cells touch.
 
+use super::block::{Block, EMPTY, times};
 use super::cell::{Cell, CellPoint};
 use super::duffy::DuffyRules;
 use super::grid::Grid;
@@ -38,11 +39,6 @@ const IMAGE_GAP: f64 = 0.5;
 const MOUTH_MORE: usize = 2;
 /// Points per direction on the mouth.
 const MOUTH_ORDER: usize = 8;
-
-/// A block of two cells: hat functions of the first, components, hat functions of the second,
-/// components.
-type Block = [[[[f64; 3]; 4]; 3]; 4];
-const EMPTY: Block = [[[[0.0; 3]; 4]; 3]; 4];
 
 /// The image in the surface for the plane of a crack.
 #[derive(Debug, Clone)]
@@ -422,16 +418,6 @@ impl<'a> Galerkin<'a> {
 
 /// Number of cells whose blocks are held at a time.
 const STRIP: usize = 32;
-
-/// A block `count` times, which is not computed for a count of zero.
-fn times(count: f64, block: impl FnOnce() -> Block) -> Block {
-    if count == 0.0 {
-        return EMPTY;
-    }
-    let mut block = block();
-    block.iter_mut().flatten().flatten().flatten().for_each(|value| *value *= count);
-    block
-}
 
 #[cfg(test)]
 mod tests {

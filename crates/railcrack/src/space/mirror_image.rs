@@ -27,11 +27,18 @@ fn images(points: &[[f64; 2]]) -> Option<Vec<usize>> {
 /// line of dip through the middle, if its `points` (s, ζ) are their own mirror image: the quadrature
 /// takes the cells in an order that is not.
 pub(super) fn averaged_with_mirror_image(own: Matrix, points: &[[f64; 2]]) -> Matrix {
-    let Some(images) = images(points) else { return own };
-    Matrix::from_fn(own.rows(), own.rows(), |i, j| {
+    match images(points) {
+        Some(images) => averaged(&own, [&images, &images]),
+        None => own,
+    }
+}
+
+/// A stiffness between points (rows) and others (columns), averaged with its mirror image.
+fn averaged(stiffness: &Matrix, [rows, columns]: [&[usize]; 2]) -> Matrix {
+    Matrix::from_fn(stiffness.rows(), stiffness.columns(), |i, j| {
         let (c, d) = (i % 3, j % 3);
-        let mirrored = own[(3 * images[i / 3] + c, 3 * images[j / 3] + d)];
-        0.5 * (own[(i, j)] + SIGNS[c] * SIGNS[d] * mirrored)
+        let mirrored = stiffness[(3 * rows[i / 3] + c, 3 * columns[j / 3] + d)];
+        0.5 * (stiffness[(i, j)] + SIGNS[c] * SIGNS[d] * mirrored)
     })
 }
 
@@ -39,6 +46,7 @@ pub(super) fn averaged_with_mirror_image(own: Matrix, points: &[[f64; 2]]) -> Ma
 /// one is the mirror image of the other, one is integrated, and the average with the mirror image
 /// gives the other.
 pub(super) struct MirroredCells {
+    vertices: Vec<usize>,
     cells: Vec<usize>,
     edges: Vec<usize>,
 }
@@ -57,7 +65,7 @@ impl MirroredCells {
         let cells = grid.cells.iter().map(image).collect::<Option<Vec<usize>>>()?;
         let edge = |(cell, _): &(usize, _)| grid.mouth.iter().position(|(other, _)| *other == cells[*cell]);
         let edges = grid.mouth.iter().map(edge).collect::<Option<_>>()?;
-        Some(Self { cells, edges })
+        Some(Self { vertices, cells, edges })
     }
 
     /// How often the product of two cells counts: not at all where that of its mirror image is taken
@@ -71,6 +79,29 @@ impl MirroredCells {
     /// The same of a cell and an edge on the mouth.
     pub fn count_with_edge(&self, [cell, edge]: [usize; 2]) -> f64 {
         counted([cell, edge], [self.cells[cell], self.edges[edge]])
+    }
+}
+
+/// Two cracks that are symmetric about one plane along the rail.
+pub(super) struct MirroredPair([MirroredCells; 2]);
+
+impl MirroredPair {
+    /// Those with these grids, whose lines of dip lie in that plane; none if a grid is not its own
+    /// mirror image.
+    pub fn of([one, other]: [&Grid; 2]) -> Option<Self> {
+        Some(Self([MirroredCells::of(one)?, MirroredCells::of(other)?]))
+    }
+
+    /// How often the product of a cell of each counts ([`MirroredCells::count`]).
+    pub fn count(&self, pair: [usize; 2]) -> f64 {
+        let Self([one, other]) = self;
+        counted(pair, [one.cells[pair[0]], other.cells[pair[1]]])
+    }
+
+    /// The stiffness between the points of the two, averaged with its mirror image.
+    pub fn averaged(&self, stiffness: &Matrix) -> Matrix {
+        let Self([one, other]) = self;
+        averaged(stiffness, [&one.vertices, &other.vertices])
     }
 }
 

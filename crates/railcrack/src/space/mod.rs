@@ -1,6 +1,7 @@
 //! Cracks with curved fronts in the half-space.
 
 mod bilinear;
+mod block;
 mod body;
 mod cell;
 mod contact;
