@@ -54,18 +54,25 @@ pub(super) struct MirroredCells {
 impl MirroredCells {
     /// Those of a grid; none if it is not its own mirror image.
     pub fn of(grid: &Grid) -> Option<Self> {
-        let vertices = images(&grid.vertices)?;
+        let mirrored = Self::of_cells(&grid.cells, &grid.vertices)?;
+        let edge =
+            |(cell, _): &(usize, _)| grid.mouth.iter().position(|(other, _)| *other == mirrored.cells[*cell]);
+        let edges = grid.mouth.iter().map(edge).collect::<Option<_>>()?;
+        Some(Self { edges, ..mirrored })
+    }
+
+    /// The cells alone, with the positions (s, ζ) of their vertices.
+    pub fn of_cells(cells: &[Cell], vertices: &[[f64; 2]]) -> Option<Self> {
+        let vertices = images(vertices)?;
         let sorted = |mut corners: [usize; 4]| {
             corners.sort_unstable();
             corners
         };
         let known: HashMap<_, _> =
-            grid.cells.iter().enumerate().map(|(k, cell)| (sorted(cell.vertices), k)).collect();
+            cells.iter().enumerate().map(|(k, cell)| (sorted(cell.vertices), k)).collect();
         let image = |cell: &Cell| known.get(&sorted(cell.vertices.map(|v| vertices[v]))).copied();
-        let cells = grid.cells.iter().map(image).collect::<Option<Vec<usize>>>()?;
-        let edge = |(cell, _): &(usize, _)| grid.mouth.iter().position(|(other, _)| *other == cells[*cell]);
-        let edges = grid.mouth.iter().map(edge).collect::<Option<_>>()?;
-        Some(Self { vertices, cells, edges })
+        let cells = cells.iter().map(image).collect::<Option<_>>()?;
+        Some(Self { vertices, cells, edges: Vec::new() })
     }
 
     /// How often the product of two cells counts: not at all where that of its mirror image is taken

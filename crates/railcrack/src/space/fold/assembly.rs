@@ -6,13 +6,15 @@
 //! planes, and the image is regular. With hats on the mouth, which do not vanish at the edge of the
 //! surface, they do not touch, and the traction of the one on the other is integrated as it is.
 
+use super::super::block::{Block, EMPTY, times};
 use super::super::cell::{CORNERS, Cell, CellPoint};
 use super::super::duffy::DuffyRules;
 use super::super::galerkin::{Galerkin, ImagePart};
+use super::super::mirror_image::{MirroredCells, averaged_with_mirror_image};
 use super::super::patch::{ApartRules, CellPair, Cover, Patch};
 use super::super::plane::PlaneFrame;
 use super::grid::{FoldedGrid, Part};
-use super::kernel::{Block, EMPTY, NO_SUMS, Stress, SurfacePoint, add_strong, add_sums, add_weak};
+use super::kernel::{NO_SUMS, Stress, SurfacePoint, add_strong, add_sums, add_weak};
 use super::shape::FoldedCrack;
 use crate::interruption::{Interrupted, Interruption};
 use crate::math::{Matrix, dot3, gauss_legendre};
@@ -50,6 +52,13 @@ struct Pair {
     with_mouth: Block,
 }
 
+impl Pair {
+    fn times(self, count: f64) -> Self {
+        let Self { inside, with_mouth } = self;
+        Self { inside: times(count, || inside), with_mouth: times(count, || with_mouth) }
+    }
+}
+
 /// Whether a pair of hats is left to the integrals of the strip alone.
 fn is_of_strip(a: Part, b: Part) -> bool {
     let above = |part: Part| matches!(part, Part::Mouth | Part::Strip);
@@ -85,6 +94,11 @@ impl<'a> Assembly<'a> {
         let free = self.grid.free;
         let count = self.grid.cells.len();
         let mut stiffness = Matrix::zeros(3 * free, 3 * free);
+        let mirrored = MirroredCells::of_cells(&self.grid.cells, &self.grid.vertices);
+        let counted = |i: usize, j: usize| match mirrored.as_ref().map_or(1.0, |cells| cells.count([i, j])) {
+            0.0 => None,
+            count => Some((j, self.pair(i, j)?.times(count))),
+        };
         for start in (0..count).step_by(STRIP) {
             let strip = start..(start + STRIP).min(count);
             let blocks: Vec<Vec<(usize, Pair)>> = strip
@@ -92,7 +106,7 @@ impl<'a> Assembly<'a> {
                 .into_par_iter()
                 .map(|i| {
                     interruption.check()?;
-                    Ok((i..count).filter_map(|j| Some((j, self.pair(i, j)?))).collect())
+                    Ok((i..count).filter_map(|j| counted(i, j)).collect())
                 })
                 .collect::<Result<_, Interrupted>>()?;
             // The order of summation does not depend on the number of threads.
@@ -113,7 +127,7 @@ impl<'a> Assembly<'a> {
                 stiffness[(j, i)] = mean;
             }
         }
-        Ok(stiffness)
+        Ok(averaged_with_mirror_image(stiffness, &self.grid.vertices[..free]))
     }
 
     /// The plane of a part; on the fold that of the strip.

@@ -9,7 +9,6 @@
 use super::super::body::{Assembled, CrackPart, FrontPoint, LOAD_POINTS, LoadPoint, SpaceBody};
 use super::super::error::SpaceError;
 use super::super::front_motion::phi_on_strip;
-use super::super::mirror_image::averaged_with_mirror_image;
 use super::super::plane::PlaneFrame;
 use super::super::shape::SpaceCrack;
 use super::super::stiffness::SpaceKernel;
@@ -47,7 +46,6 @@ impl FoldedCrack {
         let mut stiffness = assembly
             .stiffness_unless(&image, interruption)
             .map_err(|stopped| FoldedBodyError::Body(stopped.into()))?;
-        stiffness = averaged_with_mirror_image(stiffness, &grid.vertices[..grid.free]);
         for i in 0..stiffness.rows() {
             stiffness.row_mut(i).iter_mut().for_each(|entry| *entry *= steel.shear_modulus());
         }

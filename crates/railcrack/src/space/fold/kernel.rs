@@ -11,6 +11,7 @@
 //! The surface may have folds: the integrals along a fold cancel between its two planes. On one
 //! plane this is the form of `galerkin`.
 
+use super::super::block::Block;
 use super::super::nuclei::{image_matrix, kelvin_stress, moment, traction};
 use super::super::plane::PlaneFrame;
 use crate::math::dot3;
@@ -18,11 +19,6 @@ use std::f64::consts::PI;
 
 /// Hats of a cell.
 pub(super) const HATS: usize = 4;
-
-/// A block of two cells in the axes of the rail: hats of the first, components, hats of the second,
-/// components.
-pub(super) type Block = [[[[f64; 3]; HATS]; 3]; HATS];
-pub(super) const EMPTY: Block = [[[[0.0; 3]; HATS]; 3]; HATS];
 
 /// A point of a cell in the rail.
 #[derive(Debug, Clone, Copy)]
@@ -158,6 +154,7 @@ pub(super) fn add_strong(
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::block::EMPTY;
     use super::*;
     use crate::math::gauss_legendre;
 
