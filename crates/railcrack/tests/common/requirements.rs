@@ -573,6 +573,11 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Space: flat elliptical cracks in tension have the K_I of the closed form at every front point.",
     ),
     requirement(
+        "space::fronts::pennies_with_wavy_fronts_in_tension",
+        "",
+        "Space: dK_I/dε of pennies with the fronts 1 + ε cos nφ, n = 1 to 4, is that of the first-order solution.",
+    ),
+    requirement(
         "space::fronts::vertical_semi_ellipses_in_tension",
         "",
         "Space: semi-ellipses that break the surface have the published K_I, away from the surface.",

@@ -1,7 +1,7 @@
 //! K along the fronts of open cracks under uniform tractions.
 
 use super::{at, body, open_sifs, stress};
-use crate::common::{Absolute, Relative, close, measured_order, order};
+use crate::common::{Absolute, Relative, close, largest, measured_order, order};
 use railcrack::space::{SpaceCrack, Surroundings};
 use std::f64::consts::PI;
 
@@ -42,6 +42,39 @@ fn penny_in_shear() {
         // Along the front K_II goes with the part of the shear that is normal to it.
         close(k.kii / scale, front.phi.sin(), Absolute(0.008), reason);
         close(k.kiii / scale, -0.7 * front.phi.cos(), Absolute(0.008), reason);
+    }
+}
+
+/// φ and K_I along the front r = 1 + ε cos nφ, with ε the `amplitude`, under unit tension.
+fn along_a_wavy_front(n: usize, amplitude: f64, cells: usize) -> Vec<(f64, f64)> {
+    let mut deviation = vec![0.0; n + 1];
+    deviation[n] = amplitude;
+    let penny = SpaceCrack::buried(1.0, 1.0, 1.0, 50.0).unwrap();
+    let crack = SpaceCrack { deviation, ..penny }.checked().unwrap();
+    let body = body(&crack, Surroundings::FullSpace, cells);
+    let sifs = open_sifs(&body, stress(1f64.to_degrees(), [1.0, 0.0, 0.0]));
+    sifs.iter().zip(body.front()).map(|(k, front)| (front.phi, k.ki)).collect()
+}
+
+/// Largest error along the front 1 + ε cos nφ of dK_I/dε over K_I of the penny, by the difference
+/// between ε and −ε. To first order in δa(φ) the change of K_I (Gao & Rice 1987),
+///
+///   δK/K = δa/(2a) + 1/(8πa) ∫ (δa(φ′) − δa(φ)) / sin²((φ′ − φ)/2) dφ′,
+///
+/// is (1 − n)/2 ε cos nφ: zero for n = 1, a translation, and Irwin's ellipse for n = 2.
+fn wavy_error(n: usize, cells: usize) -> f64 {
+    let (amplitude, penny) = (0.02, 2.0 / PI.sqrt());
+    let [out, back] = [amplitude, -amplitude].map(|amplitude| along_a_wavy_front(n, amplitude, cells));
+    let error = |(&(phi, out), &(_, back)): (&(f64, f64), &(f64, f64))| {
+        (out - back) / (2.0 * amplitude * penny) - 0.5 * (1.0 - n as f64) * (n as f64 * phi).cos()
+    };
+    largest(out.iter().zip(&back).map(error))
+}
+
+#[test]
+fn pennies_with_wavy_fronts_in_tension() {
+    for n in 1..=4 {
+        close(wavy_error(n, 4), 0.0, Absolute(0.03), "Gao & Rice 1987; 128 cells");
     }
 }
 
