@@ -123,10 +123,11 @@ impl SpaceContact<'_> {
 }
 
 impl FaceProblem<'_> {
-    /// The faces under `forces` (N), with slip that is measured from the jumps `origin` (mm), and the
-    /// forces A ⟦w⟧ (N) that resist their jumps. The iterations begin with `guess` and, if they fail
-    /// to converge, again with `origin`. On entry `factor` is that of a similar step, on return that
-    /// of this one. The pressures of `pockets` act on the faces in addition to `forces`.
+    /// The faces under `forces` (N), with slip that is measured from the jumps `origin` (mm), and
+    /// the forces A ⟦w⟧ (N) that resist their jumps. The iterations begin with `guess` and, if they
+    /// fail to converge, again with `origin`. On entry `factor` is that of a similar step, on
+    /// return that of this one. The pressures of `pockets` act on the faces in addition to
+    /// `forces`.
     ///
     /// Errors: iterations that do not converge; a singular system.
     pub(super) fn step_from(

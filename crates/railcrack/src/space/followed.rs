@@ -166,8 +166,8 @@ impl PassageInProgress<'_> {
         Ok(WheelInstant { position: to, faces, resisted: Some(resisted) })
     }
 
-    /// The faces with the fluid of `states` at the beginning of the step, and the forces that resist
-    /// their jumps.
+    /// The faces with the fluid of `states` at the beginning of the step, and the forces that
+    /// resist their jumps.
     fn solved(
         &mut self,
         guess: &Guess,

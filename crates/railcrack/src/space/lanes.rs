@@ -129,7 +129,8 @@ pub(super) fn sines_and_cosines(angles: &Lanes) -> [Lanes; 2] {
         let (sine, cosine) = (rests[i] * odd[i], even[i]);
         let is_turned = quarters[i] & 1 == 1;
         let (s, c) = if is_turned { (cosine, sine) } else { (sine, cosine) };
-        // Signs: of the sine in the third and fourth quarter, of the cosine in the second and third.
+        // Signs: of the sine in the third and fourth quarter, of the cosine in the second and
+        // third.
         let below = (quarters[i] & 2) << 62;
         let behind = (quarters[i].wrapping_add(1) & 2) << 62;
         sines[i] = f64::from_bits(s.to_bits() ^ below);

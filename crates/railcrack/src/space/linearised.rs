@@ -240,8 +240,8 @@ impl LaggedFactor {
             self.places[condition.unknown] = Some(place);
         }
         self.factor = Some((conditions.form, conditions.factor()?));
-        // Behind a factor that rounding has spoilt, minimal residuals take as many products as there
-        // are unknowns at most.
+        // Behind a factor that rounding has spoilt, minimal residuals take as many products as
+        // there are unknowns at most.
         if self.improves(conditions, right, tolerance, right.len().max(most), change)? {
             Ok(())
         } else {

@@ -59,7 +59,7 @@ impl SpaceLoad<'_> {
         agree(&all.concat())
     }
 
-    /// What does not depend on the contact of the faces of `body`, for a passage with results at
+    /// The wheel over the faces of `body`, before they touch, for a passage with results at
     /// `positions` (mm); with `mirrored` points, body and load are symmetric.
     ///
     /// Errors: an interruption.
@@ -87,8 +87,8 @@ pub(super) struct WheelOverFaces<'a> {
 }
 
 impl WheelOverFaces<'_> {
-    /// The traction (MPa) with the wheel at `position` (mm), with the pressure of the fluid from the
-    /// mouth and without the constant stress; zero on the half of symmetric faces that is not
+    /// The traction (MPa) with the wheel at `position` (mm), with the pressure of the fluid from
+    /// the mouth and without the constant stress; zero on the half of symmetric faces that is not
     /// loaded.
     fn traction(&self, number: usize, load: &LoadPoint, position: f64) -> [f64; 3] {
         let Self { load: SpaceLoad { wheel, bending, .. }, body, fluid, mirrored, lines } = self;
@@ -122,8 +122,8 @@ impl WheelOverFaces<'_> {
         }
     }
 
-    /// Nodal forces (N) at the points of `crack` (from 0); of symmetric faces, those of the loads on
-    /// one side.
+    /// Nodal forces (N) at the points of `crack` (from 0); of symmetric faces, those of the loads
+    /// on one side.
     pub fn forces_on(&self, crack: usize, position: f64) -> Vec<f64> {
         let loads = self.body.load_points_of(crack);
         let forces = self.body.forces_of_tractions(loads, |k, load| self.traction(k, load, position));

@@ -12,8 +12,8 @@ pub(super) const SIGNS: [f64; 3] = [1.0, 1.0, -1.0];
 /// to which it is round-off: the points of a grid are closer together by a factor of 10⁴ at most.
 pub(super) const COINCIDENT: f64 = 1e-9;
 
-/// The mirror image of each of `points` (s, ζ) about the line of dip through the middle; none if one
-/// is missing.
+/// The mirror image of each of `points` (s, ζ) about the line of dip through the middle; none if
+/// one is missing.
 fn images(points: &[[f64; 2]]) -> Option<Vec<usize>> {
     let size = points.iter().flatten().fold(0.0f64, |most, x| most.max(x.abs()));
     let image = |[s, zeta]: &[f64; 2]| {
@@ -24,8 +24,8 @@ fn images(points: &[[f64; 2]]) -> Option<Vec<usize>> {
 }
 
 /// The stiffness `own` (3p × 3p) of a crack by itself, averaged with its mirror image about the
-/// line of dip through the middle, if its `points` (s, ζ) are their own mirror image: the quadrature
-/// takes the cells in an order that is not.
+/// line of dip through the middle, if its `points` (s, ζ) are their own mirror image: the
+/// quadrature takes the cells in an order that is not.
 pub(super) fn averaged_with_mirror_image(own: Matrix, points: &[[f64; 2]]) -> Matrix {
     match images(points) {
         Some(images) => averaged(&own, [&images, &images]),
@@ -75,8 +75,8 @@ impl MirroredCells {
         Some(Self { vertices, cells, edges: Vec::new() })
     }
 
-    /// How often the product of two cells counts: not at all where that of its mirror image is taken
-    /// twice.
+    /// How often the product of two cells counts: not at all where that of its mirror image is
+    /// taken twice.
     pub fn count(&self, pair: [usize; 2]) -> f64 {
         let mut image = pair.map(|cell| self.cells[cell]);
         image.sort_unstable();

@@ -1,8 +1,8 @@
 //! Tractions of a passing wheel at the load points of a body, interpolated along the rail.
 //!
 //! The stress of a moving contact at a point is a function of one variable, the distance along the
-//! rail. It is analytic except where the distance to a point of the contact's edge vanishes, ξ ±
-//! i √((y − η)² + z²), where (ξ, η) is the edge and y and z the lateral distance and depth. The line
+//! rail. It is analytic except where the distance to a point of the contact's edge vanishes, ξ ± i
+//! √((y − η)² + z²), where (ξ, η) is the edge and y and z the lateral distance and depth. The line
 //! is divided into panels as long as the ellipses of convergence around them allow, with Chebyshev
 //! points in each: far fewer places than the wheel has positions, unless the point lies just below
 //! the surface.
