@@ -704,6 +704,11 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Space: a wide crack at 15° under a wide ellipse has the K_II history of the 2D engine under its stress.",
     ),
     requirement(
+        "space::wide::of_the_2d_engine_under_a_mix_with_wear",
+        "",
+        "Space: the middle of a wide crack under a mix of wheels with wear has the rate and the shares of the 2D engine.",
+    ),
+    requirement(
         "cycles::of_second_order_along_a_straight_path",
         "",
         "Load cycles of a straight crack converge to second order in the increment.",

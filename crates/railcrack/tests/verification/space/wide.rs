@@ -1,16 +1,22 @@
 //! Wide cracks under wide contacts against the 2D engine.
 
-use crate::common::{Rolling, largest, measured, steel, surface_crack};
+use crate::common::{Relative, Rolling, close, largest, measured, steel, surface_crack};
 use railcrack::contact::{FaceProblem, Newton};
+use railcrack::dislocation::{DislocationEngine, FaceResolution};
+use railcrack::fatigue::DirectionCriterion;
 use railcrack::field::{HertzWheel, Wheel};
 use railcrack::fracture::Sif;
-use railcrack::growth::{PassageSettings, Unobserved};
+use railcrack::growth::{
+    CrackedRail, FrontShape, Growth, GrowthSettings, GrowthState, Maintenance, NetworkContact,
+    PassageSettings, StepRecord, StressMoves, Unobserved,
+};
 use railcrack::load::{HertzianContact, Passage};
-use railcrack::math::{Stress, Vec2};
-use railcrack::plane::{RailLoad, stabilised_passage};
+use railcrack::math::{RailBox, Stress, Vec2};
+use railcrack::plane::{MixedWheel, PlaneRail, RailLoad, stabilised_passage};
 use railcrack::space::{
     EllipticWheel, FrontSif, SpaceBody, SpaceContact, SpaceCrack, SpaceHistory, SpaceLoad,
-    SpacePassageSettings, SpaceResolution, Surroundings, Symmetric, WheelStress, space_passage,
+    SpacePassageSettings, SpaceRail, SpaceResolution, SpaceWheel, Surroundings, Symmetric, WheelStress,
+    space_passage,
 };
 
 /// Half the length of the mouth over the depth along the dip.
@@ -159,4 +165,126 @@ fn of_the_2d_engine_under_a_wide_ellipse_at_30_degrees() {
 #[ignore = "extra: minutes"]
 fn of_the_2d_engine_under_a_wide_ellipse_at_15_degrees() {
     under_an_ellipse(15.0, 8);
+}
+
+/// Two wheels with their shares, as wide as 32 half-widths.
+const MIX: [(f64, EllipticWheel); 2] = [
+    (
+        0.8,
+        EllipticWheel {
+            peak_pressure: 845.0,
+            half_width: 6.0,
+            lateral_half_width: 192.0,
+            lateral: 0.0,
+            friction: 0.1,
+            lateral_friction: 0.0,
+        },
+    ),
+    (
+        0.2,
+        EllipticWheel {
+            peak_pressure: 1000.0,
+            half_width: 6.5,
+            lateral_half_width: 208.0,
+            lateral: 0.0,
+            friction: 0.05,
+            lateral_friction: 0.0,
+        },
+    ),
+];
+
+/// The crack of `state` in `rail`, and after one increment.
+fn one_increment(rail: impl CrackedRail, state: GrowthState) -> [StepRecord; 2] {
+    let mut growth = Growth::new(rail, state);
+    let steps = std::iter::from_fn(|| growth.next_step(&Unobserved).unwrap());
+    steps.collect::<Vec<StepRecord>>().try_into().unwrap()
+}
+
+/// Rates under a mix, and the wear of the mouth, in the middle of a wide crack and in the plane
+/// under the stress in the middle of the ellipses.
+#[test]
+#[ignore = "extra: 8 s"]
+fn of_the_2d_engine_under_a_mix_with_wear() {
+    let (length, degrees, friction, wear) = (4.0, 30.0f64, 0.3, 4e-7);
+    let maintenance = Maintenance { wear, grinding: None, stress: StressMoves::WithSurface, limit: None };
+    let growth = GrowthSettings {
+        steps: 1,
+        increment: 0.05,
+        tolerance: None,
+        criterion: DirectionCriterion::Coplanar,
+        maintenance: Some(maintenance),
+        ..GrowthSettings::default()
+    };
+    let passages = PassageSettings {
+        passage: Passage { from: -36.0, to: 36.0, positions: POSITIONS },
+        ..PassageSettings::default()
+    };
+    let in_space = |&(share, wheel): &(f64, EllipticWheel)| SpaceWheel {
+        wheel: wheel.into(),
+        share,
+        bending: None,
+        residual: None,
+        fluid: None,
+        passages,
+        toughness: None,
+    };
+    let rail = SpaceRail {
+        network: NetworkContact::Whole,
+        steel: steel(),
+        wheels: MIX.iter().map(in_space).collect(),
+        friction: vec![friction],
+        resolution: SpaceResolution { block: 6, ring: 6 },
+        growth: growth.clone(),
+        mode_3_weight: None,
+        fields: None,
+        rail: RailBox::default(),
+        kernel: None,
+    };
+    let shape = FrontShape {
+        dip: degrees.to_radians(),
+        strike: 0.0,
+        length,
+        half_length: WIDTH * length,
+        middle: [0.0; 2],
+        buried: None,
+        strip: None,
+    };
+    let state = GrowthState::initial_in_space(vec![shape]).unwrap();
+    let space = one_increment(rail, state);
+    let middle = space[0].tips.len() / 2;
+
+    let over = |k: usize| MiddlePlane(MIX[k].1, [-MIX[k].1.half_width, MIX[k].1.half_width]);
+    let engine = DislocationEngine { steel: steel(), resolution: FaceResolution::default() };
+    let mut rail = PlaneRail::new(engine, over(0), vec![friction]);
+    (rail.growth, rail.passages, rail.share) = (growth.clone(), passages, MIX[0].0);
+    rail.others = vec![MixedWheel {
+        wheel: Box::new(over(1)),
+        share: MIX[1].0,
+        residual: None,
+        passages,
+        fluid: None,
+        coupling: None,
+        toughness: None,
+    }];
+    let plane = GrowthState::initial(&surface_crack(0.0, length, degrees).into());
+    let plane = one_increment(rail, plane);
+
+    // K is within 2 %, and the rate is K to the exponent of the law.
+    let exponent = 3.33;
+    for (space, plane) in space.iter().zip(&plane) {
+        let (of_space, of_plane) = (&space.tips[middle], &plane.tips[0]);
+        let error = (of_space.rate / of_plane.rate).powf(1.0 / exponent) - 1.0;
+        measured(error.abs(), 0.02, "the middle of a wide crack under a mix, as K");
+        assert!(error.abs() < 0.02, "{error}");
+        let share = of_space.shares.values()[1] - of_plane.shares.values()[1];
+        assert!(share.abs() < 0.01, "{share}");
+    }
+    // The ellipse advances by less than the local rate at its deepest point, over more cycles; what
+    // wears away is that of the plane by cycle, to the correction of the cycles of an increment.
+    for ([_, after], tip) in [(&space, middle), (&plane, 0)] {
+        let worn = after.removed / degrees.to_radians().sin();
+        let grown = after.tips[tip].length + worn - length;
+        close(grown, growth.increment * length, Relative(1e-9), "the increment less w/sin(dip)");
+        close(after.removed, wear * after.load_cycles, Relative(0.05), "wear by cycle");
+    }
 }
