@@ -227,9 +227,13 @@ impl World {
         self.is_shifted |= moved != 0;
         for record in self.records.iter_mut().filter(|record| record.file == *path) {
             if moved != 0 {
-                if record.from as usize >= hit.end {
-                    record.from = record.from.saturating_add_signed(moved);
-                    record.to = record.to.saturating_add_signed(moved);
+                let unmoved = (record.from, record.to);
+                let is_behind = record.from as usize >= hit.end;
+                record.from = record.from.saturating_add_signed(moved);
+                record.to = record.to.saturating_add_signed(moved);
+                // Where an inserted piece equals what it is inserted behind, the record has moved.
+                if !is_behind && !record.is_whole() {
+                    (record.from, record.to) = unmoved;
                 }
             } else if (record.from as usize) < hit.end && hit.start < record.to as usize {
                 record.is_hit = true;
