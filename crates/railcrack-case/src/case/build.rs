@@ -9,7 +9,7 @@ use super::known_sizes::KnownSizes;
 use super::limits::check_size;
 use super::mix::{MixedWheel, read_mix, require_axle_load};
 use super::read_wheel::ReadWheel;
-use super::space::{read_space, refuse_strike};
+use super::space::{read_space, refuse_free_front, refuse_strike};
 use crate::files::read_profile;
 use crate::schema::{Report, SectionValues, Sections, Value, Written, short};
 use crate::tables::{
@@ -162,6 +162,7 @@ pub(crate) fn build(
         }
         false => {
             refuse_strike(&sections, report);
+            refuse_free_front(&sections, report);
             Some(None)
         }
     };

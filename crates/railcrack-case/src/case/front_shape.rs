@@ -28,6 +28,7 @@ pub(super) fn front_shape(crack: &Crack, half_length: f64, section: &SectionValu
                 middle: [mouth.x, section.get(CRACK_LATERAL).unwrap_or(0.0)],
                 buried: None,
                 strip: Some(MouthStrip { dip: dip(mouth, fold), length: (fold - mouth).length() }),
+                deviation: None,
             })
         }
         _ => None,
@@ -62,5 +63,6 @@ fn planar_shape(
         middle: [top.x - to_surface * dip.cos() + away * (1.0 - ahead), lateral - away * aside],
         buried,
         strip: None,
+        deviation: None,
     }
 }

@@ -7,13 +7,13 @@ use super::space_case::SpaceCase;
 use super::wheel_table::WheelTable;
 use crate::schema::{Fault, Report, Section, SectionValues, Sections};
 use crate::tables::{
-    CONTACT, CRACK, ContactOrigin, ContactSolver, FRICTION, GROWTH, GivenWheel, KIND, LATERAL_FRICTION,
-    LATERAL_HALF_WIDTH, LAW, MODE_3_WEIGHT, PLASTIC_STRESS, Rail, SOLVER, SOLVER_CONTACT, SPACING, STRIKE,
-    SURFACE_HALF_LENGTH, WHEEL, WHEEL_CONTACT,
+    CONTACT, CRACK, ContactOrigin, ContactSolver, FRICTION, FRONT, FRONT_HARMONICS, FrontForm, GROWTH,
+    GivenWheel, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH, LAW, MESH, MODE_3_WEIGHT, MeshSettings,
+    PLASTIC_STRESS, Rail, SOLVER, SOLVER_CONTACT, SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL, WHEEL_CONTACT,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::Crack;
-use railcrack::growth::FrontShape;
+use railcrack::growth::{FrontDeviation, FrontShape};
 use railcrack::load::HertzEllipse;
 use railcrack::space::{CloseCracks, EllipticWheel, LEAST_STRIP, SpaceCrack, WheelPatch};
 
@@ -65,7 +65,11 @@ pub(super) fn read_space(
             report.add(Fault::of(key, section.span.clone(), message));
         }
     }
-    let shapes = placed.and_then(|placed| read_shapes(placed, &given, report));
+    let deviation = read_deviation(growth, sections, report);
+    let shapes = placed.and_then(|placed| read_shapes(placed, &given, report)).map(|mut shapes| {
+        shapes.iter_mut().for_each(|shape| shape.deviation = deviation);
+        shapes
+    });
     // For a mix, the contact section of each wheel.
     let mut contacts: Vec<&SectionValues> =
         sections.all(&WHEEL).filter_map(|wheel| sections.part(wheel, &WHEEL_CONTACT)).collect();
@@ -78,6 +82,32 @@ pub(super) fn read_space(
     wheels.extend(table.iter().flat_map(|table| table.patches()));
     let wheels = wheels.into_iter().collect::<Option<Vec<_>>>()?;
     Some(SpaceCase { shapes: shapes?, wheels, mode_3_weight: growth.get(MODE_3_WEIGHT) })
+}
+
+/// The deviation, still none, of fronts that are free to leave their ellipses; errors are added to
+/// `report`.
+fn read_deviation(
+    growth: &SectionValues,
+    sections: &Sections,
+    report: &mut Report,
+) -> Option<FrontDeviation> {
+    if growth.get(FRONT)? == FrontForm::Ellipse {
+        return None;
+    }
+    let harmonics = growth.get(FRONT_HARMONICS)?;
+    let Some(deviation) = FrontDeviation::none(harmonics) else {
+        report.add(growth.fault(FRONT_HARMONICS, "must be even").help("use 2, 4, 6 or 8"));
+        return None;
+    };
+    let cells = MeshSettings::read(sections.one(&MESH)?).space.block;
+    // Of the 4 n + 1 points of a front that ends at the surface at least two lie in its layer.
+    if 4 * cells < harmonics + 3 {
+        let says = format!(
+            "{harmonics} harmonics are determined by more points of the front than {cells} cells (mesh.space_cells) have"
+        );
+        report.add(growth.fault(FRONT_HARMONICS, says).help("use front_harmonics = 4 or more space_cells"));
+    }
+    Some(deviation)
 }
 
 /// The cracks, none of which meets another.
@@ -114,6 +144,15 @@ fn read_shapes(
     };
     report.add(fault.help(help));
     None
+}
+
+/// Reports free fronts, which cracks in the plane do not have.
+pub(super) fn refuse_free_front(sections: &Sections, report: &mut Report) {
+    let free = sections.one(&GROWTH).filter(|growth| growth.get(FRONT) == Some(FrontForm::Free));
+    if let Some(growth) = free {
+        let says = "concerns fronts of cracks in space; in the plane a crack has tips";
+        report.add(growth.fault(FRONT, says).help("use engine = \"space\" or front = \"ellipse\""));
+    }
 }
 
 /// Reports rotated cracks, which the plane engines cannot compute.

@@ -33,6 +33,10 @@ section! {
     MODE_3_WEIGHT: f64 = number("mode_3_weight", "", closed(0.0, 100.0), 1.103,
         "Weight of mode III in the space engine; by default mode_2_weight/(1 - nu), which weights modes II and III by their energy release rates.")
         .only_with(EQUIVALENT, "hourlier-pineau", "only this range has a weight of mode III").optional();
+    FRONT: FrontForm = choice("front", "Shape that the fronts of cracks keep; only with engine = \"space\".");
+    FRONT_HARMONICS: usize = integer("front_harmonics", (2, 8), 6,
+        "Harmonics of a free front, an even number: nodes of the front move by themselves every 180/front_harmonics degrees.")
+        .only_with(FRONT, "free", "an ellipse has semi-axes");
     ..law_keys::OF_OTHER_LAWS;
     THRESHOLD_2: f64 = number("threshold_2_mpa_sqrt_m", "MPa sqrt(m)", closed(0.0, 1e3), 0.0,
         "Threshold of dKII; 0: none. With threshold dKth of the law, a crack grows where (dKI/dKth)^2 + (dKII/threshold_2)^2 > 1; without, dKII counts only above it. In space, dKII is that of all shear.");
@@ -48,6 +52,25 @@ section! {
         number("critical_length_mm", "mm", closed(1e-3, 1e5), 20.0, "The run ends when a crack reaches this length.").optional();
     STOP_AFTER_CYCLES: f64 = number("stop_after_cycles", "cycles", closed(1e-3, 1e18), 1e7,
         "The run ends after this many load cycles.").optional();
+}
+
+/// The shape that the front of a crack in space keeps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum FrontForm {
+    /// An ellipse or half of one.
+    Ellipse,
+    /// None.
+    Free,
+}
+
+impl Choice for FrontForm {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Ellipse, Word::now("ellipse", "the ellipse whose motion is nearest to the local rates")),
+        (
+            Self::Free,
+            Word::now("free", "none: the front follows the local rates, smoothed by front_harmonics"),
+        ),
+    ];
 }
 
 /// The steels that have a growth law of their name.
@@ -96,7 +119,7 @@ impl Choice for Turns {
     ];
 }
 
-read_by_word!(Turns, DirectionCriterion, &'static LawDeclaration, RangeForm, SteelName);
+read_by_word!(Turns, FrontForm, DirectionCriterion, &'static LawDeclaration, RangeForm, SteelName);
 
 /// Whether a stored case takes `key` of `[growth]` from its steel again: the law and, where it is
 /// not given, the threshold of mode II.

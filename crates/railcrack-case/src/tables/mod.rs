@@ -55,7 +55,9 @@ pub(crate) use file::CASE_FILE;
 pub(crate) use fluid::{FLUID, read_fluid};
 pub(crate) use fracture::FRACTURE;
 pub(crate) use growing::read_growth;
-pub(crate) use growth::{GROWTH, LAW, MODE_3_WEIGHT, STEPS, is_of_the_steel};
+pub(crate) use growth::{
+    FRONT, FRONT_HARMONICS, FrontForm, GROWTH, LAW, MODE_3_WEIGHT, STEPS, is_of_the_steel,
+};
 pub(crate) use inspection::{INSPECTION, SCATTER, Scattering, read_inspection, read_risk, read_scatter};
 pub(crate) use maintenance::{MAINTENANCE, read_maintenance};
 pub(crate) use mesh::{ELEMENT_SIZE, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH, SPACE_CELLS};

@@ -143,3 +143,16 @@ fn representatives_keep_the_growth_of_the_front() {
     let far = |i: usize| table.wheels[i].wheel.heaviest().y_rail.abs() > 10.0;
     assert!((0..16).filter(|i| far(*i)).all(|i| demands[i].rate > 0.0 && demands[i].rate < mean(&a)));
 }
+
+#[test]
+fn a_free_front_needs_no_key_but_its_own() {
+    let text = include_str!("bad_input/good/space.toml");
+    let parsed = |keys: &str| parsed(&format!("{text}\n[growth]\n{keys}"), Path::new("."));
+    let harmonics = |case: &Case| {
+        let shape = case.space.as_ref().unwrap().shapes[0];
+        shape.deviation.map(|deviation| (deviation.harmonics(), deviation.largest()))
+    };
+    assert_eq!(harmonics(&parsed("front = \"free\"\n")), Some((6, 0.0)));
+    assert_eq!(harmonics(&parsed("front = \"free\"\nfront_harmonics = 8\n")), Some((8, 0.0)));
+    assert_eq!(harmonics(&parsed("front = \"ellipse\"\n")), None);
+}

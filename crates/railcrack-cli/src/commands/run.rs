@@ -312,8 +312,11 @@ pub fn result_text(finished: &Finished) -> String {
             Some(fold) => ("length and half-length", format!("; fold at {fold:.3} mm")),
             None => ("semi-axes", String::new()),
         };
+        let free = front.front_deviation.map_or_else(String::new, |most| {
+            format!("; free front within {:.1} % of its ellipse", 100.0 * most)
+        });
         text.push_str(&format!(
-            "{whose}{axes} {:.3} mm down the dip and {:.3} mm along the surface, from {:.3} and {:.3} mm; {:.3} mm deep{fold}\n",
+            "{whose}{axes} {:.3} mm down the dip and {:.3} mm along the surface, from {:.3} and {:.3} mm; {:.3} mm deep{fold}{free}\n",
             front.length_mm,
             front.surface_half_length_mm,
             front.initial_length_mm,

@@ -26,12 +26,13 @@ enum Part {
     Block,
     Section,
     Space,
+    Free,
     Plan,
 }
 
 use Part::*;
 
-const PARTS: [(Part, &str, &str); 18] = [
+const PARTS: [(Part, &str, &str); 19] = [
     (Mix, "mix", "several wheels, `[[wheel]]`, in both directions"),
     (Network, "network", "several cracks"),
     (Groups, "groups", "`[solver] network = \"groups\"`"),
@@ -49,6 +50,7 @@ const PARTS: [(Part, &str, &str); 18] = [
     (Block, "block", "`[rail] boundary = \"block\"`"),
     (Section, "section", "`[rail] section`, a cracked rail with head, web and foot"),
     (Space, "space", "`[solver] engine = \"space\"`"),
+    (Free, "free front", "`[growth] front = \"free\"`, in space"),
     (Plan, "plan", "`railcrack plan`, grinding depths and intervals"),
 ];
 
@@ -72,9 +74,10 @@ fn place(name: &str) -> PathBuf {
 
 /// A quick case with `parts`.
 fn text(parts: &[Part]) -> String {
-    let has = |part| parts.contains(&part);
+    let has = |part| parts.contains(&part) || part == Space && parts.contains(&Free);
     let mut text = String::from("[passage]\npositions = 13\nmax_passages = 2\n");
     text += "[growth]\nsteps = 1\nparis_c = 2e-9\nincrement = 0.05\narrest_rate_mm_per_cycle = 1e-14\n";
+    text += if has(Free) { "front = \"free\"\nfront_harmonics = 4\n" } else { "" };
     // Grinding shortens the cracks, and needs smaller elements.
     text += if has(Space) && has(Plan) {
         "[mesh]\nspace_cells = 4\nspace_rings = 2\n"

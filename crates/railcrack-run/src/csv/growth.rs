@@ -91,7 +91,7 @@ table! {
         /// Growth rate of that kink over that straight ahead, both without mode III.
         wanted_ratio: Option<f64> = "wanted_ratio", with "space";
         /// Ratio of the increment of a front point to the one that its own rate would give, 1 where
-        /// the ellipse follows the local rates; empty without growth and in the surface layer,
+        /// the front follows the local rates; empty without growth and in the surface layer,
         /// which is not considered.
         followed: Option<f64> = "followed", with "space";
         /// Turn of the path from this tip to the next, degrees; empty in space.

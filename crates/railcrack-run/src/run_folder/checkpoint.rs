@@ -15,7 +15,7 @@ use std::path::Path;
 const MAGIC: [u8; 8] = *b"RAILCRCK";
 
 /// Raised whenever the layout of [`Checkpoint`] or of what it holds changes.
-const FORMAT: u32 = 17;
+const FORMAT: u32 = 18;
 
 /// Magic, format, checksum.
 const HEADER: usize = 8 + 4 + 8;

@@ -221,6 +221,7 @@ fn front(steps: &[StepDigest], crack: usize) -> Option<FrontSummary> {
     let (initial, now) = (axes(first)?, axes(last)?);
     let own = || last.tips.iter().filter(|tip| tip.tip.crack == crack);
     let lateral = || own().filter_map(|tip| Some(tip.front()?.lateral));
+    let deviations = own().filter_map(|tip| tip.front()?.deviation).map(f64::abs);
     Some(FrontSummary {
         initial_length_mm: initial.0,
         initial_surface_half_length_mm: initial.1,
@@ -229,6 +230,7 @@ fn front(steps: &[StepDigest], crack: usize) -> Option<FrontSummary> {
         fold_mm: now.2,
         depth_mm: own().map(|tip| -tip.y).fold(0.0, f64::max),
         z_mm: [lateral().fold(f64::INFINITY, f64::min), lateral().fold(f64::NEG_INFINITY, f64::max)],
+        front_deviation: deviations.reduce(f64::max),
     })
 }
 

@@ -119,6 +119,10 @@ pub struct FrontSummary {
     pub depth_mm: f64,
     /// Lateral positions of its ends, mm.
     pub z_mm: [f64; 2],
+    /// Of a free front, the largest distance of a point from the ellipse with these semi-axes,
+    /// relative to that of the ellipse from the middle.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub front_deviation: Option<f64>,
 }
 
 /// A piece of the rail that cracks, or cracks and the running surface, enclose.

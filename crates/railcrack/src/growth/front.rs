@@ -1,10 +1,12 @@
 //! Cracks in space with their fronts.
 
+use super::front_deviation::FrontDeviation;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
-/// Shape of a crack in space: a half-ellipse that breaks the surface, or a full ellipse below it.
-/// Of a folded crack the half-ellipse is its branch, below a strip.
+/// Shape of a crack in space: a half-ellipse that breaks the surface, or a full ellipse below it,
+/// or a front that has left one of these. Of a folded crack it is that of its branch, below a
+/// strip.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FrontShape {
     /// Angle between the plane of the ellipse, followed downwards, and +x, radians.
@@ -24,6 +26,8 @@ pub struct FrontShape {
     pub buried: Option<f64>,
     /// Part between the mouth and the fold of a folded crack; none for a planar one.
     pub strip: Option<MouthStrip>,
+    /// Deviation of a free front from its ellipse; none for a front that stays an ellipse.
+    pub deviation: Option<FrontDeviation>,
 }
 
 /// The rectangular strip of a folded crack, from the mouth to the fold. It is as wide as the branch
@@ -89,6 +93,9 @@ pub struct FrontTip {
     pub half_length: f64,
     /// Distance of the fold from the mouth, of a folded crack, mm.
     pub strip: Option<f64>,
+    /// Of a free front, by how much it lies outside its ellipse there, relative to the distance of
+    /// the ellipse from the middle; none for an ellipse.
+    pub deviation: Option<f64>,
     /// Range of K_III, MPa √mm.
     pub delta_kiii: f64,
     /// Kink that the direction criterion would choose from K_I and K_II, radians; `None` where
@@ -104,7 +111,7 @@ pub struct FrontTip {
     pub followed: Option<f64>,
 }
 
-/// Motions of an elliptical front.
+/// Motions of a front.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FrontMotion {
     /// Down the dip; for a buried crack, the motion of its lower end.
@@ -115,6 +122,8 @@ pub enum FrontMotion {
     Plus,
     /// Along the trace, in the opposite direction.
     Minus,
+    /// Of a free front, at this node of its [`FrontDeviation`] along the normal of the ellipse.
+    Node(usize),
 }
 
 /// The third direction of the faces of cracks in space, and their cells.

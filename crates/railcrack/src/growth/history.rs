@@ -2,6 +2,9 @@
 
 use super::{EarlierStep, GrowthSettings, Mover, StepStart};
 
+/// Relative difference of rates and lengths of movers that are alike.
+const ALIKE: f64 = 1e-9;
+
 /// The rates of movers, extrapolated from the previous step, and the growth that it left out.
 ///
 /// The growth of a step is predicted from the rates at its start and at the start of the previous
@@ -37,6 +40,18 @@ impl History {
         let EarlierStep { movers, balance, .. } = self.earlier.as_ref()?;
         let i = movers.iter().position(|before| before.is(mover))?;
         Some((movers[i], balance[i]))
+    }
+
+    /// Whether both are the same mover, or their cracks are equally long and they have been equally
+    /// fast, but for round-off: sides of a symmetric crack grow alike, whichever sets the pace.
+    pub fn are_alike(&self, one: &Mover, other: &Mover) -> bool {
+        let alike = |a: f64, b: f64| (a - b).abs() <= ALIKE * a.abs().max(b.abs());
+        let now = alike(one.rate, other.rate) && alike(one.length, other.length);
+        let before = match [one, other].map(|mover| self.before(mover)) {
+            [Some((a, _)), Some((b, _))] => alike(a.rate, b.rate),
+            [a, b] => a.is_none() == b.is_none(),
+        };
+        one.is(other) || now && before
     }
 
     /// Whether the rate of `mover` is extrapolated.

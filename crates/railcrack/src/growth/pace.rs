@@ -152,7 +152,7 @@ impl Pace {
             return 0.0;
         }
         match &self.mover {
-            Some(fastest) if !self.is_timed && mover.is(fastest) => self.increment,
+            Some(fastest) if !self.is_timed && self.history.are_alike(mover, fastest) => self.increment,
             Some(fastest) if !self.is_timed && !self.history.is_second_order() => {
                 self.increment * (mover.rate / fastest.rate)
             }

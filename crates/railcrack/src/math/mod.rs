@@ -8,6 +8,8 @@ mod elliptic;
 mod grading;
 mod kernels;
 mod matrix;
+pub(crate) mod nonnegative;
+pub(crate) mod periodic;
 mod predicate;
 mod quadrature;
 mod rail_box;

@@ -262,6 +262,7 @@ mod tests {
             middle: [x, lateral],
             buried: None,
             strip: None,
+            deviation: None,
         }
     }
 
@@ -317,6 +318,24 @@ mod tests {
         assert_eq!((pace.interval(|_| false).unwrap().mover.crack, later.shapes[1]), (0, shapes[1]));
         let critical = GrowthSettings { critical_length: Some(4.0), ..settings() };
         assert_eq!(advance(&shapes, &[None; 3], &[1e-6; 3], &critical).stop, Some(RunStop::CriticalLength));
+    }
+
+    #[test]
+    fn equally_fast_ends_grow_alike_whichever_sets_the_pace() {
+        let shapes = [circle(0.0, 0.0)];
+        let smooth = GrowthSettings { turning: Turning::Over(f64::INFINITY), ..settings() };
+        let mover = |index: usize, rate: f64| Mover { crack: 0, index, rate, length: 4.0 };
+        // Both ends become faster; round-off makes one of them the leader.
+        let movers = |ends: f64, tip: f64| [mover(0, tip), mover(1, ends), mover(2, ends * (1.0 + 1e-13))];
+        let worn = WornSurface::default();
+        let at = StepStart { share: 0.05, ..StepStart::standing(&worn) };
+        let start = |movers, at| Start { shapes: &shapes, stopped: &[None], movers, breaks: false, at };
+        let [before, now] = [movers(2e-6, 1e-6), movers(2.4e-6, 1.1e-6)];
+        let first = FrontAdvance::new(&start(&before, at), &smooth, RAIL).pace.unwrap();
+        let earlier = first.as_earlier(&before, true);
+        let at = StepStart { earlier: Some(&earlier), passed: first.cycles, ..at };
+        let next = FrontAdvance::new(&start(&now, at), &smooth, RAIL);
+        assert_eq!(next.shapes[0].middle, [0.0, 0.0], "{next:?}");
     }
 
     #[test]

@@ -1,19 +1,22 @@
-//! Growth of an elliptical front by the rates along it.
+//! Growth of a front by the rates along it.
 //!
-//! The front stays an ellipse. Its motion is described by the speeds of its ends: down the dip and
-//! to both sides, and up the dip where it is buried. Of all motions without a retreating end, the
-//! one whose normal speed is closest to the local rates in the mean square along the front is
-//! taken. The sides of the strip of a folded crack move with the ends of its branch.
+//! The motion of a front that stays an ellipse is described by the speeds of its ends: down the dip
+//! and to both sides, and up the dip where it is buried; that of a free front by the speeds of its
+//! nodes. Of all motions without a retreating end or node, the one whose normal speed is closest to
+//! the local rates in the mean square along the front is taken. The sides of the strip of a folded
+//! crack move with the ends of its branch.
 
 use super::body::FrontPoint;
+use super::free_front;
 use crate::growth::{FrontMotion, FrontShape, Mover};
+use crate::math::nonnegative;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Half-width (radians of φ) of the layer in which the front meets the surface, or turns at the end
 /// of a fold, which no cell resolves.
 pub const VERTEX_LAYER: f64 = 15.0 * PI / 180.0;
 
-/// The speeds of the motions of an elliptical front (mm per cycle), or their increments (mm).
+/// The speeds of the motions of a front (mm per cycle), or their increments (mm).
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct FrontSpeeds {
     motions: Vec<(FrontMotion, f64)>,
@@ -44,16 +47,23 @@ pub(super) fn phi_on_strip(from_fold: f64) -> [f64; 2] {
     [-from_fold * FRAC_PI_2, PI + from_fold * FRAC_PI_2]
 }
 
-fn motions(shape: &FrontShape) -> &'static [FrontMotion] {
+fn motions(shape: &FrontShape) -> Vec<FrontMotion> {
     const ALL: [FrontMotion; 4] = [FrontMotion::Down, FrontMotion::Plus, FrontMotion::Minus, FrontMotion::Up];
-    if shape.buried.is_some() { &ALL } else { &ALL[..3] }
+    if let Some(deviation) = &shape.deviation {
+        return (0..free_front::moving_nodes(shape, deviation)).map(FrontMotion::Node).collect();
+    }
+    if shape.buried.is_some() { ALL.to_vec() } else { ALL[..3].to_vec() }
 }
 
 /// The normal speed of the front at φ under a unit speed of `motion`.
 fn normal_speed(shape: &FrontShape, motion: FrontMotion, point: &FrontPoint) -> f64 {
     let [down, along] = point.normal;
-    let (sin, cos) =
-        if shape.is_on_strip(point.phi) { (0.0, strip_side(point.phi).0) } else { point.phi.sin_cos() };
+    // The sides of a strip move as the ends of the branch.
+    let phi = match strip_side(point.phi) {
+        (side, _) if shape.is_on_strip(point.phi) => 0.5 * PI * (1.0 - side),
+        _ => point.phi,
+    };
+    let (sin, cos) = phi.sin_cos();
     match motion {
         // The mouth of a surface-breaking crack stays where it is.
         FrontMotion::Down if shape.buried.is_none() => down * sin,
@@ -61,6 +71,11 @@ fn normal_speed(shape: &FrontShape, motion: FrontMotion, point: &FrontPoint) -> 
         FrontMotion::Up => 0.5 * down * (sin - 1.0),
         FrontMotion::Plus => 0.5 * along * (cos + 1.0),
         FrontMotion::Minus => 0.5 * along * (cos - 1.0),
+        FrontMotion::Node(node) => shape.deviation.as_ref().map_or(0.0, |deviation| {
+            let outwards = shape.length * down * sin + shape.half_length * along * cos;
+            let reach = free_front::normal_reach(shape, deviation, node);
+            free_front::weight(shape, deviation, node, phi) * outwards / reach
+        }),
     }
 }
 
@@ -70,30 +85,18 @@ impl FrontSpeeds {
     pub fn nearest(shape: &FrontShape, front: &[FrontPoint], rates: &[f64]) -> Self {
         let motions = motions(shape);
         let weights = arc_lengths(shape, front);
-        let rows: Vec<(Vec<f64>, f64, f64)> = front
-            .iter()
-            .zip(rates)
-            .zip(weights)
-            .filter(|((point, _), _)| counts(shape, point.phi))
-            .map(|((point, rate), weight)| {
-                (motions.iter().map(|&motion| normal_speed(shape, motion, point)).collect(), *rate, weight)
-            })
-            .collect();
-        // All sets of moving ends, at most sixteen.
-        let sets = (0u32..1 << motions.len()).filter_map(|set| {
-            let moving: Vec<usize> = (0..motions.len()).filter(|k| set >> k & 1 == 1).collect();
-            let speeds = least_squares(&rows, &moving)?;
-            speeds.iter().all(|speed| *speed >= 0.0).then(|| {
-                let mut all = vec![0.0; motions.len()];
-                moving.iter().zip(speeds).for_each(|(&k, speed)| all[k] = speed);
-                let error: f64 =
-                    rows.iter().map(|(n, rate, w)| w * (crate::math::dot(n, &all) - rate).powi(2)).sum();
-                (error, all)
-            })
-        });
-        let best = sets.reduce(|a, b| if b.0 < a.0 { b } else { a });
-        let speeds = best.map_or_else(|| vec![0.0; motions.len()], |(_, speeds)| speeds);
-        Self { motions: motions.iter().copied().zip(speeds).collect() }
+        let order = motions.len();
+        let (mut normal, mut right) = (vec![vec![0.0; order]; order], vec![0.0; order]);
+        let counted = front.iter().zip(rates).zip(weights).filter(|((point, _), _)| counts(shape, point.phi));
+        for ((point, rate), weight) in counted {
+            let speeds: Vec<f64> = motions.iter().map(|&motion| normal_speed(shape, motion, point)).collect();
+            for (i, speed) in speeds.iter().enumerate() {
+                crate::math::axpy(weight * speed, &speeds, &mut normal[i]);
+                right[i] += weight * speed * rate;
+            }
+        }
+        let speeds = nonnegative::minimum(&normal, &right);
+        Self { motions: motions.into_iter().zip(speeds).collect() }
     }
 
     /// The speeds of `crack` (from 0) among `movers`, whose indices are the numbers of the motions.
@@ -101,8 +104,8 @@ impl FrontSpeeds {
         let speed = |index: usize| {
             movers.iter().find(|mover| (mover.crack, mover.index) == (crack, index)).map_or(0.0, |m| m.rate)
         };
-        let motions = motions(shape).iter().enumerate();
-        Self { motions: motions.map(|(index, motion)| (*motion, speed(index))).collect() }
+        let motions = motions(shape).into_iter().enumerate();
+        Self { motions: motions.map(|(index, motion)| (motion, speed(index))).collect() }
     }
 
     /// The speeds as movers of `crack` (from 0) of `length` (mm).
@@ -136,6 +139,10 @@ impl FrontSpeeds {
 
     /// `shape` after these increments.
     pub fn moved(&self, shape: &FrontShape) -> FrontShape {
+        if let Some(deviation) = &shape.deviation {
+            let increments: Vec<f64> = self.motions.iter().map(|(_, increment)| *increment).collect();
+            return free_front::moved(shape, deviation, &increments);
+        }
         let by = |motion| self.of(motion);
         let (left, right) = (by(FrontMotion::Plus), by(FrontMotion::Minus));
         let (down, up) = (by(FrontMotion::Down), by(FrontMotion::Up));
@@ -168,37 +175,6 @@ fn arc_lengths(shape: &FrontShape, front: &[FrontPoint]) -> Vec<f64> {
         .collect()
 }
 
-/// The speeds of the `moving` motions; `None` where the rates do not determine them.
-fn least_squares(rows: &[(Vec<f64>, f64, f64)], moving: &[usize]) -> Option<Vec<f64>> {
-    let order = moving.len();
-    let mut matrix = vec![vec![0.0; order + 1]; order];
-    for (normal, rate, weight) in rows {
-        for (i, &a) in moving.iter().enumerate() {
-            for (j, &b) in moving.iter().enumerate() {
-                matrix[i][j] += weight * normal[a] * normal[b];
-            }
-            matrix[i][order] += weight * normal[a] * rate;
-        }
-    }
-    // Elimination without pivoting: the matrix is positive definite.
-    for k in 0..order {
-        let pivot = matrix[k][k];
-        if pivot.is_nan() || pivot <= 0.0 {
-            return None;
-        }
-        for i in 0..order {
-            if i != k {
-                let factor = matrix[i][k] / pivot;
-                for j in k..=order {
-                    let above = matrix[k][j];
-                    matrix[i][j] -= factor * above;
-                }
-            }
-        }
-    }
-    Some((0..order).map(|k| matrix[k][order] / matrix[k][k]).collect())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -213,6 +189,7 @@ mod tests {
             middle: [0.0, 1.0],
             buried,
             strip: None,
+            deviation: None,
         }
     }
 
@@ -239,9 +216,8 @@ mod tests {
         for buried in [None, Some(10.0)] {
             let shape = shape(buried);
             let front = front(&shape, 17);
-            let wanted = FrontSpeeds {
-                motions: motions(&shape).iter().copied().zip([1e-6, 3e-6, 2e-6, 5e-7]).collect(),
-            };
+            let wanted =
+                FrontSpeeds { motions: motions(&shape).into_iter().zip([1e-6, 3e-6, 2e-6, 5e-7]).collect() };
             let rates: Vec<f64> = front.iter().map(|point| wanted.at(&shape, point)).collect();
             let found = FrontSpeeds::nearest(&shape, &front, &rates);
             for &(motion, speed) in &wanted.motions {
@@ -288,8 +264,7 @@ mod tests {
         let counted: Vec<f64> =
             sides.iter().filter(|pair| counts(&shape, pair[0].phi)).map(|pair| pair[0].position[2]).collect();
         assert!(counted.len() == 5 && counted.iter().all(|z| *z < -0.5 && *z > -1.5), "{counted:?}");
-        let wanted =
-            FrontSpeeds { motions: motions(&shape).iter().copied().zip([1e-6, 3e-6, 2e-6]).collect() };
+        let wanted = FrontSpeeds { motions: motions(&shape).into_iter().zip([1e-6, 3e-6, 2e-6]).collect() };
         let rates: Vec<f64> = all.iter().map(|point| wanted.at(&shape, point)).collect();
         assert!((rates[0] - 3e-6).abs() < 1e-18 && (rates[all.len() - 1] - 2e-6).abs() < 1e-18);
         let found = FrontSpeeds::nearest(&shape, &all, &rates);

@@ -75,14 +75,14 @@ fn side(t: f64) -> [f64; 2] {
     }
 }
 
-/// The point of the unit disc on column `t` at the parameter η: 0 on the front, 1 on the block.
-fn ring(t: f64, eta: f64) -> [f64; 2] {
+/// The point of the unit disc on column `t` at the square of the parameter η: 0 on the front, 1 on
+/// the block.
+fn ring(t: f64, w: f64) -> [f64; 2] {
     let (sin, cos) = (0.25 * PI * t).sin_cos();
     // The mouth lies exactly at zero.
     let sin = if t == 0.0 || t == 4.0 { 0.0 } else { sin };
     let [x, y] = side(t);
     let inner = block(x, y);
-    let w = eta * eta;
     [cos + w * (inner[0] - cos), sin + w * (inner[1] - sin)]
 }
 
@@ -106,7 +106,7 @@ impl Grid {
             row => block_count + (row - 1) * around + t % around,
         };
         let block_point = |i: f64, j: f64| crack.point(block(i * step, j * step));
-        let ring_point = |t: f64, row: f64| crack.point(ring(t * step, row / rows as f64));
+        let ring_point = |t: f64, row: f64| crack.point(ring(t * step, (row / rows as f64).powi(2)));
 
         let mut vertices = vec![[0.0; 2]; free + around];
         let (mut cells, mut mouth) = (Vec::new(), Vec::new());
@@ -146,20 +146,21 @@ impl Grid {
         let front = (0..around)
             .map(|t| {
                 let parameter = |row: usize| row as f64 / rows as f64;
-                let h = 1e-4;
-                let (ahead, behind) = (ring_point(t as f64 + h, 0.0), ring_point(t as f64 - h, 0.0));
+                let vertices = [vertex(t, 1), vertex(t, 2)];
+                let (h, t) = (1e-4, t as f64);
+                let (ahead, behind) = (ring_point(t + h, 0.0), ring_point(t - h, 0.0));
                 let tangent = [ahead[0] - behind[0], ahead[1] - behind[1]];
                 let length = tangent[0].hypot(tangent[1]);
                 // φ grows from ζ = c towards s = l: the outward normal is the tangent turned.
                 let normal = [-tangent[1] / length, tangent[0] / length];
-                let (on, near) = (ring_point(t as f64, 0.0), ring_point(t as f64, rows as f64 * h));
-                let inward = (on[0] - near[0]) * normal[0] + (on[1] - near[1]) * normal[1];
+                let [near, beyond] = [h, -h].map(|w| crack.point(ring(t * step, w)));
+                let inward = (beyond[0] - near[0]) * normal[0] + (beyond[1] - near[1]) * normal[1];
                 FrontColumn {
-                    phi: 0.25 * PI * t as f64 * step,
-                    vertices: [vertex(t, 1), vertex(t, 2)],
+                    phi: 0.25 * PI * t * step,
+                    vertices,
                     parameters: [parameter(1), parameter(2)],
                     normal,
-                    distance: inward / (h * h),
+                    distance: inward / (2.0 * h),
                 }
             })
             .collect();

@@ -16,6 +16,7 @@ mod face_problem;
 mod fluid;
 mod fold;
 mod followed;
+mod free_front;
 mod front_advance;
 mod front_motion;
 mod galerkin;

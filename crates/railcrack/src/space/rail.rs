@@ -119,7 +119,7 @@ impl FrontShape {
             length: self.length,
             middle: self.middle,
             extent,
-            deviation: Vec::new(),
+            deviation: self.deviation.map_or_else(Vec::new, |own| own.coefficients(self.buried.is_some())),
         };
         crack.checked()
     }
@@ -135,6 +135,7 @@ impl FrontShape {
             half_length: self.half_length,
             branch: self.length,
             middle: self.middle,
+            deviation: self.deviation,
         })
     }
 
@@ -471,7 +472,7 @@ fn residual_stress(field: Option<&impl StressField>, [x, _, depth]: [f64; 3]) ->
     [stress.xx, stress.zz, stress.yy, 0.0, -stress.xy, 0.0]
 }
 
-/// Warnings of local rates that no ellipse can follow, one per crack.
+/// Warnings of local rates that no ellipse, or no free front, can follow, one per crack.
 fn misfits(tips: &[TipRecord], start: &Start, site: &SpaceSite) -> Vec<Warning> {
     let of = |(k, shape): (usize, &FrontShape)| {
         let points = site.of_crack[k].clone();
@@ -487,12 +488,17 @@ fn misfits(tips: &[TipRecord], start: &Start, site: &SpaceSite) -> Vec<Warning> 
             largest = largest.max(rate);
         }
         let whose = if start.shapes.len() > 1 { format!(" of crack {}", k + 1) } else { String::new() };
+        let (cannot, nearest) = match shape.deviation {
+            None => ("would leave its ellipse", "the nearest growing ellipse".to_owned()),
+            Some(own) => {
+                ("cannot follow its rates", format!("the nearest motion of {} harmonics", own.harmonics()))
+            }
+        };
         (largest > 0.0 && most > MISFIT * largest).then(|| Warning {
             step: start.at.step,
             kind: WarningKind::Engine,
             text: format!(
-                "the front{whose} would leave its ellipse: its rates differ from those of the nearest growing ellipse by up to \
-                 {:.0} % of the largest",
+                "the front{whose} {cannot}: its rates differ from those of {nearest} by up to {:.0} % of the largest",
                 100.0 * most / largest
             ),
             severity: Some(most / largest),

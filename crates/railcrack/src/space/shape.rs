@@ -22,7 +22,7 @@ pub enum Extent {
 ///
 /// With φ the parametric angle, the front lies at ζ = ζ₀ + c g(φ) cos φ and s = s₀ + l g(φ) sin φ;
 /// φ runs from 0 at the end with larger ζ through 90° at the deepest point to 180°, or to 360°
-/// where the front is closed. g = 1 + Σ b_k cos kφ.
+/// where the front is closed. g = 1 + Σ (b_k cos kφ + a_k sin kφ).
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct SpaceCrack {
     /// Angle between the plane, followed downwards, and +x, radians.
@@ -38,9 +38,16 @@ pub struct SpaceCrack {
     pub middle: [f64; 2],
     /// Whether the front is open or closed.
     pub extent: Extent,
-    /// b_0, b_1, …: relative deviations of the front from the ellipse.
-    pub deviation: Vec<f64>,
+    /// [b_0, a_0], [b_1, a_1], …: relative deviations of the front from the ellipse.
+    pub deviation: Vec<[f64; 2]>,
 }
+
+/// Deviation g − 1 of a front above which its points stay in order along each ray: with it the
+/// point at the distance r of the disc moves to r (1 + (g − 1) r²), which increases up to r = 1
+/// where g − 1 > −1/3.
+const LEAST_DEVIATION: f64 = -0.3;
+/// Deviation up to which the cells are not much longer than those of the ellipse.
+const LARGEST_DEVIATION: f64 = 0.5;
 
 /// An inadmissible crack.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -74,7 +81,9 @@ pub enum ShapeError {
         length: f64,
     },
     /// A front that is not star-shaped about its middle.
-    #[error("deviation {value} of the front from its ellipse at {degrees}°: must stay below 1/2")]
+    #[error(
+        "deviation {value:.3} of the front from its ellipse at {degrees}°: must lie between {LEAST_DEVIATION} and {LARGEST_DEVIATION}"
+    )]
     Deviation {
         /// g − 1 there.
         value: f64,
@@ -117,7 +126,7 @@ impl SpaceCrack {
         }
         for degrees in 0..360 {
             let value = self.radius_factor(f64::from(degrees).to_radians()) - 1.0;
-            if value.is_nan() || value.abs() >= 0.5 {
+            if !(value > LEAST_DEVIATION && value < LARGEST_DEVIATION) {
                 return Err(ShapeError::Deviation { value, degrees: f64::from(degrees) });
             }
             if let Extent::Buried { centre } = self.extent {
@@ -143,7 +152,11 @@ impl SpaceCrack {
 
     /// g(φ).
     pub(super) fn radius_factor(&self, phi: f64) -> f64 {
-        1.0 + self.deviation.iter().enumerate().map(|(k, b)| b * (k as f64 * phi).cos()).sum::<f64>()
+        let of = |(k, [b, a]): (usize, &[f64; 2])| {
+            let (sin, cos) = (k as f64 * phi).sin_cos();
+            b * cos + a * sin
+        };
+        1.0 + self.deviation.iter().enumerate().map(of).sum::<f64>()
     }
 
     /// (s, ζ) relative to the middle of the trace (mm) of the point (X, Y) of the unit disc; X goes

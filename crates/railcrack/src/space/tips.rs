@@ -102,6 +102,9 @@ impl FrontLaw<'_> {
                 lateral,
                 half_length: shape.half_length,
                 strip: shape.strip.map(|strip| strip.length),
+                deviation: shape.deviation.map(|own| {
+                    if shape.is_on_strip(point.phi) { 0.0 } else { own.radius_factor(point.phi) - 1.0 }
+                }),
                 delta_kiii: passages[under.grown_by].delta_kiii[q],
                 wanted_kink: kink.map(|kink| kink.angle),
                 wanted_ratio: kink.filter(|_| ahead > 0.0).map(|kink| kink.rate / ahead),

@@ -1,5 +1,6 @@
 //! Cracks in space cut by wear and grinding.
 
+use super::free_front;
 use super::plane::PlaneFrame;
 use crate::growth::{FrontShape, MouthStrip, least_length, spent_ligament};
 
@@ -25,7 +26,8 @@ pub(super) enum Worn {
 /// The remaining part is less than half of the ellipse. It is replaced by the half-ellipse with the
 /// same deepest point and the same chord: l' = l − s and c' = c √(1 − s²/l²), whose area is larger
 /// by 1.1 % for s = 0.04 l and by 7.7 % for s = l/3. Many small cuts shorten the chord less than
-/// one cut of the same depth, since each begins from a front that is normal to the surface.
+/// one cut of the same depth, since each begins from a front that is normal to the surface. A free
+/// front keeps its part below the surface.
 ///
 /// Of a folded crack the strip is shortened. Where less than [`LEAST_STRIP`] of it remains, the
 /// branch with its chord reaches the surface and is cut from then on.
@@ -40,9 +42,15 @@ pub(super) fn worn(shape: &FrontShape, depth: f64, longest: f64, resolution: f64
     let least = least_length(longest, resolution);
     let (left, fate) = match shape.buried {
         None => {
-            let length = (shape.length - s).max(0.0);
-            let chord = (1.0 - (s / shape.length).min(1.0).powi(2)).sqrt();
-            (FrontShape { length, half_length: shape.half_length * chord, ..lowered }, Worn::Left)
+            let left = match &shape.deviation {
+                Some(deviation) if s < shape.length => free_front::cut(&lowered, deviation, s),
+                _ => {
+                    let length = (shape.length - s).max(0.0);
+                    let chord = (1.0 - (s / shape.length).min(1.0).powi(2)).sqrt();
+                    FrontShape { length, half_length: shape.half_length * chord, ..lowered }
+                }
+            };
+            (left, Worn::Left)
         }
         Some(centre) => {
             let ligament = spent_ligament(shape.length, resolution);
@@ -103,6 +111,7 @@ mod tests {
         middle: [1.0, 2.0],
         buried: None,
         strip: None,
+        deviation: None,
     };
 
     #[test]

@@ -222,6 +222,7 @@ fn front_table(run: &RunFolder) -> Block {
 
 fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
     let case = &run.case;
+    let free = space.shapes.first().and_then(|shape| shape.deviation);
     let other = long_rail(case);
     let stays = match (case.residual_stress.is_some(), other.is_empty()) {
         (false, true) => " The rail carries no other stress.",
@@ -236,11 +237,13 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
     lines.extend(space.wheels.iter().enumerate().map(|(i, wheel)| wheel_line(case, i, wheel)));
     lines.extend(fluid_line(case));
     if case.growth.maintenance.is_some() {
-        lines.push(
-            "Wear and grinding: the running surface is removed, and with it the mouths of the cracks. The remaining part of a front is \
-             replaced by the half ellipse with the same deepest point and the same chord."
-                .to_owned(),
-        );
+        lines.push(format!(
+            "Wear and grinding: the running surface is removed, and with it the mouths of the cracks. The remaining part of a front {}.",
+            match free {
+                Some(_) => "grows on",
+                None => "is replaced by the half ellipse with the same deepest point and the same chord",
+            }
+        ));
     }
     lines.extend([
         format!(
@@ -250,10 +253,16 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
             given(case.passages.step_tolerance)
         ),
         format!(
-            "Growth: {} mm per cycle at each point of the front, with K_{{III}} in the equivalent range. The front remains an ellipse in its \
-             plane, fitted to the local growth rates. Points within {:.0}° of the surface{} are excluded from the fit, because the cells do not \
-             resolve the layer of K there.",
+            "Growth: {} mm per cycle at each point of the front, with K_{{III}} in the equivalent range. {} Points within {:.0}° of the \
+             surface{} are excluded from the fit, because the cells do not resolve the layer of K there.",
             powers(&formula(&rate_text(&case.growth.law))),
+            free.map_or_else(
+                || "The front remains an ellipse in its plane, fitted to the local growth rates.".to_owned(),
+                |own| format!(
+                    "The front is free in its plane: {} harmonics, fitted to the local growth rates.",
+                    own.harmonics()
+                )
+            ),
             VERTEX_LAYER.to_degrees(),
             if is_folded(run) { " or of the fold, and as much of either end of the strip," } else { "" }
         ),

@@ -334,6 +334,7 @@ mod tests {
             half_length: 2.0,
             branch: 2.0,
             middle: [0.0; 2],
+            deviation: None,
         }
     }
 

@@ -39,7 +39,7 @@ impl FoldedCrack {
         interruption: Interruption<'_>,
     ) -> Result<SpaceBody, FoldedBodyError> {
         self.checked()?;
-        let branch = self.branch_shape()?;
+        let branch = SpaceCrack { middle: self.middle, ..self.branch_shape()? };
         let grid = FoldedGrid::new(self, resolution)?;
         let image = kernel.image(self.mouth_dip);
         let assembly = Assembly::new(self, &grid, steel.poisson(), MorePoints(0));
@@ -71,12 +71,6 @@ impl FoldedCrack {
             plane_of_point,
         };
         Ok(SpaceBody::assembled(parts, interruption)?)
-    }
-
-    /// The branch as half an ellipse in the trace of its plane.
-    fn branch_shape(&self) -> Result<SpaceCrack, FoldedBodyError> {
-        let branch = SpaceCrack::surface_breaking(self.branch_dip, self.half_length, self.branch)?;
-        Ok(SpaceCrack { middle: self.middle, ..branch })
     }
 
     fn front(&self, grid: &FoldedGrid) -> Vec<FrontPoint> {

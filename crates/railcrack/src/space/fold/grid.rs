@@ -7,7 +7,7 @@
 use super::super::cell::Cell;
 use super::super::grid::{FrontColumn, Grid, SpaceResolution};
 use super::super::patch::Patch;
-use super::super::shape::{ShapeError, SpaceCrack};
+use super::super::shape::ShapeError;
 use super::shape::FoldedCrack;
 
 /// Numbers of cells of a folded crack.
@@ -100,8 +100,7 @@ impl FoldedGrid {
     /// Errors: a branch of an inadmissible shape.
     pub fn new(crack: &FoldedCrack, resolution: FoldedResolution) -> Result<Self, ShapeError> {
         let rows = resolution.strip.max(LEAST_ROWS);
-        let branch = SpaceCrack::surface_breaking(crack.branch_dip, crack.half_length, crack.branch)?;
-        let lower = Grid::new(&branch, resolution.branch);
+        let lower = Grid::new(&crack.branch_shape()?, resolution.branch);
 
         // The vertices on the fold from ζ = c to −c; the first and the last are on the front.
         let mut line: Vec<usize> = Vec::new();
@@ -199,6 +198,7 @@ mod tests {
             half_length: 6.0,
             branch: 3.0,
             middle: [0.0; 2],
+            deviation: None,
         };
         let resolution = FoldedResolution { strip: 4, branch: SpaceResolution { block: 2, ring: 3 } };
         let grid = FoldedGrid::new(&crack, resolution).unwrap();

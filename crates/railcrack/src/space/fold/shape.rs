@@ -1,6 +1,8 @@
 //! Shape of a crack with a fold.
 
 use super::super::plane::PlaneFrame;
+use super::super::shape::{ShapeError, SpaceCrack};
+use crate::growth::FrontDeviation;
 use thiserror::Error;
 
 /// A crack of two planes that meet in a straight fold parallel to the mouth: a rectangular strip
@@ -20,6 +22,8 @@ pub struct FoldedCrack {
     pub branch: f64,
     /// x and lateral position of the middle of the mouth, mm.
     pub middle: [f64; 2],
+    /// Deviation of the front of the branch from its ellipse; none for an ellipse.
+    pub deviation: Option<FrontDeviation>,
 }
 
 /// An inadmissible folded crack.
@@ -73,6 +77,14 @@ impl FoldedCrack {
         Ok(self)
     }
 
+    /// The branch as half an ellipse, or with the front that it has become, about the middle of the
+    /// trace of its plane.
+    pub(super) fn branch_shape(&self) -> Result<SpaceCrack, ShapeError> {
+        let ellipse = SpaceCrack::surface_breaking(self.branch_dip, self.half_length, self.branch)?;
+        let deviation = self.deviation.map_or_else(Vec::new, |own| own.coefficients(false));
+        SpaceCrack { deviation, ..ellipse }.checked()
+    }
+
     /// The planes of the strip and of the branch.
     #[must_use]
     pub fn planes(&self) -> [PlaneFrame; 2] {
@@ -107,6 +119,7 @@ mod tests {
         half_length: 6.0,
         branch: 3.0,
         middle: [1.0, -2.0],
+        deviation: None,
     };
 
     #[test]

@@ -31,6 +31,7 @@ fn folded(mouth: f64, branch: f64, half_length: f64) -> FoldedCrack {
         half_length,
         branch: 2.0,
         middle: [0.0; 2],
+        deviation: None,
     }
 }
 

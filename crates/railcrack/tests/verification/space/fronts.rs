@@ -47,8 +47,8 @@ fn penny_in_shear() {
 
 /// φ and K_I along the front r = 1 + ε cos nφ, with ε the `amplitude`, under unit tension.
 fn along_a_wavy_front(n: usize, amplitude: f64, cells: usize) -> Vec<(f64, f64)> {
-    let mut deviation = vec![0.0; n + 1];
-    deviation[n] = amplitude;
+    let mut deviation = vec![[0.0; 2]; n + 1];
+    deviation[n][0] = amplitude;
     let penny = SpaceCrack::buried(1.0, 1.0, 1.0, 50.0).unwrap();
     let crack = SpaceCrack { deviation, ..penny }.checked().unwrap();
     let body = body(&crack, Surroundings::FullSpace, cells);

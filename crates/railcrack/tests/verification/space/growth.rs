@@ -2,8 +2,8 @@
 
 use crate::common::{Of, Relative, close, steel};
 use railcrack::growth::{
-    FrontShape, Grinding, Growth, GrowthError, GrowthSettings, GrowthState, Maintenance, MouthStrip,
-    NetworkContact, PassageSettings, StepRecord, StressMoves, Unobserved,
+    FrontDeviation, FrontShape, Grinding, Growth, GrowthError, GrowthSettings, GrowthState, Maintenance,
+    MouthStrip, NetworkContact, PassageSettings, StepRecord, StressMoves, Unobserved,
 };
 use railcrack::load::Passage;
 use railcrack::math::RailBox;
@@ -18,6 +18,7 @@ fn shape() -> FrontShape {
         middle: [0.0, 0.0],
         buried: None,
         strip: None,
+        deviation: None,
     }
 }
 
@@ -139,6 +140,41 @@ fn wear_takes_from_the_mouth_what_it_takes_from_the_surface() {
 }
 
 #[test]
+fn a_free_front_with_two_harmonics_is_an_ellipse() {
+    let buried = FrontShape { length: 1.5, half_length: 2.5, buried: Some(4.0), ..shape() };
+    for shape in [shape(), buried, folded()] {
+        let of = |shape| run_of(rail(vec![wheel(1.5, 1.0)], 0.2, 0.0), shape);
+        let ellipses = of(shape);
+        let free = of(FrontShape { deviation: FrontDeviation::none(2), ..shape });
+        for (want, got) in ellipses.iter().zip(&free) {
+            let cycles = want.load_cycles.max(1.0);
+            close(got.load_cycles, want.load_cycles, Of(1e-6, cycles), "the same motions");
+            let [want, got] = [want, got].map(shape_in);
+            for (want, got) in [
+                (want.length, got.length),
+                (want.half_length, got.half_length),
+                (want.middle[1], got.middle[1]),
+                (want.buried.unwrap_or(0.0), got.buried.unwrap_or(0.0)),
+                (0.0, got.deviation.unwrap().largest()),
+            ] {
+                close(got, want, Of(1e-6, 1.0), "the same motions");
+            }
+        }
+        assert!(shape_in(&free[2]).half_length > 1.005 * shape.half_length, "it grows along the surface");
+    }
+}
+
+#[test]
+fn a_free_front_under_wear_keeps_its_deepest_point() {
+    let shape = FrontShape { deviation: FrontDeviation::none(4), ..shape() };
+    let [free, worn] = [0.0, 1e-7].map(|wear| run_of(rail(vec![wheel(0.0, 1.0)], 0.2, wear), shape));
+    let [grown, left] = [&free[1], &worn[1]].map(shape_in);
+    let taken = worn[1].removed / 30f64.to_radians().sin();
+    close(left.length, grown.length - taken, Relative(1e-9), "w/sin(dip)");
+    assert!(left.deviation.unwrap().largest() > 1e-3 && left.half_length < grown.half_length);
+}
+
+#[test]
 fn a_folded_crack_grows_alike_on_both_sides_of_its_middle() {
     let steps = run_of(rail(vec![wheel(2.0, 0.5), wheel(-2.0, 0.5)], 0.2, 0.0), folded());
     for step in &steps {
@@ -190,8 +226,10 @@ fn grinding_takes_the_strip_of_a_folded_crack_and_then_its_branch() {
 
 #[test]
 fn a_resumed_run_goes_on_with_the_same_bits() {
-    resumes(shape());
-    resumes(folded());
+    for shape in [shape(), folded()] {
+        resumes(shape);
+        resumes(FrontShape { deviation: FrontDeviation::none(4), ..shape });
+    }
 }
 
 fn resumes(shape: FrontShape) {

@@ -248,6 +248,7 @@ fn of_the_2d_engine_under_a_mix_with_wear() {
         middle: [0.0; 2],
         buried: None,
         strip: None,
+        deviation: None,
     };
     let state = GrowthState::initial_in_space(vec![shape]).unwrap();
     let space = one_increment(rail, state);
