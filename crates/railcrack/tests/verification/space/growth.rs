@@ -143,7 +143,11 @@ fn wear_takes_from_the_mouth_what_it_takes_from_the_surface() {
 fn a_free_front_with_two_harmonics_is_an_ellipse() {
     let buried = FrontShape { length: 1.5, half_length: 2.5, buried: Some(4.0), ..shape() };
     for shape in [shape(), buried, folded()] {
-        let of = |shape| run_of(rail(vec![wheel(1.5, 1.0)], 0.2, 0.0), shape);
+        let of = |shape| {
+            let mut rail = rail(vec![wheel(1.5, 1.0)], 0.0, 0.0);
+            rail.growth.steps = 1;
+            run_of(rail, shape)
+        };
         let ellipses = of(shape);
         let free = of(FrontShape { deviation: FrontDeviation::none(2), ..shape });
         for (want, got) in ellipses.iter().zip(&free) {
@@ -160,7 +164,7 @@ fn a_free_front_with_two_harmonics_is_an_ellipse() {
                 close(got, want, Of(1e-6, 1.0), "the same motions");
             }
         }
-        assert!(shape_in(&free[2]).half_length > 1.005 * shape.half_length, "it grows along the surface");
+        assert!(shape_in(&free[1]).half_length > 1.001 * shape.half_length, "it grows along the surface");
     }
 }
 
