@@ -15,7 +15,10 @@ use railcrack::bulk::Boundary;
 use railcrack::crack::Crack;
 use railcrack::growth::{FrontDeviation, FrontShape};
 use railcrack::load::HertzEllipse;
-use railcrack::space::{CloseCracks, EllipticWheel, LEAST_STRIP, SpaceCrack, WheelPatch};
+use railcrack::space::{
+    CloseCracks, EllipticWheel, LEAST_STRIP, SpaceCrack, SpaceResolution, VERTEX_LAYER, WheelPatch,
+};
+use std::f64::consts::PI;
 
 /// Sections that the engine does not support, with reasons.
 const REFUSED: [(Section, &str); 1] =
@@ -65,9 +68,11 @@ pub(super) fn read_space(
             report.add(Fault::of(key, section.span.clone(), message));
         }
     }
-    let deviation = read_deviation(growth, sections, report);
+    let deviation = read_deviation(growth, report);
+    let cells = MeshSettings::read(sections.one(&MESH)?).space;
     let shapes = placed.and_then(|placed| read_shapes(placed, &given, report)).map(|mut shapes| {
         shapes.iter_mut().for_each(|shape| shape.deviation = deviation);
+        judge_harmonics(&shapes, cells, growth, report);
         shapes
     });
     // For a mix, the contact section of each wheel.
@@ -86,11 +91,7 @@ pub(super) fn read_space(
 
 /// The deviation, still none, of fronts that are free to leave their ellipses; errors are added to
 /// `report`.
-fn read_deviation(
-    growth: &SectionValues,
-    sections: &Sections,
-    report: &mut Report,
-) -> Option<FrontDeviation> {
+fn read_deviation(growth: &SectionValues, report: &mut Report) -> Option<FrontDeviation> {
     if growth.get(FRONT)? == FrontForm::Ellipse {
         return None;
     }
@@ -99,15 +100,30 @@ fn read_deviation(
         report.add(growth.fault(FRONT_HARMONICS, "must be even").help("use 2, 4, 6 or 8"));
         return None;
     };
-    let cells = MeshSettings::read(sections.one(&MESH)?).space.block;
-    // Of the 4 n + 1 points of a front that ends at the surface at least two lie in its layer.
-    if 4 * cells < harmonics + 3 {
+    Some(deviation)
+}
+
+/// Adds an error to `report` where fronts have too few points for their harmonics.
+fn judge_harmonics(
+    shapes: &[FrontShape],
+    cells: SpaceResolution,
+    growth: &SectionValues,
+    report: &mut Report,
+) {
+    let Some(harmonics) = shapes.iter().find_map(|shape| Some(shape.deviation?.harmonics())) else { return };
+    // Points in the layer at the surface do not count.
+    let counted = |shape: &FrontShape| {
+        let layer = VERTEX_LAYER - 1e-9;
+        let within = |phi: &f64| shape.buried.is_some() || (*phi >= layer && *phi <= PI - layer);
+        shape.division(cells).front_angles().filter(within).count()
+    };
+    if shapes.iter().any(|shape| counted(shape) < harmonics + 2) {
         let says = format!(
-            "{harmonics} harmonics are determined by more points of the front than {cells} cells (mesh.space_cells) have"
+            "{harmonics} harmonics are determined by more points of the front than {} cells (mesh.space_cells) have",
+            cells.block
         );
         report.add(growth.fault(FRONT_HARMONICS, says).help("use front_harmonics = 4 or more space_cells"));
     }
-    Some(deviation)
 }
 
 /// The cracks, none of which meets another.

@@ -20,20 +20,18 @@ pub(super) const MOST_SPACE_POINTS: usize = 2000;
 impl SpaceCase {
     /// Points of the faces of all cracks of this resolution.
     pub(super) fn face_points(&self, resolution: SpaceResolution) -> usize {
-        let of_strip = |shape: &FrontShape| points_of_strip(shape, resolution)[0];
-        self.shapes
-            .iter()
-            .map(|shape| face_points(resolution, shape.buried.is_some()) + of_strip(shape))
-            .sum()
+        let of = |shape: &FrontShape| {
+            shape.division(resolution).face_points() + points_of_strip(shape, resolution)[0]
+        };
+        self.shapes.iter().map(of).sum()
     }
 
     /// Points of all fronts.
     pub(super) fn front_points(&self, resolution: SpaceResolution) -> usize {
-        let of_strip = |shape: &FrontShape| points_of_strip(shape, resolution)[1];
-        self.shapes
-            .iter()
-            .map(|shape| front_points(resolution, shape.buried.is_some()) + of_strip(shape))
-            .sum()
+        let of = |shape: &FrontShape| {
+            shape.division(resolution).front_points() + points_of_strip(shape, resolution)[1]
+        };
+        self.shapes.iter().map(of).sum()
     }
 }
 
@@ -41,20 +39,4 @@ impl SpaceCase {
 /// branch.
 fn points_of_strip(shape: &FrontShape, resolution: SpaceResolution) -> [usize; 2] {
     shape.strip.map_or([0; 2], |_| FoldedResolution::below(resolution).points_of_strip())
-}
-
-/// Points of the faces of a crack.
-fn face_points(resolution: SpaceResolution, is_buried: bool) -> usize {
-    let SpaceResolution { block, ring } = resolution;
-    let rows = ring.saturating_sub(1);
-    if is_buried {
-        (2 * block + 1).pow(2) + 8 * block * rows
-    } else {
-        (2 * block + 1) * (block + 1) + (4 * block + 1) * rows
-    }
-}
-
-/// Points of its front.
-fn front_points(resolution: SpaceResolution, is_buried: bool) -> usize {
-    if is_buried { 8 * resolution.block } else { 4 * resolution.block + 1 }
 }

@@ -14,7 +14,7 @@ section! {
     INTERFACE_ELEMENTS: usize = integer("interface_elements", (8, 400), 28,
         "Number of elements along each crack in the dislocation engine, before grading towards mouth, tips and kinks. By default 28; with more than four cracks, 132 shared by all of them, but at least 22 each.").optional();
     SPACE_CELLS: usize = integer("space_cells", (2, 16), 4,
-        "Number of cells from the centre of a crack to each side of its inner block in the space engine; there are four times as many along the front.").optional();
+        "Number of cells from the centre of a crack to each side of its inner block in the space engine; there are four times as many along the front. From 5 on, a crack that dips at less than 30 degrees has as many cells in total, but more rows down the dip and fewer columns.").optional();
     SPACE_RINGS: usize = integer("space_rings", (2, 16), 4,
         "Number of cells from the inner block to the front in the space engine.").optional();
 }

@@ -14,6 +14,7 @@ use railcrack::load::{Contact, HertzEllipse, Passage};
 use railcrack::plane::CrackFluid;
 use railcrack::rolling::{Creepage, RollingPatch};
 use railcrack::shakedown::DepthBounds;
+use railcrack::space::CellDivision;
 use railcrack::words::Choice;
 use railcrack_case::{
     Case, ContactOrigin, GivenWheel, Input, MixedWheel, Overrides, PlasticSource, ProfileOrigin,
@@ -311,8 +312,19 @@ fn in_space(case: &Case) -> Vec<CheckLine> {
             rows.push(("buried", format!("{} mm down the dip", short(centre))));
         }
     }
-    let cells = case.mesh.space;
-    rows.push(("cells", format!("{} on each side of the middle, {} to the front", cells.block, cells.ring)));
+    let mut divisions: Vec<CellDivision> = Vec::new();
+    for division in space.shapes.iter().map(|shape| shape.division(case.mesh.space)) {
+        if !divisions.contains(&division) {
+            divisions.push(division);
+        }
+    }
+    for CellDivision { columns, rows: own, ring, .. } in divisions {
+        let rows_of_block = if own == columns { String::new() } else { format!(" in {own} rows") };
+        rows.push((
+            "cells",
+            format!("{columns} on each side of the middle{rows_of_block}, {ring} to the front"),
+        ));
+    }
     let lateral: Vec<f64> = space.wheels.iter().map(|wheel| wheel.outline().lateral_friction).collect();
     if lateral.iter().any(|friction| *friction != 0.0) {
         rows.push((

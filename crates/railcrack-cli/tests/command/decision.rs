@@ -94,7 +94,8 @@ fn number(value: &Value) -> Option<f64> {
 
 /// Without any scatter all samples are the run, whatever sections the case has.
 #[test]
-fn without_scatter_samples_are_the_run() {
+#[ignore = "extra: minutes"]
+fn without_scatter_samples_are_the_run_in_full() {
     let place = folder("decision", "product");
     let scatter = "[scatter]\nsamples = 20\nparis_c_log_std = 0.0\n";
     let parts = [NETWORK, MAINTENANCE, FLUID, FRACTURE, COLD];
@@ -205,7 +206,8 @@ wheel,normal_kn,y_rail_mm,creepage_x,creepage_y,spin_per_mm,mu,a_mm,b_mm,share
 /// The samples of other kinds of wheels are the run, too, with and without the removal of the
 /// surface.
 #[test]
-fn without_scatter_samples_are_the_run_under_all_kinds_of_wheels() {
+#[ignore = "extra: minutes"]
+fn without_scatter_samples_are_the_run_under_all_kinds_of_wheels_in_full() {
     let place = folder("decision", "kinds");
     fs::write(place.join("wheels.csv"), TABLE).unwrap();
     let scatter = "[scatter]\nsamples = 20\nparis_c_log_std = 0.0\n";
@@ -273,7 +275,8 @@ const SAME_QUANTILE: f64 = 0.02;
 
 /// Quantiles of the samples are the lives of whole runs with the coefficient at those quantiles.
 #[test]
-fn quantiles_of_samples_are_lives_of_whole_runs() {
+#[ignore = "extra: minutes"]
+fn quantiles_of_samples_are_lives_of_whole_runs_in_full() {
     let place = folder("decision", "quantiles");
     let std = 0.3;
     // Chosen increments and turns under removal, a few straight steps elsewhere.
@@ -322,7 +325,8 @@ const SAME_LIFE: f64 = 1e-6;
 /// crack at the other end leads, and quantiles of the samples, are those of whole runs with all
 /// cracks.
 #[test]
-fn a_part_of_a_long_row_decides_like_the_row() {
+#[ignore = "extra: minutes"]
+fn a_part_of_a_long_row_decides_like_the_row_in_full() {
     let place = folder("decision", "row");
     let rail = RAIL
         .replace("increment = 0.06", "increment = 0.1\ndirection = \"coplanar\"\ncritical_length_mm = 3.8")

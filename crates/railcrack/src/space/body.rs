@@ -2,8 +2,9 @@
 
 use super::Symmetric;
 use super::cross::Placed;
+use super::division::{CellDivision, SpaceResolution};
 use super::error::{CloseCracks, SpaceError};
-use super::grid::{Grid, SpaceResolution};
+use super::grid::Grid;
 use super::plane::{PlaneFrame, Surroundings};
 use super::shape::SpaceCrack;
 use super::stiffness::{SpaceKernel, stiffness_of};
@@ -216,7 +217,8 @@ impl SpaceBody {
         if let Some(close) = CloseCracks::among(cracks) {
             return Err(close.into());
         }
-        let grids: Vec<Grid> = cracks.iter().map(|crack| Grid::new(crack, resolution)).collect();
+        let grids: Vec<Grid> =
+            cracks.iter().map(|crack| Grid::new(crack, &CellDivision::of(crack, resolution))).collect();
         let placed: Vec<Placed> = cracks
             .iter()
             .zip(&grids)
@@ -614,7 +616,7 @@ mod tests {
     fn more_points_leave_ki_of_an_open_shallow_crack() {
         let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
         let crack = SpaceCrack::surface_breaking(15f64.to_radians(), 2.0, 1.0).unwrap();
-        let resolution = SpaceResolution { block: 4, ring: 4 };
+        let resolution = SpaceResolution { block: 5, ring: 4 };
         let kernel = SpaceKernel::new(&[crack.dip], steel.poisson());
         let cracks = std::slice::from_ref(&crack);
         let body =
@@ -622,7 +624,8 @@ mod tests {
         let [x, lateral, depth] = crack.frame().vector([1.0, 0.0, 0.0]);
         let tension = [x * x, lateral * lateral, depth * depth, lateral * depth, x * depth, x * lateral];
         let forces = body.nodal_forces(|_| tension);
-        let (grid, image) = (Grid::new(&crack, resolution), kernel.image(crack.dip));
+        let (grid, image) =
+            (Grid::new(&crack, &CellDivision::of(&crack, resolution)), kernel.image(crack.dip));
         let finer = Galerkin::with_more_points(&grid, steel.poisson(), Some(&image), 2);
         let stiffness = finer.stiffness_unless(Interruption::NEVER).unwrap();
         let mut jumps = spd_inverse(&stiffness).unwrap().times(&forces);

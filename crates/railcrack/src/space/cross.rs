@@ -139,8 +139,13 @@ struct Fineness {
     nearer: f64,
 }
 
-/// Fineness for bodies; tests compare it with a finer one.
-const FINENESS: Fineness = Fineness { more_points: 0, nearer: 1.0 };
+impl Fineness {
+    /// That for bodies. Cells of a graded grid are narrow.
+    fn of(cracks: [&Placed; 2]) -> Self {
+        let more_points = usize::from(cracks.iter().any(|crack| crack.grid.is_graded));
+        Self { more_points, nearer: 1.0 }
+    }
+}
 
 /// The integrals over two cracks.
 struct Cross<'a> {
@@ -159,7 +164,8 @@ pub(super) fn cross_stiffness(
     poisson: f64,
     interruption: Interruption<'_>,
 ) -> Result<Matrix, Interrupted> {
-    Cross::new(cracks, surroundings, poisson, FINENESS).stiffness_unless(interruption)
+    let fineness = Fineness::of(cracks.each_ref());
+    Cross::new(cracks, surroundings, poisson, fineness).stiffness_unless(interruption)
 }
 
 impl<'a> Cross<'a> {
@@ -285,9 +291,9 @@ impl<'a> Cross<'a> {
 #[cfg(test)]
 mod tests {
     use super::super::body::SpaceBody;
+    use super::super::division::{CellDivision, SpaceResolution};
     use super::super::error::LEAST_DISTANCE;
     use super::super::galerkin::{Galerkin, ImagePart};
-    use super::super::grid::SpaceResolution;
     use super::super::image_table::ImageTable;
     use super::super::shape::SpaceCrack;
     use super::*;
@@ -317,13 +323,13 @@ mod tests {
                 Surroundings::HalfSpace => SpaceCrack::surface_breaking(dip, 6.0, 4.0),
             };
             let crack = crack.unwrap();
-            let grid = Grid::new(&crack, CELLS);
+            let grid = Grid::new(&crack, &CellDivision::of(&crack, CELLS));
             let image = (surroundings == Surroundings::HalfSpace)
                 .then(|| ImagePart { table: Arc::new(ImageTable::new(crack.dip, NU)), dip: crack.dip });
             let weak =
                 Galerkin::new(&grid, NU, image.as_ref()).stiffness_unless(Interruption::NEVER).unwrap();
             let pair = [placed(&crack, &grid), placed(&crack, &grid)];
-            let strong = Cross::new(pair, surroundings, NU, FINENESS);
+            let strong = Cross::new(pair, surroundings, NU, Fineness::of(pair.each_ref()));
             let corners = |cell: usize| &grid.cells[cell].vertices;
             let touch = |i: usize, j: usize| corners(i).iter().any(|v| corners(j).contains(v));
             let count = grid.cells.len();
@@ -371,12 +377,12 @@ mod tests {
             let own = pair.each_ref().map(|crack| {
                 SpaceBody::new(std::slice::from_ref(crack), &steel, Surroundings::HalfSpace, CELLS).unwrap()
             });
-            let grids = pair.each_ref().map(|crack| Grid::new(crack, CELLS));
+            let grids = pair.each_ref().map(|crack| Grid::new(crack, &CellDivision::of(crack, CELLS)));
             let [one, other] = [placed(&pair[0], &grids[0]), placed(&pair[1], &grids[1])];
             let of = |pair, fineness| Cross::new(pair, Surroundings::HalfSpace, NU, fineness);
-            let usual = of([one, other], FINENESS);
+            let usual = of([one, other], Fineness::of([&one, &other]));
             let finer = of([one, other], Fineness { more_points: 3, nearer: 1.3 });
-            let back = of([other, one], FINENESS);
+            let back = of([other, one], Fineness::of([&one, &other]));
             let (mut error, mut asymmetry) = (0.0f64, 0.0f64);
             // Cells of each kind (at the mouth, inside, at the front) against all cells.
             for i in [1, 5, 12, grids[0].cells.len() - 1] {

@@ -185,8 +185,8 @@ fn located(mut from: f64, mut to: f64, of: impl Fn(f64) -> f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::super::body::{FrontPoint, SpaceBody};
+    use super::super::division::SpaceResolution;
     use super::super::front_motion::FrontSpeeds;
-    use super::super::grid::SpaceResolution;
     use super::super::plane::Surroundings;
     use super::*;
 

@@ -32,6 +32,9 @@ const DUFFY_ORDER: usize = 5;
 /// image of a shallow crack is close.
 const IMAGE_ORDER: f64 = 4.0;
 const SHALLOW_ORDER: f64 = 1.5;
+/// Additional points per direction for separate cells of a graded grid: those at the mouth of a
+/// shallow crack are narrow, and the energy of its flap is a small difference of large numbers.
+const GRADED_MORE: usize = 1;
 /// Share of the distance to an image that counts, since the image varies faster than 1/r.
 const IMAGE_GAP: f64 = 0.5;
 /// Additional points per direction for a cell and a separate part of the mouth, compared with two
@@ -79,6 +82,7 @@ impl<'a> Galerkin<'a> {
     /// The integrals with `more` points per direction where cells are separate from each other or
     /// from the mouth.
     pub fn with_more_points(grid: &'a Grid, poisson: f64, image: Option<&'a ImagePart>, more: usize) -> Self {
+        let more = more + if grid.is_graded { GRADED_MORE } else { 0 };
         let (apart, apart_mouth) = (ApartRules::new(more), ApartRules::new(MOUTH_MORE + more));
         let of_cell = |cell| apart.all().iter().map(|rule| Patch::WHOLE.points(cell, rule)).collect();
         let points = grid.cells.iter().map(of_cell).collect();
@@ -422,12 +426,12 @@ const STRIP: usize = 32;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::space::{SpaceCrack, SpaceKernel, SpaceResolution};
+    use crate::space::{CellDivision, SpaceCrack, SpaceKernel, SpaceResolution};
 
     #[test]
     fn one_of_two_mirrored_products_is_enough() {
         let crack = SpaceCrack::surface_breaking(0.5, 3.0, 2.0).unwrap();
-        let grid = Grid::new(&crack, SpaceResolution { block: 2, ring: 2 });
+        let grid = Grid::new(&crack, &CellDivision::of(&crack, SpaceResolution { block: 2, ring: 2 }));
         let image = SpaceKernel::new(&[crack.dip], 0.3).image(crack.dip);
         let half = Galerkin::new(&grid, 0.3, Some(&image));
         assert!(half.mirrored.is_some());

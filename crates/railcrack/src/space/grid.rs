@@ -6,24 +6,9 @@
 //! distance. The grid has no pole at the mouth or in the middle.
 
 use super::cell::Cell;
-use super::shape::{Extent, SpaceCrack};
+use super::division::CellDivision;
+use super::shape::SpaceCrack;
 use std::f64::consts::PI;
-
-/// Numbers of cells of a crack.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-pub struct SpaceResolution {
-    /// Cells from the middle of the block to its sides. There are 4 times as many along the front,
-    /// or 8 times as many where the front is closed.
-    pub block: usize,
-    /// Cells from the block to the front.
-    pub ring: usize,
-}
-
-impl Default for SpaceResolution {
-    fn default() -> Self {
-        Self { block: 4, ring: 4 }
-    }
-}
 
 /// The end of a column of the ring at the front.
 #[derive(Debug, Clone, Copy)]
@@ -51,67 +36,64 @@ pub(super) struct Grid {
     /// Number of vertices that are not on the front.
     pub free: usize,
     pub front: Vec<FrontColumn>,
+    /// Whether rows become narrower towards the mouth.
+    pub is_graded: bool,
 }
 
-/// Half the side of the block in the unit disc.
-const BLOCK_SIDE: f64 = 0.6;
 /// Roundness of the block: 0 for a square, 1 for a disc.
 const ROUNDNESS: f64 = 0.5;
 
-fn block(x: f64, y: f64) -> [f64; 2] {
-    let round = |a: f64, b: f64| a * (1.0 - ROUNDNESS + ROUNDNESS * (1.0 - 0.5 * b * b).sqrt());
-    [BLOCK_SIDE * round(x, y), BLOCK_SIDE * round(y, x)]
-}
+/// The unit disc, or its half, divided into cells.
+struct Disc<'a>(&'a CellDivision);
 
-/// The point of the side of the block on column `t`, of which there are four per unit.
-fn side(t: f64) -> [f64; 2] {
-    let turn = t.rem_euclid(8.0);
-    match turn {
-        t if t <= 1.0 => [1.0, t],
-        t if t <= 3.0 => [2.0 - t, 1.0],
-        t if t <= 5.0 => [-1.0, 4.0 - t],
-        t if t <= 7.0 => [t - 6.0, -1.0],
-        t => [1.0, t - 8.0],
+impl Disc<'_> {
+    /// The point of the block at these columns and rows from its middle.
+    fn block(&self, steps: [f64; 2]) -> [f64; 2] {
+        let [x, y] = self.0.place(steps);
+        let round = |a: f64, b: f64| a * (1.0 - ROUNDNESS + ROUNDNESS * (1.0 - 0.5 * b * b).sqrt());
+        let [along, down] = self.0.sides;
+        [along * round(x, y), down * round(y, x)]
+    }
+
+    /// The point on column `t` of the ring at the square of the parameter η: 0 on the front, 1 on
+    /// the block.
+    fn ring(&self, t: f64, w: f64) -> [f64; 2] {
+        let turn = self.0.turn(t);
+        let (sin, cos) = (0.25 * PI * turn).sin_cos();
+        // The mouth lies exactly at zero.
+        let sin = if turn == 0.0 || turn == 4.0 { 0.0 } else { sin };
+        let inner = self.block(self.0.outline(t));
+        [cos + w * (inner[0] - cos), sin + w * (inner[1] - sin)]
     }
 }
 
-/// The point of the unit disc on column `t` at the square of the parameter η: 0 on the front, 1 on
-/// the block.
-fn ring(t: f64, w: f64) -> [f64; 2] {
-    let (sin, cos) = (0.25 * PI * t).sin_cos();
-    // The mouth lies exactly at zero.
-    let sin = if t == 0.0 || t == 4.0 { 0.0 } else { sin };
-    let [x, y] = side(t);
-    let inner = block(x, y);
-    [cos + w * (inner[0] - cos), sin + w * (inner[1] - sin)]
-}
-
 impl Grid {
-    pub fn new(crack: &SpaceCrack, resolution: SpaceResolution) -> Self {
-        let (k, rows) = (resolution.block.max(1), resolution.ring.max(2));
-        let closed = crack.extent != Extent::SurfaceBreaking;
-        let (first, columns) = if closed { (-(k as i64), 8 * k) } else { (0, 4 * k) };
-        let (width, step) = (2 * k + 1, 1.0 / k as f64);
-        let on_block = |i: i64, j: i64| (j - first) as usize * width + (i + k as i64) as usize;
-        let block_count = on_block(k as i64, k as i64) + 1;
-        let around = if closed { columns } else { columns + 1 };
-        let free = block_count + around * (rows - 1);
+    pub fn new(crack: &SpaceCrack, division: &CellDivision) -> Self {
+        let (k, rows) = (division.columns as i64, division.ring);
+        let (first, last) = (division.first_row(), division.rows as i64);
+        let closed = first < 0;
+        let on_block = |i: i64, j: i64| ((j - first) * (2 * k + 1) + i + k) as usize;
+        let block_count = division.block_points();
+        let around = division.front_points();
+        let columns = if closed { around } else { around - 1 };
+        let free = division.face_points();
         // Row 0 of a column lies on the front, the last on the block.
         let vertex = |t: usize, row: usize| match row {
             0 => free + t % around,
             row if row == rows => {
-                let [x, y] = side(t as f64 * step);
-                on_block((x * k as f64).round() as i64, (y * k as f64).round() as i64)
+                let [i, j] = division.outline(t as f64);
+                on_block(i as i64, j as i64)
             }
             row => block_count + (row - 1) * around + t % around,
         };
-        let block_point = |i: f64, j: f64| crack.point(block(i * step, j * step));
-        let ring_point = |t: f64, row: f64| crack.point(ring(t * step, (row / rows as f64).powi(2)));
+        let disc = Disc(division);
+        let block_point = |i: f64, j: f64| crack.point(disc.block([i, j]));
+        let ring_point = |t: f64, row: f64| crack.point(disc.ring(t, (row / rows as f64).powi(2)));
 
         let mut vertices = vec![[0.0; 2]; free + around];
         let (mut cells, mut mouth) = (Vec::new(), Vec::new());
-        for j in first..k as i64 {
-            for i in -(k as i64)..k as i64 {
+        for j in first..last {
+            for i in -k..k {
                 let corners =
                     [on_block(i, j), on_block(i + 1, j), on_block(i + 1, j + 1), on_block(i, j + 1)];
                 if !closed && j == 0 {
@@ -153,10 +135,10 @@ impl Grid {
                 let length = tangent[0].hypot(tangent[1]);
                 // φ grows from ζ = c towards s = l: the outward normal is the tangent turned.
                 let normal = [-tangent[1] / length, tangent[0] / length];
-                let [near, beyond] = [h, -h].map(|w| crack.point(ring(t * step, w)));
+                let [near, beyond] = [h, -h].map(|w| crack.point(disc.ring(t, w)));
                 let inward = (beyond[0] - near[0]) * normal[0] + (beyond[1] - near[1]) * normal[1];
                 FrontColumn {
-                    phi: 0.25 * PI * t * step,
+                    phi: 0.25 * PI * division.turn(t),
                     vertices,
                     parameters: [parameter(1), parameter(2)],
                     normal,
@@ -164,21 +146,25 @@ impl Grid {
                 }
             })
             .collect();
-        Self { cells, mouth, vertices, free, front }
+        Self { cells, mouth, vertices, free, front, is_graded: division.is_graded() }
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::division::SpaceResolution;
     use super::*;
 
     #[test]
     fn cells_cover_the_crack() {
         for (crack, share) in [
-            (SpaceCrack::surface_breaking(0.5, 3.0, 2.0).unwrap(), 0.5),
-            (SpaceCrack::buried(0.5, 3.0, 2.0, 5.0).unwrap(), 1.0),
+            (SpaceCrack::surface_breaking(0.6, 3.0, 2.0).unwrap(), 0.5),
+            (SpaceCrack::surface_breaking(0.2, 3.0, 2.0).unwrap(), 0.5),
+            (SpaceCrack::buried(0.2, 3.0, 2.0, 5.0).unwrap(), 1.0),
         ] {
-            let grid = Grid::new(&crack, SpaceResolution { block: 3, ring: 3 });
+            let division = CellDivision::of(&crack, SpaceResolution { block: 5, ring: 3 });
+            let grid = Grid::new(&crack, &division);
+            assert_eq!((grid.cells.len(), grid.free), (division.cells(), division.face_points()));
             let rule = crate::math::gauss_legendre(6);
             let mut area = 0.0;
             for cell in &grid.cells {
@@ -187,11 +173,14 @@ mod tests {
                 }
             }
             assert!((area / (share * PI * 6.0) - 1.0).abs() < 1e-6, "{area}");
-            let columns = if share == 1.0 { 24 } else { 13 };
-            assert_eq!(grid.front.len(), columns);
-            let deepest = &grid.front[6];
+            assert_eq!(grid.front.len(), division.front_points());
+            let deepest = &grid.front[division.columns + division.rows];
             assert!((deepest.normal[0] - 1.0).abs() < 1e-6 && (deepest.phi - 0.5 * PI).abs() < 1e-12);
-            assert!((deepest.distance - 2.0 * (1.0 - BLOCK_SIDE)).abs() < 1e-3, "{}", deepest.distance);
+            assert!(
+                (deepest.distance - 2.0 * (1.0 - division.sides[1])).abs() < 1e-3,
+                "{}",
+                deepest.distance
+            );
             for (cell, [from, to]) in &grid.mouth {
                 for corner in [from, to] {
                     assert_eq!(grid.vertices[grid.cells[*cell].vertices[*corner]][0], 0.0);

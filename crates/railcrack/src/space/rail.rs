@@ -3,12 +3,12 @@
 use super::bilinear::WheelPatch;
 use super::body::{FrontPoint, SpaceBody};
 use super::contact::{SpaceContact, SpaceContactError};
+use super::division::{CellDivision, SpaceResolution};
 use super::error::{CloseCracks, SpaceError};
 use super::fluid::SpaceFluid;
 use super::fold::FoldedCrack;
 use super::front_advance::{FrontAdvance, Start};
 use super::front_motion::{FrontSpeeds, counts};
-use super::grid::SpaceResolution;
 use super::groups::{CrackGroup, groups};
 use super::load::{SpaceFluidLoad, SpaceLoad, StressAt};
 use super::nuclei::Symmetric;
@@ -122,6 +122,15 @@ impl FrontShape {
             deviation: self.deviation.map_or_else(Vec::new, |own| own.coefficients(self.buried.is_some())),
         };
         crack.checked()
+    }
+
+    /// The cells of a crack of this shape; of a folded crack those of its branch.
+    #[must_use]
+    pub fn division(&self, resolution: SpaceResolution) -> CellDivision {
+        match self.strip {
+            Some(_) => CellDivision::even(resolution, false),
+            None => CellDivision::at(self.dip, self.buried.is_some(), resolution),
+        }
     }
 
     /// The folded crack of this shape; none for a planar one.

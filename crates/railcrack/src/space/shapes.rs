@@ -1,9 +1,9 @@
 //! The body with the cracks of a growing front.
 
 use super::body::SpaceBody;
+use super::division::SpaceResolution;
 use super::error::SpaceError;
 use super::fold::{FoldedBodyError, FoldedResolution};
-use super::grid::SpaceResolution;
 use super::shape::{ShapeError, SpaceCrack};
 use super::stiffness::SpaceKernel;
 use crate::growth::FrontShape;

@@ -316,7 +316,8 @@ impl Reach {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::grid::{Grid, SpaceResolution};
+    use super::super::super::division::SpaceResolution;
+    use super::super::super::grid::Grid;
     use super::super::super::image_table::ImageTable;
     use super::super::grid::FoldedResolution;
     use super::*;
@@ -367,6 +368,7 @@ mod tests {
                 vertices: grid.vertices.clone(),
                 free: grid.free,
                 front: Vec::new(),
+                is_graded: false,
             };
             let galerkin = Galerkin::new(&plane, NU, Some(&image));
             let flat = galerkin.stiffness_unless(Interruption::NEVER).unwrap();

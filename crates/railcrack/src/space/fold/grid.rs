@@ -5,7 +5,8 @@
 //! belong to both planes.
 
 use super::super::cell::Cell;
-use super::super::grid::{FrontColumn, Grid, SpaceResolution};
+use super::super::division::{CellDivision, SpaceResolution};
+use super::super::grid::{FrontColumn, Grid};
 use super::super::patch::Patch;
 use super::super::shape::ShapeError;
 use super::shape::FoldedCrack;
@@ -100,7 +101,7 @@ impl FoldedGrid {
     /// Errors: a branch of an inadmissible shape.
     pub fn new(crack: &FoldedCrack, resolution: FoldedResolution) -> Result<Self, ShapeError> {
         let rows = resolution.strip.max(LEAST_ROWS);
-        let lower = Grid::new(&crack.branch_shape()?, resolution.branch);
+        let lower = Grid::new(&crack.branch_shape()?, &CellDivision::even(resolution.branch, false));
 
         // The vertices on the fold from ζ = c to −c; the first and the last are on the front.
         let mut line: Vec<usize> = Vec::new();
@@ -177,8 +178,14 @@ impl FoldedGrid {
             }));
             front.extend((0..rows).rev().map(|r| side(r, last, [columns - 1, columns - 2])));
         }
-        let strip =
-            Grid { cells: strip_cells, mouth, vertices: vertices.clone(), free: above, front: Vec::new() };
+        let strip = Grid {
+            cells: strip_cells,
+            mouth,
+            vertices: vertices.clone(),
+            free: above,
+            front: Vec::new(),
+            is_graded: false,
+        };
         let part_of_vertex = (0..free).map(part).collect();
         Ok(Self { cells, part_of_cell, vertices, part_of_vertex, free, front, strip })
     }

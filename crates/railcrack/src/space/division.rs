@@ -1,0 +1,247 @@
+//! How the cells of a crack are divided between its rows, its columns and the ring at its front.
+//!
+//! The flap above a shallow crack bends over distances of its own thickness, which falls to zero at
+//! the mouth, and slip is locked in row by row as the faces close. A shallow crack therefore has
+//! more and narrower rows than a steep one, at the expense of its columns.
+
+use super::shape::{Extent, SpaceCrack};
+
+/// Numbers of cells of a crack.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub struct SpaceResolution {
+    /// Cells from the middle of the block to its sides. There are 4 times as many along the front,
+    /// or 8 times as many where the front is closed. Of 5 or more, a crack that meets the surface
+    /// at less than 30° has as many cells, divided otherwise: see [`CellDivision::of`].
+    pub block: usize,
+    /// Cells from the block to the front.
+    pub ring: usize,
+}
+
+impl Default for SpaceResolution {
+    fn default() -> Self {
+        Self { block: 4, ring: 4 }
+    }
+}
+
+/// The cells of a crack by their direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CellDivision {
+    /// Columns of the block from its middle to its side.
+    pub columns: usize,
+    /// Rows of the block, from the mouth down or, of a closed front, from its middle to either
+    /// side.
+    pub rows: usize,
+    /// Cells from the block to the front.
+    pub ring: usize,
+    /// Whether the front is closed.
+    is_closed: bool,
+    /// Half the sides of the block in the unit disc, along the trace and down the dip.
+    pub(super) sides: [f64; 2],
+    /// The rows end at the powers with this exponent of their number over that of all rows.
+    grading: f64,
+}
+
+/// Dips (degrees) from which the cells of a crack are those of a steep one, and down to which they
+/// go over into those of a shallow one.
+const STEEP: f64 = 30.0;
+const SHALLOW: f64 = 20.0;
+/// Half the side of the block in the unit disc.
+const SIDE: f64 = 0.6;
+/// The block of a shallow crack: half its sides, and the exponent of its rows. By trial at 15° and
+/// 20°.
+const SHALLOW_SIDES: [f64; 2] = [0.7, 0.75];
+const SHALLOW_GRADING: f64 = 1.25;
+/// Columns of a shallow crack over those of a steep one, and cells of the ring.
+const SHALLOW_COLUMNS: f64 = 2.0 / 3.0;
+const SHALLOW_RING: f64 = 5.0 / 6.0;
+/// The least number of columns of a steep crack of which a shallow one gives up some: with fewer,
+/// K along the front suffers more than rows gain.
+const LEAST_COLUMNS: usize = 5;
+
+impl CellDivision {
+    /// The same cells in all directions: those of a steep crack, of a buried one and of a branch.
+    #[must_use]
+    pub fn even(resolution: SpaceResolution, is_closed: bool) -> Self {
+        let block = resolution.block.max(1);
+        Self {
+            columns: block,
+            rows: block,
+            ring: resolution.ring.max(2),
+            is_closed,
+            sides: [SIDE; 2],
+            grading: 1.0,
+        }
+    }
+
+    /// The cells of `crack`. Where it meets the surface at less than 30°, columns become fewer,
+    /// down to two thirds at 20°, and cells from the block to the front, down to five sixths; there
+    /// are as many rows as make up for them, and they become narrower towards the mouth. With fewer
+    /// than 5 columns the cells are those of a steep crack.
+    #[must_use]
+    pub fn of(crack: &SpaceCrack, resolution: SpaceResolution) -> Self {
+        Self::at(crack.dip, crack.extent != Extent::SurfaceBreaking, resolution)
+    }
+
+    /// The cells of a crack of the dip `dip` (radians), either buried or not.
+    #[must_use]
+    pub fn at(dip: f64, is_closed: bool, resolution: SpaceResolution) -> Self {
+        let even = Self::even(resolution, is_closed);
+        let angle = dip.sin().abs().asin().to_degrees();
+        // Round-off at 30° must not count.
+        if is_closed || angle >= STEEP - 1e-9 || even.columns < LEAST_COLUMNS {
+            return even;
+        }
+        let share = ((STEEP - angle) / (STEEP - SHALLOW)).min(1.0);
+        let towards = |steep: f64, shallow: f64| steep + share * (shallow - steep);
+        let part = |count: usize, shallow: f64| (count as f64 * towards(1.0, shallow)).round() as usize;
+        let columns = part(even.columns, SHALLOW_COLUMNS);
+        let ring = part(even.ring, SHALLOW_RING).max(2);
+        let rest = even.cells() as f64 - (2 * columns * ring) as f64;
+        let rows = (rest / (2 * (columns + ring)) as f64).round() as usize;
+        Self {
+            columns,
+            rows: rows.max(even.rows),
+            ring,
+            sides: SHALLOW_SIDES.map(|side| towards(SIDE, side)),
+            grading: towards(1.0, SHALLOW_GRADING),
+            ..even
+        }
+    }
+
+    /// Whether rows become narrower towards the mouth.
+    pub(super) fn is_graded(&self) -> bool {
+        self.grading > 1.0
+    }
+
+    /// The number of cells.
+    #[must_use]
+    pub fn cells(&self) -> usize {
+        let sides = 1 + usize::from(self.is_closed);
+        sides * (2 * self.columns * self.rows + 2 * (self.columns + self.rows) * self.ring)
+    }
+
+    /// The number of points of the faces.
+    #[must_use]
+    pub fn face_points(&self) -> usize {
+        self.block_points() + self.front_points() * (self.ring - 1)
+    }
+
+    /// The number of points of the front.
+    #[must_use]
+    pub fn front_points(&self) -> usize {
+        let half = 2 * (self.columns + self.rows);
+        if self.is_closed { 2 * half } else { half + 1 }
+    }
+
+    /// φ of the points of the front, radians.
+    pub fn front_angles(&self) -> impl Iterator<Item = f64> + '_ {
+        (0..self.front_points()).map(|column| 0.25 * std::f64::consts::PI * self.turn(column as f64))
+    }
+
+    /// The first row of vertices of the block: at the mouth, or above the middle.
+    pub(super) fn first_row(&self) -> i64 {
+        if self.is_closed { -(self.rows as i64) } else { 0 }
+    }
+
+    /// The number of vertices of the block.
+    pub(super) fn block_points(&self) -> usize {
+        (2 * self.columns + 1) * ((self.rows as i64 - self.first_row()) as usize + 1)
+    }
+
+    /// Columns and rows from the middle of the block to the point of its outline on column `t` of
+    /// the ring, counted from the mouth or the middle where ζ = c.
+    pub(super) fn outline(&self, t: f64) -> [f64; 2] {
+        let (k, m) = (self.columns as f64, self.rows as f64);
+        match t {
+            t if t <= m => [k, t],
+            t if t <= m + 2.0 * k => [m + k - t, m],
+            t if t <= 3.0 * m + 2.0 * k => [-k, 2.0 * (m + k) - t],
+            t if t <= 3.0 * m + 4.0 * k => [t - 3.0 * (m + k), -m],
+            t => [k, t - 4.0 * (m + k)],
+        }
+    }
+
+    /// The place of a column and a row in the block, from −1 to 1.
+    pub(super) fn place(&self, [column, row]: [f64; 2]) -> [f64; 2] {
+        [column / self.columns as f64, self.graded(row)]
+    }
+
+    /// The place of a row over the block, from −1 to 1; within a row it is linear.
+    fn graded(&self, row: f64) -> f64 {
+        let end = |row: f64| (row / self.rows as f64).powf(self.grading);
+        if !self.is_graded() {
+            return row / self.rows as f64;
+        }
+        let before = row.abs().floor();
+        row.signum() * (end(before) + (row.abs() - before) * (end(before + 1.0) - end(before)))
+    }
+
+    /// φ over π/4 on column `t` of the ring: it goes with the place on the outline of the block.
+    pub(super) fn turn(&self, t: f64) -> f64 {
+        let steps = self.outline(t);
+        let [x, y] = self.place(steps);
+        let (k, m) = (self.columns as f64, self.rows as f64);
+        match t {
+            t if t <= m => y,
+            t if t <= m + 2.0 * k => 2.0 - x,
+            t if t <= 3.0 * m + 2.0 * k => 4.0 - y,
+            t if t <= 3.0 * m + 4.0 * k => 6.0 + x,
+            _ => 8.0 + y,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(degrees: f64, block: usize, ring: usize) -> CellDivision {
+        CellDivision::at(degrees.to_radians(), false, SpaceResolution { block, ring })
+    }
+
+    #[test]
+    fn shallow_cracks_have_as_many_cells_in_more_rows() {
+        for degrees in [30.0, 60.0, 90.0, 150.0] {
+            assert_eq!(at(degrees, 6, 5), CellDivision::even(SpaceResolution { block: 6, ring: 5 }, false));
+        }
+        for degrees in [5.0, 15.0, 20.0, 160.0] {
+            let own = at(degrees, 6, 6);
+            assert_eq!([own.columns, own.rows, own.ring], [4, 10, 5], "{degrees}");
+        }
+        assert_eq!(at(15.0, 4, 4), at(90.0, 4, 4));
+        for (block, ring) in (5..17).flat_map(|block| (2..17).map(move |ring| (block, ring))) {
+            let even = at(90.0, block, ring);
+            for degrees in [15.0, 22.0, 27.0, 29.9] {
+                let own = at(degrees, block, ring);
+                // Half a row more or less, and never fewer rows than columns had.
+                let row = (own.columns + own.ring) as f64;
+                let off = own.cells() as f64 - even.cells() as f64;
+                assert!(own.rows == even.rows || off.abs() <= row, "{block} {ring} {degrees}: {own:?}");
+                assert!(own.rows >= even.rows && own.columns <= even.columns && own.ring <= even.ring);
+            }
+        }
+    }
+
+    #[test]
+    fn columns_go_round_the_block_and_the_front() {
+        for (degrees, is_closed) in [(15.0f64, false), (40.0, false), (15.0, true)] {
+            let resolution = SpaceResolution { block: 6, ring: 4 };
+            let own = CellDivision::at(degrees.to_radians(), is_closed, resolution);
+            let angles: Vec<f64> = own.front_angles().collect();
+            assert_eq!(angles.len(), own.front_points());
+            assert!(angles.windows(2).all(|pair| pair[1] > pair[0]), "{angles:?}");
+            let columns = 2 * (own.columns + own.rows);
+            assert!((angles[columns / 2] - 0.5 * std::f64::consts::PI).abs() < 1e-12);
+            for (from, to) in angles[..=columns / 2]
+                .iter()
+                .zip(angles[columns / 2..=columns.min(angles.len() - 1)].iter().rev())
+            {
+                assert!((from + to - std::f64::consts::PI).abs() < 1e-12 || is_closed, "{from} {to}");
+            }
+            for t in 0..own.front_points() {
+                let [x, y] = own.place(own.outline(t as f64));
+                assert!((x.abs().max(y.abs()) - 1.0).abs() < 1e-12, "{t}: {x} {y}");
+            }
+        }
+    }
+}
