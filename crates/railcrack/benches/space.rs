@@ -58,7 +58,7 @@ fn measure([block, ring]: [usize; 2], dip: f64, lateral: f64) -> Result<Cost, Bo
     let table_s = begun.elapsed().as_secs_f64();
 
     let begun = Instant::now();
-    let resolution = SpaceResolution { block, ring };
+    let resolution = SpaceResolution { block, ring, surface: 0 };
     let body = SpaceBody::with_kernel(&[crack], &steel, Some(&kernel), resolution, Interruption::NEVER)?;
     let body_s = begun.elapsed().as_secs_f64();
 

@@ -9,16 +9,14 @@ use crate::schema::{Fault, Report, Section, SectionValues, Sections};
 use crate::tables::{
     CONTACT, CRACK, ContactOrigin, ContactSolver, FRICTION, FRONT, FRONT_HARMONICS, FrontForm, GROWTH,
     GivenWheel, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH, LAW, MESH, MODE_3_WEIGHT, MeshSettings,
-    PLASTIC_STRESS, Rail, SOLVER, SOLVER_CONTACT, SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL, WHEEL_CONTACT,
+    PLASTIC_STRESS, Rail, SOLVER, SOLVER_CONTACT, SPACE_SURFACE_ROWS, SPACING, STRIKE, SURFACE_HALF_LENGTH,
+    WHEEL, WHEEL_CONTACT,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::Crack;
 use railcrack::growth::{FrontDeviation, FrontShape};
 use railcrack::load::HertzEllipse;
-use railcrack::space::{
-    CloseCracks, EllipticWheel, LEAST_STRIP, SpaceCrack, SpaceResolution, VERTEX_LAYER, WheelPatch,
-};
-use std::f64::consts::PI;
+use railcrack::space::{CloseCracks, EllipticWheel, LEAST_STRIP, SpaceCrack, SpaceResolution, WheelPatch};
 
 /// Sections that the engine does not support, with reasons.
 const REFUSED: [(Section, &str); 1] =
@@ -69,10 +67,16 @@ pub(super) fn read_space(
         }
     }
     let deviation = read_deviation(growth, report);
-    let cells = MeshSettings::read(sections.one(&MESH)?).space;
+    let mesh = sections.one(&MESH)?;
+    let cells = MeshSettings::read(mesh).space;
     let shapes = placed.and_then(|placed| read_shapes(placed, &given, report)).map(|mut shapes| {
         shapes.iter_mut().for_each(|shape| shape.deviation = deviation);
         judge_harmonics(&shapes, cells, growth, report);
+        let has_surface_rows = |shape: &FrontShape| shape.buried.is_none() && shape.strip.is_none();
+        if cells.surface > 0 && !shapes.iter().any(has_surface_rows) {
+            let says = "has no effect: no crack is planar and breaks the surface";
+            report.add(mesh.fault(SPACE_SURFACE_ROWS, says).help("leave it out"));
+        }
         shapes
     });
     // For a mix, the contact section of each wheel.
@@ -113,9 +117,8 @@ fn judge_harmonics(
     let Some(harmonics) = shapes.iter().find_map(|shape| Some(shape.deviation?.harmonics())) else { return };
     // Points in the layer at the surface do not count.
     let counted = |shape: &FrontShape| {
-        let layer = VERTEX_LAYER - 1e-9;
-        let within = |phi: &f64| shape.buried.is_some() || (*phi >= layer && *phi <= PI - layer);
-        shape.division(cells).front_angles().filter(within).count()
+        let division = shape.division(cells);
+        division.front_angles().filter(|phi| division.counts(*phi)).count()
     };
     if shapes.iter().any(|shape| counted(shape) < harmonics + 2) {
         let says = format!(

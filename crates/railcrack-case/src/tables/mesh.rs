@@ -17,6 +17,8 @@ section! {
         "Number of cells from the centre of a crack to each side of its inner block in the space engine; there are four times as many along the front. From 5 on, a crack that dips at less than 30 degrees has as many cells in total, but more rows down the dip and fewer columns.").optional();
     SPACE_RINGS: usize = integer("space_rings", (2, 16), 4,
         "Number of cells from the inner block to the front in the space engine.").optional();
+    SPACE_SURFACE_ROWS: usize = integer("space_surface_rows", (0, 6), 0,
+        "Further rows of cells next to the surface in the space engine, each half as wide as the next one below. They resolve K where the fronts meet the surface: K counts in growth outside 15 degrees of the front from the surface, and each row halves this layer. Only planar cracks that break the surface have them.").optional();
 }
 
 /// Discretisation; without a value, each engine chooses it from the cracks.
@@ -44,6 +46,7 @@ impl MeshSettings {
             space: SpaceResolution {
                 block: section.get(SPACE_CELLS).unwrap_or(SpaceResolution::default().block),
                 ring: section.get(SPACE_RINGS).unwrap_or(SpaceResolution::default().ring),
+                surface: section.get(SPACE_SURFACE_ROWS).unwrap_or(SpaceResolution::default().surface),
             },
         }
     }

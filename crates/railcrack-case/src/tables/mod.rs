@@ -60,7 +60,9 @@ pub(crate) use growth::{
 };
 pub(crate) use inspection::{INSPECTION, SCATTER, Scattering, read_inspection, read_risk, read_scatter};
 pub(crate) use maintenance::{MAINTENANCE, read_maintenance};
-pub(crate) use mesh::{ELEMENT_SIZE, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH, SPACE_CELLS};
+pub(crate) use mesh::{
+    ELEMENT_SIZE, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH, SPACE_CELLS, SPACE_SURFACE_ROWS,
+};
 pub(crate) use output::{EXPLORER, OF_STUDY, OUTPUT, RUN_FOLDERS};
 pub(crate) use passage::{FROM, PASSAGE, POSITIONS, TO, read_passage, read_passages, read_travel};
 pub(crate) use rail::{CENTRE, CRACKED_SECTION, RAIL, WIDTH, read_steel};

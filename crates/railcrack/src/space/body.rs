@@ -32,6 +32,9 @@ pub struct FrontPoint {
     pub position: [f64; 3],
     /// Unit normal of the front within its plane, away from the crack: along the dip and the trace.
     pub normal: [f64; 2],
+    /// Whether its K counts in the growth of its crack. Next to the surface, or to a fold, the
+    /// cells do not resolve it.
+    pub counts: bool,
 }
 
 /// Stress intensity factors of a point of the front, MPa √mm. At the deepest point K_II slides
@@ -326,6 +329,7 @@ impl SpaceBody {
             phi: column.phi,
             position: placed.place(grid.vertices[grid.free + t]),
             normal: column.normal,
+            counts: column.counts,
         }));
         let rule = gauss_legendre(LOAD_POINTS);
         for cell in &grid.cells {
@@ -566,7 +570,7 @@ mod tests {
     fn a_crack_with_too_few_cells_is_named_with_the_remedy() {
         let flat = |dip: f64| SpaceCrack::surface_breaking(dip.to_radians(), 4.0, 4.0).unwrap();
         let cracks = [flat(30.0), flat(6.0)];
-        let resolution = SpaceResolution { block: 2, ring: 2 };
+        let resolution = SpaceResolution { block: 2, ring: 2, surface: 0 };
         let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
         let at = |crack: &SpaceCrack, x| SpaceCrack { middle: [x, 0.0], ..crack.clone() };
         let apart = [at(&cracks[0], 0.0), at(&cracks[1], 20.0)];
@@ -596,7 +600,7 @@ mod tests {
         };
         let offsets = [shared([1, 2]), shared([3, 4]), shared([2, 3]), shared([2, 4])];
         assert_eq!(offsets, [Some([0, 1]), Some([0, 1]), None, Some([1, 3])]);
-        let resolution = SpaceResolution { block: 2, ring: 2 };
+        let resolution = SpaceResolution { block: 2, ring: 2, surface: 0 };
         let of = |cracks: &[SpaceCrack]| {
             SpaceBody::new(cracks, &steel, Surroundings::HalfSpace, resolution).unwrap().stiffness
         };
@@ -616,7 +620,7 @@ mod tests {
     fn more_points_leave_ki_of_an_open_shallow_crack() {
         let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
         let crack = SpaceCrack::surface_breaking(15f64.to_radians(), 2.0, 1.0).unwrap();
-        let resolution = SpaceResolution { block: 5, ring: 4 };
+        let resolution = SpaceResolution { block: 5, ring: 4, surface: 0 };
         let kernel = SpaceKernel::new(&[crack.dip], steel.poisson());
         let cracks = std::slice::from_ref(&crack);
         let body =

@@ -360,7 +360,7 @@ mod tests {
     fn few_jumps_or_few_forces_are_the_same_iteration() {
         let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
         let crack = SpaceCrack::surface_breaking(0.5, 3.0, 2.0).unwrap();
-        let resolution = SpaceResolution { block: 2, ring: 2 };
+        let resolution = SpaceResolution { block: 2, ring: 2, surface: 0 };
         let body = SpaceBody::new(std::slice::from_ref(&crack), &steel, Surroundings::HalfSpace, resolution)
             .unwrap();
         let whole = SpaceContact { body: &body, friction: &[0.4] };

@@ -301,7 +301,7 @@ mod tests {
     use std::sync::Arc;
 
     const NU: f64 = 0.3;
-    const CELLS: SpaceResolution = SpaceResolution { block: 2, ring: 2 };
+    const CELLS: SpaceResolution = SpaceResolution { block: 2, ring: 2, surface: 0 };
 
     fn placed<'a>(crack: &SpaceCrack, grid: &'a Grid) -> Placed<'a> {
         Placed { grid, frame: crack.frame(), middle: crack.middle }

@@ -5,6 +5,7 @@
 //! more and narrower rows than a steep one, at the expense of its columns.
 
 use super::shape::{Extent, SpaceCrack};
+use std::f64::consts::PI;
 
 /// Numbers of cells of a crack.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -15,11 +16,15 @@ pub struct SpaceResolution {
     pub block: usize,
     /// Cells from the block to the front.
     pub ring: usize,
+    /// Further rows next to the surface, each half as wide as the next one below: they resolve K
+    /// where a front meets the surface. Only planar cracks that break it have them.
+    #[serde(default)]
+    pub surface: usize,
 }
 
 impl Default for SpaceResolution {
     fn default() -> Self {
-        Self { block: 4, ring: 4 }
+        Self { block: 4, ring: 4, surface: 0 }
     }
 }
 
@@ -29,7 +34,7 @@ pub struct CellDivision {
     /// Columns of the block from its middle to its side.
     pub columns: usize,
     /// Rows of the block, from the mouth down or, of a closed front, from its middle to either
-    /// side.
+    /// side. Those next to the surface count.
     pub rows: usize,
     /// Cells from the block to the front.
     pub ring: usize,
@@ -39,6 +44,19 @@ pub struct CellDivision {
     pub(super) sides: [f64; 2],
     /// The rows end at the powers with this exponent of their number over that of all rows.
     grading: f64,
+    /// Rows into which the uppermost one is divided further, each half as wide as the next one.
+    surface: usize,
+}
+
+/// Half-width (radians of φ) of the layer in which the front meets the surface, or turns at the end
+/// of a fold, which the cells do not resolve without further rows.
+pub const VERTEX_LAYER: f64 = 15.0 * PI / 180.0;
+
+/// Whether φ lies outside the layer of this half-width (radians) next to the surface.
+pub(super) fn is_outside(layer: f64, phi: f64) -> bool {
+    // Points exactly at the limit count, irrespective of round-off.
+    let least = layer - 1e-9;
+    phi >= least && phi <= PI - least
 }
 
 /// Dips (degrees) from which the cells of a crack are those of a steep one, and down to which they
@@ -54,6 +72,8 @@ const SHALLOW_GRADING: f64 = 1.25;
 /// Columns of a shallow crack over those of a steep one, and cells of the ring.
 const SHALLOW_COLUMNS: f64 = 2.0 / 3.0;
 const SHALLOW_RING: f64 = 5.0 / 6.0;
+/// The most that each further row next to the surface adds to the exponent of the ring's rows.
+const RING_GRADING: f64 = 0.25;
 /// The least number of columns of a steep crack of which a shallow one gives up some: with fewer,
 /// K along the front suffers more than rows gain.
 const LEAST_COLUMNS: usize = 5;
@@ -70,6 +90,7 @@ impl CellDivision {
             is_closed,
             sides: [SIDE; 2],
             grading: 1.0,
+            surface: 0,
         }
     }
 
@@ -85,6 +106,12 @@ impl CellDivision {
     /// The cells of a crack of the dip `dip` (radians), either buried or not.
     #[must_use]
     pub fn at(dip: f64, is_closed: bool, resolution: SpaceResolution) -> Self {
+        let division = Self::without_surface(dip, is_closed, resolution);
+        let surface = if is_closed { 0 } else { resolution.surface };
+        Self { rows: division.rows + surface, surface, ..division }
+    }
+
+    fn without_surface(dip: f64, is_closed: bool, resolution: SpaceResolution) -> Self {
         let even = Self::even(resolution, is_closed);
         let angle = dip.sin().abs().asin().to_degrees();
         // Round-off at 30° must not count.
@@ -110,7 +137,20 @@ impl CellDivision {
 
     /// Whether rows become narrower towards the mouth.
     pub(super) fn is_graded(&self) -> bool {
-        self.grading > 1.0
+        self.grading > 1.0 || self.surface > 0
+    }
+
+    /// Half-width (radians of φ) of the layer next to the surface in which K does not count: each
+    /// further row halves it.
+    #[must_use]
+    pub fn layer(&self) -> f64 {
+        VERTEX_LAYER * 0.5f64.powi(self.surface as i32)
+    }
+
+    /// Whether K counts in the growth of a point of the front at φ (radians).
+    #[must_use]
+    pub fn counts(&self, phi: f64) -> bool {
+        self.is_closed || is_outside(self.layer(), phi)
     }
 
     /// The number of cells.
@@ -135,7 +175,7 @@ impl CellDivision {
 
     /// φ of the points of the front, radians.
     pub fn front_angles(&self) -> impl Iterator<Item = f64> + '_ {
-        (0..self.front_points()).map(|column| 0.25 * std::f64::consts::PI * self.turn(column as f64))
+        (0..self.front_points()).map(|column| 0.25 * PI * self.turn(column as f64))
     }
 
     /// The first row of vertices of the block: at the mouth, or above the middle.
@@ -168,12 +208,39 @@ impl CellDivision {
 
     /// The place of a row over the block, from −1 to 1; within a row it is linear.
     fn graded(&self, row: f64) -> f64 {
-        let end = |row: f64| (row / self.rows as f64).powf(self.grading);
         if !self.is_graded() {
             return row / self.rows as f64;
         }
+        let surface = self.surface as f64;
+        let end = |row: f64| {
+            let [whole, halved] = [(row - surface).max(1.0), (surface + 1.0 - row).max(0.0)];
+            let end = (whole / (self.rows as f64 - surface)).powf(self.grading);
+            if row == 0.0 { 0.0 } else { end * (-halved).exp2() }
+        };
         let before = row.abs().floor();
         row.signum() * (end(before) + (row.abs() - before) * (end(before + 1.0) - end(before)))
+    }
+
+    /// The parameter η at the end of a row of the ring, counted from the front: 0 there and 1 at
+    /// the block; within a row it is linear. The closer a point is to the surface, the smaller is
+    /// the region around the front that decides K.
+    pub(super) fn parameter(&self, row: f64) -> f64 {
+        let exponent = self.ring_grading();
+        let end = |row: f64| (row / self.ring as f64).powf(exponent);
+        let before = row.floor();
+        end(before) + (row - before) * (end(before + 1.0) - end(before))
+    }
+
+    /// The exponent of the rows of the ring: K is taken from the first two, which should reach no
+    /// farther than half the uppermost row of cells, but too narrow ones are integrated badly.
+    fn ring_grading(&self) -> f64 {
+        let most = 1.0 + RING_GRADING * self.surface as f64;
+        if self.surface == 0 || self.ring < 3 {
+            return 1.0;
+        }
+        let [_, down] = self.sides;
+        let reach = 0.5 * down * self.graded(1.0) / (1.0 - down);
+        (reach.ln() / (2.0 * (2.0 / self.ring as f64).ln())).clamp(1.0, most)
     }
 
     /// φ over π/4 on column `t` of the ring: it goes with the place on the outline of the block.
@@ -196,13 +263,16 @@ mod tests {
     use super::*;
 
     fn at(degrees: f64, block: usize, ring: usize) -> CellDivision {
-        CellDivision::at(degrees.to_radians(), false, SpaceResolution { block, ring })
+        CellDivision::at(degrees.to_radians(), false, SpaceResolution { block, ring, surface: 0 })
     }
 
     #[test]
     fn shallow_cracks_have_as_many_cells_in_more_rows() {
         for degrees in [30.0, 60.0, 90.0, 150.0] {
-            assert_eq!(at(degrees, 6, 5), CellDivision::even(SpaceResolution { block: 6, ring: 5 }, false));
+            assert_eq!(
+                at(degrees, 6, 5),
+                CellDivision::even(SpaceResolution { block: 6, ring: 5, surface: 0 }, false)
+            );
         }
         for degrees in [5.0, 15.0, 20.0, 160.0] {
             let own = at(degrees, 6, 6);
@@ -223,20 +293,46 @@ mod tests {
     }
 
     #[test]
+    fn rows_next_to_the_surface_halve_the_uppermost_one() {
+        let resolution = SpaceResolution { block: 6, ring: 6, surface: 3 };
+        for degrees in [90.0f64, 15.0] {
+            let plain = at(degrees, 6, 6);
+            let own = CellDivision::at(degrees.to_radians(), false, resolution);
+            assert_eq!([own.columns, own.rows, own.ring], [plain.columns, plain.rows + 3, plain.ring]);
+            let ends: Vec<f64> = (0..=own.rows).map(|row| own.graded(row as f64)).collect();
+            let first = plain.graded(1.0);
+            assert_eq!(ends[..5], [0.0, 0.125 * first, 0.25 * first, 0.5 * first, first], "{degrees}");
+            for row in 1..=plain.rows {
+                assert!((ends[row + 3] - plain.graded(row as f64)).abs() < 1e-15, "{degrees} {row}");
+            }
+            assert!((own.graded(0.5) - 0.5 * ends[1]).abs() < 1e-15);
+            // The first two rows of the ring end at half the uppermost row of cells at most, or as
+            // near to it as the ring may be graded.
+            let reach = own.parameter(2.0).powi(2) * (1.0 - own.sides[1]);
+            assert!(reach < own.sides[1] * first && own.parameter(6.0) >= 1.0 - 1e-15, "{degrees}: {reach}");
+            assert!((own.layer() - VERTEX_LAYER / 8.0).abs() < 1e-15);
+            assert!(own.counts(own.layer()) && own.counts(PI - own.layer()) && !own.counts(0.03));
+        }
+        let closed = CellDivision::at(0.3, true, resolution);
+        assert!(closed == CellDivision::even(SpaceResolution { surface: 0, ..resolution }, true));
+        assert!(closed.counts(0.0));
+    }
+
+    #[test]
     fn columns_go_round_the_block_and_the_front() {
         for (degrees, is_closed) in [(15.0f64, false), (40.0, false), (15.0, true)] {
-            let resolution = SpaceResolution { block: 6, ring: 4 };
+            let resolution = SpaceResolution { block: 6, ring: 4, surface: 0 };
             let own = CellDivision::at(degrees.to_radians(), is_closed, resolution);
             let angles: Vec<f64> = own.front_angles().collect();
             assert_eq!(angles.len(), own.front_points());
             assert!(angles.windows(2).all(|pair| pair[1] > pair[0]), "{angles:?}");
             let columns = 2 * (own.columns + own.rows);
-            assert!((angles[columns / 2] - 0.5 * std::f64::consts::PI).abs() < 1e-12);
+            assert!((angles[columns / 2] - 0.5 * PI).abs() < 1e-12);
             for (from, to) in angles[..=columns / 2]
                 .iter()
                 .zip(angles[columns / 2..=columns.min(angles.len() - 1)].iter().rev())
             {
-                assert!((from + to - std::f64::consts::PI).abs() < 1e-12 || is_closed, "{from} {to}");
+                assert!((from + to - PI).abs() < 1e-12 || is_closed, "{from} {to}");
             }
             for t in 0..own.front_points() {
                 let [x, y] = own.place(own.outline(t as f64));

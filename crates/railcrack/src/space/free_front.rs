@@ -186,6 +186,7 @@ fn located(mut from: f64, mut to: f64, of: impl Fn(f64) -> f64) -> f64 {
 mod tests {
     use super::super::body::{FrontPoint, SpaceBody};
     use super::super::division::SpaceResolution;
+    use super::super::division::{VERTEX_LAYER, is_outside};
     use super::super::front_motion::FrontSpeeds;
     use super::super::plane::Surroundings;
     use super::*;
@@ -224,7 +225,8 @@ mod tests {
             let size = tangent[0].hypot(tangent[1]);
             let [zeta, s] = point(shape, phi);
             let normal = [-tangent[0] / size, tangent[1] / size];
-            FrontPoint { crack: 0, phi, position: [0.0, zeta, s], normal }
+            let counts = shape.buried.is_some() || is_outside(VERTEX_LAYER, phi);
+            FrontPoint { crack: 0, phi, position: [0.0, zeta, s], normal, counts }
         };
         (0..count).map(of).collect()
     }
@@ -338,7 +340,7 @@ mod tests {
         let [start, from] = third_harmonic(&penny);
         let steel = crate::material::IsotropicElastic::new(2.1e5, 0.3).unwrap();
         let grown = |penny: &FrontShape, by: f64| {
-            let resolution = SpaceResolution { block: 3, ring: 3 };
+            let resolution = SpaceResolution { block: 3, ring: 3, surface: 0 };
             let crack = penny.crack().unwrap();
             let body = SpaceBody::new(&[crack], &steel, Surroundings::FullSpace, resolution).unwrap();
             let forces = body.nodal_forces(|_| [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]);

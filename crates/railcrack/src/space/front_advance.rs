@@ -246,6 +246,7 @@ fn leaves(shape: &FrontShape, rail: RailBox) -> Option<TipStop> {
 #[cfg(test)]
 mod tests {
     use super::super::body::FrontPoint;
+    use super::super::division::{VERTEX_LAYER, is_outside};
     use super::*;
     use crate::growth::{Grinding, Maintenance, StressMoves, Turning, WornSurface};
     use std::f64::consts::PI;
@@ -272,7 +273,9 @@ mod tests {
             .map(|i| {
                 let (sin, cos) = (PI * f64::from(i) / 16.0).sin_cos();
                 let position = [0.0, shape.half_length * cos, shape.length * sin];
-                FrontPoint { crack: 0, phi: PI * f64::from(i) / 16.0, position, normal: [sin, cos] }
+                let phi = PI * f64::from(i) / 16.0;
+                let counts = is_outside(VERTEX_LAYER, phi);
+                FrontPoint { crack: 0, phi, position, normal: [sin, cos], counts }
             })
             .collect();
         FrontSpeeds::nearest(shape, &front, &vec![rate; front.len()])

@@ -7,14 +7,11 @@
 //! crack move with the ends of its branch.
 
 use super::body::FrontPoint;
+use super::division::VERTEX_LAYER;
 use super::free_front;
 use crate::growth::{FrontMotion, FrontShape, Mover};
 use crate::math::nonnegative;
 use std::f64::consts::{FRAC_PI_2, PI};
-
-/// Half-width (radians of φ) of the layer in which the front meets the surface, or turns at the end
-/// of a fold, which no cell resolves.
-pub const VERTEX_LAYER: f64 = 15.0 * PI / 180.0;
 
 /// The speeds of the motions of a front (mm per cycle), or their increments (mm).
 #[derive(Debug, Clone, PartialEq)]
@@ -22,17 +19,13 @@ pub(super) struct FrontSpeeds {
     motions: Vec<(FrontMotion, f64)>,
 }
 
-/// Whether the point at φ counts in the growth of `shape`. On the sides of a strip the layer is as
-/// wide, relative to the length of the strip, as in the branch relative to its semi-axis.
-pub(super) fn counts(shape: &FrontShape, phi: f64) -> bool {
+/// Whether a point at φ on the side of a strip counts in growth. The layer is as wide, relative to
+/// the length of the strip, as in the branch relative to its semi-axis.
+pub(super) fn counts_on_strip(phi: f64) -> bool {
+    let from_fold = strip_side(phi).1;
     // Points exactly at the limit count, irrespective of round-off.
-    let least = VERTEX_LAYER - 1e-9;
-    if shape.is_on_strip(phi) {
-        let from_fold = strip_side(phi).1;
-        let layer = least.sin();
-        return from_fold >= layer && from_fold <= 1.0 - layer;
-    }
-    shape.buried.is_some() || (phi >= least && phi <= PI - least)
+    let layer = (VERTEX_LAYER - 1e-9).sin();
+    from_fold >= layer && from_fold <= 1.0 - layer
 }
 
 /// The side of the strip on which the point at φ lies (1 where ζ > 0, −1 where ζ < 0), and its
@@ -80,14 +73,14 @@ fn normal_speed(shape: &FrontShape, motion: FrontMotion, point: &FrontPoint) -> 
 }
 
 impl FrontSpeeds {
-    /// The motion of `shape` nearest to `rates` (mm per cycle) at the points of its `front`; those
-    /// in the layer at the surface do not count.
+    /// The motion of `shape` nearest to `rates` (mm per cycle) at the points of its `front` that
+    /// count.
     pub fn nearest(shape: &FrontShape, front: &[FrontPoint], rates: &[f64]) -> Self {
         let motions = motions(shape);
         let weights = arc_lengths(shape, front);
         let order = motions.len();
         let (mut normal, mut right) = (vec![vec![0.0; order]; order], vec![0.0; order]);
-        let counted = front.iter().zip(rates).zip(weights).filter(|((point, _), _)| counts(shape, point.phi));
+        let counted = front.iter().zip(rates).zip(weights).filter(|((point, _), _)| point.counts);
         for ((point, rate), weight) in counted {
             let speeds: Vec<f64> = motions.iter().map(|&motion| normal_speed(shape, motion, point)).collect();
             for (i, speed) in speeds.iter().enumerate() {
@@ -179,6 +172,7 @@ fn arc_lengths(shape: &FrontShape, front: &[FrontPoint]) -> Vec<f64> {
 mod tests {
     use super::*;
     use crate::growth::MouthStrip;
+    use crate::space::division::is_outside;
 
     fn shape(buried: Option<f64>) -> FrontShape {
         FrontShape {
@@ -206,6 +200,7 @@ mod tests {
                 phi,
                 position: [0.0, shape.half_length * cos, shape.length * sin],
                 normal: normal.map(|n| n / size),
+                counts: shape.buried.is_some() || is_outside(VERTEX_LAYER, phi),
             }
         };
         (0..count).map(point).collect()
@@ -253,6 +248,7 @@ mod tests {
                 phi,
                 position: [0.0, zeta, -2.0 * from_fold],
                 normal: [0.0, zeta.signum()],
+                counts: counts_on_strip(phi),
             };
             [at(plus, 5.0), at(minus, -5.0)]
         };
@@ -262,7 +258,7 @@ mod tests {
             before.chain(front(&shape, 17)).chain(sides.iter().map(|pair| pair[1])).collect();
         // The layers at the mouth and at the fold do not count.
         let counted: Vec<f64> =
-            sides.iter().filter(|pair| counts(&shape, pair[0].phi)).map(|pair| pair[0].position[2]).collect();
+            sides.iter().filter(|pair| pair[0].counts).map(|pair| pair[0].position[2]).collect();
         assert!(counted.len() == 5 && counted.iter().all(|z| *z < -0.5 && *z > -1.5), "{counted:?}");
         let wanted = FrontSpeeds { motions: motions(&shape).into_iter().zip([1e-6, 3e-6, 2e-6]).collect() };
         let rates: Vec<f64> = all.iter().map(|point| wanted.at(&shape, point)).collect();

@@ -431,7 +431,8 @@ mod tests {
     #[test]
     fn one_of_two_mirrored_products_is_enough() {
         let crack = SpaceCrack::surface_breaking(0.5, 3.0, 2.0).unwrap();
-        let grid = Grid::new(&crack, &CellDivision::of(&crack, SpaceResolution { block: 2, ring: 2 }));
+        let grid =
+            Grid::new(&crack, &CellDivision::of(&crack, SpaceResolution { block: 2, ring: 2, surface: 0 }));
         let image = SpaceKernel::new(&[crack.dip], 0.3).image(crack.dip);
         let half = Galerkin::new(&grid, 0.3, Some(&image));
         assert!(half.mirrored.is_some());

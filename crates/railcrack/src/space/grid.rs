@@ -15,6 +15,8 @@ use std::f64::consts::PI;
 pub(super) struct FrontColumn {
     /// The parametric angle of the front.
     pub phi: f64,
+    /// Whether K counts in growth.
+    pub counts: bool,
     /// The vertices on the column in the first and second row from the front.
     pub vertices: [usize; 2],
     /// Their parameters η: the distance to the front goes with η².
@@ -88,7 +90,7 @@ impl Grid {
         };
         let disc = Disc(division);
         let block_point = |i: f64, j: f64| crack.point(disc.block([i, j]));
-        let ring_point = |t: f64, row: f64| crack.point(disc.ring(t, (row / rows as f64).powi(2)));
+        let ring_point = |t: f64, row: f64| crack.point(disc.ring(t, division.parameter(row).powi(2)));
 
         let mut vertices = vec![[0.0; 2]; free + around];
         let (mut cells, mut mouth) = (Vec::new(), Vec::new());
@@ -127,8 +129,8 @@ impl Grid {
         }
         let front = (0..around)
             .map(|t| {
-                let parameter = |row: usize| row as f64 / rows as f64;
                 let vertices = [vertex(t, 1), vertex(t, 2)];
+                let phi = 0.25 * PI * division.turn(t as f64);
                 let (h, t) = (1e-4, t as f64);
                 let (ahead, behind) = (ring_point(t + h, 0.0), ring_point(t - h, 0.0));
                 let tangent = [ahead[0] - behind[0], ahead[1] - behind[1]];
@@ -138,9 +140,10 @@ impl Grid {
                 let [near, beyond] = [h, -h].map(|w| crack.point(disc.ring(t, w)));
                 let inward = (beyond[0] - near[0]) * normal[0] + (beyond[1] - near[1]) * normal[1];
                 FrontColumn {
-                    phi: 0.25 * PI * division.turn(t),
+                    phi,
                     vertices,
-                    parameters: [parameter(1), parameter(2)],
+                    parameters: [1.0, 2.0].map(|row| division.parameter(row)),
+                    counts: division.counts(phi),
                     normal,
                     distance: inward / (2.0 * h),
                 }
@@ -157,12 +160,15 @@ mod tests {
 
     #[test]
     fn cells_cover_the_crack() {
-        for (crack, share) in [
+        for (crack, share, surface) in [
             (SpaceCrack::surface_breaking(0.6, 3.0, 2.0).unwrap(), 0.5),
             (SpaceCrack::surface_breaking(0.2, 3.0, 2.0).unwrap(), 0.5),
             (SpaceCrack::buried(0.2, 3.0, 2.0, 5.0).unwrap(), 1.0),
-        ] {
-            let division = CellDivision::of(&crack, SpaceResolution { block: 5, ring: 3 });
+        ]
+        .into_iter()
+        .flat_map(|(crack, share)| [0, 2].map(|surface| (crack.clone(), share, surface)))
+        {
+            let division = CellDivision::of(&crack, SpaceResolution { block: 5, ring: 3, surface });
             let grid = Grid::new(&crack, &division);
             assert_eq!((grid.cells.len(), grid.free), (division.cells(), division.face_points()));
             let rule = crate::math::gauss_legendre(6);

@@ -8,7 +8,7 @@ use super::error::{CloseCracks, SpaceError};
 use super::fluid::SpaceFluid;
 use super::fold::FoldedCrack;
 use super::front_advance::{FrontAdvance, Start};
-use super::front_motion::{FrontSpeeds, counts};
+use super::front_motion::FrontSpeeds;
 use super::groups::{CrackGroup, groups};
 use super::load::{SpaceFluidLoad, SpaceLoad, StressAt};
 use super::nuclei::Symmetric;
@@ -488,7 +488,7 @@ fn misfits(tips: &[TipRecord], start: &Start, site: &SpaceSite) -> Vec<Warning> 
         let counted = tips[points.clone()]
             .iter()
             .zip(&site.front[points])
-            .filter(|(_, point)| start.stopped[k].is_none() && counts(shape, point.phi));
+            .filter(|(_, point)| start.stopped[k].is_none() && point.counts);
         let speeds = FrontSpeeds::of_movers(shape, k, start.movers);
         let (mut most, mut largest) = (0.0f64, 0.0f64);
         for (tip, point) in counted {

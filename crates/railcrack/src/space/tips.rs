@@ -2,7 +2,6 @@
 //! would choose.
 
 use super::body::{FrontPoint, SpaceBody};
-use super::front_motion::counts;
 use crate::crack::{CrackTip, End};
 use crate::fatigue::{HourlierPineau, LargestK1, LoadRange, SifRanges, WheelHistory};
 use crate::growth::{
@@ -108,7 +107,7 @@ impl FrontLaw<'_> {
                 delta_kiii: passages[under.grown_by].delta_kiii[q],
                 wanted_kink: kink.map(|kink| kink.angle),
                 wanted_ratio: kink.filter(|_| ahead > 0.0).map(|kink| kink.rate / ahead),
-                counts: counts(shape, point.phi),
+                counts: point.counts,
                 followed: None,
             }),
         }

@@ -684,6 +684,16 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Space: crack and round contact turned together have the same K.",
     ),
     requirement(
+        "space::vertex::published_exponents_in_full",
+        "",
+        "Space: next to the surface K has the published exponents of the vertex.",
+    ),
+    requirement(
+        "space::vertex::two_rows_next_to_the_surface_resolve_the_front_from_4_degrees_on",
+        "",
+        "Space: two further rows next to the surface resolve K from 4° on.",
+    ),
+    requirement(
         "space::wide::of_the_2d_engine_at_30_degrees",
         "",
         "Space: the middle of a wide crack at 30° has the K_II history of the 2D engine.",

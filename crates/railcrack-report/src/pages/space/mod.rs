@@ -253,7 +253,7 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
             given(case.passages.step_tolerance)
         ),
         format!(
-            "Growth: {} mm per cycle at each point of the front, with K_{{III}} in the equivalent range. {} Points within {:.0}° of the \
+            "Growth: {} mm per cycle at each point of the front, with K_{{III}} in the equivalent range. {} Points within {}° of the \
              surface{} are excluded from the fit, because the cells do not resolve the layer of K there.",
             powers(&formula(&rate_text(&case.growth.law))),
             free.map_or_else(
@@ -263,7 +263,7 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
                     own.harmonics()
                 )
             ),
-            VERTEX_LAYER.to_degrees(),
+            given((100.0 * layer(case).to_degrees()).round() / 100.0),
             if is_folded(run) { " or of the fold, and as much of either end of the strip," } else { "" }
         ),
         format!(
@@ -406,10 +406,16 @@ fn data(run: &RunFolder, space: &SpaceCase, shown: &ShownRun) -> Value {
             "middle": shape.middle.map(number),
             "buried": shape.buried.is_some(),
         })).collect::<Vec<_>>(),
-        "layer": VERTEX_LAYER.to_degrees(),
+        "layer": layer(&run.case).to_degrees(),
         "last_step": run.summary.steps_recorded.saturating_sub(1),
         "steps": steps,
     })
+}
+
+/// Half-width (radians of φ) of the layer next to the surface in which K does not count.
+fn layer(case: &Case) -> f64 {
+    let shapes = case.space.iter().flat_map(|space| &space.shapes);
+    shapes.map(|shape| shape.division(case.mesh.space).layer()).fold(VERTEX_LAYER, f64::min)
 }
 
 /// The way down a crack in one step.

@@ -325,7 +325,7 @@ mod tests {
 
     const NU: f64 = 0.3;
     const CELLS: FoldedResolution =
-        FoldedResolution { strip: 3, branch: SpaceResolution { block: 1, ring: 2 } };
+        FoldedResolution { strip: 3, branch: SpaceResolution { block: 1, ring: 2, surface: 0 } };
 
     fn crack(mouth: f64, branch: f64) -> FoldedCrack {
         FoldedCrack {

@@ -8,7 +8,7 @@
 
 use super::super::body::{Assembled, CrackPart, FrontPoint, LOAD_POINTS, LoadPoint, SpaceBody};
 use super::super::error::SpaceError;
-use super::super::front_motion::phi_on_strip;
+use super::super::front_motion::{counts_on_strip, phi_on_strip};
 use super::super::plane::PlaneFrame;
 use super::super::shape::SpaceCrack;
 use super::super::stiffness::SpaceKernel;
@@ -78,9 +78,11 @@ impl FoldedCrack {
             let [s, zeta] = grid.vertices[grid.free + q];
             let [right, left] = phi_on_strip(1.0 - s / self.fold);
             let side = if zeta > 0.0 { right } else { left };
+            let is_on_strip = front.part == Part::Strip;
             FrontPoint {
                 crack: 0,
-                phi: if front.part == Part::Strip { side } else { front.column.phi },
+                phi: if is_on_strip { side } else { front.column.phi },
+                counts: if is_on_strip { counts_on_strip(side) } else { front.column.counts },
                 position: self.position([s, zeta]),
                 normal: front.column.normal,
             }

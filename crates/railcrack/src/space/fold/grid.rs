@@ -30,7 +30,7 @@ impl FoldedResolution {
     /// Points of the faces besides those of a planar crack like the branch, and of its front.
     #[must_use]
     pub fn points_of_strip(&self) -> [usize; 2] {
-        let SpaceResolution { block, ring } = self.branch;
+        let SpaceResolution { block, ring, .. } = self.branch;
         let rows = self.strip.max(LEAST_ROWS);
         [rows * (2 * (block + ring) - 1), 2 * rows]
     }
@@ -207,7 +207,8 @@ mod tests {
             middle: [0.0; 2],
             deviation: None,
         };
-        let resolution = FoldedResolution { strip: 4, branch: SpaceResolution { block: 2, ring: 3 } };
+        let resolution =
+            FoldedResolution { strip: 4, branch: SpaceResolution { block: 2, ring: 3, surface: 0 } };
         let grid = FoldedGrid::new(&crack, resolution).unwrap();
         let rule = crate::math::gauss_legendre(6);
         let mut areas = [0.0; 2];

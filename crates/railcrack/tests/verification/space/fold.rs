@@ -39,7 +39,7 @@ fn folded(mouth: f64, branch: f64, half_length: f64) -> FoldedCrack {
 /// mouth and fold.
 fn body(crack: &FoldedCrack, cells: usize) -> SpaceBody {
     let kernel = SpaceKernel::new(&[crack.mouth_dip], NU);
-    let branch = SpaceResolution { block: cells, ring: cells };
+    let branch = SpaceResolution { block: cells, ring: cells, surface: 0 };
     let resolution = FoldedResolution { strip: (3 * cells).div_ceil(2), branch };
     crack.body(&steel(), &kernel, resolution, Interruption::NEVER).unwrap()
 }
@@ -89,7 +89,7 @@ fn error_in_a_passage(block: usize) -> f64 {
 
     let crack = folded(25.0, 70.0, 24.0);
     let kernel = SpaceKernel::new(&[crack.mouth_dip], NU);
-    let resolution = FoldedResolution { strip: 5, branch: SpaceResolution { block, ring: 3 } };
+    let resolution = FoldedResolution { strip: 5, branch: SpaceResolution { block, ring: 3, surface: 0 } };
     let body = crack.body(&steel(), &kernel, resolution, Interruption::NEVER).unwrap();
     let contact = SpaceContact { body: &body, friction: &[friction] };
     let settings = SpacePassageSettings { tolerance: 0.3, halvings: 8 };
@@ -153,7 +153,7 @@ fn over_a_planar_crack(depth: f64) -> f64 {
     let mouth_dip = (at / fold).asin();
     let folded = FoldedCrack { mouth_dip, fold, branch: depth - at, ..folded(25.0, 90.0, depth) };
     let planar = SpaceCrack::surface_breaking(0.5 * PI, depth, depth).unwrap();
-    let resolution = SpaceResolution { block: 3, ring: 3 };
+    let resolution = SpaceResolution { block: 3, ring: 3, surface: 0 };
     let planar = SpaceBody::new(&[planar], &steel(), Surroundings::HalfSpace, resolution).unwrap();
     let [below, planar] = [body(&folded, 3), planar].map(|body| at_the_deepest(&body));
     below / planar
