@@ -28,8 +28,9 @@ const DEPTH: f64 = 4.0;
 const HALF_LENGTH: f64 = 6.0;
 const CONTACT: f64 = 6.0;
 
-/// Cells from the middle of the block to its side and in the ring: 24 to 2016 elements.
-const CELLS: [[usize; 2]; 8] = [[2, 2], [3, 3], [4, 4], [6, 6], [8, 8], [10, 10], [14, 14], [18, 19]];
+/// Cells from the middle of the block to its side and in the ring: 24 to 8064 elements.
+const CELLS: [[usize; 2]; 9] =
+    [[2, 2], [3, 3], [4, 4], [6, 6], [8, 8], [10, 10], [14, 14], [18, 19], [36, 38]];
 /// Dips, and the most elements at each.
 const DIPS: [(f64, usize); 2] = [(30.0, 2016), (15.0, 600)];
 
@@ -58,7 +59,7 @@ fn measure([block, ring]: [usize; 2], dip: f64, lateral: f64) -> Result<Cost, Bo
     let table_s = begun.elapsed().as_secs_f64();
 
     let begun = Instant::now();
-    let resolution = SpaceResolution { block, ring, surface: 0 };
+    let resolution = SpaceResolution::new(block, ring);
     let body = SpaceBody::with_kernel(&[crack], &steel, Some(&kernel), resolution, Interruption::NEVER)?;
     let body_s = begun.elapsed().as_secs_f64();
 

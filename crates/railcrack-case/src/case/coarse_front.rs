@@ -15,11 +15,8 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// Cells of the coarse crack: the first of these whose stiffness is positive definite. A flap that
 /// is thinner than a cell needs more of them.
-const CELLS: [SpaceResolution; 3] = [
-    SpaceResolution { block: 1, ring: 2, surface: 0 },
-    SpaceResolution { block: 2, ring: 2, surface: 0 },
-    SpaceResolution { block: 3, ring: 3, surface: 0 },
-];
+const CELLS: [SpaceResolution; 3] =
+    [SpaceResolution::new(1, 2), SpaceResolution::new(2, 2), SpaceResolution::new(3, 3)];
 /// Positions of a passage, each one load step, and how many semi-axes it reaches to both sides of
 /// the mouth and of the part below the deepest point.
 const POSITIONS: usize = 25;

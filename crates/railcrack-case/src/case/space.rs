@@ -72,11 +72,7 @@ pub(super) fn read_space(
     let shapes = placed.and_then(|placed| read_shapes(placed, &given, report)).map(|mut shapes| {
         shapes.iter_mut().for_each(|shape| shape.deviation = deviation);
         judge_harmonics(&shapes, cells, growth, report);
-        let has_surface_rows = |shape: &FrontShape| shape.buried.is_none() && shape.strip.is_none();
-        if cells.surface > 0 && !shapes.iter().any(has_surface_rows) {
-            let says = "has no effect: no crack is planar and breaks the surface";
-            report.add(mesh.fault(SPACE_SURFACE_ROWS, says).help("leave it out"));
-        }
+        judge_surface_rows(&shapes, cells, mesh, report);
         shapes
     });
     // For a mix, the contact section of each wheel.
@@ -126,6 +122,20 @@ fn judge_harmonics(
             cells.block
         );
         report.add(growth.fault(FRONT_HARMONICS, says).help("use front_harmonics = 4 or more space_cells"));
+    }
+}
+
+/// Adds an error to `report` where no crack has the further rows next to the surface.
+fn judge_surface_rows(
+    shapes: &[FrontShape],
+    cells: SpaceResolution,
+    mesh: &SectionValues,
+    report: &mut Report,
+) {
+    let has_surface_rows = |shape: &FrontShape| shape.buried.is_none() && shape.strip.is_none();
+    if cells.surface > 0 && !shapes.iter().any(has_surface_rows) {
+        let says = "has no effect: no crack is planar and breaks the surface";
+        report.add(mesh.fault(SPACE_SURFACE_ROWS, says).help("leave it out"));
     }
 }
 

@@ -293,7 +293,7 @@ pub(crate) fn spd_inverse_unless(
     eliminate(factor.entries_mut(), order, order, interruption)
         .map_err(|end| end.of(order, |place| place))?;
     if order > AT_ONCE {
-        return large_inverse(&factor, interruption);
+        return large_inverse(factor, interruption);
     }
     let mut buffer = MemBuffer::new(llt::inverse::inverse_scratch::<f64>(order, Par::Seq));
     let stack = MemStack::new(&mut buffer);
@@ -314,9 +314,9 @@ pub(crate) fn spd_inverse_unless(
 const AT_ONCE: usize = 3000;
 
 /// L⁻ᵀ L⁻¹ of a factor whose row j is column j of L, in strips.
-fn large_inverse(factor: &Matrix, interruption: Interruption<'_>) -> Result<Matrix, LinearError> {
+fn large_inverse(factor: Matrix, interruption: Interruption<'_>) -> Result<Matrix, LinearError> {
     let order = factor.rows();
-    let factor = MatRef::from_column_major_slice(factor.entries(), order, order);
+    let lower = MatRef::from_column_major_slice(factor.entries(), order, order);
     // Row j is column j of L⁻¹.
     let mut columns = Matrix::zeros(order, order);
     columns.entries_mut().par_chunks_mut(STRIP * order).enumerate().for_each(|(k, strip)| {
@@ -326,9 +326,11 @@ fn large_inverse(factor: &Matrix, interruption: Interruption<'_>) -> Result<Matr
         let (from, width) = (k * STRIP, strip.len() / order);
         let mut right = MatMut::from_column_major_slice_mut(strip, order, width).get_mut(from.., ..);
         (0..width).for_each(|j| right[(j, j)] = 1.0);
-        solve_lower_triangular_in_place(factor.get(from.., from..), right, Par::Seq);
+        solve_lower_triangular_in_place(lower.get(from.., from..), right, Par::Seq);
     });
     interruption.check()?;
+    // Two matrices of this order at most are held at a time.
+    drop(factor);
     Ok(products_of_rows(&columns, interruption)?)
 }
 
@@ -466,7 +468,7 @@ mod tests {
         let matrix = Matrix::from_fn(order, order, |i, j| entry(i, j) + if i == j { 1.0 } else { 0.0 });
         let mut factor = matrix.clone();
         assert!(eliminate(factor.entries_mut(), order, order, Interruption::NEVER).is_ok());
-        let inverse = large_inverse(&factor, Interruption::NEVER).unwrap();
+        let inverse = large_inverse(factor, Interruption::NEVER).unwrap();
         assert!(distance_from_identity(&product(&matrix, &inverse).unwrap()) < 1e-13);
     }
 

@@ -5,9 +5,10 @@ use super::blocks::column_blocks;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::factor::{lu_in_place, lu_in_place_scratch};
 use faer::linalg::matmul::matmul;
-use faer::linalg::triangular_solve::{solve_unit_lower_triangular_in_place, solve_upper_triangular_in_place};
+use faer::linalg::triangular_solve::solve_unit_lower_triangular_in_place;
 use faer::prelude::{Reborrow, ReborrowMut};
-use faer::{Accum, MatMut, MatRef, Par, Spec};
+use faer::{Accum, MatMut, Par, Spec};
+use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
 /// The triangular factors of a square matrix in single precision, by Gaussian elimination with
@@ -92,11 +93,70 @@ impl LargeFactor {
             return Err(LinearError::WrongLength { quantity, given: right.len(), expected: order });
         }
         let mut solution: Vec<f32> = self.rows.iter().map(|&row| right[row] as f32).collect();
-        let factors = MatRef::from_column_major_slice(&self.columns, order, order);
-        let mut unknowns = MatMut::from_column_major_slice_mut(&mut solution, order, 1);
-        solve_unit_lower_triangular_in_place(factors, unknowns.rb_mut(), Par::Seq);
-        solve_upper_triangular_in_place(factors, unknowns, Par::Seq);
+        Arch::new().dispatch(Substitution { columns: &self.columns, unknowns: &mut solution });
         Ok(solution.into_iter().map(f64::from).collect())
+    }
+}
+
+/// Columns that are subtracted in one pass over the unknowns.
+const AT_A_TIME: usize = 8;
+
+/// Forward and backward substitution, in place.
+struct Substitution<'a> {
+    /// Columns of both factors, one after another.
+    columns: &'a [f32],
+    unknowns: &'a mut [f32],
+}
+
+impl WithSimd for Substitution<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { columns, unknowns } = self;
+        let order = unknowns.len();
+        let column = |k: usize| &columns[k * order..(k + 1) * order];
+        let whole = order - order % AT_A_TIME;
+        for start in (0..order).step_by(AT_A_TIME) {
+            let end = (start + AT_A_TIME).min(order);
+            for k in start..end {
+                subtract([&column(k)[k + 1..end]], [unknowns[k]], &mut unknowns[k + 1..end]);
+            }
+            if end < order {
+                let known = std::array::from_fn(|k| unknowns[start + k]);
+                let below = std::array::from_fn(|k| &column(start + k)[end..]);
+                subtract::<AT_A_TIME>(below, known, &mut unknowns[end..]);
+            }
+        }
+        let starts = (0..order).step_by(AT_A_TIME).rev();
+        for start in starts {
+            let end = (start + AT_A_TIME).min(order);
+            for k in (start..end).rev() {
+                unknowns[k] /= column(k)[k];
+                subtract([&column(k)[start..k]], [unknowns[k]], &mut unknowns[start..k]);
+            }
+            if start < whole {
+                let known = std::array::from_fn(|k| unknowns[start + k]);
+                let above = std::array::from_fn(|k| &column(start + k)[..start]);
+                subtract::<AT_A_TIME>(above, known, &mut unknowns[..start]);
+            } else {
+                (start..end)
+                    .for_each(|k| subtract([&column(k)[..start]], [unknowns[k]], &mut unknowns[..start]));
+            }
+        }
+    }
+}
+
+/// sum −= Σ weights_k columns_k; all of the same length.
+#[inline(always)]
+fn subtract<const N: usize>(columns: [&[f32]; N], weights: [f32; N], sum: &mut [f32]) {
+    let columns = columns.map(|column| &column[..sum.len()]);
+    for (i, value) in sum.iter_mut().enumerate() {
+        let mut rest = *value;
+        for k in 0..N {
+            rest -= weights[k] * columns[k][i];
+        }
+        *value = rest;
     }
 }
 

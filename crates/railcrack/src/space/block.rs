@@ -4,12 +4,13 @@
 pub(super) type Block = [[[[f64; 3]; 4]; 3]; 4];
 pub(super) const EMPTY: Block = [[[[0.0; 3]; 4]; 3]; 4];
 
-/// A block `count` times, which is not computed for a count of zero.
-pub(super) fn times(count: f64, block: impl FnOnce() -> Block) -> Block {
-    if count == 0.0 {
-        return EMPTY;
-    }
-    let mut block = block();
-    block.iter_mut().flatten().flatten().flatten().for_each(|value| *value *= count);
+/// A block `count` times; none for a count of zero, for which it is not computed.
+pub(super) fn counted(count: f64, block: impl FnOnce() -> Block) -> Option<Block> {
+    (count > 0.0).then(|| times(count, block()))
+}
+
+/// A block times a factor.
+pub(super) fn times(factor: f64, mut block: Block) -> Block {
+    block.iter_mut().flatten().flatten().flatten().for_each(|value| *value *= factor);
     block
 }

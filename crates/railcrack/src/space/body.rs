@@ -4,13 +4,14 @@ use super::Symmetric;
 use super::cross::Placed;
 use super::division::{CellDivision, SpaceResolution};
 use super::error::{CloseCracks, SpaceError};
+use super::face_matrix::FaceMatrix;
 use super::grid::Grid;
 use super::plane::{PlaneFrame, Surroundings};
 use super::shape::SpaceCrack;
 use super::stiffness::{SpaceKernel, stiffness_of};
 use crate::growth::MouthStrip;
 use crate::interruption::Interruption;
-use crate::linear::{LinearError, spd_inverse_unless};
+use crate::linear::LinearError;
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, gauss_legendre};
 use rayon::prelude::*;
@@ -122,8 +123,8 @@ pub struct SpaceBody {
     cracks: Vec<CrackPart>,
     points: Vec<[f64; 3]>,
     front: Vec<FrontPoint>,
-    stiffness: Matrix,
-    compliance: Matrix,
+    stiffness: FaceMatrix,
+    compliance: FaceMatrix,
     sif_influence: Matrix,
     sif_of_jumps: Matrix,
     loads: Vec<LoadPoint>,
@@ -138,7 +139,7 @@ pub(super) struct Assembled {
     pub points: Vec<[f64; 3]>,
     pub front: Vec<FrontPoint>,
     /// A, N/mm.
-    pub stiffness: Matrix,
+    pub stiffness: FaceMatrix,
     /// K per jump.
     pub sif_of_jumps: Matrix,
     pub loads: Vec<LoadPoint>,
@@ -154,14 +155,14 @@ impl SpaceBody {
     ///
     /// Errors: a stiffness that is not positive definite; the interruption.
     pub(super) fn assembled(parts: Assembled, interruption: Interruption<'_>) -> Result<Self, SpaceError> {
-        let compliance = spd_inverse_unless(interruption, &parts.stiffness).map_err(|error| match error {
+        let compliance = parts.stiffness.inverse_unless(interruption).map_err(|error| match error {
             LinearError::NotPositiveDefinite { .. } => {
                 SpaceError::TooCoarse { crack: 0, shape: Box::new(parts.crack.shape.clone()) }
             }
             error => error.into(),
         })?;
         Ok(Self {
-            sif_influence: crate::linear::product(&parts.sif_of_jumps, &compliance)?,
+            sif_influence: influence(&parts.sif_of_jumps, &compliance),
             cracks: vec![parts.crack],
             points: parts.points,
             front: parts.front,
@@ -228,7 +229,7 @@ impl SpaceBody {
             .map(|(crack, grid)| Placed { grid, frame: crack.frame(), middle: crack.middle })
             .collect();
         let stiffness = stiffness_of(cracks, &placed, steel, kernel, interruption)?;
-        let total = stiffness.rows() / 3;
+        let total = stiffness.order() / 3;
         let fronts = grids.iter().map(|grid| grid.front.len()).sum::<usize>();
         let mut body = Self {
             cracks: Vec::with_capacity(cracks.len()),
@@ -237,7 +238,7 @@ impl SpaceBody {
             sif_of_jumps: Matrix::zeros(3 * fronts, 3 * total),
             sif_influence: Matrix::zeros(0, 0),
             stiffness,
-            compliance: Matrix::zeros(0, 0),
+            compliance: Matrix::zeros(0, 0).into(),
             loads: Vec::new(),
             cells: Vec::new(),
             planes: Vec::with_capacity(cracks.len()),
@@ -251,9 +252,9 @@ impl SpaceBody {
 
     /// Computes C and S.
     fn invert(&mut self, interruption: Interruption<'_>) -> Result<(), SpaceError> {
-        self.compliance = spd_inverse_unless(interruption, &self.stiffness)
-            .map_err(|error| too_coarse(error, &self.cracks))?;
-        self.sif_influence = crate::linear::product(&self.sif_of_jumps, &self.compliance)?;
+        self.compliance =
+            self.stiffness.inverse_unless(interruption).map_err(|error| too_coarse(error, &self.cracks))?;
+        self.sif_influence = influence(&self.sif_of_jumps, &self.compliance);
         Ok(())
     }
 
@@ -277,9 +278,10 @@ impl SpaceBody {
             points: old.iter().map(|&point| self.points[point]).collect(),
             front: Vec::with_capacity(old_front.len()),
             stiffness: Matrix::from_fn(3 * old.len(), 3 * old.len(), |i, j| {
-                self.stiffness[(columns(i), columns(j))]
-            }),
-            compliance: Matrix::zeros(0, 0),
+                self.stiffness.entry(columns(i), columns(j))
+            })
+            .into(),
+            compliance: Matrix::zeros(0, 0).into(),
             sif_influence: Matrix::zeros(0, 0),
             sif_of_jumps: Matrix::from_fn(3 * old_front.len(), 3 * old.len(), |i, j| {
                 self.sif_of_jumps[(3 * old_front[i / 3] + i % 3, columns(j))]
@@ -423,7 +425,7 @@ impl SpaceBody {
 
     /// C (mm/N), 3p × 3p: opening, slip along the dip and along the trace of each point. On a fold
     /// they are those of the plane that halves its angle.
-    pub fn compliance(&self) -> &Matrix {
+    pub fn compliance(&self) -> &FaceMatrix {
         &self.compliance
     }
 
@@ -447,7 +449,7 @@ impl SpaceBody {
     }
 
     /// A = C⁻¹ (N/mm).
-    pub fn stiffness(&self) -> &Matrix {
+    pub fn stiffness(&self) -> &FaceMatrix {
         &self.stiffness
     }
 
@@ -523,6 +525,15 @@ impl SpaceBody {
     }
 }
 
+/// S, K per force, from K per jump, of which few count for each K.
+fn influence(sif_of_jumps: &Matrix, compliance: &FaceMatrix) -> Matrix {
+    let mut influence = Matrix::zeros(sif_of_jumps.rows(), sif_of_jumps.columns());
+    for k in 0..sif_of_jumps.rows() {
+        influence.row_mut(k).copy_from_slice(&compliance.times(sif_of_jumps.row(k)));
+    }
+    influence
+}
+
 /// `error` of the inverse of the stiffness of `cracks`, with the crack whose cells are too coarse.
 fn too_coarse(error: LinearError, cracks: &[CrackPart]) -> SpaceError {
     let LinearError::NotPositiveDefinite { pivot, .. } = error else { return error.into() };
@@ -562,7 +573,6 @@ fn front_rows(grid: &Grid, steel: &IsotropicElastic, start: [usize; 2], rows: &m
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linear::spd_inverse;
     use crate::space::galerkin::Galerkin;
     use crate::space::stiffness::{first_copies, integrated_as};
 
@@ -570,7 +580,7 @@ mod tests {
     fn a_crack_with_too_few_cells_is_named_with_the_remedy() {
         let flat = |dip: f64| SpaceCrack::surface_breaking(dip.to_radians(), 4.0, 4.0).unwrap();
         let cracks = [flat(30.0), flat(6.0)];
-        let resolution = SpaceResolution { block: 2, ring: 2, surface: 0 };
+        let resolution = SpaceResolution::new(2, 2);
         let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
         let at = |crack: &SpaceCrack, x| SpaceCrack { middle: [x, 0.0], ..crack.clone() };
         let apart = [at(&cracks[0], 0.0), at(&cracks[1], 20.0)];
@@ -600,9 +610,9 @@ mod tests {
         };
         let offsets = [shared([1, 2]), shared([3, 4]), shared([2, 3]), shared([2, 4])];
         assert_eq!(offsets, [Some([0, 1]), Some([0, 1]), None, Some([1, 3])]);
-        let resolution = SpaceResolution { block: 2, ring: 2, surface: 0 };
+        let resolution = SpaceResolution::new(2, 2);
         let of = |cracks: &[SpaceCrack]| {
-            SpaceBody::new(cracks, &steel, Surroundings::HalfSpace, resolution).unwrap().stiffness
+            SpaceBody::new(cracks, &steel, Surroundings::HalfSpace, resolution).unwrap().stiffness.to_matrix()
         };
         let all = of(&cracks);
         let size = all.rows() / 5;
@@ -620,7 +630,7 @@ mod tests {
     fn more_points_leave_ki_of_an_open_shallow_crack() {
         let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
         let crack = SpaceCrack::surface_breaking(15f64.to_radians(), 2.0, 1.0).unwrap();
-        let resolution = SpaceResolution { block: 5, ring: 4, surface: 0 };
+        let resolution = SpaceResolution::new(5, 4);
         let kernel = SpaceKernel::new(&[crack.dip], steel.poisson());
         let cracks = std::slice::from_ref(&crack);
         let body =
@@ -632,7 +642,7 @@ mod tests {
             (Grid::new(&crack, &CellDivision::of(&crack, resolution)), kernel.image(crack.dip));
         let finer = Galerkin::with_more_points(&grid, steel.poisson(), Some(&image), 2);
         let stiffness = finer.stiffness_unless(Interruption::NEVER).unwrap();
-        let mut jumps = spd_inverse(&stiffness).unwrap().times(&forces);
+        let mut jumps = stiffness.inverse_unless(Interruption::NEVER).unwrap().times(&forces);
         jumps.iter_mut().for_each(|jump| *jump /= steel.shear_modulus());
         let (sifs, finer) = (body.sifs(&forces), body.sifs_of_jumps(&jumps));
         // The front without the layer at the surface.

@@ -12,7 +12,7 @@
 
 use super::body::SpaceBody;
 use super::face_problem::FaceProblem;
-use super::linearised::{Change, Form, LaggedFactor, Linearised, size, times_sparse};
+use super::linearised::{Change, Form, LaggedFactor, Linearised, size};
 use super::states::{PointState, SpaceFaces, SpaceStatus};
 use super::trapped::{PocketsOfStep, TrappedPressures};
 use crate::interruption::Interrupted;
@@ -159,7 +159,7 @@ impl FaceProblem<'_> {
         let mut forces = fluid.added_to(forces);
         let mut reactions = match &guess.resisted {
             Some(resisted) => difference(resisted, &forces),
-            None => difference(&times_sparse(self.stiffness, &jumps), &forces),
+            None => difference(&self.stiffness.times(&jumps), &forces),
         };
         let mut last = (Vec::new(), f64::INFINITY);
         for iteration in 1..=ITERATIONS {
@@ -228,7 +228,7 @@ impl FaceProblem<'_> {
         iterations: usize,
     ) -> (SpaceFaces, StepReport, Vec<f64>) {
         hold(&mut jumps, states, origin);
-        let resisted = times_sparse(self.stiffness, &jumps);
+        let resisted = self.stiffness.times(&jumps);
         let mut reactions = difference(&resisted, forces);
         // Remaining forces on open faces are round-off.
         let_go(&mut reactions, states);
@@ -244,15 +244,13 @@ impl FaceProblem<'_> {
             Form::Jumps => {
                 Change { jumps: vec![0.0; unit.len()], forces: unit.iter().map(|force| -force).collect() }
             }
-            Form::Forces => {
-                Change { jumps: times_sparse(self.compliance, unit), forces: vec![0.0; unit.len()] }
-            }
+            Form::Forces => Change { jumps: self.compliance.times(unit), forces: vec![0.0; unit.len()] },
         }
     }
 
     /// The state of point a, where α is its augmentation stiffness.
     fn state(&self, a: usize, jumps: &[f64], reactions: &[f64], origin: &[f64]) -> PointState {
-        let weight = self.stiffness[(3 * a, 3 * a)];
+        let weight = self.stiffness.entry(3 * a, 3 * a);
         let normal = reactions[3 * a] - weight * jumps[3 * a];
         let [s, t] = [1, 2].map(|c| reactions[3 * a + c] - weight * (jumps[3 * a + c] - origin[3 * a + c]));
         let size = s.hypot(t);
@@ -292,15 +290,15 @@ impl FaceProblem<'_> {
             }
         }
         match form {
-            Form::Jumps => Change { forces: times_sparse(self.stiffness, &moved), jumps: moved },
-            Form::Forces => Change { jumps: times_sparse(self.compliance, &moved), forces: moved },
+            Form::Jumps => Change { forces: self.stiffness.times(&moved), jumps: moved },
+            Form::Forces => Change { jumps: self.compliance.times(&moved), forces: moved },
         }
     }
 
     fn violation(&self, faces: &SpaceFaces, origin: &[f64]) -> f64 {
         let jump = largest(&faces.jumps).max(largest(origin)).max(f64::MIN_POSITIVE);
         let stiffness = self.stiffness;
-        let stiffest = (0..faces.jumps.len()).fold(0.0f64, |m, i| m.max(stiffness[(i, i)]));
+        let stiffest = (0..faces.jumps.len()).fold(0.0f64, |m, i| m.max(stiffness.entry(i, i)));
         let force = largest(&faces.reactions).max(stiffest * jump);
         faces.status.iter().enumerate().fold(0.0, |worst: f64, (a, _)| {
             let [w, r] = [faces.jumps[3 * a], faces.reactions[3 * a]];
@@ -360,7 +358,7 @@ mod tests {
     fn few_jumps_or_few_forces_are_the_same_iteration() {
         let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
         let crack = SpaceCrack::surface_breaking(0.5, 3.0, 2.0).unwrap();
-        let resolution = SpaceResolution { block: 2, ring: 2, surface: 0 };
+        let resolution = SpaceResolution::new(2, 2);
         let body = SpaceBody::new(std::slice::from_ref(&crack), &steel, Surroundings::HalfSpace, resolution)
             .unwrap();
         let whole = SpaceContact { body: &body, friction: &[0.4] };
@@ -384,7 +382,7 @@ mod tests {
         let of =
             |scale: f64, turn: f64| (0..count).map(|i| scale * (turn * i as f64).sin()).collect::<Vec<_>>();
         let (jumps, origin, forces) = (of(1e-3, 1.7), of(1e-3, 0.9), of(50.0, 0.3));
-        let reactions = difference(&times_sparse(contact.stiffness, &jumps), &forces);
+        let reactions = difference(&contact.stiffness.times(&jumps), &forces);
         let [one, other] = [Form::Jumps, Form::Forces].map(|form| {
             let mut change = contact.held(form, &states, &jumps, &reactions, &origin);
             let conditions = Linearised::new(form, &contact, &states);

@@ -10,7 +10,7 @@
 //! treatment, since the image of a point of one crack is never closer to the other crack than the
 //! point itself.
 
-use super::block::{Block, EMPTY, times};
+use super::block::{Block, EMPTY, counted};
 use super::cell::Cell;
 use super::grid::Grid;
 use super::mirror_image::MirroredPair;
@@ -189,16 +189,18 @@ impl<'a> Cross<'a> {
         let mirrored = if is_symmetric { MirroredPair::of([rows, columns]) } else { None };
         let count = |pair| mirrored.as_ref().map_or(1.0, |mirrored| mirrored.count(pair));
         let mut stiffness = Matrix::zeros(3 * rows.free, 3 * columns.free);
-        let blocks: Vec<Vec<Block>> = (0..rows.cells.len())
+        let blocks: Vec<Vec<(usize, Block)>> = (0..rows.cells.len())
             .into_par_iter()
             .map(|i| {
                 interruption.check()?;
-                Ok((0..columns.cells.len()).map(|j| times(count([i, j]), || self.pair(i, j))).collect())
+                let block = |j| Some((j, counted(count([i, j]), || self.pair(i, j))?));
+                Ok((0..columns.cells.len()).filter_map(block).collect())
             })
             .collect::<Result<_, Interrupted>>()?;
         // The order of summation does not depend on the number of threads.
         for (one, row) in rows.cells.iter().zip(&blocks) {
-            for (other, block) in columns.cells.iter().zip(row) {
+            for (j, block) in row {
+                let other = &columns.cells[*j];
                 for (a, &va) in one.vertices.iter().enumerate().filter(|(_, v)| **v < rows.free) {
                     for (b, &vb) in other.vertices.iter().enumerate().filter(|(_, v)| **v < columns.free) {
                         for c in 0..3 {
@@ -301,7 +303,7 @@ mod tests {
     use std::sync::Arc;
 
     const NU: f64 = 0.3;
-    const CELLS: SpaceResolution = SpaceResolution { block: 2, ring: 2, surface: 0 };
+    const CELLS: SpaceResolution = SpaceResolution::new(2, 2);
 
     fn placed<'a>(crack: &SpaceCrack, grid: &'a Grid) -> Placed<'a> {
         Placed { grid, frame: crack.frame(), middle: crack.middle }
@@ -328,6 +330,7 @@ mod tests {
                 .then(|| ImagePart { table: Arc::new(ImageTable::new(crack.dip, NU)), dip: crack.dip });
             let weak =
                 Galerkin::new(&grid, NU, image.as_ref()).stiffness_unless(Interruption::NEVER).unwrap();
+            let weak = weak.to_matrix();
             let pair = [placed(&crack, &grid), placed(&crack, &grid)];
             let strong = Cross::new(pair, surroundings, NU, Fineness::of(pair.each_ref()));
             let corners = |cell: usize| &grid.cells[cell].vertices;
@@ -394,7 +397,7 @@ mod tests {
                             for (c, d) in (0..9).map(|k| (k / 3, k % 3)) {
                                 let (row, column) = (3 * va + c, 3 * vb + d);
                                 let [first, second] = [own[0].stiffness(), own[1].stiffness()];
-                                let size = (first[(row, row)] * second[(column, column)]).sqrt();
+                                let size = (first.entry(row, row) * second.entry(column, column)).sqrt();
                                 let got = blocks[0][a][c][b][d];
                                 error = error.max((got - blocks[1][a][c][b][d]).abs() / size);
                                 asymmetry = asymmetry.max((got - blocks[2][b][d][a][c]).abs() / size);

@@ -22,9 +22,17 @@ pub struct SpaceResolution {
     pub surface: usize,
 }
 
+impl SpaceResolution {
+    /// These cells, without further rows next to the surface.
+    #[must_use]
+    pub const fn new(block: usize, ring: usize) -> Self {
+        Self { block, ring, surface: 0 }
+    }
+}
+
 impl Default for SpaceResolution {
     fn default() -> Self {
-        Self { block: 4, ring: 4, surface: 0 }
+        Self::new(4, 4)
     }
 }
 
@@ -46,6 +54,8 @@ pub struct CellDivision {
     grading: f64,
     /// Rows into which the uppermost one is divided further, each half as wide as the next one.
     surface: usize,
+    /// The rows of the ring end at the powers with this exponent of their number over that of all.
+    ring_grading: f64,
 }
 
 /// Half-width (radians of φ) of the layer in which the front meets the surface, or turns at the end
@@ -54,9 +64,20 @@ pub const VERTEX_LAYER: f64 = 15.0 * PI / 180.0;
 
 /// Whether φ lies outside the layer of this half-width (radians) next to the surface.
 pub(super) fn is_outside(layer: f64, phi: f64) -> bool {
-    // Points exactly at the limit count, irrespective of round-off.
-    let least = layer - 1e-9;
+    let least = least_outside(layer);
     phi >= least && phi <= PI - least
+}
+
+/// The least φ (radians) that counts below a layer of this half-width: points exactly at the limit
+/// do, irrespective of round-off.
+pub(super) fn least_outside(layer: f64) -> f64 {
+    layer - 1e-9
+}
+
+/// A value at `row` of rows at whose ends it is `end`; within a row it is linear.
+fn within_rows(row: f64, end: impl Fn(f64) -> f64) -> f64 {
+    let before = row.floor();
+    end(before) + (row - before) * (end(before + 1.0) - end(before))
 }
 
 /// Dips (degrees) from which the cells of a crack are those of a steep one, and down to which they
@@ -91,6 +112,7 @@ impl CellDivision {
             sides: [SIDE; 2],
             grading: 1.0,
             surface: 0,
+            ring_grading: 1.0,
         }
     }
 
@@ -108,7 +130,8 @@ impl CellDivision {
     pub fn at(dip: f64, is_closed: bool, resolution: SpaceResolution) -> Self {
         let division = Self::without_surface(dip, is_closed, resolution);
         let surface = if is_closed { 0 } else { resolution.surface };
-        Self { rows: division.rows + surface, surface, ..division }
+        let with_rows = Self { rows: division.rows + surface, surface, ..division };
+        Self { ring_grading: with_rows.ring_grading(), ..with_rows }
     }
 
     fn without_surface(dip: f64, is_closed: bool, resolution: SpaceResolution) -> Self {
@@ -217,18 +240,14 @@ impl CellDivision {
             let end = (whole / (self.rows as f64 - surface)).powf(self.grading);
             if row == 0.0 { 0.0 } else { end * (-halved).exp2() }
         };
-        let before = row.abs().floor();
-        row.signum() * (end(before) + (row.abs() - before) * (end(before + 1.0) - end(before)))
+        row.signum() * within_rows(row.abs(), end)
     }
 
     /// The parameter η at the end of a row of the ring, counted from the front: 0 there and 1 at
     /// the block; within a row it is linear. The closer a point is to the surface, the smaller is
     /// the region around the front that decides K.
     pub(super) fn parameter(&self, row: f64) -> f64 {
-        let exponent = self.ring_grading();
-        let end = |row: f64| (row / self.ring as f64).powf(exponent);
-        let before = row.floor();
-        end(before) + (row - before) * (end(before + 1.0) - end(before))
+        within_rows(row, |row| (row / self.ring as f64).powf(self.ring_grading))
     }
 
     /// The exponent of the rows of the ring: K is taken from the first two, which should reach no
@@ -263,16 +282,13 @@ mod tests {
     use super::*;
 
     fn at(degrees: f64, block: usize, ring: usize) -> CellDivision {
-        CellDivision::at(degrees.to_radians(), false, SpaceResolution { block, ring, surface: 0 })
+        CellDivision::at(degrees.to_radians(), false, SpaceResolution::new(block, ring))
     }
 
     #[test]
     fn shallow_cracks_have_as_many_cells_in_more_rows() {
         for degrees in [30.0, 60.0, 90.0, 150.0] {
-            assert_eq!(
-                at(degrees, 6, 5),
-                CellDivision::even(SpaceResolution { block: 6, ring: 5, surface: 0 }, false)
-            );
+            assert_eq!(at(degrees, 6, 5), CellDivision::even(SpaceResolution::new(6, 5), false));
         }
         for degrees in [5.0, 15.0, 20.0, 160.0] {
             let own = at(degrees, 6, 6);
@@ -321,7 +337,7 @@ mod tests {
     #[test]
     fn columns_go_round_the_block_and_the_front() {
         for (degrees, is_closed) in [(15.0f64, false), (40.0, false), (15.0, true)] {
-            let resolution = SpaceResolution { block: 6, ring: 4, surface: 0 };
+            let resolution = SpaceResolution::new(6, 4);
             let own = CellDivision::at(degrees.to_radians(), is_closed, resolution);
             let angles: Vec<f64> = own.front_angles().collect();
             assert_eq!(angles.len(), own.front_points());

@@ -185,8 +185,7 @@ fn located(mut from: f64, mut to: f64, of: impl Fn(f64) -> f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::super::body::{FrontPoint, SpaceBody};
-    use super::super::division::SpaceResolution;
-    use super::super::division::{VERTEX_LAYER, is_outside};
+    use super::super::division::{SpaceResolution, VERTEX_LAYER, is_outside};
     use super::super::front_motion::FrontSpeeds;
     use super::super::plane::Surroundings;
     use super::*;
@@ -340,7 +339,7 @@ mod tests {
         let [start, from] = third_harmonic(&penny);
         let steel = crate::material::IsotropicElastic::new(2.1e5, 0.3).unwrap();
         let grown = |penny: &FrontShape, by: f64| {
-            let resolution = SpaceResolution { block: 3, ring: 3, surface: 0 };
+            let resolution = SpaceResolution::new(3, 3);
             let crack = penny.crack().unwrap();
             let body = SpaceBody::new(&[crack], &steel, Surroundings::FullSpace, resolution).unwrap();
             let forces = body.nodal_forces(|_| [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]);

@@ -7,7 +7,7 @@
 //! crack move with the ends of its branch.
 
 use super::body::FrontPoint;
-use super::division::VERTEX_LAYER;
+use super::division::{VERTEX_LAYER, least_outside};
 use super::free_front;
 use crate::growth::{FrontMotion, FrontShape, Mover};
 use crate::math::nonnegative;
@@ -23,8 +23,7 @@ pub(super) struct FrontSpeeds {
 /// the length of the strip, as in the branch relative to its semi-axis.
 pub(super) fn counts_on_strip(phi: f64) -> bool {
     let from_fold = strip_side(phi).1;
-    // Points exactly at the limit count, irrespective of round-off.
-    let layer = (VERTEX_LAYER - 1e-9).sin();
+    let layer = least_outside(VERTEX_LAYER).sin();
     from_fold >= layer && from_fold <= 1.0 - layer
 }
 

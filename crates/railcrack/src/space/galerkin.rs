@@ -12,16 +12,17 @@
 //! grow as 1/r at most, so that the integrals are as accurate as their quadrature rules, with Duffy
 //! coordinates where cells touch.
 
-use super::block::{Block, EMPTY, times};
+use super::block::{Block, EMPTY, counted};
 use super::cell::{Cell, CellPoint};
 use super::duffy::DuffyRules;
+use super::face_matrix::{FaceMatrix, FaceSum};
 use super::grid::Grid;
 use super::image_table::ImageTable;
-use super::mirror_image::{MirroredCells, averaged_with_mirror_image};
+use super::mirror_image::MirroredCells;
 use super::mouth_pair::{LinePoint, MouthPair};
 use super::patch::{ApartRules, CellPair, Cover, Patch, weighted};
 use crate::interruption::{Interrupted, Interruption};
-use crate::math::{Matrix, gauss_legendre};
+use crate::math::gauss_legendre;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -94,77 +95,69 @@ impl<'a> Galerkin<'a> {
         Self { grid, poisson, image, near, mouth, apart, apart_mouth, logarithmic, points, covers, mirrored }
     }
 
-    /// The stiffness in units of the shear modulus (mm): component i of the free vertex a is row 3a
-    /// + i; symmetric. An `interruption` ends the computation.
-    pub fn stiffness_unless(&self, interruption: Interruption<'_>) -> Result<Matrix, Interrupted> {
-        let free = self.grid.free;
+    /// The stiffness in units of the shear modulus (mm), over the free vertices; averaged with its
+    /// mirror image where the grid has one, since the quadrature takes the cells in an order that
+    /// has none. An `interruption` ends the computation.
+    pub fn stiffness_unless(&self, interruption: Interruption<'_>) -> Result<FaceMatrix, Interrupted> {
         let cells = &self.grid.cells;
-        let mut stiffness = Matrix::zeros(3 * free, 3 * free);
+        let mut stiffness = FaceSum::over(&self.grid.vertices[..self.grid.free]);
         // Cells are processed in strips, so that the order of summation does not depend on the
         // number of threads.
         for start in (0..cells.len()).step_by(STRIP) {
             let strip = start..(start + STRIP).min(cells.len());
-            let blocks: Vec<Vec<Block>> = strip
+            let blocks: Vec<Vec<(usize, Block)>> = strip
                 .clone()
                 .into_par_iter()
                 .map(|i| {
                     interruption.check()?;
                     let count = |j| self.mirrored.as_ref().map_or(1.0, |mirrored| mirrored.count([i, j]));
-                    Ok((i..cells.len()).map(|j| times(count(j), || self.pair(i, j))).collect())
+                    let block = |j| Some((j, counted(count(j), || self.pair(i, j))?));
+                    Ok((i..cells.len()).filter_map(block).collect())
                 })
                 .collect::<Result<_, Interrupted>>()?;
             for (i, row) in strip.zip(&blocks) {
-                for (j, block) in (i..).zip(row) {
-                    self.scatter(&mut stiffness, i, j, block, i != j);
+                for (j, block) in row {
+                    self.scatter(&mut stiffness, [i, *j], block, if i == *j { 0.5 } else { 1.0 });
                 }
             }
         }
         if self.image.is_some() {
             let edges = &self.grid.mouth;
-            let lines: Vec<Vec<Block>> = (0..cells.len())
+            let lines: Vec<Vec<(usize, Block)>> = (0..cells.len())
                 .into_par_iter()
                 .map(|i| {
                     interruption.check()?;
                     let count =
                         |e| self.mirrored.as_ref().map_or(1.0, |mirrored| mirrored.count_with_edge([i, e]));
-                    Ok((0..edges.len()).map(|e| times(count(e), || self.line(i, e))).collect())
+                    let block = |e: usize| Some((edges[e].0, counted(count(e), || self.line(i, e))?));
+                    Ok((0..edges.len()).filter_map(block).collect())
                 })
                 .collect::<Result<_, Interrupted>>()?;
             for (i, row) in lines.iter().enumerate() {
-                for (block, (j, _)) in row.iter().zip(edges) {
-                    self.scatter(&mut stiffness, i, *j, block, true);
+                for (j, block) in row {
+                    self.scatter(&mut stiffness, [i, *j], block, 1.0);
                 }
             }
             for (one, (i, _)) in edges.iter().enumerate() {
                 for (other, (j, _)) in edges.iter().enumerate() {
-                    self.scatter(&mut stiffness, *i, *j, &self.lines(one, other), true);
+                    self.scatter(&mut stiffness, [*i, *j], &self.lines(one, other), 1.0);
                     if one == other {
-                        self.scatter(&mut stiffness, *i, *i, &self.own_line(one), false);
+                        self.scatter(&mut stiffness, [*i, *i], &self.own_line(one), 0.5);
                     }
                 }
             }
         }
-        for i in 0..3 * free {
-            for j in 0..i {
-                let mean = 0.5 * (stiffness[(i, j)] + stiffness[(j, i)]);
-                stiffness[(i, j)] = mean;
-                stiffness[(j, i)] = mean;
-            }
-        }
-        Ok(averaged_with_mirror_image(stiffness, &self.grid.vertices[..free]))
+        Ok(stiffness.with_transpose())
     }
 
-    fn scatter(&self, stiffness: &mut Matrix, i: usize, j: usize, block: &Block, and_transposed: bool) {
+    /// Adds a `share` of the block of the cells i and j; the stiffness contains its transpose, too.
+    fn scatter(&self, stiffness: &mut FaceSum, [i, j]: [usize; 2], block: &Block, share: f64) {
         let free = self.grid.free;
         for (a, &va) in self.grid.cells[i].vertices.iter().enumerate().filter(|(_, v)| **v < free) {
             for (b, &vb) in self.grid.cells[j].vertices.iter().enumerate().filter(|(_, v)| **v < free) {
                 for c in 0..3 {
                     for d in 0..3 {
-                        let value = block[a][c][b][d];
-                        stiffness[(3 * va + c, 3 * vb + d)] += value;
-                        if and_transposed {
-                            stiffness[(3 * vb + d, 3 * va + c)] += value;
-                        }
+                        stiffness.add([3 * va + c, 3 * vb + d], share * block[a][c][b][d]);
                     }
                 }
             }
@@ -431,8 +424,7 @@ mod tests {
     #[test]
     fn one_of_two_mirrored_products_is_enough() {
         let crack = SpaceCrack::surface_breaking(0.5, 3.0, 2.0).unwrap();
-        let grid =
-            Grid::new(&crack, &CellDivision::of(&crack, SpaceResolution { block: 2, ring: 2, surface: 0 }));
+        let grid = Grid::new(&crack, &CellDivision::of(&crack, SpaceResolution::new(2, 2)));
         let image = SpaceKernel::new(&[crack.dip], 0.3).image(crack.dip);
         let half = Galerkin::new(&grid, 0.3, Some(&image));
         assert!(half.mirrored.is_some());
@@ -441,7 +433,8 @@ mod tests {
         let left_out = pairs.clone().filter(|&pair| count(pair) == 0.0).count();
         assert!(5 * left_out > 2 * pairs.count(), "{left_out} of all products");
         let whole = Galerkin { mirrored: None, ..Galerkin::new(&grid, 0.3, Some(&image)) };
-        let [half, whole] = [half, whole].map(|all| all.stiffness_unless(Interruption::NEVER).unwrap());
+        let of = |all: Galerkin| all.stiffness_unless(Interruption::NEVER).unwrap().to_matrix();
+        let [half, whole] = [half, whole].map(of);
         let largest = (0..whole.rows()).fold(0.0f64, |most, i| most.max(whole[(i, i)]));
         let entries = half.entries().iter().zip(whole.entries());
         let off = entries.fold(0.0f64, |most, (a, b)| most.max((a - b).abs())) / largest;

@@ -1,26 +1,11 @@
 //! Contact conditions of faces in space, linearised for given states of the points.
 
+use super::face_matrix::FaceMatrix;
 use super::face_problem::FaceProblem;
 use super::states::{PointState, SpaceStatus};
 use crate::linear::{LargeFactor, LinearError, least_residual};
-use crate::math::{Matrix, add_rows_to_each, axpy, dot};
+use crate::math::{axpy, dot};
 use rayon::prelude::*;
-
-/// Number of rows of a product that one thread computes; their sums do not depend on the thread.
-const ROWS: usize = 450;
-
-/// A symmetric matrix times values of which many may be zero.
-pub(super) fn times_sparse(matrix: &Matrix, values: &[f64]) -> Vec<f64> {
-    let (places, weights): (Vec<usize>, Vec<f64>) =
-        values.iter().enumerate().filter(|(_, value)| **value != 0.0).unzip();
-    let mut product = vec![0.0; values.len()];
-    product.par_chunks_mut(ROWS).enumerate().for_each(|(k, chunk)| {
-        let (from, to) = (k * ROWS, k * ROWS + chunk.len());
-        // Rows are columns.
-        add_rows_to_each(&[&weights], |i| &matrix.row(places[i])[from..to], &mut [chunk]);
-    });
-    product
-}
 
 /// The choice of unknowns: few jumps change where most points touch, few forces act where most are
 /// open.
@@ -75,7 +60,7 @@ struct Condition {
 pub(super) struct Linearised<'a> {
     form: Form,
     /// A (N/mm) for unknown jumps, C (mm/N) for unknown forces.
-    matrix: &'a Matrix,
+    matrix: &'a FaceMatrix,
     conditions: Vec<Condition>,
 }
 
@@ -84,7 +69,7 @@ impl<'a> Linearised<'a> {
     pub fn new(form: Form, problem: &FaceProblem<'a>, states: &[PointState]) -> Self {
         let mut conditions = Vec::new();
         for (a, PointState { status, friction, turning }) in states.iter().enumerate() {
-            let weight = problem.stiffness[(3 * a, 3 * a)];
+            let weight = problem.stiffness.entry(3 * a, 3 * a);
             let alone = |c: usize, factor: f64| {
                 let mut one = [0.0; 3];
                 one[c] = factor;
@@ -148,22 +133,28 @@ impl<'a> Linearised<'a> {
     /// The effect of unknown `k` on its own condition.
     fn alone(&self, k: usize) -> f64 {
         let Condition { unknown, image, own } = self.conditions[k];
-        image[unknown % 3] * self.matrix[(unknown, unknown)] + own[unknown % 3]
+        image[unknown % 3] * self.matrix.entry(unknown, unknown) + own[unknown % 3]
     }
 
     fn factor(&self) -> Result<LargeFactor, LinearError> {
         let order = self.conditions.len();
+        let mut points: Vec<usize> = self.conditions.iter().map(|condition| condition.unknown / 3).collect();
+        points.dedup();
         let mut columns = vec![0.0f32; order * order];
         columns.par_chunks_mut(order.max(1)).enumerate().for_each(|(k, column)| {
             let unknown = self.conditions[k].unknown;
-            let row = self.matrix.row(unknown);
-            for (condition, entry) in self.conditions.iter().zip(column) {
-                let at = condition.unknown / 3 * 3;
-                let mut value: f64 = (0..3).map(|e| condition.image[e] * row[at + e]).sum();
-                if unknown / 3 * 3 == at {
-                    value += condition.own[unknown - at];
+            let row = self.matrix.row_at(unknown, &points);
+            let mut conditions = self.conditions.iter().zip(column).peekable();
+            for (point, image) in points.iter().zip(&row) {
+                while let Some((condition, entry)) =
+                    conditions.next_if(|(next, _)| next.unknown / 3 == *point)
+                {
+                    let mut value: f64 = (0..3).map(|e| condition.image[e] * image[e]).sum();
+                    if unknown / 3 == *point {
+                        value += condition.own[unknown % 3];
+                    }
+                    *entry = value as f32;
                 }
-                *entry = value as f32;
             }
         });
         LargeFactor::of_columns(order, columns)
@@ -262,7 +253,7 @@ impl LaggedFactor {
         let mut directions = Vec::new();
         let least = least_residual(right, tolerance, most, |direction| {
             let unknowns = self.preconditioned(conditions, direction)?;
-            let image = times_sparse(conditions.matrix, &unknowns);
+            let image = conditions.matrix.times(&unknowns);
             let product = conditions.combined(&image, &unknowns);
             directions.push([unknowns, image]);
             Ok::<_, LinearError>(product)

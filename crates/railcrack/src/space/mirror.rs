@@ -8,11 +8,12 @@
 //! symmetry there is no slip along the trace.
 
 use super::body::SpaceBody;
+use super::face_matrix::FaceMatrix;
 use super::face_problem::FaceProblem;
 use super::mirror_image::{COINCIDENT, SIGNS};
 use super::nuclei::Symmetric;
 use super::states::{SpaceFaces, SpaceStatus};
-use crate::linear::spd_inverse;
+use crate::interruption::Interruption;
 use crate::math::Matrix;
 
 /// Difference of mirrored values, relative to the largest one, up to which they count as symmetric:
@@ -52,8 +53,8 @@ pub(super) struct MirroredPoints {
 pub(super) struct MirroredHalf {
     /// The points of the faces.
     pub points: MirroredPoints,
-    stiffness: Matrix,
-    compliance: Matrix,
+    stiffness: FaceMatrix,
+    compliance: FaceMatrix,
     friction: Vec<f64>,
 }
 
@@ -109,8 +110,8 @@ impl MirroredHalf {
     /// The half of the faces of `body` with the friction coefficient `friction` of each point; none
     /// if it cannot be inverted.
     pub fn of(body: &SpaceBody, points: MirroredPoints, friction: &[f64]) -> Option<Self> {
-        let stiffness = half_stiffness(body.stiffness(), &points.pairs);
-        let compliance = spd_inverse(&stiffness).ok()?;
+        let (stiffness, compliance) =
+            even_parts(body, &points.pairs).or_else(|| half_matrices(body, &points.pairs))?;
         let friction = points.pairs.iter().map(|&[point, _]| friction[point]).collect();
         Some(Self { points, stiffness, compliance, friction })
     }
@@ -196,26 +197,72 @@ fn pairs(body: &SpaceBody) -> Option<(f64, Vec<[usize; 2]>)> {
     Some((middle, pairs))
 }
 
+/// A and C of the half, of a single crack; none of several ones.
+fn even_parts(body: &SpaceBody, pairs: &[[usize; 2]]) -> Option<(FaceMatrix, FaceMatrix)> {
+    let [a, c] = [body.stiffness(), body.compliance()];
+    // Forces of the half are sums over pairs.
+    let stiffness = a.even_part(pairs, |weight| 1.0 / weight, |i| a.entry(i, i))?;
+    let compliance = c.even_part(pairs, |weight| weight, |i| 1.0 / a.entry(i, i))?;
+    Some((stiffness, compliance))
+}
+
+/// A and C of the half; none if A cannot be inverted.
+fn half_matrices(body: &SpaceBody, pairs: &[[usize; 2]]) -> Option<(FaceMatrix, FaceMatrix)> {
+    let stiffness = FaceMatrix::from(half_stiffness(body.stiffness(), pairs));
+    let compliance = stiffness.inverse_unless(Interruption::NEVER).ok()?;
+    Some((stiffness, compliance))
+}
+
 /// PᵀAP; slip along the trace on the plane of symmetry is kept apart, with its own stiffness.
-fn half_stiffness(stiffness: &Matrix, pairs: &[[usize; 2]]) -> Matrix {
+fn half_stiffness(stiffness: &FaceMatrix, pairs: &[[usize; 2]]) -> Matrix {
     let order = 3 * pairs.len();
     let vanishes = |i: usize| i % 3 == 2 && pairs[i / 3][0] == pairs[i / 3][1];
     Matrix::from_fn(order, order, |i, j| {
         let ([a, image], [b, other]) = (pairs[i / 3], pairs[j / 3]);
         let (c, d) = (i % 3, j % 3);
         if vanishes(i) || vanishes(j) {
-            return if i == j { stiffness[(3 * a + c, 3 * a + c)] } else { 0.0 };
+            return if i == j { stiffness.entry(3 * a + c, 3 * a + c) } else { 0.0 };
         }
-        let mut sum = stiffness[(3 * a + c, 3 * b + d)];
+        let mut sum = stiffness.entry(3 * a + c, 3 * b + d);
         if image != a {
-            sum += SIGNS[c] * stiffness[(3 * image + c, 3 * b + d)];
+            sum += SIGNS[c] * stiffness.entry(3 * image + c, 3 * b + d);
         }
         if other != b {
-            sum += SIGNS[d] * stiffness[(3 * a + c, 3 * other + d)];
+            sum += SIGNS[d] * stiffness.entry(3 * a + c, 3 * other + d);
         }
         if image != a && other != b {
-            sum += SIGNS[c] * SIGNS[d] * stiffness[(3 * image + c, 3 * other + d)];
+            sum += SIGNS[c] * SIGNS[d] * stiffness.entry(3 * image + c, 3 * other + d);
         }
         sum
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::material::IsotropicElastic;
+    use crate::space::{SpaceCrack, SpaceResolution, Surroundings};
+
+    #[test]
+    fn the_half_is_the_even_part() {
+        let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
+        let crack = SpaceCrack::surface_breaking(0.4, 3.0, 2.0).unwrap();
+        let of = |cracks: &[SpaceCrack]| {
+            SpaceBody::new(cracks, &steel, Surroundings::HalfSpace, SpaceResolution::new(2, 3)).unwrap()
+        };
+        let body = of(std::slice::from_ref(&crack));
+        let points = MirroredPoints::of(&body).unwrap();
+        assert!(points.pairs.iter().any(|[one, other]| one == other));
+        let (a, c) = even_parts(&body, &points.pairs).unwrap();
+        let (stiffness, compliance) = half_matrices(&body, &points.pairs).unwrap();
+        for (part, half) in [(a, stiffness), (c, compliance)] {
+            let (part, half) = (part.to_matrix(), half.to_matrix());
+            let largest = half.entries().iter().fold(0.0f64, |most, entry| most.max(entry.abs()));
+            for (one, other) in part.entries().iter().zip(half.entries()) {
+                assert!((one - other).abs() < 1e-13 * largest, "{one} {other}");
+            }
+        }
+        let apart = of(&[crack.clone(), SpaceCrack { middle: [15.0, 0.0], ..crack }]);
+        assert!(even_parts(&apart, &MirroredPoints::of(&apart).unwrap().pairs).is_none());
+    }
 }

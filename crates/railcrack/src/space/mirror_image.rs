@@ -14,32 +14,13 @@ pub(super) const COINCIDENT: f64 = 1e-9;
 
 /// The mirror image of each of `points` (s, ζ) about the line of dip through the middle; none if
 /// one is missing.
-fn images(points: &[[f64; 2]]) -> Option<Vec<usize>> {
+pub(super) fn images(points: &[[f64; 2]]) -> Option<Vec<usize>> {
     let size = points.iter().flatten().fold(0.0f64, |most, x| most.max(x.abs()));
     let image = |[s, zeta]: &[f64; 2]| {
         let is_image = |[u, v]: &[f64; 2]| (u - s).abs().max((v + zeta).abs()) <= COINCIDENT * size;
         points.iter().position(is_image)
     };
     points.iter().map(image).collect()
-}
-
-/// The stiffness `own` (3p × 3p) of a crack by itself, averaged with its mirror image about the
-/// line of dip through the middle, if its `points` (s, ζ) are their own mirror image: the
-/// quadrature takes the cells in an order that is not.
-pub(super) fn averaged_with_mirror_image(own: Matrix, points: &[[f64; 2]]) -> Matrix {
-    match images(points) {
-        Some(images) => averaged(&own, [&images, &images]),
-        None => own,
-    }
-}
-
-/// A stiffness between points (rows) and others (columns), averaged with its mirror image.
-fn averaged(stiffness: &Matrix, [rows, columns]: [&[usize]; 2]) -> Matrix {
-    Matrix::from_fn(stiffness.rows(), stiffness.columns(), |i, j| {
-        let (c, d) = (i % 3, j % 3);
-        let mirrored = stiffness[(3 * rows[i / 3] + c, 3 * columns[j / 3] + d)];
-        0.5 * (stiffness[(i, j)] + SIGNS[c] * SIGNS[d] * mirrored)
-    })
 }
 
 /// Cells, and edges on the mouth, that are mirror images of each other: of two products of which
@@ -107,8 +88,12 @@ impl MirroredPair {
 
     /// The stiffness between the points of the two, averaged with its mirror image.
     pub fn averaged(&self, stiffness: &Matrix) -> Matrix {
-        let Self([one, other]) = self;
-        averaged(stiffness, [&one.vertices, &other.vertices])
+        let Self([rows, columns]) = self;
+        Matrix::from_fn(stiffness.rows(), stiffness.columns(), |i, j| {
+            let (c, d) = (i % 3, j % 3);
+            let mirrored = stiffness[(3 * rows.vertices[i / 3] + c, 3 * columns.vertices[j / 3] + d)];
+            0.5 * (stiffness[(i, j)] + SIGNS[c] * SIGNS[d] * mirrored)
+        })
     }
 }
 

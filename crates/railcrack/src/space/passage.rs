@@ -173,7 +173,7 @@ mod tests {
         let first = SpaceCrack { middle: [0.0, 2.0], ..SpaceCrack::surface_breaking(0.5, 4.0, 3.0).unwrap() };
         let second =
             SpaceCrack { middle: [5.0, 2.0], ..SpaceCrack::surface_breaking(0.6, 3.0, 2.0).unwrap() };
-        let resolution = SpaceResolution { block: 2, ring: 2, surface: 0 };
+        let resolution = SpaceResolution::new(2, 2);
         let cracks = [first.checked().unwrap(), second.checked().unwrap()];
         let body = SpaceBody::new(&cracks, &steel, Surroundings::HalfSpace, resolution).unwrap();
         let contact = SpaceContact { body: &body, friction: &[0.3, 0.2] };

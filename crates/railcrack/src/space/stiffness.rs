@@ -2,6 +2,7 @@
 
 use super::cross::{Placed, cross_stiffness};
 use super::error::SpaceError;
+use super::face_matrix::FaceMatrix;
 use super::galerkin::{Galerkin, ImagePart};
 use super::image_table::ImageTable;
 use super::plane::Surroundings;
@@ -51,9 +52,17 @@ pub(super) fn stiffness_of(
     steel: &IsotropicElastic,
     kernel: Option<&SpaceKernel>,
     interruption: Interruption<'_>,
-) -> Result<Matrix, SpaceError> {
-    let poisson = steel.poisson();
+) -> Result<FaceMatrix, SpaceError> {
+    let (poisson, mu) = (steel.poisson(), steel.shear_modulus());
     debug_assert!(kernel.is_none_or(|kernel| kernel.poisson == poisson));
+    let own = |k: usize| {
+        let image = kernel.map(|kernel| kernel.image(cracks[k].dip));
+        let own = Galerkin::new(placed[k].grid, poisson, image.as_ref()).stiffness_unless(interruption)?;
+        Ok::<_, SpaceError>(own.scaled(mu))
+    };
+    if placed.len() == 1 {
+        return own(0);
+    }
     let surroundings = kernel.map_or(Surroundings::FullSpace, |_| Surroundings::HalfSpace);
     let starts: Vec<usize> = placed
         .iter()
@@ -65,7 +74,6 @@ pub(super) fn stiffness_of(
         .collect();
     let order = placed.iter().map(|crack| 3 * crack.grid.free).sum();
     let mut stiffness = Matrix::zeros(order, order);
-    let mu = steel.shear_modulus();
     let first_copies = first_copies(cracks);
     let mut integrated: Vec<[usize; 2]> = Vec::new();
     for (k, (crack, &start)) in placed.iter().zip(&starts).enumerate() {
@@ -78,11 +86,9 @@ pub(super) fn stiffness_of(
                 stiffness.row_mut(start + i)[start..start + size].copy_from_slice(&row);
             }
         } else {
-            let image = kernel.map(|kernel| kernel.image(cracks[k].dip));
-            let own = Galerkin::new(crack.grid, poisson, image.as_ref()).stiffness_unless(interruption)?;
+            let own = own(k)?;
             for i in 0..size {
-                let into = &mut stiffness.row_mut(start + i)[start..start + size];
-                into.iter_mut().zip(own.row(i)).for_each(|(into, value)| *into = mu * value);
+                stiffness.row_mut(start + i)[start..start + size].copy_from_slice(&own.row(i));
             }
         }
         for (j, (other, &first)) in placed[..k].iter().zip(&starts).enumerate() {
@@ -107,7 +113,7 @@ pub(super) fn stiffness_of(
             }
         }
     }
-    Ok(stiffness)
+    Ok(stiffness.into())
 }
 
 /// Offsets of cracks that differ by no more than this fraction of a semi-axis count as equal: far

@@ -220,7 +220,7 @@ mod tests {
     fn tractions_of_a_crack_between_all_positions() {
         let steel = IsotropicElastic::new(210e3, NU).unwrap();
         let crack = SpaceCrack::surface_breaking(0.4, 4.0, 3.0).unwrap();
-        let resolution = SpaceResolution { block: 2, ring: 2, surface: 0 };
+        let resolution = SpaceResolution::new(2, 2);
         let body = SpaceBody::new(&[crack], &steel, Surroundings::HalfSpace, resolution).unwrap();
         let patch = WheelPatch::Ellipse(WHEEL);
         let wheel = PatchOnRail { patch: &patch, poisson: NU };

@@ -9,8 +9,9 @@
 use super::super::block::{Block, EMPTY, times};
 use super::super::cell::{CORNERS, Cell, CellPoint};
 use super::super::duffy::DuffyRules;
+use super::super::face_matrix::{FaceMatrix, FaceSum};
 use super::super::galerkin::{Galerkin, ImagePart};
-use super::super::mirror_image::{MirroredCells, averaged_with_mirror_image};
+use super::super::mirror_image::MirroredCells;
 use super::super::patch::{ApartRules, CellPair, Cover, Patch};
 use super::super::plane::PlaneFrame;
 use super::grid::{FoldedGrid, Part};
@@ -55,7 +56,7 @@ struct Pair {
 impl Pair {
     fn times(self, count: f64) -> Self {
         let Self { inside, with_mouth } = self;
-        Self { inside: times(count, || inside), with_mouth: times(count, || with_mouth) }
+        Self { inside: times(count, inside), with_mouth: times(count, with_mouth) }
     }
 }
 
@@ -90,7 +91,7 @@ impl<'a> Assembly<'a> {
         &self,
         image: &ImagePart,
         interruption: Interruption<'_>,
-    ) -> Result<Matrix, Interrupted> {
+    ) -> Result<FaceMatrix, Interrupted> {
         let free = self.grid.free;
         let count = self.grid.cells.len();
         let mut stiffness = Matrix::zeros(3 * free, 3 * free);
@@ -117,17 +118,14 @@ impl<'a> Assembly<'a> {
         self.turn(&mut stiffness);
         let strip =
             Galerkin::new(&self.grid.strip, self.poisson, Some(image)).stiffness_unless(interruption)?;
-        for i in 0..strip.rows() {
-            stiffness.row_mut(i)[..strip.columns()].copy_from_slice(strip.row(i));
+        for i in 0..strip.order() {
+            stiffness.row_mut(i)[..strip.order()].copy_from_slice(&strip.row(i));
         }
+        let mut sum = FaceSum::over(&self.grid.vertices[..free]);
         for i in 0..3 * free {
-            for j in 0..i {
-                let mean = 0.5 * (stiffness[(i, j)] + stiffness[(j, i)]);
-                stiffness[(i, j)] = mean;
-                stiffness[(j, i)] = mean;
-            }
+            stiffness.row(i).iter().enumerate().for_each(|(j, value)| sum.add([i, j], 0.5 * value));
         }
-        Ok(averaged_with_mirror_image(stiffness, &self.grid.vertices[..free]))
+        Ok(sum.with_transpose())
     }
 
     /// The plane of a part; on the fold that of the strip.
@@ -324,8 +322,7 @@ mod tests {
     use std::sync::Arc;
 
     const NU: f64 = 0.3;
-    const CELLS: FoldedResolution =
-        FoldedResolution { strip: 3, branch: SpaceResolution { block: 1, ring: 2, surface: 0 } };
+    const CELLS: FoldedResolution = FoldedResolution { strip: 3, branch: SpaceResolution::new(1, 2) };
 
     fn crack(mouth: f64, branch: f64) -> FoldedCrack {
         FoldedCrack {
@@ -361,7 +358,7 @@ mod tests {
             let grid = FoldedGrid::new(&crack, CELLS).unwrap();
             let image = image(&crack);
             let assembly = Assembly::new(&crack, &grid, NU, MorePoints(0));
-            let folded = assembly.stiffness_unless(&image, Interruption::NEVER).unwrap();
+            let folded = assembly.stiffness_unless(&image, Interruption::NEVER).unwrap().to_matrix();
             let plane = Grid {
                 cells: grid.cells.clone(),
                 mouth: grid.strip.mouth.clone(),
@@ -371,7 +368,7 @@ mod tests {
                 is_graded: false,
             };
             let galerkin = Galerkin::new(&plane, NU, Some(&image));
-            let flat = galerkin.stiffness_unless(Interruption::NEVER).unwrap();
+            let flat = galerkin.stiffness_unless(Interruption::NEVER).unwrap().to_matrix();
             let part = |i: usize| grid.part_of_vertex[i / 3];
             let mouth = |i: usize, j: usize| part(i) == Part::Mouth || part(j) == Part::Mouth;
             let (near, with_mouth) = (apart(&flat, &folded, |_, _| true), apart(&flat, &folded, mouth));

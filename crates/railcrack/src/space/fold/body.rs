@@ -43,12 +43,10 @@ impl FoldedCrack {
         let grid = FoldedGrid::new(self, resolution)?;
         let image = kernel.image(self.mouth_dip);
         let assembly = Assembly::new(self, &grid, steel.poisson(), MorePoints(0));
-        let mut stiffness = assembly
+        let stiffness = assembly
             .stiffness_unless(&image, interruption)
-            .map_err(|stopped| FoldedBodyError::Body(stopped.into()))?;
-        for i in 0..stiffness.rows() {
-            stiffness.row_mut(i).iter_mut().for_each(|entry| *entry *= steel.shear_modulus());
-        }
+            .map_err(|stopped| FoldedBodyError::Body(stopped.into()))?
+            .scaled(steel.shear_modulus());
         let [strip, below] = self.planes();
         let planes = vec![strip, below];
         let plane_of_point: Vec<usize> = grid.part_of_vertex.iter().map(|part| part.plane()).collect();

@@ -207,8 +207,7 @@ mod tests {
             middle: [0.0; 2],
             deviation: None,
         };
-        let resolution =
-            FoldedResolution { strip: 4, branch: SpaceResolution { block: 2, ring: 3, surface: 0 } };
+        let resolution = FoldedResolution { strip: 4, branch: SpaceResolution::new(2, 3) };
         let grid = FoldedGrid::new(&crack, resolution).unwrap();
         let rule = crate::math::gauss_legendre(6);
         let mut areas = [0.0; 2];

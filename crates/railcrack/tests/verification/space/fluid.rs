@@ -179,7 +179,7 @@ fn pressure_from_the_mouth_of_a_wide_crack() {
         line.peak_pressure * (1.0 - u * u).max(0.0).sqrt()
     };
     let crack = SpaceCrack::surface_breaking(degrees.to_radians(), 6.0 * length, length).unwrap();
-    let resolution = SpaceResolution { block: cells, ring: cells, surface: 0 };
+    let resolution = SpaceResolution::new(cells, cells);
     let body = SpaceBody::new(&[crack], &steel(), Surroundings::HalfSpace, resolution).unwrap();
     let contact = SpaceContact { body: &body, friction: &[friction] };
     let profile = PressureProfile::Linear;

@@ -39,7 +39,7 @@ fn folded(mouth: f64, branch: f64, half_length: f64) -> FoldedCrack {
 /// mouth and fold.
 fn body(crack: &FoldedCrack, cells: usize) -> SpaceBody {
     let kernel = SpaceKernel::new(&[crack.mouth_dip], NU);
-    let branch = SpaceResolution { block: cells, ring: cells, surface: 0 };
+    let branch = SpaceResolution::new(cells, cells);
     let resolution = FoldedResolution { strip: (3 * cells).div_ceil(2), branch };
     crack.body(&steel(), &kernel, resolution, Interruption::NEVER).unwrap()
 }
@@ -89,7 +89,7 @@ fn error_in_a_passage(block: usize) -> f64 {
 
     let crack = folded(25.0, 70.0, 24.0);
     let kernel = SpaceKernel::new(&[crack.mouth_dip], NU);
-    let resolution = FoldedResolution { strip: 5, branch: SpaceResolution { block, ring: 3, surface: 0 } };
+    let resolution = FoldedResolution { strip: 5, branch: SpaceResolution::new(block, 3) };
     let body = crack.body(&steel(), &kernel, resolution, Interruption::NEVER).unwrap();
     let contact = SpaceContact { body: &body, friction: &[friction] };
     let settings = SpacePassageSettings { tolerance: 0.3, halvings: 8 };
@@ -153,7 +153,7 @@ fn over_a_planar_crack(depth: f64) -> f64 {
     let mouth_dip = (at / fold).asin();
     let folded = FoldedCrack { mouth_dip, fold, branch: depth - at, ..folded(25.0, 90.0, depth) };
     let planar = SpaceCrack::surface_breaking(0.5 * PI, depth, depth).unwrap();
-    let resolution = SpaceResolution { block: 3, ring: 3, surface: 0 };
+    let resolution = SpaceResolution::new(3, 3);
     let planar = SpaceBody::new(&[planar], &steel(), Surroundings::HalfSpace, resolution).unwrap();
     let [below, planar] = [body(&folded, 3), planar].map(|body| at_the_deepest(&body));
     below / planar
@@ -210,7 +210,7 @@ const ENERGY: f64 = 0.03;
 /// Smallest over largest eigenvalue of the stiffness, scaled to a unit diagonal.
 fn condition(crack: &FoldedCrack, cells: usize) -> f64 {
     let body = body(crack, cells);
-    let a = body.stiffness();
+    let a = body.stiffness().to_matrix();
     let size = |i: usize| a[(i, i)].sqrt();
     let scaled = Matrix::from_fn(a.rows(), a.rows(), |i, j| a[(i, j)] / (size(i) * size(j)));
     1.0 / (super::stiffness::largest_eigenvalue(&scaled)

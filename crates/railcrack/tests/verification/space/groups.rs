@@ -62,7 +62,7 @@ fn first_step(cracks: &[[f64; 4]], fluid: Option<SpaceFluid>, network: NetworkCo
         steel: steel(),
         wheels: vec![wheel],
         friction: (0..cracks.len()).map(|k| 0.2 + 0.05 * k as f64).collect(),
-        resolution: SpaceResolution { block: 2, ring: 2, surface: 0 },
+        resolution: SpaceResolution::new(2, 2),
         growth: GrowthSettings { steps: 0, ..GrowthSettings::default() },
         mode_3_weight: None,
         fields: None,

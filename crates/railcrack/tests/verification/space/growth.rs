@@ -53,7 +53,7 @@ fn rail(wheels: Vec<SpaceWheel>, friction: f64, wear: f64) -> SpaceRail {
         steel: steel(),
         wheels,
         friction: vec![friction],
-        resolution: SpaceResolution { block: 2, ring: 2, surface: 0 },
+        resolution: SpaceResolution::new(2, 2),
         growth: GrowthSettings { steps: 2, maintenance: Some(maintenance), ..GrowthSettings::default() },
         mode_3_weight: None,
         fields: None,

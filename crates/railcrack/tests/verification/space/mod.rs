@@ -23,7 +23,7 @@ use railcrack::space::{FrontSif, SpaceBody, SpaceCrack, SpaceResolution, Surroun
 /// The body with `crack`, `cells` from the middle to the sides of its block and as many in its
 /// ring.
 fn body(crack: &SpaceCrack, surroundings: Surroundings, cells: usize) -> SpaceBody {
-    let resolution = SpaceResolution { block: cells, ring: cells, surface: 0 };
+    let resolution = SpaceResolution::new(cells, cells);
     SpaceBody::new(std::slice::from_ref(crack), &steel(), surroundings, resolution).unwrap()
 }
 

@@ -14,7 +14,7 @@ fn placed(crack: SpaceCrack, x: f64, lateral: f64) -> SpaceCrack {
 }
 
 fn bodies(cracks: &[SpaceCrack], surroundings: Surroundings, cells: usize) -> SpaceBody {
-    let resolution = SpaceResolution { block: cells, ring: cells, surface: 0 };
+    let resolution = SpaceResolution::new(cells, cells);
     SpaceBody::new(cracks, &steel(), surroundings, resolution).unwrap()
 }
 

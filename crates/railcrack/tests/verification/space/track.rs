@@ -132,7 +132,7 @@ fn wide_crack_under_axles_of_a_cold_rail() {
     let plane = &plane.passages[0];
 
     let crack = SpaceCrack::surface_breaking(f64::to_radians(degrees), 20.0 * length, length).unwrap();
-    let resolution = SpaceResolution { block: 4, ring: 4, surface: 0 };
+    let resolution = SpaceResolution::new(4, 4);
     let body = SpaceBody::new(&[crack], &steel(), Surroundings::HalfSpace, resolution).unwrap();
     let field = HertzField::new(&line, 0.3);
     let wheel = |position: f64, point: [f64; 3]| line_contact(position, point, &field);

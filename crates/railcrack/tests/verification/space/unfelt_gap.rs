@@ -19,7 +19,7 @@ const LENGTH: f64 = 6.0;
 /// 2 · `width` lengths wide.
 fn in_space(degrees: f64, xc: f64, width: f64, cells: usize) -> f64 {
     let crack = SpaceCrack::surface_breaking(degrees.to_radians(), width * LENGTH, LENGTH).unwrap();
-    let resolution = SpaceResolution { block: cells, ring: cells, surface: 0 };
+    let resolution = SpaceResolution::new(cells, cells);
     let body = SpaceBody::new(&[crack], &steel(), Surroundings::HalfSpace, resolution).unwrap();
     let contact = SpaceContact { body: &body, friction: &[0.0] };
     let line = HertzWheel::new(&LINE, &steel()).unwrap();

@@ -43,7 +43,7 @@ impl Wide {
 
     fn in_space(&self, wheel: &dyn WheelStress) -> SpaceHistory {
         let crack = SpaceCrack::surface_breaking(self.degrees.to_radians(), WIDTH * self.length, self.length);
-        let resolution = SpaceResolution { block: self.cells, ring: self.cells, surface: 0 };
+        let resolution = SpaceResolution::new(self.cells, self.cells);
         let body = SpaceBody::new(&[crack.unwrap()], &steel(), Surroundings::HalfSpace, resolution).unwrap();
         let contact = SpaceContact { body: &body, friction: &[self.friction] };
         let settings = SpacePassageSettings { tolerance: 0.3, halvings: 8 };
@@ -233,7 +233,7 @@ fn of_the_2d_engine_under_a_mix_with_wear() {
         steel: steel(),
         wheels: MIX.iter().map(in_space).collect(),
         friction: vec![friction],
-        resolution: SpaceResolution { block: 6, ring: 6, surface: 0 },
+        resolution: SpaceResolution::new(6, 6),
         growth: growth.clone(),
         mode_3_weight: None,
         fields: None,
