@@ -8,7 +8,7 @@ use divan::Bencher;
 use railcrack::contact::{FluidModel, PressureProfile};
 use railcrack::dislocation::cracked_body;
 use railcrack::load::{ContactRow, HertzEllipse};
-use railcrack::plane::{CrackFluid, MixedWheel};
+use railcrack::plane::{CrackFluid, PlaneWheel};
 use railcrack::prelude::*;
 use railcrack::rolling::{Creepage, PlacedPatch, RollingPatch, RollingTheory};
 
@@ -84,19 +84,11 @@ fn growth_steps<E: BodyEngine + 'static>(
     };
     let crack: CrackNetwork = Crack::surface_breaking(0.0, 4.0, 30f64.to_radians()).unwrap().into();
     bencher.bench_local(|| {
-        let mut problem = PlaneRail::new(engine(&crack), of(contacts[0]), vec![0.3]);
-        problem.share = share;
+        let wheel =
+            |&contact: &(f64, f64, f64)| PlaneWheel { share, ..PlaneWheel::new(Box::new(of(contact))) };
+        let wheels = contacts[..wheels].iter().map(wheel).collect();
+        let mut problem = PlaneRail::under(Box::new(engine(&crack)), wheels, vec![0.3]);
         problem.growth.steps = STEPS;
-        let beside = |&contact: &(f64, f64, f64)| MixedWheel {
-            wheel: Box::new(of(contact)),
-            share,
-            residual: None,
-            passages: PassageSettings::default(),
-            fluid: None,
-            coupling: None,
-            toughness: None,
-        };
-        problem.others = contacts[1..wheels].iter().map(beside).collect();
         let mut growth = Growth::new(problem, GrowthState::initial(&crack));
         for _ in 0..=STEPS {
             growth.next_step(&Unobserved).unwrap();
@@ -120,21 +112,22 @@ fn fifteen_cracks(bencher: Bencher, fluid: &str) {
     let network = CrackNetwork::new((0..15).map(crack).collect()).unwrap();
     bencher.bench_local(|| {
         let engine = DislocationEngine { steel: steel(), resolution: FaceResolution::default() };
-        let mut problem = PlaneRail::new(engine, of((1000.0, 6.0, 0.25)), vec![0.4; 15]);
-        (problem.share, problem.growth.steps) = (0.6, 0);
-        problem.fluid =
+        let wheel = |contact, share, (from, to)| PlaneWheel {
+            share,
+            passages: PassageSettings {
+                passage: Passage { from, to, positions: 241 },
+                ..PassageSettings::default()
+            },
+            ..PlaneWheel::new(Box::new(of(contact)))
+        };
+        let fluid =
             model.map(|model| CrackFluid { model, profile: PressureProfile::default(), cracks: None });
-        problem.passages.passage = Passage { from: -36.0, to: 92.0, positions: 241 };
-        let back = Passage { from: 92.0, to: -36.0, positions: 241 };
-        problem.others.push(MixedWheel {
-            wheel: Box::new(of((850.0, 5.5, -0.2))),
-            share: 0.4,
-            residual: None,
-            passages: PassageSettings { passage: back, ..PassageSettings::default() },
-            coupling: None,
-            fluid: None,
-            toughness: None,
-        });
+        let wheels = vec![
+            PlaneWheel { fluid, ..wheel((1000.0, 6.0, 0.25), 0.6, (-36.0, 92.0)) },
+            wheel((850.0, 5.5, -0.2), 0.4, (92.0, -36.0)),
+        ];
+        let mut problem = PlaneRail::under(Box::new(engine), wheels, vec![0.4; 15]);
+        problem.growth.steps = 0;
         Growth::new(problem, GrowthState::initial(&network)).next_step(&Unobserved).unwrap()
     });
 }

@@ -16,7 +16,7 @@ use railcrack::growth::{
     CrackedRail, FieldSettings, Growth, GrowthSettings, GrowthState, StepSource, TipJudge,
 };
 use railcrack::math::MPA_SQRT_MM;
-use railcrack::plane::{self, CrackFluid, PlaneRail};
+use railcrack::plane::{CrackFluid, PlaneRail, PlaneWheel};
 use railcrack::residual::PlasticField;
 use railcrack::section::{SectionEngine, SectionLayers};
 use railcrack::space::{SpaceFluid, SpaceRail, SpaceWheel};
@@ -164,20 +164,16 @@ pub(super) fn with_temperature(
     }
 }
 
-/// A wheel of a mix other than the first one.
-fn other_wheel(
-    case: &Case,
-    other: &MixedWheel,
-    residual: Option<&Arc<dyn StressField>>,
-) -> plane::MixedWheel {
-    plane::MixedWheel {
-        wheel: other.wheel.field(&case.steel).expect("the case is checked"),
+/// A wheel of a mix other than the first one, in the plane.
+fn other_wheel(case: &Case, other: &MixedWheel, residual: Option<&Arc<dyn StressField>>) -> PlaneWheel {
+    PlaneWheel {
         share: other.share,
         fluid: other.fluid.clone(),
         coupling: other.wheel.coupling.clone(),
         residual: with_temperature(case, &other.wheel, residual),
         passages: other.passages,
         toughness: toughness_under(case, &other.wheel),
+        ..PlaneWheel::new(other.wheel.field(&case.steel).expect("the case is checked"))
     }
 }
 
@@ -268,23 +264,25 @@ impl Case {
             ContactSolver::Newton => (newton, latin),
             ContactSolver::Latin => (latin, newton),
         };
-        let others = case.mix.iter().skip(1);
-        let wheel = case.wheel.field(&case.steel).expect("the case is checked");
+        let first = PlaneWheel {
+            share: case.mix.first().map_or(1.0, |first| first.share),
+            fluid: case.fluid.clone(),
+            coupling: case.wheel.coupling.clone(),
+            residual: with_temperature(case, &case.wheel, residual),
+            passages: case.passages,
+            ..PlaneWheel::new(case.wheel.field(&case.steel).expect("the case is checked"))
+        };
+        let others = case.mix.iter().skip(1).map(|other| other_wheel(case, other, residual));
+        let wheels = std::iter::once(first).chain(others).collect();
         let usual = MPA_SQRT_MM * case.growth_steel.unwrap_or(RailSteel::USUAL).mean_toughness;
         let rail = PlaneRail {
             solver,
             fallback,
             network: case.network,
-            share: case.mix.first().map_or(1.0, |first| first.share),
-            fluid: case.fluid.clone(),
-            coupling: case.wheel.coupling.clone(),
-            others: others.map(|other| other_wheel(case, other, residual)).collect(),
-            residual: with_temperature(case, &case.wheel, residual),
-            passages: case.passages,
             fields: case.field_settings(),
             growth: GrowthSettings { usual_toughness: Some(usual), ..case.growth.clone() },
             rail: case.rail.extent,
-            ..PlaneRail::with(engine, wheel, case.crack_friction.clone())
+            ..PlaneRail::under(engine, wheels, case.crack_friction.clone())
         };
         let state = state.unwrap_or_else(|| GrowthState::initial(&case.cracks));
         boxed(rail, state, judge)

@@ -33,4 +33,4 @@ pub use crack_fluid::CrackFluid;
 pub use rail::{KnownEnds, PlaneBody, PlaneRail};
 pub use rail_load::RailLoad;
 pub use stabilise::stabilised_passage;
-pub use wheel::MixedWheel;
+pub use wheel::PlaneWheel;

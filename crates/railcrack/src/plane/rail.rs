@@ -1,6 +1,5 @@
 //! A rail with cracks in the plane, as the growth loop sees it.
 
-use super::crack_fluid::CrackFluid;
 use super::face_load::FaceLoad;
 use super::fields::record_fields;
 use super::increments::{advance, kinked};
@@ -9,14 +8,13 @@ use super::solvers::Solvers;
 use super::step_state::{StepState, TipDrive};
 use super::turn_response::{TurnResponse, jump};
 use super::turning_wheel::{histories_of, turned_by};
-use super::wheel::MixedWheel;
+use super::wheel::PlaneWheel;
 use super::worn::mouth_sine;
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::contact::{ContactSolver, FaceProblem, Latin, Newton, NotConverged, SteppingError};
-use crate::coupling::WheelCoupling;
 use crate::crack::{Crack, CrackNetwork, CrackTip, End};
 use crate::fatigue::{HourlierPineau, Kink, LargestK1, SifRanges, WheelHistory};
-use crate::field::{EndField, EndsError, RailEnds, StressField, Wheel};
+use crate::field::{EndField, EndsError, RailEnds, Wheel};
 use crate::fracture::SifHistory;
 use crate::growth::{
     Advance, BodyReport, CrackedRail, DeferredGrowth, FieldRecord, FieldSettings, Geometry, GrowthError,
@@ -41,21 +39,8 @@ pub struct PlaneRail {
     pub network: NetworkContact,
     /// Crack-face friction coefficient μ_c of each crack.
     pub crack_friction: Vec<f64>,
-    /// The wheel; in a mix, the first one.
-    pub wheel: Box<dyn Wheel>,
-    /// Its share of the axles; 1 without a mix.
-    pub share: f64,
-    /// Fluid in the cracks under the first wheel; `None` for dry cracks.
-    pub fluid: Option<CrackFluid>,
-    /// How the first wheel feels the cracks; `None` for the contact on the uncracked rail.
-    pub coupling: Option<WheelCoupling>,
-    /// The other wheels of a mix. The shares of all wheels add up to 1; recorded faces and fields
-    /// are those under the first wheel.
-    pub others: Vec<MixedWheel>,
-    /// Balanced residual stress, under the first wheel.
-    pub residual: Option<Box<dyn StressField>>,
-    /// The passages of the first wheel.
-    pub passages: PassageSettings,
+    /// The wheels, at least one; recorded faces and fields are those under the first one.
+    pub wheels: Vec<PlaneWheel>,
     /// Fields to record, if any.
     pub fields: Option<FieldSettings>,
     /// Growth law, increments and stops, with the toughness under the first wheel.
@@ -95,25 +80,20 @@ impl PlaneRail {
         wheel: impl Wheel + 'static,
         crack_friction: Vec<f64>,
     ) -> Self {
-        Self::with(Box::new(engine), Box::new(wheel), crack_friction)
+        Self::under(Box::new(engine), vec![PlaneWheel::new(Box::new(wheel))], crack_friction)
     }
 
-    /// [`PlaneRail::new`] with an engine and a wheel whose types are chosen at run time.
+    /// [`PlaneRail::new`] under `wheels`, at least one, with an engine whose type is chosen at run
+    /// time.
     #[must_use]
-    pub fn with(engine: Box<dyn BodyEngine>, wheel: Box<dyn Wheel>, crack_friction: Vec<f64>) -> Self {
+    pub fn under(engine: Box<dyn BodyEngine>, wheels: Vec<PlaneWheel>, crack_friction: Vec<f64>) -> Self {
         Self {
             engine,
             solver: Box::new(Newton::default()),
             fallback: Box::new(Latin::default()),
             network: NetworkContact::Whole,
             crack_friction,
-            wheel,
-            share: 1.0,
-            fluid: None,
-            coupling: None,
-            others: Vec::new(),
-            residual: None,
-            passages: PassageSettings::default(),
+            wheels,
             fields: None,
             growth: GrowthSettings::default(),
             rail: RailBox::default(),
@@ -148,11 +128,8 @@ impl PlaneRail {
         if worn.removed == 0.0 || moves != Some(StressMoves::WithMetal) {
             return Vec::new();
         }
-        let others = self.others.iter().map(|other| other.residual.as_deref());
-        std::iter::once(self.residual.as_deref())
-            .chain(others)
-            .map(|field| field.map(|field| Uncovered { field, removed: worn.removed }))
-            .collect()
+        let residual = self.wheels.iter().map(|wheel| wheel.residual.as_deref());
+        residual.map(|field| field.map(|field| Uncovered { field, removed: worn.removed })).collect()
     }
 
     /// The load and the passages of every wheel; where the stress relative to a worn surface is
@@ -161,40 +138,33 @@ impl PlaneRail {
         &'a self,
         uncovered: &'a [Option<Uncovered<'a>>],
     ) -> Vec<(RailLoad<'a>, &'a PassageSettings)> {
-        let first = RailLoad { wheel: self.wheel.as_ref(), residual: self.residual.as_deref() };
-        let others = self.others.iter().map(|other| (other.load(), &other.passages));
-        let all = std::iter::once((first, &self.passages)).chain(others).enumerate();
-        all.map(|(wheel, (load, passages))| match uncovered.get(wheel) {
-            Some(Some(field)) => (RailLoad { residual: Some(field), ..load }, passages),
-            _ => (load, passages),
+        let all = self.wheels.iter().enumerate();
+        all.map(|(number, PlaneWheel { wheel, residual, passages, .. })| {
+            let load = RailLoad { wheel: wheel.as_ref(), residual: residual.as_deref() };
+            match uncovered.get(number) {
+                Some(Some(field)) => (RailLoad { residual: Some(field), ..load }, passages),
+                _ => (load, passages),
+            }
         })
         .collect()
     }
 
-    /// The fluid in the cracks under each wheel.
-    fn fluids(&self) -> impl Iterator<Item = Option<&CrackFluid>> {
-        std::iter::once(self.fluid.as_ref()).chain(self.others.iter().map(|other| other.fluid.as_ref()))
+    /// The faces of `body` with the fluid that is in the cracks under `wheel`.
+    fn faces<'a>(&self, body: &'a PlaneBody, wheel: &PlaneWheel) -> Result<FaceProblem<'a>, GrowthError> {
+        let PlaneBody { network, body, .. } = body;
+        let fluid = wheel.fluid.as_ref().map(|fluid| fluid.on(network, &body.faces));
+        Ok(FaceProblem::new(body, &self.crack_friction)?.with_fluid(fluid))
     }
 
-    /// How each wheel feels the cracks.
-    fn couplings(&self) -> impl Iterator<Item = Option<&WheelCoupling>> {
-        let others = self.others.iter().map(|other| other.coupling.as_ref());
-        std::iter::once(self.coupling.as_ref()).chain(others)
-    }
-
-    /// The faces of `body` with `fluid` in the cracks, under a wheel that feels them as `coupling`
-    /// says.
-    fn faces<'a>(
+    /// [`PlaneRail::faces`] with the running surface where `wheel` feels the cracks.
+    fn faces_and_surface<'a>(
         &self,
         body: &'a PlaneBody,
-        (fluid, coupling): (Option<&CrackFluid>, Option<&WheelCoupling>),
+        wheel: &PlaneWheel,
         step: usize,
     ) -> Result<FaceProblem<'a>, GrowthError> {
-        let PlaneBody { network, body, .. } = body;
-        let fluid = fluid.map(|fluid| fluid.on(network, &body.faces));
-        let surface = coupling.and_then(|coupling| coupling.on(&body.faces));
-        let faces = FaceProblem::new(body, &self.crack_friction)?.with_fluid(fluid);
-        faces.with_wheel(surface).map_err(|_| {
+        let surface = wheel.coupling.as_ref().and_then(|coupling| coupling.on(&body.body.faces));
+        self.faces(body, wheel)?.with_wheel(surface).map_err(|_| {
             let failure = NotConverged { iterations: 0, indicator: f64::INFINITY, tolerance: 0.0 };
             let source = SteppingError::NotConverged { at: 0.0, failure };
             let phase = "contact of the wheel on the uncracked rail";
@@ -262,14 +232,12 @@ impl CrackedRail for PlaneRail {
     }
 
     fn wheels(&self) -> Vec<WheelOfRail<'_>> {
-        let first =
-            WheelOfRail { share: self.share, toughness: self.growth.toughness, passages: &self.passages };
-        let others = self.others.iter().map(|MixedWheel { share, toughness, passages, .. }| WheelOfRail {
-            share: *share,
-            toughness: *toughness,
-            passages,
-        });
-        std::iter::once(first).chain(others).collect()
+        let mut wheels = Vec::with_capacity(self.wheels.len());
+        for PlaneWheel { share, toughness, passages, .. } in &self.wheels {
+            let toughness = toughness.or(self.growth.toughness);
+            wheels.push(WheelOfRail { share: *share, toughness, passages });
+        }
+        wheels
     }
 
     fn refinement(&self) -> &'static str {
@@ -315,9 +283,9 @@ impl CrackedRail for PlaneRail {
     ) -> Result<Vec<StabilisedPassage>, GrowthError> {
         let ends = self.ends_under_wheels(&body.body, at.step)?;
         let faces: Vec<FaceProblem> = self
-            .fluids()
-            .zip(self.couplings())
-            .map(|of_wheel| self.faces(body, of_wheel, at.step))
+            .wheels
+            .iter()
+            .map(|wheel| self.faces_and_surface(body, wheel, at.step))
             .collect::<Result<_, _>>()?;
         let uncovered = self.uncovered(at.worn);
         let loads = self.loads(&uncovered);
@@ -343,12 +311,13 @@ impl CrackedRail for PlaneRail {
         let wanted = self.fields.as_ref().filter(|fields| at.step.is_multiple_of(fields.every.get()));
         let Some(settings) = wanted.cloned() else { return Ok(None) };
         let ends = self.ends_under_wheels(&body.body, at.step)?;
-        let faces = self.faces(body, (self.fluid.as_ref(), None), at.step)?;
+        let first = &self.wheels[0];
+        let faces = self.faces(body, first)?;
         let uncovered = self.uncovered(at.worn);
         let (load, _) = self.loads(&uncovered)[0];
         let face_load = FaceLoad::new(&faces, load, ends.first().map(Arc::as_ref))
             .map_err(|source| off_the_rail(source, at.step))?;
-        let felt = self.coupling.as_ref().map(|coupling| &coupling.contact);
+        let felt = first.coupling.as_ref().map(|coupling| &coupling.contact);
         record_fields(&face_load, (load, felt), passage, &settings)
             .map_err(|source| GrowthError::Body { step: at.step, source })
     }

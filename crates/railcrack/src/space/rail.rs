@@ -83,7 +83,7 @@ pub struct SpaceWheel {
     pub fluid: Option<SpaceFluid>,
     /// Its passages.
     pub passages: PassageSettings,
-    /// K_Ic (MPa √mm) at its temperature; `None` where fracture is not considered.
+    /// K_Ic (MPa √mm) at its temperature; `None` for that of the growth settings.
     pub toughness: Option<f64>,
 }
 
@@ -263,7 +263,8 @@ impl CrackedRail for SpaceRail {
     fn wheels(&self) -> Vec<WheelOfRail<'_>> {
         let mut wheels = Vec::with_capacity(self.wheels.len());
         for SpaceWheel { share, toughness, passages, .. } in &self.wheels {
-            wheels.push(WheelOfRail { share: *share, toughness: *toughness, passages });
+            let toughness = toughness.or(self.growth.toughness);
+            wheels.push(WheelOfRail { share: *share, toughness, passages });
         }
         wheels
     }

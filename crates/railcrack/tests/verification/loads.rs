@@ -271,7 +271,7 @@ fn a_winter_rail_breaks() {
     let engine = DislocationEngine { steel: steel(), resolution: FaceResolution::default() };
     let wheel = Wheels::on_track(hertz(0.025), track()).unwrap();
     let mut problem = PlaneRail::new(engine, wheel, vec![0.5]);
-    problem.residual = Some(Box::new(winter()));
+    problem.wheels[0].residual = Some(Box::new(winter()));
     problem.growth = GrowthSettings {
         steps: 30,
         increment: 0.2,

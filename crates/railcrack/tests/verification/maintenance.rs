@@ -127,7 +127,7 @@ fn grinding_wears_the_crack_away_at_last_and_a_resumed_run_is_the_same() {
             Maintenance { wear: 0.0, grinding: Some(grinding), stress: StressMoves::WithMetal, limit: None };
         let mut problem = problem(Some(all), 40, 0.04);
         let rows = vec![(0.0, -50.0, 0.0), (2.0, 20.0, 0.0), (6.0, 0.0, 0.0)];
-        problem.residual = Some(Box::new(DepthProfile::new(rows).unwrap()));
+        problem.wheels[0].residual = Some(Box::new(DepthProfile::new(rows).unwrap()));
         problem
     };
     let whole = run(maintained());
@@ -163,7 +163,7 @@ fn residual_stress_stays_in_the_steel_or_moves_with_the_surface() {
         let mut problem =
             problem(Some(Maintenance { wear: 0.0, grinding: Some(grinding), stress, limit: None }), 2, 0.04);
         let rows = vec![(0.0, -300.0, 0.0), (1.0, -300.0, 0.0), (1.001, 0.0, 0.0)];
-        problem.residual = Some(Box::new(DepthProfile::new(rows).unwrap()));
+        problem.wheels[0].residual = Some(Box::new(DepthProfile::new(rows).unwrap()));
         run(problem).remove(2).tips[0].rate
     });
     let [metal, surface] = rates;

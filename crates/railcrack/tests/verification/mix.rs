@@ -5,9 +5,9 @@ use railcrack::dislocation::{DislocationEngine, FaceResolution};
 use railcrack::fatigue::KinkFunctions;
 use railcrack::field::HertzWheel;
 use railcrack::fracture::Sif;
-use railcrack::growth::{Growth, GrowthSettings, GrowthState, PassageSettings, StepRecord, Unobserved};
+use railcrack::growth::{Growth, GrowthSettings, GrowthState, StepRecord, Unobserved};
 use railcrack::load::HertzianContact;
-use railcrack::plane::{MixedWheel, PlaneRail};
+use railcrack::plane::{PlaneRail, PlaneWheel};
 
 fn wheel(peak_pressure: f64, friction: f64) -> HertzWheel {
     HertzWheel::new(&HertzianContact { peak_pressure, half_width: 6.75, friction }, &steel()).unwrap()
@@ -21,20 +21,10 @@ fn steps(wheels: &[(f64, HertzWheel)]) -> Vec<StepRecord> {
 /// The same for a number of increments and a length (mm) at first.
 fn grown(wheels: &[(f64, HertzWheel)], increments: usize, length: f64) -> Vec<StepRecord> {
     let engine = DislocationEngine { steel: steel(), resolution: FaceResolution::default() };
-    let (first, others) = wheels.split_first().unwrap();
-    let mut problem = PlaneRail::new(engine, first.1, vec![0.3]);
+    let wheel =
+        |&(share, wheel): &(f64, HertzWheel)| PlaneWheel { share, ..PlaneWheel::new(Box::new(wheel)) };
+    let mut problem = PlaneRail::under(Box::new(engine), wheels.iter().map(wheel).collect(), vec![0.3]);
     problem.growth = GrowthSettings { steps: increments, ..GrowthSettings::default() };
-    problem.share = first.0;
-    let mixed = |&(share, wheel): &(f64, HertzWheel)| MixedWheel {
-        wheel: Box::new(wheel),
-        share,
-        residual: None,
-        passages: PassageSettings::default(),
-        fluid: None,
-        coupling: None,
-        toughness: None,
-    };
-    problem.others = others.iter().map(mixed).collect();
     let mut growth = Growth::new(problem, GrowthState::initial(&surface_crack(0.0, length, 30.0).into()));
     std::iter::from_fn(|| growth.next_step(&Unobserved).unwrap()).collect()
 }

@@ -12,7 +12,7 @@ use railcrack::growth::{
 };
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::math::{RailBox, Stress, Vec2};
-use railcrack::plane::{MixedWheel, PlaneRail, RailLoad, stabilised_passage};
+use railcrack::plane::{PlaneRail, PlaneWheel, RailLoad, stabilised_passage};
 use railcrack::space::{
     EllipticWheel, FrontSif, SpaceBody, SpaceContact, SpaceCrack, SpaceHistory, SpaceLoad,
     SpacePassageSettings, SpaceRail, SpaceResolution, SpaceWheel, Surroundings, Symmetric, WheelStress,
@@ -256,17 +256,9 @@ fn of_the_2d_engine_under_a_mix_with_wear() {
 
     let over = |k: usize| MiddlePlane(MIX[k].1, [-MIX[k].1.half_width, MIX[k].1.half_width]);
     let engine = DislocationEngine { steel: steel(), resolution: FaceResolution::default() };
-    let mut rail = PlaneRail::new(engine, over(0), vec![friction]);
-    (rail.growth, rail.passages, rail.share) = (growth.clone(), passages, MIX[0].0);
-    rail.others = vec![MixedWheel {
-        wheel: Box::new(over(1)),
-        share: MIX[1].0,
-        residual: None,
-        passages,
-        fluid: None,
-        coupling: None,
-        toughness: None,
-    }];
+    let wheel = |k: usize| PlaneWheel { share: MIX[k].0, passages, ..PlaneWheel::new(Box::new(over(k))) };
+    let mut rail = PlaneRail::under(Box::new(engine), vec![wheel(0), wheel(1)], vec![friction]);
+    rail.growth = growth.clone();
     let plane = GrowthState::initial(&surface_crack(0.0, length, degrees).into());
     let plane = one_increment(rail, plane);
 
