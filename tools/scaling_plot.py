@@ -23,11 +23,10 @@ def column(study, name):
 panels = [
     ("unknowns", "unknowns", "unknowns"),
     ("cracks", "cracks", "number of cracks, together"),
-    ("groups, finite elements", "cracks", "in groups, finite elements"),
     ("groups, dislocations", "cracks", "in groups, dislocations"),
     ("load steps", "contact_solves", "contact solutions of a step"),
 ]
-figure, axes = plt.subplots(1, 5, figsize=(17, 3.6), constrained_layout=True)
+figure, axes = plt.subplots(1, 4, figsize=(13.6, 3.6), constrained_layout=True)
 for axis, (study, name, title) in zip(axes, panels):
     x = column(study, name)
     axis.loglog(x, column(study, "body_ms"), "o-", color="#0072b2", label="body")

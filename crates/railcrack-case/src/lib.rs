@@ -29,8 +29,8 @@ pub use normal::quantile as normal_quantile;
 pub use regular_file::open_regular;
 pub use schema::read_text_file;
 pub use schema::{
-    Availability, CaseError, CaseErrors, Choice, Form, Key, Kind, NumberRange, OnlyWith, Pair, Presence,
-    Preset, RangeEnd, Section, SectionPresence, Value, Word,
+    CaseError, CaseErrors, Choice, Form, Key, Kind, NumberRange, OnlyWith, Pair, Presence, Preset, RangeEnd,
+    Section, SectionPresence, Value, Word,
 };
 pub use study::{Axis, Distribution, Input, Keeping, SampleTable, Study, StudyRun, Variation, study_schema};
 pub use tables::{

@@ -44,8 +44,8 @@ const BEYOND: f64 = 6.0 * HALF_WIDTH;
 /// Output positions of rows in groups.
 const POSITIONS: usize = 121;
 
-/// The studies of rows in groups.
-const GROUPS: [&str; 2] = ["groups, finite elements", "groups, dislocations"];
+/// The study of rows in groups.
+const GROUPS: &str = "groups, dislocations";
 
 /// The varied quantity.
 #[derive(Debug, Clone, Copy)]
@@ -69,8 +69,8 @@ fn points() -> Vec<Point> {
     let threads = [1, 2].map(|threads| Point { study: "threads", element_mm: 0.1, threads, ..PLAIN });
     let of_nine = [1, 2].map(|threads| Point { study: "threads, 9 cracks", cracks: 9, threads, ..PLAIN });
     let numbers = [8, 16, 32, 64, 128];
-    let groups = GROUPS.map(|study| numbers.map(|cracks| Point { study, cracks, ..PLAIN }));
-    [&unknowns[..], &cracks, &load_steps, &threads, &of_nine, &groups.concat()].concat()
+    let groups = numbers.map(|cracks| Point { study: GROUPS, cracks, ..PLAIN });
+    [&unknowns[..], &cracks, &load_steps, &threads, &of_nine, &groups].concat()
 }
 
 /// Cost of a point.
@@ -91,13 +91,7 @@ fn measure_groups(point: Point) -> Result<Cost, Box<dyn Error>> {
     let wheel = HertzWheel::new(&contact, &steel)?;
     let crack = |k: usize| Crack::surface_breaking(SPACING * k as f64, 6.0, 15f64.to_radians());
     let network = CrackNetwork::new((0..point.cracks).map(crack).collect::<Result<_, _>>()?)?;
-    let mut engine: Box<dyn BodyEngine> = if point.study == GROUPS[0] {
-        let mesh = MeshSettings { element_size: point.element_mm, expected_growth: 1.0 };
-        let end = RailEnd::HalfPlane { centre: 0.5 * network.rightmost_mouth() };
-        Box::new(XfemEngine::new(&network, steel, mesh, end, XfemSettings::default()))
-    } else {
-        Box::new(DislocationEngine { steel, resolution: FaceResolution::for_cracks(point.cracks) })
-    };
+    let mut engine = DislocationEngine { steel, resolution: FaceResolution::for_cracks(point.cracks) };
     let passage = |body: &CrackedBody, step_tolerance: f64| -> Result<StabilisedPassage, Box<dyn Error>> {
         let to = network.rightmost_mouth() + BEYOND;
         let settings = PassageSettings {
@@ -184,7 +178,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     if let Some(place) = arguments.iter().position(|argument| argument == "--point") {
         let point = points[arguments[place + 1].parse::<usize>()?];
         let pool = ThreadPoolBuilder::new().num_threads(point.threads).build()?;
-        let measure = if GROUPS.contains(&point.study) { measure_groups } else { measure };
+        let measure = if point.study == GROUPS { measure_groups } else { measure };
         let cost = pool.install(|| measure(point).map_err(|reason| reason.to_string()))?;
         let Cost { unknowns, face_points, solves, body_ms, contact_ms, off } = cost;
         let memory = peak_memory_mb().map_or(String::new(), |mb| format!("{mb:.0}"));
@@ -209,7 +203,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             Ok(String::from_utf8(output.stdout)?.trim().to_owned())
         };
         let mut text = told(&[])?;
-        if GROUPS.contains(&point.study) && point.cracks <= COMPARED {
+        if point.study == GROUPS && point.cracks <= COMPARED {
             // Another process, whose memory is not that of the groups.
             let compared = told(&["--compare"])?;
             text.push_str(compared.rsplit(',').next().unwrap_or_default());
@@ -225,10 +219,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let step = |row: &[f64]| row[3] + row[4];
     let unknowns = |_: &Point, row: &[f64]| row[0];
     let cracks = |point: &Point, _: &[f64]| point.cracks as f64;
-    for study in GROUPS.into_iter().filter(|study| table.iter().any(|(point, _)| point.study == *study)) {
-        println!("# {study}: growth step over cracks: {:.2}", slope(study, &cracks, &step));
-        println!("# {study}: of it the body: {:.2}", slope(study, &cracks, &|row| row[3]));
-        println!("# {study}: memory over cracks: {:.2}", slope(study, &cracks, &|row| row[5]));
+    if table.iter().any(|(point, _)| point.study == GROUPS) {
+        println!("# {GROUPS}: growth step over cracks: {:.2}", slope(GROUPS, &cracks, &step));
+        println!("# {GROUPS}: of it the body: {:.2}", slope(GROUPS, &cracks, &|row| row[3]));
+        println!("# {GROUPS}: memory over cracks: {:.2}", slope(GROUPS, &cracks, &|row| row[5]));
     }
     if wanted.is_some() {
         return Ok(());

@@ -59,7 +59,6 @@ pub mod load;
 pub mod material;
 pub mod math;
 pub mod mesh;
-mod nuclei;
 pub mod plane;
 pub mod prelude;
 pub mod profiles;

@@ -5,9 +5,6 @@ pub trait Choice: Copy + PartialEq + Sized + 'static {
     /// Every variant with its word, the default first.
     const WORDS: &'static [(Self, Word)];
 
-    /// Words that are reserved for later versions.
-    const LATER: &'static [Word] = &[];
-
     /// The word in files and results.
     fn word(self) -> &'static str {
         Self::WORDS.iter().find(|(value, _)| *value == self).map_or("", |(_, word)| word.name)
@@ -35,30 +32,14 @@ pub struct Word {
     pub name: &'static str,
     /// Its meaning, without a capital and a full stop.
     pub doc: &'static str,
-    /// Whether this version accepts it.
-    pub availability: Availability,
     /// The equivalent boolean, if there is one.
     pub switch: Option<bool>,
 }
 
-/// Whether this version accepts a word.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Availability {
-    /// Accepted.
-    Now,
-    /// The word is reserved and rejected.
-    Later {
-        /// The reason, a sentence.
-        reason: &'static str,
-        /// A remedy in this version.
-        instead: &'static str,
-    },
-}
-
 impl Word {
-    /// A word that this version accepts.
+    /// A word without an equivalent boolean.
     pub const fn now(name: &'static str, doc: &'static str) -> Self {
-        Self { name, doc, availability: Availability::Now, switch: None }
+        Self { name, doc, switch: None }
     }
 
     /// This word with an equivalent boolean.

@@ -314,22 +314,26 @@ fn read_fracture(
 /// the sides carry part of the contact load.
 const SIDE_GAP: f64 = 1.0;
 
-/// Groups are for cracks in a half-plane and Newton's method.
+/// Groups are for cracks in a half-plane, Newton's method and engines that compute the forces
+/// between cracks one pair at a time.
 fn check_network(sections: &Sections, (is_trapped, is_block): (bool, bool), report: &mut Report) {
     let Some(solver) = sections.one(&SOLVER) else { return };
     if solver.get(NETWORK) != Some(NetworkContact::Groups) {
         return;
     }
-    let help = "network = \"whole\" solves all cracks together";
-    let mut refuse = |says: &str| report.add(solver.fault(NETWORK, says).help(help));
+    let whole = "network = \"whole\" solves all cracks together";
+    let mut refuse = |says: &str, help: &str| report.add(solver.fault(NETWORK, says).help(help));
     if is_block {
-        refuse("is \"groups\", which requires rail.boundary = \"half-plane\"");
+        refuse("is \"groups\", which requires rail.boundary = \"half-plane\"", whole);
+    } else if solver.get(ENGINE).is_some_and(|engine| engine.domain() == EngineDomain::Rail) {
+        let help = "engine = \"dislocation\" follows long rows of cracks in groups; network = \"whole\" solves all cracks together";
+        refuse("is \"groups\", which finite elements do not support", help);
     }
     if is_trapped {
-        refuse("is \"groups\", which does not resolve the seal of trapped fluid");
+        refuse("is \"groups\", which does not resolve the seal of trapped fluid", whole);
     }
     if solver.get(SOLVER_CONTACT) == Some(ContactSolver::Latin) {
-        refuse("is \"groups\", which requires solver.contact = \"newton\"");
+        refuse("is \"groups\", which requires solver.contact = \"newton\"", whole);
     }
 }
 

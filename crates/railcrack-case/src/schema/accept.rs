@@ -1,9 +1,8 @@
 //! Acceptance of TOML values for a key.
 
-use super::declaration::{Kind, NumberRange, available};
+use super::declaration::{Kind, NumberRange};
 use super::suggest::nearest;
 use super::value::Value;
-use railcrack::words::Availability;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::DeValue;
@@ -131,14 +130,9 @@ impl Kind {
             },
             Self::Choice(words) => match raw {
                 Raw::Text(text) => match words().iter().find(|word| word.name == text) {
-                    Some(word) => match word.availability {
-                        Availability::Now => Ok(Value::Text(text.clone())),
-                        Availability::Later { reason, instead } => {
-                            Err(Refusal { message: reason.into(), help: Some(instead.into()), part: None })
-                        }
-                    },
+                    Some(_) => Ok(Value::Text(text.clone())),
                     None => Err(Refusal {
-                        help: nearest(text, available(*words).map(|word| word.name))
+                        help: nearest(text, words().iter().map(|word| word.name))
                             .map(|name| format!("nearest: \"{name}\"")),
                         ..self.must_be()
                     }),

@@ -1,6 +1,6 @@
 //! Declaration of a file: sections, keys, kinds and ranges.
 
-use railcrack::words::{Availability, Word};
+use railcrack::words::Word;
 
 /// A kind of file: its sections, and the sentences that only its readers need.
 #[derive(Debug)]
@@ -331,9 +331,10 @@ impl Kind {
             Self::Text => "one line of text of at most 200 characters".into(),
             Self::LongText => format!("one line of text of at most {} characters", Self::LONG_TEXT),
             Self::Choice(words) => {
-                let names: Vec<String> = available(*words).map(|word| format!("\"{}\"", word.name)).collect();
+                let names: Vec<String> =
+                    words().into_iter().map(|word| format!("\"{}\"", word.name)).collect();
                 let switches =
-                    available(*words).filter_map(|word| word.switch).map(|value| value.to_string());
+                    words().into_iter().filter_map(|word| word.switch).map(|value| value.to_string());
                 names.into_iter().chain(switches).collect::<Vec<_>>().join(" or ")
             }
             Self::Switch => "true or false".into(),
@@ -345,11 +346,6 @@ impl Kind {
             Self::Groups { .. } => "a list of groups, each a list of at least two keys".into(),
         }
     }
-}
-
-/// The words that this version accepts.
-pub(super) fn available(words: fn() -> Vec<Word>) -> impl Iterator<Item = Word> {
-    words().into_iter().filter(|word| word.availability == Availability::Now)
 }
 
 impl Key {
@@ -410,15 +406,5 @@ impl Section {
     #[must_use]
     pub fn is_in_a_form(&self, key: &Key) -> bool {
         self.forms.iter().any(|form| form.keys.contains(&key.name))
-    }
-
-    /// Whether `key` can be given in this version.
-    #[must_use]
-    pub fn offers(&self, key: &Key) -> bool {
-        let Some(with) = key.only_with else { return true };
-        match self.key(with.key).map(|k| k.kind) {
-            Some(Kind::Choice(words)) => available(words).any(|word| with.admits(word.name)),
-            _ => true,
-        }
     }
 }

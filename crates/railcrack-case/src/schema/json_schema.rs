@@ -2,7 +2,6 @@
 
 use super::declaration::{
     FileSchema, Form, Key, Kind, NumberRange, OnlyWith, Presence, Preset, RangeEnd, Section, SectionPresence,
-    available,
 };
 use serde_json::{Map, Value, json};
 
@@ -53,7 +52,7 @@ pub(crate) fn file_schema(file: &FileSchema) -> Value {
 /// The JSON Schema of one table of a section.
 pub(crate) fn section_schema(section: &Section) -> Value {
     let mut properties = Map::new();
-    for key in section.keys.iter().filter(|k| section.offers(k)) {
+    for key in section.keys {
         properties.insert(key.name.into(), key_schema(key));
     }
     for part in section.parts {
@@ -165,8 +164,8 @@ fn key_schema(key: &Key) -> Value {
             schema.insert("minLength".into(), 1.into());
         }
         Kind::Choice(words) => {
-            let names: Vec<&str> = available(words).map(|word| word.name).collect();
-            let switches = available(words).filter_map(|word| word.switch);
+            let names: Vec<&str> = words().into_iter().map(|word| word.name).collect();
+            let switches = words().into_iter().filter_map(|word| word.switch);
             let all = names.into_iter().map(Value::from).chain(switches.map(Value::from));
             schema.insert("enum".into(), all.collect());
         }

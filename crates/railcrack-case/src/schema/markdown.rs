@@ -2,7 +2,7 @@
 
 use super::declaration::{FileSchema, Key, Kind, Presence, Section, SectionPresence};
 use super::write::preset_text;
-use railcrack::words::{Availability, Word};
+use railcrack::words::Word;
 
 /// The page, in Markdown: the introduction, then a table of the keys of each section.
 pub(crate) fn page(file: &FileSchema) -> String {
@@ -21,7 +21,7 @@ pub(crate) fn page(file: &FileSchema) -> String {
         page.push_str(&forms(section));
         page.push_str("\n| key | accepted | default | meaning |\n|---|---|---|---|\n");
         for key in section.keys {
-            page.push_str(&row(section, key));
+            page.push_str(&row(key));
         }
         page.push_str(&parts(section));
     }
@@ -56,7 +56,7 @@ fn forms(section: &Section) -> String {
     if ways.is_empty() { String::new() } else { format!("\nEither {}.\n", ways.join("; or ")) }
 }
 
-fn row(section: &Section, key: &Key) -> String {
+fn row(key: &Key) -> String {
     let accepted = match key.kind {
         Kind::Choice(words) => words().iter().map(choice).collect::<Vec<_>>().join("; "),
         _ => key.kind.accepted(),
@@ -74,18 +74,10 @@ fn row(section: &Section, key: &Key) -> String {
     if let Some(with) = key.only_with {
         meaning.push_str(&format!(" Only with `{}`.", with.shown()));
     }
-    if !section.offers(key) {
-        meaning.push_str(" Not available yet.");
-    }
     format!("| `{}` | {accepted} | {default} | {meaning} |\n", key.name)
 }
 
 fn choice(choice: &Word) -> String {
-    match choice.availability {
-        Availability::Now => {
-            let also = choice.switch.map_or_else(String::new, |value| format!(" or `{value}`"));
-            format!("`\"{}\"`{also}: {}", choice.name, choice.doc)
-        }
-        Availability::Later { .. } => format!("`\"{}\"`: {}, not available yet", choice.name, choice.doc),
-    }
+    let also = choice.switch.map_or_else(String::new, |value| format!(" or `{value}`"));
+    format!("`\"{}\"`{also}: {}", choice.name, choice.doc)
 }

@@ -26,7 +26,7 @@ pub use declaration::{
 };
 pub use document::read_text_file;
 pub use error::{CaseError, CaseErrors};
-pub use railcrack::words::{Availability, Choice, Word};
+pub use railcrack::words::{Choice, Word};
 pub use value::Value;
 pub(crate) use value::{FromValue, NumberOr, read_by_word};
 

@@ -151,9 +151,9 @@ pub(crate) const fn choice<T: Choice>(name: &'static str, doc: &'static str) -> 
     KeyRow::new(name, Kind::Choice(words::<T>), Preset::Text(T::WORDS[0].1.name), doc)
 }
 
-/// All words of a choice, those of later versions last.
+/// All words of a choice.
 fn words<T: Choice>() -> Vec<Word> {
-    T::WORDS.iter().map(|(_, word)| *word).chain(T::LATER.iter().copied()).collect()
+    T::WORDS.iter().map(|(_, word)| *word).collect()
 }
 
 /// Yes or no.

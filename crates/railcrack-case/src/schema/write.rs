@@ -1,6 +1,6 @@
 //! Declared files as text: the first file of a user, and a file as it was read.
 
-use super::declaration::{FileSchema, Key, Kind, Presence, Preset, Section, SectionPresence, available};
+use super::declaration::{FileSchema, Key, Kind, Presence, Preset, Section, SectionPresence};
 use super::row::KeyRow;
 use super::sections::{SectionValues, Sections};
 use super::value::{Value, toml_value};
@@ -67,7 +67,7 @@ pub(crate) fn first_file(file: &FileSchema) -> String {
             let comment = if left_out(section) { "# " } else { "" };
             text.push_str(&format!("\n# {}\n{comment}{}\n", section.doc, section.header()));
         }
-        for key in section.keys.iter().filter(|k| section.offers(k)) {
+        for key in section.keys {
             text.push_str(&init_line(section, key));
         }
     }
@@ -98,7 +98,7 @@ fn init_line(section: &Section, key: &Key) -> String {
     match key.kind {
         Kind::Choice(words) => {
             let names: Vec<String> =
-                available(words).map(|word| format!("\"{}\": {}", word.name, word.doc)).collect();
+                words().into_iter().map(|word| format!("\"{}\": {}", word.name, word.doc)).collect();
             comment.push_str(&format!(" {}.", names.join("; ")));
         }
         Kind::Number { unit: "", range } => comment.push_str(&format!(" In {range}.")),

@@ -142,11 +142,7 @@ impl BulkRail {
     /// [`BulkRail::new`] without factoring the stiffness.
     ///
     /// Errors: a top that is not at y = 0.
-    pub(crate) fn unfactored(
-        mesh: QuadMesh,
-        steel: &IsotropicElastic,
-        boundary: Boundary,
-    ) -> Result<Self, BulkError> {
+    fn unfactored(mesh: QuadMesh, steel: &IsotropicElastic, boundary: Boundary) -> Result<Self, BulkError> {
         let top = mesh.y_lines()[mesh.rows()];
         if top != 0.0 {
             return Err(BulkError::Top { top });

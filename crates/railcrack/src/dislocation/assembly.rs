@@ -2,11 +2,11 @@
 
 use super::integrals::{PairRules, pair_integral};
 use super::junctions::Ties;
+use super::kernel::Interaction;
 use crate::body::{FaceElement, FaceMesh};
 use crate::crack::CrackCurve;
 use crate::interruption::{Interrupted, Interruption};
 use crate::math::Matrix;
-use crate::nuclei::Interaction;
 use rayon::prelude::*;
 
 /// A: the energy ½ wᵀ A w of the jumps w (slip and opening, mm) at the points of `faces`, N/mm per

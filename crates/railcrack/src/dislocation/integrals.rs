@@ -1,9 +1,9 @@
 //! Double integrals of the dislocation interaction over pairs of straight pieces.
 
+use super::kernel::{Interaction, Split, collinear_constant, split_image_interaction, split_interaction};
 use crate::body::FacePiece as Piece;
 use crate::crack::{CrackCurve, End, from_nearest};
 use crate::math::{Vec2, gauss_legendre};
-use crate::nuclei::{Interaction, Split, collinear_constant, split_image_interaction, split_interaction};
 
 /// Relative error of the integral over a pair of pieces. The flap above a crack at 1° is a million
 /// times more compliant in bending than in shear: with 1e-6 its energy is not positive.

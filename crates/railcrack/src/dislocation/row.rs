@@ -1,13 +1,14 @@
 //! A of a long row of cracks in blocks between units.
 
 use super::assembly::{element_integral, scatter, slope};
+use super::far::{FarRow, Source};
 use super::integrals::PairRules;
 use super::junctions::Ties;
+use super::units::Units;
 use crate::body::{BlockStiffness, FaceElement, FaceMesh};
 use crate::crack::{CrackCurve, CrackNetwork};
 use crate::interruption::{Interrupted, Interruption};
 use crate::math::Matrix;
-use crate::nuclei::{FarRow, Source, SourceSite, Units};
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -60,8 +61,7 @@ impl CrackRow<'_> {
             }
             nearby[k].push((l, block));
         }
-        let source =
-            |&e: &usize| Source { place: SourceSite::Element(&self.elements[e]), follows: slopes[e].clone() };
+        let source = |&e: &usize| Source { element: &self.elements[e], follows: slopes[e].clone() };
         let sources: Vec<Vec<Source<'_>>> =
             elements.iter().map(|own| own.iter().map(source).collect()).collect();
         let Self { curves, faces, modulus, .. } = *self;

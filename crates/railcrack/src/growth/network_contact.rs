@@ -9,8 +9,8 @@ pub enum NetworkContact {
     #[default]
     Whole,
     /// Each crack is followed with its neighbours, event by event, under the forces of all others,
-    /// in sweeps until they agree. For engines that build bodies by groups; with others, cracks are
-    /// followed together.
+    /// in sweeps until they agree. For engines that build bodies by groups; with finite elements,
+    /// cracks are followed together.
     Groups,
 }
 
@@ -24,7 +24,7 @@ impl Choice for NetworkContact {
             Self::Groups,
             Word::now(
                 "groups",
-                "each crack with its neighbours, in sweeps until they agree within network_tolerance; for dozens of cracks in a half-plane or in space, with the newton solver, without trapped fluid and without fields",
+                "each crack with its neighbours, in sweeps until they agree within network_tolerance; for dozens of cracks, with the dislocation or the space engine and the newton solver, without trapped fluid and without fields",
             ),
         ),
     ];

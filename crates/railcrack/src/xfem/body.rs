@@ -54,35 +54,6 @@ pub(super) fn reduced(
     columns: &mut ColumnStore,
     interruption: Interruption<'_>,
 ) -> Result<(CrackedBody, Inside), XfemError> {
-    let same = |crack: usize| crack;
-    let Reduced { body, inside, remarks } =
-        of_some_cracks(background, network, &same, settings, columns, interruption)?;
-    let remarks = of_thin_flaps(network).into_iter().chain(remarks.into_iter().flatten()).collect();
-    Ok((CrackedBody { remarks, ..body }, inside))
-}
-
-/// Remarks on thin flaps: at 2° the error of K is 0.6 %.
-pub(super) fn of_thin_flaps(network: &CrackNetwork) -> Vec<String> {
-    thin_flaps(network, 2, "smaller elements (element_size_mm)")
-}
-
-/// A body, the data of its interior and the remarks on its tips.
-pub(super) struct Reduced {
-    pub body: CrackedBody,
-    pub inside: Inside,
-    pub remarks: Vec<Vec<String>>,
-}
-
-/// The cracked rail with `network`, which holds some of the cracks of a row; `number` is the index
-/// of each crack in the row.
-pub(super) fn of_some_cracks(
-    background: &Arc<BulkRail>,
-    network: &CrackNetwork,
-    number: &dyn Fn(usize) -> usize,
-    settings: XfemSettings,
-    columns: &mut ColumnStore,
-    interruption: Interruption<'_>,
-) -> Result<Reduced, XfemError> {
     let mut times = BodyTimes::default();
     let mut clock = Stopwatch::start();
     let mut lap = || clock.lap();
@@ -95,13 +66,14 @@ pub(super) fn of_some_cracks(
     times.border_s = lap();
     let context =
         SifContext { mesh, cuts: &cuts, space: &space, interface: &interface, elasticity: &elasticity };
-    let mut remarks = Vec::new();
+    // At 2° the error of K is 0.6 %.
+    let mut remarks = thin_flaps(network, 2, "smaller elements (element_size_mm)");
     let mut functionals: Vec<SifFunctional> = Vec::new();
     for (tip, &size) in sizes.iter().enumerate() {
         interruption.check()?;
-        let (domain, remark) = domain_of(&cuts, tip, size, &settings, number);
+        let (domain, remark) = domain_of(&cuts, tip, size, &settings);
         functionals.extend(context.functionals(tip, domain));
-        remarks.push(remark.into_iter().chain(short_part(&cuts, tip, size, number)).collect());
+        remarks.extend(remark.into_iter().chain(short_part(&cuts, tip, size)));
     }
     times.sif_s = lap();
     let jumps = trace::jumps(background, &cuts, &space, &interface);
@@ -132,11 +104,12 @@ pub(super) fn of_some_cracks(
         dofs: background.order() + space.unknowns(),
         ends,
         times,
+        remarks,
         ..CrackedBody::new(interface.faces.clone(), network.tips(), matrices)
     };
     let rail = Arc::clone(background);
     let inside = Inside { rail, cuts, space, interface, duality, elimination };
-    Ok(Reduced { body, inside, remarks })
+    Ok((body, inside))
 }
 
 /// The cracked mesh without its stiffness.

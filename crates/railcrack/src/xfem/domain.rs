@@ -26,13 +26,12 @@ enum Neighbour {
 /// The domain of tip `tip`, around which elements have the size `size` (mm): as in `settings`, but
 /// extending no farther than the nearest other crack or the running surface, down to [`SMALLEST`].
 /// Neighbours inside the smallest domain contribute to its integral through their faces. The remark
-/// reports a neighbour that is too near; `number` gives the index under which it names a crack.
+/// reports a neighbour that is too near.
 pub(super) fn domain_of(
     cuts: &Cuts,
     tip: usize,
     size: f64,
     settings: &XfemSettings,
-    number: &dyn Fn(usize) -> usize,
 ) -> (SifDomain, Option<String>) {
     let inner = settings.domain_inner * size;
     let wanted = settings.domain_outer * size;
@@ -43,13 +42,13 @@ pub(super) fn domain_of(
         let path = &cuts.tips[tip];
         let at = path.position();
         let near = match neighbour {
-            Neighbour::Crack(crack) => format!("crack {}", number(crack) + 1),
+            Neighbour::Crack(crack) => format!("crack {}", crack + 1),
             Neighbour::Surface => "the running surface".to_owned(),
         };
         format!(
             "crack {}: its tip at ({:.3}, {:.3}) mm is {distance:.3} mm from {near}, {:.2} of an element: its K cannot be trusted; smaller \
              elements (element_size_mm) resolve it",
-            number(path.crack) + 1,
+            path.crack + 1,
             at.x,
             at.y,
             distance / size
@@ -65,12 +64,7 @@ pub(super) fn domain_of(
 const TRUSTED_PART: f64 = 1.25;
 
 /// A remark on a last segment after a sharp kink that is too short for elements of `size` (mm).
-pub(super) fn short_part(
-    cuts: &Cuts,
-    tip: usize,
-    size: f64,
-    number: &dyn Fn(usize) -> usize,
-) -> Option<String> {
+pub(super) fn short_part(cuts: &Cuts, tip: usize, size: f64) -> Option<String> {
     let path = &cuts.tips[tip];
     let (from, to) = path.last_segment();
     let length = (to - from).length();
@@ -78,7 +72,7 @@ pub(super) fn short_part(
     Some(format!(
         "crack {}: its tip at ({:.3}, {:.3}) mm is {length:.3} mm behind a kink of {:.0}°, {:.2} of an element: its K under friction cannot be \
          trusted; larger increments, or smaller elements (element_size_mm), resolve it",
-        number(path.crack) + 1,
+        path.crack + 1,
         to.x,
         to.y,
         turn.to_degrees(),

@@ -4,7 +4,6 @@ use super::body::{Discretisation, cracked_body_with};
 use super::columns::ColumnStore;
 use super::error::XfemError;
 use super::refined_region::{MeshSettings, RefinedRegion, ResolvedLayers};
-use super::row::MeshedRow;
 use super::settings::XfemSettings;
 use super::size::{XfemSize, factor_entries};
 use crate::body::{BodyEngine, BodyError, CrackedBody};
@@ -189,17 +188,6 @@ impl XfemEngine {
         })
     }
 
-    /// Size of the systems of `network` with A in blocks.
-    pub fn size_by_groups(&self, network: &CrackNetwork) -> Result<XfemSize, XfemError> {
-        let (refined, _) = self.region_for(network);
-        self.row(network, &refined).size()
-    }
-
-    fn row<'a>(&'a self, network: &'a CrackNetwork, refined: &'a RefinedRegion) -> MeshedRow<'a> {
-        let (extent, settings) = (self.end.extent(refined), self.settings);
-        MeshedRow { network, steel: &self.steel, refined, extent, settings }
-    }
-
     /// The refined region that holds `network`, and its predecessor in the sequence of
     /// enlargements, if any.
     fn region_for(&self, network: &CrackNetwork) -> (RefinedRegion, Option<RefinedRegion>) {
@@ -256,17 +244,6 @@ impl XfemEngine {
         Ok(body)
     }
 
-    fn by_groups(
-        &self,
-        interruption: Interruption<'_>,
-        network: &CrackNetwork,
-    ) -> Result<CrackedBody, XfemError> {
-        let (refined, _) = self.region_for(network);
-        let mut body = self.row(network, &refined).body(interruption)?;
-        self.remark_on_region(network, &mut body);
-        Ok(body)
-    }
-
     /// Adds a remark if the refined region was enlarged. It depends on the cracks alone, so that a
     /// run resumed at this step gives the same remark.
     fn remark_on_region(&self, network: &CrackNetwork, body: &mut CrackedBody) {
@@ -287,21 +264,6 @@ impl BodyEngine for XfemEngine {
         network: &CrackNetwork,
     ) -> Result<CrackedBody, BodyError> {
         self.cracked(interruption, network).map_err(|reason| BodyError { reason: Box::new(reason) })
-    }
-
-    /// None for a block, in which the forces between distant cracks differ from those of the
-    /// half-plane.
-    fn body_by_groups(
-        &mut self,
-        interruption: Interruption<'_>,
-        network: &CrackNetwork,
-    ) -> Result<Option<CrackedBody>, BodyError> {
-        if self.end.boundary() != Boundary::HalfPlane {
-            return Ok(None);
-        }
-        self.by_groups(interruption, network)
-            .map(Some)
-            .map_err(|reason| BodyError { reason: Box::new(reason) })
     }
 
     fn forget(&mut self) {

@@ -74,11 +74,6 @@ impl Interface {
         interface
     }
 
-    /// The elements of the faces, between their points.
-    pub(super) fn elements(&self) -> &[FaceElement] {
-        &self.elements
-    }
-
     fn stations_of(&self, cuts: &Cuts) -> Vec<Station> {
         let rule = gauss_legendre(GAUSS);
         let mut stations = Vec::new();

@@ -19,8 +19,6 @@ mod junctions;
 mod path;
 mod quadrature;
 mod refined_region;
-mod row;
-mod row_part;
 mod settings;
 mod sif;
 mod size;

@@ -128,7 +128,7 @@ const MOUTH_ELEMENT: f64 = 1.0 / 300.0;
 const MOUTH_GRADING: f64 = 0.35;
 /// Growth of elements outside of the refined region: length per distance. Quadratic elements follow
 /// the decay of the field there.
-pub(super) const OUTER_GRADING: f64 = 0.4;
+const OUTER_GRADING: f64 = 0.4;
 /// Angle (radians) of the branch for which the refined region makes room: kinks at ±70.5° maximise
 /// the opening of a shear crack.
 const BRANCH: f64 = 1.25;
@@ -249,18 +249,12 @@ impl RefinedRegion {
     ///
     /// Errors: more than [`MOST_MESH_UNKNOWNS`]; grid lines that coincide by round-off.
     pub fn mesh(&self, extent: RailBox) -> Result<QuadMesh, MeshError> {
-        let (x, y) = self.mesh_lines(extent)?;
-        QuadMesh::new(x, y)
-    }
-
-    /// The lines of [`RefinedRegion::mesh`] along x and y.
-    pub(super) fn mesh_lines(&self, extent: RailBox) -> Result<(Vec<f64>, Vec<f64>), MeshError> {
         let (x, y) = self.gradings(extent);
         let unknowns = mesh_unknowns(&x, &y);
         if unknowns.is_nan() || unknowns > MOST_MESH_UNKNOWNS {
             return Err(MeshError::TooManyUnknowns { unknowns, most: MOST_MESH_UNKNOWNS });
         }
-        Ok((x.lines(), y.lines()))
+        QuadMesh::new(x.lines(), y.lines())
     }
 
     /// Displacement unknowns of the mesh of `extent`, computed without making it; infinite on

@@ -11,7 +11,6 @@ use railcrack::interruption::Interruption;
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::material::IsotropicElastic;
 use railcrack::plane::{RailLoad, stabilised_passage};
-use railcrack::xfem::{MeshSettings, RailEnd, XfemEngine, XfemSettings};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 const SPACING: f64 = 3.4;
@@ -21,21 +20,6 @@ const STEPS: f64 = 2e-4;
 
 fn row(count: usize) -> Vec<Crack> {
     (0..count).map(|k| surface_crack(SPACING * k as f64, 6.0, 15.0)).collect()
-}
-
-/// Of finite elements, mm: coarse, which both ways of computing have in common.
-const ELEMENT_SIZE: f64 = 0.4;
-
-/// The cracked half-plane in finite elements, all cracks in one mesh and by groups.
-fn in_finite_elements(cracks: Vec<Crack>, junctions: Vec<Junction>) -> [CrackedBody; 2] {
-    let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
-    let network = CrackNetwork::joined(cracks, junctions).unwrap();
-    let mesh = MeshSettings { element_size: ELEMENT_SIZE, expected_growth: 1.0 };
-    let centre = 0.5 * (network.leftmost_mouth() + network.rightmost_mouth());
-    let end = RailEnd::HalfPlane { centre };
-    let mut engine = XfemEngine::new(&network, steel, mesh, end, XfemSettings::default());
-    let groups = engine.body_by_groups(Interruption::NEVER, &network).unwrap().unwrap();
-    [engine.body(&network).unwrap(), groups]
 }
 
 fn by_groups(cracks: Vec<Crack>, junctions: Vec<Junction>) -> CrackedBody {
@@ -172,48 +156,6 @@ fn branched_row(count: usize) -> (Vec<Crack>, Vec<Junction>) {
     cracks.push(polyline(&[at, (at.0 + 1.5, at.1 - 1.5)]));
     (cracks, vec![junction(count, End::First, 2)])
 }
-
-/// Parts of a row in meshes of their own, some of them beyond the reach of near blocks; and the
-/// same bits with one and with three threads.
-#[test]
-fn k_in_groups_of_finite_elements() {
-    let (cracks, junctions) = branched_row(12);
-    let way = (-40.5, SPACING * 11.0 + 40.5);
-    let with_threads = |number: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(number).build().unwrap();
-        pool.install(|| {
-            let [whole, groups] = in_finite_elements(cracks.clone(), junctions.clone());
-            let passage = passage(&groups, way, None, &Unobserved).unwrap();
-            (whole, groups, passage)
-        })
-    };
-    let (whole, groups, in_groups) = with_threads(1);
-    assert_eq!(whole.faces.points, groups.faces.points, "the same points");
-    assert_eq!(whole.faces.samples, groups.faces.samples);
-    assert_eq!(whole.tips, groups.tips);
-    let blocks = groups.blocks.as_ref().unwrap();
-    assert_eq!(blocks.units.len(), 12, "units");
-    let entries = (0..whole.stiffness.rows()).flat_map(|i| whole.stiffness.row(i));
-    let stiffest = entries.fold(0.0f64, |largest, a| largest.max(a.abs()));
-    for (k, near) in blocks.near.iter().enumerate() {
-        for (l, block) in near {
-            for (i, j) in (0..block.rows()).flat_map(|i| (0..block.columns()).map(move |j| (i, j))) {
-                let (p, q) = (2 * blocks.units[k][i / 2] + i % 2, 2 * blocks.units[*l][j / 2] + j % 2);
-                let off = (whole.stiffness[(p, q)] - block[(i, j)]).abs();
-                assert!(off < PARTS * stiffest, "{k}, {l}: {off:e} of {stiffest:e}");
-            }
-        }
-    }
-    let off = largest_difference(&passage(&whole, way, None, &Unobserved).unwrap(), &in_groups);
-    assert!(off < 1e-3, "{off:e} of the peak");
-    let (_, again, passage) = with_threads(3);
-    assert!(passage == in_groups, "a result depends on the number of threads");
-    assert_eq!(again.remarks, groups.remarks);
-}
-
-/// A between cracks in two meshes that become coarse in different places, over its largest entry:
-/// measured 3e-8 of neighbours in rows of 16 and 32.
-const PARTS: f64 = 1e-6;
 
 /// A crack whose end lies on another one is one unit with it.
 #[test]

@@ -5,7 +5,6 @@ use crate::case::case::Case;
 use crate::tables::{ELEMENT_SIZE, INTERFACE_SPACING};
 use railcrack::body::BodyEngine;
 use railcrack::crack::Crack;
-use railcrack::growth::NetworkContact;
 use railcrack::xfem::XfemEngine;
 
 pub(super) struct Xfem;
@@ -15,11 +14,10 @@ impl CaseEngine for Xfem {
         // Errors of a plastic stress are reported by its reader; that of rolling is not yet
         // available.
         let engine = case.finite_elements(case.given_plastic().as_ref());
-        let size = match case.network {
-            // Displacements and memory of the largest mesh that the growth is expected to need.
-            NetworkContact::Whole if case.outgrows_first_mesh() => engine.largest_size(&case.cracks),
-            NetworkContact::Whole => engine.size(&case.cracks),
-            NetworkContact::Groups => engine.size_by_groups(&case.cracks),
+        // Displacements and memory of the largest mesh that the growth is expected to need.
+        let size = match case.outgrows_first_mesh() {
+            true => engine.largest_size(&case.cracks),
+            false => engine.size(&case.cracks),
         };
         size.map_or(FaceSize::default(), |size| FaceSize {
             face_points: size.face_points,

@@ -21,7 +21,7 @@ pub(super) struct SourceBox {
 
 impl SourceBox {
     /// Number of Chebyshev points of a box.
-    pub(crate) const NODES: usize = ALONG * DOWN;
+    pub(super) const NODES: usize = ALONG * DOWN;
 
     fn of(curve: &CrackCurve) -> Self {
         let points = (0..curve.segments()).map(|i| curve.position(i, curve.vertices()[i]));
@@ -46,7 +46,7 @@ impl SourceBox {
     }
 
     /// The Chebyshev points to which [`SourceBox::weights`] refers.
-    pub(crate) fn nodes(&self) -> Vec<Vec2> {
+    pub(super) fn nodes(&self) -> Vec<Vec2> {
         let [xs, ys] = self.lines();
         xs.iter().flat_map(|&x| ys.iter().map(move |&y| Vec2::new(x, y))).collect()
     }
@@ -57,7 +57,7 @@ impl SourceBox {
         [chebyshev::points(&xs, ALONG), chebyshev::points(&ys, DOWN)]
     }
 
-    pub(crate) fn weights(&self, point: Vec2) -> Vec<f64> {
+    pub(super) fn weights(&self, point: Vec2) -> Vec<f64> {
         let [xs, ys] = self.lines();
         let (along, down) = (chebyshev::weights(&xs, point.x), chebyshev::weights(&ys, point.y));
         along.iter().flat_map(|a| down.iter().map(move |d| a * d)).collect()
@@ -66,7 +66,7 @@ impl SourceBox {
 
 /// Cracks that have joined each other are one unit, every other crack is a unit of its own; units
 /// are in the order in which they lie along the rail.
-pub(crate) struct Units {
+pub(super) struct Units {
     /// The cracks of each unit, in order.
     pub cracks: Vec<Vec<usize>>,
     pub(super) extents: Vec<SourceBox>,
@@ -74,13 +74,13 @@ pub(crate) struct Units {
 
 impl Units {
     /// The units of `network`, whose cracks have the `curves`.
-    pub(crate) fn new(network: &CrackNetwork, curves: &[CrackCurve]) -> Self {
+    pub(super) fn new(network: &CrackNetwork, curves: &[CrackCurve]) -> Self {
         let extents: Vec<SourceBox> = curves.iter().map(SourceBox::of).collect();
         Self { cracks: units(network, &extents), extents }
     }
 
     /// The unit of each crack.
-    pub(crate) fn of_cracks(&self) -> Vec<usize> {
+    pub(super) fn of_cracks(&self) -> Vec<usize> {
         let mut unit_of = vec![0; self.extents.len()];
         for (k, cracks) in self.cracks.iter().enumerate() {
             cracks.iter().for_each(|&crack| unit_of[crack] = k);
@@ -89,7 +89,7 @@ impl Units {
     }
 
     /// Whether units `k` and `l` are near to each other.
-    pub(crate) fn are_near(&self, k: usize, l: usize) -> bool {
+    pub(super) fn are_near(&self, k: usize, l: usize) -> bool {
         let near = |&one: &usize| {
             self.cracks[l].iter().any(|&other| !self.extents[one].is_apart(&self.extents[other]))
         };
@@ -97,7 +97,7 @@ impl Units {
     }
 
     /// Ends of unit `k` along the rail, mm.
-    pub(crate) fn span(&self, k: usize) -> (f64, f64) {
+    pub(super) fn span(&self, k: usize) -> (f64, f64) {
         let low = self.cracks[k].iter().map(|&c| self.extents[c].low.x).fold(f64::INFINITY, f64::min);
         (low, self.cracks[k].iter().map(|&c| self.extents[c].high.x).fold(f64::NEG_INFINITY, f64::max))
     }

@@ -13,23 +13,15 @@ const POINTS: usize = 8;
 /// Gauss points on each piece for the estimate of the error.
 const FEW_POINTS: usize = 2;
 
-/// Dislocations whose Burgers vectors depend on the jumps at face points.
-pub(crate) struct Source<'a> {
-    pub place: SourceSite<'a>,
+/// Dislocations on an element, over which the jump is linear in the parameter of the curve.
+pub(super) struct Source<'a> {
+    pub element: &'a FaceElement,
     /// Face points of the unit, by index within the unit, with the Burgers vector per jump there.
     pub follows: Vec<(usize, f64)>,
 }
 
-/// The position of dislocations.
-pub(crate) enum SourceSite<'a> {
-    /// Dislocations on an element, over which the jump is linear in the parameter of the curve.
-    Element(&'a FaceElement),
-    /// A dislocation at a point (mm) of a crack.
-    Point { crack: usize, at: Vec2 },
-}
-
 /// A row of cracks and the dislocations on them.
-pub(crate) struct FarRow<'a> {
+pub(super) struct FarRow<'a> {
     pub units: &'a Units,
     pub curves: &'a [CrackCurve],
     pub faces: &'a FaceMesh,
@@ -43,7 +35,7 @@ pub(crate) struct FarRow<'a> {
 
 impl FarRow<'_> {
     /// A between all units that are not near to each other.
-    pub(crate) fn stiffness(&self) -> FarStiffness {
+    pub(super) fn stiffness(&self) -> FarStiffness {
         let count = self.units.cracks.len();
         let moments = (0..count).into_par_iter().map(|k| self.moments(k)).collect();
         let of_crack = |&crack: &usize| self.units.extents[crack].nodes();
@@ -99,20 +91,15 @@ impl FarRow<'_> {
     fn dislocations(&self, k: usize) -> Vec<(Vec2, f64, usize)> {
         let rule = gauss_legendre(FEW_POINTS);
         let mut all = Vec::new();
-        for Source { place, follows } in &self.sources[k] {
+        for Source { element, follows } in &self.sources[k] {
             let mut at: Vec<(Vec2, f64)> = Vec::new();
-            match *place {
-                SourceSite::Point { at: point, .. } => at.push((point, 1.0)),
-                SourceSite::Element(element) => {
-                    let range = element.range.1 - element.range.0;
-                    for piece in &element.pieces {
-                        let (start, width) = (piece.range.0, piece.range.1 - piece.range.0);
-                        at.extend(rule.iter().map(|&(t, w)| {
-                            let g = start + t * width;
-                            (self.curves[piece.crack].position(piece.segment, g), w * width / range)
-                        }));
-                    }
-                }
+            let range = element.range.1 - element.range.0;
+            for piece in &element.pieces {
+                let (start, width) = (piece.range.0, piece.range.1 - piece.range.0);
+                at.extend(rule.iter().map(|&(t, w)| {
+                    let g = start + t * width;
+                    (self.curves[piece.crack].position(piece.segment, g), w * width / range)
+                }));
             }
             for &(point, factor) in follows {
                 all.extend(at.iter().map(|&(at, weight)| (at, factor * weight, point)));
@@ -126,9 +113,9 @@ impl FarRow<'_> {
         let rank = 2 * SourceBox::NODES;
         let rule = gauss_legendre(POINTS);
         let mut moments = Matrix::zeros(2 * points.len(), rank * cracks.len());
-        for Source { place, follows } in &self.sources[k] {
-            let (crack, weights) = self.weights(place, &rule);
-            let Some(number) = cracks.iter().position(|&own| own == crack) else { continue };
+        for Source { element, follows } in &self.sources[k] {
+            let Some(number) = cracks.iter().position(|&own| own == element.crack) else { continue };
+            let weights = self.weights(element, &rule);
             for &(point, factor) in follows {
                 let frame = &self.faces.points[points[point]];
                 for (c, axis) in [frame.tangent, frame.tangent.left()].into_iter().enumerate() {
@@ -144,26 +131,21 @@ impl FarRow<'_> {
         moments
     }
 
-    /// The crack on which dislocations lie, and the weights of the Chebyshev points of its box; for
-    /// an element these are ∫ L_q(z(g)) dg over its range.
-    fn weights(&self, place: &SourceSite<'_>, rule: &[(f64, f64)]) -> (usize, Vec<f64>) {
-        match *place {
-            SourceSite::Point { crack, at } => (crack, self.units.extents[crack].weights(at)),
-            SourceSite::Element(element) => {
-                let mut sum = vec![0.0; SourceBox::NODES];
-                for piece in &element.pieces {
-                    let (start, width) = (piece.range.0, piece.range.1 - piece.range.0);
-                    for &(t, w) in rule {
-                        let point = self.curves[piece.crack].position(piece.segment, start + t * width);
-                        let weights = self.units.extents[element.crack].weights(point);
-                        sum.iter_mut().zip(weights).for_each(|(sum, l)| *sum += w * width * l);
-                    }
-                }
-                let range = element.range.1 - element.range.0;
-                sum.iter_mut().for_each(|value| *value /= range);
-                (element.crack, sum)
+    /// ∫ L_q(z(g)) dg over the range of `element`, relative to its length, of each Chebyshev point q
+    /// of the box of its crack.
+    fn weights(&self, element: &FaceElement, rule: &[(f64, f64)]) -> Vec<f64> {
+        let mut sum = vec![0.0; SourceBox::NODES];
+        for piece in &element.pieces {
+            let (start, width) = (piece.range.0, piece.range.1 - piece.range.0);
+            for &(t, w) in rule {
+                let point = self.curves[piece.crack].position(piece.segment, start + t * width);
+                let weights = self.units.extents[element.crack].weights(point);
+                sum.iter_mut().zip(weights).for_each(|(sum, l)| *sum += w * width * l);
             }
         }
+        let range = element.range.1 - element.range.0;
+        sum.iter_mut().for_each(|value| *value /= range);
+        sum
     }
 
     fn between(&self, one: &[Vec2], other: &[Vec2]) -> Matrix {

@@ -4,7 +4,7 @@ use crate::math::Vec2;
 
 /// The 2 × 2 interaction of unit dislocations: `[xx, xy, yx, yy]`, first index the Burgers vector
 /// at z.
-pub(crate) type Interaction = [f64; 4];
+pub(super) type Interaction = [f64; 4];
 
 /// Energy of interaction of unit dislocations at `z` and `z0` (mm), in units of E′/(8π) per mm² of
 /// Burgers vectors.
@@ -18,14 +18,14 @@ pub(crate) type Interaction = [f64; 4];
 /// It vanishes with z or z0 on the surface. Moving a second dislocation b′ in from the surface
 /// costs b′_x Im F − b′_y Re F. (Muskhelishvili 1953, §§ 41, 90–93.)
 #[inline]
-pub(crate) fn interaction(z: Vec2, z0: Vec2) -> Interaction {
+pub(super) fn interaction(z: Vec2, z0: Vec2) -> Interaction {
     split_interaction(z, z0).whole()
 }
 
 /// An interaction split into its logarithm, which appears on the diagonal only, and the rest. Sums
 /// over many points need only the logarithm of one product.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Split {
+pub(super) struct Split {
     /// The interaction without the logarithm.
     pub rational: Interaction,
     /// The argument of the logarithm.
@@ -42,7 +42,7 @@ impl Split {
 
 /// [`interaction`] in two parts; the argument of the logarithm is |z̄−z0|²/|z−z0|².
 #[inline]
-pub(crate) fn split_interaction(z: Vec2, z0: Vec2) -> Split {
+pub(super) fn split_interaction(z: Vec2, z0: Vec2) -> Split {
     let (dx, dy) = (z.x - z0.x, z.y - z0.y);
     let inverse = 1.0 / (dx * dx + dy * dy);
     // (z − z0)/(z̄ − z̄0): the direction squared.
@@ -54,7 +54,7 @@ pub(crate) fn split_interaction(z: Vec2, z0: Vec2) -> Split {
 /// Contribution of the free surface to [`interaction`]: all but −log|z−z0|² and (z−z0)/(z̄−z̄0);
 /// smooth at z = z0 below the surface. The argument of the logarithm is |z̄−z0|² in mm².
 #[inline]
-pub(crate) fn split_image_interaction(z: Vec2, z0: Vec2) -> Split {
+pub(super) fn split_image_interaction(z: Vec2, z0: Vec2) -> Split {
     // m = z̄ − z0.
     let (mx, my) = (z.x - z0.x, -z.y - z0.y);
     let (dx, dy) = (z.x - z0.x, z.y - z0.y);
@@ -71,7 +71,7 @@ pub(crate) fn split_image_interaction(z: Vec2, z0: Vec2) -> Split {
 
 /// −log|z−z0|² and (z−z0)/(z̄−z̄0) when both lie on one straight line of direction `tangent`: the
 /// second is constant. Returns it as an [`Interaction`] without the logarithm.
-pub(crate) fn collinear_constant(tangent: Vec2) -> Interaction {
+pub(super) fn collinear_constant(tangent: Vec2) -> Interaction {
     let (ex, ey) = (tangent.x * tangent.x - tangent.y * tangent.y, 2.0 * tangent.x * tangent.y);
     [ex, ey, ey, -ex]
 }
