@@ -5,7 +5,7 @@ python3 tools/curve_places.py [RAILCRACK] [FOLDER]
 Runs cases/curve-500.toml with the crack at three lateral places, and the same crack under a centred
 Hertz contact in full sliding of the mean wheels of the table (mix of the two axle loads, their mean
 normal force, the head's radius of 80 mm and a concave wheel profile of 150 mm). Writes
-docs/figures/curve-500.svg, depth over traffic, and prints the table of docs/curve-500.md.
+docs/figures/curve-500.svg, depth over traffic, and prints the table of docs/dev/curve-500.md.
 RAILCRACK is the program (railcrack), FOLDER takes the runs (target/curve-500).
 """
 

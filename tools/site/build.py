@@ -23,7 +23,7 @@ from markdown_it import MarkdownIt
 ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).resolve().parent
 # Pages of the root, with their places on the site.
-OF_ROOT = {"README.md": "readme.html", "ARCHITECTURE.md": "architecture.html", "CHANGELOG.md": "changelog.html", "CONTRIBUTING.md": "contributing.html", "python/README.md": "python-package.html"}
+OF_ROOT = {"README.md": "readme.html", "ARCHITECTURE.md": "architecture.html", "CHANGELOG.md": "changelog.html", "CONTRIBUTING.md": "contributing.html", "SECURITY.md": "security.html", "python/README.md": "python-package.html"}
 # The page of the front page.
 EXPLORER = "explorer/index.html"
 # The first pages of the interfaces for programs; the first two folders are theirs.
@@ -154,9 +154,9 @@ class Site:
 
     def contents(self, place):
         """The list of pages, the one at `place` marked."""
-        groups = {"": [], "How to": [], "Python": [], "Decisions": []}
+        groups = {"": [], "How to": [], "Python": [], "For developers": []}
         for own in self.order:
-            group = {"how-to": "How to", "python": "Python", "decisions": "Decisions"}.get(own.split("/")[0], "") if "/" in own else ""
+            group = {"how-to": "How to", "python": "Python", "dev": "For developers"}.get(own.split("/")[0], "") if "/" in own else ""
             groups[group].append(own)
         parts = []
         base = posixpath.dirname(place) or "."
@@ -270,7 +270,7 @@ FRONT = f"""<h1>railcrack predicts the growth of rolling-contact-fatigue cracks 
 <li><a href="readme.html">What railcrack is, and how to install it</a></li>
 <li><a href="tutorial.html">Tutorial</a>: from the installation to a first decision on a rail</li>
 <li><a href="limits.html">Limits</a>: when not to trust a result</li>
-<li><a href="theory.html">Theory</a>, <a href="verification.html">verification</a>, <a href="validation.html">comparison with measurements</a></li>
+<li><a href="theory.html">Theory</a>, <a href="dev/verification.html">verification</a>, <a href="validation.html">comparison with measurements</a></li>
 <li><a href="book.html">The whole book</a></li>
 </ul>"""
 

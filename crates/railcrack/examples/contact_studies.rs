@@ -1,8 +1,8 @@
 //! The studies behind the defaults of the contact solvers.
-//! `cargo run --release --example contact_studies -- latin` prints the table of `docs/latin.md`:
-//! iterations per contact solution against LATIN's search direction, stabilisation, relaxation and
-//! extrapolation. `-- steps` prints that of `docs/step-control.md`: error of K against the step
-//! tolerance and against fixed steps.
+//! `cargo run --release --example contact_studies -- latin` prints the table of
+//! `docs/dev/latin.md`: iterations per contact solution against LATIN's search direction,
+//! stabilisation, relaxation and extrapolation. `-- steps` prints that of
+//! `docs/dev/step-control.md`: error of K against the step tolerance and against fixed steps.
 
 use railcrack::contact::{ContactSolver, FaceProblem, Latin, Newton};
 use railcrack::crack::{Crack, CrackNetwork, End};

@@ -1,4 +1,4 @@
-//! Writes docs/verification.md from what the verification tests measured last.
+//! Writes docs/dev/verification.md from what the verification tests measured last.
 //!
 //! `cargo test --release --test verification && cargo run --release --example verification_page`
 
@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         };
         writeln!(page, "| {says} | `{test}` | {measured} | {allowed} | {reason} |")?;
     }
-    std::fs::write(root.join("docs/verification.md"), page)?;
-    println!("{} requirements in docs/verification.md", rows.len());
+    std::fs::write(root.join("docs/dev/verification.md"), page)?;
+    println!("{} requirements in docs/dev/verification.md", rows.len());
     Ok(())
 }

@@ -19,8 +19,8 @@ use crate::math::{Anderson, Matrix, dot};
 /// 1/k + ξ, where ξ is the stabilisation of eq. (17): condensed, it amounts to a softer global
 /// direction. Both are set a priori, k_j = `direction` / C_jj with the compliance C_jj of each
 /// point, and never change, so that the global stage is one product with a fixed inverse. The
-/// fixed-point iteration is relaxed and extrapolated (Anderson 1965). See `docs/latin.md` for the
-/// parameter study behind the defaults.
+/// fixed-point iteration is relaxed and extrapolated (Anderson 1965). See `docs/dev/latin.md` for
+/// the parameter study behind the defaults.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Latin {
     /// k_j C_jj.

@@ -188,7 +188,7 @@ const MOST_ATTEMPTS: usize = 3000;
 /// hundreds of iterations. Halving a step down to the smallest takes 24 of them.
 const MOST_FAILURES: usize = 48;
 /// Error of the slip at which a point is held, over the tolerance times the largest jump there so
-/// far. Measured in `docs/step-control.md`.
+/// far. Measured in `docs/dev/step-control.md`.
 const HELD_SLIP: f64 = 0.2;
 /// Initial reference size of the slip, as a share of the slip without contact.
 const EXPECTED_SHARE: f64 = 2e-2;

@@ -275,8 +275,8 @@ fn prose_is_narrow_and_doc_comments_name_their_subject() {
         faults.extend(prose::faults_of_source(&path, &std::fs::read_to_string(&path).unwrap()));
     }
     let docs = workspace().join("docs");
-    let folders =
-        [workspace(), docs.clone(), docs.join("how-to"), docs.join("decisions"), docs.join("python")];
+    let inner = ["how-to", "python", "dev", "dev/decisions"].map(|folder| docs.join(folder));
+    let folders = [vec![workspace(), docs], inner.to_vec()].concat();
     for entry in folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap()) {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|ending| ending == "md") {

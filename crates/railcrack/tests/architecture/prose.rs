@@ -18,11 +18,12 @@ fn is_generated(path: &Path) -> bool {
 
 /// Folders and pages, relative to the workspace, whose prose must be free of [`CRUTCHES`]: pages,
 /// and comments of sources.
-pub const PLAIN: [&str; 10] = [
+pub const PLAIN: [&str; 11] = [
     "README.md",
     "ARCHITECTURE.md",
     "CHANGELOG.md",
     "CONTRIBUTING.md",
+    "SECURITY.md",
     "docs",
     "python/README.md",
     "crates/railcrack/src",

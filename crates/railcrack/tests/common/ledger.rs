@@ -1,4 +1,4 @@
-//! Measurements of the verification tests, for the page docs/verification.md.
+//! Measurements of the verification tests, for the page docs/dev/verification.md.
 
 use super::requirements::REQUIREMENTS;
 use std::collections::BTreeMap;

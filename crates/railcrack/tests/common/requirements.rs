@@ -14,7 +14,7 @@ const fn requirement(test: &'static str, quantity: &'static str, says: &'static 
     Requirement { test, quantity, says }
 }
 
-/// All requirements on the page docs/verification.md, in its order.
+/// All requirements on the page docs/dev/verification.md, in its order.
 pub const REQUIREMENTS: &[Requirement] = &[
     requirement(
         "xfem::edge_crack::tension_by_angle",

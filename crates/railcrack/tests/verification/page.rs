@@ -1,11 +1,11 @@
-//! The page docs/verification.md lists every requirement that a test checks.
+//! The page docs/dev/verification.md lists every requirement that a test checks.
 
 use crate::common::REQUIREMENTS;
 use std::path::Path;
 
 #[test]
 fn lists_every_requirement() {
-    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/verification.md");
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/dev/verification.md");
     let page = std::fs::read_to_string(page).unwrap();
     let rows: Vec<&str> = page.lines().filter(|line| line.starts_with("| ")).collect();
     for requirement in REQUIREMENTS {
