@@ -1,4 +1,4 @@
-//! The tables of docs/networks.md: K of every crack of the networks in `cases` beside the single
+//! The tables of docs/dev/networks.md: K of every crack of the networks in `cases` beside the single
 //! crack.
 //!
 //! `cargo run --release --example network_tables`

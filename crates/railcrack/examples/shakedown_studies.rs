@@ -1,4 +1,4 @@
-//! The tables of `docs/shakedown.md`: what columns, layers and period change, and what the direct
+//! The tables of `docs/dev/shakedown.md`: what columns, layers and period change, and what the direct
 //! method costs and misses.
 //!
 //! `cargo run --release --example shakedown_studies`

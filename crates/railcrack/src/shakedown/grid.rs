@@ -10,12 +10,12 @@ pub struct Resolution {
     /// Number of columns, and of layers where the rail may yield, per half-width of the contact; a
     /// power of two, so that both edges of the contact lie on columns.
     pub per_half_width: u32,
-    /// Least period of the waves, in half-widths of the contact; see `docs/shakedown.md`.
+    /// Least period of the waves, in half-widths of the contact; see `docs/dev/shakedown.md`.
     pub period: u32,
 }
 
 impl Default for Resolution {
-    /// The resolution measured in `docs/shakedown.md`: within 2 % of the largest residual stress.
+    /// The resolution measured in `docs/dev/shakedown.md`: within 2 % of the largest residual stress.
     fn default() -> Self {
         Self { per_half_width: 32, period: 16 }
     }

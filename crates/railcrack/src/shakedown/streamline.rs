@@ -32,7 +32,7 @@ pub(super) struct FlowLaw {
 const STIFFNESS: f64 = 0.5;
 
 /// Substeps of the interval between columns in which there is plastic flow; the path within an
-/// interval is straight. See `docs/shakedown.md` for the effect of substeps and columns.
+/// interval is straight. See `docs/dev/shakedown.md` for the effect of substeps and columns.
 const PARTS: usize = 4;
 
 impl FlowLaw {
