@@ -14,7 +14,7 @@ pub struct FaceResolution {
 
 impl FaceResolution {
     /// The default for `cracks` cracks: 28 elements each; networks share 132, but at least 22 each.
-    /// Their errors stand in `docs/theory.md`, 3.
+    /// Their errors stand in `docs/dev/numerics.md`.
     pub fn for_cracks(cracks: usize) -> Self {
         let elements = (NETWORK_ELEMENTS / cracks.max(1)).clamp(LEAST_ELEMENTS, Self::default().elements);
         Self { elements }
