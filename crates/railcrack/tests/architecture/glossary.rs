@@ -88,7 +88,7 @@ fn declared(sources: &[String]) -> BTreeSet<&str> {
 
 #[test]
 fn every_name_in_the_glossary_is_declared() {
-    let page = std::fs::read_to_string(workspace().join("docs/glossary.md")).unwrap();
+    let page = std::fs::read_to_string(workspace().join("docs/dev/glossary.md")).unwrap();
     let crates = Path::new(CRATE).join("..");
     let files = rust_files(&crates).into_iter().filter(|path| path.iter().any(|part| part == "src"));
     let sources: Vec<String> = files.map(|path| std::fs::read_to_string(path).unwrap()).collect();
@@ -96,7 +96,7 @@ fn every_name_in_the_glossary_is_declared() {
     let names = names(&page);
     assert!(names.len() > 50, "{names:?}");
     let missing: Vec<&String> = names.iter().filter(|name| !declared.contains(name.as_str())).collect();
-    assert!(missing.is_empty(), "names in docs/glossary.md that no source declares: {missing:?}");
+    assert!(missing.is_empty(), "names in docs/dev/glossary.md that no source declares: {missing:?}");
 }
 
 /// The public structs, enums and traits of a source.
@@ -123,14 +123,14 @@ fn missing_types(page: &str, sources: &[SourceFile]) -> Vec<String> {
 
 #[test]
 fn public_types_of_the_mechanics_are_in_the_glossary() {
-    let page = std::fs::read_to_string(workspace().join("docs/glossary.md")).unwrap();
+    let page = std::fs::read_to_string(workspace().join("docs/dev/glossary.md")).unwrap();
     let missing = missing_types(&page, &library());
-    assert!(missing.is_empty(), "not in docs/glossary.md, nor among the exceptions: {missing:?}");
+    assert!(missing.is_empty(), "not in docs/dev/glossary.md, nor among the exceptions: {missing:?}");
 }
 
 #[test]
 fn exceptions_of_the_glossary_are_needed() {
-    let page = std::fs::read_to_string(workspace().join("docs/glossary.md")).unwrap();
+    let page = std::fs::read_to_string(workspace().join("docs/dev/glossary.md")).unwrap();
     let names = names(&page);
     let types: BTreeSet<String> = library().iter().flat_map(public_types).collect();
     for (excepted, reason) in NOT_TERMS {
