@@ -1,8 +1,8 @@
 //! Case files and studies: read with all errors at once, checked, and turned into the types of the
 //! mechanics.
 //!
-//! [`Case::read`] takes the file of a user as well as `case.toml` of a run folder;
-//! [`Case::prepare`] makes a run of it. `tables` declares every section and key once, and `schema`,
+//! [`Case::read`] takes the file of a user as well as `case.toml` of a run folder. It computes
+//! nothing: the crate of runs makes rails and traffic of a case. `tables` declares every section and key once, and `schema`,
 //! which does not depend on rails, derives from it the reader, the defaults, the JSON Schema, the
 //! commented first file, the page of documentation and the stored case.
 
@@ -16,9 +16,8 @@ mod study;
 mod tables;
 
 pub use case::{
-    CarriedStress, CarriedStressError, Case, Coefficient, DemandError, EffectInPlane, HeaviestWheel,
-    KnownSizes, MixedWheel, NoCoefficient, NoNumber, NotInPage, Overrides, PreparedRun, Projection, RailKey,
-    Release, RunSize, SharedRail, SharedRailError, SpaceCase, TabledWheel, WheelDemand, WheelTable,
+    ByGeometry, Case, CoarseFront, Coefficient, MixedWheel, NoCoefficient, NoNumber, NotInPage, Overrides,
+    SpaceCase, TabledWheel, WheelTable, open_crack,
 };
 pub use entries::{Comparison, Entry, EntryValue, Grade, HowRead, Quantity, entry_schema};
 pub use files::{

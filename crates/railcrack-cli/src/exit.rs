@@ -1,10 +1,11 @@
 //! Exit codes and failures of commands.
 
 use railcrack::shakedown::ShakedownError;
-use railcrack_case::{CarriedStressError, CaseErrors};
+use railcrack_case::CaseErrors;
 use railcrack_paper::{PaperError, UnknownFigure};
 use railcrack_run::OutputError;
 use railcrack_run::machine::OverBudget;
+use railcrack_run::setup::CarriedStressError;
 use railcrack_run::simulation::RunError;
 use std::path::PathBuf;
 use std::process::ExitCode;

@@ -5,8 +5,9 @@ use railcrack::contact::FaceStatus;
 use railcrack::crack::Crack;
 use railcrack::growth::{GrowthError, Observer, StepRecord, TipStop, Warning};
 use railcrack::math::MPA_SQRT_MM;
-use railcrack_case::{Case, SharedRail};
+use railcrack_case::Case;
 use railcrack_run::csv::TipRow;
+use railcrack_run::setup::{PreparedRun, SharedRail};
 use serde::{Deserialize, Serialize};
 
 /// K_I and K_II of one tip of the initial cracks over the stabilised passage.
@@ -78,7 +79,7 @@ impl CaseRun {
     ) -> Result<Self, PaperError> {
         let failed = |source| PaperError::Run { name: name.to_owned(), source };
         let stress = |source| PaperError::Stress { name: name.to_owned(), source };
-        let mut growth = case.prepare_sharing(None, rail).map_err(stress)?.growth(None);
+        let mut growth = PreparedRun::sharing(case, None, rail).map_err(stress)?.growth(None);
         let effort = Effort::default();
         let mut run = Self {
             cracks: Vec::new(),

@@ -4,8 +4,9 @@ use crate::files::PAGE;
 use railcrack::growth::GrowthError;
 use railcrack::material::HardeningError;
 use railcrack::shakedown::ShakedownError;
-use railcrack_case::{CarriedStressError, CaseErrors};
+use railcrack_case::CaseErrors;
 use railcrack_run::OutputError;
+use railcrack_run::setup::CarriedStressError;
 use std::path::PathBuf;
 use thiserror::Error;
 

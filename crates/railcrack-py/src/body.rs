@@ -15,6 +15,7 @@ use railcrack::interruption::Interruption;
 use railcrack::material::IsotropicElastic;
 use railcrack::math::{Matrix, Vec2};
 use railcrack::xfem::{RailEnd, RefinedRegion, XfemEngine, XfemSettings, default_element_sizes};
+use railcrack_run::setup::body_engine;
 use std::sync::Arc;
 
 /// A cracked body with its matrices as NumPy arrays.
@@ -206,7 +207,7 @@ pub fn dislocation_body(
 #[pyfunction]
 pub fn case_body(py: Python<'_>, case: &CaseCore, threads: Option<usize>) -> PyResult<BodyCore> {
     let case = &case.case;
-    let Some(engine) = case.body_engine() else {
+    let Some(engine) = body_engine(case) else {
         let says = "a body requires plane cracks; engine = \"space\" supports runs only";
         return Err(bad_input(py, says));
     };

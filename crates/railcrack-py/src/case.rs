@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use railcrack::growth::TipJudge;
 use railcrack::words::Choice;
+use railcrack_run::setup::{RunSize, contact_bounds};
 use railcrack_run::simulation::{Ending, Simulation, plastic_stress_left_out};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -77,7 +78,8 @@ impl CaseCore {
     /// Sizes, bounds and warnings.
     fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let case = Arc::clone(&self.case);
-        let (text, size) = py.detach(move || (railcrack_cli::check_text(&case, Path::new(".")), case.size()));
+        let (text, size) =
+            py.detach(move || (railcrack_cli::check_text(&case, Path::new(".")), RunSize::estimate(&case)));
         let case = &self.case;
         let check = PyDict::new(py);
         check.set_item("text", text)?;
@@ -87,8 +89,9 @@ impl CaseCore {
         check.set_item("memory_bytes", size.memory_bytes)?;
         let shear_yield = case.shakedown.hardening.shear_yield_stress();
         check.set_item("p0_over_k", case.wheel.contact().peak_pressure() / shear_yield)?;
-        let bounds =
-            case.contact_bounds(|bounds| (bounds.first_yield().ratio, bounds.shakedown_limit().ratio));
+        let bounds = contact_bounds(&case.wheel, &case.steel, |bounds| {
+            (bounds.first_yield().ratio, bounds.shakedown_limit().ratio)
+        });
         let (first_yield, shakedown_limit) = bounds.unzip();
         check.set_item("first_yield_p0_over_k", first_yield)?;
         check.set_item("shakedown_limit_p0_over_k", shakedown_limit)?;

@@ -4,8 +4,9 @@ use pyo3::call::PyCallArgs;
 use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use railcrack::shakedown::ShakedownError;
-use railcrack_case::{CarriedStressError, CaseErrors};
+use railcrack_case::CaseErrors;
 use railcrack_run::OutputError;
+use railcrack_run::setup::CarriedStressError;
 use railcrack_run::simulation::RunError;
 use std::ffi::CString;
 

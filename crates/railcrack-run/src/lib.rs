@@ -20,6 +20,7 @@ pub mod planner;
 mod population;
 mod presentation;
 pub mod run_folder;
+pub mod setup;
 pub mod shakedown;
 pub mod simulation;
 pub mod statistics;

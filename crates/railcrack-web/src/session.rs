@@ -3,6 +3,7 @@
 use crate::refusal::Refusal;
 use crate::shown;
 use railcrack_case::Case;
+use railcrack_run::setup::RunSize;
 use railcrack_run::simulation::{RunByStep, Simulation};
 use railcrack_run::{OutputError, VERSION};
 use serde_json::{Value, json};
@@ -45,7 +46,7 @@ impl Session {
             "steps": case.growth.steps,
             "half_width_mm": case.half_width(),
             "axle_load_t": case.axle_load,
-            "face_points": case.size().face_points,
+            "face_points": RunSize::estimate(&case).face_points,
         })
     }
 

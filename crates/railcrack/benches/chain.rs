@@ -10,6 +10,7 @@ use railcrack::growth::{StabilisedPassage, StepRecord, StepSource, Unobserved};
 use railcrack::load::HertzianContact;
 use railcrack::plane::{CrackFluid, RailLoad, stabilised_passage};
 use railcrack_case::{Case, Overrides};
+use railcrack_run::setup::PreparedRun;
 use std::path::{Path, PathBuf};
 
 const REFERENCE: &str = "reference.toml";
@@ -66,7 +67,7 @@ fn stabilised_passage_latin(bencher: Bencher) {
 fn growth_step(bencher: Bencher, solver: &str) {
     let overrides = Overrides { contact: Some(solver.into()), ..Overrides::default() };
     let case = Case::read_with(&path(REFERENCE), &overrides).unwrap();
-    bencher.with_inputs(|| case.prepare(None).unwrap().growth(None)).bench_local_values(
+    bencher.with_inputs(|| PreparedRun::new(&case, None).unwrap().growth(None)).bench_local_values(
         |mut run: Box<dyn StepSource>| -> Option<StepRecord> { run.next_step(&Unobserved).unwrap() },
     );
 }

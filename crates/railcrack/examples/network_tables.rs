@@ -5,6 +5,7 @@
 
 use railcrack::growth::{StepRecord, TipRecord, Unobserved};
 use railcrack_case::{Case, Overrides};
+use railcrack_run::setup::PreparedRun;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
@@ -19,7 +20,7 @@ fn cases() -> PathBuf {
 fn initial(text: &str) -> Result<StepRecord, Failure> {
     let overrides = Overrides { engine: Some("xfem".into()), steps: Some(0), ..Overrides::default() };
     let case = Case::parse_with(text, "case.toml", &cases(), &overrides)?;
-    let mut growth = case.prepare(None)?.growth(None);
+    let mut growth = PreparedRun::new(&case, None)?.growth(None);
     growth.next_step(&Unobserved)?.ok_or_else(|| "a run without steps".into())
 }
 

@@ -1,12 +1,12 @@
 //! From accepted values to a case: checks that involve several keys.
 
+use super::by_geometry::ByGeometry;
 use super::case::Case;
 use super::coupled::check_coupled;
 use super::cracks::{Meetings, check_fit, place_cracks};
 use super::finite_section::check_section;
 use super::in_page::check_explorer;
-use super::known_sizes::KnownSizes;
-use super::limits::check_size;
+use super::limits::{WantedSize, check_size};
 use super::mix::{MixedWheel, read_mix, require_axle_load};
 use super::read_wheel::ReadWheel;
 use super::space::{read_space, refuse_free_front, refuse_strike};
@@ -40,7 +40,7 @@ use std::path::Path;
 pub(crate) fn build(
     mut sections: Sections,
     folder: &Path,
-    sizes: &KnownSizes,
+    sizes: &ByGeometry<WantedSize>,
     report: &mut Report,
 ) -> Option<Case> {
     let rail_section = sections.one(&RAIL);
@@ -234,7 +234,7 @@ pub(crate) fn build(
     };
     let is_possible = check_size(&case, &sections, sizes, report);
     if is_possible {
-        check_explorer(&case, &sections, sizes, report);
+        check_explorer(&case, &sections, report);
     }
     is_possible.then_some(case)
 }

@@ -16,7 +16,6 @@ use railcrack::growth::{GrowthSettings, NetworkContact, PassageSettings};
 use railcrack::load::Passage;
 use railcrack::material::IsotropicElastic;
 use railcrack::plane::CrackFluid;
-use railcrack::shakedown::{ContactBounds, RolledRail, Stabilisation};
 
 /// Everything in a case file, checked, in the types of the mechanics. Two are equal when their
 /// values and the contents of their files are.
@@ -89,64 +88,7 @@ pub struct Case {
     pub(super) written: Written,
 }
 
-/// The wheel of a mix that comes nearest to its limit of elastic shakedown, or exceeds it most.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct HeaviestWheel {
-    /// Its number, from 0.
-    pub wheel: usize,
-    /// Its peak pressure over that at its limit of elastic shakedown.
-    pub of_limit: f64,
-}
-
 impl Case {
-    /// The rail without its cracks under the repeated passage of the contact of one wheel, the
-    /// [heaviest](Case::heaviest) of a mix. Bending and thermal stress are not part of it: they are
-    /// added to the plastic stress that it leaves.
-    #[must_use]
-    pub fn rolled_rail(&self) -> RolledRail {
-        let (wheel, passages) = match self.mix.get(self.heaviest().wheel) {
-            Some(mixed) => (&mixed.wheel, &mixed.passages),
-            None => (&self.wheel, &self.passages),
-        };
-        RolledRail {
-            steel: self.steel,
-            hardening: self.shakedown.hardening,
-            contact: wheel.contact().clone(),
-            travel: passages.passage.travel(),
-            initial: self.shakedown.initial_residual.as_ref().map(|file| file.content().clone()),
-        }
-    }
-
-    /// The wheel with the largest peak pressure relative to its limit of elastic shakedown, the
-    /// first of equals.
-    ///
-    /// A lighter wheel rolls over a rail that the heaviest one has already hardened. Within the
-    /// limit of shakedown the backstress and the residual stress that make the passage of the
-    /// heaviest wheel elastic leave room for the smaller paths of the others.
-    #[must_use]
-    pub fn heaviest(&self) -> HeaviestWheel {
-        let shear_yield = self.shakedown.hardening.shear_yield_stress();
-        let of = |(i, wheel): (usize, &GivenWheel)| {
-            let limit = wheel.contact_bounds(&self.steel, |bounds| bounds.shakedown_limit().ratio);
-            let ratio = wheel.contact().peak_pressure() / shear_yield;
-            HeaviestWheel { wheel: i, of_limit: limit.map_or(0.0, |limit| ratio / limit) }
-        };
-        let wheels: Vec<&GivenWheel> = match self.mix.len() {
-            0 => vec![&self.wheel],
-            _ => self.mix.iter().map(|mixed| &mixed.wheel).collect(),
-        };
-        let heavier = |most: HeaviestWheel, next: HeaviestWheel| {
-            if next.of_limit > most.of_limit { next } else { most }
-        };
-        wheels.into_iter().enumerate().map(of).reduce(heavier).unwrap_or_default()
-    }
-
-    /// First yield and shakedown under the contact alone, as `of` asks for them.
-    #[must_use]
-    pub fn contact_bounds<T>(&self, of: impl FnOnce(&ContactBounds) -> T) -> Option<T> {
-        self.wheel.contact_bounds(&self.steel, of)
-    }
-
     /// Whether there is fluid in the cracks, under any wheel.
     #[must_use]
     pub fn has_fluid(&self) -> bool {
@@ -181,13 +123,6 @@ impl Case {
             places.extend(points().next().map(|point| point.x));
         }
         wheel.positions(passage, &places, &self.steel)
-    }
-
-    /// Settings of the computation of its stabilised state.
-    #[must_use]
-    pub fn stabilisation(&self) -> Stabilisation {
-        let ShakedownSettings { method, max_passes, .. } = self.shakedown;
-        Stabilisation { method, max_passes, ..Stabilisation::default() }
     }
 
     /// The case with the cracks of the indices `kept` (from 0) alone, resolved as in the whole

@@ -28,7 +28,7 @@ const STRIPS: [usize; 2] = [15, 20];
 
 /// The first crack on few cells, with contact and friction of its faces. Every patch is an ellipse
 /// with its own mean shear, and the stress is taken at one point per node.
-pub(super) struct CoarseFront {
+pub struct CoarseFront {
     body: SpaceBody,
     /// Point (x, lateral, depth, mm) and area (mm²) of each node.
     nodes: Vec<([f64; 3], f64)>,
@@ -39,7 +39,7 @@ pub(super) struct CoarseFront {
 }
 
 /// K at the front points during a passage, position by position.
-pub(super) struct FrontHistory(Vec<Vec<FrontSif>>);
+pub struct FrontHistory(Vec<Vec<FrontSif>>);
 
 impl CoarseFront {
     /// The crack of `shape`, whose faces have the `friction` μ_c; none where no body can be made.

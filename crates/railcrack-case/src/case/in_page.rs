@@ -1,9 +1,9 @@
 //! Limits of a web page: cases that it computes, and those that it leaves to the program.
 
 use super::case::Case;
-use super::known_sizes::KnownSizes;
 use crate::schema::{Choice, Report, Sections};
 use crate::tables::{EXPLORER, Engine, OUTPUT};
+use railcrack::dislocation::face_points;
 
 /// Unknowns of the contact problem at most: a page has 4 GB of addresses, and four dense matrices
 /// of this order have half of that.
@@ -25,10 +25,6 @@ impl Case {
     /// Empty where it does.
     #[must_use]
     pub fn not_in_page(&self) -> Vec<NotInPage> {
-        self.not_in_page_with(&KnownSizes::default())
-    }
-
-    fn not_in_page_with(&self, sizes: &KnownSizes) -> Vec<NotInPage> {
         if self.engine != Engine::Dislocation {
             return vec![NotInPage {
                 key: "solver.engine",
@@ -57,7 +53,7 @@ impl Case {
                 help: "leave out what names a file",
             });
         }
-        let unknowns = sizes.size(self).unknowns;
+        let unknowns = 2 * face_points(&self.cracks, self.face_resolution());
         if unknowns > MOST_UNKNOWNS {
             all.push(NotInPage {
                 key: "crack",
@@ -70,13 +66,13 @@ impl Case {
 }
 
 /// Reports a page that is to compute what it does not.
-pub(super) fn check_explorer(case: &Case, sections: &Sections, sizes: &KnownSizes, report: &mut Report) {
+pub(super) fn check_explorer(case: &Case, sections: &Sections, report: &mut Report) {
     let Some(output) = sections.one(&OUTPUT).filter(|_| case.output.explorer) else { return };
     if !case.output.report {
         let says = "is true, but report is false: the page is what computes";
         report.add(output.fault(EXPLORER, says).help("write report = true, or leave explorer out"));
     }
-    for NotInPage { message, help, .. } in case.not_in_page_with(sizes) {
+    for NotInPage { message, help, .. } in case.not_in_page() {
         let says = format!("is true, which this case does not allow: {message}");
         report.add(output.fault(EXPLORER, says).help(help));
     }

@@ -1,8 +1,7 @@
 //! Limits of the size of a run, checked before anything is computed.
 
+use super::by_geometry::ByGeometry;
 use super::case::Case;
-use super::engines;
-use super::known_sizes::{KnownSizes, WantedSize};
 use crate::schema::{Report, SectionValues, Sections};
 use crate::tables::{ELEMENT_SIZE, EngineDomain, INTERFACE_SPACING, MESH, PASSAGE, POSITIONS};
 use railcrack::xfem::MOST_MESH_UNKNOWNS;
@@ -36,19 +35,35 @@ fn check_face_points(case: &Case, mesh: &SectionValues, report: &mut Report) -> 
     close.is_none()
 }
 
+/// Size that a case requires, before anything is made.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct WantedSize {
+    /// Displacement unknowns of the mesh.
+    unknowns: f64,
+    /// Face points.
+    points: f64,
+}
+
 /// Reports a run that is too large for any machine, and the key responsible; returns whether the
-/// size is acceptable.
-pub(super) fn check_size(case: &Case, sections: &Sections, sizes: &KnownSizes, report: &mut Report) -> bool {
+/// size is acceptable. `sizes` are those of other cases of the same study.
+pub(super) fn check_size(
+    case: &Case,
+    sections: &Sections,
+    sizes: &ByGeometry<WantedSize>,
+    report: &mut Report,
+) -> bool {
     let (Some(mesh), Some(passage)) = (sections.one(&MESH), sections.one(&PASSAGE)) else { return false };
-    let WantedSize { unknowns, points } = sizes.wanted(case);
+    let WantedSize { unknowns, points } = sizes.value(case, || WantedSize {
+        unknowns: case.wanted_mesh_unknowns(),
+        points: case.wanted_face_points(),
+    });
     if unknowns.is_nan() || unknowns > MOST_MESH_UNKNOWNS {
         let says = format!("{unknowns:.2e} displacement unknowns; the limit is {MOST_MESH_UNKNOWNS:e}");
         let help = "a larger [mesh] element_size_mm reduces their number";
         report.add(mesh.fault(ELEMENT_SIZE, says).help(help));
         return false;
     }
-    let engine = engines::of(case.engine);
-    let finest = engine.finest_grid(case);
+    let finest = case.finest_grid();
     if points.is_nan() || points > finest.most_points {
         let says = (finest.says)(points, finest.most_points);
         report.add(mesh.fault_of_name(finest.key, says).help(finest.help));

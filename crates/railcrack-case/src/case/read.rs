@@ -1,8 +1,8 @@
 //! Case files, read to a case or to all their errors.
 
 use super::build::build;
+use super::by_geometry::ByGeometry;
 use super::case::Case;
-use super::known_sizes::KnownSizes;
 use super::overrides::Overrides;
 use crate::schema::{
     CaseErrors, Chosen, Fault, Reading, Report, Sections, Source, from_file, parse_document, read_sections,
@@ -51,7 +51,7 @@ impl Case {
                 };
                 let sections = read_sections(root.get_ref(), reading, &mut report);
                 refuse_no_folder(&sections, &mut report);
-                build(sections, folder, &KnownSizes::default(), &mut report)
+                build(sections, folder, &ByGeometry::default(), &mut report)
             });
         match case {
             Some(case) if report.is_clean() => Ok(case),

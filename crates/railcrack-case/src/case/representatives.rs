@@ -117,7 +117,7 @@ const SHORTEST: f64 = 0.05;
 
 /// The first crack, open, under contacts of the half-widths `widths` (mm); `friction` is that of
 /// its faces.
-pub(super) fn open_crack(
+pub fn open_crack(
     widths: &[f64],
     network: &CrackNetwork,
     friction: f64,

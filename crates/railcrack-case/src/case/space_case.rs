@@ -19,7 +19,8 @@ pub(super) const MOST_SPACE_POINTS: usize = 2000;
 
 impl SpaceCase {
     /// Points of the faces of all cracks of this resolution.
-    pub(super) fn face_points(&self, resolution: SpaceResolution) -> usize {
+    #[must_use]
+    pub fn face_points(&self, resolution: SpaceResolution) -> usize {
         let of = |shape: &FrontShape| {
             shape.division(resolution).face_points() + points_of_strip(shape, resolution)[0]
         };
@@ -27,7 +28,8 @@ impl SpaceCase {
     }
 
     /// Points of all fronts.
-    pub(super) fn front_points(&self, resolution: SpaceResolution) -> usize {
+    #[must_use]
+    pub fn front_points(&self, resolution: SpaceResolution) -> usize {
         let of = |shape: &FrontShape| {
             shape.division(resolution).front_points() + points_of_strip(shape, resolution)[1]
         };

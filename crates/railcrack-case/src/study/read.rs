@@ -8,7 +8,7 @@ use super::sampling::{
     DIMENSIONS, Distribution, SampleTable, Sampled, Substitute, find_sampled, points, substituted,
 };
 use super::variation::{Variation, find_variations};
-use crate::case::{Case, KnownSizes, Overrides, build};
+use crate::case::{ByGeometry, Case, Overrides, build};
 use crate::schema::{
     CaseError, CaseErrors, Chosen, Fault, Override, Reading, Report, SectionValues, Source, from_file,
     parse_document, read_section, read_sections, tables,
@@ -226,7 +226,7 @@ fn read_cases(
     mut errors: RunErrors,
     report: &mut Report,
 ) -> Option<Vec<Case>> {
-    let sizes = KnownSizes::default();
+    let sizes = ByGeometry::default();
     let read = |(_, choice, _): &(usize, Vec<usize>, String)| {
         let elements = axes.iter().zip(choice).flat_map(|(axis, &index)| {
             axis.variations.iter().map(move |variation| (variation.span.start, index))

@@ -2,6 +2,7 @@
 
 use crate::files::{FieldFile, ProfileFile, read_field, read_profile};
 use crate::schema::{Report, SectionValues, file, section};
+use railcrack::residual::{PlasticField, PlasticFieldError};
 use std::path::Path;
 
 section! {
@@ -52,6 +53,17 @@ impl PlasticSource {
         }
         let refused = section.is_refused(PLASTIC_FIELD) || section.is_refused(PLASTIC_PROFILE);
         (!refused).then_some(Self::Rolled)
+    }
+
+    /// The plastic stress where it is given; none where the run computes it first.
+    ///
+    /// Errors: a profile that fills no layers.
+    pub fn given_field(&self) -> Result<Option<PlasticField>, PlasticFieldError> {
+        Ok(match self {
+            Self::Field(file) => Some(file.content().clone()),
+            Self::Profile(file) => Some(PlasticField::layers(file.content())?),
+            Self::Rolled => None,
+        })
     }
 
     /// The name in results.

@@ -12,7 +12,6 @@ use railcrack::growth::output_positions;
 use railcrack::load::{Bending, Contact, ContactKind, Passage, Travel, WheelLoad};
 use railcrack::material::IsotropicElastic;
 use railcrack::math::OutOfRange;
-use railcrack::shakedown::ContactBounds;
 use std::path::Path;
 
 /// The load of one wheel as a case gives it.
@@ -70,20 +69,6 @@ impl GivenWheel {
     #[must_use]
     pub fn half_width(&self) -> f64 {
         self.load.contact.half_width()
-    }
-
-    /// First yield and shakedown of a rail of `steel` under the contact alone, as `of` asks for
-    /// them.
-    #[must_use]
-    pub fn contact_bounds<T>(
-        &self,
-        steel: &IsotropicElastic,
-        of: impl FnOnce(&ContactBounds) -> T,
-    ) -> Option<T> {
-        let contact = self.contact();
-        let load = WheelLoad { contact: contact.clone(), track: None, temperature: None };
-        let wheel = wheel_under(&load, steel).ok()?;
-        Some(of(&ContactBounds::new(contact, wheel.as_ref())))
     }
 
     /// The field that moves with the wheel on a rail of `steel`. Errors: [`wheel_under`]; a checked

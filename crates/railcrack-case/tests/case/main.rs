@@ -4,7 +4,6 @@ mod bad_input;
 mod fitted;
 mod limits;
 mod modules;
-mod mutations;
 mod ranges;
 mod reading;
 mod rows;
@@ -12,7 +11,3 @@ mod samples;
 mod studies;
 mod table;
 mod wheels;
-mod wheels_in_space;
-
-#[path = "../../../railcrack/tests/common/random.rs"]
-mod random;

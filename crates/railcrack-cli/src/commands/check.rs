@@ -21,6 +21,7 @@ use railcrack_case::{
 };
 use railcrack_report::{PageEngine, formula, short};
 use railcrack_run::machine::{Budget, Needs, long_step, mb, step_seconds};
+use railcrack_run::setup::{EffectInPlane, HeaviestWheel, RunSize, contact_bounds};
 use railcrack_run::simulation::{RunError, plastic_stress_left_out, rolled_by};
 use railcrack_run::summary::validity::of_case;
 use serde_json::{Map, Value, json};
@@ -65,7 +66,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
 
 /// The case as one object: the numbers, and every line of the summary by its heading.
 fn case_json(case: &Case, folder: &Path) -> Value {
-    let size = case.size();
+    let size = RunSize::estimate(case);
     let needs = Needs::with(case, &size);
     let mut said = Map::new();
     for (heading, rows) in parts(case, folder) {
@@ -403,7 +404,7 @@ fn of_mix(case: &Case, mixed: &MixedWheel) -> Vec<CheckLine> {
     }
     let shear_yield = case.shakedown.hardening.shear_yield_stress();
     let ratio = wheel.contact().peak_pressure() / shear_yield;
-    let all = wheel.contact_bounds(&case.steel, |bounds| (bounds.first_yield(), bounds.shakedown_limit()));
+    let all = contact_bounds(wheel, &case.steel, |bounds| (bounds.first_yield(), bounds.shakedown_limit()));
     rows.extend(all.map(|(first_yield, limit)| {
         let state = yielding(ratio, first_yield.ratio, limit.ratio);
         let says = format!(
@@ -585,7 +586,7 @@ fn plastic_stress(case: &Case) -> Vec<CheckLine> {
 }
 
 fn solution(case: &Case) -> Vec<CheckLine> {
-    let size = case.size();
+    let size = RunSize::estimate(case);
     let mut rows =
         vec![("engine", case.engine.word().into()), ("contact", case.contact_solver.word().into())];
     if size.displacements > 0 {
@@ -758,7 +759,7 @@ fn warnings(case: &Case) -> Vec<CheckLine> {
 /// The warnings about a case, and whether its wheel should feel the cracks.
 fn warning_texts(case: &Case) -> Vec<String> {
     let mut texts: Vec<String> = of_case(case).into_iter().map(|warning| warning.text).collect();
-    let rate = case.effect_of_coupling().map(|effect| effect.rate);
+    let rate = EffectInPlane::of_case(case).map(|effect| effect.rate);
     let felt = rate.filter(|rate| (rate - 1.0).abs() > FELT);
     texts.extend(felt.map(|rate| {
         let remedy = if case.engine.is_in_space() {
@@ -778,7 +779,7 @@ const FELT: f64 = 0.05;
 
 /// Needs of the run and the resources of the machine.
 fn machine(case: &Case, folder: &Path) -> Vec<CheckLine> {
-    let (size, budget) = (case.size(), Budget::of(folder));
+    let (size, budget) = (RunSize::estimate(case), Budget::of(folder));
     let needs = Needs::with(case, &size);
     let of = |has: Option<u64>| has.map_or_else(String::new, |has| format!(" of {} MB", mb(has)));
     let mut rows = vec![
@@ -798,10 +799,10 @@ const BOUND_DEPTHS: [f64; 8] = [0.0, 0.125, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0];
 /// Peak pressure compared with first yield and the shakedown limit.
 fn bounds(case: &Case) -> Vec<CheckLine> {
     let shear_yield = case.shakedown.hardening.shear_yield_stress();
-    let heaviest = case.mix.get(case.heaviest().wheel);
+    let heaviest = case.mix.get(HeaviestWheel::of_case(case).wheel);
     let wheel = heaviest.map_or(&case.wheel, |mixed| &mixed.wheel);
     let ratio = wheel.contact().peak_pressure() / shear_yield;
-    let all = wheel.contact_bounds(&case.steel, |bounds| {
+    let all = contact_bounds(wheel, &case.steel, |bounds| {
         (bounds.first_yield(), bounds.shakedown_limit(), bounds.by_depth(&BOUND_DEPTHS))
     });
     let Some((first_yield, shakedown, by_depth)) = all else { return Vec::new() };
@@ -826,7 +827,7 @@ fn bounds(case: &Case) -> Vec<CheckLine> {
     let at = |depth_over_a: f64| format!("depth {} mm", short(depth_over_a * a));
     let mut rows = Vec::new();
     rows.extend(heaviest.map(|mixed| {
-        let of_limit = case.heaviest().of_limit;
+        let of_limit = HeaviestWheel::of_case(case).of_limit;
         ("heaviest wheel", format!("{}: {of_limit:.2} of its shakedown limit", mixed.name))
     }));
     rows.extend([

@@ -1,8 +1,9 @@
 //! `railcrack check` of a study.
 
 use railcrack::words::Choice;
-use railcrack_case::{Axis, KnownSizes, RailKey, RunSize, Study, StudyRun, Variation};
+use railcrack_case::{Axis, ByGeometry, Study, StudyRun, Variation};
 use railcrack_run::machine::{Budget, Needs, long_step, mb, step_seconds};
+use railcrack_run::setup::{RailKey, RunSize};
 use railcrack_run::summary::validity::{of_case, pattern};
 use serde_json::{Value, json};
 use std::collections::{HashMap, HashSet};
@@ -24,11 +25,11 @@ struct StudyNeeds {
 
 impl StudyNeeds {
     fn of(study: &Study) -> Self {
-        let sizes = KnownSizes::default();
+        let sizes = ByGeometry::default();
         let every = study.runs.len().div_ceil(MOST_SIZED).max(1);
         let (mut disk, mut count, mut slowest) = (0u128, 0, None::<(f64, RunSize)>);
         for run in study.runs.iter().step_by(every) {
-            let size = sizes.size(&run.case);
+            let size = sizes.value(&run.case, || RunSize::estimate(&run.case));
             disk += u128::from(Needs::with(&run.case, &size).disk);
             count += 1;
             let seconds = step_seconds(&run.case, &size);
@@ -56,7 +57,7 @@ pub fn study_summary(study: &Study, folder: &Path) -> String {
     }
     text.push_str(&format!("  {:<20} {}\n", "shared", shared(study)));
     if let Some(first) = study.runs.first() {
-        let memory = first.case.size().memory_bytes.div_ceil(1 << 20);
+        let memory = RunSize::estimate(&first.case).memory_bytes.div_ceil(1 << 20);
         text.push_str(&format!(
             "  {:<20} about {memory} MB for the first run, times the threads\n",
             "memory"
@@ -147,7 +148,7 @@ fn axis_lines(axis: &Axis) -> String {
 /// Number of meshes and factorisations that the runs share.
 fn shared(study: &Study) -> String {
     let mut rails: HashMap<RailKey, usize> = HashMap::new();
-    for key in study.runs.iter().filter_map(|run| run.case.rail_key()) {
+    for key in study.runs.iter().filter_map(|run| RailKey::of_case(&run.case)) {
         *rails.entry(key).or_default() += 1;
     }
     let runs: usize = rails.values().sum();

@@ -16,6 +16,7 @@ use railcrack_run::decision::{
     Reason, StageSummary, StagesSummary, TonnageWords, Verdict, VerdictLevel, three_digits,
 };
 use railcrack_run::machine::{Budget, Needs, long_step, step_seconds};
+use railcrack_run::setup::RunSize;
 use railcrack_run::simulation::{Ending, Finished, RunEntry, RunError, Simulation};
 use serde_json::{Value, json};
 use std::num::NonZeroUsize;
@@ -142,7 +143,7 @@ pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<
         // Said now, not when the page is written.
         PageEngine::find().map_err(RunError::from)?;
     }
-    let size = case.size();
+    let size = RunSize::estimate(&case);
     if !arguments.no_limits {
         Budget::of(&folder).allows(Needs::with(&case, &size), 1, 1)?;
     }

@@ -4,6 +4,7 @@ use railcrack::body::Face;
 use railcrack::growth::{FieldRecord, StepRecord, Unobserved};
 use railcrack::math::Vec2;
 use railcrack_case::Case;
+use railcrack_run::setup::PreparedRun;
 use std::path::Path;
 
 const PEAK_PRESSURE: f64 = 845.0;
@@ -25,7 +26,7 @@ fn step_under(contact: &str, sections: &str) -> StepRecord {
          [passage]\npositions = 25\n[growth]\nsteps = 0\n[mesh]\nelement_size_mm = 0.2\n[solver]\nengine = \"xfem\"\n{sections}"
     );
     let case = Case::parse(&text, "case.toml", Path::new("")).unwrap_or_else(|errors| panic!("{errors}"));
-    case.prepare(None).unwrap().growth(None).next_step(&Unobserved).unwrap().unwrap()
+    PreparedRun::new(&case, None).unwrap().growth(None).next_step(&Unobserved).unwrap().unwrap()
 }
 
 fn fields(record: &StepRecord) -> &FieldRecord {
@@ -157,6 +158,13 @@ fn fields_come_in_the_steps_and_by_the_engine_that_have_them() {
                 length_mm = 6\nangle_deg = 15\nfriction = 0\n[growth]\nsteps = 0\n[solver]\nengine = \"dislocation\"\n";
     let case = Case::parse(text, "case.toml", Path::new("")).unwrap();
     assert!(
-        case.prepare(None).unwrap().growth(None).next_step(&Unobserved).unwrap().unwrap().fields.is_none()
+        PreparedRun::new(&case, None)
+            .unwrap()
+            .growth(None)
+            .next_step(&Unobserved)
+            .unwrap()
+            .unwrap()
+            .fields
+            .is_none()
     );
 }

@@ -6,6 +6,7 @@ use railcrack::contact::FaceState;
 use railcrack::growth::Unobserved;
 use railcrack_case::Case;
 use railcrack_report::Pages;
+use railcrack_run::setup::PreparedRun;
 use railcrack_run::{CaseFiles, Existing, Recorder, RunInfo};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -38,7 +39,7 @@ fn meshio_reads_the_fields_of_a_run() {
     };
     let files = CaseFiles { toml: case.to_toml(), companions: Vec::new() };
     let mut recorder = Recorder::start(&folder, files, info, Existing::Refuse, &Pages).unwrap();
-    let mut growth = case.prepare(None).unwrap().growth(None);
+    let mut growth = PreparedRun::new(&case, None).unwrap().growth(None);
     let record = growth.next_step(&Unobserved).unwrap().unwrap();
     recorder.record(&record, growth.state()).unwrap();
 

@@ -1,6 +1,7 @@
 //! Budget: requirements of a run, and resources of the machine and the disk.
 
-use railcrack_case::{Case, Kept, RunSize};
+use crate::setup::RunSize;
+use railcrack_case::{Case, Kept};
 use std::fs;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -21,7 +22,7 @@ pub struct Needs {
 impl Needs {
     /// The needs of the run of `case`.
     pub fn of(case: &Case) -> Self {
-        Self::with(case, &case.size())
+        Self::with(case, &RunSize::estimate(case))
     }
 
     /// The needs of the run of `case`, whose size is `size`.

@@ -1,7 +1,8 @@
 //! Estimate of the time that a growth step takes.
 
+use crate::setup::RunSize;
 use railcrack::growth::NetworkContact;
-use railcrack_case::{Case, Engine, RunSize};
+use railcrack_case::{Case, Engine};
 
 /// Seconds per cube of the number of contact unknowns: inverse and factors of the body. This and
 /// the next one were measured on one core with single cracks at 0.5 to 2 degrees by dislocations,

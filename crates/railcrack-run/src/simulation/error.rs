@@ -1,9 +1,9 @@
 //! Errors of a run.
 
 use crate::error::OutputError;
+use crate::setup::CarriedStressError;
 use railcrack::growth::GrowthError;
 use railcrack::shakedown::ShakedownError;
-use railcrack_case::CarriedStressError;
 use thiserror::Error;
 
 /// Why a run failed. What was computed is kept.

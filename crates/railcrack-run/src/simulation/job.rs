@@ -4,9 +4,10 @@ use super::observer::RunObserver;
 use crate::log::{MixInfo, RunInfo};
 use crate::presentation::Presentation;
 use crate::run_folder::CaseFiles;
+use crate::setup::SharedRail;
 use crate::summary::validity;
 use railcrack::growth::GrowthState;
-use railcrack_case::{Case, MixedWheel, SharedRail};
+use railcrack_case::{Case, MixedWheel};
 use std::path::Path;
 
 /// The start of a run.

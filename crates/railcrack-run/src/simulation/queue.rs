@@ -1,6 +1,7 @@
 //! Order of the runs of a study, and the rails that they share.
 
-use railcrack_case::{Case, RailKey, SharedRail};
+use crate::setup::{RailKey, SharedRail};
+use railcrack_case::Case;
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -33,7 +34,7 @@ impl NextRun {
     /// The rail that this run of `case` shares with others, made where it is the first of them;
     /// none if it shares none, or if the rail cannot be built, which the run itself will report.
     pub fn shared_rail(&self, case: &Case) -> Option<&SharedRail> {
-        self.rail.as_ref()?.get_or_init(|| SharedRail::of(case).ok().flatten()).as_ref()
+        self.rail.as_ref()?.get_or_init(|| SharedRail::build(case).ok().flatten()).as_ref()
     }
 }
 
@@ -62,7 +63,7 @@ impl RunQueue {
         let mut places: HashMap<RailKey, usize> = HashMap::new();
         for WaitingRun { run, case, effort } in waiting {
             let fresh = groups.len();
-            let place = case.rail_key().map_or(fresh, |key| *places.entry(key).or_insert(fresh));
+            let place = RailKey::of_case(case).map_or(fresh, |key| *places.entry(key).or_insert(fresh));
             if place == fresh {
                 groups.push(Group::default());
             }

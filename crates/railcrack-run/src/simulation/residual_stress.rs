@@ -11,13 +11,14 @@ use crate::disk::own_folder;
 use crate::error::OutputError;
 use crate::log::{PlasticOrigin, ProjectionSummary, ReleaseSummary, ResidualSummary, RolledSummary};
 use crate::run_folder::Existing;
+use crate::setup::{CarriedStress, HeaviestWheel, PreparedRun, Projection, Release, contact_bounds};
 use crate::shakedown::ShakedownSummary;
 use railcrack::interruption::Interruption;
 use railcrack::math::Vec2;
 use railcrack::residual::PlasticField;
 use railcrack::shakedown::RailState;
 use railcrack::stopwatch::Stopwatch;
-use railcrack_case::{CarriedStress, Case, PlasticSource, PreparedRun, Projection, Release};
+use railcrack_case::{Case, PlasticSource};
 use railcrack_vtu::read_vtu;
 use std::path::Path;
 
@@ -64,7 +65,7 @@ pub(super) fn prepare<'a>(
     if case.plastic_stress.is_some() {
         stage.observer.stage("projecting and balancing the plastic stress");
     }
-    let prepared = case.prepare_sharing(rolled.as_ref().map(|(field, _)| field), stage.shared)?;
+    let prepared = PreparedRun::sharing(case, rolled.as_ref().map(|(field, _)| field), stage.shared)?;
     let carried = prepared.residual();
     let Some(rows) = rows(case, carried) else { return Ok((prepared, None)) };
     let mut notes = Vec::new();
@@ -155,7 +156,7 @@ fn rolled_summary(case: &Case, summary: &ShakedownSummary, notes: &mut Vec<Strin
         state: summary.state,
         passes: summary.passes,
         p0_over_k: summary.p0_over_k,
-        wheel: case.mix.get(case.heaviest().wheel).map(|wheel| wheel.name.clone()),
+        wheel: case.mix.get(HeaviestWheel::of_case(case).wheel).map(|wheel| wheel.name.clone()),
     }
 }
 
@@ -192,10 +193,10 @@ pub fn plastic_stress_left_out(case: &Case) -> Option<String> {
     if case.plastic_stress.is_some() || case.residual_stress.is_some() {
         return None;
     }
-    let mixed = case.mix.get(case.heaviest().wheel);
+    let mixed = case.mix.get(HeaviestWheel::of_case(case).wheel);
     let wheel = mixed.map_or(&case.wheel, |mixed| &mixed.wheel);
     let ratio = wheel.contact().peak_pressure() / case.shakedown.hardening.shear_yield_stress();
-    let first = wheel.contact_bounds(&case.steel, |bounds| bounds.first_yield())?.ratio;
+    let first = contact_bounds(wheel, &case.steel, |bounds| bounds.first_yield())?.ratio;
     let under = mixed.map_or_else(String::new, |mixed| format!(" under the wheel \"{}\"", mixed.name));
     (ratio > first).then(|| {
         format!(

@@ -6,6 +6,7 @@ use crate::disk::FolderLock;
 use crate::error::OutputError;
 use crate::presentation::Presentation;
 use crate::run_folder::Existing;
+use crate::setup::{HeaviestWheel, rolled_rail, stabilisation};
 use crate::shakedown::{ShakedownRecorder, ShakedownResults, ShakedownSummary};
 use railcrack::fatigue::Initiation;
 use railcrack::interruption::Interruption;
@@ -37,7 +38,7 @@ pub fn roll(
     interruption: Interruption<'_>,
     mut observe: impl FnMut(&PassRecord),
 ) -> Result<ShakedownSummary, RunError> {
-    let (rail, settings) = (case.rolled_rail(), case.stabilisation());
+    let (rail, settings) = (rolled_rail(case), stabilisation(case));
     check_rail(&rail)?;
     let started = Instant::now();
     if !folder.exists() {
@@ -144,7 +145,7 @@ pub fn pass_text(pass: &PassRecord) -> String {
 /// Which load of the case rolls the rail, and what is added to the state that it leaves; none where
 /// there is only one contact and nothing else.
 pub fn rolled_by(case: &Case) -> Option<String> {
-    let heaviest = case.heaviest();
+    let heaviest = HeaviestWheel::of_case(case);
     let mut parts = Vec::new();
     if case.mix.len() > 1 {
         parts.push(format!(

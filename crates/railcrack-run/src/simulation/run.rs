@@ -10,9 +10,10 @@ use crate::disk::FolderLock;
 use crate::error::OutputError;
 use crate::presentation::{Presentation, TablesOnly};
 use crate::run_folder::Existing;
+use crate::setup::SharedRail;
 use crate::summary::Summary;
 use railcrack::growth::{GrowthState, StepSource, TipJudge};
-use railcrack_case::{Case, SharedRail};
+use railcrack_case::Case;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 

@@ -180,7 +180,7 @@ fn end_of(error: &RunError) -> RunEnd {
         | RunError::Growth(_)
         | RunError::NoLayers
         | RunError::Shakedown(ShakedownError::NotConverged { .. }) => true,
-        RunError::Residual(error) => !matches!(error, railcrack_case::CarriedStressError::Field(_)),
+        RunError::Residual(error) => !matches!(error, crate::setup::CarriedStressError::Field(_)),
         _ => false,
     };
     if no_solution { RunEnd::NotConverged } else { RunEnd::CannotReadOrWrite }

@@ -3,6 +3,7 @@
 use super::parts::WarningSummary;
 use crate::decision::deepening;
 use crate::log::{RunInfo, RunLog, StepDigest};
+use crate::setup::{self, EffectInPlane, contact_bounds};
 use railcrack::fatigue::RailSteel;
 use railcrack::growth::{TipRecord, Warning, WarningKind};
 use railcrack::math::MPA_SQRT_MM;
@@ -52,8 +53,8 @@ const FELT_GAP: f64 = 0.05;
 
 /// A warning where a wheel over a crack in space would feel it.
 fn unfelt_gap(case: &Case) -> Option<Warning> {
-    let gap = case.unfelt_gap().filter(|gap| *gap > FELT_GAP)?;
-    let in_plane = case.effect_of_coupling().map_or_else(String::new, |plane| {
+    let gap = setup::unfelt_gap(case).filter(|gap| *gap > FELT_GAP)?;
+    let in_plane = EffectInPlane::of_case(case).map_or_else(String::new, |plane| {
         format!(
             "; in the plane, where it is {:.0} %, the coupled wheel of the plane engines makes the rate {:.2} times",
             100.0 * plane.gap,
@@ -131,7 +132,7 @@ fn of_wheel(case: &Case, wheel: &GivenWheel) -> Vec<Warning> {
     let of_bounds = |bounds: &ContactBounds| validity::pressure(contact, bounds, yield_stress, residual);
     let all = [
         validity::half_width(contact.half_width()),
-        wheel.contact_bounds(&case.steel, of_bounds).flatten(),
+        contact_bounds(wheel, &case.steel, of_bounds).flatten(),
         validity::shear(contact),
         wheel.load.track.as_ref().and_then(validity::axles),
     ];
@@ -145,7 +146,7 @@ pub(crate) fn flowing(case: &Case) -> Option<[f64; 2]> {
     let depths: Vec<f64> = (0..=FLOW_DEPTHS).map(|i| i as f64 * DEEPEST_FLOW / FLOW_DEPTHS as f64).collect();
     let of_wheel = |wheel: &GivenWheel| {
         let (peak, half_width) = (wheel.contact().peak_pressure(), wheel.half_width());
-        wheel.contact_bounds(&case.steel, |bounds: &ContactBounds| {
+        contact_bounds(wheel, &case.steel, |bounds: &ContactBounds| {
             if peak <= shear_yield * bounds.shakedown_limit().ratio {
                 return None;
             }

@@ -41,7 +41,8 @@ const FAR: f64 = 150.0;
 const ENLARGEMENTS: usize = 20;
 
 impl RailEnd {
-    fn extent(&self, refined: &RefinedRegion) -> RailBox {
+    /// Extent of the mesh that is fine in the region `refined`.
+    pub fn extent(&self, refined: &RefinedRegion) -> RailBox {
         match self {
             Self::HalfPlane { centre } => {
                 let size = refined.upper - refined.lower;

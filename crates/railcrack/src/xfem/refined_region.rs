@@ -175,7 +175,7 @@ impl RefinedRegion {
     }
 
     /// This region with elements that also resolve `layers`.
-    pub(crate) fn resolving(self, layers: ResolvedLayers) -> Self {
+    pub fn resolving(self, layers: ResolvedLayers) -> Self {
         Self { layers: Some(layers), ..self }
     }
 
@@ -259,14 +259,14 @@ impl RefinedRegion {
 
     /// Displacement unknowns of the mesh of `extent`, computed without making it; infinite on
     /// overflow.
-    pub(crate) fn mesh_unknowns(&self, extent: RailBox) -> f64 {
+    pub fn mesh_unknowns(&self, extent: RailBox) -> f64 {
         let (x, y) = self.gradings(extent);
         mesh_unknowns(&x, &y)
     }
 
     /// A number of displacement unknowns that the mesh of `extent` does not exceed, in closed form:
     /// one over the smallest of several element sizes is at most the sum of one over each.
-    pub(crate) fn most_mesh_unknowns(&self, extent: RailBox) -> f64 {
+    pub fn most_mesh_unknowns(&self, extent: RailBox) -> f64 {
         // ∫ ds/(size + grading s) on both sides.
         let beside =
             |size: f64, grading: f64, length: f64| 2.0 / grading * (1.0 + grading * length / size).ln();

@@ -4,6 +4,7 @@ use crate::common::measured;
 use railcrack::growth::Unobserved;
 use railcrack::math::Vec2;
 use railcrack_case::{Case, Overrides};
+use railcrack_run::setup::PreparedRun;
 use std::path::Path;
 
 /// Distance between the tips of the two engines, mm: as promised to users, unless a near tie of
@@ -28,7 +29,7 @@ impl Rolled {
         );
         let overrides = Overrides { engine: Some(engine.into()), ..Overrides::default() };
         let case = Case::parse_with(&text, "case.toml", Path::new(""), &overrides).unwrap();
-        let mut run = case.prepare(None).unwrap().growth(None);
+        let mut run = PreparedRun::new(&case, None).unwrap().growth(None);
         let mut path = Vec::new();
         while let Some(step) = run.next_step(&Unobserved).unwrap() {
             path.push(Vec2::new(step.tips[0].x, step.tips[0].y));

@@ -2,6 +2,7 @@
 
 use railcrack::growth::{GrowthState, PieceKind, StepRecord, TipStop, Unobserved};
 use railcrack_case::Case;
+use railcrack_run::setup::PreparedRun;
 use std::path::Path;
 
 /// A crack that runs into a buried one, of which a tip breaks out, in a row with others.
@@ -62,7 +63,7 @@ fn case(text: &str, network: &str) -> Case {
 
 /// The growth steps from `state` on, and the state after each.
 fn steps(case: &Case, state: Option<GrowthState>) -> Vec<(StepRecord, GrowthState)> {
-    let mut growth = case.prepare(None).unwrap().growth(state);
+    let mut growth = PreparedRun::new(&case, None).unwrap().growth(state);
     let next = || growth.next_step(&Unobserved).unwrap().map(|record| (record, growth.state().clone()));
     std::iter::from_fn(next).collect()
 }

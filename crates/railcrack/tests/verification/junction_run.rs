@@ -4,6 +4,7 @@ use crate::common::{Absolute, Of, Relative, Rolling, close, default_elements, jo
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::growth::{GrowthState, PieceKind, StepRecord, TipStop, Unobserved};
 use railcrack_case::{Case, Overrides};
+use railcrack_run::setup::PreparedRun;
 use std::path::{Path, PathBuf};
 
 /// The shipped case by whole kinks, for which the numbers below were found.
@@ -20,7 +21,7 @@ fn case() -> Case {
 
 /// The growth steps from `state` on until `last`, and the state after each.
 fn steps(case: &Case, state: Option<GrowthState>, last: usize) -> Vec<(StepRecord, GrowthState)> {
-    let mut growth = case.prepare(None).unwrap().growth(state);
+    let mut growth = PreparedRun::new(&case, None).unwrap().growth(state);
     let mut records = Vec::new();
     while let Some(record) = growth.next_step(&Unobserved).unwrap() {
         let step = record.step;

@@ -4,13 +4,14 @@ use crate::common::{measured, measured_as, measured_order, order};
 use railcrack::growth::{RunStop, StepRecord, TipStop, Unobserved};
 use railcrack::math::{MPA_SQRT_MM, Vec2};
 use railcrack_case::{Case, Overrides};
+use railcrack_run::setup::PreparedRun;
 use std::path::Path;
 
 /// The steps of `text`, an engine given.
 fn run(text: &str, engine: &str) -> Vec<StepRecord> {
     let overrides = Overrides { engine: Some(engine.into()), ..Overrides::default() };
     let case = Case::parse_with(text, "case.toml", Path::new(""), &overrides).unwrap();
-    let mut run = case.prepare(None).unwrap().growth(None);
+    let mut run = PreparedRun::new(&case, None).unwrap().growth(None);
     std::iter::from_fn(|| run.next_step(&Unobserved).unwrap()).collect()
 }
 
@@ -249,7 +250,7 @@ fn the_first_step_does_not_depend_on_the_number_of_steps() {
             );
             let overrides = Overrides { engine: Some(engine.into()), ..Overrides::default() };
             let case = Case::parse_with(&text, "case.toml", Path::new(""), &overrides).unwrap();
-            let mut run = case.prepare(None).unwrap().growth(None);
+            let mut run = PreparedRun::new(&case, None).unwrap().growth(None);
             let mut record = run.next_step(&Unobserved).unwrap().unwrap();
             (record.passages.pop().unwrap().sifs, record.dofs, record.tips[0].kink)
         };

@@ -7,6 +7,7 @@ use railcrack::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
 use railcrack::residual::PlasticField;
 use railcrack::shakedown::stabilise;
 use railcrack_case::{Case, Overrides};
+use railcrack_run::setup::PreparedRun;
 use std::path::Path;
 
 /// Accuracy of the finite-element engine as promised to users, relative to the largest |K|.
@@ -33,7 +34,7 @@ fn case(engine: &str, pressure: f64, friction: f64, sections: &str) -> Case {
 }
 
 fn first_step(case: &Case, rolled: Option<&PlasticField>) -> StepRecord {
-    case.prepare(rolled).unwrap().growth(None).next_step(&Unobserved).unwrap().unwrap()
+    PreparedRun::new(&case, rolled).unwrap().growth(None).next_step(&Unobserved).unwrap().unwrap()
 }
 
 /// The largest difference of the last passages, relative to the largest |K|.
@@ -97,7 +98,7 @@ fn rolled_rail_balances_to_its_own_residual_stress() {
         cell_data: vec![Array::stresses("plastic_stress_mpa", &stresses)],
     };
     let plastic = PlasticField::from_grid(&grid).unwrap();
-    let prepared = case.prepare(Some(&plastic)).unwrap();
+    let prepared = PreparedRun::new(&case, Some(&plastic)).unwrap();
     let carried = prepared.residual();
     let field = carried.field.as_ref().unwrap();
     let peak = state.profile.iter().map(|layer| layer.stress.xx.abs()).fold(0.0, f64::max);

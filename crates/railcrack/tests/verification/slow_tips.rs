@@ -9,6 +9,7 @@ use railcrack::fracture::Sif;
 use railcrack::growth::{Geometry, GrowthState, StepRecord, Unobserved};
 use railcrack::math::Vec2;
 use railcrack_case::{Case, Overrides};
+use railcrack_run::setup::PreparedRun;
 use std::path::PathBuf;
 
 fn squat(engine: &str) -> Case {
@@ -19,7 +20,7 @@ fn squat(engine: &str) -> Case {
 
 /// The growth steps from `state` on until `last`, and the state after each.
 fn steps(case: &Case, state: Option<GrowthState>, last: usize) -> Vec<(StepRecord, GrowthState)> {
-    let mut growth = case.prepare(None).unwrap().growth(state);
+    let mut growth = PreparedRun::new(&case, None).unwrap().growth(state);
     let mut records = Vec::new();
     while records.last().is_none_or(|(record, _): &(StepRecord, _)| record.step < last) {
         let record = growth.next_step(&Unobserved).unwrap().unwrap();

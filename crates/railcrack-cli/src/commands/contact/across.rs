@@ -1,6 +1,7 @@
 //! Growth by the lateral place of the crack.
 
 use railcrack_case::Case;
+use railcrack_run::setup::rates_across;
 
 /// Mean growth rate by the lateral place of the crack, over that at its place in the case, by a
 /// surrogate.
@@ -33,7 +34,7 @@ impl Across {
         let place = |i: usize| low + (high - low) * i as f64 / (count - 1) as f64;
         let mut all: Vec<f64> = (0..count).map(place).collect();
         all.push(table.lateral);
-        let rates = case.rates_across(&all)?;
+        let rates = rates_across(case, &all)?;
         let here = rates.last().filter(|(rate, _)| *rate > 0.0)?.0;
         let places = all
             .iter()

@@ -15,6 +15,7 @@ use clap::Args;
 use railcrack_case::{Case, Overrides};
 use railcrack_report::put;
 use railcrack_run::Existing;
+use railcrack_run::setup::wheel_demands;
 use railcrack_run::simulation::RunError;
 use rows::WheelRow;
 use said::sentences;
@@ -59,7 +60,7 @@ pub fn contact(arguments: &ContactArguments) -> Result<Exit, Failure> {
     let case = input::case(&arguments.case, &overrides)?;
     let folder = arguments.out.clone().unwrap_or_else(|| beside(&arguments.case));
     clear(&folder, if arguments.force { Existing::Replace } else { Existing::Refuse })?;
-    let demands = case.wheel_demands().map_err(|error| Failure::Calibration { reason: error.to_string() })?;
+    let demands = wheel_demands(&case).map_err(|error| Failure::Calibration { reason: error.to_string() })?;
     let rows = WheelRow::of_case(&case, &demands);
     let across = Across::of(&case);
     let plots = folder.join("plots");

@@ -2,7 +2,8 @@
 
 use railcrack::load::Contact;
 use railcrack::rolling::{PatchForces, PlacedPatch};
-use railcrack_case::{Case, ContactOrigin, GivenWheel, WheelDemand};
+use railcrack_case::{Case, ContactOrigin, GivenWheel};
+use railcrack_run::setup::WheelDemand;
 
 /// A wheel with its patches and what it makes of the cracks.
 pub(super) struct WheelRow {

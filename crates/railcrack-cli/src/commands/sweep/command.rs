@@ -9,10 +9,11 @@ use crate::exit::{Exit, Failure};
 use crate::input::{self, Set, default_folder};
 use crate::json::Json;
 use clap::Args;
-use railcrack_case::{KnownSizes, Overrides, SampleTable, Study};
+use railcrack_case::{ByGeometry, Case, Overrides, SampleTable, Study};
 use railcrack_report::Pages;
 use railcrack_run::StudyFolder;
 use railcrack_run::machine::{Budget, Needs, OverBudget};
+use railcrack_run::setup::RunSize;
 use railcrack_run::simulation::{Ending, FailedRun, RunError, StudyComputation, case_files, study_plan};
 use railcrack_run::study::Entry;
 use railcrack_run::summary::RunEnd;
@@ -170,9 +171,10 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
 
 /// Checks that the runs `own` fit into the machine with the largest ones running at the same time.
 fn within_budget(study: &Study, own: &[usize], threads: usize, budget: &Budget) -> Result<(), OverBudget> {
-    let sizes = KnownSizes::default();
+    let sizes = ByGeometry::default();
     let own_runs = study.runs.iter().filter(|run| own.contains(&run.number));
-    let needs = own_runs.map(|run| Needs::with(&run.case, &sizes.size(&run.case)));
+    let size = |case: &Case| sizes.value(case, || RunSize::estimate(case));
+    let needs = own_runs.map(|run| Needs::with(&run.case, &size(&run.case)));
     let largest = needs.reduce(|a, b| Needs { memory: a.memory.max(b.memory), disk: a.disk.max(b.disk) });
     largest.map_or(Ok(()), |needs| budget.allows(needs, own.len(), threads.min(own.len())))
 }

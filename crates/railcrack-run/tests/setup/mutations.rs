@@ -5,6 +5,7 @@
 
 use super::random::Random;
 use railcrack_case::{Case, Overrides, Study, init_text};
+use railcrack_run::setup::RunSize;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -101,7 +102,7 @@ fn try_many(text: &str, answer: impl Fn(&str)) {
 fn damaged_cases_are_answered() {
     try_many(&init_text(), |text| {
         if let Ok(case) = Case::parse(text, "case.toml", Path::new("")) {
-            let _ = case.size();
+            let _ = RunSize::estimate(&case);
         }
     });
 }

@@ -2,6 +2,7 @@
 
 use railcrack::growth::{StepRecord, TipRecord, Unobserved};
 use railcrack_case::Case;
+use railcrack_run::setup::{PreparedRun, wheel_demands};
 use std::path::{Path, PathBuf};
 
 const HEADER: &str = "wheel,normal_kn,y_rail_mm,creepage_x,creepage_y,spin_per_mm,mu,a_mm,b_mm";
@@ -35,7 +36,7 @@ fn tabled(name: &str, lateral: f64, (header, rows): (&str, &str), keys: &str) ->
 }
 
 fn tips(case: &Case) -> Vec<TipRecord> {
-    let mut growth = case.prepare(None).unwrap().growth(None);
+    let mut growth = PreparedRun::new(case, None).unwrap().growth(None);
     let step: StepRecord = growth.next_step(&Unobserved).unwrap().unwrap();
     step.tips
 }
@@ -135,24 +136,11 @@ fn representatives_keep_the_growth_of_the_front() {
     println!("mean rate {:+.4} ({:+.4} by the coarse crack)", mean(&b) / mean(&a) - 1.0, table.error);
     assert!((mean(&b) / mean(&a) - 1.0).abs() < REPRESENTED, "{} {}", mean(&b), mean(&a));
     // Wheels by themselves add up to the rates of the run.
-    let demands = all.wheel_demands().unwrap();
+    let demands = wheel_demands(&all).unwrap();
     let table = all.wheel_table.as_ref().unwrap();
     let sum: f64 = table.wheels.iter().zip(&demands).map(|(wheel, own)| wheel.share * own.rate).sum();
     assert!((sum / mean(&a) - 1.0).abs() < 1e-9, "{sum} {}", mean(&a));
     // Wheels far to the side load the crack by little, but by something.
     let far = |i: usize| table.wheels[i].wheel.heaviest().y_rail.abs() > 10.0;
     assert!((0..16).filter(|i| far(*i)).all(|i| demands[i].rate > 0.0 && demands[i].rate < mean(&a)));
-}
-
-#[test]
-fn a_free_front_needs_no_key_but_its_own() {
-    let text = include_str!("bad_input/good/space.toml");
-    let parsed = |keys: &str| parsed(&format!("{text}\n[growth]\n{keys}"), Path::new("."));
-    let harmonics = |case: &Case| {
-        let shape = case.space.as_ref().unwrap().shapes[0];
-        shape.deviation.map(|deviation| (deviation.harmonics(), deviation.largest()))
-    };
-    assert_eq!(harmonics(&parsed("front = \"free\"\n")), Some((6, 0.0)));
-    assert_eq!(harmonics(&parsed("front = \"free\"\nfront_harmonics = 8\n")), Some((8, 0.0)));
-    assert_eq!(harmonics(&parsed("front = \"ellipse\"\n")), None);
 }

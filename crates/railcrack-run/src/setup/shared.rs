@@ -1,10 +1,10 @@
 //! Meshes and factors that several runs of a study share.
 
-use super::carried::CarriedStressError;
-use super::case::Case;
-use crate::tables::{EngineDomain, PlasticSource};
+use super::carried::{CarriedStressError, plastic_field};
+use super::engine::finite_elements;
 use railcrack::body::{BodyEngine, BodyError};
 use railcrack::xfem::{XfemEngine, XfemError};
+use railcrack_case::{Case, EngineDomain, PlasticSource};
 use thiserror::Error;
 
 /// Mesh, factor and columns of a rail for several runs whose cracks begin the same.
@@ -30,11 +30,11 @@ pub enum SharedRailError {
 impl SharedRail {
     /// Mesh, factor and columns of `case` after its first growth step, or after the balance of its
     /// plastic stress where another engine computes the cracks. None where there are none, or where
-    /// they are not known before the run ([`Case::rail_key`]).
+    /// they are not known before the run ([`RailKey::of_case`]).
     ///
     /// Errors: the rail cannot be built.
-    pub fn of(case: &Case) -> Result<Option<Self>, SharedRailError> {
-        let Some(mut engine) = case.shareable_elements()? else { return Ok(None) };
+    pub fn build(case: &Case) -> Result<Option<Self>, SharedRailError> {
+        let Some(mut engine) = shareable_elements(case)? else { return Ok(None) };
         match case.engine.domain() {
             EngineDomain::Rail => drop(engine.body(&case.cracks)?),
             EngineDomain::HalfPlane | EngineDomain::HalfSpace => {
@@ -45,7 +45,7 @@ impl SharedRail {
     }
 
     /// Passes them to `engine`, which would compute the same.
-    pub(crate) fn give_to(&self, engine: &mut XfemEngine) {
+    pub(super) fn give_to(&self, engine: &mut XfemEngine) {
         engine.take_over(&self.engine);
     }
 }
@@ -54,21 +54,21 @@ impl SharedRail {
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct RailKey(String);
 
-impl Case {
-    /// The rail of this case: cases with equal keys can share a [`SharedRail`]. None where the run
+impl RailKey {
+    /// The rail of `case`: cases with equal keys can share a [`SharedRail`]. None where the run
     /// needs no mesh, or where its mesh depends on a plastic state that the run itself computes.
     #[must_use]
-    pub fn rail_key(&self) -> Option<RailKey> {
+    pub fn of_case(case: &Case) -> Option<Self> {
         // Errors of its plastic stress are reported by the run.
-        let engine = self.shareable_elements().ok().flatten()?;
-        Some(RailKey(engine.rail_in_words()))
+        let engine = shareable_elements(case).ok().flatten()?;
+        Some(Self(engine.rail_in_words()))
     }
+}
 
-    fn shareable_elements(&self) -> Result<Option<XfemEngine>, CarriedStressError> {
-        match (&self.plastic_stress, self.engine) {
-            (Some(PlasticSource::Rolled), _) => Ok(None),
-            (None, engine) if engine.domain() != EngineDomain::Rail => Ok(None),
-            _ => Ok(Some(self.finite_elements(self.plastic_field(None)?.as_ref()))),
-        }
+fn shareable_elements(case: &Case) -> Result<Option<XfemEngine>, CarriedStressError> {
+    match (&case.plastic_stress, case.engine) {
+        (Some(PlasticSource::Rolled), _) => Ok(None),
+        (None, engine) if engine.domain() != EngineDomain::Rail => Ok(None),
+        _ => Ok(Some(finite_elements(case, plastic_field(case, None)?.as_ref()))),
     }
 }

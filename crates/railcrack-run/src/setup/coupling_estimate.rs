@@ -1,8 +1,5 @@
 //! Estimate of how much a wheel that feels the cracks would change their growth.
 
-use super::Case;
-use super::coarse_front::CoarseFront;
-use crate::tables::ContactOrigin;
 use railcrack::bulk::Boundary;
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::coupling::{CoupledContact, WheelCoupling, gap_in_plane};
@@ -13,6 +10,7 @@ use railcrack::field::wheel_under;
 use railcrack::growth::{PassageSettings, StabilisedPassage, Unobserved};
 use railcrack::load::{Passage, WheelLoad};
 use railcrack::plane::{RailLoad, stabilised_passage};
+use railcrack_case::{Case, CoarseFront, ContactOrigin};
 
 /// Extent of the passage over a, and number of its positions.
 const REACH: f64 = 4.0;
@@ -51,51 +49,51 @@ pub struct EffectInPlane {
     pub gap: f64,
 }
 
-impl Case {
-    /// The largest gap, over a²/2R, that opens under the first wheel over the first crack of a case
-    /// in space, dry and on few cells, since the contact of that engine does not feel the cracks;
-    /// `None` in the plane and for a buried crack.
-    #[must_use]
-    pub fn unfelt_gap(&self) -> Option<f64> {
-        let space = self.space.as_ref()?;
-        let shape = space.shapes.first().filter(|shape| shape.buried.is_none())?;
-        let wheel = space.wheels.first()?.outline();
-        let front = CoarseFront::new(shape, *self.crack_friction.first()?, &self.steel)?;
-        let gap = front.gap_under(wheel, self.passages.passage.travel());
-        Some(gap / wheel.ellipse().depth_along(&self.steel))
-    }
+/// The largest gap, over a²/2R, that opens under the first wheel over the first crack of a `case`
+/// in space, dry and on few cells, since the contact of that engine does not feel the cracks;
+/// `None` in the plane and for a buried crack.
+#[must_use]
+pub fn unfelt_gap(case: &Case) -> Option<f64> {
+    let space = case.space.as_ref()?;
+    let shape = space.shapes.first().filter(|shape| shape.buried.is_none())?;
+    let wheel = space.wheels.first()?.outline();
+    let front = CoarseFront::new(shape, *case.crack_friction.first()?, &case.steel)?;
+    let gap = front.gap_under(wheel, case.passages.passage.travel());
+    Some(gap / wheel.ellipse().depth_along(&case.steel))
+}
 
+impl EffectInPlane {
     /// The effect of a wheel that feels the first surface-breaking crack, against the contact on
     /// the uncracked rail: of the crack alone, dry, without residual stress, in the plane. `None`
     /// for a coupled wheel, for a block, for a measured contact, without such a crack, for one that
     /// is very flat, short, long or bent, and for one that does not grow.
     #[must_use]
-    pub fn effect_of_coupling(&self) -> Option<EffectInPlane> {
-        let measured = matches!(self.wheel.origin, ContactOrigin::Table(_));
-        let in_half_plane = self.rail.boundary == Boundary::HalfPlane || self.engine.is_in_space();
-        if self.has_coupled_wheel() || measured || !in_half_plane {
+    pub fn of_case(case: &Case) -> Option<Self> {
+        let measured = matches!(case.wheel.origin, ContactOrigin::Table(_));
+        let in_half_plane = case.rail.boundary == Boundary::HalfPlane || case.engine.is_in_space();
+        if case.has_coupled_wheel() || measured || !in_half_plane {
             return None;
         }
-        let place = self.cracks.cracks().iter().position(|crack| crack.is_surface_breaking())?;
-        let crack = self.cracks.cracks()[place].clone();
-        let contact = self.wheel.contact();
+        let place = case.cracks.cracks().iter().position(|crack| crack.is_surface_breaking())?;
+        let crack = case.cracks.cracks()[place].clone();
+        let contact = case.wheel.contact();
         if !is_ordinary(&crack, contact.half_width()) {
             return None;
         }
         let mouth = crack.points()[0].x;
         let network = CrackNetwork::new(vec![crack]).ok()?;
-        let body = cracked_body(&network, &self.steel, FaceResolution::default()).ok()?;
+        let body = cracked_body(&network, &case.steel, FaceResolution::default()).ok()?;
         let coupling = WheelCoupling {
-            contact: CoupledContact::new(contact, &self.steel),
+            contact: CoupledContact::new(contact, &case.steel),
             nodes_per_half_width: NODES,
             within: WheelCoupling::WITHIN,
         };
-        let travel = self.passages.passage.travel().sign();
+        let travel = case.passages.passage.travel().sign();
         let reach = REACH * contact.half_width() * travel;
         let passage = Passage { from: mouth - reach, to: mouth + reach, positions: POSITIONS };
         let load = WheelLoad { contact: contact.clone(), track: None, temperature: None };
-        let wheel = wheel_under(&load, &self.steel).ok()?;
-        let friction = *self.crack_friction.get(place)?;
+        let wheel = wheel_under(&load, &case.steel).ok()?;
+        let friction = *case.crack_friction.get(place)?;
         let passed = |coupling: Option<&WheelCoupling>| {
             let problem = FaceProblem::new(&body, &[friction]).ok()?;
             let problem = problem.with_wheel(coupling.and_then(|coupling| coupling.on(&body.faces))).ok()?;
@@ -110,13 +108,13 @@ impl Case {
         for (&xc, states) in record.xc.iter().zip(&without.faces.states) {
             if (xc - mouth).abs() < GAP_REACH * hertz.half_width {
                 let jumps: Vec<f64> = states.iter().flat_map(|state| [state.slip, state.opening]).collect();
-                gap = gap.max(gap_in_plane(&body.faces, &jumps, &hertz, &self.steel, xc).ok()?);
+                gap = gap.max(gap_in_plane(&body.faces, &jumps, &hertz, &case.steel, xc).ok()?);
             }
         }
-        let depth = hertz.peak_pressure * hertz.half_width / (0.5 * self.steel.plane_strain_modulus());
+        let depth = hertz.peak_pressure * hertz.half_width / (0.5 * case.steel.plane_strain_modulus());
         let (without, with) = (range(&without)?, range(&with)?);
         let rate = (with / without).powf(EXPONENT);
-        (without > 0.0).then_some(EffectInPlane { rate, gap: gap / depth })
+        (without > 0.0).then_some(Self { rate, gap: gap / depth })
     }
 }
 

@@ -1,7 +1,5 @@
 //! Residual stress that the rail of a run carries.
 
-use super::case::Case;
-use crate::tables::PlasticSource;
 use railcrack::bulk::{
     BottomSupport, Boundary, BulkError, BulkRail, ElasticField, SideSupport, StressAtPoints,
 };
@@ -11,6 +9,7 @@ use railcrack::residual::{
     BalancedStress, PlasticField, PlasticFieldError, ProjectionLoss, RecoveryLoss, projection_loss,
 };
 use railcrack::xfem::{XfemEngine, XfemError};
+use railcrack_case::{Case, PlasticSource};
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -85,60 +84,59 @@ impl ElasticField for Cut<'_> {
     }
 }
 
-impl Case {
-    /// The plastic stress of the case. `rolled` is that of the stabilised state.
-    ///
-    /// Errors: it cannot be made; it is that of the stabilised state, which was not computed.
-    pub fn plastic_field(
-        &self,
-        rolled: Option<&PlasticField>,
-    ) -> Result<Option<PlasticField>, CarriedStressError> {
-        Ok(match &self.plastic_stress {
-            None => None,
-            Some(PlasticSource::Field(file)) => Some(file.content().clone()),
-            Some(PlasticSource::Profile(file)) => Some(PlasticField::layers(file.content())?),
-            Some(PlasticSource::Rolled) => Some(rolled.ok_or(CarriedStressError::NotRolled)?.clone()),
-        })
-    }
+/// The plastic stress of `case`. `rolled` is that of the stabilised state.
+///
+/// Errors: it cannot be made; it is that of the stabilised state, which was not computed.
+pub fn plastic_field(
+    case: &Case,
+    rolled: Option<&PlasticField>,
+) -> Result<Option<PlasticField>, CarriedStressError> {
+    Ok(match &case.plastic_stress {
+        None => None,
+        Some(PlasticSource::Rolled) => Some(rolled.ok_or(CarriedStressError::NotRolled)?.clone()),
+        Some(source) => source.given_field()?,
+    })
+}
 
-    /// The residual stress of a run: the stress given as balanced, and the balance of `plastic` on
-    /// the mesh of `engine`, the finite-element engine of this case, whichever engine computes the
-    /// cracks.
+impl CarriedStress {
+    /// The residual stress of a run of `case`: the stress given as balanced, and the balance of
+    /// `plastic` on the mesh of `engine`, the finite-element engine of the case, whichever engine
+    /// computes the cracks.
     ///
-    /// Errors: the plastic stress cannot be made or balanced.
-    pub fn carried_stress(
-        &self,
+    /// Errors: the plastic stress cannot be balanced.
+    pub(super) fn balanced(
+        case: &Case,
         plastic: Option<&PlasticField>,
         engine: &mut XfemEngine,
-    ) -> Result<CarriedStress, CarriedStressError> {
+    ) -> Result<Self, CarriedStressError> {
         let mut parts: Vec<Box<dyn StressField>> = Vec::new();
         let mut depths: Vec<f64> = Vec::new();
         let mut release = None;
-        let free_sides = matches!(self.rail.boundary, Boundary::Block { sides: SideSupport::Free, .. });
-        let initial = match self.plastic_stress {
-            Some(PlasticSource::Rolled) => self.shakedown.initial_residual.as_ref(),
+        let free_sides = matches!(case.rail.boundary, Boundary::Block { sides: SideSupport::Free, .. });
+        let initial = match case.plastic_stress {
+            Some(PlasticSource::Rolled) => case.shakedown.initial_residual.as_ref(),
             _ => None,
         };
-        for file in self.residual_stress.iter().chain(initial) {
+        for file in case.residual_stress.iter().chain(initial) {
             let profile = file.content();
             depths.extend(profile.rows().iter().map(|row| row.0));
             if free_sides {
-                release = Some(self.release_of_profile(engine.background(&self.cracks)?, profile)?);
+                release = Some(Release::of_profile(case, engine.background(&case.cracks)?, profile)?);
             }
             parts.push(Box::new(profile.clone()));
         }
         let mut projection = None;
         if let Some(plastic) = plastic {
-            let rail = Arc::clone(engine.background(&self.cracks)?);
+            let rail = Arc::clone(engine.background(&case.cracks)?);
             let balanced = BalancedStress::new(&rail, |point| plastic.plastic_stress(point))?;
-            depths.extend(balanced.depths().iter().filter(|depth| **depth <= self.rail.extent.depth));
+            depths.extend(balanced.depths().iter().filter(|depth| **depth <= case.rail.extent.depth));
             projection = Some(Projection {
                 recovery: plastic.recovery_loss(),
-                loss: projection_loss(&rail, plastic, self.rail.extent),
+                loss: projection_loss(&rail, plastic, case.rail.extent),
                 extent: plastic.extent(),
             });
             if free_sides {
-                release = Some(self.release_of_plastic(&rail, plastic, &balanced)?);
+                release = Some(Release::of_plastic(case, &rail, plastic, &balanced)?);
             }
             parts.push(Box::new(balanced));
         }
@@ -149,17 +147,19 @@ impl Case {
             1 => parts.pop(),
             _ => Some(Box::new(Sum(parts)) as Box<dyn StressField>),
         };
-        Ok(CarriedStress { field, depths, projection, release })
+        Ok(Self { field, depths, projection, release })
     }
+}
 
+impl Release {
     /// A balanced stress is used unchanged; its release by the sides is only reported.
-    fn release_of_profile(&self, rail: &BulkRail, profile: &DepthProfile) -> Result<Release, BulkError> {
+    fn of_profile(case: &Case, rail: &BulkRail, profile: &DepthProfile) -> Result<Self, BulkError> {
         let displacements = rail.cancel(&[&Cut(profile)])?;
         let points: Vec<Vec2> = profile
             .rows()
             .iter()
-            .map(|row| Vec2::new(self.rail.extent.centre, -row.0))
-            .filter(|p| -p.y <= self.rail.extent.depth)
+            .map(|row| Vec2::new(case.rail.extent.centre, -row.0))
+            .filter(|p| -p.y <= case.rail.extent.depth)
             .collect();
         let released = StressAtPoints::new(rail, &points)?.stress(&displacements[0]);
         let of = |(point, released): (&Vec2, &Stress)| {
@@ -170,13 +170,13 @@ impl Case {
     }
 
     /// The balance with free sides against that with sides that are held along x.
-    fn release_of_plastic(
-        &self,
+    fn of_plastic(
+        case: &Case,
         rail: &BulkRail,
         plastic: &PlasticField,
         balanced: &BalancedStress,
-    ) -> Result<Release, BulkError> {
-        let bottom = match self.rail.boundary {
+    ) -> Result<Self, BulkError> {
+        let bottom = match case.rail.boundary {
             Boundary::Block { bottom, .. } => bottom,
             Boundary::HalfPlane => BottomSupport::Clamped,
         };
@@ -184,7 +184,7 @@ impl Case {
         let rollers = BulkRail::new(rail.mesh().clone(), rail.steel(), boundary)?;
         let held = BalancedStress::new(&rollers, |point| plastic.plastic_stress(point))?;
         Ok(largest(balanced.depths().iter().map(|&depth| {
-            let point = Vec2::new(self.rail.extent.centre, -depth);
+            let point = Vec2::new(case.rail.extent.centre, -depth);
             let (held, free) = (held.stress(point).xx, balanced.stress(point).xx);
             Release { depth, held, free, carried: true }
         })))

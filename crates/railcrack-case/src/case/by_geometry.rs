@@ -1,0 +1,58 @@
+//! Numbers that depend on the geometry of a case alone, each computed once for a study.
+
+use super::case::Case;
+use crate::tables::PlasticSource;
+use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::sync::{Mutex, PoisonError};
+
+/// Values by the part of the case that sizes depend on: thousands of runs of a study often have the
+/// same cracks.
+#[derive(Debug)]
+pub struct ByGeometry<T>(Mutex<HashMap<String, T>>);
+
+impl<T> Default for ByGeometry<T> {
+    fn default() -> Self {
+        Self(Mutex::default())
+    }
+}
+
+impl<T: Copy> ByGeometry<T> {
+    /// The value of `case`, which `compute` gives for the first case of its geometry. It must
+    /// depend on steel, rail, cracks, mesh, engine, network, given plastic stress and number of
+    /// positions only. The lock is not held while it is computed.
+    pub fn value(&self, case: &Case, compute: impl FnOnce() -> T) -> T {
+        let key = geometry(case);
+        let known = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(found) = known().get(&key) {
+            return *found;
+        }
+        let computed = compute();
+        known().insert(key, computed);
+        computed
+    }
+}
+
+/// Everything that the sizes of a case depend on, bit for bit.
+fn geometry(case: &Case) -> String {
+    let text = |text: &str| {
+        let mut hasher = DefaultHasher::new();
+        text.hash(&mut hasher);
+        hasher.finish()
+    };
+    let plastic = match &case.plastic_stress {
+        Some(PlasticSource::Field(file)) => Some(text(file.text())),
+        Some(PlasticSource::Profile(file)) => Some(text(file.text())),
+        Some(PlasticSource::Rolled) => Some(0),
+        None => None,
+    };
+    let fronts = case.space.as_ref().map(|space| &space.shapes);
+    let grows = case.outgrows_first_mesh();
+    format!(
+        "{:?}",
+        (
+            (case.engine, case.network, &case.mesh, &case.rail, case.steel),
+            (grows, case.positions().len(), &case.cracks, fronts, plastic),
+        )
+    )
+}

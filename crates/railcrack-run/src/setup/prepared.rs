@@ -1,0 +1,103 @@
+//! Engine and residual stress of a run, built once from its case.
+
+use super::carried::{CarriedStress, CarriedStressError, plastic_field};
+use super::engine::{engine_with, finite_elements};
+use super::plane::plane_rail;
+use super::shared::SharedRail;
+use super::space::space_rail;
+use railcrack::body::BodyEngine;
+use railcrack::field::StressField;
+use railcrack::growth::{CrackedRail, Growth, GrowthState, StepSource, TipJudge};
+use railcrack::residual::PlasticField;
+use railcrack_case::Case;
+use std::sync::Arc;
+
+/// A run before its first step.
+pub struct PreparedRun<'a> {
+    case: &'a Case,
+    /// None for a run in space.
+    engine: Option<Box<dyn BodyEngine>>,
+    residual: CarriedStress,
+}
+
+impl<'a> PreparedRun<'a> {
+    /// Everything that is made once for the run of `case`. `rolled` is the plastic stress of the
+    /// stabilised state, for a case that requires it
+    /// ([`PlasticSource::Rolled`](railcrack_case::PlasticSource)).
+    ///
+    /// Errors: the residual stress cannot be computed.
+    pub fn new(case: &'a Case, rolled: Option<&PlasticField>) -> Result<Self, CarriedStressError> {
+        Self::sharing(case, rolled, None)
+    }
+
+    /// [`PreparedRun::new`] with mesh, factor and columns of another run: the same bits, sooner.
+    ///
+    /// Errors: the same.
+    pub fn sharing(
+        case: &'a Case,
+        rolled: Option<&PlasticField>,
+        shared: Option<&SharedRail>,
+    ) -> Result<Self, CarriedStressError> {
+        let plastic = plastic_field(case, rolled)?;
+        let mut finite_elements = finite_elements(case, plastic.as_ref());
+        if let Some(shared) = shared {
+            shared.give_to(&mut finite_elements);
+        }
+        let residual = CarriedStress::balanced(case, plastic.as_ref(), &mut finite_elements)?;
+        let engine = engine_with(case, finite_elements).map(|engine| engine as Box<dyn BodyEngine>);
+        Ok(Self { case, engine, residual })
+    }
+
+    /// The residual stress that the rail carries.
+    #[must_use]
+    pub fn residual(&self) -> &CarriedStress {
+        &self.residual
+    }
+
+    /// The field of that residual stress; none where the rail carries nothing.
+    pub(super) fn into_residual(self) -> Option<Box<dyn StressField>> {
+        self.residual.field
+    }
+
+    /// The growth loop from `state` on, or from the beginning where there is none.
+    #[must_use]
+    pub fn growth(self, state: Option<GrowthState>) -> Box<dyn StepSource> {
+        self.growth_judged(state, None)
+    }
+
+    /// [`PreparedRun::growth`] with a `judge` that gives direction and rate of every tip; in space
+    /// the rate of every front point.
+    #[must_use]
+    pub fn growth_judged(
+        self,
+        state: Option<GrowthState>,
+        judge: Option<Arc<dyn TipJudge>>,
+    ) -> Box<dyn StepSource> {
+        let Self { case, engine, residual } = self;
+        let residual: Option<Arc<dyn StressField>> = residual.field.map(Arc::from);
+        match (engine, &case.space) {
+            (None, Some(space)) => {
+                let initial =
+                    || GrowthState::initial_in_space(space.shapes.clone()).expect("the case is checked");
+                boxed(space_rail(case, space, residual.as_ref()), state.unwrap_or_else(initial), judge)
+            }
+            (engine, _) => {
+                let rail = plane_rail(case, engine.expect("cracks in the plane"), residual.as_ref());
+                boxed(rail, state.unwrap_or_else(|| GrowthState::initial(&case.cracks)), judge)
+            }
+        }
+    }
+}
+
+/// The growth of `rail` from `state` on, with directions and rates from `judge` if there is one.
+fn boxed<R: CrackedRail + 'static>(
+    rail: R,
+    state: GrowthState,
+    judge: Option<Arc<dyn TipJudge>>,
+) -> Box<dyn StepSource> {
+    let growth = Growth::new(rail, state);
+    Box::new(match judge {
+        Some(judge) => growth.judged_by(judge),
+        None => growth,
+    })
+}

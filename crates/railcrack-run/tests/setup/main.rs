@@ -1,0 +1,9 @@
+//! From cases to rails and traffic.
+
+mod mutations;
+mod steps;
+mod wheels;
+mod wheels_in_space;
+
+#[path = "../../../railcrack/tests/common/random.rs"]
+mod random;
