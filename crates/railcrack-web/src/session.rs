@@ -46,7 +46,7 @@ impl Session {
             "steps": case.growth.steps,
             "half_width_mm": case.half_width(),
             "axle_load_t": case.axle_load,
-            "face_points": RunSize::estimate(&case).face_points,
+            "face_points": RunSize::estimate(case).face_points,
         })
     }
 

@@ -51,8 +51,7 @@ fn sizes_beyond_every_machine_name_the_key_that_makes_them() {
     }
     let rows = "[growth]\nsteps = 10000\n[passage]\npositions = 100000\n[solver]\nengine = \"dislocation\"\n";
     refused(&one(SHORT, rows), "passage.positions");
-    let size = read(&one(SHORT, "[mesh]\nelement_size_mm = 0.01\n")).unwrap().size();
-    assert!(size.displacements > 0, "{size:?}");
+    assert!(read(&one(SHORT, "[mesh]\nelement_size_mm = 0.01\n")).is_ok());
 }
 
 #[test]

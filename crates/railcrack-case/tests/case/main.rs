@@ -4,7 +4,6 @@ mod bad_input;
 mod fitted;
 mod limits;
 mod modules;
-mod ranges;
 mod reading;
 mod rows;
 mod samples;

@@ -1,6 +1,7 @@
 //! From cases to rails and traffic.
 
 mod mutations;
+mod ranges;
 mod steps;
 mod wheels;
 mod wheels_in_space;

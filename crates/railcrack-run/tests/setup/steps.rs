@@ -51,3 +51,11 @@ fn the_size_of_nine_cracks_is_that_of_their_body() {
     let body = cracked_body(&case.cracks, &case.steel, case.face_resolution()).unwrap();
     assert_eq!(RunSize::estimate(&case).unknowns, body.dofs);
 }
+
+#[test]
+fn small_elements_have_displacements() {
+    let text = "[contact]\npeak_pressure_mpa = 845.0\nhalf_width_mm = 6.75\nfriction = 0.1\n\
+        [[crack]]\nfriction = 0.5\nmouth_mm = 0.0\nlength_mm = 1.0\nangle_deg = 15.0\n[mesh]\nelement_size_mm = 0.01\n";
+    let size = RunSize::estimate(&Case::parse(text, "case.toml", Path::new("")).unwrap());
+    assert!(size.displacements > 0, "{size:?}");
+}

@@ -63,7 +63,7 @@ fn case(text: &str, network: &str) -> Case {
 
 /// The growth steps from `state` on, and the state after each.
 fn steps(case: &Case, state: Option<GrowthState>) -> Vec<(StepRecord, GrowthState)> {
-    let mut growth = PreparedRun::new(&case, None).unwrap().growth(state);
+    let mut growth = PreparedRun::new(case, None).unwrap().growth(state);
     let next = || growth.next_step(&Unobserved).unwrap().map(|record| (record, growth.state().clone()));
     std::iter::from_fn(next).collect()
 }

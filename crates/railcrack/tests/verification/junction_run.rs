@@ -21,7 +21,7 @@ fn case() -> Case {
 
 /// The growth steps from `state` on until `last`, and the state after each.
 fn steps(case: &Case, state: Option<GrowthState>, last: usize) -> Vec<(StepRecord, GrowthState)> {
-    let mut growth = PreparedRun::new(&case, None).unwrap().growth(state);
+    let mut growth = PreparedRun::new(case, None).unwrap().growth(state);
     let mut records = Vec::new();
     while let Some(record) = growth.next_step(&Unobserved).unwrap() {
         let step = record.step;

@@ -7,7 +7,7 @@ use railcrack::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
 use railcrack::residual::PlasticField;
 use railcrack::shakedown::stabilise;
 use railcrack_case::{Case, Overrides};
-use railcrack_run::setup::PreparedRun;
+use railcrack_run::setup::{PreparedRun, rolled_rail, stabilisation};
 use std::path::Path;
 
 /// Accuracy of the finite-element engine as promised to users, relative to the largest |K|.
@@ -34,7 +34,7 @@ fn case(engine: &str, pressure: f64, friction: f64, sections: &str) -> Case {
 }
 
 fn first_step(case: &Case, rolled: Option<&PlasticField>) -> StepRecord {
-    PreparedRun::new(&case, rolled).unwrap().growth(None).next_step(&Unobserved).unwrap().unwrap()
+    PreparedRun::new(case, rolled).unwrap().growth(None).next_step(&Unobserved).unwrap().unwrap()
 }
 
 /// The largest difference of the last passages, relative to the largest |K|.
@@ -74,8 +74,8 @@ const ROLLED: f64 = 0.01;
 #[test]
 fn rolled_rail_balances_to_its_own_residual_stress() {
     let case = case("dislocation", 1100.0, 0.3, "[plastic_stress]\n");
-    let rail = case.rolled_rail();
-    let state = stabilise(&rail, &case.stabilisation(), |_| ()).unwrap();
+    let rail = rolled_rail(&case);
+    let state = stabilise(&rail, &stabilisation(&case), |_| ()).unwrap();
     let depths = state.layers.interfaces();
     let points = depths.iter().flat_map(|&d| [-200.0, 200.0].map(|x| Vec2::new(x, -d))).collect();
     let connectivity = (0..depths.len() - 1).flat_map(|i| [2 * i + 2, 2 * i + 3, 2 * i + 1, 2 * i]).collect();

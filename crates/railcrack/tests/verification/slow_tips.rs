@@ -20,7 +20,7 @@ fn squat(engine: &str) -> Case {
 
 /// The growth steps from `state` on until `last`, and the state after each.
 fn steps(case: &Case, state: Option<GrowthState>, last: usize) -> Vec<(StepRecord, GrowthState)> {
-    let mut growth = PreparedRun::new(&case, None).unwrap().growth(state);
+    let mut growth = PreparedRun::new(case, None).unwrap().growth(state);
     let mut records = Vec::new();
     while records.last().is_none_or(|(record, _): &(StepRecord, _)| record.step < last) {
         let record = growth.next_step(&Unobserved).unwrap().unwrap();

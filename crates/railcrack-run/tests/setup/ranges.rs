@@ -4,6 +4,7 @@ use railcrack_case::{
     Case, CaseError, Key, Kind, NumberRange, OnlyWith, Presence, Preset, RangeEnd, SECTIONS, Section,
     SectionPresence,
 };
+use railcrack_run::setup::RunSize;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -109,7 +110,7 @@ fn ends_as_declared(section: &Section, key: &Key, value: &str, accepted: bool) {
     let text = case_with(section, key, value);
     let started = Instant::now();
     let read = Case::parse(&text, "case.toml", Path::new(""));
-    let size = read.as_ref().map(Case::size);
+    let size = read.as_ref().map(RunSize::estimate);
     let took = started.elapsed();
     assert!(took < BUDGET, "{took:?} for\n{text}");
     let about = format!("{} = {value} gives {size:?} for\n{text}", key.name);
