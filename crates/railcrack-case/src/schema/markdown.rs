@@ -59,7 +59,7 @@ fn forms(section: &Section) -> String {
 fn row(key: &Key) -> String {
     let accepted = match key.kind {
         Kind::Choice(words) => words().iter().map(choice).collect::<Vec<_>>().join("; "),
-        _ => key.kind.accepted(),
+        _ => key.kind.accepted().trim_start_matches("a number in ").to_owned(),
     };
     let default = match key.presence {
         Presence::Default(preset) => format!("`{}`", preset_text(preset)),

@@ -96,7 +96,7 @@ validates a case and shows what would be computed, and `railcrack schema` prints
 * An unknown key, a wrong type, a number out of range, two keys that specify the same quantity or a missing file is an
   error that names the file, the line, the key, the value and what is accepted. All errors of a file are reported
   at once, the exit code is 2, and nothing is written.
-* An integer is written without a decimal point (`241`); a number may be written either way (`6` or `6.0`).
+* A range such as [0.01, 100] mm accepts numbers, written as `6` or `6.0`; an integer is written without a decimal point (`241`).
 * Not-a-number is never accepted, infinity only where the range below includes it.
 * A list instead of a value makes the file a study, that is, many cases in one: see [studies](studies.md).
 

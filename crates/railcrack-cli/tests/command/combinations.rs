@@ -195,41 +195,28 @@ const TOGETHER: [Part; 10] =
 fn page(place: &Path) -> String {
     let mut page = String::from(
         "# Which sections work together\n\n\
-         A test tries every pair of these features and writes this page. *yes*: a case with both is\n\
-         computed. A number: the case is refused with the sentence of that number below, before\n\
-         anything is computed.\n\n| feature | is |\n|---|---|\n",
+         Every pair of these features works together, but for those that are listed below: a test\n\
+         tries each pair and writes this page. A case with a refused pair ends with the sentence\n\
+         shown, before anything is computed.\n\n| feature | is |\n|---|---|\n",
     );
     for (_, name, meaning) in PARTS {
         let _ = writeln!(page, "| {name} | {meaning} |");
     }
-    let mut refusals: Vec<String> = Vec::new();
-    let names: Vec<&str> = PARTS.iter().map(|(_, name, _)| *name).collect();
-    let _ = writeln!(page, "\n| | {} |", names.join(" | "));
-    let _ = writeln!(page, "|---|{}", "---|".repeat(PARTS.len()));
+    let mut refusals: Vec<(String, Vec<String>)> = Vec::new();
     for (row, (one, name, _)) in PARTS.iter().enumerate() {
-        let mut cells = vec![name.to_string()];
-        for (column, (other, _, _)) in PARTS.iter().enumerate() {
-            cells.push(match column.cmp(&row) {
-                std::cmp::Ordering::Less => String::new(),
-                std::cmp::Ordering::Equal => "·".to_owned(),
-                std::cmp::Ordering::Greater => match refusal(&[*one, *other], place) {
-                    None => "yes".to_owned(),
-                    Some(says) => {
-                        let known = refusals.iter().position(|refusal| *refusal == says);
-                        let number = known.unwrap_or_else(|| {
-                            refusals.push(says);
-                            refusals.len() - 1
-                        });
-                        (number + 1).to_string()
-                    }
-                },
-            });
+        for (other, with, _) in &PARTS[row + 1..] {
+            let Some(says) = refusal(&[*one, *other], place) else { continue };
+            let pair = format!("{name} with {with}");
+            match refusals.iter_mut().find(|(known, _)| *known == says) {
+                Some((_, pairs)) => pairs.push(pair),
+                None => refusals.push((says, vec![pair])),
+            }
         }
-        let _ = writeln!(page, "| {} |", cells.join(" | "));
     }
-    page.push('\n');
-    for (i, says) in refusals.iter().enumerate() {
-        page.push_str(&wrapped(&format!("{}. {says}", i + 1)).trim_end().replace('\n', "\n   "));
+    page.push_str("\nRefused:\n\n");
+    for (says, pairs) in &refusals {
+        let item = wrapped(&format!("* **{}**: {says}", pairs.join(", ")));
+        page.push_str(&item.trim_end().replace('\n', "\n  "));
         page.push('\n');
     }
     assert_eq!(refusal(&TOGETHER, place), None);
