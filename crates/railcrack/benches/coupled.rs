@@ -7,12 +7,11 @@
 //! nine cracks 5 s.
 
 use railcrack::body::CrackedBody;
-use railcrack::contact::{FluidModel, PressureProfile};
+use railcrack::contact::{CrackFluid, FluidModel, PressureProfile};
 use railcrack::coupling::{CoupledContact, WheelCoupling};
 use railcrack::dislocation::cracked_body;
 use railcrack::field::wheel_under;
 use railcrack::load::{Contact, WheelLoad};
-use railcrack::plane::CrackFluid;
 use railcrack::prelude::*;
 use std::error::Error;
 use std::time::Instant;

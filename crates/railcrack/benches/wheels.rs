@@ -5,10 +5,10 @@
 //! of opposite directions, the first one with fluid in the cracks.
 
 use divan::Bencher;
-use railcrack::contact::{FluidModel, PressureProfile};
+use railcrack::contact::{CrackFluid, FluidModel, PressureProfile};
 use railcrack::dislocation::cracked_body;
 use railcrack::load::{ContactRow, HertzEllipse};
-use railcrack::plane::{CrackFluid, PlaneWheel};
+use railcrack::plane::PlaneWheel;
 use railcrack::prelude::*;
 use railcrack::rolling::{Creepage, PlacedPatch, RollingPatch, RollingTheory};
 

@@ -10,7 +10,7 @@ const HEAD: &str = "# Verification\n\n\
     What is required of the numbers, the test that holds it, what it measured when this page was made, and what it allows. Made by\n\
     `cargo run --release --example verification_page` from a run of the tests; a test checks that nothing is missing. Of tests with many\n\
     measurements, the row has the one that comes closest to what is allowed. Errors are relative where no unit is given. Tests are in\n\
-    `crates/railcrack/tests/verification`; unit tests beside the code hold the pieces: kernels, quadrature, cells, factor, Williams fields on a patch (1e-3) and the\n\
+    `tests/verification` of `crates/railcrack` and `crates/railcrack-run`; unit tests beside the code hold the pieces: kernels, quadrature, cells, factor, Williams fields on a patch (1e-3) and the\n\
     superposition of a discrete field (1e-10).\n\n\
     | requirement | test | measured | allowed | because |\n|---|---|---|---|---|\n";
 

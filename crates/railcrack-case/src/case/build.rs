@@ -23,13 +23,12 @@ use crate::tables::{
     read_passages, read_risk, read_scatter, read_steel, read_travel,
 };
 use railcrack::bulk::Boundary;
-use railcrack::contact::FluidModel;
+use railcrack::contact::{CrackFluid, FluidModel};
 use railcrack::crack::CrackNetwork;
 use railcrack::growth::{GrowthSettings, NetworkContact};
 use railcrack::load::{Passage, Temperature};
 use railcrack::material::IsotropicElastic;
 use railcrack::math::MPA_SQRT_MM;
-use railcrack::plane::CrackFluid;
 use std::path::Path;
 
 /// The case that `sections` describe; none if something is wrong or missing; errors are added to

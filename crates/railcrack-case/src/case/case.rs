@@ -10,12 +10,12 @@ use crate::tables::{
     InspectionRisk, MaintenancePlan, MeshSettings, OUTPUT, Output, PlasticSource, RUN_FOLDERS, Rail, Scatter,
     ShakedownSettings, TITLE, TOP,
 };
+use railcrack::contact::CrackFluid;
 use railcrack::crack::CrackNetwork;
 use railcrack::fatigue::RailSteel;
 use railcrack::growth::{GrowthSettings, NetworkContact, PassageSettings};
 use railcrack::load::Passage;
 use railcrack::material::IsotropicElastic;
-use railcrack::plane::CrackFluid;
 
 /// Everything in a case file, checked, in the types of the mechanics. Two are equal when their
 /// values and the contents of their files are.

@@ -3,9 +3,8 @@
 use crate::schema::{Report, Sections};
 use crate::tables::{CONTACT, COUPLED, ENGINE, Engine, NETWORK, SOLVER, WHEEL_CONTACT};
 use railcrack::bulk::Boundary;
-use railcrack::contact::FluidModel;
+use railcrack::contact::{CrackFluid, FluidModel};
 use railcrack::growth::NetworkContact;
-use railcrack::plane::CrackFluid;
 
 /// Refuses sections that a wheel that feels the cracks does not support.
 pub(super) fn check_coupled<'f>(

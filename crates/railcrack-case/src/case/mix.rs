@@ -10,11 +10,11 @@ use crate::tables::{
     TRAFFIC, WHEEL, WHEEL_AXLE_LOAD, WHEEL_CONTACT, WHEEL_FLUID, WHEEL_NAME, WHEEL_TEMPERATURE, WHEEL_TRACK,
     WheelSections, read_travel,
 };
+use railcrack::contact::CrackFluid;
 use railcrack::crack::CrackNetwork;
 use railcrack::fatigue::GrowthLaw;
 use railcrack::growth::{MOST_WHEELS, PassageSettings};
 use railcrack::material::IsotropicElastic;
-use railcrack::plane::CrackFluid;
 use std::path::Path;
 
 /// A wheel of a mix.

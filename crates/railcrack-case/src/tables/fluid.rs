@@ -4,9 +4,8 @@ use crate::schema::{
     Choice, Preset, Report, SectionValues, Word, choice, closed, number, numbers, read_by_word, section,
     switch,
 };
-use railcrack::contact::{FluidModel, PressureProfile};
+use railcrack::contact::{CrackFluid, FluidModel, PressureProfile};
 use railcrack::crack::CrackNetwork;
-use railcrack::plane::CrackFluid;
 
 const MOUTH: &str = "mouth";
 const TRAPPED: &str = "trapped";

@@ -12,6 +12,7 @@
 
 use super::observed::{Observations, Observed, UsualError, tabulated};
 use crate::statistics::{log_density, student};
+use railcrack::math::{Ties, golden_section};
 use railcrack_case::CalibrationPrior;
 
 /// The prior of ln C and of the discrepancy.
@@ -255,22 +256,8 @@ fn best_discrepancy(sites: &[SiteLikelihood], of_prior: (f64, f64)) -> (f64, f64
     let evidence = |s: f64| log_evidence(sites, of_prior, s);
     let tried: Vec<f64> = (0..=TRIED).map(|i| evidence(at(i))).collect();
     let best = (0..=TRIED).fold(0, |best, i| if tried[i] > tried[best] { i } else { best });
-    let (mut low, mut high) = (at(best.saturating_sub(1)), at((best + 1).min(TRIED)));
-    let golden = 0.5 * (5f64.sqrt() - 1.0);
-    let (mut a, mut b) = (high - golden * (high - low), low + golden * (high - low));
-    let (mut at_a, mut at_b) = (evidence(a), evidence(b));
-    for _ in 0..SECTIONS {
-        if at_a >= at_b {
-            (high, b, at_b) = (b, a, at_a);
-            a = high - golden * (high - low);
-            at_a = evidence(a);
-        } else {
-            (low, a, at_a) = (a, b, at_b);
-            b = low + golden * (high - low);
-            at_b = evidence(b);
-        }
-    }
-    let found = 0.5 * (low + high);
+    let around = [at(best.saturating_sub(1)), at((best + 1).min(TRIED))];
+    let found = golden_section(around, SECTIONS, Ties::First, evidence);
     let top = evidence(found).max(tried[0]);
     let found = if evidence(found) > tried[0] { found } else { 0.0 };
     let least = top - EXCLUDED;

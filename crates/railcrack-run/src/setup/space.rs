@@ -3,8 +3,7 @@
 use super::fields::field_settings;
 use super::wheel::{toughness_under, with_temperature};
 use railcrack::field::StressField;
-use railcrack::plane::CrackFluid;
-use railcrack::space::{SpaceFluid, SpaceRail, SpaceWheel};
+use railcrack::space::{SpaceRail, SpaceWheel};
 use railcrack_case::{Case, SpaceCase};
 use std::sync::Arc;
 
@@ -19,7 +18,7 @@ pub(super) fn space_rail(
         share: case.mix.first().map_or(1.0, |first| first.share),
         bending: case.wheel.bending(&case.steel),
         residual: with_temperature(case, &case.wheel, residual),
-        fluid: case.fluid.as_ref().map(in_space),
+        fluid: case.fluid.clone(),
         passages: case.passages,
         toughness: case.growth.toughness,
     });
@@ -28,7 +27,7 @@ pub(super) fn space_rail(
         share: mixed.share,
         bending: mixed.wheel.bending(&case.steel),
         residual: with_temperature(case, &mixed.wheel, residual),
-        fluid: mixed.fluid.as_ref().map(in_space),
+        fluid: mixed.fluid.clone(),
         passages: mixed.passages,
         toughness: toughness_under(case, &mixed.wheel),
     });
@@ -44,9 +43,4 @@ pub(super) fn space_rail(
         rail: case.rail.extent,
         kernel: None,
     }
-}
-
-/// The same fluid in cracks in space.
-fn in_space(fluid: &CrackFluid) -> SpaceFluid {
-    SpaceFluid { model: fluid.model, profile: fluid.profile, cracks: fluid.cracks.clone() }
 }

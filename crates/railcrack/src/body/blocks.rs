@@ -99,6 +99,27 @@ impl BlockStiffness {
         self.near[k].iter().find(|(other, _)| *other == l).map(|(_, block)| block)
     }
 
+    /// A of the units `members` without expanded blocks.
+    fn between_near(&self, members: &[usize]) -> Matrix {
+        let order = members.iter().map(|&k| self.components(k)).sum();
+        let mut stiffness = Matrix::zeros(order, order);
+        let mut row = 0;
+        for &k in members {
+            let mut column = 0;
+            for &l in members {
+                if let Some(block) = self.near_block(k, l) {
+                    for i in 0..block.rows() {
+                        stiffness.row_mut(row + i)[column..column + block.columns()]
+                            .copy_from_slice(block.row(i));
+                    }
+                }
+                column += self.components(l);
+            }
+            row += self.components(k);
+        }
+        stiffness
+    }
+
     /// The units `members` of the row with these `faces` and `tips`, all near to each other;
     /// expanded blocks are left out.
     pub(crate) fn part(&self, faces: &FaceMesh, tips: &[CrackTip], members: &[usize]) -> RowPart {
@@ -129,21 +150,6 @@ impl BlockStiffness {
             samples: faces.samples.iter().filter_map(own_sample).collect(),
             graded: Vec::new(),
         };
-        let mut stiffness = Matrix::zeros(2 * points.len(), 2 * points.len());
-        let mut row = 0;
-        for &k in members {
-            let mut column = 0;
-            for &l in members {
-                if let Some(block) = self.near_block(k, l) {
-                    for i in 0..block.rows() {
-                        stiffness.row_mut(row + i)[column..column + block.columns()]
-                            .copy_from_slice(block.row(i));
-                    }
-                }
-                column += self.components(l);
-            }
-            row += self.components(k);
-        }
         let own_tips = tips.iter().zip(&self.tips).enumerate().filter_map(|(number, (tip, gain))| {
             let tip = CrackTip { crack: own_crack(tip.crack)?, ..*tip };
             let points = gain.points.iter().filter_map(|&(point, gains)| Some((place[point]?, gains)));
@@ -153,7 +159,7 @@ impl BlockStiffness {
             faces: mesh,
             tips: Vec::new(),
             gains: Vec::new(),
-            stiffness,
+            stiffness: self.between_near(members),
             points,
             cracks: cracks.clone(),
             tip_numbers: Vec::new(),

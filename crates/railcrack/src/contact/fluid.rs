@@ -37,6 +37,25 @@ impl Choice for PressureProfile {
     ];
 }
 
+/// Fluid in the cracks of a rail.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CrackFluid {
+    /// The model of its pressure.
+    pub model: FluidModel,
+    /// The profile along a crack, for a model with the pressure over the mouth.
+    pub profile: PressureProfile,
+    /// Indices (from 0) of the cracks with fluid; `None` for all cracks. Joined cracks share the
+    /// fluid.
+    pub cracks: Option<Vec<usize>>,
+}
+
+impl CrackFluid {
+    /// Whether crack `crack` (from 0) contains fluid.
+    pub(crate) fn wets(&self, crack: usize) -> bool {
+        self.cracks.as_ref().is_none_or(|wet| wet.contains(&crack))
+    }
+}
+
 /// The mouth of a pocket.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PocketMouth {

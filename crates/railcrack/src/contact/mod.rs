@@ -28,12 +28,14 @@ mod uneven_path;
 mod wheel_surface;
 
 pub use fluid::{
-    FaceFluid, FluidModel, FluidState, Pocket, PocketMouth, PocketState, PocketStatus, PressureProfile,
+    CrackFluid, FaceFluid, FluidModel, FluidState, Pocket, PocketMouth, PocketState, PocketStatus,
+    PressureProfile,
 };
 pub use latin::Latin;
 pub use law::{FaceState, FaceStatus};
 pub use load_path::LoadPath;
 pub use newton::Newton;
+pub(crate) use pressure::{compressed, reach_open};
 pub(crate) use problem::FaceScale;
 pub use problem::{CrackFrictionError, FaceProblem, FaceSolution, PointStatus};
 pub(crate) use rescued::Rescued;

@@ -28,7 +28,7 @@ const NO_VOLUME: f64 = 1e-9;
 const GROWN: f64 = 1e-9;
 
 /// e^(−p/B).
-pub(super) fn compressed(pressure: f64, bulk: f64) -> f64 {
+pub(crate) fn compressed(pressure: f64, bulk: f64) -> f64 {
     (-pressure / bulk).clamp(-MOST_EXPONENT, MOST_EXPONENT).exp()
 }
 
@@ -210,18 +210,26 @@ pub(super) fn has_open_path(problem: &FaceProblem, solution: &FaceSolution, k: u
     }
     let mut reached = vec![false; problem.points()];
     reached[mouth.point] = true;
-    loop {
-        let mut further = false;
-        for &(one, other) in &pocket.neighbours {
+    reach_open(&mut reached, &pocket.neighbours, is_open);
+    pocket.points.iter().all(|&j| !is_open(j) || reached[j])
+}
+
+/// Extends the face points `reached` to all that open points connect with them, by pairs of
+/// `neighbours`.
+pub(crate) fn reach_open(
+    reached: &mut [bool],
+    neighbours: &[(usize, usize)],
+    is_open: impl Fn(usize) -> bool,
+) {
+    let mut further = true;
+    while further {
+        further = false;
+        for &(one, other) in neighbours {
             if is_open(one) && is_open(other) && reached[one] != reached[other] {
                 (reached[one], reached[other], further) = (true, true, true);
             }
         }
-        if !further {
-            break;
-        }
     }
-    pocket.points.iter().all(|&j| !is_open(j) || reached[j])
 }
 
 /// The status that the conditions of pocket `k` require, if it differs from the present one. Fluid

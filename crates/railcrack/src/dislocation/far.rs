@@ -131,8 +131,8 @@ impl FarRow<'_> {
         moments
     }
 
-    /// ∫ L_q(z(g)) dg over the range of `element`, relative to its length, of each Chebyshev point q
-    /// of the box of its crack.
+    /// ∫ L_q(z(g)) dg over the range of `element` and relative to it, of each Chebyshev point q of
+    /// the box of its crack.
     fn weights(&self, element: &FaceElement, rule: &[(f64, f64)]) -> Vec<f64> {
         let mut sum = vec![0.0; SourceBox::NODES];
         for piece in &element.pieces {

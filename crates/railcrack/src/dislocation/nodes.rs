@@ -68,16 +68,7 @@ pub(super) fn nodes<'a>(
     let segments = curve.segments();
     let base = base_density(curve, resolution);
     let coarseness = FaceResolution::default().elements as f64 / resolution.elements.max(4) as f64;
-    let place = |i: usize| match core_at(i) {
-        Some(core) => Some(core_place(curve, vertices[i], i, core)),
-        None if i == 0 || i == segments => Some(GradingCentre {
-            s: curve.arc_length_at(i),
-            element: f64::INFINITY,
-            nodes: vec![vertices[i]],
-        }),
-        None => kink_place(curve, i, regular_element(curve, resolution, vertices[i])),
-    };
-    let places: Vec<GradingCentre> = (0..=segments).filter_map(place).collect();
+    let places = grading_centres(curve, resolution, core_at);
     let depth = (0..segments).map(|i| -curve.position(i, vertices[i + 1]).y).fold(0.0, f64::max);
     let flap = curve.is_surface_breaking() && depth < SHALLOW * curve.length();
     let kinks = |i: usize| i > 0 && i < segments && curve.turn(i) > SMALL_KINK;
@@ -124,6 +115,25 @@ pub(super) fn nodes<'a>(
         nodes.extend(&next.nodes);
     }
     nodes
+}
+
+/// The places of `curve` around which elements are shorter, ends included.
+fn grading_centres<'a>(
+    curve: &CrackCurve,
+    resolution: FaceResolution,
+    core_at: impl Fn(usize) -> Option<&'a Core>,
+) -> Vec<GradingCentre> {
+    let (vertices, segments) = (curve.vertices(), curve.segments());
+    let place = |i: usize| match core_at(i) {
+        Some(core) => Some(core_place(curve, vertices[i], i, core)),
+        None if i == 0 || i == segments => Some(GradingCentre {
+            s: curve.arc_length_at(i),
+            element: f64::INFINITY,
+            nodes: vec![vertices[i]],
+        }),
+        None => kink_place(curve, i, regular_element(curve, resolution, vertices[i])),
+    };
+    (0..=segments).filter_map(place).collect()
 }
 
 /// The element across the kink at point `i`, where elements away from it are `element` (mm) long;

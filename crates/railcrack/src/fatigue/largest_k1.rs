@@ -2,7 +2,7 @@
 
 use super::{KINK_ANGLES, KinkFunctions};
 use crate::fracture::{Sif, SifHistory};
-use crate::math::MPA_SQRT_MM;
+use crate::math::{MPA_SQRT_MM, Ties, golden_section};
 use serde::{Deserialize, Serialize};
 
 /// The largest k1 of a history, over its samples and over kink angles.
@@ -57,18 +57,11 @@ fn coarse(tip: Sif) -> (f64, f64) {
 }
 
 fn refined(tip: Sif, around: f64) -> (f64, f64) {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let k1 = |angle: f64| KinkFunctions::at(angle).kinked(tip).k1;
-    let (mut from, mut to) = (
-        f64::max(*KINK_ANGLES.start(), around - GRID_STEP),
-        f64::min(*KINK_ANGLES.end(), around + GRID_STEP),
-    );
+    let from = f64::max(*KINK_ANGLES.start(), around - GRID_STEP);
+    let to = f64::min(*KINK_ANGLES.end(), around + GRID_STEP);
     // GRID_STEP · 0.618^30 = 1e-8 rad: round-off of a maximum.
-    for _ in 0..30 {
-        let (upper, lower) = (to - GOLDEN * (to - from), from + GOLDEN * (to - from));
-        if k1(upper) >= k1(lower) { to = lower } else { from = upper }
-    }
-    let angle = 0.5 * (from + to);
+    let angle = golden_section([from, to], 30, Ties::First, k1);
     // Straight ahead and the ends of the range are angles of the grid.
     if k1(around) >= k1(angle) { (k1(around), around) } else { (k1(angle), angle) }
 }

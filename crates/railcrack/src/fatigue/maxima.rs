@@ -1,6 +1,7 @@
 //! Local maxima over kink angles.
 
 use super::KINK_ANGLES;
+use crate::math::{Ties, golden_section};
 
 /// A local maximum.
 #[derive(Debug, Clone, Copy)]
@@ -12,6 +13,9 @@ pub(super) struct Maximum {
 
 /// Step of the coarse search, radians: the kink functions change by 2 % over it.
 const GRID_STEP: f64 = std::f64::consts::PI / 180.0;
+/// Golden sections of two steps: 2° · 0.618^36 = 1e-9 rad, below which the top of a smooth maximum
+/// is flat in double precision.
+const SECTIONS: usize = 36;
 /// Difference (radians) below which two angles are equally far from straight ahead; the resolution
 /// of a maximum in double precision.
 pub(super) const SAME_ANGLE: f64 = 1e-6;
@@ -30,7 +34,8 @@ pub(super) fn local_maxima(value: impl Fn(f64) -> f64) -> Vec<Maximum> {
             continue;
         }
         let (from, to) = (angle((here - 1).max(-half)), angle((here + 1).min(half)));
-        let refined = vertex(golden_section(from, to, &value), (from, to), &value);
+        let refined = golden_section([from, to], SECTIONS, Ties::Middle, &value);
+        let refined = vertex(Maximum { angle: refined, value: value(refined) }, (from, to), &value);
         // At an end of the range the grid point itself may be the maximum, as on a plateau.
         let on_grid = Maximum { angle: angle(here), value: values[i] };
         maxima.push(if refined.value > on_grid.value { refined } else { on_grid });
@@ -45,27 +50,6 @@ pub(super) fn preferred(a: Maximum, b: Maximum) -> Maximum {
         return if difference < 0.0 { a } else { b };
     }
     if a.angle > b.angle { a } else { b }
-}
-
-/// The maximum of a unimodal function in [from, to]. Symmetric: the mirrored function gives the
-/// mirrored angle to the last bit.
-fn golden_section(mut from: f64, mut to: f64, value: impl Fn(f64) -> f64) -> Maximum {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    // 2° · 0.618^36 = 1e-9 rad: below it the top of a smooth maximum is flat in double precision.
-    const STEPS: usize = 36;
-    for _ in 0..STEPS {
-        let width = GOLDEN * (to - from);
-        let (left, right) = (to - width, from + width);
-        let (at_left, at_right) = (value(left), value(right));
-        if at_left >= at_right {
-            to = right;
-        }
-        if at_left <= at_right {
-            from = left;
-        }
-    }
-    let angle = 0.5 * (from + to);
-    Maximum { angle, value: value(angle) }
 }
 
 /// The maximum at `rough`, refined where the function is smooth there: the vertex of the parabola

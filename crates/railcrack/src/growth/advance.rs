@@ -9,7 +9,18 @@ pub struct Advance {
     pub geometry: Geometry,
     /// Pieces of the rail that this step encloses.
     pub pieces: Vec<Piece>,
-    /// Load cycles to the next step, as predicted at the start of this one.
+    /// What passes until the next step.
+    pub progress: StepProgress,
+    /// Why the run ends with this step, if it does; no further cycles then pass.
+    pub stop: Option<RunStop>,
+    /// Warnings that arise from the transition.
+    pub warnings: Vec<Warning>,
+}
+
+/// What passes from one step to the next; by default nothing.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct StepProgress {
+    /// Load cycles, as predicted at the start of the step.
     pub cycles: f64,
     /// Increment of the fastest mover as a fraction of the length of its crack.
     pub share: f64,
@@ -22,8 +33,4 @@ pub struct Advance {
     pub removal: f64,
     /// Whether the surface is ground at the end of the step.
     pub ground: bool,
-    /// Why the run ends with this step, if it does; no further cycles then pass.
-    pub stop: Option<RunStop>,
-    /// Warnings that arise from the transition.
-    pub warnings: Vec<Warning>,
 }

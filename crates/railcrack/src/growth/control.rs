@@ -159,12 +159,13 @@ impl Control<'_> {
         }
         // The rates change abruptly at a kink: it is the start of a short step.
         if self.kinks() {
-            let is_long = settings.tolerance.is_some() && advance.share > 2.0 * AFTER_KINK;
-            return is_long.then(|| trial.cut(AFTER_KINK / advance.share * advance.cycles, None));
+            let is_long = settings.tolerance.is_some() && advance.progress.share > 2.0 * AFTER_KINK;
+            return is_long
+                .then(|| trial.cut(AFTER_KINK / advance.progress.share * advance.progress.cycles, None));
         }
         let turn = self.largest_turn();
-        let is_long = turn > LARGEST_TURN && self.moved() > 2.0 * SHARES.0 && advance.cycles > 0.0;
-        is_long.then(|| trial.cut((CHOSEN_TURN / turn).max(0.2) * advance.cycles, None))
+        let is_long = turn > LARGEST_TURN && self.moved() > 2.0 * SHARES.0 && advance.progress.cycles > 0.0;
+        is_long.then(|| trial.cut((CHOSEN_TURN / turn).max(0.2) * advance.progress.cycles, None))
     }
 
     /// Whether a tip kinks at the start of the step.
@@ -194,13 +195,14 @@ impl Control<'_> {
             return self.accepted(after, trial);
         }
         let passed = after.load_cycles - before.load_cycles;
-        let cut = |part: f64, then: Option<f64>| Verdict::Again(trial.cut(part * advance.cycles, then));
+        let cut =
+            |part: f64, then: Option<f64>| Verdict::Again(trial.cut(part * advance.progress.cycles, then));
         // A long increment may only hide the curve of a path without a corner.
-        if settings.turning.is_limit() && self.kinks() && advance.share > 2.0 * AFTER_KINK {
-            return cut((AFTER_KINK / advance.share).max(0.25), None);
+        if settings.turning.is_limit() && self.kinks() && advance.progress.share > 2.0 * AFTER_KINK {
+            return cut((AFTER_KINK / advance.progress.share).max(0.25), None);
         }
         let room = LOCATED * after.load_cycles / passed;
-        if room < 1.0 && advance.share > SHARES.0 {
+        if room < 1.0 && advance.progress.share > SHARES.0 {
             let breaks = before.hazard < 1.0 && after.hazard >= 1.0;
             let by_hazard = (1.0 - before.hazard) / (after.hazard - before.hazard);
             let by_hazard = if by_hazard.is_finite() { by_hazard } else { 0.5 };
@@ -211,10 +213,10 @@ impl Control<'_> {
                 }
                 let part = (crossing - 0.4 * room).min(0.9);
                 let left = (crossing - part) + 0.5 * room;
-                return cut(part, Some(left * advance.share));
+                return cut(part, Some(left * advance.progress.share));
             }
             if self.has_kinked(after) || self.has_arrested(after) {
-                return cut(0.5, Some(0.5 * advance.share));
+                return cut(0.5, Some(0.5 * advance.progress.share));
             }
         }
         let error = self.step_error(after);
@@ -258,7 +260,7 @@ impl Control<'_> {
         let last = self.course.share.unwrap_or(settings.increment);
         let Some(tolerance) = settings.tolerance else {
             // Behind a bend a long increment would pass over the directions that follow.
-            let made = if advance.share > 0.0 { advance.share } else { 0.5 * last };
+            let made = if advance.progress.share > 0.0 { advance.progress.share } else { 0.5 * last };
             return settings.turning.is_limit().then(|| (2.0 * made).min(settings.increment));
         };
         if let Some(then) = trial.then {
@@ -268,7 +270,7 @@ impl Control<'_> {
             return Some(2.0 * AFTER_KINK);
         }
         // A step of no or few cycles, at a grinding or a limit, says nothing about the next one.
-        if advance.share <= 0.0 {
+        if advance.progress.share <= 0.0 {
             return Some(last);
         }
         // The relative error of a step is of second order in its length, that of the life of third.
@@ -293,10 +295,12 @@ impl Control<'_> {
     /// loss at its mouth where that is more.
     fn moved(&self) -> f64 {
         let Self { before, advance, settings, .. } = self;
-        let lost =
-            before.tips.iter().filter_map(|tip| Some(advance.removal / (tip.mouth_sine? * tip.length)));
+        let lost = before
+            .tips
+            .iter()
+            .filter_map(|tip| Some(advance.progress.removal / (tip.mouth_sine? * tip.length)));
         let last = self.course.share.unwrap_or(settings.increment);
-        advance.share.max(lost.fold(0.0, f64::max).min(last))
+        advance.progress.share.max(lost.fold(0.0, f64::max).min(last))
     }
 
     /// The relative change of the life over that of the growth of the leading mover, as far as
@@ -320,7 +324,7 @@ impl Control<'_> {
     fn step_error(&self, after: &End<'_>) -> StepError {
         let Self { before, advance, .. } = self;
         let mut error = StepError::default();
-        let Some(earlier) = &advance.earlier else { return error };
+        let Some(earlier) = &advance.progress.earlier else { return error };
         let passed = after.load_cycles - before.load_cycles;
         let Some(leader) = leading(before.movers) else { return error };
         let Some(now) = after.movers.iter().find(|mover| mover.is(leader)) else { return error };
@@ -333,7 +337,7 @@ impl Control<'_> {
                 OF_RULE * growth.powi(3) * curvature.abs() / passed
             }
             // The difference from the prediction by one rate is of second order.
-            None => (advance.cycles / passed - 1.0).powi(2) / 3.0,
+            None => (advance.progress.cycles / passed - 1.0).powi(2) / 3.0,
         };
         let tips = before.tips.iter().filter_map(|tip| {
             let end = after.tips.iter().find(|end| end.tip == tip.tip)?;
@@ -369,7 +373,7 @@ impl Control<'_> {
         passed: f64,
     ) -> Option<f64> {
         let earlier = self.earlier.as_ref().filter(|earlier| earlier.is_smooth)?;
-        let this = advance.earlier.as_ref().filter(|this| this.is_extrapolated)?;
+        let this = advance.progress.earlier.as_ref().filter(|this| this.is_extrapolated)?;
         let first = earlier.movers.iter().find(|mover| mover.is(start) && mover.rate > 0.0)?;
         let before = earlier.growth_of(start).filter(|growth| *growth > 0.0)?;
         let growth = this.growth_of(start).filter(|_| passed > 0.0 && start.rate > 0.0)?;

@@ -3,6 +3,7 @@
 use super::control::{Control, End as Ends, MOST_TURNS, Trial, Verdict};
 use super::*;
 use crate::crack::{Crack, CrackTip, End};
+use crate::growth::StepProgress;
 use crate::math::Vec2;
 
 /// A tip that leaves by `turn`, in a direction that is best by `kink` further round.
@@ -34,12 +35,7 @@ fn advance() -> Advance {
     Advance {
         geometry: GrowthState::initial(&buried.into()).geometry,
         pieces: Vec::new(),
-        cycles: 4e4,
-        share: 0.01,
-        earlier: None,
-        interval: None,
-        removal: 0.0,
-        ground: false,
+        progress: StepProgress { cycles: 4e4, share: 0.01, ..StepProgress::default() },
         stop: None,
         warnings: Vec::new(),
     }

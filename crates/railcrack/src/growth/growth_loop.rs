@@ -5,8 +5,8 @@ use super::rail::check;
 use super::warnings::Warnings;
 use super::{
     Advance, BodyReport, CrackedRail, FieldRecord, GrowthError, GrowthState, Jump, Mover, Observer,
-    PhaseTimes, PopInTest, RunStop, StabilisedPassage, StepRecord, StepStart, TipGeometry, TipJudge,
-    TipRecord, Warning, WarningKind,
+    PhaseTimes, PopInTest, RunStop, StabilisedPassage, StepProgress, StepRecord, StepStart, TipGeometry,
+    TipJudge, TipRecord, Warning, WarningKind,
 };
 use crate::crack::CrackTip;
 use crate::fatigue::RUNAWAY;
@@ -48,6 +48,10 @@ struct Loaded<S> {
     contact_s: f64,
     growth_s: f64,
 }
+
+/// The tips of a step, its advance, and the state that follows, with its passages where they are
+/// known.
+type Advanced<S> = (Vec<TipRecord>, Advance, Option<(GrowthState, Option<Loaded<S>>)>);
 
 impl<R: CrackedRail> Growth<R> {
     /// A run with the cracks of `rail` that continues from `state`.
@@ -97,29 +101,47 @@ impl<R: CrackedRail> Growth<R> {
                 self.loaded(&state, observer, |_| true)?
             }
         };
-        if now.tested.is_none() {
-            match self.tested(&mut now, observer) {
-                Ok(tested) => now.tested = Some(tested),
-                Err(error) => {
-                    self.ahead = Some(now);
-                    return Err(error);
-                }
+        let (tips, advance, next) = match self.advanced(&mut now, observer) {
+            Ok(advanced) => advanced,
+            Err(error) => {
+                self.ahead = Some(now);
+                return Err(error);
             }
+        };
+        let after = self.state.after(&advance, now.load_cycles);
+        let tested_k1 = now.tested.flatten().map_or(self.state.tested_k1, |test| test.k1);
+        let record = self.record(now, tips, &advance);
+        (self.state, self.ahead) = next.unwrap_or((after, None));
+        self.state.tested_k1 = tested_k1;
+        Ok(Some(record))
+    }
+
+    /// The tips of the step `now`, its advance, and the state that follows, with its passages where
+    /// they are known: trials of increments until one is accepted.
+    ///
+    /// Errors: an interruption.
+    fn advanced(
+        &mut self,
+        now: &mut Loaded<R::Site>,
+        observer: &dyn Observer,
+    ) -> Result<Advanced<R::Site>, GrowthError> {
+        if now.tested.is_none() {
+            now.tested = Some(self.tested(now, observer)?);
         }
         let mut trial = Trial::default();
-        let (tips, advance, next) = loop {
+        loop {
             let started = Stopwatch::start();
             let mut tips = now.tips.clone();
-            let at = start_of(&self.state, &now, &trial, self.rail.settings().increment);
+            let at = start_of(&self.state, now, &trial, self.rail.settings().increment);
             let mut advance = self.rail.advance(&now.site, &at, &mut tips, &now.movers);
             now.growth_s += started.seconds();
             if advance.stop == Some(RunStop::Fracture)
-                && let Some(popped) = self.pop_in(&mut now, &mut tips, observer)?
+                && let Some(popped) = self.pop_in(now, &mut tips, observer)?
             {
                 advance = popped;
             }
             if advance.stop.is_some() {
-                break (tips, advance, None);
+                return Ok((tips, advance, None));
             }
             let state = self.state.after(&advance, now.load_cycles);
             let control = Control {
@@ -144,12 +166,9 @@ impl<R: CrackedRail> Growth<R> {
                 matches!(verdict, Verdict::Accepted(_))
             });
             let next = match judged {
-                Err(error) if error.is_interruption() => {
-                    self.ahead = Some(now);
-                    return Err(error);
-                }
+                Err(error) if error.is_interruption() => return Err(error),
                 // The next step reports the error.
-                Err(_) => break (tips, advance, Some((state, None))),
+                Err(_) => return Ok((tips, advance, Some((state, None)))),
                 Ok(next) => next,
             };
             match verdict {
@@ -158,16 +177,10 @@ impl<R: CrackedRail> Growth<R> {
                     trial = again;
                 }
                 Verdict::Accepted(course) => {
-                    break (tips, advance, Some((GrowthState { course, ..state }, Some(next))));
+                    return Ok((tips, advance, Some((GrowthState { course, ..state }, Some(next)))));
                 }
             }
-        };
-        let after = self.state.after(&advance, now.load_cycles);
-        let tested_k1 = now.tested.flatten().map_or(self.state.tested_k1, |test| test.k1);
-        let record = self.record(now, tips, &advance);
-        (self.state, self.ahead) = next.unwrap_or((after, None));
-        self.state.tested_k1 = tested_k1;
-        Ok(Some(record))
+        }
     }
 
     /// The test of a real kink at the tip with the largest k1, where that reaches the usual
@@ -259,42 +272,17 @@ impl<R: CrackedRail> Growth<R> {
         let Some(geometry) = popped else { return Ok(None) };
         let lengths = geometry.lengths().into_iter().zip(self.state.geometry.lengths());
         let grown: Vec<f64> = lengths.map(|(after, before)| after - before).collect();
-        let first = &now.tips[critical[0]];
-        let mut text = format!(
-            "crack {} tip {}: pop-in of {:.2} mm at {:.0} degrees: k1 of a virtual kink is {:.3} of the toughness, and the kink arrests",
-            first.tip.crack + 1,
-            first.tip.tip + 1,
-            grown[first.tip.crack],
-            first.largest_k1.map_or(0.0, |largest| largest.angle.to_degrees()),
-            now.hazards[critical[0]]
-        );
-        for other in texts {
-            text += &format!("; {other}");
-        }
-        let step = self.state.step;
-        let severity = Some(now.hazards[critical[0]]);
-        let warnings = vec![Warning { step, kind: WarningKind::PopIn, text, severity }];
-        for i in critical {
-            let tip = &mut tips[i];
-            tip.increment = grown[tip.tip.crack];
-            tip.stop = None;
-            if let TipGeometry::Plane(plane) = &mut tip.geometry {
-                plane.jump = Some(Jump::PopIn);
-                plane.turn = tip.largest_k1.map_or(0.0, |largest| largest.angle);
-                plane.is_drawn = true;
-            }
-        }
+        critical.iter().for_each(|&i| pop(&mut tips[i], &grown));
+        let (first, hazard) = (&tips[critical[0]], now.hazards[critical[0]]);
+        let text = pop_in_text(first, hazard, &texts);
+        let warning =
+            Warning { step: self.state.step, kind: WarningKind::PopIn, text, severity: Some(hazard) };
         Ok(Some(Advance {
             geometry,
             pieces: Vec::new(),
-            cycles: 0.0,
-            share: 0.0,
-            earlier: None,
-            interval: None,
-            removal: 0.0,
-            ground: false,
+            progress: StepProgress::default(),
             stop: None,
-            warnings,
+            warnings: vec![warning],
         }))
     }
 
@@ -355,16 +343,28 @@ impl<R: CrackedRail> Growth<R> {
             growth_s,
         };
         if accept(&loaded) {
-            let started = Stopwatch::start();
-            if let Some(first) = loaded.passages.first() {
-                loaded.fields = rail.fields(&body, &before, first)?;
-            }
-            loaded.body_s += started.seconds();
-            if step >= rail.settings().steps {
-                rail.forget();
-            }
+            self.record_fields(&body, &before, &mut loaded)?;
         }
         Ok(loaded)
+    }
+
+    /// Computes the fields of an accepted step, and drops in the last one what is only needed for
+    /// further ones.
+    fn record_fields(
+        &mut self,
+        body: &R::Body,
+        at: &StepStart<'_>,
+        loaded: &mut Loaded<R::Site>,
+    ) -> Result<(), GrowthError> {
+        let started = Stopwatch::start();
+        if let Some(first) = loaded.passages.first() {
+            loaded.fields = self.rail.fields(body, at, first)?;
+        }
+        loaded.body_s += started.seconds();
+        if at.step >= self.rail.settings().steps {
+            self.rail.forget();
+        }
+        Ok(())
     }
 
     fn record(&self, now: Loaded<R::Site>, tips: Vec<TipRecord>, advance: &Advance) -> StepRecord {
@@ -425,6 +425,33 @@ impl<S> Loaded<S> {
         self.contact_s += attempt.contact_s;
         self.growth_s += attempt.growth_s;
     }
+}
+
+/// Records a pop-in at `tip`, with the growth of each crack (mm).
+fn pop(tip: &mut TipRecord, grown: &[f64]) {
+    tip.increment = grown[tip.tip.crack];
+    tip.stop = None;
+    if let TipGeometry::Plane(plane) = &mut tip.geometry {
+        plane.jump = Some(Jump::PopIn);
+        plane.turn = tip.largest_k1.map_or(0.0, |largest| largest.angle);
+        plane.is_drawn = true;
+    }
+}
+
+/// The text of a pop-in at `tip`, where k1 of a virtual kink is `hazard` times the toughness, with
+/// what kinks of other lengths do.
+fn pop_in_text(tip: &TipRecord, hazard: f64, others: &[String]) -> String {
+    let mut text = format!(
+        "crack {} tip {}: pop-in of {:.2} mm at {:.0} degrees: k1 of a virtual kink is {hazard:.3} of the toughness, and the kink arrests",
+        tip.tip.crack + 1,
+        tip.tip.tip + 1,
+        tip.increment,
+        tip.largest_k1.map_or(0.0, |largest| largest.angle.to_degrees()),
+    );
+    for other in others {
+        text += &format!("; {other}");
+    }
+    text
 }
 
 /// The start of the `trial` of a step from `state`.

@@ -168,12 +168,7 @@ impl CrackedRail for Rule {
         Advance {
             geometry: Geometry::Plane(next),
             pieces: Vec::new(),
-            cycles: pace.cycles,
-            share: pace.share,
-            earlier: Some(pace.as_earlier(movers, true)),
-            interval: pace.interval(|_| false),
-            removal: pace.removal,
-            ground: pace.grinds,
+            progress: pace.progress(movers, |_| false),
             stop,
             warnings: Vec::new(),
         }

@@ -1,7 +1,9 @@
 //! A mix of wheels: their passages over one body and their shares of the growth.
 
-use super::{GrowthError, Observer, Warning, WheelOfRail, WheelShares};
+use super::{GrowthError, Observer, TipGeometry, TipRecord, Warning, WheelOfRail, WheelShares};
+use crate::crack::CrackTip;
 use crate::fatigue::{LargestK1, RUNAWAY, SifRanges};
+use crate::math::Vec2;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 /// Loading of a tip by one wheel.
@@ -21,6 +23,8 @@ pub(crate) struct MixedTip {
     /// Ranges under the wheel that contributes most to the growth; the largest K_I is that of all
     /// wheels.
     pub ranges: SifRanges,
+    /// ΔK_eq under that wheel, MPa √mm.
+    pub delta_keq: f64,
     /// The wheel that contributes most to the growth, from 0.
     pub grown_by: usize,
     /// Σ s_i r_i, mm per axle.
@@ -54,12 +58,39 @@ impl MixedTip {
         let ki_max = demands.iter().map(|demand| demand.ranges.ki_max).fold(f64::NEG_INFINITY, f64::max);
         Self {
             ranges: SifRanges { ki_max, ..demands[most].ranges },
+            delta_keq: demands[most].delta_keq,
             grown_by: most,
             rate: rates.iter().sum::<f64>().min(RUNAWAY),
             shares: if demands.len() > 1 { WheelShares::of(&rates) } else { WheelShares::default() },
             largest_k1: opened.map(|(_, largest)| largest),
             opened_by,
             toughness_ratio: both.map_or(1.0, |(own, first)| own / first),
+        }
+    }
+
+    /// The record of this tip at `at` (mm), of a crack of `length` (mm), without a direction and an
+    /// increment.
+    pub fn record(&self, tip: CrackTip, at: Vec2, length: f64, geometry: TipGeometry) -> TipRecord {
+        let SifRanges { ki_max, delta_ki, delta_kii, .. } = self.ranges;
+        TipRecord {
+            tip,
+            x: at.x,
+            y: at.y,
+            length,
+            ki_max,
+            delta_ki,
+            delta_kii,
+            delta_keq: self.delta_keq,
+            largest_k1: self.largest_k1,
+            kink: None,
+            increment: 0.0,
+            rate: self.rate,
+            stop: None,
+            shares: self.shares,
+            opened_by: self.opened_by,
+            toughness_ratio: self.toughness_ratio,
+            mouth_sine: None,
+            geometry,
         }
     }
 }

@@ -39,13 +39,13 @@ mod step_start;
 mod stop;
 mod stops;
 mod surface;
-mod sweep_progress;
+mod sweeps;
 mod turning;
 mod warning;
 mod warnings;
 mod wheel_shares;
 
-pub use advance::Advance;
+pub use advance::{Advance, StepProgress};
 pub use control::Course;
 pub(crate) use control::LOCATED;
 pub use cycles::Interval;
@@ -85,6 +85,6 @@ pub(crate) use mix::{MixedTip, WheelDemand, WithoutProgress, under_each_wheel};
 pub(crate) use pace::{Event, LEAST_PART, Moving, Pace, WearingCrack, is_worth_a_step};
 pub(crate) use repeat::{Memory, Repeated, Repeats, until_repeated};
 pub(crate) use stops::{
-    TipDemand, least_length, nothing_grows, part_until_worn_away, run_stop, spent_ligament, standstill,
+    ChangingCrack, TipDemand, least_length, nothing_grows, run_stop, spent_ligament, standstill,
 };
-pub(crate) use sweep_progress::SweepProgress;
+pub(crate) use sweeps::{KEPT, SweepError, SweepProgress};

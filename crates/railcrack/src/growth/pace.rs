@@ -3,7 +3,7 @@
 
 use super::control::LOCATED;
 use super::history::History;
-use super::{EarlierStep, GrowthSettings, Interval, Maintenance, Mover, StepStart};
+use super::{EarlierStep, GrowthSettings, Interval, Maintenance, Mover, StepProgress, StepStart};
 
 /// The pace of a step. It is set by the fastest-growing mover, or by the removal of the surface
 /// where that takes more of a crack.
@@ -137,6 +137,20 @@ impl Pace {
         }
     }
 
+    /// What passes in this step. `all` are the movers of all cracks; `is_kinked` says of a mover
+    /// whether it kinks, and the rates at the start continue where none does.
+    pub fn progress(&self, all: &[Mover], is_kinked: impl Fn(&Mover) -> bool) -> StepProgress {
+        let is_smooth = !all.iter().any(&is_kinked);
+        StepProgress {
+            cycles: self.cycles,
+            share: self.share,
+            earlier: Some(self.as_earlier(all, is_smooth)),
+            interval: self.interval(is_kinked),
+            removal: self.removal,
+            ground: self.grinds,
+        }
+    }
+
     /// The increment whose end rate determines the cycles; `None` where no cycles pass. `is_kinked`
     /// says of a mover whether it kinks.
     pub fn interval(&self, is_kinked: impl Fn(&Mover) -> bool) -> Option<Interval> {
@@ -167,7 +181,7 @@ impl Pace {
 
     /// This step as the next one sees it, of the movers `all`. `is_smooth` where the rates at its
     /// start continue during it.
-    pub fn as_earlier(&self, all: &[Mover], is_smooth: bool) -> EarlierStep {
+    fn as_earlier(&self, all: &[Mover], is_smooth: bool) -> EarlierStep {
         let balance = |mover: &Mover| self.history.owed(mover) - self.increment(mover);
         EarlierStep {
             movers: all.to_vec(),

@@ -1,6 +1,6 @@
 //! Settings of passages and growth; the defaults are the reference values of the paper.
 
-use super::{Maintenance, Turning};
+use super::{Maintenance, StressMoves, Turning, WornSurface};
 use crate::contact::StepControl;
 use crate::fatigue::{DirectionCriterion, GrowthLaw};
 use crate::load::Passage;
@@ -119,6 +119,12 @@ impl GrowthSettings {
     /// Wear and grinding, if they remove anything.
     pub(crate) fn maintained(&self) -> Option<&Maintenance> {
         self.maintenance.as_ref().filter(|maintenance| maintenance.removal() > 0.0)
+    }
+
+    /// Depth (mm) by which the residual stress has come closer to the `worn` surface.
+    pub(crate) fn uncovered(&self, worn: &WornSurface) -> f64 {
+        let moves = self.maintenance.as_ref().map(|maintenance| maintenance.stress);
+        if moves == Some(StressMoves::WithMetal) { worn.removed } else { 0.0 }
     }
 
     /// Rejects an increment that is not positive, and limits that are negative or not a number.

@@ -1,7 +1,8 @@
 //! The state of a run between two steps.
 
 use super::{
-    Advance, Course, EarlierStep, Geometry, Interval, PlaneGeometry, RunStop, StepStart, WornSurface,
+    Advance, Course, EarlierStep, Geometry, Interval, PlaneGeometry, RunStop, StepProgress, StepStart,
+    WornSurface,
 };
 use crate::crack::CrackNetwork;
 use serde::{Deserialize, Serialize};
@@ -64,18 +65,19 @@ impl GrowthState {
 
     /// The state after `advance` from this one, whose step began at `load_cycles`.
     pub(super) fn after(&self, advance: &Advance, load_cycles: f64) -> Self {
+        let StepProgress { interval, earlier, removal, ground, .. } = &advance.progress;
         let lengths = self.geometry.lengths().into_iter().enumerate();
         let longest = lengths.map(|(i, length)| self.worn.longest_of(i, length)).collect();
         Self {
             step: self.step + 1,
             geometry: advance.geometry.clone(),
             load_cycles,
-            interval: advance.interval,
-            earlier: advance.earlier.clone(),
+            interval: *interval,
+            earlier: earlier.clone(),
             course: self.course,
             worn: WornSurface {
-                removed: self.worn.removed + advance.removal,
-                grindings: self.worn.grindings + usize::from(advance.ground),
+                removed: self.worn.removed + removal,
+                grindings: self.worn.grindings + usize::from(*ground),
                 longest,
             },
             tested_k1: self.tested_k1,

@@ -1,6 +1,6 @@
 //! Conditions under which a crack or the run stops, common to plane and space.
 
-use super::{GrowthSettings, RunStop, StepStart, TipStop};
+use super::{Event, GrowthSettings, RunStop, StepStart, TipStop};
 use crate::fatigue::RUNAWAY;
 
 /// A ligament shorter than this many resolved lengths is used up: fewer lengths cannot resolve the
@@ -21,24 +21,51 @@ pub(crate) fn spent_ligament(length: f64, resolution: f64) -> f64 {
 
 /// A crack shorter than this fraction of its greatest length counts as worn away: the steps in
 /// which it is cut are no finer.
-const WORN_AWAY: f64 = 0.05;
+const WORN_SHARE: f64 = 0.05;
 
 /// The length (mm) below which a crack of greatest length `longest` (mm) counts as worn away.
 pub(crate) fn least_length(longest: f64, resolution: f64) -> f64 {
-    f64::max(LIGAMENT_RESOLUTIONS * resolution, WORN_AWAY * longest)
+    f64::max(LIGAMENT_RESOLUTIONS * resolution, WORN_SHARE * longest)
 }
 
 /// A crack this much longer than one that is worn away, relatively, is about to be.
 const NEARLY_WORN: f64 = 1e-3;
 
-/// The part of a step after which a crack of `length` (mm), of which `loss` (mm) is lost in all of
-/// it, is about to be worn away: barely longer than `least` (mm). The step in which it is worn away
-/// may be the last one, and then tells the cycles at its start. `None` where the crack is not worn
-/// away, or is about to be from the start.
-pub(crate) fn part_until_worn_away(length: f64, loss: f64, least: f64) -> Option<f64> {
-    let is_about_to_be = length < least * (1.0 + NEARLY_WORN);
-    let room = length - least * (1.0 + 0.5 * NEARLY_WORN);
-    (!is_about_to_be && length - loss < least).then(|| room / loss)
+/// The length of a crack during a step.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ChangingCrack {
+    /// At the start, mm.
+    pub length: f64,
+    /// The increments of its tips, mm.
+    pub growth: f64,
+    /// What wear and grinding take from its mouth, mm.
+    pub cut: f64,
+    /// The length (mm) below which it counts as worn away; `None` where it cannot be.
+    pub least: Option<f64>,
+}
+
+impl ChangingCrack {
+    /// The events at which it reaches the critical length or is about to be worn away.
+    pub fn events(&self, settings: &GrowthSettings) -> impl Iterator<Item = Event> {
+        let Self { length, growth, cut, least } = *self;
+        let change = growth - cut;
+        let reached = |critical: &f64| length < *critical && length + change > *critical;
+        let critical = settings.critical_length.filter(reached).map(|critical| (critical - length) / change);
+        let away = least.and_then(|least| self.part_until_worn_away(least));
+        critical.into_iter().chain(away).map(|part| Event { part, ends_run: true })
+    }
+
+    /// The part of the step after which the crack is about to be worn away: barely longer than
+    /// `least` (mm). The step in which it is worn away may be the last one, and then tells the
+    /// cycles at its start. `None` where the crack is not worn away, or is about to be from the
+    /// start.
+    fn part_until_worn_away(&self, least: f64) -> Option<f64> {
+        let Self { length, growth, cut, .. } = *self;
+        let loss = cut - growth;
+        let is_about_to_be = length < least * (1.0 + NEARLY_WORN);
+        let room = length - least * (1.0 + 0.5 * NEARLY_WORN);
+        (!is_about_to_be && length - loss < least).then(|| room / loss)
+    }
 }
 
 /// Loading of a tip, as far as stops depend on it.
@@ -62,6 +89,11 @@ impl TipDemand {
     /// joined a crack.
     pub fn is_tip(&self) -> bool {
         !matches!(self.stopped, Some(TipStop::BreakOut | TipStop::Coalescence | TipStop::WornAway))
+    }
+
+    /// The largest k1 over the toughness; 0 where the tip cannot break the rail.
+    pub fn hazard(&self, settings: &GrowthSettings) -> f64 {
+        settings.toughness.filter(|_| self.is_tip()).map_or(0.0, |toughness| self.largest_k1 / toughness)
     }
 
     /// Whether it fractures the rail: its largest k1 reaches the toughness, or K reaches the

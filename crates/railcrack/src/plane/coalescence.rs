@@ -8,7 +8,7 @@
 
 use super::step_state::Step;
 use crate::crack::{Crack, End, point_to_segment};
-use crate::math::{Vec2, segments_touch};
+use crate::math::{Ties, Vec2, golden_section, segments_touch};
 
 /// Faces of the same crack count as another crack from this many resolved lengths behind the tip,
 /// along the crack: nearer faces, including those of short increments, belong to the neighbourhood
@@ -224,17 +224,7 @@ fn first_within(distance: impl Fn(f64) -> f64, limit: f64) -> Option<f64> {
 
 /// The argument at which a convex function is smallest on [a, b], including the ends.
 fn argmin(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
-    let ratio = 0.5 * (5f64.sqrt() - 1.0);
-    let (mut low, mut high) = (a, b);
-    for _ in 0..SECTIONS {
-        let (p, q) = (high - ratio * (high - low), low + ratio * (high - low));
-        if f(p) <= f(q) {
-            high = q;
-        } else {
-            low = p;
-        }
-    }
-    let middle = 0.5 * (low + high);
+    let middle = golden_section([a, b], SECTIONS, Ties::First, |t| -f(t));
     [a, middle].into_iter().fold(b, |best, t| if f(t) < f(best) { t } else { best })
 }
 

@@ -1,21 +1,9 @@
 //! Fluid in the cracks of a network: the cracks that it fills and the pressure along them.
 
 use crate::body::FaceMesh;
-use crate::contact::{FaceFluid, FluidModel, Pocket, PocketMouth, PressureProfile};
+use crate::contact::{CrackFluid, FaceFluid, Pocket, PocketMouth, PressureProfile};
 use crate::crack::{Crack, CrackNetwork, End, JunctionPoint};
 use crate::math::{Stress, Vec2};
-
-/// Fluid in the cracks of a rail.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CrackFluid {
-    /// The model of its pressure.
-    pub model: FluidModel,
-    /// The profile along a crack, for a model with the pressure over the mouth.
-    pub profile: PressureProfile,
-    /// Indices (from 0) of the cracks with fluid; `None` for all cracks. Joined cracks share the
-    /// fluid.
-    pub cracks: Option<Vec<usize>>,
-}
 
 /// A crack of a pocket, with the point at which the path from the mouth enters it.
 #[derive(Debug, Clone, Copy)]
@@ -50,8 +38,7 @@ impl CrackFluid {
             let entered = connected(network, first);
             let cracks: Vec<usize> = (0..count).filter(|&crack| entered[crack].is_some()).collect();
             cracks.iter().for_each(|&crack| taken[crack] = true);
-            let wet = |crack: &usize| self.cracks.as_ref().is_none_or(|wet| wet.contains(crack));
-            if cracks.iter().any(wet) {
+            if cracks.iter().any(|&crack| self.wets(crack)) {
                 pockets.push(self.pocket(network, faces, first, cracks, &entered));
             }
         }

@@ -49,7 +49,7 @@ impl Run {
         self.step += 1;
         self.cracks.clone_from(&next.cracks);
         self.deferred = next.tips.iter().map(|tip| tip.deferred).collect();
-        self.cycles += next.cycles;
+        self.cycles += next.progress.cycles;
         self.stop = next.stop;
         next
     }
@@ -75,7 +75,7 @@ fn a_slow_tip_grows_by_its_rate() {
             // It becomes faster by half and turns slightly.
             let rate = 1e-6 * ratio * (1.0 + f64::from(step) / 120.0);
             let next = run.grow([0.0, 0.01], [1e-6, rate]);
-            grown += rate * next.cycles;
+            grown += rate * next.progress.cycles;
             waited += usize::from(run.deferred[1].length > 0.0);
             assert!((run.length(1) - 2.0 - grown).abs() < ROUNDING, "{ratio}, step {step}");
         }

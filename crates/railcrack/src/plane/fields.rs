@@ -24,7 +24,7 @@ pub(super) fn record_fields(
     let body = face_load.problem.body();
     let Some(solver) = &body.fields else { return Ok(None) };
     let Some(xc) = passage.passages.last().map(|record| &record.xc) else { return Ok(None) };
-    let chosen = nearest(xc, &settings.positions);
+    let chosen = settings.nearest(xc);
     let faces = &body.faces.points;
     let coupled: Vec<Option<TableWheel>> =
         chosen.iter().map(|&i| felt_wheel(passage.faces.surface.get(i)?, xc[i], felt?)).collect();
@@ -32,28 +32,9 @@ pub(super) fn record_fields(
         .iter()
         .map(|coupled| coupled.as_ref().map_or(load.wheel, |wheel| wheel as &dyn Wheel))
         .collect();
-    let forces: Vec<Vec<f64>> = chosen
-        .iter()
-        .zip(&coupled)
-        .map(|(&i, coupled)| {
-            let in_crack = |tip: usize| passage.passages.last()?.fluid.get(tip)?.get(i).copied();
-            let removed = match coupled {
-                Some(wheel) => {
-                    let mut forces = body.faces.graded_nodal_forces(|point| wheel.stress(point, xc[i]));
-                    axpy(1.0, face_load.residual(), &mut forces);
-                    face_load.press_from_mouth(&mut forces, in_crack);
-                    forces
-                }
-                None => face_load.along(LoadPhase::Over).nodal_forces(xc[i]),
-            };
-            let states = faces.iter().zip(&passage.faces.states[i]);
-            let contact = states.flat_map(|(point, s)| [-s.s12 * point.weight, -s.s22 * point.weight]);
-            let mut forces: Vec<f64> =
-                removed.into_iter().zip(contact).map(|(removed, contact)| removed + contact).collect();
-            face_load.press_trapped(&mut forces, in_crack);
-            forces
-        })
-        .collect();
+    let forces = chosen.iter().zip(&coupled);
+    let forces: Vec<Vec<f64>> =
+        forces.map(|(&i, wheel)| forces_at(face_load, passage, i, wheel.as_ref())).collect();
     let loads: Vec<FieldLoad> = (chosen.iter().zip(&forces).zip(&wheels))
         .map(|((&i, forces), &wheel)| FieldLoad { forces, wheel: Some((wheel, xc[i])) })
         .collect();
@@ -81,15 +62,33 @@ pub(super) fn record_fields(
     Ok(Some(FieldRecord { grid, snapshots }))
 }
 
-/// Indices of the members of `xc` nearest to each of `wanted`, in increasing order without
-/// repetition.
-fn nearest(xc: &[f64], wanted: &[f64]) -> Vec<usize> {
-    let distance = |i: usize, x: f64| (xc[i] - x).abs();
-    let of = |&x: &f64| (0..xc.len()).min_by(|&i, &j| distance(i, x).total_cmp(&distance(j, x)));
-    let mut chosen: Vec<usize> = wanted.iter().filter_map(of).collect();
-    chosen.sort_unstable();
-    chosen.dedup();
-    chosen
+/// Nodal forces (N/mm) on the cracked body at output position `i` of `passage`, under a coupled
+/// `wheel` or that of `face_load`.
+fn forces_at(
+    face_load: &FaceLoad,
+    passage: &StabilisedPassage,
+    i: usize,
+    wheel: Option<&TableWheel>,
+) -> Vec<f64> {
+    let faces = &face_load.problem.body().faces;
+    let Some(record) = passage.passages.last() else { return Vec::new() };
+    let xc = record.xc[i];
+    let in_crack = |tip: usize| record.fluid.get(tip)?.get(i).copied();
+    let removed = match wheel {
+        Some(wheel) => {
+            let mut forces = faces.graded_nodal_forces(|point| wheel.stress(point, xc));
+            axpy(1.0, face_load.residual(), &mut forces);
+            face_load.press_from_mouth(&mut forces, in_crack);
+            forces
+        }
+        None => face_load.along(LoadPhase::Over).nodal_forces(xc),
+    };
+    let states = faces.points.iter().zip(&passage.faces.states[i]);
+    let contact = states.flat_map(|(point, s)| [-s.s12 * point.weight, -s.s22 * point.weight]);
+    let mut forces: Vec<f64> =
+        removed.into_iter().zip(contact).map(|(removed, contact)| removed + contact).collect();
+    face_load.press_trapped(&mut forces, in_crack);
+    forces
 }
 
 /// Traction exerted by the opposite face at the points of the faces, MPa: the contact traction on
@@ -112,18 +111,4 @@ fn tractions(grid: &FieldGrid, faces: &[FacePoint], states: &[FaceState]) -> Vec
         }
     }
     tractions
-}
-
-#[cfg(test)]
-mod tests {
-    use super::nearest;
-
-    #[test]
-    fn the_nearest_positions_once_and_in_order() {
-        let there = [-6.0, -3.0, 0.0, 3.0, 6.0];
-        assert_eq!(nearest(&there, &[0.2, -1.0, -100.0, 5.0]), [0, 2, 4]);
-        let back = [6.0, 3.0, 0.0, -3.0];
-        assert_eq!(nearest(&back, &[-2.0, 2.9]), [1, 3]);
-        assert!(nearest(&there, &[]).is_empty());
-    }
 }

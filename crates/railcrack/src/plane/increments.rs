@@ -5,12 +5,12 @@ use super::joining::{Outcome, grow, spall};
 use super::step_state::{Step, StepState, TipDrive};
 use super::stops::{grows, spent_ligament, standstill, stop_of_one};
 use super::turned::Turned;
-use super::worn::{Removal, mouth_sine, reaches_junction};
+use super::worn::{Worn, mouth_sine, reaches_junction, worn};
 use crate::crack::{Crack, End, Junction, point_to_segment};
 use crate::growth::{
-    BreakOut, DeferredGrowth, EarlierStep, Event, GrowthSettings, Interval, Jump, LEAST_PART, LOCATED, Mover,
-    Moving, Pace, Piece, RunStop, TipCourse, TipStop, WearingCrack, is_worth_a_step, least_length,
-    nothing_grows, part_until_worn_away, run_stop,
+    BreakOut, ChangingCrack, DeferredGrowth, Event, GrowthSettings, Jump, LEAST_PART, LOCATED, Mover, Moving,
+    Pace, Piece, RunStop, StepProgress, TipCourse, TipStop, WearingCrack, is_worth_a_step, least_length,
+    nothing_grows, run_stop,
 };
 use crate::math::Vec2;
 
@@ -49,19 +49,8 @@ pub(super) struct PlaneAdvance {
     pub break_outs: Vec<BreakOut>,
     /// Pieces that this step encloses.
     pub pieces: Vec<Piece>,
-    /// Load cycles until the next step, as predicted.
-    pub cycles: f64,
-    /// The increment of the fastest tip over the length of its crack.
-    pub share: f64,
-    /// This step as the next one sees it.
-    pub earlier: Option<EarlierStep>,
-    /// The increment that set the pace, from which the cycles follow once the rate at its end is
-    /// known; `None` where no cycles pass.
-    pub interval: Option<Interval>,
-    /// Removal of the running surface during the step, mm.
-    pub removal: f64,
-    /// Whether the surface is ground at the end of the step.
-    pub ground: bool,
+    /// What passes until the next step.
+    pub progress: StepProgress,
     /// Why the run ends with this step, if it does; the cracks then stay unchanged and no cycles
     /// pass.
     pub stop: Option<RunStop>,
@@ -144,19 +133,13 @@ pub(super) fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Plane
     {
         remove_surface(state, pace.removal, cracks, &mut plans, &mut stops);
     }
-    let breaks = |tip: &TipDrive| tip.demand().breaks(settings);
-    let longest = (0..state.cracks.len()).map(|crack| state.length(crack)).fold(0.0, f64::max);
-    let stop = run_stop(settings, &state.at, state.tips.iter().any(breaks), longest)
-        .or_else(|| (frees || matches!(outcome, Outcome::Detached(_))).then_some(RunStop::Detached))
-        .or_else(|| {
-            let stops: Vec<_> = state.tips.iter().map(|tip| tip.stopped).zip(stops.iter().copied()).collect();
-            nothing_grows(&stops)
-        });
+    let is_detached = frees || matches!(outcome, Outcome::Detached(_));
+    let stop = stop_of_run(state, settings, &stops, is_detached);
     for (stop, coalescence) in stops.iter_mut().zip(&met) {
         *stop = stop.or(coalescence.map(|_| TipStop::Coalescence));
     }
     if stop == Some(RunStop::Fracture) {
-        let broken = |tip: &TipDrive| breaks(tip).then_some(TipStop::Fracture);
+        let broken = |tip: &TipDrive| tip.demand().breaks(settings).then_some(TipStop::Fracture);
         stops.iter_mut().zip(state.tips).for_each(|(stop, tip)| *stop = broken(tip).or(*stop));
     }
     let standing = PlaneAdvance {
@@ -165,12 +148,7 @@ pub(super) fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Plane
         junctions: state.junctions.to_vec(),
         break_outs,
         pieces,
-        cycles: 0.0,
-        share: 0.0,
-        earlier: None,
-        interval: None,
-        removal: 0.0,
-        ground: false,
+        progress: StepProgress::default(),
         stop,
     };
     match (stop, outcome) {
@@ -180,25 +158,31 @@ pub(super) fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Plane
         (None, Outcome::Grown { cracks, junctions }) => {
             let tips = growing_tips(state, &standing.tips, &plans, &met);
             let all: Vec<Mover> = state.tips.iter().map(|tip| state.mover(tip)).collect();
-            let is_smooth = tips.iter().all(|tip| tip.jump.is_none());
-            PlaneAdvance {
-                cracks,
-                junctions,
-                cycles: pace.cycles,
-                share: pace.share,
-                earlier: Some(pace.as_earlier(&all, is_smooth)),
-                interval: pace.interval(|mover| {
-                    let own = |tip: &TipDrive| (tip.tip.crack, tip.tip.tip) == (mover.crack, mover.index);
-                    state.tips.iter().position(own).is_some_and(|i| tips[i].jump.is_some())
-                }),
-                tips,
-                removal: pace.removal,
-                ground: pace.grinds,
-                ..standing
-            }
+            let progress = pace.progress(&all, |mover| {
+                let own = |tip: &TipDrive| (tip.tip.crack, tip.tip.tip) == (mover.crack, mover.index);
+                state.tips.iter().position(own).is_some_and(|i| tips[i].jump.is_some())
+            });
+            PlaneAdvance { cracks, junctions, progress, tips, ..standing }
         }
         _ => standing,
     }
+}
+
+/// Why the run ends with this step, with the `stops` of all tips, if a piece `is_detached` in it.
+fn stop_of_run(
+    state: &StepState<'_>,
+    settings: &GrowthSettings,
+    stops: &[Option<TipStop>],
+    is_detached: bool,
+) -> Option<RunStop> {
+    let breaks = state.tips.iter().any(|tip| tip.demand().breaks(settings));
+    let longest = (0..state.cracks.len()).map(|crack| state.length(crack)).fold(0.0, f64::max);
+    run_stop(settings, &state.at, breaks, longest)
+        .or_else(|| is_detached.then_some(RunStop::Detached))
+        .or_else(|| {
+            let stops: Vec<_> = state.tips.iter().map(|tip| tip.stopped).zip(stops.iter().copied()).collect();
+            nothing_grows(&stops)
+        })
 }
 
 /// The cracks of `state` with a straight kink of `length` (mm) at each of its tips, by `angles`
@@ -249,7 +233,7 @@ fn pace(state: &StepState<'_>, settings: &GrowthSettings, stops: &[Option<TipSto
 fn remove_surface(
     state: &StepState<'_>,
     removal: f64,
-    cracks: &mut Vec<Crack>,
+    cracks: &mut [Crack],
     plans: &mut [Option<PlannedAdvance>],
     stops: &mut [Option<TipStop>],
 ) {
@@ -262,21 +246,22 @@ fn remove_surface(
             None => tip.deferred.length,
         };
     }
-    let gone: Vec<bool> = (0..count).map(|crack| state.is_worn_away(crack)).collect();
-    let longest: Vec<f64> = (0..count).map(|crack| state.longest(crack)).collect();
-    let removed =
-        Removal::of((std::mem::take(cracks), &gone), removal, &left_out, &longest, state.resolution);
-    for (i, tip) in state.tips.iter().enumerate() {
-        let [first, last] = removed.broken_out[tip.tip.crack];
-        let broken_out = if tip.tip.end == End::First { first } else { last };
-        if removed.away[tip.tip.crack] {
-            stops[i] = Some(TipStop::WornAway);
-            plans[i] = None;
-        } else if broken_out && stops[i].is_none() {
-            stops[i] = Some(TipStop::BreakOut);
+    for i in (0..count).filter(|&i| !state.is_worn_away(i)) {
+        let left = worn(&cracks[i], removal, left_out[i], state.longest(i), state.resolution);
+        let (crack, broken_out, is_away) = match left {
+            Worn::Left { crack, broken_out } => (crack, broken_out, false),
+            Worn::Away(stub) => (stub, [false; 2], true),
+        };
+        cracks[i] = crack;
+        for (t, tip) in state.tips.iter().enumerate().filter(|(_, tip)| tip.tip.crack == i) {
+            if is_away {
+                stops[t] = Some(TipStop::WornAway);
+                plans[t] = None;
+            } else if broken_out[usize::from(tip.tip.end == End::Last)] && stops[t].is_none() {
+                stops[t] = Some(TipStop::BreakOut);
+            }
         }
     }
-    *cracks = removed.cracks;
 }
 
 /// The advances of the tips when no increment is made.
@@ -361,16 +346,15 @@ fn first_event(
         events.extend(surfacing.map(during));
     }
     for (crack, growth) in growth.into_iter().enumerate() {
-        let length = state.length(crack);
-        let cut = mouth_sine(&state.cracks[crack]).map_or(0.0, |sine| removal / sine);
-        if let Some(critical) = settings.critical_length
-            && length + growth - cut > critical
-            && length < critical
-        {
-            events.push(Event { part: (critical - length) / (growth - cut), ends_run: true });
-        }
-        let away = wearing_away(state, crack, growth, removal);
-        events.extend(away.map(|part| Event { part, ends_run: true }));
+        let sine = mouth_sine(&state.cracks[crack]);
+        let wears = sine.is_some() && removal > 0.0 && !state.is_worn_away(crack);
+        let changing = ChangingCrack {
+            length: state.length(crack),
+            growth,
+            cut: sine.map_or(0.0, |sine| removal / sine),
+            least: wears.then(|| least_length(state.longest(crack), state.resolution)),
+        };
+        events.extend(changing.events(settings));
     }
     Event::first(events)
 }
@@ -381,19 +365,6 @@ fn surfacing(plan: &PlannedAdvance, crack: &Crack, resolution: f64, removal: f64
     let ligament = spent_ligament(crack, resolution);
     let (start, end) = (-from.y, -to.y - removal);
     (to.y > from.y && start > ligament && end < ligament).then(|| (start - ligament) / (start - end))
-}
-
-/// The part of the step after which `crack`, which grows by `growth` (mm), is about to be worn
-/// away.
-fn wearing_away(state: &StepState<'_>, crack: usize, growth: f64, removal: f64) -> Option<f64> {
-    if removal <= 0.0 || state.is_worn_away(crack) {
-        return None;
-    }
-    let sine = mouth_sine(&state.cracks[crack])?;
-    let length = state.length(crack);
-    let least = least_length(state.longest(crack), state.resolution);
-    let loss = removal / sine - growth;
-    part_until_worn_away(length, loss, least)
 }
 
 /// The steps that cannot be made, with the reason: break-out before meeting a crack, or leaving the

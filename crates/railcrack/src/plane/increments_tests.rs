@@ -32,7 +32,7 @@ fn fastest_tip_sets_the_pace() {
     let next = advanced(&state(&cracks, &tips), &SETTINGS);
     assert!((next.tips[1].increment - 0.4).abs() < ROUNDING, "{next:?}");
     assert!((next.tips[0].increment - 0.1).abs() < ROUNDING, "{next:?}");
-    assert!((next.cycles / 1e5 - 1.0).abs() < ROUNDING, "{next:?}");
+    assert!((next.progress.cycles / 1e5 - 1.0).abs() < ROUNDING, "{next:?}");
     assert!((next.tips[0].deferred.length - 0.1).abs() < ROUNDING && next.stop.is_none());
     assert_eq!(next.cracks[0], cracks[0]);
     let deeper = next.cracks[1].ahead(End::Last).angle().to_degrees();
@@ -59,7 +59,7 @@ fn slow_and_unloaded_tips_are_arrested_and_the_run_with_them() {
         let next = advanced(&state(&cracks, &[tip]), &SETTINGS);
         assert_eq!(next.stop, Some(RunStop::NoTipGrows(TipStop::Arrest)));
         assert_eq!((next.tips[0].stop, next.tips[0].increment), (Some(TipStop::Arrest), 0.0));
-        assert_eq!((&next.cracks[..], next.cycles), (&cracks[..], 0.0));
+        assert_eq!((&next.cracks[..], next.progress.cycles), (&cracks[..], 0.0));
     }
     assert_eq!(advanced(&state(&cracks, &[drive(0, 0.0, 1e-9)]), &SETTINGS).tips[0].stop, None);
 }
@@ -122,7 +122,10 @@ fn run_ends_on_steps_length_and_exactly_on_its_cycles() {
     let tips = [drive(0, 0.0, 1e-6)];
     let step = StepState { at: fixtures::at(25, 0.0), ..state(&cracks, &tips) };
     let last = advanced(&step, &SETTINGS);
-    assert_eq!((last.stop, last.tips[0].increment, last.cycles), (Some(RunStop::StepsDone), 0.0, 0.0));
+    assert_eq!(
+        (last.stop, last.tips[0].increment, last.progress.cycles),
+        (Some(RunStop::StepsDone), 0.0, 0.0)
+    );
     let critical = GrowthSettings { critical_length: Some(6.0), ..SETTINGS };
     assert_eq!(advanced(&step, &critical).stop, Some(RunStop::CriticalLength));
 
@@ -130,7 +133,7 @@ fn run_ends_on_steps_length_and_exactly_on_its_cycles() {
     let limited = GrowthSettings { stop_after_cycles: Some(350e3), ..SETTINGS };
     let before = StepState { at: fixtures::at(0, 250e3), ..state(&cracks, &tips) };
     let shortened = advanced(&before, &limited);
-    assert_eq!((shortened.cycles, shortened.stop), (100e3, None));
+    assert_eq!((shortened.progress.cycles, shortened.stop), (100e3, None));
     assert!((shortened.tips[0].increment - 0.1).abs() < ROUNDING);
     let after = StepState { at: fixtures::at(0, 350e3), cracks: &shortened.cracks, ..before };
     assert_eq!(advanced(&after, &limited).stop, Some(RunStop::Cycles));
@@ -150,7 +153,7 @@ fn the_rail_breaks_where_k1_reaches_the_toughness() {
     assert_eq!(next.stop, Some(RunStop::Fracture));
     assert_eq!([next.tips[0].stop, next.tips[1].stop], [None, Some(TipStop::Fracture)]);
     assert_eq!(
-        (next.cycles, &next.cracks[..], next.stop.map(RunStop::word)),
+        (next.progress.cycles, &next.cracks[..], next.stop.map(RunStop::word)),
         (0.0, &cracks[..], Some("fracture"))
     );
     assert_eq!(advanced(&state(&cracks, &tips(899.0, 899.0)), &settings).stop, None);

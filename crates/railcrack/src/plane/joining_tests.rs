@@ -60,7 +60,7 @@ fn tip_joins_the_crack_that_its_increment_crosses() {
     assert!((at - Vec2::new(0.2, -4.0)).length() < ROUNDING, "{at:?}");
     assert_eq!(next.cracks[1].vertex_at(at), Some(1));
     assert!(
-        (next.cycles / 0.24 * 1e-6 - 1.0).abs() < ROUNDING,
+        (next.progress.cycles / 0.24 * 1e-6 - 1.0).abs() < ROUNDING,
         "the others have the time of a whole increment"
     );
 }
@@ -133,7 +133,7 @@ fn piece_between_two_surface_cracks_is_detached() {
     let cracks = [coming(0.0), crack(&[(0.2, 0.0), (0.2, -6.0)])];
     let stopped = TipDrive { stopped: Some(TipStop::Arrest), ..ahead(1, 1e-6) };
     let end = next(&cracks, &[ahead(0, 1e-6), stopped]);
-    assert_eq!((end.stop, end.cycles, &end.cracks[..]), (Some(RunStop::Detached), 0.0, &cracks[..]));
+    assert_eq!((end.stop, end.progress.cycles, &end.cracks[..]), (Some(RunStop::Detached), 0.0, &cracks[..]));
     let [piece] = &end.pieces[..] else { panic!("{:?}", end.pieces) };
     assert_eq!((piece.kind, piece.step, piece.crack), (PieceKind::Detached, 3, 0));
     assert!((piece.area - 2.2 * 4.0).abs() < ROUNDING, "{piece:?}");

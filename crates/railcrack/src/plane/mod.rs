@@ -29,7 +29,6 @@ mod turning_wheel;
 mod wheel;
 mod worn;
 
-pub use crack_fluid::CrackFluid;
 pub use rail::{KnownEnds, PlaneBody, PlaneRail};
 pub use rail_load::RailLoad;
 pub use stabilise::stabilised_passage;

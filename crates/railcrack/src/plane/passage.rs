@@ -237,37 +237,11 @@ impl<'a> Rolling<'a> {
         observer: &dyn Observer,
     ) -> Result<Pass, PassageError> {
         let problem = self.problem;
-        let (first, last) = (self.xc[0], self.xc[self.xc.len() - 1]);
-        let travel = (last - first).signum();
+        let first = self.xc[0];
+        let travel = (self.xc[self.xc.len() - 1] - first).signum();
         tips.begin();
-        let bounded = problem.body().ends.is_some();
-        let ramp = |k: usize| k as f64 / RAMP_STATIONS as f64;
-        let arrived = if bounded {
-            self.follow(LoadPhase::Load { xc: first }, 0.0, (1..=RAMP_STATIONS).map(ramp), &mut |s, f| {
-                tips.follow(problem, s, f)
-            })
-        } else {
-            let approach = LoadPhase::approach(first, travel, self.near[0]);
-            self.follow(approach, 0.0, far_stations(self.near[0]), &mut |s, f| tips.follow(problem, s, f))
-        };
-        arrived.map_err(failure(number, "approach"))?;
-
-        let tips_of = problem.body().tips.len();
-        let record = PassageRecord {
-            xc: self.xc.to_vec(),
-            sifs: vec![Vec::new(); tips_of],
-            fluid: vec![Vec::new(); if problem.fluid().is_some() { tips_of } else { 0 }],
-            kiii: Vec::new(),
-            wheel: Vec::new(),
-        };
-        let mut pass = Pass {
-            record,
-            histories: Vec::new(),
-            states: Vec::new(),
-            surface: Vec::new(),
-            marks: Vec::new(),
-            joins: false,
-        };
+        self.arrive(travel, tips).map_err(failure(number, "approach"))?;
+        let mut pass = self.empty_pass();
         self.stepper.begin(first);
         self.cover(first, travel, tips).map_err(failure(number, "passage"))?;
         self.couple(first, travel, tips).map_err(failure(number, "passage"))?;
@@ -283,21 +257,7 @@ impl<'a> Rolling<'a> {
                 self.couple(station, travel, tips).map_err(failure(number, "passage"))?;
                 self.settle_pressures(station, tips).map_err(failure(number, "passage"))?;
             }
-            pass.record.sifs.iter_mut().zip(tips.sifs()).for_each(|(tip, k)| tip.push(k));
-            let fluid = self.fluid(x);
-            pass.record.fluid.iter_mut().zip(fluid).for_each(|(tip, state)| tip.push(state));
-            pass.states.push(self.stepper.solution().face_states(self.problem));
-            if let Some(wheel) = problem.wheel() {
-                let FaceSolution { jump, contact, loaded, .. } = self.stepper.solution();
-                let is_coupled = self.coupling == Coupling::Coupled;
-                let punch = is_coupled.then(|| self.face_load.punch(x));
-                let state =
-                    punch.and_then(|punch| wheel.state((jump, loaded), x, (&self.tip_mouths, &punch)));
-                let nodes = state.as_ref().map(|_| wheel.surface_states(jump, contact));
-                pass.record.wheel.push(state);
-                pass.surface.push(nodes.unwrap_or_default());
-            }
-            pass.marks.push(Mark { faces: self.stepper.solution().clone(), tips: tips.mark() });
+            self.record(x, tips, &mut pass);
             observer.progress((i + 1) as f64 / self.xc.len() as f64);
             if let Some(before) = before
                 && self.stepper.is_like(&before.marks[i].faces)
@@ -308,22 +268,73 @@ impl<'a> Rolling<'a> {
                 return Ok(pass);
             }
         }
-
         self.uncover(tips).map_err(failure(number, "departure"))?;
         self.uncouple(tips).map_err(failure(number, "departure"))?;
-        let left = if bounded {
-            self.follow(LoadPhase::Load { xc: last }, 1.0, (0..RAMP_STATIONS).rev().map(ramp), &mut |s, f| {
-                tips.follow(problem, s, f)
-            })
-        } else {
-            let departure = LoadPhase::departure(last, travel, self.near[1]);
-            let mut back = far_stations(self.near[1]).rev();
-            let start = back.next().unwrap_or(0.0);
-            self.follow(departure, start, back.chain([0.0]), &mut |s, f| tips.follow(problem, s, f))
-        };
-        left.map_err(failure(number, "departure"))?;
+        self.leave(travel, tips).map_err(failure(number, "departure"))?;
         pass.histories = tips.histories();
         Ok(pass)
+    }
+
+    /// The wheel arrives at the first position, in the direction of `travel`.
+    fn arrive(&mut self, travel: f64, tips: &mut TipSifs) -> Result<(), SteppingError> {
+        let (problem, first) = (self.problem, self.xc[0]);
+        let mut take = |solution: &FaceSolution, forces: &[f64]| tips.follow(problem, solution, forces);
+        if problem.body().ends.is_some() {
+            return self.follow(LoadPhase::Load { xc: first }, 0.0, ramp_stations(), &mut take);
+        }
+        let approach = LoadPhase::approach(first, travel, self.near[0]);
+        self.follow(approach, 0.0, far_stations(self.near[0]), &mut take)
+    }
+
+    /// The wheel leaves from the last position, in the direction of `travel`.
+    fn leave(&mut self, travel: f64, tips: &mut TipSifs) -> Result<(), SteppingError> {
+        let (problem, last) = (self.problem, self.xc[self.xc.len() - 1]);
+        let mut take = |solution: &FaceSolution, forces: &[f64]| tips.follow(problem, solution, forces);
+        if problem.body().ends.is_some() {
+            let down = ramp_stations().rev().skip(1).chain([0.0]);
+            return self.follow(LoadPhase::Load { xc: last }, 1.0, down, &mut take);
+        }
+        let departure = LoadPhase::departure(last, travel, self.near[1]);
+        let mut back = far_stations(self.near[1]).rev();
+        let start = back.next().unwrap_or(0.0);
+        self.follow(departure, start, back.chain([0.0]), &mut take)
+    }
+
+    /// A passage without results.
+    fn empty_pass(&self) -> Pass {
+        let tips = self.problem.body().tips.len();
+        Pass {
+            record: PassageRecord {
+                xc: self.xc.to_vec(),
+                sifs: vec![Vec::new(); tips],
+                fluid: vec![Vec::new(); if self.problem.fluid().is_some() { tips } else { 0 }],
+                kiii: Vec::new(),
+                wheel: Vec::new(),
+            },
+            histories: Vec::new(),
+            states: Vec::new(),
+            surface: Vec::new(),
+            marks: Vec::new(),
+            joins: false,
+        }
+    }
+
+    /// Adds the results at the output position `x` (mm) to `pass`.
+    fn record(&self, x: f64, tips: &TipSifs, pass: &mut Pass) {
+        pass.record.sifs.iter_mut().zip(tips.sifs()).for_each(|(tip, k)| tip.push(k));
+        let fluid = self.fluid(x);
+        pass.record.fluid.iter_mut().zip(fluid).for_each(|(tip, state)| tip.push(state));
+        pass.states.push(self.stepper.solution().face_states(self.problem));
+        if let Some(wheel) = self.problem.wheel() {
+            let FaceSolution { jump, contact, loaded, .. } = self.stepper.solution();
+            let is_coupled = self.coupling == Coupling::Coupled;
+            let punch = is_coupled.then(|| self.face_load.punch(x));
+            let state = punch.and_then(|punch| wheel.state((jump, loaded), x, (&self.tip_mouths, &punch)));
+            let nodes = state.as_ref().map(|_| wheel.surface_states(jump, contact));
+            pass.record.wheel.push(state);
+            pass.surface.push(nodes.unwrap_or_default());
+        }
+        pass.marks.push(Mark { faces: self.stepper.solution().clone(), tips: tips.mark() });
     }
 
     /// Traps the fluid of buried cracks permanently.

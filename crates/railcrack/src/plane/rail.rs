@@ -13,15 +13,14 @@ use super::worn::mouth_sine;
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::contact::{ContactSolver, FaceProblem, Latin, Newton, NotConverged, SteppingError};
 use crate::crack::{Crack, CrackNetwork, CrackTip, End};
-use crate::fatigue::{HourlierPineau, Kink, LargestK1, SifRanges, WheelHistory};
+use crate::fatigue::{GrowthLaw, HourlierPineau, Kink, LargestK1, SifRanges, WheelHistory};
 use crate::field::{EndField, EndsError, RailEnds, Wheel};
 use crate::fracture::SifHistory;
 use crate::growth::{
     Advance, BodyReport, CrackedRail, DeferredGrowth, FieldRecord, FieldSettings, Geometry, GrowthError,
     GrowthSettings, GrowthState, Jump, MixedTip, Mover, NetworkContact, Observer, PassageError,
-    PassageSettings, PlaneGeometry, PlaneTip, StabilisedPassage, StepStart, StressMoves, TipCourse,
-    TipGeometry, TipRecord, Uncovered, Warning, WarningKind, WheelDemand, WheelOfRail, WornSurface,
-    under_each_wheel,
+    PassageSettings, PlaneGeometry, PlaneTip, StabilisedPassage, StepStart, TipCourse, TipGeometry,
+    TipRecord, Uncovered, Warning, WarningKind, WheelDemand, WheelOfRail, WornSurface, under_each_wheel,
 };
 use crate::interruption::Interruption;
 use crate::math::RailBox;
@@ -121,15 +120,12 @@ impl PlaneRail {
         Ok(fields)
     }
 
-    /// The residual stress under each wheel, relative to a worn surface; empty where the surface is
-    /// unworn or the stress moves with it.
+    /// The residual stress under each wheel, relative to a worn surface; empty where it has come no
+    /// closer to that surface.
     fn uncovered(&self, worn: &WornSurface) -> Vec<Option<Uncovered<'_>>> {
-        let moves = self.growth.maintenance.as_ref().map(|maintenance| maintenance.stress);
-        if worn.removed == 0.0 || moves != Some(StressMoves::WithMetal) {
-            return Vec::new();
-        }
-        let residual = self.wheels.iter().map(|wheel| wheel.residual.as_deref());
-        residual.map(|field| field.map(|field| Uncovered { field, removed: worn.removed })).collect()
+        let removed = self.growth.uncovered(worn);
+        let wheels = self.wheels.iter().filter(|_| removed != 0.0);
+        wheels.map(|wheel| Some(Uncovered { field: wheel.residual.as_deref()?, removed })).collect()
     }
 
     /// The load and the passages of every wheel; where the stress relative to a worn surface is
@@ -308,8 +304,9 @@ impl CrackedRail for PlaneRail {
         at: &StepStart<'_>,
         passage: &StabilisedPassage,
     ) -> Result<Option<FieldRecord>, GrowthError> {
-        let wanted = self.fields.as_ref().filter(|fields| at.step.is_multiple_of(fields.every.get()));
-        let Some(settings) = wanted.cloned() else { return Ok(None) };
+        let Some(settings) = self.fields.clone().filter(|fields| fields.are_due(at.step)) else {
+            return Ok(None);
+        };
         let ends = self.ends_under_wheels(&body.body, at.step)?;
         let first = &self.wheels[0];
         let faces = self.faces(body, first)?;
@@ -333,59 +330,32 @@ impl CrackedRail for PlaneRail {
         let histories: Vec<&[SifHistory]> = passages.iter().map(|passage| &passage.histories[..]).collect();
         let wheels = self.wheels();
         let shares: Vec<f64> = wheels.iter().map(|wheel| wheel.share).collect();
-        let demand = |wheel: &WheelHistory| {
-            let ranges = SifRanges::of(wheel.history);
-            WheelDemand {
-                ranges,
-                delta_keq: growth.law.equivalent_range(ranges.delta_ki, ranges.delta_kii),
-                rate: growth.law.rate(ranges.load()),
-                largest_k1: LargestK1::of(wheel.history),
-            }
-        };
-        let tips = network.tips().into_iter().enumerate();
-        tips.map(|(i, tip)| {
+        let tip_record = |(i, tip): (usize, CrackTip)| {
             let crack = &network.cracks()[tip.crack];
             let under_wheels = histories_of(i, &shares, &histories);
-            let demands: Vec<WheelDemand> = under_wheels.iter().map(demand).collect();
-            let under = MixedTip::of(&demands, &wheels);
+            let demands: Vec<WheelDemand> =
+                under_wheels.iter().map(|wheel| demand_of(&growth.law, wheel)).collect();
             let kink = direction.kink_of_mix(&under_wheels);
             let secondary = kink.as_ref().and_then(|kink: &Kink| kink.secondary);
             let turned = kink.filter(|_| under_wheels.len() > 1);
             let response = TurnResponse::of(&direction, &under_wheels, kink.map(|kink| kink.angle), growth);
             let course = geometry.courses[tip.crack][tip.tip];
-            let at = crack.tip(tip.end);
-            let ranges = under.ranges;
-            TipRecord {
-                tip,
-                x: at.x,
-                y: at.y,
-                length: crack.length() + geometry.deferred_at(tip.crack),
-                ki_max: ranges.ki_max,
-                delta_ki: ranges.delta_ki,
-                delta_kii: ranges.delta_kii,
-                delta_keq: growth.law.equivalent_range(ranges.delta_ki, ranges.delta_kii),
-                largest_k1: under.largest_k1,
-                kink: kink.map(|kink| kink.angle),
-                increment: 0.0,
-                rate: under.rate,
-                stop: None,
-                shares: under.shares,
-                opened_by: under.opened_by,
-                toughness_ratio: under.toughness_ratio,
-                mouth_sine: mouth_sine(crack),
-                geometry: TipGeometry::Plane(PlaneTip {
-                    deferred: geometry.deferred[tip.crack][tip.tip],
-                    secondary: secondary.map(|secondary| secondary.angle),
-                    secondary_ratio: secondary.map(|secondary| secondary.ratio),
-                    turned_by: turned.and_then(|kink| turned_by(&direction, &under_wheels, kink.angle)),
-                    jump: kink.and_then(|kink| jump(&kink, &course, growth)),
-                    sensitivity: response.sensitivity,
-                    kink_slope: response.kink_slope,
-                    ..PlaneTip::default()
-                }),
-            }
-        })
-        .collect()
+            let plane = PlaneTip {
+                deferred: geometry.deferred[tip.crack][tip.tip],
+                secondary: secondary.map(|secondary| secondary.angle),
+                secondary_ratio: secondary.map(|secondary| secondary.ratio),
+                turned_by: turned.and_then(|kink| turned_by(&direction, &under_wheels, kink.angle)),
+                jump: kink.and_then(|kink| jump(&kink, &course, growth)),
+                sensitivity: response.sensitivity,
+                kink_slope: response.kink_slope,
+                ..PlaneTip::default()
+            };
+            let length = crack.length() + geometry.deferred_at(tip.crack);
+            let under = MixedTip::of(&demands, &wheels);
+            let record = under.record(tip, crack.tip(tip.end), length, TipGeometry::Plane(plane));
+            TipRecord { kink: kink.map(|kink| kink.angle), mouth_sine: mouth_sine(crack), ..record }
+        };
+        network.tips().into_iter().enumerate().map(tip_record).collect()
     }
 
     fn movers(&self, _: &PlaneBody, tips: &[TipRecord]) -> Vec<Mover> {
@@ -429,12 +399,7 @@ impl CrackedRail for PlaneRail {
                 courses,
             }),
             pieces: next.pieces,
-            cycles: next.cycles,
-            share: next.share,
-            earlier: next.earlier,
-            interval: next.interval,
-            removal: next.removal,
-            ground: next.ground,
+            progress: next.progress,
             stop: next.stop,
             warnings,
         }
@@ -442,9 +407,7 @@ impl CrackedRail for PlaneRail {
 
     fn hazard(&self, site: &PlaneSite, tip: &TipRecord) -> f64 {
         let PlaneSite { geometry, .. } = site;
-        let drive = self.drive(geometry, tip);
-        let Some(toughness) = self.growth.toughness.filter(|_| drive.demand().is_tip()) else { return 0.0 };
-        drive.largest_k1 / toughness
+        self.drive(geometry, tip).demand().hazard(&self.growth)
     }
 
     fn popped_in(&self, site: &PlaneSite, tips: &[&TipRecord], length: f64) -> Option<Geometry> {
@@ -465,6 +428,17 @@ impl CrackedRail for PlaneRail {
 
     fn forget(&mut self) {
         self.engine.forget();
+    }
+}
+
+/// The loading of a tip by one wheel.
+fn demand_of(law: &GrowthLaw, wheel: &WheelHistory) -> WheelDemand {
+    let ranges = SifRanges::of(wheel.history);
+    WheelDemand {
+        ranges,
+        delta_keq: law.equivalent_range(ranges.delta_ki, ranges.delta_kii),
+        rate: law.rate(ranges.load()),
+        largest_k1: LargestK1::of(wheel.history),
     }
 }
 

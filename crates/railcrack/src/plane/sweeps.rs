@@ -16,18 +16,12 @@ use crate::contact::{
 };
 use crate::fracture::{Sif, SifHistory};
 use crate::growth::{
-    GroupsError, Observer, PassageError, PassageRecord, PassageSettings, StabilisedPassage, SweepProgress,
-    WithoutProgress, output_positions, until_repeated,
+    GroupsError, KEPT, Observer, PassageError, PassageRecord, PassageSettings, StabilisedPassage, SweepError,
+    SweepProgress, WithoutProgress, output_positions, until_repeated,
 };
 use crate::linear::LinearError;
 use crate::math::{Matrix, Track, every_second};
 use rayon::prelude::*;
-
-/// Interpolation error of the stored jumps between their coordinates, relative to the largest jump:
-/// with 3e-3 the sweeps no longer terminate.
-const KEPT: f64 = 3e-4;
-/// Largest number of sweeps over a passage.
-const MOST_SWEEPS: usize = 12;
 
 /// [`super::stabilised_passage`] of a body built by groups.
 pub(super) fn passages_by_groups(
@@ -65,8 +59,7 @@ pub(super) fn passages_by_groups(
         histories: Vec::new(),
         last: Vec::new(),
         peaks: vec![0.0; problem.body().tips.len()],
-        contraction: 1.0,
-        error: 0.0,
+        error: SweepError::new(0.0),
         counts: SteppingCounts::default(),
         edge_steps: 0,
         groups,
@@ -77,7 +70,7 @@ pub(super) fn passages_by_groups(
     }
     let passed = until_repeated(settings, memory(problem), |number, _| row.pass(number, problem, observer))?;
     let [interpolation, far] = row.interpolation_and_far()?;
-    let error = GroupsError { sweeps: row.error, interpolation, far };
+    let error = GroupsError { sweeps: row.error.largest, interpolation, far };
     Ok(stabilised(passed, row.counts, row.edge_steps, problem, Some(error)))
 }
 
@@ -117,12 +110,7 @@ struct LegOfGroup {
     edge_steps: usize,
 }
 
-/// All groups of a row.
-///
-/// Each group is followed event by event under the wheel and the forces of all units that are not
-/// among its members, with the jumps that these units had in the previous sweep, each in its own
-/// group. This is a waveform relaxation with overlapping blocks (Schwarz): the remaining error
-/// after a sweep is due to the coupling beyond the members of a group.
+/// All groups of a row, each followed event by event.
 struct GroupRow<'a> {
     blocks: &'a BlockStiffness,
     load: RailLoad<'a>,
@@ -142,11 +130,7 @@ struct GroupRow<'a> {
     last: Vec<Vec<Vec<Sif>>>,
     /// The largest |K| of each tip so far.
     peaks: Vec<f64>,
-    /// The last known ratio of the change of K in a sweep to that in the previous sweep.
-    contraction: f64,
-    /// The largest estimated error left by the sweeps at the end of a leg, relative to the peak of
-    /// K.
-    error: f64,
+    error: SweepError,
     counts: SteppingCounts,
     edge_steps: usize,
 }
@@ -189,28 +173,20 @@ impl GroupRow<'_> {
             self.histories = (0..self.groups.len()).map(|k| self.at_rest(k, leg)).collect();
             self.last.clear();
         }
-        let mut before = 0.0;
-        let mut sweep = 0;
+        let mut sweep = self.error.begin();
         loop {
-            sweep += 1;
             let runs = self.sweep((leg, sweep), observer)?;
             let change = self.change(&runs);
             self.last = runs.iter().map(|run| run.sifs.clone()).collect();
             self.histories = runs.iter().map(|run| run.history.clone()).collect();
-            // Changes below that are due to the load steps.
-            if before > self.settings.step_tolerance {
-                self.contraction = (change / before).min(1.0);
-            }
-            before = change;
-            let left = self.contraction * change;
-            if left <= self.settings.network_tolerance || sweep == MOST_SWEEPS {
-                self.error = self.error.max(left);
+            let Some(next) = self.error.next(change, self.settings) else {
                 for run in &runs {
                     self.counts.violation_max = self.counts.violation_max.max(run.counts.violation_max);
                 }
                 self.states = runs.iter().map(|run| run.end.clone()).collect();
                 return Ok(runs);
-            }
+            };
+            sweep = next;
         }
     }
 

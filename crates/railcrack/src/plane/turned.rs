@@ -104,13 +104,8 @@ impl Turned {
     }
 }
 
-/// The correction of the previous step.
-trait Corrected {
+impl TipCourse {
     /// The drift of the step, and the turn that it lacks (radians), for the curvature at its end.
-    fn corrected(&self, curvature: f64, decay: f64) -> (f64, f64);
-}
-
-impl Corrected for TipCourse {
     fn corrected(&self, curvature: f64, decay: f64) -> (f64, f64) {
         let (h, z) = (self.span, self.decay * self.span);
         let drift = |end: f64| (end - self.curvature * (-z).exp()) / (h * phi_1(z));

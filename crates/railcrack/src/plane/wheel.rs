@@ -1,6 +1,6 @@
 //! A wheel over cracks in the plane.
 
-use super::crack_fluid::CrackFluid;
+use crate::contact::CrackFluid;
 use crate::coupling::WheelCoupling;
 use crate::field::{StressField, Wheel};
 use crate::growth::PassageSettings;

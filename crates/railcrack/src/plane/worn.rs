@@ -104,44 +104,6 @@ pub(super) fn mouth_sine(crack: &Crack) -> Option<f64> {
     crack.is_surface_breaking().then(|| -segment.y / segment.length())
 }
 
-/// The cracks of a step after the surface has been removed.
-pub(super) struct Removal {
-    pub cracks: Vec<Crack>,
-    /// For each crack, whether its first and its last end have broken out.
-    pub broken_out: Vec<[bool; 2]>,
-    /// Which cracks are worn away.
-    pub away: Vec<bool>,
-}
-
-impl Removal {
-    /// Removal of `depth` (mm) from the surface above `cracks`, except those already `gone`.
-    /// `left_out` (mm) is the deferred growth of each crack, `longest` (mm) its greatest length so
-    /// far.
-    pub fn of(
-        (cracks, gone): (Vec<Crack>, &[bool]),
-        depth: f64,
-        left_out: &[f64],
-        longest: &[f64],
-        resolution: f64,
-    ) -> Self {
-        let count = cracks.len();
-        let mut all = Self { cracks, broken_out: vec![[false; 2]; count], away: vec![false; count] };
-        for i in (0..count).filter(|&i| depth > 0.0 && !gone[i]) {
-            match worn(&all.cracks[i], depth, left_out[i], longest[i], resolution) {
-                Worn::Left { crack, broken_out } => {
-                    all.cracks[i] = crack;
-                    all.broken_out[i] = broken_out;
-                }
-                Worn::Away(stub) => {
-                    all.cracks[i] = stub;
-                    all.away[i] = true;
-                }
-            }
-        }
-        all
-    }
-}
-
 #[cfg(test)]
 #[path = "worn_tests.rs"]
 mod tests;

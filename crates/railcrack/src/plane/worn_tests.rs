@@ -85,7 +85,7 @@ fn in_the_balance_the_length_stays() {
     // w = sin θ da/dN.
     let next = advanced(&state(&cracks, &tips, 0.01), &maintained(0.6e-6, None));
     assert!((next.cracks[0].length() - 5.0).abs() < ROUNDING, "{next:?}");
-    assert!((next.cycles - 2e5).abs() < 1e-8 && (next.removal - 0.12).abs() < ROUNDING);
+    assert!((next.progress.cycles - 2e5).abs() < 1e-8 && (next.progress.removal - 0.12).abs() < ROUNDING);
     assert!((next.tips[0].increment - 0.2).abs() < ROUNDING);
     // At half the wear, the crack grows by half as much.
     let next = advanced(&state(&cracks, &tips, 0.01), &maintained(0.3e-6, None));
@@ -96,15 +96,21 @@ fn in_the_balance_the_length_stays() {
 fn wear_that_takes_more_than_grows_sets_the_pace() {
     let (cracks, tips) = (crack_of_five(), [drive(1e-6)]);
     let next = advanced(&state(&cracks, &tips, 0.01), &maintained(2.4e-6, None));
-    assert!((next.removal - 0.12).abs() < ROUNDING && (next.cycles - 5e4).abs() < 1e-8, "{next:?}");
-    assert!(next.interval.unwrap().is_settled && (next.tips[0].increment - 0.05).abs() < ROUNDING);
+    assert!(
+        (next.progress.removal - 0.12).abs() < ROUNDING && (next.progress.cycles - 5e4).abs() < 1e-8,
+        "{next:?}"
+    );
+    assert!(next.progress.interval.unwrap().is_settled && (next.tips[0].increment - 0.05).abs() < ROUNDING);
     // The growth is too short for a segment and is deferred.
     let length = next.cracks[0].length() + next.tips[0].deferred.length;
     assert!((length - (5.0 - 0.2 + 0.05)).abs() < ROUNDING, "{next:?}");
     // A tip at rest is not stopped for good, since the surface comes closer.
     let at_rest = advanced(&state(&cracks, &[drive(0.0)], 0.01), &maintained(2.4e-6, None));
     assert!(at_rest.stop.is_none() && at_rest.tips[0].stop.is_none());
-    assert!((at_rest.removal - 0.12).abs() < ROUNDING && at_rest.interval.unwrap().cycles == next.cycles);
+    assert!(
+        (at_rest.progress.removal - 0.12).abs() < ROUNDING
+            && at_rest.progress.interval.unwrap().cycles == next.progress.cycles
+    );
     // Increments that follow from cycles use the line through two rates.
     let earlier = EarlierStep {
         movers: vec![Mover { crack: 0, index: 0, rate: 1.2e-6, length: 5.0 }],
@@ -127,21 +133,31 @@ fn grinding_takes_its_depth_at_its_interval() {
     let (cracks, tips) = (crack_of_five(), [drive(1e-6)]);
     let settings = maintained(0.0, Some(Grinding { depth: 0.3, interval: 2.5e5, first: 2.5e5 }));
     let first = advanced(&state(&cracks, &tips, 0.01), &settings);
-    assert!(!first.ground && first.removal == 0.0 && (first.cycles - 2e5).abs() < 1e-8);
+    assert!(
+        !first.progress.ground && first.progress.removal == 0.0 && (first.progress.cycles - 2e5).abs() < 1e-8
+    );
     let surface = WornSurface { longest: vec![5.0], ..WornSurface::default() };
     let second = StepState { at: StepStart { worn: &surface, ..at(0, 2e5) }, ..state(&cracks, &tips, 0.01) };
     let second = advanced(&second, &settings);
-    assert!(!second.ground && (second.cycles - 5e4).abs() < 1e-8 && second.removal == 0.0, "{second:?}");
+    assert!(
+        !second.progress.ground
+            && (second.progress.cycles - 5e4).abs() < 1e-8
+            && second.progress.removal == 0.0,
+        "{second:?}"
+    );
     // The grinding is a step of no cycles: rates are known on both sides of it.
     let due = StepState { at: StepStart { worn: &surface, ..at(0, 2.5e5) }, ..state(&cracks, &tips, 0.01) };
     let due = advanced(&due, &settings);
-    assert!(due.ground && due.cycles == 0.0 && (due.removal - 0.3).abs() < ROUNDING, "{due:?}");
+    assert!(
+        due.progress.ground && due.progress.cycles == 0.0 && (due.progress.removal - 0.3).abs() < ROUNDING,
+        "{due:?}"
+    );
     assert!((due.cracks[0].length() - (5.0 - 0.5)).abs() < ROUNDING, "{due:?}");
     // The next grinding counts from there.
     let surface = WornSurface { removed: 0.3, grindings: 1, ..surface };
     let third = StepState { at: StepStart { worn: &surface, ..at(0, 2.5e5) }, ..state(&cracks, &tips, 0.01) };
     let third = advanced(&third, &settings);
-    assert!(!third.ground && third.removal == 0.0);
+    assert!(!third.progress.ground && third.progress.removal == 0.0);
 }
 
 #[test]

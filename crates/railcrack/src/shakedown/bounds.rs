@@ -2,7 +2,7 @@
 
 use crate::field::{HertzField, Wheel};
 use crate::load::{Contact, HertzianContact};
-use crate::math::{Stress, Vec2, smallest_ball};
+use crate::math::{Stress, Ties, Vec2, golden_section, smallest_ball};
 
 /// First yield under a Hertzian contact in full sliding.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -226,18 +226,13 @@ pub(super) fn path_abscissae() -> Vec<f64> {
 /// The depth/a in [0, DEEPEST] at which `value` is largest, and its value: found on a grid that
 /// includes the surface, and by golden section around its best depth.
 fn maximum_over_depth(value: impl Fn(f64) -> f64) -> (f64, f64) {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
     // 2 · DEEPEST / DEPTH_INTERVALS · 0.618^20 = 3e-6 a: the value is then flat to 1e-11.
-    const STEPS: u32 = 20;
+    const SECTIONS: usize = 20;
     let spacing = DEEPEST / f64::from(DEPTH_INTERVALS);
     let grid = (0..=DEPTH_INTERVALS).map(|i| spacing * f64::from(i)).map(|depth| (depth, value(depth)));
     let best = grid.fold((0.0, 0.0), |best, here| if here.1 > best.1 { here } else { best });
-    let (mut from, mut to) = (f64::max(0.0, best.0 - spacing), best.0 + spacing);
-    for _ in 0..STEPS {
-        let (upper, lower) = (to - GOLDEN * (to - from), from + GOLDEN * (to - from));
-        if value(upper) >= value(lower) { to = lower } else { from = upper }
-    }
-    let middle = 0.5 * (from + to);
+    let around = [f64::max(0.0, best.0 - spacing), best.0 + spacing];
+    let middle = golden_section(around, SECTIONS, Ties::First, &value);
     let refined = (middle, value(middle));
     if refined.1 > best.1 { refined } else { best }
 }

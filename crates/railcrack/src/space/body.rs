@@ -470,18 +470,12 @@ impl SpaceBody {
         stress: impl Fn(usize, [f64; 3]) -> Symmetric + Sync,
     ) -> Vec<f64> {
         let traction = |_, load: &LoadPoint| self.traction_at(load, &stress(load.crack, load.position));
-        self.forces_of_tractions(0..self.loads.len(), traction)
+        self.forces_of_tractions(0..self.cracks.len(), traction)
     }
 
     /// Points at which the stress of the uncracked rail is evaluated, crack by crack.
     pub(super) fn load_points(&self) -> &[LoadPoint] {
         &self.loads
-    }
-
-    /// The load points of `crack` (from 0).
-    pub(super) fn load_points_of(&self, crack: usize) -> Range<usize> {
-        let from = |crack: usize| self.loads.partition_point(|load| load.crack < crack);
-        from(crack)..from(crack + 1)
     }
 
     /// The traction (opening, slip along the dip and along the trace; MPa) of a stress at a load
@@ -490,15 +484,20 @@ impl SpaceBody {
         self.planes[load.plane].traction(stress)
     }
 
-    /// Nodal forces (N), 3p, due to the traction (MPa) at each of `loads`, given with its number.
+    /// Nodal forces (N) at the points of `cracks` (from 0) due to the traction (MPa) at each of
+    /// their load points, given with its number.
     pub(super) fn forces_of_tractions(
         &self,
-        loads: Range<usize>,
+        cracks: Range<usize>,
         traction: impl Fn(usize, &LoadPoint) -> [f64; 3] + Sync,
     ) -> Vec<f64> {
+        let from = |crack: usize| self.loads.partition_point(|load| load.crack < crack);
+        let loads = from(cracks.start)..from(cracks.end);
+        let points = self.cracks[cracks].iter().map(|part| part.points.clone());
+        let points = points.reduce(|all, next| all.start..next.end).unwrap_or_default();
         let numbered = loads.clone().into_par_iter().map(|number| traction(number, &self.loads[number]));
         let tractions: Vec<_> = numbered.collect();
-        let mut forces = vec![0.0; 3 * self.points.len()];
+        let mut forces = vec![0.0; 3 * points.len()];
         for (point, traction) in self.loads[loads].iter().zip(tractions) {
             for (a, weight) in point.hats {
                 // On a fold the components are along another plane than that of the traction.
@@ -508,7 +507,8 @@ impl SpaceBody {
                 } else {
                     self.planes[plane].components(self.planes[point.plane].vector(traction))
                 };
-                (0..3).for_each(|c| forces[3 * a + c] += weight * along[c]);
+                let own = 3 * (a - points.start);
+                (0..3).for_each(|c| forces[own + c] += weight * along[c]);
             }
         }
         forces

@@ -76,6 +76,15 @@ pub(super) struct Guess {
     pub resisted: Option<Vec<f64>>,
 }
 
+/// The end of a step.
+#[derive(Debug)]
+pub(super) struct ContactStep {
+    pub faces: SpaceFaces,
+    pub report: StepReport,
+    /// A ⟦w⟧ (N): the forces that resist the jumps.
+    pub resisted: Vec<f64>,
+}
+
 /// The contact problem of the faces of a body.
 #[derive(Debug, Clone, Copy)]
 pub struct SpaceContact<'a> {
@@ -103,7 +112,7 @@ impl SpaceContact<'_> {
         let friction = self.friction_of_points();
         let factor = &mut LaggedFactor::default();
         let guess = Guess { jumps: before.jumps.clone(), resisted: None };
-        let (faces, report, _) =
+        let ContactStep { faces, report, .. } =
             self.problem(&friction).step_from(&guess, factor, &before.jumps, (forces, dry))?;
         Ok((faces, report))
     }
@@ -123,8 +132,8 @@ impl SpaceContact<'_> {
 }
 
 impl FaceProblem<'_> {
-    /// The faces under `forces` (N), with slip that is measured from the jumps `origin` (mm), and
-    /// the forces A ⟦w⟧ (N) that resist their jumps. The iterations begin with `guess` and, if they
+    /// The faces under `forces` (N), with slip that is measured from the jumps `origin` (mm). The
+    /// iterations begin with `guess` and, if they
     /// fail to converge, again with `origin`. On entry `factor` is that of a similar step, on
     /// return that of this one. The pressures of `pockets` act on the faces in addition to
     /// `forces`.
@@ -136,7 +145,7 @@ impl FaceProblem<'_> {
         factor: &mut LaggedFactor,
         origin: &[f64],
         load: (&[f64], PocketsOfStep<'_>),
-    ) -> Result<(SpaceFaces, StepReport, Vec<f64>), SpaceContactError> {
+    ) -> Result<ContactStep, SpaceContactError> {
         match self.iterated(guess, factor, origin, load) {
             Err(SpaceContactError::NotConverged { .. }) if guess.jumps != origin => {
                 let guess = Guess { jumps: origin.to_vec(), resisted: None };
@@ -152,7 +161,7 @@ impl FaceProblem<'_> {
         factor: &mut LaggedFactor,
         origin: &[f64],
         (forces, pockets): (&[f64], PocketsOfStep<'_>),
-    ) -> Result<(SpaceFaces, StepReport, Vec<f64>), SpaceContactError> {
+    ) -> Result<ContactStep, SpaceContactError> {
         let points = origin.len() / 3;
         let mut jumps = guess.jumps.clone();
         let mut fluid = TrappedPressures::of(pockets);
@@ -177,16 +186,7 @@ impl FaceProblem<'_> {
             if kinds == last.0 && size(&right) <= CONVERGED * whole && fluid.holds(&jumps) {
                 return Ok(self.converged(jumps, &states, origin, (&forces, &fluid), iteration - 1));
             }
-            // Without slip the conditions are linear; if no point changes its state, the error
-            // falls as the square of the change.
-            let is_linear = states.iter().all(|state| state.turning == 0.0);
-            let wanted = if is_linear {
-                FINEST
-            } else if kinds == last.0 {
-                (0.1 * last.1).clamp(FINEST, COARSEST)
-            } else {
-                COARSEST
-            };
+            let wanted = wanted_residual(&states, (kinds == last.0).then_some(last.1));
             let rounding = ROUNDING * whole / size(&right).max(f64::MIN_POSITIVE);
             let mut change = held;
             factor.solve(&conditions, &right, wanted.max(rounding.min(0.5)), &mut change)?;
@@ -226,7 +226,7 @@ impl FaceProblem<'_> {
         origin: &[f64],
         (forces, fluid): (&[f64], &TrappedPressures<'_>),
         iterations: usize,
-    ) -> (SpaceFaces, StepReport, Vec<f64>) {
+    ) -> ContactStep {
         hold(&mut jumps, states, origin);
         let resisted = self.stiffness.times(&jumps);
         let mut reactions = difference(&resisted, forces);
@@ -235,7 +235,7 @@ impl FaceProblem<'_> {
         let status = states.iter().map(|state| state.status).collect();
         let faces = SpaceFaces { jumps, reactions, status, fluid: fluid.states().to_vec() };
         let violation = self.violation(&faces, origin);
-        (faces, StepReport { iterations, violation }, resisted)
+        ContactStep { faces, report: StepReport { iterations, violation }, resisted }
     }
 
     /// The effect of a unit pressure of a pocket while no unknown changes.
@@ -313,6 +313,16 @@ impl FaceProblem<'_> {
                 .max((shear - self.friction[a] * r.max(0.0)).max(0.0) / force)
         })
     }
+}
+
+/// The relative residual to which the linear system of `states` is solved; `last` is the last
+/// change of a jump, where no point has changed its state in it. Without slip the conditions are
+/// linear; if no point changes its state, the error falls as the square of the change.
+fn wanted_residual(states: &[PointState], last: Option<f64>) -> f64 {
+    if states.iter().all(|state| state.turning == 0.0) {
+        return FINEST;
+    }
+    last.map_or(COARSEST, |change| (0.1 * change).clamp(FINEST, COARSEST))
 }
 
 /// Sets the jumps that are held by `states` to the values at which they are held.

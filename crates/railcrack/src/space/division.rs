@@ -214,13 +214,18 @@ impl CellDivision {
     /// Columns and rows from the middle of the block to the point of its outline on column `t` of
     /// the ring, counted from the mouth or the middle where ζ = c.
     pub(super) fn outline(&self, t: f64) -> [f64; 2] {
+        self.leg(t).1
+    }
+
+    /// The leg of the outline, from 0, on which column `t` of the ring ends, and the place there.
+    fn leg(&self, t: f64) -> (usize, [f64; 2]) {
         let (k, m) = (self.columns as f64, self.rows as f64);
         match t {
-            t if t <= m => [k, t],
-            t if t <= m + 2.0 * k => [m + k - t, m],
-            t if t <= 3.0 * m + 2.0 * k => [-k, 2.0 * (m + k) - t],
-            t if t <= 3.0 * m + 4.0 * k => [t - 3.0 * (m + k), -m],
-            t => [k, t - 4.0 * (m + k)],
+            t if t <= m => (0, [k, t]),
+            t if t <= m + 2.0 * k => (1, [m + k - t, m]),
+            t if t <= 3.0 * m + 2.0 * k => (2, [-k, 2.0 * (m + k) - t]),
+            t if t <= 3.0 * m + 4.0 * k => (3, [t - 3.0 * (m + k), -m]),
+            t => (4, [k, t - 4.0 * (m + k)]),
         }
     }
 
@@ -264,14 +269,13 @@ impl CellDivision {
 
     /// φ over π/4 on column `t` of the ring: it goes with the place on the outline of the block.
     pub(super) fn turn(&self, t: f64) -> f64 {
-        let steps = self.outline(t);
+        let (leg, steps) = self.leg(t);
         let [x, y] = self.place(steps);
-        let (k, m) = (self.columns as f64, self.rows as f64);
-        match t {
-            t if t <= m => y,
-            t if t <= m + 2.0 * k => 2.0 - x,
-            t if t <= 3.0 * m + 2.0 * k => 4.0 - y,
-            t if t <= 3.0 * m + 4.0 * k => 6.0 + x,
+        match leg {
+            0 => y,
+            1 => 2.0 - x,
+            2 => 4.0 - y,
+            3 => 6.0 + x,
             _ => 8.0 + y,
         }
     }

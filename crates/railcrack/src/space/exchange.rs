@@ -2,12 +2,9 @@
 
 use super::body::SpaceBody;
 use super::groups::CrackGroup;
+use crate::growth::KEPT;
 use crate::linear::{LinearError, product};
 use crate::math::{Matrix, Track};
-
-/// Interpolation error of the stored jumps between their positions, relative to the largest jump,
-/// as in the plane.
-const KEPT: f64 = 3e-4;
 
 /// Values at the points of cracks during a passage: without the wheel, before and after it, and by
 /// position of the wheel.

@@ -111,26 +111,20 @@ impl FaceMatrix {
         if let [Part { matrix, places: Places::Unit }] = &self.parts[..] {
             return Cow::Borrowed(matrix.row(i));
         }
-        let mut row = vec![0.0; self.order];
-        for Part { matrix, places } in &self.parts {
-            let Some(own) = places.of(i) else { continue };
-            let entries = matrix.row(own.row);
-            for (j, value) in row.iter_mut().enumerate() {
-                if let Some(place) = places.of(j) {
-                    *value += own.weight * place.weight * entries[place.row];
-                }
-            }
-        }
-        Cow::Owned(row)
+        Cow::Owned(self.row_at(i, 0..self.order / 3).into_flattened())
     }
 
     /// The entries of row i at the components of each of `points`.
-    pub(super) fn row_at(&self, i: usize, points: &[usize]) -> Vec<[f64; 3]> {
+    pub(super) fn row_at(
+        &self,
+        i: usize,
+        points: impl ExactSizeIterator<Item = usize> + Clone,
+    ) -> Vec<[f64; 3]> {
         let mut row = vec![[0.0; 3]; points.len()];
         for Part { matrix, places } in &self.parts {
             let Some(own) = places.of(i) else { continue };
             let entries = matrix.row(own.row);
-            for (values, point) in row.iter_mut().zip(points) {
+            for (values, point) in row.iter_mut().zip(points.clone()) {
                 for (c, value) in values.iter_mut().enumerate() {
                     if let Some(place) = places.of(3 * point + c) {
                         *value += own.weight * place.weight * entries[place.row];

@@ -9,20 +9,11 @@
 use super::body::SpaceBody;
 use super::shape::Extent;
 use super::states::{SpaceFaces, SpaceStatus};
-use crate::contact::{FluidModel, FluidState, PocketState, PocketStatus, PressureProfile};
+use crate::contact::{
+    CrackFluid, FluidModel, FluidState, PocketState, PocketStatus, PressureProfile, compressed, reach_open,
+};
 use crate::math::dot;
 use std::ops::Range;
-
-/// Fluid in cracks in space.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SpaceFluid {
-    /// The model of its pressure.
-    pub model: FluidModel,
-    /// The profile down the dip, for a model with the pressure over the mouth.
-    pub profile: PressureProfile,
-    /// Indices (from 0) of the cracks with fluid; `None` for all cracks.
-    pub cracks: Option<Vec<usize>>,
-}
 
 /// Pressure (MPa) of the contact with the wheel at an abscissa (mm), at x and lateral position
 /// (mm).
@@ -53,7 +44,7 @@ pub(super) struct SpacePocket {
     points: Range<usize>,
     /// Its mouth; empty for a buried crack, which is always closed.
     mouth: Vec<MouthPoint>,
-    /// Pairs of adjacent points.
+    /// Pairs of adjacent points, counted from the first of the crack.
     neighbours: Vec<(usize, usize)>,
     /// Extent of the crack across the dip, mm: the volume per width refers to it.
     width: f64,
@@ -70,11 +61,10 @@ pub(super) struct FluidOnFaces {
 /// Relative increase of the content of leaking fluid that is attributed to rounding.
 const GROWN: f64 = 1e-9;
 
-impl SpaceFluid {
-    /// The fluid on the faces of `body`.
-    pub(super) fn on(&self, body: &SpaceBody) -> FluidOnFaces {
-        let is_wet = |crack: &usize| self.cracks.as_ref().is_none_or(|wet| wet.contains(crack));
-        let pockets = (0..body.cracks().len()).filter(is_wet).map(|crack| {
+impl CrackFluid {
+    /// The fluid on the faces of `body`; its profile is that down the dip.
+    pub(super) fn in_space(&self, body: &SpaceBody) -> FluidOnFaces {
+        let pockets = (0..body.cracks().len()).filter(|&crack| self.wets(crack)).map(|crack| {
             let mut pocket = SpacePocket::of(body, crack);
             if let FluidModel::Trapped { .. } = self.model {
                 pocket.free = dot(&pocket.unit, &body.compliance().times(&pocket.unit));
@@ -88,6 +78,7 @@ impl SpaceFluid {
 impl SpacePocket {
     fn of(body: &SpaceBody, crack: usize) -> Self {
         let part = &body.cracks()[crack];
+        let first = part.points.start;
         let pressed =
             |of: usize, _: [f64; 3]| if of == crack { [1.0, 1.0, 1.0, 0.0, 0.0, 0.0] } else { [0.0; 6] };
         let unit = body.nodal_forces_by_crack(pressed);
@@ -104,7 +95,7 @@ impl SpacePocket {
             free: 0.0,
             points: part.points.clone(),
             mouth: mouth.collect(),
-            neighbours: sides.filter(inside).collect(),
+            neighbours: sides.filter(inside).map(|(one, other)| (one - first, other - first)).collect(),
             width: 2.0 * part.shape.half_length,
         }
     }
@@ -143,16 +134,7 @@ impl SpacePocket {
         let mut reached = vec![false; self.points.len()];
         let outlets: Vec<&MouthPoint> = self.mouth.iter().filter(|m| is_open(faces, m.point)).collect();
         outlets.iter().for_each(|mouth| reached[mouth.point - first] = true);
-        let mut further = !outlets.is_empty();
-        while further {
-            further = false;
-            for &(one, other) in &self.neighbours {
-                let (i, j) = (one - first, other - first);
-                if reached[i] != reached[j] && is_open(faces, one) && is_open(faces, other) {
-                    (reached[i], reached[j], further) = (true, true, true);
-                }
-            }
-        }
+        reach_open(&mut reached, &self.neighbours, |own| is_open(faces, first + own));
         let blocked = self.points.clone().any(|point| is_open(faces, point) && !reached[point - first]);
         let pressures = outlets.iter().map(|mouth| over(position, mouth.at));
         if blocked { None } else { pressures.reduce(f64::min) }
@@ -161,11 +143,6 @@ impl SpacePocket {
 
 fn is_open(faces: &SpaceFaces, point: usize) -> bool {
     faces.status[point] == SpaceStatus::Open
-}
-
-/// e^(−p/B).
-pub(super) fn compressed(pressure: f64, bulk: f64) -> f64 {
-    (-pressure / bulk).exp()
 }
 
 impl FluidOnFaces {

@@ -1,7 +1,7 @@
 //! Faces followed from position to position of a passing wheel.
 
 use super::body::SpaceBody;
-use super::contact::{Guess, SpaceContactError, StepReport};
+use super::contact::{ContactStep, Guess, SpaceContactError, StepReport};
 use super::face_problem::FaceProblem;
 use super::fluid::{FluidOnFaces, FluidUnderWheel, SpacePocket};
 use super::history::{SpaceHistory, SpacePassageSettings};
@@ -145,19 +145,19 @@ impl PassageInProgress<'_> {
             fluid.faces.begin((last.position, &last.faces), to, &over)
         };
         let mut states = fluid.map_or_else(Vec::new, begin);
-        let (mut faces, mut report, mut resisted) = self.solved(guess, origin, forces, &states)?;
+        let mut solved = self.solved(guess, origin, forces, &states)?;
         if let Some(FluidUnderWheel { faces: fluid, over }) = fluid {
-            if let Some(released) = fluid.released(to, over, &faces, &states) {
+            if let Some(released) = fluid.released(to, over, &solved.faces, &states) {
                 states = released;
-                (faces, report, resisted) = self.solved(guess, origin, forces, &states)?;
+                solved = self.solved(guess, origin, forces, &states)?;
             }
-            if let Some(sealed) = fluid.refused(&states, &faces) {
+            if let Some(sealed) = fluid.refused(&states, &solved.faces) {
                 states = sealed;
-                (faces, report, resisted) = self.solved(guess, origin, forces, &states)?;
+                solved = self.solved(guess, origin, forces, &states)?;
             }
-            fluid.follow(&mut faces);
+            fluid.follow(&mut solved.faces);
         }
-        let StepReport { iterations, violation } = report;
+        let ContactStep { faces, report: StepReport { iterations, violation }, resisted } = solved;
         let history = &mut self.history;
         history.steps += 1;
         history.iterations += iterations;
@@ -166,15 +166,14 @@ impl PassageInProgress<'_> {
         Ok(WheelInstant { position: to, faces, resisted: Some(resisted) })
     }
 
-    /// The faces with the fluid of `states` at the beginning of the step, and the forces that
-    /// resist their jumps.
+    /// The step with the fluid of `states` at its beginning.
     fn solved(
         &mut self,
         guess: &Guess,
         origin: &[f64],
         forces: &[f64],
         states: &[PocketState],
-    ) -> Result<(SpaceFaces, StepReport, Vec<f64>), SpaceContactError> {
+    ) -> Result<ContactStep, SpaceContactError> {
         let FollowedFaces { body, friction, fluid, .. } = self.of;
         let fluid = fluid.map(|fluid| &fluid.faces);
         let trapped = fluid.filter(|fluid| fluid.is_trapped());
@@ -184,9 +183,8 @@ impl PassageInProgress<'_> {
             let pockets = PocketsOfStep { pockets, states, bulk_modulus };
             let guess = Guess { jumps: half.jumps(&guess.jumps), resisted: guess.resisted.clone() };
             let load = (&half.forces(forces)[..], pockets);
-            let (faces, report, resisted) =
-                half.problem().step_from(&guess, &mut self.factor, &half.jumps(origin), load)?;
-            return Ok((half.whole(faces), report, resisted));
+            let step = half.problem().step_from(&guess, &mut self.factor, &half.jumps(origin), load)?;
+            return Ok(ContactStep { faces: half.whole(step.faces), ..step });
         }
         let pockets = trapped.map_or(&[][..], |fluid| &fluid.pockets);
         let pockets = PocketsOfStep { pockets, states, bulk_modulus };
@@ -275,16 +273,7 @@ impl PassageInProgress<'_> {
                         Some(whole) => Ok(whole),
                         None => self.instant(Some(two.guess()), earlier.as_deref(), &last, to),
                     };
-                    let error = match whole {
-                        Ok(whole) => self.difference(&whole, &two),
-                        Err(SpaceContactError::NotConverged { .. }) => f64::INFINITY,
-                        Err(error) => return Err(error),
-                    };
-                    self.is_calm = error <= CALM * self.settings.tolerance;
-                    if error <= COARSER * self.settings.tolerance {
-                        self.level = level.saturating_sub(1);
-                    }
-                    error
+                    self.compared(whole, &two, level)?
                 };
                 if error <= self.settings.tolerance || is_last {
                     if error.is_finite() {
@@ -310,6 +299,26 @@ impl PassageInProgress<'_> {
             (_, Err(error)) | (Err(error), _) => return Err(error),
         }
         self.interval(None, to, level + 1)
+    }
+
+    /// The difference of K (MPa √mm) at the end of one step, `whole`, from that of two, and what
+    /// follows for the next steps; infinite where the one step does not converge.
+    fn compared(
+        &mut self,
+        whole: Result<Rc<WheelInstant>, SpaceContactError>,
+        two: &WheelInstant,
+        level: usize,
+    ) -> Result<f64, SpaceContactError> {
+        let error = match whole {
+            Ok(whole) => self.difference(&whole, two),
+            Err(SpaceContactError::NotConverged { .. }) => f64::INFINITY,
+            Err(error) => return Err(error),
+        };
+        self.is_calm = error <= CALM * self.settings.tolerance;
+        if error <= COARSER * self.settings.tolerance {
+            self.level = level.saturating_sub(1);
+        }
+        Ok(error)
     }
 
     /// The largest difference of K at two instants, MPa √mm.

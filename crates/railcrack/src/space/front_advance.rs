@@ -5,9 +5,9 @@ use super::front_motion::FrontSpeeds;
 use super::shape::SpaceCrack;
 use super::worn::{Worn, worn};
 use crate::growth::{
-    Event, FrontShape, GrowthSettings, LEAST_PART, Mover, Moving, Pace, RunStop, StepStart, TipStop,
-    WearingCrack, is_worth_a_step, least_length, nothing_grows, part_until_worn_away, run_stop,
-    spent_ligament, standstill,
+    ChangingCrack, Event, FrontShape, GrowthSettings, LEAST_PART, Mover, Moving, Pace, RunStop, StepStart,
+    TipStop, WearingCrack, is_worth_a_step, least_length, nothing_grows, run_stop, spent_ligament,
+    standstill,
 };
 use crate::math::RailBox;
 
@@ -24,6 +24,25 @@ pub(super) struct Start<'a> {
     /// Whether the rail fractures.
     pub breaks: bool,
     pub at: StepStart<'a>,
+}
+
+impl Start<'_> {
+    /// The speeds of the front of `crack` (from 0).
+    fn speeds(&self, crack: usize) -> FrontSpeeds {
+        FrontSpeeds::of_movers(&self.shapes[crack], crack, self.movers)
+    }
+
+    /// The increments (mm) of all fronts at `pace`; zero of cracks that have `stopped`.
+    fn increments(&self, pace: &Pace, stopped: &[Option<TipStop>]) -> Vec<FrontSpeeds> {
+        let of = |crack: usize| {
+            self.speeds(crack).map(|index, rate| {
+                let length = self.shapes[crack].length;
+                let grows = stopped[crack].is_none() && rate > 0.0;
+                if grows { pace.increment(&Mover { crack, index, rate, length }) } else { 0.0 }
+            })
+        };
+        (0..self.shapes.len()).map(of).collect()
+    }
 }
 
 /// The advance from one step to the next.
@@ -48,8 +67,7 @@ impl FrontAdvance {
     /// rail, use up its ligament or meet another crack, stops for good where it is, and the others
     /// continue to grow. Meanwhile, wear and grinding remove the running surface.
     pub fn new(start: &Start, growth: &GrowthSettings, rail: RailBox) -> Self {
-        let speeds_of = |crack: usize| FrontSpeeds::of_movers(&start.shapes[crack], crack, start.movers);
-        let grows = |crack: usize| speeds_of(crack).fastest().is_some();
+        let grows = |crack: usize| start.speeds(crack).fastest().is_some();
         let at_rest = |(crack, stop): (usize, &Option<TipStop>)| {
             stop.or_else(|| standstill(false, grows(crack), growth))
         };
@@ -59,20 +77,9 @@ impl FrontAdvance {
         // Every round but the last stops a crack or shortens the step to end at an event.
         let (pace, increments, mut shapes) = loop {
             let pace = pace(start, growth, &stopped, part);
-            let increments: Vec<FrontSpeeds> = (0..start.shapes.len())
-                .map(|crack| match stopped[crack] {
-                    None => speeds_of(crack).map(|index, rate| {
-                        let length = start.shapes[crack].length;
-                        if rate > 0.0 { pace.increment(&Mover { crack, index, rate, length }) } else { 0.0 }
-                    }),
-                    Some(_) => speeds_of(crack).map(|_, _| 0.0),
-                })
-                .collect();
-            let next: Vec<FrontShape> = increments
-                .iter()
-                .zip(start.shapes)
-                .map(|(increment, shape)| increment.moved(shape))
-                .collect();
+            let increments = start.increments(&pace, &stopped);
+            let moved = increments.iter().zip(start.shapes);
+            let next: Vec<FrontShape> = moved.map(|(increment, shape)| increment.moved(shape)).collect();
             let close = meeting(&next, &stopped);
             let meets = close.as_ref().and_then(|_| part_until_meeting(start.shapes, &increments, &stopped));
             let meets = meets.map(|part| Event { part, ends_run: false });
@@ -126,20 +133,16 @@ fn first_event(
         if stopped[crack].is_some() {
             return None;
         }
-        let grown = after.length - before.length;
-        // A buried crack is not shortened.
         let cut = removal / before.mouth_sine().unwrap_or_else(|| before.dip.sin());
-        let length = before.path_length();
-        let lengthens = if before.buried.is_none() { grown - cut } else { grown };
-        let critical = growth
-            .critical_length
-            .filter(|critical| length < *critical && length + lengthens > *critical)
-            .map(|critical| Event { part: (critical - length) / lengthens, ends_run: true });
-        let least = least_length(start.at.worn.longest_of(crack, length), resolution(before));
-        let away = (before.buried.is_none() && removal > 0.0)
-            .then(|| part_until_worn_away(length, cut - grown, least))
-            .flatten()
-            .map(|part| Event { part, ends_run: true });
+        let (length, is_open) = (before.path_length(), before.buried.is_none());
+        let least = || least_length(start.at.worn.longest_of(crack, length), resolution(before));
+        let changing = ChangingCrack {
+            length,
+            growth: after.length - before.length,
+            // A buried crack is not shortened.
+            cut: if is_open { cut } else { 0.0 },
+            least: (is_open && removal > 0.0).then(least),
+        };
         let ligament = |shape: &FrontShape, cut: f64| {
             let least = spent_ligament(shape.length, resolution(shape));
             Some(shape.buried? - cut - shape.length - least)
@@ -149,7 +152,7 @@ fn first_event(
             .filter(|(room, left)| *room > 0.0 && *left < 0.0)
             .map(|(room, left)| room / (room - left));
         let during = |part: f64| Event { part, ends_run: false };
-        Event::first([critical, away, surfacing.map(during)].into_iter().flatten().collect())
+        Event::first(changing.events(growth).chain(surfacing.map(during)).collect())
     };
     Event::first(start.shapes.iter().zip(next).enumerate().filter_map(of).collect())
 }
@@ -335,7 +338,7 @@ mod tests {
         let start = |movers, at| Start { shapes: &shapes, stopped: &[None], movers, breaks: false, at };
         let [before, now] = [movers(2e-6, 1e-6), movers(2.4e-6, 1.1e-6)];
         let first = FrontAdvance::new(&start(&before, at), &smooth, RAIL).pace.unwrap();
-        let earlier = first.as_earlier(&before, true);
+        let earlier = first.progress(&before, |_| false).earlier.unwrap();
         let at = StepStart { earlier: Some(&earlier), passed: first.cycles, ..at };
         let next = FrontAdvance::new(&start(&now, at), &smooth, RAIL);
         assert_eq!(next.shapes[0].middle, [0.0, 0.0], "{next:?}");

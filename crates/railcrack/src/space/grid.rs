@@ -27,6 +27,31 @@ pub(super) struct FrontColumn {
     pub distance: f64,
 }
 
+impl FrontColumn {
+    /// The end of column `t` of the ring of `crack`, with its `vertices` in the first two rows.
+    fn new(crack: &SpaceCrack, division: &CellDivision, t: f64, vertices: [usize; 2]) -> Self {
+        let disc = Disc(division);
+        let phi = 0.25 * PI * division.turn(t);
+        let h = 1e-4;
+        let on_front = |t: f64| crack.point(disc.ring(t, division.parameter(0.0).powi(2)));
+        let (ahead, behind) = (on_front(t + h), on_front(t - h));
+        let tangent = [ahead[0] - behind[0], ahead[1] - behind[1]];
+        let length = tangent[0].hypot(tangent[1]);
+        // φ grows from ζ = c towards s = l: the outward normal is the tangent turned.
+        let normal = [-tangent[1] / length, tangent[0] / length];
+        let [near, beyond] = [h, -h].map(|w| crack.point(disc.ring(t, w)));
+        let inward = (beyond[0] - near[0]) * normal[0] + (beyond[1] - near[1]) * normal[1];
+        Self {
+            phi,
+            vertices,
+            parameters: [1.0, 2.0].map(|row| division.parameter(row)),
+            counts: division.counts(phi),
+            normal,
+            distance: inward / (2.0 * h),
+        }
+    }
+}
+
 /// The cells of a crack.
 #[derive(Debug, Clone)]
 pub(super) struct Grid {
@@ -128,26 +153,7 @@ impl Grid {
             }
         }
         let front = (0..around)
-            .map(|t| {
-                let vertices = [vertex(t, 1), vertex(t, 2)];
-                let phi = 0.25 * PI * division.turn(t as f64);
-                let (h, t) = (1e-4, t as f64);
-                let (ahead, behind) = (ring_point(t + h, 0.0), ring_point(t - h, 0.0));
-                let tangent = [ahead[0] - behind[0], ahead[1] - behind[1]];
-                let length = tangent[0].hypot(tangent[1]);
-                // φ grows from ζ = c towards s = l: the outward normal is the tangent turned.
-                let normal = [-tangent[1] / length, tangent[0] / length];
-                let [near, beyond] = [h, -h].map(|w| crack.point(disc.ring(t, w)));
-                let inward = (beyond[0] - near[0]) * normal[0] + (beyond[1] - near[1]) * normal[1];
-                FrontColumn {
-                    phi,
-                    vertices,
-                    parameters: [1.0, 2.0].map(|row| division.parameter(row)),
-                    counts: division.counts(phi),
-                    normal,
-                    distance: inward / (2.0 * h),
-                }
-            })
+            .map(|t| FrontColumn::new(crack, division, t as f64, [vertex(t, 1), vertex(t, 2)]))
             .collect();
         Self { cells, mouth, vertices, free, front, is_graded: division.is_graded() }
     }

@@ -143,7 +143,7 @@ impl<'a> Linearised<'a> {
         let mut columns = vec![0.0f32; order * order];
         columns.par_chunks_mut(order.max(1)).enumerate().for_each(|(k, column)| {
             let unknown = self.conditions[k].unknown;
-            let row = self.matrix.row_at(unknown, &points);
+            let row = self.matrix.row_at(unknown, points.iter().copied());
             let mut conditions = self.conditions.iter().zip(column).peekable();
             for (point, image) in points.iter().zip(&row) {
                 while let Some((condition, entry)) =

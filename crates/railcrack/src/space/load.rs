@@ -1,14 +1,18 @@
 //! Loads of a rail with cracks in space, and their nodal forces.
 
 use super::body::{LoadPoint, SpaceBody};
-use super::fluid::{FluidUnderWheel, SpaceFluid};
+use super::fluid::FluidUnderWheel;
 use super::mirror::{MirroredPoints, agree, mirrored_stresses};
 use super::nuclei::Symmetric;
 use super::wheel_lines::WheelLines;
 use super::wheel_stress::WheelStress;
+use crate::contact::CrackFluid;
 use crate::interruption::{Interrupted, Interruption};
 use crate::load::Bending;
 use rayon::prelude::*;
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
 
 /// Stress (MPa) of the uncracked rail at x, lateral and depth (mm).
 pub(super) type StressAt<'a> = dyn Fn([f64; 3]) -> Symmetric + Sync + 'a;
@@ -29,7 +33,7 @@ pub struct SpaceLoad<'a> {
 #[derive(Clone, Copy)]
 pub struct SpaceFluidLoad<'a> {
     /// The fluid.
-    pub fluid: &'a SpaceFluid,
+    pub fluid: &'a CrackFluid,
     /// Pressure of the contact (MPa) with the wheel at an abscissa (mm), at x and lateral position
     /// (mm); zero outside of the contact.
     pub over: &'a (dyn Fn(f64, [f64; 2]) -> f64 + Sync),
@@ -76,6 +80,29 @@ impl SpaceLoad<'_> {
     }
 }
 
+/// Nodal forces (N) by the position of the wheel, each computed once.
+#[derive(Debug, Default)]
+pub(super) struct ForcesByPosition(RefCell<HashMap<u64, Rc<[f64]>>>);
+
+impl ForcesByPosition {
+    /// The forces at `position` (mm), which are those of `compute` if they are not known yet.
+    pub fn at(&self, position: f64, compute: impl FnOnce(f64) -> Vec<f64>) -> Rc<[f64]> {
+        let known = self.0.borrow().get(&position.to_bits()).cloned();
+        known.unwrap_or_else(|| {
+            let forces: Rc<[f64]> = compute(position).into();
+            self.0.borrow_mut().insert(position.to_bits(), Rc::clone(&forces));
+            forces
+        })
+    }
+}
+
+impl FromIterator<(f64, Vec<f64>)> for ForcesByPosition {
+    fn from_iter<I: IntoIterator<Item = (f64, Vec<f64>)>>(known: I) -> Self {
+        let by_bits = |(position, forces): (f64, Vec<f64>)| (position.to_bits(), forces.into());
+        Self(RefCell::new(known.into_iter().map(by_bits).collect()))
+    }
+}
+
 /// A wheel over the faces of a body: its forces on them, before they touch.
 pub(super) struct WheelOverFaces<'a> {
     load: &'a SpaceLoad<'a>,
@@ -114,7 +141,7 @@ impl WheelOverFaces<'_> {
     /// Nodal forces (N) with the wheel at `position` (mm), those of the fluid from the mouth
     /// included.
     pub fn forces(&self, position: f64) -> Vec<f64> {
-        let all = 0..self.body.load_points().len();
+        let all = 0..self.body.cracks().len();
         let forces = self.body.forces_of_tractions(all, |k, load| self.traction(k, load, position));
         match &self.mirrored {
             Some(points) => points.with_mirrored_forces(forces),
@@ -125,9 +152,6 @@ impl WheelOverFaces<'_> {
     /// Nodal forces (N) at the points of `crack` (from 0); of symmetric faces, those of the loads
     /// on one side.
     pub fn forces_on(&self, crack: usize, position: f64) -> Vec<f64> {
-        let loads = self.body.load_points_of(crack);
-        let forces = self.body.forces_of_tractions(loads, |k, load| self.traction(k, load, position));
-        let points = &self.body.cracks()[crack].points;
-        forces[3 * points.start..3 * points.end].to_vec()
+        self.body.forces_of_tractions(crack..crack + 1, |k, load| self.traction(k, load, position))
     }
 }

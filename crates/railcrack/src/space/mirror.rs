@@ -10,7 +10,7 @@
 use super::body::SpaceBody;
 use super::face_matrix::FaceMatrix;
 use super::face_problem::FaceProblem;
-use super::mirror_image::{COINCIDENT, SIGNS};
+use super::mirror_image::{SIGNS, images};
 use super::nuclei::Symmetric;
 use super::states::{SpaceFaces, SpaceStatus};
 use crate::interruption::Interruption;
@@ -180,19 +180,10 @@ fn pairs(body: &SpaceBody) -> Option<(f64, Vec<[usize; 2]>)> {
         if shape.strike != 0.0 || shape.middle[1] != middle {
             return None;
         }
-        let allowed = COINCIDENT * shape.length.max(shape.half_length);
-        for one in part.points.clone() {
-            let [x, lateral, depth] = body.points()[one];
-            let is_image = |&other: &usize| {
-                let [u, v, w] = body.points()[other];
-                let apart = [u - x, v + lateral - 2.0 * middle, w - depth];
-                apart.iter().all(|distance| distance.abs() <= allowed)
-            };
-            let other = part.points.clone().find(is_image)?;
-            if one <= other {
-                pairs.push([one, other]);
-            }
-        }
+        let first = part.points.start;
+        let own: Vec<_> = part.points.clone().map(|point| part.coordinates(body.points()[point])).collect();
+        let images = images(&own)?.into_iter().enumerate();
+        pairs.extend(images.filter(|(one, other)| one <= other).map(|(i, j)| [first + i, first + j]));
     }
     Some((middle, pairs))
 }

@@ -10,7 +10,7 @@ use std::collections::HashMap;
 pub(super) const SIGNS: [f64; 3] = [1.0, 1.0, -1.0];
 /// Distance of a point from the mirror image of another one, relative to the size of the cracks, up
 /// to which it is round-off: the points of a grid are closer together by a factor of 10⁴ at most.
-pub(super) const COINCIDENT: f64 = 1e-9;
+const COINCIDENT: f64 = 1e-9;
 
 /// The mirror image of each of `points` (s, ζ) about the line of dip through the middle; none if
 /// one is missing.

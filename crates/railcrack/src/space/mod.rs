@@ -60,7 +60,6 @@ pub use contact::{SpaceContact, SpaceContactError, StepReport};
 pub use division::{CellDivision, SpaceResolution, VERTEX_LAYER};
 pub use error::{CloseCracks, SpaceError};
 pub use face_matrix::FaceMatrix;
-pub use fluid::SpaceFluid;
 pub use fold::{FoldError, FoldedBodyError, FoldedCrack, FoldedResolution};
 pub use history::{SpaceHistory, SpacePassageSettings};
 pub use load::{SpaceFluidLoad, SpaceLoad};

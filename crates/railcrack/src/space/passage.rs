@@ -4,16 +4,13 @@ use super::contact::{SpaceContact, SpaceContactError};
 use super::fluid::{FluidUnderWheel, SpacePocket};
 use super::followed::{FollowedFaces, HalfWithFluid};
 use super::history::{SpaceHistory, SpacePassageSettings};
-use super::load::{SpaceLoad, WheelOverFaces};
+use super::load::{ForcesByPosition, SpaceLoad, WheelOverFaces};
 use super::mirror::{MirroredHalf, MirroredPoints};
 use super::states::SpaceFaces;
 use crate::growth::{Observer, output_positions};
 use crate::interruption::{Interrupted, Interruption};
 use crate::load::Passage;
 use rayon::prelude::*;
-use std::cell::RefCell;
-use std::collections::HashMap;
-use std::rc::Rc;
 
 /// Passages of one wheel over one body. Nodal forces are never interpolated between positions: they
 /// are not differentiable where the edge of the contact passes the mouth, and an overshoot of the
@@ -28,8 +25,8 @@ pub struct SpacePassages<'a> {
     /// One half of the faces with its fluid, where body and load are symmetric.
     half: Option<HalfWithFluid>,
     positions: Vec<f64>,
-    /// Nodal forces by the bits of their position, kept for the next passage.
-    forces: RefCell<HashMap<u64, Rc<[f64]>>>,
+    /// Nodal forces, kept for the next passage.
+    forces: ForcesByPosition,
 }
 
 impl<'a> SpacePassages<'a> {
@@ -48,7 +45,8 @@ impl<'a> SpacePassages<'a> {
         let asked = || observer.interrupted();
         let interruption = Interruption::when(&asked);
         let mut positions = output_positions(&passage, load.bending, &body.places());
-        let fluid = load.fluid.map(|load| FluidUnderWheel { faces: load.fluid.on(body), over: load.over });
+        let fluid =
+            load.fluid.map(|load| FluidUnderWheel { faces: load.fluid.in_space(body), over: load.over });
         if let Some(FluidUnderWheel { faces, over }) = &fluid {
             let runs_back = positions.last() < positions.first();
             positions.extend(faces.stations(&positions, *over));
@@ -79,11 +77,10 @@ impl<'a> SpacePassages<'a> {
             .par_iter()
             .map(|&position| {
                 interruption.check()?;
-                Ok((position.to_bits(), with_constant(over.forces(position), &constant)))
+                Ok((position, with_constant(over.forces(position), &constant)))
             })
             .collect::<Result<Vec<_>, Interrupted>>()?;
-        let forces = forces.into_iter().map(|(at, forces)| (at, Rc::from(forces))).collect();
-        let forces = RefCell::new(forces);
+        let forces = forces.into_iter().collect();
         Ok(Self { contact, over, observer, constant, friction, half, positions, forces })
     }
 
@@ -108,21 +105,12 @@ impl<'a> SpacePassages<'a> {
             half: self.half.as_ref(),
             positions: &self.positions,
             unloaded: [&self.constant; 2],
-            forces: &|position| self.forces_at(position),
+            forces: &|position| {
+                self.forces.at(position, |at| with_constant(self.over.forces(at), &self.constant))
+            },
             observer: self.observer,
         };
         followed.pass(settings, faces, &mut |_| {})
-    }
-
-    /// Nodal forces (N) with the wheel at `position` (mm).
-    fn forces_at(&self, position: f64) -> Rc<[f64]> {
-        let at = position.to_bits();
-        if let Some(forces) = self.forces.borrow().get(&at) {
-            return Rc::clone(forces);
-        }
-        let forces: Rc<[f64]> = with_constant(self.over.forces(position), &self.constant).into();
-        self.forces.borrow_mut().insert(at, Rc::clone(&forces));
-        forces
     }
 }
 
@@ -148,12 +136,10 @@ pub fn space_passage(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{FluidModel, PressureProfile};
+    use crate::contact::{CrackFluid, FluidModel, PressureProfile};
     use crate::growth::Unobserved;
     use crate::material::IsotropicElastic;
-    use crate::space::{
-        EllipticWheel, SpaceBody, SpaceCrack, SpaceFluid, SpaceFluidLoad, SpaceResolution, Surroundings,
-    };
+    use crate::space::{EllipticWheel, SpaceBody, SpaceCrack, SpaceFluidLoad, SpaceResolution, Surroundings};
 
     const WHEEL: EllipticWheel = EllipticWheel {
         peak_pressure: 900.0,
@@ -177,7 +163,7 @@ mod tests {
         let cracks = [first.checked().unwrap(), second.checked().unwrap()];
         let body = SpaceBody::new(&cracks, &steel, Surroundings::HalfSpace, resolution).unwrap();
         let contact = SpaceContact { body: &body, friction: &[0.3, 0.2] };
-        let trapped = SpaceFluid {
+        let trapped = CrackFluid {
             model: FluidModel::Trapped { bulk_modulus: f64::INFINITY, leak: true },
             profile: PressureProfile::Constant,
             cracks: None,

@@ -5,7 +5,6 @@ use super::body::{FrontPoint, SpaceBody};
 use super::contact::{SpaceContact, SpaceContactError};
 use super::division::{CellDivision, SpaceResolution};
 use super::error::{CloseCracks, SpaceError};
-use super::fluid::SpaceFluid;
 use super::fold::FoldedCrack;
 use super::front_advance::{FrontAdvance, Start};
 use super::front_motion::FrontSpeeds;
@@ -23,13 +22,14 @@ use super::sweeps::GroupedPassages;
 use super::tips::FrontLaw;
 use super::wheel_stress::PatchOnRail;
 use crate::body::BodyError;
+use crate::contact::CrackFluid;
 use crate::crack::{Crack, CrackError};
 use crate::fatigue::RUNAWAY;
 use crate::field::StressField;
 use crate::growth::{
     Advance, BodyReport, CrackedRail, FieldRecord, FieldSettings, FrontShape, Geometry, GrowthError,
     GrowthSettings, GrowthState, Memory, Mover, NetworkContact, Observer, PassageSettings, SpaceGeometry,
-    StabilisedPassage, StepStart, StressMoves, TipDemand, TipGeometry, TipRecord, TipStop, Uncovered,
+    StabilisedPassage, StepProgress, StepStart, TipDemand, TipGeometry, TipRecord, TipStop, Uncovered,
     Warning, WarningKind, WheelOfRail, under_each_wheel,
 };
 use crate::interruption::Interruption;
@@ -80,7 +80,7 @@ pub struct SpaceWheel {
     /// function of depth alone, the same at all lateral positions.
     pub residual: Option<Box<dyn StressField>>,
     /// Fluid in the cracks while it passes; `None` for dry ones.
-    pub fluid: Option<SpaceFluid>,
+    pub fluid: Option<CrackFluid>,
     /// Its passages.
     pub passages: PassageSettings,
     /// K_Ic (MPa √mm) at its temperature; `None` for that of the growth settings.
@@ -223,23 +223,9 @@ fn of_contact(step: usize, error: SpaceContactError) -> GrowthError {
 impl SpaceRail {
     /// The output positions whose jumps are written in this step.
     fn written(&self, passage: &StabilisedSpace, step: usize) -> Vec<usize> {
-        let wanted = self.fields.as_ref().filter(|fields| step.is_multiple_of(fields.every.get()));
-        let Some((fields, history)) = wanted.zip(passage.passages.last()) else { return Vec::new() };
-        let nearest = |at: &f64| {
-            let distance = |x: &f64| (x - at).abs();
-            let all = history.positions.iter().enumerate();
-            all.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1))).map(|(i, _)| i)
-        };
-        let mut positions: Vec<usize> = fields.positions.iter().filter_map(nearest).collect();
-        positions.sort_unstable();
-        positions.dedup();
-        positions
-    }
-
-    /// Depth (mm) by which the residual stress has come closer to the surface.
-    fn uncovered(&self, at: &StepStart<'_>) -> f64 {
-        let moves = self.growth.maintenance.as_ref().map(|maintenance| maintenance.stress);
-        if moves == Some(StressMoves::WithMetal) { at.worn.removed } else { 0.0 }
+        let due = self.fields.as_ref().filter(|fields| fields.are_due(step));
+        let Some((fields, history)) = due.zip(passage.passages.last()) else { return Vec::new() };
+        fields.nearest(&history.positions)
     }
 
     fn demand(&self, geometry: &SpaceGeometry, tip: &TipRecord) -> TipDemand {
@@ -316,7 +302,7 @@ impl CrackedRail for SpaceRail {
     ) -> Result<Vec<StabilisedPassage>, GrowthError> {
         let contact = SpaceContact { body, friction: &self.friction };
         let poisson = self.steel.poisson();
-        let removed = self.uncovered(at);
+        let removed = self.growth.uncovered(at.worn);
         under_each_wheel(self.wheels.len(), observer, warnings, |number, observer, _| {
             let SpaceWheel { wheel, bending, residual, fluid, passages, .. } = &self.wheels[number];
             let over = |position: f64, at: [f64; 2]| wheel.pressure(position, at);
@@ -379,10 +365,8 @@ impl CrackedRail for SpaceRail {
 
     /// As in the plane; points that do not count in growth break nothing.
     fn hazard(&self, SpaceSite { geometry, .. }: &SpaceSite, tip: &TipRecord) -> f64 {
-        let demand = self.demand(geometry, tip);
-        let counts = demand.is_tip() && tip.front().is_some_and(|front| front.counts);
-        let Some(toughness) = self.growth.toughness.filter(|_| counts) else { return 0.0 };
-        demand.largest_k1 / toughness
+        let counts = tip.front().is_some_and(|front| front.counts);
+        if counts { self.demand(geometry, tip).hazard(&self.growth) } else { 0.0 }
     }
 
     /// Cracks in space keep their planes.
@@ -427,28 +411,13 @@ impl CrackedRail for SpaceRail {
         }
         let mut warnings = misfits(tips, &start, site);
         warnings.extend(next.meetings.iter().map(|close| meeting_warning(close, at.step)));
-        let pace = next.pace.as_ref();
-        let (share, earlier) =
-            pace.map_or((0.0, None), |pace| (pace.share, Some(pace.as_earlier(movers, true))));
-        let (interval, removal) =
-            (pace.and_then(|pace| pace.interval(|_| false)), pace.map_or(0.0, |pace| pace.removal));
-        let ground = pace.is_some_and(|pace| pace.grinds);
-        let FrontAdvance { shapes, stopped, stop, .. } = next;
+        let FrontAdvance { shapes, stopped, stop, pace, .. } = next;
+        // Fronts keep their planes.
+        let progress = pace.map_or_else(StepProgress::default, |pace| pace.progress(movers, |_| false));
         // Shapes advanced from admissible ones are admissible.
         let unchanged = || SpaceGeometry { stopped: stopped.clone(), ..before.clone() };
         let geometry = geometry(shapes, stopped.clone()).unwrap_or_else(|_| unchanged());
-        Advance {
-            geometry: Geometry::Space(geometry),
-            pieces: Vec::new(),
-            cycles,
-            share,
-            earlier,
-            interval,
-            removal,
-            ground,
-            stop,
-            warnings,
-        }
+        Advance { geometry: Geometry::Space(geometry), pieces: Vec::new(), progress, stop, warnings }
     }
 }
 

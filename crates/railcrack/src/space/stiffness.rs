@@ -64,15 +64,12 @@ pub(super) fn stiffness_of(
         return own(0);
     }
     let surroundings = kernel.map_or(Surroundings::FullSpace, |_| Surroundings::HalfSpace);
-    let starts: Vec<usize> = placed
-        .iter()
-        .scan(0, |next, crack| {
-            let start = *next;
-            *next += 3 * crack.grid.free;
-            Some(start)
-        })
-        .collect();
-    let order = placed.iter().map(|crack| 3 * crack.grid.free).sum();
+    let mut starts = Vec::with_capacity(placed.len());
+    let mut order = 0;
+    for crack in placed {
+        starts.push(order);
+        order += 3 * crack.grid.free;
+    }
     let mut stiffness = Matrix::zeros(order, order);
     let first_copies = first_copies(cracks);
     let mut integrated: Vec<[usize; 2]> = Vec::new();
@@ -92,23 +89,21 @@ pub(super) fn stiffness_of(
             }
         }
         for (j, (other, &first)) in placed[..k].iter().zip(&starts).enumerate() {
-            if let Some([row, column]) = integrated_as([j, k], cracks, &first_copies, &integrated) {
+            let between = match integrated_as([j, k], cracks, &first_copies, &integrated) {
                 // Pairs of copies at equal offsets differ by a translation of the half-space.
-                for i in 0..3 * other.grid.free {
-                    for c in 0..size {
-                        let value = stiffness[(starts[row] + i, starts[column] + c)];
-                        stiffness[(first + i, start + c)] = value;
-                        stiffness[(start + c, first + i)] = value;
-                    }
+                Some([row, column]) => Matrix::from_fn(3 * other.grid.free, size, |i, c| {
+                    stiffness[(starts[row] + i, starts[column] + c)]
+                }),
+                None => {
+                    integrated.push([j, k]);
+                    let between = cross_stiffness([*other, *crack], surroundings, poisson, interruption)?;
+                    Matrix::from_fn(between.rows(), between.columns(), |i, c| mu * between[(i, c)])
                 }
-                continue;
-            }
-            integrated.push([j, k]);
-            let between = cross_stiffness([*other, *crack], surroundings, poisson, interruption)?;
+            };
             for i in 0..between.rows() {
-                for (j, value) in between.row(i).iter().enumerate() {
-                    stiffness[(first + i, start + j)] = mu * value;
-                    stiffness[(start + j, first + i)] = mu * value;
+                for (c, &value) in between.row(i).iter().enumerate() {
+                    stiffness[(first + i, start + c)] = value;
+                    stiffness[(start + c, first + i)] = value;
                 }
             }
         }

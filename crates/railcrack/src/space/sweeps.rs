@@ -1,8 +1,4 @@
 //! Passages of a wheel over many cracks in space, group by group, in sweeps until the groups agree.
-//!
-//! Each group is solved for step by step under the wheel and the forces of all cracks that are not
-//! among its members, with the jumps that these cracks had in the previous sweep, each in its own
-//! group: a waveform relaxation with overlapping blocks, as in the plane.
 
 use super::body::{FrontSif, SpaceBody};
 use super::contact::SpaceContactError;
@@ -11,24 +7,20 @@ use super::fluid::FluidUnderWheel;
 use super::followed::{FollowedFaces, HalfWithFluid};
 use super::groups::CrackGroup;
 use super::history::{SpaceHistory, SpacePassageSettings};
-use super::load::{SpaceLoad, WheelOverFaces};
+use super::load::{ForcesByPosition, SpaceLoad, WheelOverFaces};
 use super::mirror::{MirroredHalf, MirroredPoints};
 use super::stabilised::Passages;
 use super::states::{SpaceFaces, SpaceStatus};
 use crate::growth::{
-    GroupsError, Observer, PassageSettings, SweepProgress, WithoutProgress, output_positions,
+    GroupsError, Observer, PassageSettings, SweepError, SweepProgress, WithoutProgress, output_positions,
 };
 use crate::interruption::{Interrupted, Interruption};
 use crate::linear::LinearError;
 use rayon::prelude::*;
-use std::cell::RefCell;
 use std::collections::HashMap;
 use std::ops::Range;
-use std::rc::Rc;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Largest number of sweeps over a passage.
-const MOST_SWEEPS: usize = 12;
 /// The ratio of the changes of K in successive sweeps is assumed to be at least this large: the
 /// first sweep is compared with a trial of longer load steps, which differs by more than its error.
 const LEAST_CONTRACTION: f64 = 0.05;
@@ -68,10 +60,7 @@ pub(super) struct GroupedPassages<'a> {
     last: Vec<Vec<Vec<FrontSif>>>,
     /// The largest |K| of each crack so far.
     peaks: Vec<f64>,
-    /// The last known ratio of the change of K in a sweep to that in the previous sweep.
-    contraction: f64,
-    /// The largest estimated error left by the sweeps over a passage, relative to the peak of K.
-    error: f64,
+    error: SweepError,
 }
 
 impl<'a> GroupedPassages<'a> {
@@ -88,7 +77,8 @@ impl<'a> GroupedPassages<'a> {
     ) -> Result<Self, Interrupted> {
         let constant = load.constant_forces(body);
         let positions = output_positions(&settings.passage, load.bending, &body.places());
-        let fluid = load.fluid.map(|load| FluidUnderWheel { faces: load.fluid.on(body), over: load.over });
+        let fluid =
+            load.fluid.map(|load| FluidUnderWheel { faces: load.fluid.in_space(body), over: load.over });
         let is_symmetric = |points: &MirroredPoints| {
             points.is_symmetric(&constant) && load.is_mirrored(body, points, &positions)
         };
@@ -121,8 +111,7 @@ impl<'a> GroupedPassages<'a> {
             jumps: Vec::new(),
             last: Vec::new(),
             peaks: vec![0.0; count],
-            contraction: 1.0,
-            error: 0.0,
+            error: SweepError::new(LEAST_CONTRACTION),
         };
         // Forces do not depend on the contact: those needed in every passage are computed at once.
         passages.positions.par_iter().try_for_each(|&position| {
@@ -215,6 +204,7 @@ impl<'a> GroupedPassages<'a> {
             forces
         });
         let points = half.as_ref().map(|(half, _)| &half.points);
+        let known = ForcesByPosition::default();
         let computed = |position: f64| {
             let of = of.members.iter().map(|&crack| self.wheel_forces(crack, position));
             let mut forces: Vec<f64> = of.flat_map(|forces| forces.to_vec()).collect();
@@ -223,16 +213,7 @@ impl<'a> GroupedPassages<'a> {
             }
             forces.iter_mut().zip(&constant).for_each(|(force, constant)| *force += constant);
             outside.add(position, &mut forces);
-            Rc::from(forces)
-        };
-        let known: RefCell<HashMap<u64, Rc<[f64]>>> = RefCell::default();
-        let forces = |position: f64| {
-            let found = known.borrow().get(&position.to_bits()).cloned();
-            found.unwrap_or_else(|| {
-                let forces: Rc<[f64]> = computed(position);
-                known.borrow_mut().insert(position.to_bits(), Rc::clone(&forces));
-                forces
-            })
+            forces
         };
         let front = of.body.cracks()[of.own].front.clone();
         let quiet = WithoutProgress(self.observer);
@@ -243,7 +224,7 @@ impl<'a> GroupedPassages<'a> {
             half: half.as_ref(),
             positions: &self.positions,
             unloaded: [&unloaded[0], &unloaded[1]],
-            forces: &forces,
+            forces: &|position| known.at(position, computed),
             observer: &quiet,
         };
         let mut faces = self.faces_of(of, faces);
@@ -310,11 +291,9 @@ impl Passages for GroupedPassages<'_> {
     ) -> Result<SpaceHistory, SpaceContactError> {
         let share = if self.are_whole() { 1.0 } else { SHARE_OF_TOLERANCE };
         let settings = &SpacePassageSettings { tolerance: share * settings.tolerance, ..*settings };
-        let mut before = 0.0;
         let (mut steps, mut iterations, mut most) = (0, 0, 0);
-        let mut sweep = 0;
+        let mut sweep = self.error.begin();
         loop {
-            sweep += 1;
             let runs = self.sweep(settings, faces, sweep)?;
             for OwnResults { history, .. } in &runs {
                 steps += history.steps;
@@ -323,18 +302,14 @@ impl Passages for GroupedPassages<'_> {
             }
             let change = self.change(&runs);
             self.keep(&runs);
-            // Changes below that are due to the load steps.
-            if before > self.settings.step_tolerance {
-                self.contraction = (change / before).clamp(LEAST_CONTRACTION, 1.0);
-            }
-            before = change;
-            let left = if self.are_whole() { 0.0 } else { self.contraction * change };
-            if left <= self.settings.network_tolerance || sweep == MOST_SWEEPS {
-                self.error = self.error.max(left);
+            // Groups of all cracks do not depend on each other.
+            let change = if self.are_whole() { 0.0 } else { change };
+            let Some(next) = self.error.next(change, self.settings) else {
                 *faces = joined(runs.iter().map(|run| run.end.clone()));
                 let history = self.together(&runs);
                 return Ok(SpaceHistory { steps, iterations, iterations_max: most, ..history });
-            }
+            };
+            sweep = next;
         }
     }
 
@@ -362,7 +337,7 @@ impl Passages for GroupedPassages<'_> {
         };
         let of_groups = self.groups.par_iter().map(of_group).collect::<Result<Vec<f64>, LinearError>>()?;
         let interpolation = of_groups.into_iter().fold(0.0, f64::max);
-        Ok(Some(GroupsError { sweeps: self.error, interpolation, far: 0.0 }))
+        Ok(Some(GroupsError { sweeps: self.error.largest, interpolation, far: 0.0 }))
     }
 }
 

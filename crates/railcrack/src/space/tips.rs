@@ -8,6 +8,7 @@ use crate::growth::{
     FrontShape, FrontTip, GrowthSettings, MixedTip, StabilisedPassage, TipGeometry, TipRecord, WheelDemand,
     WheelOfRail,
 };
+use crate::math::Vec2;
 
 /// Settings that turn K along fronts into growth.
 pub(super) struct FrontLaw<'a> {
@@ -44,20 +45,7 @@ impl FrontLaw<'_> {
         wheels: &[WheelOfRail],
         passages: &[StabilisedPassage],
     ) -> TipRecord {
-        let law = &self.growth.law;
-        let demand = |passage: &StabilisedPassage| {
-            let ranges = SifRanges::of(&passage.histories[q]);
-            let modes = [ranges.delta_ki, ranges.delta_kii, passage.delta_kiii[q]];
-            let delta_keq = law.equivalent.of_three(modes, self.poisson, self.mode_3_weight);
-            WheelDemand {
-                ranges,
-                delta_keq,
-                rate: law
-                    .rate_of(delta_keq, LoadRange { delta_kii: modes[1].hypot(modes[2]), ..ranges.load() }),
-                largest_k1: LargestK1::of(&passage.histories[q]),
-            }
-        };
-        let demands: Vec<WheelDemand> = passages.iter().map(demand).collect();
+        let demands: Vec<WheelDemand> = passages.iter().map(|passage| self.demand(passage, q)).collect();
         let under = MixedTip::of(&demands, wheels);
         let histories: Vec<WheelHistory> = passages
             .iter()
@@ -65,51 +53,51 @@ impl FrontLaw<'_> {
             .map(|(passage, wheel)| WheelHistory { share: wheel.share, history: &passage.histories[q] })
             .collect();
         let direction = HourlierPineau {
-            law: law.clone(),
+            law: self.growth.law.clone(),
             criterion: self.growth.criterion,
             kink_friction: self.growth.kink_friction,
         };
         let kink = direction.kink_of_mix(&histories);
         let straight = |(demand, wheel): (&WheelDemand, &WheelOfRail)| {
-            let rate = law.rate(demand.ranges.load());
+            let rate = self.growth.law.rate(demand.ranges.load());
             if demands.len() == 1 { rate } else { wheel.share * rate }
         };
         let ahead: f64 = demands.iter().zip(wheels).map(straight).sum();
         let [x, lateral, depth] = point.position;
-        let delta_keq = demands[under.grown_by].delta_keq;
-        TipRecord {
-            tip,
-            x,
-            y: -depth,
-            length: shape.path_length(),
-            ki_max: under.ranges.ki_max,
-            delta_ki: under.ranges.delta_ki,
-            delta_kii: under.ranges.delta_kii,
-            delta_keq,
-            largest_k1: under.largest_k1,
-            // Growth is straight ahead.
-            kink: (delta_keq > 0.0).then_some(0.0),
-            increment: 0.0,
-            rate: under.rate,
-            stop: None,
-            shares: under.shares,
-            opened_by: under.opened_by,
-            toughness_ratio: under.toughness_ratio,
-            mouth_sine: shape.mouth_sine(),
-            geometry: TipGeometry::Space(FrontTip {
-                phi: point.phi,
-                lateral,
-                half_length: shape.half_length,
-                strip: shape.strip.map(|strip| strip.length),
-                deviation: shape.deviation.map(|own| {
-                    if shape.is_on_strip(point.phi) { 0.0 } else { own.radius_factor(point.phi) - 1.0 }
-                }),
-                delta_kiii: passages[under.grown_by].delta_kiii[q],
-                wanted_kink: kink.map(|kink| kink.angle),
-                wanted_ratio: kink.filter(|_| ahead > 0.0).map(|kink| kink.rate / ahead),
-                counts: point.counts,
-                followed: None,
+        let front = FrontTip {
+            phi: point.phi,
+            lateral,
+            half_length: shape.half_length,
+            strip: shape.strip.map(|strip| strip.length),
+            deviation: shape.deviation.map(|own| {
+                if shape.is_on_strip(point.phi) { 0.0 } else { own.radius_factor(point.phi) - 1.0 }
             }),
+            delta_kiii: passages[under.grown_by].delta_kiii[q],
+            wanted_kink: kink.map(|kink| kink.angle),
+            wanted_ratio: kink.filter(|_| ahead > 0.0).map(|kink| kink.rate / ahead),
+            counts: point.counts,
+            followed: None,
+        };
+        let at = Vec2::new(x, -depth);
+        TipRecord {
+            // Growth is straight ahead.
+            kink: (under.delta_keq > 0.0).then_some(0.0),
+            mouth_sine: shape.mouth_sine(),
+            ..under.record(tip, at, shape.path_length(), TipGeometry::Space(front))
+        }
+    }
+
+    /// The loading of point `q` of all fronts in the passage of one wheel.
+    fn demand(&self, passage: &StabilisedPassage, q: usize) -> WheelDemand {
+        let law = &self.growth.law;
+        let ranges = SifRanges::of(&passage.histories[q]);
+        let modes = [ranges.delta_ki, ranges.delta_kii, passage.delta_kiii[q]];
+        let delta_keq = law.equivalent.of_three(modes, self.poisson, self.mode_3_weight);
+        WheelDemand {
+            ranges,
+            delta_keq,
+            rate: law.rate_of(delta_keq, LoadRange { delta_kii: modes[1].hypot(modes[2]), ..ranges.load() }),
+            largest_k1: LargestK1::of(&passage.histories[q]),
         }
     }
 }

@@ -4,9 +4,9 @@
 //! With the states of the points fixed, jumps and forces are linear in the pressures. An iteration
 //! solves for the response to a unit pressure of each sealed pocket and then for the pressures.
 
-use super::fluid::{SpacePocket, compressed};
+use super::fluid::SpacePocket;
 use super::linearised::Change;
-use crate::contact::{PocketState, PocketStatus};
+use crate::contact::{PocketState, PocketStatus, compressed};
 use crate::linear::SmallFactor;
 use crate::math::{Matrix, axpy};
 

@@ -56,19 +56,7 @@ impl Arrangement {
         let mut on: Vec<Vec<EdgeLine>> = vec![Vec::new(); 4];
         for (index, line) in lines.iter().enumerate() {
             let label = EdgeLine::Line(index);
-            let side: Vec<Orientation> =
-                cut.vertices
-                    .iter()
-                    .zip(&on)
-                    .map(|(&v, on)| {
-                        if on.contains(&label) { Orientation::On } else { orientation(line.from, line.to, v) }
-                    })
-                    .collect();
-            for (on, side) in on.iter_mut().zip(&side) {
-                if *side == Orientation::On && !on.contains(&label) {
-                    on.push(label);
-                }
-            }
+            let side = cut.sides(line, label, &mut on);
             let mut made: HashMap<(usize, usize), usize> = HashMap::new();
             let mut cells = Vec::with_capacity(cut.cells.len() + 2);
             for cell in std::mem::take(&mut cut.cells) {
@@ -117,6 +105,21 @@ impl Arrangement {
             cut.cells = cells;
         }
         cut
+    }
+
+    /// The sides of `line` on which the vertices lie, and its `label` among the lines `on` each.
+    fn sides(&self, line: &CutLine, label: EdgeLine, on: &mut [Vec<EdgeLine>]) -> Vec<Orientation> {
+        let side = |(&v, on): (&Vec2, &mut Vec<EdgeLine>)| {
+            if on.contains(&label) {
+                return Orientation::On;
+            }
+            let side = orientation(line.from, line.to, v);
+            if side == Orientation::On {
+                on.push(label);
+            }
+            side
+        };
+        self.vertices.iter().zip(on).map(side).collect()
     }
 
     /// The corners of a cell, counter-clockwise, mm.

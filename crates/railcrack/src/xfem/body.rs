@@ -76,13 +76,12 @@ pub(super) fn reduced(
         remarks.extend(remark.into_iter().chain(short_part(&cuts, tip, size)));
     }
     times.sif_s = lap();
-    let jumps = trace::jumps(background, &cuts, &space, &interface);
-    let duality = interface.duality();
+    let (rail, duality) = (Arc::clone(background), interface.duality());
     let system = System {
         rail: background,
         space: &space,
         border: &border,
-        jumps: &jumps,
+        jumps: &trace::jumps(background, &cuts, &space, &interface),
         functionals: &functionals,
         duality: &duality,
     };
@@ -107,7 +106,6 @@ pub(super) fn reduced(
         remarks,
         ..CrackedBody::new(interface.faces.clone(), network.tips(), matrices)
     };
-    let rail = Arc::clone(background);
     let inside = Inside { rail, cuts, space, interface, duality, elimination };
     Ok((body, inside))
 }

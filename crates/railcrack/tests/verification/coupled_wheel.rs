@@ -4,7 +4,8 @@
 use crate::common::{Absolute, Of, Relative, Rolling, close, largest, steel, surface_crack};
 use railcrack::body::CrackedBody;
 use railcrack::contact::{
-    ContactSolver, FaceProblem, FluidModel, Latin, Newton, PressureProfile, SurfaceState, WheelSurface,
+    ContactSolver, CrackFluid, FaceProblem, FluidModel, Latin, Newton, PressureProfile, SurfaceState,
+    WheelSurface,
 };
 use railcrack::coupling::{CoupledContact, WheelCoupling};
 use railcrack::crack::{Crack, CrackNetwork};
@@ -13,7 +14,7 @@ use railcrack::field::{CarterWheel, HertzWheel, wheel_under};
 use railcrack::growth::{PassageRecord, PassageSettings, StabilisedPassage, Unobserved};
 use railcrack::load::{CarterContact, Contact, HertzianContact, Passage, Travel, WheelLoad};
 use railcrack::material::IsotropicElastic;
-use railcrack::plane::{CrackFluid, RailLoad, stabilised_passage};
+use railcrack::plane::{RailLoad, stabilised_passage};
 
 const A: f64 = Rolling::HALF_WIDTH;
 

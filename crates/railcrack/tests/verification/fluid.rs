@@ -7,7 +7,7 @@ use crate::common::{
 };
 use railcrack::body::CrackedBody;
 use railcrack::contact::{
-    ContactSolver, FaceFluid, FaceProblem, FaceSolution, FluidModel, Latin, LoadPath, Newton,
+    ContactSolver, CrackFluid, FaceFluid, FaceProblem, FaceSolution, FluidModel, Latin, LoadPath, Newton,
     PressureProfile, StepControl, Stepper,
 };
 use railcrack::crack::{Crack, CrackNetwork, End};
@@ -16,7 +16,6 @@ use railcrack::field::Uniform;
 use railcrack::growth::StabilisedPassage;
 use railcrack::material::IsotropicElastic;
 use railcrack::math::{Stress, Vec2};
-use railcrack::plane::CrackFluid;
 use std::f64::consts::PI;
 
 const LENGTH: f64 = 6.0;

@@ -3,12 +3,11 @@
 use super::stored::RunFolder;
 use crate::numbers::{fixed, formula, given, grouped, rounded, significant};
 use railcrack::bulk::Boundary;
-use railcrack::contact::{FluidModel, StepControl};
+use railcrack::contact::{CrackFluid, FluidModel, StepControl};
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::growth::Turning;
 use railcrack::load::{Contact, Passage};
 use railcrack::math::RailBox;
-use railcrack::plane::CrackFluid;
 use railcrack::profiles::ProfileContact;
 use railcrack::words::Choice;
 use railcrack_case::{Case, ContactOrigin, ContactSolver, GivenWheel, MixedWheel};

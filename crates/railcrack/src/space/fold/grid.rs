@@ -95,6 +95,50 @@ fn row(r: usize, rows: usize) -> f64 {
     r as f64 / rows as f64
 }
 
+/// The vertices of the mouth of the branch `lower`, which lie on the fold, from ζ = c to −c; the
+/// first and the last are on the front.
+fn vertices_on_fold(lower: &Grid) -> Vec<usize> {
+    let mut line: Vec<usize> = Vec::new();
+    for (cell, corners) in &lower.mouth {
+        line.extend(corners.map(|corner| lower.cells[*cell].vertices[corner]));
+    }
+    line.sort_by(|&a, &b| lower.vertices[b][1].total_cmp(&lower.vertices[a][1]));
+    line.dedup();
+    line
+}
+
+/// The cells of a strip of the length `fold` (mm) in `rows` above the fold of the branch `lower`,
+/// with those on the mouth and the corners of their edges there. `vertex` numbers the vertices by
+/// row and column.
+fn cells_of_strip(
+    lower: &Grid,
+    line: &[usize],
+    fold: f64,
+    rows: usize,
+    vertex: &dyn Fn(usize, usize) -> usize,
+) -> (Vec<Cell>, Vec<(usize, [usize; 2])>) {
+    let (mut cells, mut mouth) = (Vec::new(), Vec::new());
+    for (at, [from, to]) in &lower.mouth {
+        let cell = &lower.cells[*at];
+        let place = |corner: usize| line.iter().position(|&v| v == cell.vertices[corner]);
+        let (Some(start), Some(end)) = (place(*from), place(*to)) else { continue };
+        let edge = if start < end { Patch::along(*from, *to) } else { Patch::along(*to, *from) };
+        let first = start.min(end);
+        for r in 0..rows {
+            let [near, far] = [r, r + 1].map(|r| fold * row(r, rows));
+            let corners = [(r, first), (r, first + 1), (r + 1, first + 1), (r + 1, first)];
+            if r == 0 {
+                mouth.push((cells.len(), [0, 1]));
+            }
+            cells.push(Cell::new(corners.map(|(r, c)| vertex(r, c)), |p, q| {
+                let [u, v] = edge.at([p, 0.0]);
+                [near + q * (far - near), cell.at(u, v).position[1]]
+            }));
+        }
+    }
+    (cells, mouth)
+}
+
 impl FoldedGrid {
     /// The cells of `crack`.
     ///
@@ -103,13 +147,7 @@ impl FoldedGrid {
         let rows = resolution.strip.max(LEAST_ROWS);
         let lower = Grid::new(&crack.branch_shape()?, &CellDivision::even(resolution.branch, false));
 
-        // The vertices on the fold from ζ = c to −c; the first and the last are on the front.
-        let mut line: Vec<usize> = Vec::new();
-        for (cell, corners) in &lower.mouth {
-            line.extend(corners.map(|corner| lower.cells[*cell].vertices[corner]));
-        }
-        line.sort_by(|&a, &b| lower.vertices[b][1].total_cmp(&lower.vertices[a][1]));
-        line.dedup();
+        let line = vertices_on_fold(&lower);
         let columns = line.len() - 1;
         let inside = columns - 1;
         let (above, sides) = (rows * inside, rows);
@@ -123,34 +161,16 @@ impl FoldedGrid {
             c => r * inside + c - 1,
         };
 
-        let (mut cells, mut part_of_cell, mut mouth) = (Vec::new(), Vec::new(), Vec::new());
-        for (at, [from, to]) in &lower.mouth {
-            let cell = &lower.cells[*at];
-            let place = |corner: usize| line.iter().position(|&v| v == cell.vertices[corner]);
-            let (Some(start), Some(end)) = (place(*from), place(*to)) else { continue };
-            let edge = if start < end { Patch::along(*from, *to) } else { Patch::along(*to, *from) };
-            let first = start.min(end);
-            for r in 0..rows {
-                let [near, far] = [r, r + 1].map(|r| crack.fold * row(r, rows));
-                let corners = [(r, first), (r, first + 1), (r + 1, first + 1), (r + 1, first)];
-                if r == 0 {
-                    mouth.push((cells.len(), [0, 1]));
-                }
-                part_of_cell.push(Part::Strip);
-                cells.push(Cell::new(corners.map(|(r, c)| vertex(r, c)), |p, q| {
-                    let [u, v] = edge.at([p, 0.0]);
-                    [near + q * (far - near), cell.at(u, v).position[1]]
-                }));
-            }
-        }
-        let strip_cells = cells.clone();
-        for cell in &lower.cells {
-            part_of_cell.push(Part::Branch);
-            cells.push(Cell::new(cell.vertices.map(below), |u, v| {
+        let (strip_cells, mouth) = cells_of_strip(&lower, &line, crack.fold, rows, &vertex);
+        let in_branch = |cell: &Cell| {
+            Cell::new(cell.vertices.map(below), |u, v| {
                 let [s, zeta] = cell.at(u, v).position;
                 [crack.fold + s, zeta]
-            }));
-        }
+            })
+        };
+        let cells: Vec<Cell> = strip_cells.iter().cloned().chain(lower.cells.iter().map(in_branch)).collect();
+        let mut part_of_cell = vec![Part::Strip; strip_cells.len()];
+        part_of_cell.resize(cells.len(), Part::Branch);
 
         let mut vertices = vec![[0.0; 2]; count];
         for (v, [s, zeta]) in lower.vertices.iter().enumerate() {
@@ -165,18 +185,18 @@ impl FoldedGrid {
             v if line.contains(&(v - above)) => Part::Fold,
             _ => Part::Branch,
         };
-        let side = |r: usize, end: &FrontColumn, columns: [usize; 2]| {
+        let on_strip = |end: FrontColumn, r: usize, columns: [usize; 2]| {
             let vertices = columns.map(|c| vertex(r, c));
-            FoldedFront { column: FrontColumn { vertices, ..*end }, part: Part::Strip }
+            FoldedFront { column: FrontColumn { vertices, ..end }, part: Part::Strip }
         };
-        let mut front = Vec::new();
-        if let [first, .., last] = &lower.front[..] {
-            front.extend((0..rows).map(|r| side(r, first, [1, 2])));
-            front.extend(lower.front.iter().map(|column| FoldedFront {
-                column: FrontColumn { vertices: column.vertices.map(below), ..*column },
-                part: Part::Branch,
-            }));
-            front.extend((0..rows).rev().map(|r| side(r, last, [columns - 1, columns - 2])));
+        let on_branch = |column: &FrontColumn| FoldedFront {
+            column: FrontColumn { vertices: column.vertices.map(below), ..*column },
+            part: Part::Branch,
+        };
+        let mut front: Vec<FoldedFront> = lower.front.iter().map(on_branch).collect();
+        if let &[first, .., last] = &lower.front[..] {
+            front.splice(..0, (0..rows).map(|r| on_strip(first, r, [1, 2])));
+            front.extend((0..rows).rev().map(|r| on_strip(last, r, [columns - 1, columns - 2])));
         }
         let strip = Grid {
             cells: strip_cells,

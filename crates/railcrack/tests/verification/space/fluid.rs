@@ -3,16 +3,16 @@
 use super::body;
 use crate::common::Rolling;
 use crate::common::{Absolute, Of, close, largest, steel, surface_crack};
-use railcrack::contact::{FaceProblem, FluidModel, Newton, PressureProfile};
+use railcrack::contact::{CrackFluid, FaceProblem, FluidModel, Newton, PressureProfile};
 use railcrack::crack::CrackNetwork;
 use railcrack::field::HertzWheel;
 use railcrack::fracture::Sif;
 use railcrack::growth::{PassageSettings, Unobserved};
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::math::Vec2;
-use railcrack::plane::{CrackFluid, RailLoad, stabilised_passage};
+use railcrack::plane::{RailLoad, stabilised_passage};
 use railcrack::space::{
-    EllipticWheel, SpaceBody, SpaceContact, SpaceCrack, SpaceFluid, SpaceFluidLoad, SpaceHistory, SpaceLoad,
+    EllipticWheel, SpaceBody, SpaceContact, SpaceCrack, SpaceFluidLoad, SpaceHistory, SpaceLoad,
     SpacePassageSettings, SpaceResolution, Surroundings, Symmetric, space_passage,
 };
 use std::f64::consts::FRAC_PI_2;
@@ -35,12 +35,12 @@ fn tension(position: f64) -> f64 {
     }
 }
 
-fn wet(model: FluidModel) -> SpaceFluid {
-    SpaceFluid { model, profile: PressureProfile::Linear, cracks: None }
+fn wet(model: FluidModel) -> CrackFluid {
+    CrackFluid { model, profile: PressureProfile::Linear, cracks: None }
 }
 
 /// A passage of that tension over a vertical crack without friction.
-fn pressed(body: &SpaceBody, fluid: &SpaceFluid, passage: Passage) -> SpaceHistory {
+fn pressed(body: &SpaceBody, fluid: &CrackFluid, passage: Passage) -> SpaceHistory {
     let wheel = |position: f64, _: [f64; 3]| [tension(position), 0.0, 0.0, 0.0, 0.0, 0.0];
     let over = |position: f64, _: [f64; 2]| if position.abs() < EDGE { OUTSIDE } else { 0.0 };
     let fluid = Some(SpaceFluidLoad { fluid, over: &over });
@@ -130,7 +130,7 @@ fn pressure_from_the_mouth_is_a_load() {
     let rest = body.sifs(&body.nodal_forces(open));
     let scale = largest(rest.iter().map(|k| k.ki));
     for (profile, cap) in [(PressureProfile::Linear, 150.0), (PressureProfile::Constant, f64::INFINITY)] {
-        let fluid = SpaceFluid { model: FluidModel::Mouth { cap }, profile, cracks: None };
+        let fluid = CrackFluid { model: FluidModel::Mouth { cap }, profile, cracks: None };
         let fluid = Some(SpaceFluidLoad { fluid: &fluid, over: &over });
         let load = SpaceLoad { wheel: &none, bending: None, constant: Some(&open), fluid };
         let passage = Passage { from: -4.0, to: 4.0, positions: 9 };
@@ -183,7 +183,7 @@ fn pressure_from_the_mouth_of_a_wide_crack() {
     let body = SpaceBody::new(&[crack], &steel(), Surroundings::HalfSpace, resolution).unwrap();
     let contact = SpaceContact { body: &body, friction: &[friction] };
     let profile = PressureProfile::Linear;
-    let fluid = SpaceFluid { model, profile, cracks: None };
+    let fluid = CrackFluid { model, profile, cracks: None };
     let fluid = Some(SpaceFluidLoad { fluid: &fluid, over: &over });
     let load = SpaceLoad { wheel: &stress, bending: None, constant: None, fluid };
     let settings = SpacePassageSettings { tolerance: 0.3, halvings: 8 };

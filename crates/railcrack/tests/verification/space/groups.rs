@@ -1,14 +1,14 @@
 //! Cracks in space in groups, against the solution of all cracks together.
 
 use crate::common::steel;
-use railcrack::contact::{FluidModel, PressureProfile};
+use railcrack::contact::{CrackFluid, FluidModel, PressureProfile};
 use railcrack::growth::{
     FrontShape, Growth, GrowthSettings, GrowthState, NetworkContact, PassageRecord, PassageSettings,
     StepRecord, Unobserved,
 };
 use railcrack::load::Passage;
 use railcrack::math::RailBox;
-use railcrack::space::{EllipticWheel, SpaceFluid, SpaceRail, SpaceResolution, SpaceWheel};
+use railcrack::space::{EllipticWheel, SpaceRail, SpaceResolution, SpaceWheel};
 use rayon::ThreadPoolBuilder;
 
 /// Largest difference of K from that of all cracks together, relative to the peak of its crack. The
@@ -34,7 +34,7 @@ fn shapes(cracks: &[[f64; 4]]) -> Vec<FrontShape> {
 }
 
 /// The initial passages over `cracks`.
-fn first_step(cracks: &[[f64; 4]], fluid: Option<SpaceFluid>, network: NetworkContact) -> StepRecord {
+fn first_step(cracks: &[[f64; 4]], fluid: Option<CrackFluid>, network: NetworkContact) -> StepRecord {
     let last = cracks.last().map_or(0.0, |crack| crack[2]);
     let wheel = SpaceWheel {
         wheel: EllipticWheel {
@@ -107,7 +107,7 @@ fn two_close_cracks_are_one_group() {
 }
 
 /// Compares groups with all cracks together: K differs by less than `allowed` of the peak.
-fn agree(cracks: &[[f64; 4]], fluid: Option<&SpaceFluid>, allowed: f64) {
+fn agree(cracks: &[[f64; 4]], fluid: Option<&CrackFluid>, allowed: f64) {
     let [whole, groups] = [NetworkContact::Whole, NetworkContact::Groups]
         .map(|network| first_step(cracks, fluid.cloned(), network));
     let off = difference(&whole, &groups);
@@ -139,7 +139,7 @@ fn groups_agree_with_all_cracks_together() {
 
 #[test]
 fn groups_agree_under_pressure_from_the_mouth() {
-    let wet = SpaceFluid {
+    let wet = CrackFluid {
         model: FluidModel::Mouth { cap: 100.0 },
         profile: PressureProfile::Linear,
         cracks: Some(vec![1, 3]),

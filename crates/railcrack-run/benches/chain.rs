@@ -3,12 +3,14 @@
 
 use divan::{Bencher, black_box};
 use railcrack::body::CrackedBody;
-use railcrack::contact::{ContactSolver, FaceProblem, FluidModel, Latin, Newton, PressureProfile};
+use railcrack::contact::{
+    ContactSolver, CrackFluid, FaceProblem, FluidModel, Latin, Newton, PressureProfile,
+};
 use railcrack::dislocation;
 use railcrack::field::HertzWheel;
 use railcrack::growth::{StabilisedPassage, StepRecord, StepSource, Unobserved};
 use railcrack::load::HertzianContact;
-use railcrack::plane::{CrackFluid, RailLoad, stabilised_passage};
+use railcrack::plane::{RailLoad, stabilised_passage};
 use railcrack_case::{Case, Overrides};
 use railcrack_run::setup::PreparedRun;
 use std::path::{Path, PathBuf};

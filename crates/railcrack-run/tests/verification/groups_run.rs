@@ -127,16 +127,10 @@ fn a_mix_of_wheels_in_groups() {
     assert!(off < 5e-3, "{off} mm apart");
 }
 
-/// The same step of finite elements in groups with one, two and four threads.
+/// The same step in groups with one, two and four threads.
 #[test]
 fn threads_change_no_bit_of_a_run_in_groups() {
-    let text = MIX.replace("dislocation", "xfem").replace("count = 4", "count = 3");
-    let case = case(
-        &text
-            .replace("[solver]", "[mesh]\nelement_size_mm = 0.4\n[solver]")
-            .replace("steps = 1", "steps = 0"),
-        "groups",
-    );
+    let case = case(&MIX.replace("count = 4", "count = 3").replace("steps = 1", "steps = 0"), "groups");
     let with_threads = |number: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(number).build().unwrap();
         pool.install(|| steps(&case, None))
