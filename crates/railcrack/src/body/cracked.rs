@@ -1,13 +1,17 @@
-//! The cracked body as two matrices at the face points.
+//! The cracked body as two matrices at the face points, the fields inside it, and the engines that
+//! compute it.
 
-use super::{BlockStiffness, BodyError, BodyFields, FaceMesh, FieldLoad};
-use crate::crack::CrackTip;
-use crate::field::RailEnds;
+use super::{BlockStiffness, FaceMesh};
+use crate::crack::{CrackNetwork, CrackTip};
+use crate::field::{RailEnds, Wheel};
 use crate::fracture::Sif;
+use crate::interruption::{Interrupted, Interruption};
 use crate::math::{Matrix, Stress, Vec2};
 use serde::{Deserialize, Serialize};
+use std::error::Error;
 use std::fmt::Debug;
 use std::sync::Arc;
+use thiserror::Error;
 
 /// Wall time of the phases in which a body is made, seconds; 0 for phases that an engine does not
 /// have or does not report.
@@ -107,4 +111,132 @@ pub trait FieldSolver: Debug + Send + Sync {
     ///
     /// Errors: the engine cannot compute them.
     fn fields(&self, loads: &[FieldLoad]) -> Result<BodyFields, BodyError>;
+}
+
+/// A method of computing cracked bodies.
+pub trait BodyEngine {
+    /// The body with `network` of cracks.
+    ///
+    /// Errors: cracks that the engine cannot represent.
+    fn body(&mut self, network: &CrackNetwork) -> Result<CrackedBody, BodyError> {
+        self.body_unless(Interruption::NEVER, network)
+    }
+
+    /// The body with `network` of cracks, given up within a second of an `interruption`. An engine
+    /// may reuse results of earlier calls, provided that the body has the same bits without them.
+    ///
+    /// Errors: cracks that the engine cannot represent; an interruption
+    /// ([`BodyError::is_interruption`]).
+    fn body_unless(
+        &mut self,
+        interruption: Interruption<'_>,
+        network: &CrackNetwork,
+    ) -> Result<CrackedBody, BodyError>;
+
+    /// The body with A in blocks, for networks whose full matrices are too large; none where the
+    /// engine does not support such bodies.
+    ///
+    /// Errors: as [`BodyEngine::body_unless`].
+    fn body_by_groups(
+        &mut self,
+        _interruption: Interruption<'_>,
+        _network: &CrackNetwork,
+    ) -> Result<Option<CrackedBody>, BodyError> {
+        Ok(None)
+    }
+
+    /// Frees the memory that the engine keeps for its next call, once the last body has been made.
+    fn forget(&mut self) {}
+    /// The smallest distance (mm) between a tip and the surface or another crack that is still
+    /// resolved.
+    fn resolution(&self, network: &CrackNetwork) -> f64;
+}
+
+/// Cracks that an engine cannot represent, with the engine's reason.
+#[derive(Debug, Error)]
+#[error("{reason}")]
+pub struct BodyError {
+    /// The engine's own error.
+    #[source]
+    pub reason: Box<dyn Error + Send + Sync>,
+}
+
+impl BodyError {
+    /// Whether the body was given up on request.
+    #[must_use]
+    pub fn is_interruption(&self) -> bool {
+        let mut next: Option<&(dyn Error + 'static)> = Some(self.reason.as_ref());
+        while let Some(error) = next {
+            if error.is::<Interrupted>() {
+                return true;
+            }
+            next = error.source();
+        }
+        false
+    }
+}
+
+/// Cells around the cracks. No cell crosses a crack: cells on the two sides of a crack have
+/// separate points at the same positions.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct FieldGrid {
+    /// Points, mm.
+    pub points: Vec<Vec2>,
+    /// Where the stress of each point is evaluated, mm: at the point itself, or slightly inside the
+    /// cell where the stress at the point is infinite.
+    pub inside: Vec<Vec2>,
+    /// Quadratic rectangles: corners counter-clockwise, then the midpoints of the sides, the first
+    /// between the first two corners.
+    pub quads: Vec<[usize; 8]>,
+    /// Triangles, counter-clockwise.
+    pub triangles: Vec<[usize; 3]>,
+    /// Pieces of the crack faces, each on one side.
+    pub lines: Vec<FieldLine>,
+}
+
+/// A straight piece of a crack face.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FieldLine {
+    /// The face that it belongs to.
+    pub face: Face,
+    /// Points at its ends, along the curve.
+    pub ends: [usize; 2],
+    /// For each end, face points of the body and their weights in the traction at that end.
+    pub tractions: [[(usize, f64); 2]; 2],
+}
+
+/// A face of a crack; x2 points from − to +.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Face {
+    /// The face on the x2 side.
+    Plus,
+    /// The face on the opposite side.
+    Minus,
+}
+
+/// The load for which the field of a body is computed.
+#[derive(Clone, Copy)]
+pub struct FieldLoad<'a> {
+    /// Nodal forces on the + faces, N/mm, 2p.
+    pub forces: &'a [f64],
+    /// The wheel whose field the ends of the rail cancel, and its position x_c (mm).
+    pub wheel: Option<(&'a dyn Wheel, f64)>,
+}
+
+/// A field at the points of a [`FieldGrid`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct PointField {
+    /// Displacement at each point, mm.
+    pub displacement: Vec<Vec2>,
+    /// Stress at each point, MPa.
+    pub stress: Vec<Stress>,
+}
+
+/// The fields of a body under several loads.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BodyFields {
+    /// The points and cells on which they are given.
+    pub grid: FieldGrid,
+    /// One field per load.
+    pub loads: Vec<PointField>,
 }

@@ -2,21 +2,17 @@
 //! ends on the stress under the wheel.
 
 mod boundary;
-mod cancel;
 mod correction;
 mod gauss_stress;
-mod grid;
 mod rail;
-mod stiffness;
 
 pub use boundary::{BottomSupport, Boundary, SideSupport};
-pub use cancel::ElasticField;
-pub use correction::{BlockCorrection, CorrectionAtPoints, WheelAt};
+pub use correction::{BlockCorrection, CorrectionAtPoints, ElasticField, WheelAt};
 pub use gauss_stress::StressAtPoints;
-pub(crate) use grid::gauss_lines;
-pub use rail::{BulkError, BulkRail, RailStiffness};
+pub(crate) use gauss_stress::gauss_lines;
 #[cfg(test)]
-pub(crate) use stiffness::RectangleStiffness;
+pub(crate) use rail::RectangleStiffness;
+pub use rail::{BulkError, BulkRail, RailStiffness};
 
 #[cfg(test)]
 mod correction_tests;

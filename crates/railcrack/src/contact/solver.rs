@@ -1,4 +1,4 @@
-//! Contact solvers for implicit load steps on the crack faces.
+//! Interface of contact solvers, and one that is rescued by another.
 
 use super::{FaceProblem, FaceResponse};
 use thiserror::Error;
@@ -45,4 +45,63 @@ pub trait StepSolver<'a> {
     fn keep(&mut self);
     /// Restores the saved data.
     fn restore(&mut self);
+}
+
+/// The load of a path: nodal forces as a function of one coordinate.
+pub trait LoadPath: Sync {
+    /// Nodal forces (N/mm, 2p) at coordinate `at`.
+    fn nodal_forces(&self, at: f64) -> Vec<f64>;
+
+    /// The pressure (MPa) at coordinate `at` over the mouth of each pocket of fluid whose pressure
+    /// is an unknown; none where there are none.
+    fn over_mouths(&self, _at: f64) -> Vec<f64> {
+        Vec::new()
+    }
+
+    /// Whether the coordinate is the position (mm) of a wheel that feels the cracks.
+    fn is_of_coupled_wheel(&self) -> bool {
+        false
+    }
+}
+
+/// The first solver, with the second one for the load steps in which the first one fails: where the
+/// faces snap from one state to another, one step of a passage.
+#[derive(Clone, Copy)]
+pub(crate) struct Rescued<'a> {
+    /// The solver of all other steps.
+    pub first: &'a dyn ContactSolver,
+    /// The solver of the steps in which the first one fails.
+    pub second: &'a dyn ContactSolver,
+}
+
+impl ContactSolver for Rescued<'_> {
+    fn prepare<'a>(&self, problem: &'a FaceProblem<'a>) -> Box<dyn StepSolver<'a> + 'a> {
+        Box::new(RescuedSteps { first: self.first.prepare(problem), second: self.second.prepare(problem) })
+    }
+}
+
+struct RescuedSteps<'a> {
+    first: Box<dyn StepSolver<'a> + 'a>,
+    second: Box<dyn StepSolver<'a> + 'a>,
+}
+
+impl<'a> StepSolver<'a> for RescuedSteps<'a> {
+    fn solve(&mut self, step: LoadStep, faces: &mut FaceResponse<'a>) -> Result<usize, NotConverged> {
+        let failure = match self.first.solve(step, faces) {
+            Err(failure) => failure,
+            solved => return solved,
+        };
+        let by_second = self.second.solve(step, faces).map_err(|_| failure)?;
+        Ok(failure.iterations + by_second)
+    }
+
+    fn keep(&mut self) {
+        self.first.keep();
+        self.second.keep();
+    }
+
+    fn restore(&mut self) {
+        self.first.restore();
+        self.second.restore();
+    }
 }

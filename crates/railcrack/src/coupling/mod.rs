@@ -3,10 +3,6 @@
 
 mod compliance;
 mod grid;
-mod loads;
-mod uneven_shear;
-mod unfelt_gap;
 mod wheel;
 
-pub use unfelt_gap::gap_in_plane;
-pub use wheel::{CoupledContact, WheelCoupling};
+pub use wheel::{CoupledContact, WheelCoupling, gap_in_plane};

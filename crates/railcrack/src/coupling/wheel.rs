@@ -1,14 +1,14 @@
-//! A wheel that feels the cracks, on the faces of a body.
+//! A wheel that feels the cracks, on the faces of a body: gap, shear and forces of its contact.
 
 use super::compliance::compliance;
 use super::grid::{NodeSpacing, SurfaceGrid};
-use super::loads::forces;
-use super::uneven_shear::uneven_shear;
 use crate::body::FaceMesh;
 use crate::contact::{SurfaceNode, UnevenShear, WheelSurface, ratio_at};
-use crate::load::{Contact, HertzianContact};
+use crate::field::{HertzWheel, SegmentEnd, SegmentStress, Wheel};
+use crate::load::{CarterContact, Contact, HertzianContact, SurfacePart, unfelt_gap};
 use crate::material::IsotropicElastic;
-use crate::math::Matrix;
+use crate::math::{Matrix, OutOfRange, Stress, Vec2, dot};
+use std::f64::consts::PI;
 
 /// Contact of a wheel that feels the cracks.
 #[derive(Debug, Clone, PartialEq)]
@@ -111,3 +111,134 @@ const NEAR: f64 = 1.2;
 /// Extent of the surface beyond the last coupled x_c, over a: the contact, which the crack may
 /// widen.
 const BEYOND: f64 = 1.3;
+
+/// Nodal forces on the faces for a unit traction of each surface node; row i belongs to node i and
+/// has 2p entries, N/mm per MPa.
+pub(super) struct SurfaceForces {
+    /// Of a unit pressure.
+    pub pressure: Matrix,
+    /// Of a unit shear along +x on the rail.
+    pub shear: Matrix,
+}
+
+/// The forces of the hats of `grid` on `faces`.
+pub(super) fn forces(grid: &SurfaceGrid, faces: &FaceMesh) -> SurfaceForces {
+    let none = || Matrix::zeros(grid.nodes.len(), 2 * faces.points.len());
+    let (mut pressure, mut shear) = (none(), none());
+    let mut ends: Vec<SegmentEnd> = Vec::with_capacity(grid.nodes.len());
+    let mut hats = Vec::with_capacity(grid.nodes.len());
+    for sample in &faces.graded {
+        ends.clear();
+        ends.extend(grid.nodes.iter().map(|&x| SegmentEnd::of(sample.point, x)));
+        hats.clear();
+        hats.resize(grid.nodes.len(), [Stress::default(); 2]);
+        for segment in &grid.segments {
+            let [start, end] = segment.nodes.map(|node| &ends[node]);
+            let stress = SegmentStress::between(start, end);
+            for (end, &node) in segment.nodes.iter().enumerate() {
+                let [pressure, shear] = &mut hats[node];
+                *pressure = *pressure + stress.pressure[end];
+                *shear = *shear + stress.shear[end];
+            }
+        }
+        for (node, stresses) in hats.iter().enumerate() {
+            for (forces, stress) in [&mut pressure, &mut shear].into_iter().zip(stresses) {
+                let traction = stress.traction(sample.normal);
+                let row = forces.row_mut(node);
+                for (point, length) in sample.shares {
+                    row[2 * point] += length * traction.x;
+                    row[2 * point + 1] += length * traction.y;
+                }
+            }
+        }
+    }
+    for forces in [&mut pressure, &mut shear] {
+        for node in 0..grid.nodes.len() {
+            for (force, point) in forces.row_mut(node).chunks_exact_mut(2).zip(&faces.points) {
+                let sum = Vec2::new(force[0], force[1]);
+                (force[0], force[1]) = (sum.dot(point.tangent), sum.dot(point.tangent.left()));
+            }
+        }
+    }
+    SurfaceForces { pressure, shear }
+}
+
+/// Number of intervals between the edges of a contact.
+const INTERVALS: usize = 800;
+/// Distance from an edge, over a, at which pressure and shear are so small that their ratio is that
+/// at the edge.
+const AT_EDGE: f64 = 1e-6;
+
+/// q/p − Q′/P′ of `contact` by u = x − x_c (mm), increasing; empty where shear and pressure are
+/// proportional.
+pub(super) fn uneven_shear(contact: &Contact) -> Vec<(f64, f64)> {
+    let mean = contact.adhesion();
+    let beyond_mean = |(u, p, q): (f64, f64, f64)| (u, q / p - mean);
+    match contact {
+        Contact::Hertz(_) => Vec::new(),
+        Contact::Carter(carter) if carter.edges().len() == 2 => Vec::new(),
+        Contact::Carter(carter) => {
+            places(carter).map(|u| beyond_mean((u, carter.pressure(u), carter.shear(u)))).collect()
+        }
+        Contact::Table(table) => {
+            let pressed = table.rows().iter().filter(|row| row.pressure > 0.0);
+            pressed.map(|row| beyond_mean((row.u, row.pressure, row.shear))).collect()
+        }
+    }
+}
+
+/// Places between the edges, dense at these.
+fn places(contact: &CarterContact) -> impl Iterator<Item = f64> {
+    let reach = (1.0 - AT_EDGE) * contact.half_width;
+    (0..=INTERVALS).map(move |k| -reach * (PI * k as f64 / INTERVALS as f64).cos())
+}
+
+/// The largest gap (mm) between rail and wheel with its centre at `xc` (mm), whose `contact` is
+/// that on the uncracked rail, by the `jumps` (mm, 2p) of the faces. By Betti's theorem the nodal
+/// forces of a pressure on the faces do the work on the jumps that it does on the sinking.
+///
+/// Errors: a contact without extent.
+pub fn gap_in_plane(
+    faces: &FaceMesh,
+    jumps: &[f64],
+    contact: &HertzianContact,
+    steel: &IsotropicElastic,
+    xc: f64,
+) -> Result<f64, OutOfRange> {
+    let measure = |half_width: f64| {
+        let unit = HertzianContact { peak_pressure: 1.0, half_width, friction: 0.0 };
+        Ok((HertzWheel::new(&unit, steel)?, unit.line_load()))
+    };
+    let a = contact.half_width;
+    let (whole, part) = (measure(a)?, measure(SurfacePart::SHARE * a)?);
+    Ok(unfelt_gap(|of: SurfacePart| {
+        let (wheel, load) = if of == SurfacePart::WHOLE { &whole } else { &part };
+        let forces = faces.nodal_forces(|point| wheel.stress(point, xc + of.ahead * a));
+        dot(&forces, jumps) / load
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::load::Travel;
+
+    #[test]
+    fn partial_slip_has_the_friction_of_the_slip_zone_and_less_where_it_sticks() {
+        let carter = CarterContact {
+            peak_pressure: 845.0,
+            half_width: 6.75,
+            friction: 0.3,
+            traction: -0.75,
+            travel: Travel::Forward,
+        };
+        let ratios = uneven_shear(&Contact::Carter(carter));
+        let (trailing, leading) = (ratios[0], ratios[INTERVALS]);
+        // c = a/2: slip in the rear half, and μ (1 − √(c/a)) at the leading edge.
+        let mean = -0.75 * 0.3;
+        assert!((trailing.1 - (-0.3 - mean)).abs() < 1e-12);
+        assert!((leading.1 - (-0.3 * (1.0 - 0.5f64.sqrt()) - mean)).abs() < 1e-5);
+        let sliding = CarterContact { traction: 1.0, ..carter };
+        assert!(uneven_shear(&Contact::Carter(sliding)).is_empty());
+    }
+}

@@ -1,16 +1,11 @@
 //! Polyline cracks and networks of them.
 
 mod curve;
-mod distance;
-mod intersection;
-mod junction;
 mod network;
 mod polyline;
 
 pub use curve::CrackCurve;
-pub use distance::segment_distance;
-pub(crate) use distance::{from_nearest, point_to_segment};
-pub use junction::{CrackEnd, CrackTip, Junction};
-pub(crate) use junction::{EndKind, JunctionPoint, Passing};
-pub use network::{CrackNetwork, NetworkError};
-pub use polyline::{Crack, CrackError, End};
+pub use network::{CrackEnd, CrackNetwork, CrackTip, Junction, NetworkError};
+pub(crate) use network::{EndKind, JunctionPoint, Passing};
+pub use polyline::{Crack, CrackError, End, segment_distance};
+pub(crate) use polyline::{from_nearest, point_to_segment};

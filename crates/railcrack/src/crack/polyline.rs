@@ -1,6 +1,6 @@
 //! Polyline cracks, from a mouth to a tip or between two buried tips.
 
-use crate::math::{Vec2, segments_touch};
+use crate::math::{Orientation, Vec2, orientation, segments_touch};
 use crate::words::{Choice, Word};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -214,5 +214,57 @@ impl Crack {
     /// This crack moved by `distance` (mm) along +x.
     pub fn moved(&self, distance: f64) -> Self {
         Self { points: self.points.iter().map(|p| Vec2::new(p.x + distance, p.y)).collect() }
+    }
+}
+
+/// The distance (mm) between the closed segments a–b and c–d; exactly zero when they touch.
+pub fn segment_distance(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> f64 {
+    if segments_touch(a, b, c, d) {
+        return 0.0;
+    }
+    point_to_segment(a, c, d)
+        .min(point_to_segment(b, c, d))
+        .min(point_to_segment(c, a, b))
+        .min(point_to_segment(d, a, b))
+}
+
+/// The distance (mm) of the point p from the closed segment a–b.
+pub(crate) fn point_to_segment(p: Vec2, a: Vec2, b: Vec2) -> f64 {
+    from_nearest(p, a, b).length()
+}
+
+/// The vector (mm) from the nearest point of the closed segment a–b to the point p.
+pub(crate) fn from_nearest(p: Vec2, a: Vec2, b: Vec2) -> Vec2 {
+    let along = b - a;
+    let squared = along.dot(along);
+    let t = if squared > 0.0 { ((p - a).dot(along) / squared).clamp(0.0, 1.0) } else { 0.0 };
+    p - (a + along * t)
+}
+
+/// Whether two cracks have a point in common other than `shared`, a vertex of both; exact.
+pub(super) fn intersect_elsewhere(one: &Crack, other: &Crack, shared: Option<Vec2>) -> bool {
+    one.points().windows(2).any(|p| other.points().windows(2).any(|q| segments_meet(p, q, shared)))
+}
+
+fn segments_meet(p: &[Vec2], q: &[Vec2], shared: Option<Vec2>) -> bool {
+    let far_end = |s: &[Vec2], at: Vec2| if s[0] == at { Some(s[1]) } else { (s[1] == at).then_some(s[0]) };
+    match shared.and_then(|at| Some((at, far_end(p, at)?, far_end(q, at)?))) {
+        // Two segments from one point meet again only where they have the same direction.
+        Some((at, a, b)) => orientation(at, a, b) == Orientation::On && (a - at).dot(b - at) > 0.0,
+        None => segments_touch(p[0], p[1], q[0], q[1]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn crossing_parallel_and_end_to_side() {
+        let p = Vec2::new;
+        assert_eq!(segment_distance(p(0., 0.), p(2., 2.), p(0., 2.), p(2., 0.)), 0.0);
+        assert_eq!(segment_distance(p(0., 0.), p(4., 0.), p(1., 3.), p(2., 3.)), 3.0);
+        assert_eq!(segment_distance(p(0., 0.), p(4., 0.), p(7., 4.), p(9., 9.)), 5.0);
+        assert_eq!(segment_distance(p(0., 0.), p(0., 0.), p(-1., 2.), p(1., 2.)), 2.0);
     }
 }

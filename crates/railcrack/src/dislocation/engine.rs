@@ -1,9 +1,8 @@
 //! C, A and S of cracks in the half-plane by distributed dislocations.
 
-use super::assembly::stiffness;
 use super::junctions::{Core, Ties, cores};
 use super::nodes::{self, FaceResolution};
-use super::row::CrackRow;
+use super::row::{CrackRow, stiffness};
 use crate::body::{
     BlockStiffness, BodyEngine, BodyError, CrackedBody, FaceElement, FaceMesh, TipGain, discretise,
     thin_flaps,

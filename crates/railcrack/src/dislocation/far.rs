@@ -1,11 +1,10 @@
-//! Blocks of A between distant cracks, by interpolation of the dislocation interaction.
+//! Interaction of dislocations in the half-plane, units of joined cracks, and the expansion of A
+//! between distant ones.
 
-use super::kernel::interaction;
-use super::units::{SourceBox, Units};
 use crate::body::{FaceElement, FaceMesh, FarStiffness};
-use crate::crack::CrackCurve;
+use crate::crack::{CrackCurve, CrackNetwork};
 use crate::linear::product;
-use crate::math::{Matrix, Vec2, gauss_legendre};
+use crate::math::{Matrix, Vec2, chebyshev, gauss_legendre};
 use rayon::prelude::*;
 
 /// Gauss points on each piece of an element.
@@ -162,3 +161,201 @@ impl FarRow<'_> {
         matrix
     }
 }
+
+/// The 2 × 2 interaction of unit dislocations: `[xx, xy, yx, yy]`, first index the Burgers vector
+/// at z.
+pub(super) type Interaction = [f64; 4];
+
+/// Energy of interaction of unit dislocations at `z` and `z0` (mm), in units of E′/(8π) per mm² of
+/// Burgers vectors.
+///
+/// With the Kolosov–Muskhelishvili potentials φ0 = γ log(z − z0), ψ0 = γ̄ log(z − z0) − γ
+/// z̄0/(z − z0) of a dislocation (b_x + i b_y = 8π i γ/E′) and their images φ1 = −(z φ̄0′ + ψ̄0),
+/// ψ1 = −(φ̄0 + z φ1′) that make y = 0 traction-free, the resultant force over a line from the
+/// surface to z is F = φ + z φ̄′ + ψ̄ = γ P + γ̄ Q,
+/// P = log(|z−z0|²/|z−z̄0|²) − 4 y y0/(z̄−z0)²,
+/// Q = (z−z0)/(z̄−z̄0) − (z−z0)/(z−z̄0) − 2 i y/(z̄−z0).
+/// It vanishes with z or z0 on the surface. Moving a second dislocation b′ in from the surface
+/// costs b′_x Im F − b′_y Re F. (Muskhelishvili 1953, §§ 41, 90–93.)
+#[inline]
+pub(super) fn interaction(z: Vec2, z0: Vec2) -> Interaction {
+    split_interaction(z, z0).whole()
+}
+
+/// An interaction split into its logarithm, which appears on the diagonal only, and the rest. Sums
+/// over many points need only the logarithm of one product.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Split {
+    /// The interaction without the logarithm.
+    pub rational: Interaction,
+    /// The argument of the logarithm.
+    pub of_log: f64,
+}
+
+impl Split {
+    fn whole(self) -> Interaction {
+        let Self { rational: [xx, xy, yx, yy], of_log } = self;
+        let log = of_log.ln();
+        [xx + log, xy, yx, yy + log]
+    }
+}
+
+/// [`interaction`] in two parts; the argument of the logarithm is |z̄−z0|²/|z−z0|².
+#[inline]
+pub(super) fn split_interaction(z: Vec2, z0: Vec2) -> Split {
+    let (dx, dy) = (z.x - z0.x, z.y - z0.y);
+    let inverse = 1.0 / (dx * dx + dy * dy);
+    // (z − z0)/(z̄ − z̄0): the direction squared.
+    let (ex, ey) = ((dx * dx - dy * dy) * inverse, 2.0 * dx * dy * inverse);
+    let Split { rational: [xx, xy, yx, yy], of_log } = split_image_interaction(z, z0);
+    Split { rational: [xx + ex, xy + ey, yx + ey, yy - ex], of_log: of_log * inverse }
+}
+
+/// Contribution of the free surface to [`interaction`]: all but −log|z−z0|² and (z−z0)/(z̄−z̄0);
+/// smooth at z = z0 below the surface. The argument of the logarithm is |z̄−z0|² in mm².
+#[inline]
+pub(super) fn split_image_interaction(z: Vec2, z0: Vec2) -> Split {
+    // m = z̄ − z0.
+    let (mx, my) = (z.x - z0.x, -z.y - z0.y);
+    let (dx, dy) = (z.x - z0.x, z.y - z0.y);
+    let m2 = mx * mx + my * my;
+    let inverse = 1.0 / m2;
+    // 4 y y0 / m² = 4 y y0 m̄² / |m|⁴.
+    let scale = 4.0 * z.y * z0.y * inverse * inverse;
+    let (px, py) = (-scale * (mx * mx - my * my), scale * 2.0 * mx * my);
+    // −(z−z0) m/|m|² − 2 i y m̄/|m|²; (z − z̄0) is the conjugate of m.
+    let qx = (-(dx * mx - dy * my) - 2.0 * z.y * my) * inverse;
+    let qy = (-(dx * my + dy * mx) - 2.0 * z.y * mx) * inverse;
+    Split { rational: [qx - px, py + qy, qy - py, -(px + qx)], of_log: m2 }
+}
+
+/// −log|z−z0|² and (z−z0)/(z̄−z̄0) when both lie on one straight line of direction `tangent`: the
+/// second is constant. Returns it as an [`Interaction`] without the logarithm.
+pub(super) fn collinear_constant(tangent: Vec2) -> Interaction {
+    let (ex, ey) = (tangent.x * tangent.x - tangent.y * tangent.y, 2.0 * tangent.x * tangent.y);
+    [ex, ey, ey, -ex]
+}
+
+/// Distance along the rail, over the larger crack size, up to which cracks are near to each other.
+const GAP: f64 = 1.0;
+/// Numbers of Chebyshev points of the expansion per crack, along the rail and in depth.
+const ALONG: usize = 5;
+const DOWN: usize = 4;
+
+/// Width (mm) by which boxes exceed their cracks, so that the boxes of upright cracks have a width.
+const FLAT: f64 = 1e-9;
+
+/// The bounding box of a crack.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SourceBox {
+    low: Vec2,
+    high: Vec2,
+}
+
+impl SourceBox {
+    /// Number of Chebyshev points of a box.
+    pub(super) const NODES: usize = ALONG * DOWN;
+
+    fn of(curve: &CrackCurve) -> Self {
+        let points = (0..curve.segments()).map(|i| curve.position(i, curve.vertices()[i]));
+        let all = points.chain([curve.last_point()]);
+        let none = Self {
+            low: Vec2::new(f64::INFINITY, f64::INFINITY),
+            high: Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
+        };
+        all.fold(none, |extent, p| Self {
+            low: Vec2::new(extent.low.x.min(p.x), extent.low.y.min(p.y)),
+            high: Vec2::new(extent.high.x.max(p.x), extent.high.y.max(p.y)),
+        })
+    }
+
+    fn size(&self) -> f64 {
+        (self.high.x - self.low.x).max(self.high.y - self.low.y)
+    }
+
+    fn is_apart(&self, other: &Self) -> bool {
+        let gap = (other.low.x - self.high.x).max(self.low.x - other.high.x);
+        gap >= GAP * self.size().max(other.size())
+    }
+
+    /// The Chebyshev points to which [`SourceBox::weights`] refers.
+    pub(super) fn nodes(&self) -> Vec<Vec2> {
+        let [xs, ys] = self.lines();
+        xs.iter().flat_map(|&x| ys.iter().map(move |&y| Vec2::new(x, y))).collect()
+    }
+
+    fn lines(&self) -> [Vec<f64>; 2] {
+        let range = |low: f64, high: f64| low - FLAT..=high + FLAT;
+        let (xs, ys) = (range(self.low.x, self.high.x), range(self.low.y, self.high.y));
+        [chebyshev::points(&xs, ALONG), chebyshev::points(&ys, DOWN)]
+    }
+
+    pub(super) fn weights(&self, point: Vec2) -> Vec<f64> {
+        let [xs, ys] = self.lines();
+        let (along, down) = (chebyshev::weights(&xs, point.x), chebyshev::weights(&ys, point.y));
+        along.iter().flat_map(|a| down.iter().map(move |d| a * d)).collect()
+    }
+}
+
+/// Cracks that have joined each other are one unit, every other crack is a unit of its own; units
+/// are in the order in which they lie along the rail.
+pub(super) struct Units {
+    /// The cracks of each unit, in order.
+    pub cracks: Vec<Vec<usize>>,
+    pub(super) extents: Vec<SourceBox>,
+}
+
+impl Units {
+    /// The units of `network`, whose cracks have the `curves`.
+    pub(super) fn new(network: &CrackNetwork, curves: &[CrackCurve]) -> Self {
+        let extents: Vec<SourceBox> = curves.iter().map(SourceBox::of).collect();
+        Self { cracks: units(network, &extents), extents }
+    }
+
+    /// The unit of each crack.
+    pub(super) fn of_cracks(&self) -> Vec<usize> {
+        let mut unit_of = vec![0; self.extents.len()];
+        for (k, cracks) in self.cracks.iter().enumerate() {
+            cracks.iter().for_each(|&crack| unit_of[crack] = k);
+        }
+        unit_of
+    }
+
+    /// Whether units `k` and `l` are near to each other.
+    pub(super) fn are_near(&self, k: usize, l: usize) -> bool {
+        let near = |&one: &usize| {
+            self.cracks[l].iter().any(|&other| !self.extents[one].is_apart(&self.extents[other]))
+        };
+        self.cracks[k].iter().any(near)
+    }
+
+    /// Ends of unit `k` along the rail, mm.
+    pub(super) fn span(&self, k: usize) -> (f64, f64) {
+        let low = self.cracks[k].iter().map(|&c| self.extents[c].low.x).fold(f64::INFINITY, f64::min);
+        (low, self.cracks[k].iter().map(|&c| self.extents[c].high.x).fold(f64::NEG_INFINITY, f64::max))
+    }
+}
+
+fn units(network: &CrackNetwork, extents: &[SourceBox]) -> Vec<Vec<usize>> {
+    let mut units: Vec<Vec<usize>> = (0..extents.len()).map(|crack| vec![crack]).collect();
+    for point in network.junction_points() {
+        let through = point.through.iter().map(|passing| passing.crack);
+        let joined: Vec<usize> = point.ends.iter().map(|end| end.crack).chain(through).collect();
+        let (one, others): (Vec<_>, Vec<_>) =
+            units.into_iter().partition(|unit| unit.iter().any(|crack| joined.contains(crack)));
+        units = others;
+        units.push(one.concat());
+    }
+    units.retain(|unit| !unit.is_empty());
+    units.iter_mut().for_each(|unit| unit.sort_unstable());
+    let middle = |unit: &Vec<usize>| {
+        let ends = |&crack: &usize| extents[crack].low.x + extents[crack].high.x;
+        unit.iter().map(ends).sum::<f64>() / unit.len() as f64
+    };
+    units.sort_by(|a, b| middle(a).total_cmp(&middle(b)).then(a.cmp(b)));
+    units
+}
+
+#[cfg(test)]
+#[path = "kernel_tests.rs"]
+mod tests;

@@ -1,10 +1,11 @@
-//! Direction of growth under non-proportional loading.
+//! Direction of growth under non-proportional loading, by Hourlier and Pineau.
 
-use super::hull::convex_hull;
-use super::kink_ranges::{KinkLoad, KinkRanges, tangential, vector_range};
-use super::maxima::{Maximum, SAME_ANGLE, local_maxima, preferred};
-use super::{DirectionCriterion, GrowthLaw, KINK_ANGLES};
+use super::GrowthLaw;
+use super::kink::{KinkLoad, KinkRanges, convex_hull, tangential, vector_range};
 use crate::fracture::{Sif, SifHistory};
+use crate::math::{Ties, golden_section};
+use crate::words::{Choice, Word};
+use std::ops::RangeInclusive;
 
 /// The criterion of Hourlier & Pineau: the crack kinks by the angle β that maximises the growth
 /// rate of the virtual kink over the passage, from the ranges of k1(β, t), clipped at zero (a
@@ -201,6 +202,124 @@ enum Quantity {
     /// The rate itself, because the rates under several wheels are added.
     Rate,
 }
+
+/// A local maximum.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Maximum {
+    /// β, radians.
+    pub angle: f64,
+    pub value: f64,
+}
+
+/// Step of the coarse search, radians: the kink functions change by 2 % over it.
+const GRID_STEP: f64 = std::f64::consts::PI / 180.0;
+/// Golden sections of two steps: 2° · 0.618^36 = 1e-9 rad, below which the top of a smooth maximum
+/// is flat in double precision.
+const SECTIONS: usize = 36;
+/// Difference (radians) below which two angles are equally far from straight ahead; the resolution
+/// of a maximum in double precision.
+pub(super) const SAME_ANGLE: f64 = 1e-6;
+
+/// All local maxima of `value` in [`KINK_ANGLES`], ends included: found on a grid of 1° and refined
+/// by golden section.
+pub(super) fn local_maxima(value: impl Fn(f64) -> f64) -> Vec<Maximum> {
+    let half = (KINK_ANGLES.end() / GRID_STEP).round() as i32;
+    let angle = |i: i32| f64::from(i) * GRID_STEP;
+    let values: Vec<f64> = (-half..=half).map(|i| value(angle(i))).collect();
+    let last = values.len() - 1;
+    let mut maxima = Vec::new();
+    for (i, here) in (-half..=half).enumerate() {
+        let not_below = |j: usize| values[i] >= values[j];
+        if (i > 0 && !not_below(i - 1)) || (i < last && !not_below(i + 1)) {
+            continue;
+        }
+        let (from, to) = (angle((here - 1).max(-half)), angle((here + 1).min(half)));
+        let refined = golden_section([from, to], SECTIONS, Ties::Middle, &value);
+        let refined = vertex(Maximum { angle: refined, value: value(refined) }, (from, to), &value);
+        // At an end of the range the grid point itself may be the maximum, as on a plateau.
+        let on_grid = Maximum { angle: angle(here), value: values[i] };
+        maxima.push(if refined.value > on_grid.value { refined } else { on_grid });
+    }
+    maxima
+}
+
+/// The preferred one of two tied maxima.
+pub(super) fn preferred(a: Maximum, b: Maximum) -> Maximum {
+    let difference = a.angle.abs() - b.angle.abs();
+    if difference.abs() > SAME_ANGLE {
+        return if difference < 0.0 { a } else { b };
+    }
+    if a.angle > b.angle { a } else { b }
+}
+
+/// The maximum at `rough`, refined where the function is smooth there: the vertex of the parabola
+/// through three points. Comparing values leaves an angle uncertain by the square root of
+/// round-off, about 1e-8; the parabola by about 1e-11, so that histories that differ by round-off
+/// give angles that differ by little more.
+fn vertex(rough: Maximum, (from, to): (f64, f64), value: impl Fn(f64) -> f64) -> Maximum {
+    const SPACING: f64 = 2e-4;
+    let at = |step: f64| value(rough.angle + step * SPACING);
+    let curvature = |left: f64, middle: f64, right: f64| left - 2.0 * middle + right;
+    let [far_left, left, middle, right, far_right] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(at);
+    let (near, wide) = (curvature(left, middle, right), 0.25 * curvature(far_left, middle, far_right));
+    // At a corner of the function the second difference is the jump of the slope: it halves with
+    // twice the spacing.
+    let smooth = near < 0.0 && (wide - near).abs() < 0.2 * near.abs();
+    let angle = rough.angle + 0.5 * SPACING * (left - right) / near;
+    if !smooth || (angle - rough.angle).abs() > SPACING || angle < from || angle > to {
+        return rough;
+    }
+    Maximum { angle, value: value(angle).max(rough.value) }
+}
+
+/// The quantity that the direction of growth maximises over the kink angle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum DirectionCriterion {
+    /// The growth rate of the virtual kink, from the ranges of k1 and k2 (Hourlier & Pineau).
+    #[default]
+    MaxRate,
+    /// The same with negative k1 counted as if a closed kink opened negatively: for comparison,
+    /// since not every description of the criterion states that k1 is clipped.
+    MaxRateUnclipped,
+    /// The range of k1.
+    MaxDeltaK1,
+    /// The largest k1.
+    MaxK1,
+    /// No quantity: the crack grows straight ahead.
+    Coplanar,
+    /// The largest tangential stress ahead of the actual tip over the passage. Source: Erdogan &
+    /// Sih 1963, J. Basic Eng. 85, 519–525.
+    MaxTangentialStress,
+    /// The range of the displacement vector of the faces at the tip of the virtual kink: the
+    /// largest
+    /// distance between two of its values (k1, k2) through the passage, k1 clipped at zero. After
+    /// Li
+    /// 1989, Fatigue Fract. Eng. Mater. Struct. 12, 59–65, and Salahi Nezhad et al. 2024, with the
+    /// elastic displacement of a kink.
+    MaxDeltaCtd,
+}
+
+impl Choice for DirectionCriterion {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::MaxRate, Word::now("max-rate", "the largest growth rate of the kink (Hourlier-Pineau)")),
+        (
+            Self::MaxRateUnclipped,
+            Word::now("max-rate-unclipped", "the same, with negative k1 kept where max-rate takes zero"),
+        ),
+        (Self::MaxDeltaK1, Word::now("max-delta-k1", "the largest range of k1")),
+        (Self::MaxK1, Word::now("max-k1", "the largest k1")),
+        (Self::Coplanar, Word::now("coplanar", "straight ahead")),
+        (Self::MaxTangentialStress, Word::now("mts", "the largest tangential stress ahead of the tip")),
+        (
+            Self::MaxDeltaCtd,
+            Word::now("max-delta-ctd", "the largest range of the displacement vector at the tip of the kink"),
+        ),
+    ];
+}
+
+/// Range of kink angles that is searched, radians: the kink functions are accurate to about ±110°.
+pub const KINK_ANGLES: RangeInclusive<f64> =
+    -110.0 * std::f64::consts::PI / 180.0..=110.0 * std::f64::consts::PI / 180.0;
 
 #[cfg(test)]
 #[path = "hourlier_pineau_tests.rs"]

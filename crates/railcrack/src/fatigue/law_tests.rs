@@ -1,7 +1,7 @@
 //! Check values of the laws and the equivalent ranges.
 
 use super::*;
-use crate::fatigue::equivalent::bold_range;
+use crate::fatigue::law::bold_range;
 use crate::fatigue::{Bold, Forman, LawDeclaration, LawInput, Nasgro, ParisThreshold, RateTable, Walker};
 
 /// Eight digits are given.

@@ -1,31 +1,28 @@
 //! Stress fields of the uncracked rail: fixed fields, and those of wheels that move along it.
 
-mod bending;
 mod carter;
 mod depth_profile;
 #[cfg(test)]
 mod field_checks;
-mod flat_punch;
 mod hertz_displacement;
 mod hertz_half_plane;
-mod segment_stress;
 mod table;
 mod table_potential;
 mod wheel;
 mod wheel_under;
-mod wheels;
 
-pub use bending::BendingWheel;
 pub use carter::CarterWheel;
+pub(crate) use carter::FlatPunch;
 pub use depth_profile::{DepthProfile, ProfileError};
-pub(crate) use flat_punch::FlatPunch;
 pub(crate) use hertz_displacement::HertzDisplacement;
 pub use hertz_half_plane::HertzField;
-pub(crate) use segment_stress::{SegmentEnd, SegmentStress};
 pub use table::TableWheel;
-pub use wheel::{EndField, EndsError, HertzWheel, RailEnds, StressesUnderWheel, Wheel};
+pub(crate) use table::{SegmentEnd, SegmentStress};
+pub use wheel::{
+    BendingWheel, EndField, EndsError, HertzWheel, PlacedWheel, RailEnds, StressesUnderWheel, Wheel, Wheels,
+    WheelsError,
+};
 pub use wheel_under::wheel_under;
-pub use wheels::{PlacedWheel, Wheels, WheelsError};
 
 use crate::math::{Stress, Vec2};
 use std::sync::Arc;

@@ -1,6 +1,6 @@
 //! Control of the increments: their error, the location of events, and the turns of the limit path.
 
-use super::deferred::AFTER_KINK;
+use super::turning::AFTER_KINK;
 use super::{Advance, EarlierStep, GrowthSettings, Jump, Mover, TipRecord, Turn};
 use crate::fatigue::SECONDARY_DISTANCE;
 use serde::{Deserialize, Serialize};

@@ -1,12 +1,14 @@
-//! Interface between the growth loop and a cracked rail, in the plane or in space.
+//! Interface between the growth loop, its observer and a cracked rail, in the plane or in space.
 
 use super::{
-    Advance, FieldRecord, Geometry, GrowthError, GrowthSettings, GrowthState, Mover, Observer,
-    PassageSettings, StabilisedPassage, StepStart, TipRecord, Warning,
+    Advance, FieldRecord, Geometry, GrowthError, GrowthSettings, GrowthState, Mover, PassageSettings,
+    StabilisedPassage, StepStart, TipRecord, Warning,
 };
 use crate::body::BodyTimes;
+use crate::fracture::SifHistory;
 use crate::interruption::Interruption;
 use crate::math::OutOfRange;
+use std::fmt::Debug;
 
 /// A rail with cracks under its wheels: how to build bodies, compute passages and advance cracks.
 /// Everything else is common to plane and space and is done by [`Growth`](super::Growth).
@@ -118,4 +120,32 @@ pub struct BodyReport {
 pub(super) fn check(rail: &impl CrackedRail) -> Result<(), OutOfRange> {
     rail.wheels().iter().try_for_each(|wheel| wheel.passages.check())?;
     rail.settings().check()
+}
+
+/// A judge of tips, which replaces the direction criterion and the growth law of the settings.
+pub trait TipJudge: Debug + Send + Sync {
+    /// Judges a tip by `history`, K through its stabilised passage (MPa √mm). The record of the
+    /// `tip` contains its state and loading, and the direction and rate given by the settings,
+    /// which may be overwritten.
+    fn judge(&self, history: &SifHistory, tip: &mut TipRecord);
+}
+
+/// An observer of a step that is being computed, which may interrupt it.
+pub trait Observer: Sync {
+    /// Receives the completed fraction (0 to 1) of the current passage.
+    fn progress(&self, fraction: f64);
+    /// Whether to abandon the current step now.
+    fn interrupted(&self) -> bool;
+}
+
+/// No observer: the step runs to its end without reporting progress.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Unobserved;
+
+impl Observer for Unobserved {
+    fn progress(&self, _: f64) {}
+
+    fn interrupted(&self) -> bool {
+        false
+    }
 }

@@ -1,13 +1,17 @@
-//! Records of a growth step.
+//! Records of a growth step: tips, passages, faces, fields and enclosed pieces.
 
 use super::{
-    DeferredGrowth, FaceRecord, FieldRecord, FrontTip, Geometry, Jump, PassageRecord, Piece, PopInTest,
-    RunStop, SolverCounts, TipStop, Warning, WheelShares,
+    DeferredGrowth, FaceAcross, FrontTip, Geometry, Jump, PopInTest, RunStop, TipStop, Warning, WheelShares,
 };
-use crate::body::BodyTimes;
+use crate::body::{BodyTimes, FacePoint, FieldGrid};
+use crate::contact::{CoupledState, FaceState, FluidState, SurfaceState};
 use crate::crack::{Crack, CrackTip, Junction};
 use crate::fatigue::LargestK1;
+use crate::fracture::Sif;
+use crate::math::{Stress, Vec2};
+use crate::words::{Choice, Word};
 use serde::{Deserialize, Serialize};
+use std::num::NonZeroUsize;
 
 /// One tip in one step: its state at the start, and the decisions taken.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -199,5 +203,177 @@ impl StepRecord {
     #[must_use]
     pub fn junctions(&self) -> &[Junction] {
         self.geometry.junctions()
+    }
+}
+
+/// One passage on fixed cracks.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PassageRecord {
+    /// Output positions x_c in the order of travel, mm.
+    pub xc: Vec<f64>,
+    /// `sifs[tip][position]`, MPa √mm.
+    pub sifs: Vec<Vec<Sif>>,
+    /// `fluid[tip][position]`: the fluid in the crack of each tip; empty without fluid.
+    pub fluid: Vec<Vec<FluidState>>,
+    /// `kiii[tip][position]`: K_III, MPa √mm; empty in the plane.
+    pub kiii: Vec<Vec<f64>>,
+    /// `wheel[position]`: the contact of a wheel that feels the cracks, where it does; empty for
+    /// other wheels.
+    pub wheel: Vec<Option<CoupledState>>,
+}
+
+/// The faces during the stabilised passage.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FaceRecord {
+    /// The face points, crack by crack, in the order of each crack's polyline.
+    pub points: Vec<FacePoint>,
+    /// `states[position][point]`.
+    pub states: Vec<Vec<FaceState>>,
+    /// The third direction, for cracks in space.
+    pub across: Option<FaceAcross>,
+    /// `surface[position]`: the nodes of the running surface under a wheel that feels the cracks,
+    /// where it does; empty for other wheels.
+    pub surface: Vec<Vec<SurfaceState>>,
+}
+
+/// Effort of the contact solver in one growth step.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct SolverCounts {
+    /// Passages until the history repeated.
+    pub passages: usize,
+    /// Load steps between output positions, in addition to the one that each position requires.
+    pub substeps: usize,
+    /// Contact solutions.
+    pub solves: usize,
+    /// Contact iterations, all solutions together.
+    pub iterations: usize,
+    /// The most iterations of one solution.
+    pub iterations_max: usize,
+    /// Largest violation of the contact conditions, relative to the largest traction and jump.
+    pub complementarity_max: f64,
+}
+
+impl SolverCounts {
+    /// The sum of this effort and that for another wheel on the same body.
+    pub(crate) fn and(self, other: Self) -> Self {
+        Self {
+            passages: self.passages.max(other.passages),
+            substeps: self.substeps + other.substeps,
+            solves: self.solves + other.solves,
+            iterations: self.iterations + other.iterations,
+            iterations_max: self.iterations_max.max(other.iterations_max),
+            complementarity_max: self.complementarity_max.max(other.complementarity_max),
+        }
+    }
+}
+
+/// Wheel positions and steps for which fields are recorded.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FieldSettings {
+    /// Wheel positions x_c, mm; each is replaced by the nearest output position of the stabilised
+    /// passage.
+    pub positions: Vec<f64>,
+    /// Interval between recorded steps, beginning with step 0.
+    pub every: NonZeroUsize,
+}
+
+impl FieldSettings {
+    /// Whether fields of `step` are recorded.
+    pub(crate) fn are_due(&self, step: usize) -> bool {
+        step.is_multiple_of(self.every.get())
+    }
+
+    /// Indices of the output positions `xc` (mm) nearest to those wanted, in increasing order
+    /// without repetition.
+    pub(crate) fn nearest(&self, xc: &[f64]) -> Vec<usize> {
+        let distance = |i: usize, x: f64| (xc[i] - x).abs();
+        let of = |&x: &f64| (0..xc.len()).min_by(|&i, &j| distance(i, x).total_cmp(&distance(j, x)));
+        let mut chosen: Vec<usize> = self.positions.iter().filter_map(of).collect();
+        chosen.sort_unstable();
+        chosen.dedup();
+        chosen
+    }
+}
+
+/// The fields of one step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FieldRecord {
+    /// The points at which they are known.
+    pub grid: FieldGrid,
+    /// One per wheel position, in the order of travel.
+    pub snapshots: Vec<FieldSnapshot>,
+}
+
+/// The field with the wheel at one position.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FieldSnapshot {
+    /// Output position of the stabilised passage, from 0.
+    pub position: usize,
+    /// x_c, mm.
+    pub xc: f64,
+    /// Displacement at each point of the grid, mm; residual stress contributes nothing to it.
+    pub displacement: Vec<Vec2>,
+    /// Stress at each point of the grid, MPa.
+    pub stress: Vec<Stress>,
+    /// At points of the crack faces, the traction exerted by the opposite face, MPa; zero
+    /// elsewhere.
+    pub traction: Vec<Vec2>,
+}
+
+/// Kinds of pieces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum PieceKind {
+    /// The metal above a crack whose tip broke out at the running surface. The ligament still holds
+    /// it, and the run continues.
+    Spall,
+    /// A piece fully separated when a tip coalesced with a crack.
+    Detached,
+}
+
+impl Choice for PieceKind {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Spall, Word::now("spall", "above a crack that broke out at the running surface")),
+        (Self::Detached, Word::now("detached", "wholly cut off")),
+    ];
+}
+
+/// An enclosed piece of the rail.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Piece {
+    /// Its kind.
+    pub kind: PieceKind,
+    /// The step in which it was enclosed.
+    pub step: usize,
+    /// Index of the crack whose tip closed the outline, from 0.
+    pub crack: usize,
+    /// Its corners in order, mm; the last is joined to the first.
+    pub outline: Vec<Vec2>,
+    /// Its area, mm².
+    pub area: f64,
+}
+
+impl Piece {
+    /// The piece within `outline`.
+    pub(crate) fn new(kind: PieceKind, step: usize, crack: usize, outline: Vec<Vec2>) -> Self {
+        let next = outline.iter().cycle().skip(1);
+        let twice: f64 = outline.iter().zip(next).map(|(a, b)| a.cross(*b)).sum();
+        Self { kind, step, crack, area: 0.5 * twice.abs(), outline }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_positions_once_and_in_order() {
+        let nearest = |xc: &[f64], wanted: &[f64]| {
+            FieldSettings { positions: wanted.to_vec(), every: NonZeroUsize::MIN }.nearest(xc)
+        };
+        let there = [-6.0, -3.0, 0.0, 3.0, 6.0];
+        assert_eq!(nearest(&there, &[0.2, -1.0, -100.0, 5.0]), [0, 2, 4]);
+        let back = [6.0, 3.0, 0.0, -3.0];
+        assert_eq!(nearest(&back, &[-2.0, 2.9]), [1, 3]);
+        assert!(nearest(&there, &[]).is_empty());
     }
 }

@@ -1,6 +1,7 @@
-//! The start of a step.
+//! What a step knows at its start: the previous step, and everything that moves the cracks.
 
-use super::{EarlierStep, Turn, WornSurface};
+use super::{Turn, WornSurface};
+use serde::{Deserialize, Serialize};
 
 /// Progress of a run at the start of a step.
 #[derive(Debug, Clone, Copy)]
@@ -36,5 +37,55 @@ impl<'a> StepStart<'a> {
             cycles_at_most: f64::INFINITY,
             turns: &[],
         }
+    }
+}
+
+/// The previous step as the next one sees it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct EarlierStep {
+    /// The movers at its start.
+    pub movers: Vec<Mover>,
+    /// For each of them, its growth until the start of the step less all its increments up to the
+    /// end of it, mm: negative by the growth of the step itself.
+    pub balance: Vec<f64>,
+    /// For each of them, its predicted growth during the step, mm.
+    pub growth: Vec<f64>,
+    /// Its cycles as they were predicted.
+    pub cycles: f64,
+    /// Where its cycles followed from an increment, the mover that made it and its growth, mm.
+    pub leader: Option<(Mover, f64)>,
+    /// Whether the prediction used the rates of two steps.
+    pub is_extrapolated: bool,
+    /// Whether the rates vary smoothly from its start to its end: not where a crack kinked at its
+    /// start or where it was a grinding.
+    pub is_smooth: bool,
+}
+
+impl EarlierStep {
+    /// The predicted growth (mm) of `mover` during the step.
+    pub(super) fn growth_of(&self, mover: &Mover) -> Option<f64> {
+        self.movers.iter().position(|own| own.is(mover)).map(|i| self.growth[i])
+    }
+}
+
+/// A tip of a crack in the plane, or a motion of the front of a crack in space, with its rate.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Mover {
+    /// The crack, from 0.
+    pub crack: usize,
+    /// Index of the tip (from 0) in the crack, or the motion ([`FrontMotion`](super::FrontMotion)
+    /// as a number).
+    pub index: usize,
+    /// Its rate, mm per cycle.
+    pub rate: f64,
+    /// Length of its crack, mm.
+    pub length: f64,
+}
+
+impl Mover {
+    /// Whether both are the same tip or motion.
+    #[must_use]
+    pub fn is(&self, other: &Self) -> bool {
+        (self.crack, self.index) == (other.crack, other.index)
     }
 }

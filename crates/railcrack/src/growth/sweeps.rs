@@ -5,6 +5,7 @@
 //! error that is left after a sweep is due to the coupling beyond the members of a group.
 
 use super::{Observer, PassageSettings};
+use crate::words::{Choice, Word};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Largest number of sweeps over a passage.
@@ -79,4 +80,32 @@ impl<'a> SweepProgress<'a> {
         let share = (self.done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / self.groups as f64;
         self.observer.progress(1.0 - self.left * (1.0 - 0.5 * share));
     }
+}
+
+/// Treatment of the contact of many cracks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum NetworkContact {
+    /// All cracks are followed together, event by event.
+    #[default]
+    Whole,
+    /// Each crack is followed with its neighbours, event by event, under the forces of all others,
+    /// in sweeps until they agree. For engines that build bodies by groups; with finite elements,
+    /// cracks are followed together.
+    Groups,
+}
+
+impl Choice for NetworkContact {
+    const WORDS: &'static [(Self, Word)] = &[
+        (
+            Self::Whole,
+            Word::now("whole", "all cracks together; the cost grows with the square of their number"),
+        ),
+        (
+            Self::Groups,
+            Word::now(
+                "groups",
+                "each crack with its neighbours, in sweeps until they agree within network_tolerance; for dozens of cracks, with the dislocation or the space engine and the newton solver, without trapped fluid and without fields",
+            ),
+        ),
+    ];
 }

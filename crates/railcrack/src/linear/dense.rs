@@ -1,7 +1,7 @@
 //! Products and inverses of dense matrices.
 
 use super::LinearError;
-use super::blocks::column_blocks;
+use super::large::column_blocks;
 use crate::interruption::{Interrupted, Interruption};
 use crate::math::{Matrix, axpy, dot};
 use faer::dyn_stack::{MemBuffer, MemStack};

@@ -1,7 +1,6 @@
 //! Triangular factors of large unsymmetric dense matrices in single precision.
 
 use super::LinearError;
-use super::blocks::column_blocks;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::factor::{lu_in_place, lu_in_place_scratch};
 use faer::linalg::matmul::matmul;
@@ -158,6 +157,24 @@ fn subtract<const N: usize>(columns: [&[f32]; N], weights: [f32; N], sum: &mut [
         }
         *value = rest;
     }
+}
+
+/// The columns of a matrix in blocks of `width`, the last one with what is left, in order.
+pub(super) fn column_blocks<T: Send + Sync>(
+    matrix: MatMut<'_, T>,
+    width: usize,
+) -> impl IndexedParallelIterator<Item = MatMut<'_, T>> {
+    let mut blocks = Vec::with_capacity(matrix.ncols().div_ceil(width));
+    let mut rest = matrix;
+    while rest.ncols() > width {
+        let (block, right) = rest.split_at_col_mut(width);
+        blocks.push(block);
+        rest = right;
+    }
+    if rest.ncols() > 0 {
+        blocks.push(rest);
+    }
+    blocks.into_par_iter()
 }
 
 #[cfg(test)]

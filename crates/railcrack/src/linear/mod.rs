@@ -2,9 +2,7 @@
 //! any number of threads: parallel tasks are independent blocks and columns whose division does not
 //! depend on that number.
 
-mod blocks;
 mod bordered;
-mod cholesky;
 mod dense;
 mod elements;
 mod error;
@@ -17,16 +15,13 @@ mod reach;
 #[cfg(test)]
 mod sparse_tests;
 mod spd;
-mod structure;
-mod sweep;
 
 pub(crate) use bordered::BorderedFactor;
-pub use cholesky::{SparseCholesky, SparseFactor};
-pub(crate) use dense::spd_inverse_unless;
-pub(crate) use dense::{SmallFactor, add_product, coupling, products_of_rows};
+pub(crate) use dense::{SmallFactor, add_product, coupling, products_of_rows, spd_inverse_unless};
 pub use dense::{general_inverse, product, spd_inverse};
 pub use elements::ElementSum;
 pub use error::LinearError;
+pub use fronts::{SparseCholesky, SparseFactor};
 pub(crate) use gmres::least_residual;
 pub use gram::gram;
 pub(crate) use large::LargeFactor;

@@ -1,8 +1,8 @@
 //! Dense Cholesky factors whose leading rows can be reused.
 
 use super::LinearError;
-use super::blocks::column_blocks;
 use super::dense::factor_in_place;
+use super::large::column_blocks;
 use crate::interruption::Interruption;
 use crate::math::Matrix;
 use faer::linalg::matmul::matmul;

@@ -1,10 +1,12 @@
 //! The load on the faces through residual stress, approach, passage and departure.
 
 use super::mouth_pressures::MouthPressures;
-use super::rail_load::RailLoad;
 use crate::contact::{FaceProblem, FluidModel, FluidState, LoadPath, Pocket};
-use crate::field::{EndField, EndsError, FlatPunch, StressesUnderWheel, Wheel};
+use crate::field::{EndField, EndsError, FlatPunch, RailEnds, StressField, StressesUnderWheel, Wheel};
+use crate::growth::PassageSettings;
+use crate::load::Passage;
 use crate::math::{Track, Vec2, axpy};
+use std::sync::Arc;
 
 /// Nodal forces due to the stress of the uncracked rail.
 pub(super) struct FaceLoad<'a> {
@@ -263,5 +265,28 @@ impl PartLoad<'_> {
             }
         }
         forces
+    }
+}
+
+/// Load of the uncracked rail: a passing wheel and residual stress.
+#[derive(Clone, Copy)]
+pub struct RailLoad<'a> {
+    /// The wheel.
+    pub wheel: &'a dyn Wheel,
+    /// Balanced residual stress.
+    pub residual: Option<&'a dyn StressField>,
+}
+
+impl RailLoad<'_> {
+    /// The field that the ends of a `rail` add to that of the wheel during its passage.
+    ///
+    /// Errors: a wheel that leaves the rail or comes too close to an end.
+    pub(super) fn at_ends(
+        &self,
+        rail: &Arc<dyn RailEnds>,
+        settings: &PassageSettings,
+    ) -> Result<Arc<dyn EndField>, EndsError> {
+        let Passage { from, to, .. } = settings.passage;
+        Arc::clone(rail).under(self.wheel, from.min(to)..=from.max(to))
     }
 }

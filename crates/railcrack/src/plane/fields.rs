@@ -1,14 +1,13 @@
 //! Stress and displacement around the cracks at selected wheel positions: the sum of the fields of
 //! the uncracked rail and of the cracked body.
 
-use super::face_load::{FaceLoad, LoadPhase};
-use super::felt_field::felt_wheel;
-use super::rail_load::RailLoad;
+use super::face_load::{FaceLoad, LoadPhase, RailLoad};
 use crate::body::{BodyError, Face, FacePoint, FieldGrid, FieldLoad};
-use crate::contact::{FaceState, LoadPath};
+use crate::contact::{FaceState, LoadPath, SurfaceState};
 use crate::coupling::CoupledContact;
 use crate::field::{TableWheel, Wheel};
 use crate::growth::{FieldRecord, FieldSettings, FieldSnapshot, StabilisedPassage};
+use crate::load::{ContactRow, TableContact};
 use crate::math::{Vec2, axpy};
 
 /// The fields at `positions` (mm) in the stabilised `passage`, under a wheel that feels the cracks
@@ -111,4 +110,29 @@ fn tractions(grid: &FieldGrid, faces: &[FacePoint], states: &[FaceState]) -> Vec
         }
     }
     tractions
+}
+
+/// Distance (mm) of the two nodes of a mouth in a table, whose abscissae increase.
+const BETWEEN_LIPS: f64 = 1e-5;
+
+/// The wheel with the pressures of the surface `nodes`, centred at `xc` (mm); `None` without
+/// pressure.
+pub(super) fn felt_wheel(nodes: &[SurfaceState], xc: f64, contact: &CoupledContact) -> Option<TableWheel> {
+    let mut before = f64::NEG_INFINITY;
+    let mut rows = Vec::with_capacity(nodes.len());
+    for node in nodes {
+        let x = if node.x > before { node.x } else { before + BETWEEN_LIPS };
+        before = x;
+        // Round-off is neither tension nor pressure at the ends.
+        let pressure = node.pressure.max(0.0);
+        let u = x - xc;
+        rows.push(ContactRow { u, pressure, shear: contact.shear_ratio(u) * pressure });
+    }
+    if let [first, .., last] = &mut rows[..] {
+        for end in [first, last] {
+            (end.pressure, end.shear) = (0.0, 0.0);
+        }
+    }
+    let table = TableContact::new(rows, None).ok()?;
+    Some(TableWheel::new(&table, &contact.steel))
 }

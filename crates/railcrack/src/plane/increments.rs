@@ -2,10 +2,11 @@
 
 use super::coalescence::{Coalescence, coalescences};
 use super::joining::{Outcome, grow, spall};
-use super::step_state::{Step, StepState, TipDrive};
-use super::stops::{grows, spent_ligament, standstill, stop_of_one};
+use super::step_state::{
+    Step, StepState, TipDrive, Worn, grows, mouth_sine, reaches_junction, spent_ligament, standstill,
+    stop_of_one, worn,
+};
 use super::turned::Turned;
-use super::worn::{Worn, mouth_sine, reaches_junction, worn};
 use crate::crack::{Crack, End, Junction, point_to_segment};
 use crate::growth::{
     BreakOut, ChangingCrack, DeferredGrowth, Event, GrowthSettings, Jump, LEAST_PART, LOCATED, Mover, Moving,

@@ -1,9 +1,8 @@
 //! Passages of the wheel over fixed cracks: residual stress, then passages until the history
 //! repeats.
 
-use super::face_load::{FaceLoad, LoadPhase};
+use super::face_load::{FaceLoad, LoadPhase, RailLoad};
 use super::mouth_pressures::{MOST_CHANGES, MouthPressures, PressuresChange, Settling, covered, over_mouths};
-use super::rail_load::RailLoad;
 use super::tip_sifs::{TipMark, TipSifs};
 use crate::body::FacePoint;
 use crate::contact::{

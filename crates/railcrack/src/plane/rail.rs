@@ -1,15 +1,11 @@
 //! A rail with cracks in the plane, as the growth loop sees it.
 
-use super::face_load::FaceLoad;
+use super::face_load::{FaceLoad, RailLoad};
 use super::fields::record_fields;
 use super::increments::{advance, kinked};
-use super::rail_load::RailLoad;
-use super::solvers::Solvers;
-use super::step_state::{StepState, TipDrive};
-use super::turn_response::{TurnResponse, jump};
-use super::turning_wheel::{histories_of, turned_by};
-use super::wheel::PlaneWheel;
-use super::worn::mouth_sine;
+use super::solvers::{PlaneWheel, Solvers};
+use super::step_state::{StepState, TipDrive, mouth_sine};
+use super::turned::{TurnResponse, histories_of, jump, turned_by};
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::contact::{ContactSolver, FaceProblem, Latin, Newton, NotConverged, SteppingError};
 use crate::crack::{Crack, CrackNetwork, CrackTip, End};

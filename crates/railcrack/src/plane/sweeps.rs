@@ -1,13 +1,10 @@
 //! Passages of the wheel over many cracks, group by group, in sweeps until the groups agree.
 
-use super::exchange::{Exchange, History};
-use super::face_load::{FaceLoad, LoadPhase};
-use super::groups::{Group, groups};
+use super::exchange::{Exchange, Group, History, groups, stations, weights};
+use super::face_load::{FaceLoad, LoadPhase, RailLoad};
 use super::passage::{
     Pass, Rolling, distances, edge_stations, far_stations, memory, places, ramp_stations, stabilised,
 };
-use super::rail_load::RailLoad;
-use super::stations::{stations, weights};
 use super::tip_sifs::TipSifs;
 use crate::body::BlockStiffness;
 use crate::contact::{

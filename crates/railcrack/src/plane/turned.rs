@@ -1,7 +1,11 @@
-//! The turn of the path of a tip in a step.
+//! The turn of the path of a tip in a step, and how its best kink responds to a turn.
 
 use super::step_state::TipDrive;
-use crate::growth::{GrowthSettings, Jump, StepStart, TipCourse};
+use crate::fatigue::{
+    HourlierPineau, Kink, KinkFunctions, SECONDARY_DISTANCE, SifRanges, WheelHistory, convex_hull,
+};
+use crate::fracture::{Sif, SifHistory};
+use crate::growth::{GrowthSettings, Jump, StepStart, TipCourse, Turning};
 
 /// The turn of the path of a tip in a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -127,9 +131,121 @@ fn phi_2(z: f64) -> f64 {
     if z.abs() < 1e-3 { 0.5 - z / 6.0 } else { ((-z).exp_m1() + z) / (z * z) }
 }
 
+/// How the best kink and the rate of a tip respond to a turn of its path: by virtual kinks of a
+/// small angle.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct TurnResponse {
+    /// Relative change of the rate per radian of turn, as an absolute value.
+    pub sensitivity: f64,
+    /// Decrease of the best kink per radian of turn.
+    pub kink_slope: f64,
+}
+
+/// The small angle, radians: about 1°, the spacing of the grid of kinks.
+const TURN: f64 = 0.02;
+/// Largest slope that is taken for one: beyond, the best kink jumps to another branch.
+const LARGEST_SLOPE: f64 = 2.0;
+/// Ratio of rates from which the direction on which the path went on is nearly as good as the best.
+const RIVAL: f64 = 0.8;
+
+impl TurnResponse {
+    /// The response of a tip under `wheels` with the best kink `best` (radians).
+    pub fn of(
+        direction: &HourlierPineau,
+        wheels: &[WheelHistory<'_>],
+        best: Option<f64>,
+        growth: &GrowthSettings,
+    ) -> Self {
+        let follows = matches!(growth.turning, Turning::Over(length) if length > 0.0 && length.is_finite());
+        let Some(best) = best.filter(|_| follows) else { return Self::default() };
+        let hulls: Vec<Vec<Sif>> = wheels
+            .iter()
+            .map(|wheel| match direction.kink_friction > 0.0 {
+                true => wheel.history.samples.clone(),
+                false => convex_hull(&wheel.history.samples),
+            })
+            .collect();
+        let turned = |angle: f64| {
+            let functions = KinkFunctions::at(angle);
+            let histories: Vec<SifHistory> = hulls
+                .iter()
+                .map(|hull| SifHistory {
+                    samples: hull
+                        .iter()
+                        .map(|k| functions.kinked(*k))
+                        .map(|k| Sif { ki: k.k1, kii: k.k2 })
+                        .collect(),
+                })
+                .collect();
+            let under: Vec<WheelHistory<'_>> = wheels
+                .iter()
+                .zip(&histories)
+                .map(|(wheel, history)| WheelHistory { share: wheel.share, history })
+                .collect();
+            let rate: f64 = under
+                .iter()
+                .map(|wheel| wheel.share * growth.law.rate(SifRanges::of(wheel.history).load()))
+                .sum();
+            (direction.kink_of_mix(&under).map_or(best, |kink| kink.angle), rate)
+        };
+        let ((left, left_rate), (right, right_rate)) = (turned(TURN), turned(-TURN));
+        let slope = (right - left) / (2.0 * TURN);
+        let mean = 0.5 * (left_rate + right_rate);
+        let change = ((left_rate - right_rate) / (2.0 * TURN)).abs();
+        Self {
+            sensitivity: if mean > 0.0 && mean.is_finite() { change / mean } else { 0.0 },
+            kink_slope: if slope.abs() < LARGEST_SLOPE { slope.max(0.0) } else { 0.0 },
+        }
+    }
+}
+
+/// Why a path kinks at a tip with the best kink `kink`, if it does.
+pub(super) fn jump(kink: &Kink, course: &TipCourse, growth: &GrowthSettings) -> Option<Jump> {
+    let follows = matches!(growth.turning, Turning::Over(length) if length > 0.0 && length.is_finite());
+    if !follows {
+        return None;
+    }
+    if kink.angle.abs() >= growth.kink_angle {
+        return Some(Jump::Kink);
+    }
+    // The direction on which the path went on is still there, nearly as good as the best.
+    let expected = course.expected?;
+    let is_rival = kink.secondary.is_some_and(|other| {
+        other.ratio >= RIVAL && (other.angle - expected).abs() < 0.5 * SECONDARY_DISTANCE
+    });
+    (is_rival && (kink.angle - expected).abs() >= SECONDARY_DISTANCE).then_some(Jump::Rival)
+}
+
+/// Directions that differ by less than this (radians) count as equal.
+const TURNED: f64 = std::f64::consts::PI / 180.0;
+
+/// The wheel (from 0) whose removal would change the kink from `angle` (radians) most; `None` where
+/// no removal changes the direction by a degree.
+pub(super) fn turned_by(direction: &HourlierPineau, wheels: &[WheelHistory], angle: f64) -> Option<usize> {
+    let without = |i: usize| {
+        let others: Vec<WheelHistory> =
+            wheels.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, wheel)| *wheel).collect();
+        let kink = if others.is_empty() { None } else { direction.kink_of_mix(&others) };
+        (i, kink.map_or(0.0, |kink| (kink.angle - angle).abs()))
+    };
+    let turns = (0..wheels.len()).map(without).filter(|(_, turn)| *turn > TURNED);
+    turns.reduce(|a, b| if b.1 > a.1 { b } else { a }).map(|(i, _)| i)
+}
+
+/// The histories of tip `tip` under each wheel.
+pub(super) fn histories_of<'a>(
+    tip: usize,
+    shares: &[f64],
+    histories: &'a [&'a [SifHistory]],
+) -> Vec<WheelHistory<'a>> {
+    let of = |(&share, all): (&f64, &&'a [SifHistory])| WheelHistory { share, history: &all[tip] };
+    shares.iter().zip(histories).map(of).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fracture::Sif;
     use crate::growth::{Turning, WornSurface};
     use crate::plane::fixtures::tip;
 
@@ -184,5 +300,19 @@ mod tests {
         let drive = TipDrive { jump: Some(Jump::Kink), ..tip(0, -1.2, 1e-6) };
         let next = Turned::of(&drive, 0.1, &StepStart::standing(&worn), &settings).unwrap();
         assert_eq!((next.angle, next.jump), (-1.2, Some(Jump::Kink)));
+    }
+
+    #[test]
+    fn a_weak_wheel_may_turn_the_crack() {
+        let history = |samples: &[(f64, f64)]| SifHistory {
+            samples: samples.iter().map(|&(ki, kii)| Sif { ki, kii }).collect(),
+        };
+        let direction = HourlierPineau::default();
+        let (often, seldom) = (history(&[(0.0, 0.0), (100.0, 0.0)]), history(&[(0.0, 0.0), (0.0, 400.0)]));
+        let wheels =
+            [WheelHistory { share: 0.9, history: &often }, WheelHistory { share: 0.1, history: &seldom }];
+        let angle = direction.kink_of_mix(&wheels).unwrap().angle;
+        assert!(angle < -0.5, "{angle}");
+        assert_eq!(turned_by(&direction, &wheels, angle), Some(1));
     }
 }

@@ -1,6 +1,5 @@
 //! Contact of measured profiles of wheel and rail: search, patches, pressure.
 
-mod curve;
 mod kik_piotrowski;
 mod pair;
 mod profile;

@@ -1,8 +1,7 @@
 //! A wheel over a rail: the search for their contacts.
 
-use super::curve::{CurvePoint, Side, heights};
 use super::kik_piotrowski::{Gap, PatchPressure, ProfileContact};
-use super::profile::{Profile, RAIL_HEAD_DEPTH};
+use super::profile::{CurvePoint, Profile, RAIL_HEAD_DEPTH, Side, heights};
 use crate::material::IsotropicElastic;
 use crate::math::OutOfRange;
 use thiserror::Error;

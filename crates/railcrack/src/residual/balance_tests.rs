@@ -3,8 +3,7 @@ use crate::bulk::{BottomSupport, Boundary, BulkRail, SideSupport};
 use crate::field::{DepthProfile, StressField};
 use crate::material::IsotropicElastic;
 use crate::math::{RailBox, Stress, Vec2};
-use crate::mesh::QuadMesh;
-use crate::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
+use crate::mesh::{Array, CellBlock, CellShape, QuadMesh, UnstructuredGrid};
 
 const POISSON: f64 = 0.3;
 

@@ -7,13 +7,12 @@
 
 mod balance;
 mod cells;
-mod error;
 mod plastic;
 mod recover;
 mod shape;
 
 pub use balance::{BalancedStress, ProjectionLoss, projection_loss};
-pub use error::PlasticFieldError;
+pub use cells::PlasticFieldError;
 pub use plastic::{PLASTIC_STRESS_ARRAY, PlasticField, RecoveryLoss};
 
 #[cfg(test)]

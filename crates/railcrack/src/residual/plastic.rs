@@ -1,7 +1,6 @@
 //! Plastic stress given on a mesh, evaluated at any point of the rail.
 
-use super::cells::{CellMesh, PlaneCell};
-use super::error::PlasticFieldError;
+use super::cells::{CellMesh, PlaneCell, PlasticFieldError};
 use super::recover::nodes_from_cells;
 use super::shape::PlaneShape;
 use crate::field::DepthProfile;

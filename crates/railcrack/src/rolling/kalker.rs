@@ -1,5 +1,7 @@
-//! Kalker's creepage and spin coefficients of the contact ellipse.
+//! Creepages, Kalker's coefficients of the contact ellipse, and theories of rolling contact.
 
+use crate::math::OutOfRange;
+use crate::words::{Choice, Word};
 use std::f64::consts::{LN_2, PI};
 
 /// Coefficients of the linear theory of rolling contact.
@@ -114,4 +116,105 @@ fn long_limit(g: f64, poisson: f64) -> [f64; 3] {
         2.0 * PI / (across * g) * (1.0 + (1.0 - poisson) * rest / across),
         2.0 * PI / (3.0 * g * g.sqrt() * spin),
     ]
+}
+
+/// Rigid slip of wheel and rail over the speed of travel, at the point (x, y) of the patch
+/// (ξ − φ y, η + φ x): x with the travel, y across; the spin turns +x towards +y.
+///
+/// The signs are those of CONTACT: ξ > 0 of a driving wheel, whose force on the rail is F_x < 0.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Creepage {
+    /// ξ, along the rail.
+    pub longitudinal: f64,
+    /// η, across the rail.
+    pub lateral: f64,
+    /// φ, per mm.
+    pub spin: f64,
+}
+
+impl Creepage {
+    /// Rejects values that are not finite.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        OutOfRange::unless_finite("longitudinal creepage", self.longitudinal)?;
+        OutOfRange::unless_finite("lateral creepage", self.lateral)?;
+        OutOfRange::unless_finite("spin (1/mm)", self.spin)
+    }
+
+    /// Whether wheel and rail roll on each other without slip.
+    #[must_use]
+    pub fn is_none(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// The same creepage with all signs exchanged.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        Self { longitudinal: -self.longitudinal, lateral: -self.lateral, spin: -self.spin }
+    }
+}
+
+/// Convention for the signs of creepages and spin.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CreepageSign {
+    /// Those of [`Creepage`].
+    Contact,
+    /// All signs opposite.
+    Vehicle,
+}
+
+impl CreepageSign {
+    /// `given` in this convention, in that of [`Creepage`].
+    #[must_use]
+    pub fn read(self, given: Creepage) -> Creepage {
+        match self {
+            Self::Contact => given,
+            Self::Vehicle => given.reversed(),
+        }
+    }
+}
+
+impl Choice for CreepageSign {
+    const WORDS: &'static [(Self, Word)] = &[
+        (
+            Self::Contact,
+            Word::now("contact", "of the program CONTACT: longitudinal creepage > 0 of a driving wheel"),
+        ),
+        (
+            Self::Vehicle,
+            Word::now(
+                "vehicle",
+                "of most vehicle codes, (V - omega r)/V: longitudinal creepage > 0 of a braking wheel",
+            ),
+        ),
+    ];
+}
+
+/// A theory of the shear in rolling contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum RollingTheory {
+    /// Strips of Carter's form, scaled to Kalker's coefficients (Sichani et al. 2016).
+    #[default]
+    FaStrip,
+    /// The same strips with the shear of Kalker's strip theory (1967), which does not slip where it
+    /// sticks.
+    Strip,
+    /// Kalker's simplified theory (1982).
+    Fastsim,
+    /// Kalker's linear theory (1967): forces without saturation.
+    Linear,
+}
+
+impl Choice for RollingTheory {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::FaStrip, Word::now("fastrip", "strips of Carter's form, scaled to Kalker's coefficients")),
+        (Self::Strip, Word::now("strip", "the same with the shear of Kalker's strip theory")),
+        (
+            Self::Fastsim,
+            Word::now("fastsim", "Kalker's simplified theory with a parabolic limit of the shear"),
+        ),
+        (
+            Self::Linear,
+            Word::now("linear", "Kalker's linear theory; its force is distributed like the pressure"),
+        ),
+    ];
 }

@@ -1,7 +1,7 @@
-//! A patch in rolling contact.
+//! A patch in rolling contact: its outline, its strips and its place on the rail.
 
-use super::{Creepage, KalkerCoefficients, RollingTheory, StripOutline};
-use crate::load::HertzEllipse;
+use super::{Creepage, KalkerCoefficients, RollingTheory};
+use crate::load::{Contact, ContactRow, HertzEllipse, TableContact, Travel};
 use crate::material::IsotropicElastic;
 use crate::math::OutOfRange;
 use std::f64::consts::PI;
@@ -136,4 +136,115 @@ impl RollingPatch {
         let l3 = PI * a * (a / b).sqrt() / (4.0 * shear * c23);
         Flexibilities { l1: 8.0 * a / (3.0 * shear * c11), l2: 8.0 * a / (3.0 * shear * c22), l3 }
     }
+}
+
+/// Half the lengths of the strips of a patch, at even distances across it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StripOutline {
+    /// y of the ends of the patch, mm.
+    ends: [f64; 2],
+    /// Squares of half the lengths, mm².
+    squares: [f64; STRIPS],
+}
+
+/// Strips whose lengths are kept. Squares are linear in between: those of an ellipse are a
+/// parabola, which this reproduces to 3e-4 of the longest.
+const STRIPS: usize = 61;
+
+impl StripOutline {
+    /// The outline between `ends` (y, mm) with half the length (mm) that `half_length` gives at y.
+    #[must_use]
+    pub fn new(ends: [f64; 2], half_length: impl Fn(f64) -> f64) -> Self {
+        let place = |i: usize| ends[0] + (ends[1] - ends[0]) * i as f64 / (STRIPS - 1) as f64;
+        let mut squares = [0.0; STRIPS];
+        squares.iter_mut().enumerate().for_each(|(i, square)| *square = half_length(place(i)).powi(2));
+        Self { ends, squares }
+    }
+
+    /// y of the ends, mm.
+    #[must_use]
+    pub fn ends(&self) -> [f64; 2] {
+        self.ends
+    }
+
+    /// Half the length of the strip at `y` (mm), mm; 0 outside.
+    #[must_use]
+    pub fn half_length(&self, y: f64) -> f64 {
+        let place = (y - self.ends[0]) / (self.ends[1] - self.ends[0]) * (STRIPS - 1) as f64;
+        if !(0.0..=(STRIPS - 1) as f64).contains(&place) {
+            return 0.0;
+        }
+        let below = (place.floor() as usize).min(STRIPS - 2);
+        let part = place - below as f64;
+        ((1.0 - part) * self.squares[below] + part * self.squares[below + 1]).sqrt()
+    }
+}
+
+/// A patch, and where a crack lies in it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlacedPatch {
+    /// The patch.
+    pub patch: RollingPatch,
+    /// y of the crack in the patch, mm.
+    pub y: f64,
+    /// x of the middle of the patch from the wheel's centre, with the travel, mm.
+    pub x: f64,
+}
+
+/// Intervals of each strip where several are added.
+const INTERVALS: usize = 160;
+
+impl PlacedPatch {
+    /// The load of all `patches` of a wheel that runs towards `travel` over a crack: one contact,
+    /// whose centre is that of the wheel; of a single patch, the middle of the patch. None where
+    /// the patches miss the crack.
+    #[must_use]
+    pub fn plane_contact(patches: &[Self], travel: Travel) -> Option<Contact> {
+        let over: Vec<&Self> = patches.iter().filter(|own| own.patch.half_length(own.y) > 0.0).collect();
+        match over[..] {
+            [] => None,
+            [one] => one.patch.plane_contact(one.y, travel).ok(),
+            _ => Self::sum(&over, travel),
+        }
+    }
+
+    /// Strips added between all their points, in which each is linear.
+    fn sum(patches: &[&Self], travel: Travel) -> Option<Contact> {
+        let strip = |own: &&Self| {
+            let rows = own.patch.strip(own.y, INTERVALS).ok()?.table()?;
+            let shifted = |row: &ContactRow| ContactRow { u: row.u + own.x, ..*row };
+            Some(rows.rows().iter().map(shifted).collect::<Vec<_>>())
+        };
+        let strips: Vec<Vec<ContactRow>> = patches.iter().map(strip).collect::<Option<_>>()?;
+        let mut places: Vec<f64> = strips.iter().flatten().map(|row| row.u).collect();
+        places.sort_by(f64::total_cmp);
+        places.dedup_by(|next, before| *next - *before < 1e-9);
+        let row = |&u: &f64| {
+            let all = strips.iter().map(|strip| at(strip, u));
+            let (pressure, shear) = all.fold((0.0, 0.0), |sum, own| (sum.0 + own.0, sum.1 + own.1));
+            ContactRow { u, pressure, shear }
+        };
+        let mut rows: Vec<ContactRow> = places.iter().map(row).collect();
+        // The outermost points carry nothing but what rounding of their places leaves.
+        let last = rows.len() - 1;
+        for end in [0, last] {
+            (rows[end].pressure, rows[end].shear) = (0.0, 0.0);
+        }
+        let sum = Contact::Table(TableContact::new(rows, None).ok()?);
+        Some(match travel {
+            Travel::Forward => sum,
+            Travel::Backward => sum.mirrored(),
+        })
+    }
+}
+
+/// Pressure and shear of a strip at `u`, linear between its rows.
+fn at(strip: &[ContactRow], u: f64) -> (f64, f64) {
+    let next = strip.partition_point(|row| row.u < u);
+    let (Some(b), true) = (strip.get(next), next > 0 || strip.first().is_some_and(|row| row.u == u)) else {
+        return (0.0, 0.0);
+    };
+    let a = strip[next.saturating_sub(1)];
+    let part = if b.u > a.u { (u - a.u) / (b.u - a.u) } else { 1.0 };
+    (a.pressure + part * (b.pressure - a.pressure), a.shear + part * (b.shear - a.shear))
 }

@@ -1,8 +1,6 @@
 //! Check values of the theories of rolling contact.
 
-use super::bound::StripBound;
-use super::fastrip::StickZone;
-use super::fastsim::FastsimStrip;
+use super::strip::{FastsimStrip, StickZone, StripBound};
 use super::*;
 use crate::load::{Contact, HertzEllipse, Travel, WheelOnRail};
 use crate::material::IsotropicElastic;

@@ -1,8 +1,7 @@
 //! Cracked bodies in a rail with head, web and foot.
 
 use super::layers::SectionLayers;
-use super::modes::Amplitude;
-use super::reflection::{Support, reflection, wave_numbers};
+use super::modes::{Amplitude, Support, reflection, wave_numbers};
 use crate::body::{BodyEngine, BodyError, CrackedBody, FaceMesh};
 use crate::crack::CrackNetwork;
 use crate::interruption::{Interrupted, Interruption};

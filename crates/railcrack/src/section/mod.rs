@@ -11,7 +11,6 @@
 mod engine;
 mod layers;
 mod modes;
-mod reflection;
 
 pub use engine::{SectionEngine, SectionError};
 pub use layers::{Layer, SectionLayers};

@@ -1,8 +1,7 @@
 //! Residual stress of a plastic strain in the half-plane, by elastic redistribution exact in every
 //! layer.
 
-use super::fourier::{Fourier, Signals};
-use super::layers::Layers;
+use super::fourier::{Fourier, Layers, Signals};
 use super::wave::{Complex, LayerFactors, Strains, Wave};
 use crate::material::IsotropicElastic;
 

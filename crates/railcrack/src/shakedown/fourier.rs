@@ -1,5 +1,7 @@
-//! Discrete Fourier transforms of many signals at the same time.
+//! Fourier transforms along the rail of many signals, on the grid and its layers.
 
+use super::bounds;
+use super::rail::{RolledRail, ShakedownError};
 use pulp::{Arch, Simd, WithSimd};
 
 /// The transform X_k = Σ_n x_n e^(−2π i k n / N) of signals of length N, a power of two.
@@ -159,6 +161,180 @@ impl WithSimd for Two<'_> {
             (r0[n], i0[n]) = (ar[n] + br[n], ai[n] + bi[n]);
             (r1[n], i1[n]) = (ar[n] - br[n], ai[n] - bi[n]);
         }
+    }
+}
+
+/// Resolution of stress and strain around the contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Resolution {
+    /// Number of columns, and of layers where the rail may yield, per half-width of the contact; a
+    /// power of two, so that both edges of the contact lie on columns.
+    pub per_half_width: u32,
+    /// Least period of the waves, in half-widths of the contact; see `docs/dev/shakedown.md`.
+    pub period: u32,
+}
+
+impl Default for Resolution {
+    /// The resolution measured in `docs/dev/shakedown.md`: within 2 % of the largest residual stress.
+    fn default() -> Self {
+        Self { per_half_width: 32, period: 16 }
+    }
+}
+
+/// Columns and layers of one computation.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct RailGrid {
+    /// Number of columns, a power of two.
+    pub columns: usize,
+    /// mm.
+    pub spacing: f64,
+    pub layers: Layers,
+    /// Depth of the even layers, mm.
+    pub fine_depth: f64,
+}
+
+/// p0/k beyond which the plastic zone is deeper than ten half-widths. No elastic half-plane carries
+/// such a load, and the pressure ceases to be Hertzian at much lower loads.
+const HEAVIEST: f64 = 20.0;
+/// Factor by which the plastic zone is deeper than the zone of the elastic passage above yield,
+/// because the yielded part sheds load, and …
+const SPREAD: f64 = 1.35;
+/// … increase of its depth, over a.
+const SPREAD_OVER_A: f64 = 0.1;
+/// Least period over the depth of the even layers.
+const PERIOD_OVER_DEPTH: f64 = 4.5;
+/// Depth of all layers over that of the even ones: flow in the lower layers shows that more even
+/// layers are needed.
+const MARGIN: f64 = 1.15;
+/// Depth over a beyond which the sizes of layers and columns double, because deeper zones are
+/// larger in all directions.
+const COARSER_BEYOND: f64 = 4.0;
+/// Half-widths on each side of the contact in which flow is admitted and the extrapolation acts.
+pub(super) const ACTIVE: f64 = 3.0;
+
+impl RailGrid {
+    /// The grid for `rail`, with even layers to slightly below the depth at which its elastic
+    /// passage yields.
+    pub(super) fn of(rail: &RolledRail, resolution: Resolution) -> Result<Self, ShakedownError> {
+        Self::check_load(rail)?;
+        let a = rail.contact.half_width();
+        let depth = yield_depth(rail)?.max(a);
+        Ok(Self::down_to(rail, resolution, SPREAD * depth + SPREAD_OVER_A * a))
+    }
+
+    /// Checks that a half-plane can carry the load of `rail`.
+    pub(super) fn check_load(rail: &RolledRail) -> Result<(), ShakedownError> {
+        let ratio = rail.pressure_ratio();
+        let accepted = ratio > 0.0 && ratio <= HEAVIEST;
+        if accepted { Ok(()) } else { Err(ShakedownError::Load { ratio, most: HEAVIEST }) }
+    }
+
+    /// The grid for `rail` with even layers down to `fine_depth` (mm).
+    pub(super) fn down_to(rail: &RolledRail, resolution: Resolution, fine_depth: f64) -> Self {
+        let a = rail.contact.half_width();
+        let mut spacing = a / f64::from(resolution.per_half_width.next_power_of_two());
+        let mut reach = COARSER_BEYOND * a;
+        while fine_depth > reach {
+            (spacing, reach) = (2.0 * spacing, 2.0 * reach);
+        }
+        let period = (f64::from(resolution.period) * a).max(PERIOD_OVER_DEPTH * fine_depth);
+        let columns = ((period / spacing).ceil() as usize).next_power_of_two();
+        Self {
+            columns,
+            spacing,
+            layers: Layers::graded(spacing, fine_depth, MARGIN * fine_depth),
+            fine_depth,
+        }
+    }
+
+    /// Abscissa of column `i` from the centre of the contact, mm.
+    pub(super) fn abscissa(&self, i: usize) -> f64 {
+        (i as f64 - 0.5 * self.columns as f64) * self.spacing
+    }
+}
+
+/// The greatest depth (mm) at which the elastic passage reaches the yield stress; 0 for none.
+fn yield_depth(rail: &RolledRail) -> Result<f64, ShakedownError> {
+    // Step of the search over a, and its end: beyond a depth d the stress of the wheel is at most
+    // p0 a/d.
+    const STEP: f64 = 0.05;
+    let a = rail.contact.half_width();
+    let field = rail.forward_field()?;
+    let limit = rail.hardening.yield_radius().powi(2);
+    let path: Vec<f64> = bounds::path_abscissae().into_iter().map(|x| x * a).collect();
+    let yields = |depth: f64| {
+        let offset = rail.initial_stress(depth);
+        let size = |x: f64| {
+            let s = (field.stress(x, depth) + offset).deviator();
+            s.iter().map(|c| c * c).sum::<f64>()
+        };
+        path.iter().any(|&x| size(x) > limit)
+    };
+    let deepest = (rail.pressure_ratio() / STEP).ceil() as usize;
+    Ok((1..=deepest).rev().map(|i| STEP * i as f64 * a).find(|&depth| yields(depth)).unwrap_or(0.0))
+}
+
+/// Layers of the rail from the surface down, each with one plastic strain at every abscissa.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layers {
+    /// Depths of the interfaces, mm: 0 first.
+    interfaces: Vec<f64>,
+}
+
+/// Thickness of a layer over that of the layer above, below the even layers, where there is no
+/// plastic flow.
+const GROWTH: f64 = 1.2;
+/// Thickness of a layer over that of the layer above at the surface, …
+const SURFACE_GROWTH: f64 = 2.0;
+/// … where the first layer has the even thickness over two to this power. Under friction the stress
+/// at the edges of the contact varies with the square root of the depth.
+const SURFACE_LAYERS: i32 = 5;
+
+impl Layers {
+    /// Layers of `thickness` (mm) down to `fine_depth` (mm), thinner ones at the surface, and
+    /// increasingly thick ones from there to `depth` (mm).
+    pub(super) fn graded(thickness: f64, fine_depth: f64, depth: f64) -> Self {
+        let mut interfaces = vec![0.0];
+        // 2⁻⁵, 2⁻⁵, 2⁻⁴, …, 2⁻¹ of the thickness make up one layer.
+        let surface = (0..SURFACE_LAYERS).rev().map(|i| thickness * SURFACE_GROWTH.powi(-i - 1));
+        interfaces.extend(surface);
+        let (mut bottom, mut next, mut count) = (0.0, thickness, 0.0);
+        while bottom < depth {
+            count += 1.0;
+            bottom = if bottom < fine_depth {
+                count * thickness
+            } else {
+                next *= GROWTH;
+                bottom + next
+            };
+            interfaces.push(bottom);
+        }
+        Self { interfaces }
+    }
+
+    /// Number of layers.
+    pub(crate) fn count(&self) -> usize {
+        self.interfaces.len() - 1
+    }
+
+    /// Depth of the upper face of layer `i`, mm.
+    pub(crate) fn top(&self, i: usize) -> f64 {
+        self.interfaces[i]
+    }
+
+    /// Thickness of layer `i`, mm.
+    pub(crate) fn thickness(&self, i: usize) -> f64 {
+        self.interfaces[i + 1] - self.interfaces[i]
+    }
+
+    /// Depths of the midplanes of the layers, mm.
+    pub(crate) fn middles(&self) -> Vec<f64> {
+        self.interfaces.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect()
+    }
+
+    /// Depths of the interfaces, mm, the surface first.
+    pub fn interfaces(&self) -> &[f64] {
+        &self.interfaces
     }
 }
 

@@ -3,13 +3,10 @@
 use super::bounds::{ShakedownLimit, utilisation};
 use super::cycle;
 use super::eigenstress::{Columns, Eigenstress};
-use super::error::ShakedownError;
-use super::grid::{ACTIVE, RailGrid, Resolution};
-use super::rail::RolledRail;
+use super::fourier::{ACTIVE, RailGrid, Resolution};
+use super::rail::{PlasticStrain, RolledRail, ShakedownError};
 use super::state::{DepthRange, LayerState, Method, PassRecord, RailState, StabilisedRail};
-use super::steady::{SteadyPassage, SteadyProblem, Upstream, first_column};
-use super::strain::PlasticStrain;
-use super::streamline::FlowLaw;
+use super::streamline::{FlowLaw, SteadyPassage, SteadyProblem, Upstream, first_column};
 use crate::interruption::Interruption;
 use crate::math::{OutOfRange, Stress};
 

@@ -13,8 +13,8 @@
 //! an angle or R times a polynomial; polynomials up to the second degree vanish in the differences
 //! and are left out. Source: Love 1929; Johnson, Contact Mechanics, 3.2.
 
-use super::corner_sums::Corners;
-use super::nuclei::Symmetric;
+use super::duffy::Corners;
+use super::plane::Symmetric;
 use super::wheel::EllipticWheel;
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -248,6 +248,46 @@ fn between(points: &[StripTraction], x: f64) -> Option<[f64; 3]> {
     let (a, b) = (points.get(next.checked_sub(1)?)?, points.get(next)?);
     let part = if b.x > a.x { (x - a.x) / (b.x - a.x) } else { 0.0 };
     Some([0, 1, 2].map(|k| a.traction[k] + part * (b.traction[k] - a.traction[k])))
+}
+
+/// Stress of the uncracked rail under a wheel. Any function of the position and the point is one.
+pub trait WheelStress: Sync {
+    /// The stress (MPa) with the wheel at an abscissa (mm), at x, lateral and depth (mm).
+    fn stress(&self, position: f64, point: [f64; 3]) -> Symmetric;
+
+    /// The contact of which it is the stress, if that is all: along the rail it may then be
+    /// interpolated, with nothing singular but the edge of this ellipse.
+    fn contact(&self) -> Option<&EllipticWheel> {
+        None
+    }
+}
+
+impl<F: Fn(f64, [f64; 3]) -> Symmetric + Sync> WheelStress for F {
+    fn stress(&self, position: f64, point: [f64; 3]) -> Symmetric {
+        self(position, point)
+    }
+}
+
+/// The contact of a wheel on a rail with this Poisson's ratio.
+#[derive(Debug, Clone, Copy)]
+pub struct PatchOnRail<'a> {
+    /// The contact.
+    pub patch: &'a WheelPatch,
+    /// ν.
+    pub poisson: f64,
+}
+
+impl WheelStress for PatchOnRail<'_> {
+    fn stress(&self, position: f64, point: [f64; 3]) -> Symmetric {
+        self.patch.stress(position, point, self.poisson)
+    }
+
+    fn contact(&self) -> Option<&EllipticWheel> {
+        match self.patch {
+            WheelPatch::Ellipse(wheel) => Some(wheel),
+            WheelPatch::Bilinear(_) | WheelPatch::Several(_) => None,
+        }
+    }
 }
 
 #[cfg(test)]

@@ -3,11 +3,10 @@
 use super::Symmetric;
 use super::cross::Placed;
 use super::division::{CellDivision, SpaceResolution};
-use super::error::{CloseCracks, SpaceError};
 use super::face_matrix::FaceMatrix;
 use super::grid::Grid;
 use super::plane::{PlaneFrame, Surroundings};
-use super::shape::SpaceCrack;
+use super::shape::{CloseCracks, SpaceCrack, SpaceError};
 use super::stiffness::{SpaceKernel, stiffness_of};
 use crate::growth::MouthStrip;
 use crate::interruption::Interruption;

@@ -11,8 +11,7 @@
 //! of slip, and with it the error of the load step, is left to the passage.
 
 use super::body::SpaceBody;
-use super::face_problem::FaceProblem;
-use super::linearised::{Change, Form, LaggedFactor, Linearised, size};
+use super::linearised::{Change, FaceProblem, Form, LaggedFactor, Linearised, size};
 use super::states::{PointState, SpaceFaces, SpaceStatus};
 use super::trapped::{PocketsOfStep, TrappedPressures};
 use crate::interruption::Interrupted;

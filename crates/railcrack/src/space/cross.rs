@@ -10,13 +10,10 @@
 //! treatment, since the image of a point of one crack is never closer to the other crack than the
 //! point itself.
 
-use super::block::{Block, EMPTY, counted};
-use super::cell::Cell;
-use super::grid::Grid;
+use super::grid::{Block, Cell, EMPTY, Grid, counted};
 use super::mirror_image::MirroredPair;
-use super::nuclei::{Symmetric, image_matrix, kelvin_stress, moment};
 use super::patch::Patch;
-use super::plane::{PlaneFrame, Surroundings};
+use super::plane::{PlaneFrame, Surroundings, Symmetric, image_matrix, kelvin_stress, moment};
 use crate::interruption::{Interrupted, Interruption};
 use crate::math::{Matrix, dot3, gauss_legendre};
 use rayon::prelude::*;
@@ -49,7 +46,7 @@ impl Placed<'_> {
     }
 
     fn samples(&self, cell: &Cell, patch: &Patch, rule: &[(f64, f64)]) -> Vec<Sample> {
-        let sample = |(point, weight): (super::cell::CellPoint, f64)| Sample {
+        let sample = |(point, weight): (super::grid::CellPoint, f64)| Sample {
             position: self.place(point.position),
             hats: point.hats.map(|hat| hat * point.area * weight),
         };
@@ -294,10 +291,9 @@ impl<'a> Cross<'a> {
 mod tests {
     use super::super::body::SpaceBody;
     use super::super::division::{CellDivision, SpaceResolution};
-    use super::super::error::LEAST_DISTANCE;
     use super::super::galerkin::{Galerkin, ImagePart};
     use super::super::image_table::ImageTable;
-    use super::super::shape::SpaceCrack;
+    use super::super::shape::{LEAST_DISTANCE, SpaceCrack};
     use super::*;
     use crate::material::IsotropicElastic;
     use std::sync::Arc;

@@ -1,7 +1,7 @@
 //! Waves of several directions at a time, whose sum is the stress under an elliptical contact.
 
 use super::lanes::{LANES, Lanes, angles, exponentials, logarithms, sines_and_cosines};
-use super::nuclei::Symmetric;
+use super::plane::Symmetric;
 use std::f64::consts::PI;
 
 /// |w|² above which series in 1/w replace the logarithms, and the last term of these series.

@@ -2,13 +2,11 @@
 
 use super::body::SpaceBody;
 use super::contact::{ContactStep, Guess, SpaceContactError, StepReport};
-use super::face_problem::FaceProblem;
 use super::fluid::{FluidOnFaces, FluidUnderWheel, SpacePocket};
-use super::history::{SpaceHistory, SpacePassageSettings};
-use super::linearised::LaggedFactor;
+use super::linearised::{FaceProblem, LaggedFactor};
 use super::mirror::MirroredHalf;
 use super::slip_origin::{LONGEST, WheelInstant, slip_origin};
-use super::states::SpaceFaces;
+use super::states::{SpaceFaces, SpaceHistory, SpacePassageSettings};
 use super::trapped::PocketsOfStep;
 use crate::contact::PocketState;
 use crate::growth::Observer;

@@ -1,8 +1,7 @@
 //! Advance of cracks in space from one step to the next.
 
-use super::error::{CloseCracks, LEAST_DISTANCE};
 use super::front_motion::FrontSpeeds;
-use super::shape::SpaceCrack;
+use super::shape::{CloseCracks, LEAST_DISTANCE, SpaceCrack};
 use super::worn::{Worn, worn};
 use crate::growth::{
     ChangingCrack, Event, FrontShape, GrowthSettings, LEAST_PART, Mover, Moving, Pace, RunStop, StepStart,

@@ -12,15 +12,12 @@
 //! grow as 1/r at most, so that the integrals are as accurate as their quadrature rules, with Duffy
 //! coordinates where cells touch.
 
-use super::block::{Block, EMPTY, counted};
-use super::cell::{Cell, CellPoint};
 use super::duffy::DuffyRules;
 use super::face_matrix::{FaceMatrix, FaceSum};
-use super::grid::Grid;
+use super::grid::{Block, Cell, CellPoint, EMPTY, Grid, counted};
 use super::image_table::ImageTable;
 use super::mirror_image::MirroredCells;
-use super::mouth_pair::{LinePoint, MouthPair};
-use super::patch::{ApartRules, CellPair, Cover, Patch, weighted};
+use super::patch::{ApartRules, CellPair, Cover, LinePoint, MouthPair, Patch, weighted};
 use crate::interruption::{Interrupted, Interruption};
 use crate::math::gauss_legendre;
 use rayon::prelude::*;

@@ -1,7 +1,6 @@
-//! Contact conditions of faces in space, linearised for given states of the points.
+//! The contact problem of faces in space, linearised for given states of the points.
 
 use super::face_matrix::FaceMatrix;
-use super::face_problem::FaceProblem;
 use super::states::{PointState, SpaceStatus};
 use crate::linear::{LargeFactor, LinearError, least_residual};
 use crate::math::{axpy, dot};
@@ -295,4 +294,15 @@ impl LaggedFactor {
 /// √Σ v².
 pub(super) fn size(values: &[f64]) -> f64 {
     dot(values, values).sqrt()
+}
+
+/// Points in contact, those of whole faces or of one half of symmetric ones.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FaceProblem<'a> {
+    /// A (N/mm), 3p × 3p.
+    pub stiffness: &'a FaceMatrix,
+    /// C = A⁻¹ (mm/N).
+    pub compliance: &'a FaceMatrix,
+    /// Crack-face friction coefficient μ of each point.
+    pub friction: &'a [f64],
 }

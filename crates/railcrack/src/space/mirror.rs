@@ -9,9 +9,9 @@
 
 use super::body::SpaceBody;
 use super::face_matrix::FaceMatrix;
-use super::face_problem::FaceProblem;
+use super::linearised::FaceProblem;
 use super::mirror_image::{SIGNS, images};
-use super::nuclei::Symmetric;
+use super::plane::Symmetric;
 use super::states::{SpaceFaces, SpaceStatus};
 use crate::interruption::Interruption;
 use crate::math::Matrix;

@@ -1,7 +1,6 @@
 //! Mirror images of the points of a crack about its line of dip.
 
-use super::cell::Cell;
-use super::grid::Grid;
+use super::grid::{Cell, Grid};
 use crate::math::Matrix;
 use std::cmp::Ordering;
 use std::collections::HashMap;

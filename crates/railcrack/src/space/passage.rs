@@ -3,10 +3,9 @@
 use super::contact::{SpaceContact, SpaceContactError};
 use super::fluid::{FluidUnderWheel, SpacePocket};
 use super::followed::{FollowedFaces, HalfWithFluid};
-use super::history::{SpaceHistory, SpacePassageSettings};
 use super::load::{ForcesByPosition, SpaceLoad, WheelOverFaces};
 use super::mirror::{MirroredHalf, MirroredPoints};
-use super::states::SpaceFaces;
+use super::states::{SpaceFaces, SpaceHistory, SpacePassageSettings};
 use crate::growth::{Observer, output_positions};
 use crate::interruption::{Interrupted, Interruption};
 use crate::load::Passage;

@@ -1,26 +1,22 @@
 //! A half-space with cracks, as the growth loop sees it.
 
-use super::bilinear::WheelPatch;
+use super::bilinear::{PatchOnRail, WheelPatch};
 use super::body::{FrontPoint, SpaceBody};
 use super::contact::{SpaceContact, SpaceContactError};
 use super::division::{CellDivision, SpaceResolution};
-use super::error::{CloseCracks, SpaceError};
 use super::fold::FoldedCrack;
 use super::front_advance::{FrontAdvance, Start};
 use super::front_motion::FrontSpeeds;
 use super::groups::{CrackGroup, groups};
 use super::load::{SpaceFluidLoad, SpaceLoad, StressAt};
-use super::nuclei::Symmetric;
 use super::passage::SpacePassages;
-use super::plane::PlaneFrame;
-use super::records::stabilised_record;
-use super::shape::{Extent, ShapeError, SpaceCrack};
+use super::plane::{PlaneFrame, Symmetric};
+use super::shape::{CloseCracks, Extent, ShapeError, SpaceCrack, SpaceError};
 use super::shapes::{ShapesError, body_in_parts, body_of};
-use super::stabilised::{StabilisedSpace, stabilised_space_passage};
+use super::stabilised::{StabilisedSpace, stabilised_record, stabilised_space_passage};
 use super::stiffness::SpaceKernel;
 use super::sweeps::GroupedPassages;
 use super::tips::FrontLaw;
-use super::wheel_stress::PatchOnRail;
 use crate::body::BodyError;
 use crate::contact::CrackFluid;
 use crate::crack::{Crack, CrackError};

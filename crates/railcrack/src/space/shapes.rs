@@ -2,9 +2,8 @@
 
 use super::body::SpaceBody;
 use super::division::SpaceResolution;
-use super::error::SpaceError;
 use super::fold::{FoldedBodyError, FoldedResolution};
-use super::shape::{ShapeError, SpaceCrack};
+use super::shape::{ShapeError, SpaceCrack, SpaceError};
 use super::stiffness::SpaceKernel;
 use crate::growth::FrontShape;
 use crate::interruption::Interruption;

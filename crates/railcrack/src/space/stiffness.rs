@@ -1,12 +1,11 @@
 //! A of all cracks: each by itself, and the forces between them.
 
 use super::cross::{Placed, cross_stiffness};
-use super::error::SpaceError;
 use super::face_matrix::FaceMatrix;
 use super::galerkin::{Galerkin, ImagePart};
 use super::image_table::ImageTable;
 use super::plane::Surroundings;
-use super::shape::SpaceCrack;
+use super::shape::{SpaceCrack, SpaceError};
 use crate::interruption::Interruption;
 use crate::material::IsotropicElastic;
 use crate::math::Matrix;

@@ -2,15 +2,13 @@
 
 use super::body::{FrontSif, SpaceBody};
 use super::contact::SpaceContactError;
-use super::exchange::{OutsideForces, Passing};
 use super::fluid::FluidUnderWheel;
 use super::followed::{FollowedFaces, HalfWithFluid};
-use super::groups::CrackGroup;
-use super::history::{SpaceHistory, SpacePassageSettings};
+use super::groups::{CrackGroup, OutsideForces, Passing};
 use super::load::{ForcesByPosition, SpaceLoad, WheelOverFaces};
 use super::mirror::{MirroredHalf, MirroredPoints};
 use super::stabilised::Passages;
-use super::states::{SpaceFaces, SpaceStatus};
+use super::states::{SpaceFaces, SpaceHistory, SpacePassageSettings, SpaceStatus};
 use crate::growth::{
     GroupsError, Observer, PassageSettings, SweepError, SweepProgress, WithoutProgress, output_positions,
 };

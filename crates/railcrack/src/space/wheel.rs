@@ -14,7 +14,7 @@
 
 use super::directions::{Directions, Node, Place};
 use super::lanes::{LANES, Lanes, angles, logarithms, sines_and_cosines};
-use super::nuclei::Symmetric;
+use super::plane::Symmetric;
 use crate::load::HertzEllipse;
 use crate::math::gauss_legendre;
 use pulp::{Arch, Simd, WithSimd};

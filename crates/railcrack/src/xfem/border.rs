@@ -1,12 +1,14 @@
 //! Border of the system of equations: couplings of the enriched unknowns with the standard unknowns
-//! and with each other.
+//! and with each other, and their jumps across the faces.
 
-use super::basis::{CellBasis, Elasticity, Function, Target};
+use super::basis::{CellBasis, Elasticity, Function, Rules, Target, WeightedPoint};
 use super::cuts::{CellPlace, Cuts};
-use super::quadrature::{Rules, WeightedPoint};
+use super::interface::{Interface, Station};
 use super::space::Space;
+use crate::bulk::{BulkRail, RailStiffness};
 use crate::interruption::{Interrupted, Interruption};
-use crate::math::Vec2;
+use crate::linear::ElementSum;
+use crate::math::{Matrix, Vec2};
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -195,6 +197,126 @@ impl<'a> Integral<'a> {
                     *entry += stress[0] * xx + stress[1] * yy + stress[2] * xy;
                 }
             }
+        }
+    }
+}
+
+/// B: for row 2 j + axis of face point j, the entries (enriched unknown, ∫ λ_j ⟦φ⟧ ds), in
+/// increasing order.
+pub(super) fn jumps(
+    background: &BulkRail,
+    cuts: &Cuts,
+    space: &Space,
+    interface: &Interface,
+) -> Vec<Entries> {
+    let mut rows = vec![Entries::new(); 2 * interface.faces.points.len()];
+    let mut functions: Vec<Function> = Vec::new();
+    let points = |station: &Station| station.tractions.map(|(point, _)| point);
+    let together = |a: &Station, b: &Station| a.piece == b.piece && points(a) == points(b);
+    for stations in interface.stations.chunk_by(together) {
+        let piece = &cuts.pieces[stations[0].piece];
+        for (place, sign) in [(piece.plus, 1.0), (piece.minus, -1.0)] {
+            let cut = &cuts.elements[&place.element];
+            let basis = CellBasis::new(cuts, space, cut, place, background.steel());
+            let mut integrals = vec![[Vec2::default(); 2]; basis.targets.len()];
+            for station in stations {
+                basis.at(station.point, &mut functions);
+                let weights = station.tractions.map(|(_, lambda)| sign * lambda * station.length);
+                for (own, function) in integrals.iter_mut().zip(&functions) {
+                    own.iter_mut()
+                        .zip(weights)
+                        .for_each(|(sum, weight)| *sum = *sum + function.value * weight);
+                }
+            }
+            for (target, own) in basis.targets.iter().zip(&integrals) {
+                let Some(enriched) = target.enriched else { continue };
+                for (point, integral) in points(&stations[0]).into_iter().zip(own) {
+                    for (axis, value) in [integral.x, integral.y].into_iter().enumerate() {
+                        if value != 0.0 {
+                            rows[2 * point + axis].push((enriched, value));
+                        }
+                    }
+                }
+            }
+        }
+    }
+    rows.iter_mut().for_each(merge);
+    rows
+}
+
+/// The stiffness of the free standard unknowns followed by the enriched ones: the elements of the
+/// mesh, the enriched cells, and additions to the diagonal.
+pub(super) struct EnrichedStiffness<'a> {
+    rail: &'a BulkRail,
+    mesh: RailStiffness<'a>,
+    border: &'a Border,
+    /// Addition to the diagonal for each enriched unknown.
+    added: Vec<f64>,
+}
+
+/// An element of the sum.
+enum Summand<'a> {
+    /// An element of the mesh.
+    Mesh(usize),
+    /// A cell: the contribution of its enriched functions.
+    Cell(&'a CellStiffness),
+    /// An addition to the diagonal at an enriched unknown.
+    Added(usize),
+}
+
+impl<'a> EnrichedStiffness<'a> {
+    /// The stiffness with `added[i]` on the diagonal at enriched unknown i.
+    pub(super) fn new(rail: &'a BulkRail, border: &'a Border, added: Vec<f64>) -> Self {
+        Self { rail, mesh: rail.stiffness(), border, added }
+    }
+
+    fn part(&self, element: usize) -> Summand<'a> {
+        let cells = &self.border.cells;
+        match element.checked_sub(self.mesh.count()) {
+            None => Summand::Mesh(element),
+            Some(other) => {
+                cells.get(other).map_or_else(|| Summand::Added(other - cells.len()), Summand::Cell)
+            }
+        }
+    }
+}
+
+impl ElementSum for EnrichedStiffness<'_> {
+    fn order(&self) -> usize {
+        self.mesh.order() + self.border.unknowns
+    }
+
+    fn count(&self) -> usize {
+        self.mesh.count() + self.border.cells.len() + self.added.len()
+    }
+
+    fn unknowns(&self, element: usize) -> Vec<Option<usize>> {
+        let free = |unknown: usize| self.rail.unknowns(unknown / 2)[unknown % 2];
+        let enriched = |unknown: usize| Some(self.mesh.order() + unknown);
+        match self.part(element) {
+            Summand::Mesh(element) => self.mesh.unknowns(element),
+            Summand::Cell(cell) => {
+                let standard = cell.targets.iter().filter_map(|target| target.standard.map(free));
+                standard
+                    .chain(cell.targets.iter().filter_map(|target| target.enriched.map(enriched)))
+                    .collect()
+            }
+            Summand::Added(unknown) => vec![enriched(unknown)],
+        }
+    }
+
+    fn matrix(&self, element: usize) -> Matrix {
+        match self.part(element) {
+            Summand::Mesh(element) => self.mesh.matrix(element),
+            Summand::Cell(cell) => {
+                let mut functions: Vec<usize> = cell.functions(|target| target.standard).collect();
+                let standard = functions.len();
+                functions.extend(cell.functions(|target| target.enriched));
+                // Entries between standard unknowns come from the elements of the mesh.
+                let entry = |i, j| if i < standard { 0.0 } else { cell.entry(functions[i], functions[j]) };
+                Matrix::from_fn(functions.len(), functions.len(), entry)
+            }
+            Summand::Added(unknown) => Matrix::from_fn(1, 1, |_, _| self.added[unknown]),
         }
     }
 }

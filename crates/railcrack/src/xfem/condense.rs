@@ -1,8 +1,7 @@
 //! Condensation of the cracked rail to C and S at its face points.
 
-use super::border::{Border, BorderEntries, Entries};
+use super::border::{Border, BorderEntries, EnrichedStiffness, Entries};
 use super::columns::{ColumnStore, Eliminated};
-use super::enriched::EnrichedStiffness;
 use super::error::XfemError;
 use super::interface::Duality;
 use super::sif::SifFunctional;

@@ -10,8 +10,7 @@ use crate::xfem::body::Discretisation;
 use crate::xfem::border::Border;
 use crate::xfem::columns::ColumnStore;
 use crate::xfem::sif::{SifContext, SifDomain, SifFunctional};
-use crate::xfem::trace;
-use crate::xfem::{MeshSettings, RailEnd, XfemEngine, XfemSettings};
+use crate::xfem::{MeshSettings, RailEnd, XfemEngine, XfemSettings, trace};
 
 /// A kinked crack, one that passes near it and a buried one.
 fn network() -> CrackNetwork {

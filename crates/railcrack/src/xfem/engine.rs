@@ -1,11 +1,10 @@
 //! Finite-element engine with one mesh and one factor for all growth steps of a run.
 
-use super::body::{Discretisation, cracked_body_with};
+use super::body::{Discretisation, XfemSize, cracked_body_with, factor_entries};
 use super::columns::ColumnStore;
 use super::error::XfemError;
 use super::refined_region::{MeshSettings, RefinedRegion, ResolvedLayers};
 use super::settings::XfemSettings;
-use super::size::{XfemSize, factor_entries};
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::bulk::{BottomSupport, Boundary, BulkRail, SideSupport};
 use crate::crack::CrackNetwork;

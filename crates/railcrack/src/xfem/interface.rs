@@ -1,7 +1,7 @@
 //! Face points of the finite-element engine, and traces of the enriched functions on the faces.
 
 use super::cuts::{CrackPiece, Cuts, SHARP_KINK};
-use super::junctions::{junctions_on, leave_junctions};
+use super::path::{junctions_on, leave_junctions};
 use crate::body::{FaceElement, FaceMesh, discretise};
 use crate::crack::{CrackCurve, CrackNetwork, End};
 use crate::math::{Matrix, Vec2, axpy, gauss_legendre, quantiles};

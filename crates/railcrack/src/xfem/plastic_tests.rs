@@ -2,10 +2,9 @@
 //! on all functions, enriched ones included, with the eigenstrain term in the interaction integral;
 //! and the balance of the uncracked body, whose stress then loads the faces.
 
-use super::basis::{CellBasis, Function, MODES};
+use super::basis::{CellBasis, Function, MODES, Rules};
 use super::cuts::{CellPlace, CutElement};
 use super::patch_tests::{Dense, steel};
-use super::quadrature::Rules;
 use super::settings::XfemSettings;
 use crate::bulk::{BottomSupport, Boundary, BulkRail, SideSupport};
 use crate::crack::{Crack, CrackNetwork};

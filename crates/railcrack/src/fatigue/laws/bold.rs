@@ -1,10 +1,7 @@
 //! The law of Bold, Brown and Allen.
 
 use super::RateLaw;
-use super::declaration::{
-    COEFFICIENTS, CheckValue, Constant, LawConstants, LawDeclaration, LawInput, OwnRange, RATE_UNIT,
-};
-use super::law::Law;
+use super::rate_law::{COEFFICIENTS, CheckValue, Constant, LawConstants, LawDeclaration, LawInput, OwnRange, RATE_UNIT, Law};
 use crate::fatigue::EquivalentRange;
 use crate::words::Word;
 

@@ -1,10 +1,7 @@
 //! Forman's law.
 
 use super::RateLaw;
-use super::declaration::{
-    CheckValue, Constant, EXPONENTS, K_UNIT, LawConstants, LawDeclaration, LawInput, RATE_UNIT,
-};
-use super::law::{Law, above};
+use super::rate_law::{CheckValue, Constant, EXPONENTS, K_UNIT, LawConstants, LawDeclaration, LawInput, RATE_UNIT, Law, above};
 use crate::words::Word;
 
 /// da/dN = C ΔK^m/((1−R) K_c − ΔK) above a threshold of ΔK: the crack runs away as K_max = ΔK/(1−R)

@@ -1,11 +1,8 @@
 //! Laws of the growth rate: a file for each, in which it is declared, and the table of all of them.
 
-mod declaration;
-mod law;
 mod rate_law;
 
-pub use declaration::{CheckValue, Constant, LawConstants, LawDeclaration, LawInput, OwnRange};
-pub use law::RUNAWAY;
+pub use rate_law::{CheckValue, Constant, LawConstants, LawDeclaration, LawInput, OwnRange, RUNAWAY};
 pub use table::RateTableError;
 
 // The law that a case has by default stands first.

@@ -1,10 +1,7 @@
 //! The law of NASGRO.
 
 use super::RateLaw;
-use super::declaration::{
-    COEFFICIENTS, CheckValue, Constant, EXPONENTS, K_UNIT, LawConstants, LawDeclaration, LawInput, RATE_UNIT,
-};
-use super::law::Law;
+use super::rate_law::{COEFFICIENTS, CheckValue, Constant, EXPONENTS, K_UNIT, LawConstants, LawDeclaration, LawInput, RATE_UNIT, Law};
 use crate::words::Word;
 use std::f64::consts::PI;
 

@@ -1,10 +1,7 @@
 //! Paris' law.
 
 use super::RateLaw;
-use super::declaration::{
-    COEFFICIENTS, CheckValue, Constant, EXPONENTS, LawConstants, LawDeclaration, LawInput, RATE_UNIT,
-};
-use super::law::{Law, above};
+use super::rate_law::{COEFFICIENTS, CheckValue, Constant, EXPONENTS, LawConstants, LawDeclaration, LawInput, RATE_UNIT, Law, above};
 use crate::words::Word;
 
 /// da/dN = C ΔK^m above a threshold, zero at or below it: the rate jumps there.

@@ -1,8 +1,7 @@
 //! Paris' law with the threshold inside.
 
 use super::RateLaw;
-use super::declaration::{CheckValue, Constant, LawConstants, LawDeclaration, LawInput};
-use super::law::Law;
+use super::rate_law::{CheckValue, Constant, LawConstants, LawDeclaration, LawInput, Law};
 use super::paris::{C, M};
 use crate::words::Word;
 

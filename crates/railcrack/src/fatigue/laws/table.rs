@@ -1,8 +1,7 @@
 //! Measured growth rates as a table.
 
 use super::RateLaw;
-use super::declaration::{LawDeclaration, LawInput};
-use super::law::Law;
+use super::rate_law::{LawDeclaration, LawInput, Law};
 use crate::math::OutOfRange;
 use crate::words::Word;
 use std::sync::Arc;

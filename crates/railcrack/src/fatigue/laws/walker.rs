@@ -1,10 +1,7 @@
 //! Walker's law.
 
 use super::RateLaw;
-use super::declaration::{
-    COEFFICIENTS, CheckValue, Constant, EXPONENTS, LawConstants, LawDeclaration, LawInput, RATE_UNIT,
-};
-use super::law::{Law, above};
+use super::rate_law::{COEFFICIENTS, CheckValue, Constant, EXPONENTS, LawConstants, LawDeclaration, LawInput, RATE_UNIT, Law, above};
 use crate::words::Word;
 
 /// da/dN = C [ΔK/(1−R)^(1−γ)]^m above a threshold of ΔK: γ = 1 is Paris' law.

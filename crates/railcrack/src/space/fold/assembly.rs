@@ -6,11 +6,10 @@
 //! planes, and the image is regular. With hats on the mouth, which do not vanish at the edge of the
 //! surface, they do not touch, and the traction of the one on the other is integrated as it is.
 
-use super::super::block::{Block, EMPTY, times};
-use super::super::cell::{CORNERS, Cell, CellPoint};
 use super::super::duffy::DuffyRules;
 use super::super::face_matrix::{FaceMatrix, FaceSum};
 use super::super::galerkin::{Galerkin, ImagePart};
+use super::super::grid::{Block, CORNERS, Cell, CellPoint, EMPTY, times};
 use super::super::mirror_image::MirroredCells;
 use super::super::patch::{ApartRules, CellPair, Cover, Patch};
 use super::super::plane::PlaneFrame;

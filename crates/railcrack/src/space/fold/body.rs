@@ -7,10 +7,9 @@
 //! rounds off the fold over a cell on either side of it.
 
 use super::super::body::{Assembled, CrackPart, FrontPoint, LOAD_POINTS, LoadPoint, SpaceBody};
-use super::super::error::SpaceError;
 use super::super::front_motion::{counts_on_strip, phi_on_strip};
 use super::super::plane::PlaneFrame;
-use super::super::shape::SpaceCrack;
+use super::super::shape::{SpaceCrack, SpaceError};
 use super::super::stiffness::SpaceKernel;
 use super::assembly::{Assembly, MorePoints};
 use super::grid::{FoldedGrid, FoldedResolution, Part};

@@ -4,9 +4,8 @@
 //! continue through the strip, whose rows are parallel to the mouth, so that vertices on the fold
 //! belong to both planes.
 
-use super::super::cell::Cell;
 use super::super::division::{CellDivision, SpaceResolution};
-use super::super::grid::{FrontColumn, Grid};
+use super::super::grid::{Cell, FrontColumn, Grid};
 use super::super::patch::Patch;
 use super::super::shape::ShapeError;
 use super::shape::FoldedCrack;
@@ -241,7 +240,7 @@ mod tests {
         assert!((areas[1] / (0.5 * PI * 18.0) - 1.0).abs() < 1e-5, "{areas:?}");
         // Corners of cells are where the vertices are.
         for cell in &grid.cells {
-            for (v, [p, q]) in cell.vertices.iter().zip(super::super::super::cell::CORNERS) {
+            for (v, [p, q]) in cell.vertices.iter().zip(super::super::super::grid::CORNERS) {
                 let [s, zeta] = cell.at(p, q).position;
                 let want = grid.vertices[*v];
                 assert!((s - want[0]).hypot(zeta - want[1]) < 1e-9, "{v}: {s} {zeta} {want:?}");

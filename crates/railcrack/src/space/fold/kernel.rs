@@ -11,9 +11,8 @@
 //! The surface may have folds: the integrals along a fold cancel between its two planes. On one
 //! plane this is the form of `galerkin`.
 
-use super::super::block::Block;
-use super::super::nuclei::{image_matrix, kelvin_stress, moment, traction};
-use super::super::plane::PlaneFrame;
+use super::super::grid::Block;
+use super::super::plane::{PlaneFrame, image_matrix, kelvin_stress, moment, traction};
 use crate::math::dot3;
 use std::f64::consts::PI;
 
@@ -154,7 +153,7 @@ pub(super) fn add_strong(
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::block::EMPTY;
+    use super::super::super::grid::EMPTY;
     use super::*;
     use crate::math::gauss_legendre;
 

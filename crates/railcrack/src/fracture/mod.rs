@@ -1,7 +1,0 @@
-//! Stress intensity factors and the fields around a tip.
-
-mod sif;
-mod williams;
-
-pub use sif::{Sif, SifHistory};
-pub(crate) use williams::WilliamsField;
