@@ -32,7 +32,7 @@ macro_rules! laws {
                 }
             }
 
-            fn law(&self) -> &dyn law::Law {
+            fn law(&self) -> &dyn rate_law::Law {
                 match self {
                     $(Self::$law(law) => law,)+
                 }
