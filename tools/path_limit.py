@@ -360,7 +360,7 @@ PAIRED = [dict(mouth=0.0, length=6.0, angle=15.0, faces=0.5), dict(mouth=-1.0, l
 
 
 class Shape:
-    """A path in the words of the paper (crates/railcrack-paper/src/path_shape.rs), with lengths instead
+    """A path in the words of the paper (validation/paper/src/path_shape.rs), with lengths instead
     of numbers of increments."""
 
     def __init__(self, rows, angle):
@@ -478,7 +478,7 @@ def paper(program, travels=("along", "against"), sizes=None):
     """The statements of the paper on paths, over the increment."""
     about = "Statements of docs/paper.md on paths in the half-plane, by increment of whole kinks; l: turning length 0.5 mm"
     table = Table("statements", about, "travel,increment,statement,holds,paths")
-    stress = [("fig21.csv", (root / "crates/railcrack-paper/cases/fig21.csv").read_text())]
+    stress = [("fig21.csv", (root / "validation/paper/cases/fig21.csv").read_text())]
     for travel in travels:
         for size in sizes or [*INCREMENTS[:-1], "l"]:
             words = {"tolerance": 0.01} if size == "l" else {"turning": "kink", "increment": size}

@@ -929,37 +929,6 @@ def check_estimates(browser, checks, name):
     checks.that(apart[1] > 3 and apart[0] < 2e-3, f"{name}: the page estimates what the program does", apart)
 
 
-def check_paper(browser, checks, name, folder):
-    """Statements and figures are those of the files."""
-    browser.open(folder / "report.html")
-    record = json.loads((folder / "statements.json").read_text())
-    text = browser.run("document.getElementById('statements')?.textContent ?? ''")
-    for statement in record["statements"]:
-        checks.that(statement["verdict"] in text and f"{statement['id']} (" in text, f"{name}: {statement['id']} has its verdict")
-        for decision in statement["decisions"]:
-            checks.that(decision["setup"] in text, f"{name}: {statement['id']} has the set-up {decision['setup']}")
-    for figure in record["figures"]:
-        stem = f"fig{figure['number']}"
-        rows = table(folder / "figures" / f"{stem}.csv")
-        figures = browser.run(f"[...document.querySelectorAll('figure')].map((f) => f.id).filter((id) => id.startsWith('{stem}-'))")
-        checks.that(len(figures) == (2 if "ki_mpa_sqrt_m" in rows[0] else 1), f"{name}: the charts of {stem}", figures)
-        column = {"ki": "ki_mpa_sqrt_m", "kii": "kii_mpa_sqrt_m", "paths": "depth_mm", "profile": "depth_mm"}
-        for chart in figures:
-            values = [float(row[column[chart.split("-")[1]]]) for row in rows]
-            low, high = browser.run(f"d3.extent(railcrack.charts.get('{chart}').curves.flatMap((c) => c.points), (p) => p.y)")
-            checks.near(low, min(values), f"{name}: the lowest value of {chart}")
-            checks.near(high, max(values), f"{name}: the highest value of {chart}")
-            before = visible_paths(browser, chart)
-            if "setup" in rows[0] and len(record["setups"]) > 1:
-                tick(browser, 0, 1)
-                other = sum(1 for _ in {(row["curve"], row["crack"]) for row in rows if row["setup"] == record["setups"][1]["name"]})
-                checks.that(visible_paths(browser, chart) == before + other, f"{name}: another set-up is drawn on {chart}", before, other)
-                tick(browser, 0, 1)
-        for ending in ["svg", "csv"]:
-            checks.that(browser.run(f"Boolean(document.querySelector('a[href=\"figures/{stem}.{ending}\"]'))"), f"{name}: {stem}.{ending} is linked")
-    checks.that(not browser.complaints, f"{name}: no complaints after all this", browser.complaints)
-
-
 def check_pieces(browser, checks, name, folder):
     """Spalls and junctions are in the first lines and in the picture of the last step."""
     summary = json.loads((folder / "summary.json").read_text())
@@ -1019,8 +988,6 @@ def main():
             elif (folder / "study.json").exists():
                 many = len(json.loads((folder / "study.json").read_text())["runs"]) > MANY
                 (check_many if many else check_switches)(browser, checks, name, folder)
-            elif (folder / "statements.json").exists():
-                check_paper(browser, checks, name, folder)
             pictures(browser, name, folder, out)
             print(f"{name}: {'ok' if checks.failed == before else 'FAILED'}", flush=True)
     finally:

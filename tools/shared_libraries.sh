@@ -17,7 +17,7 @@ libraries() {
 
 lists=$(mktemp -d)
 trap 'rm -rf "$lists"' EXIT
-libraries --workspace --edges normal,build > "$lists/ordinary"
+libraries --edges normal,build > "$lists/ordinary"
 
 code=0
 # $1: what somebody calls; the rest: arguments of `cargo tree` that have the same libraries. What only this build has is not compared.
@@ -34,10 +34,11 @@ compare() {
     fi
 }
 
+compare "cargo build --release --workspace" --workspace --edges normal,build
 compare "cargo test --release --workspace" --workspace --edges normal,build,dev
 compare "cargo build --release --features png" --workspace --edges normal,build --features png
-for crate in crates/*; do
-    compare "cargo build --release --package ${crate#crates/}" --package "${crate#crates/}" --edges normal,build
+for crate in crates/* paper-of-2014; do
+    compare "cargo build --release --package ${crate##*/}" --package "${crate##*/}" --edges normal,build
 done
 compare "cargo install --path crates/railcrack-cli --features png" --package railcrack-cli --edges normal,build --features png
 exit "$code"

@@ -2,8 +2,8 @@
 
     build.py OUT [--explorer PAGE] [--rust FOLDER] [--python FOLDER]
 
-Every page of `docs` and of the root becomes an HTML page in OUT, with contents, search and a dark theme; files of the project that
-a page links to are copied. PAGE is the explorer of the front page, the folders hold the pages of the crates that `cargo doc` wrote and
+Every page of `docs`, of the root and of the recomputed paper becomes an HTML page in OUT, with contents, search and a dark theme; files
+of the project that a page links to are copied. PAGE is the explorer of the front page, the folders hold the pages of the crates that `cargo doc` wrote and
 those of the package that `python_pages.py` wrote. Nothing on the site asks another server for anything. Ends with 1 where a link or an
 anchor leads nowhere.
 """
@@ -24,6 +24,8 @@ ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).resolve().parent
 # Pages of the root, with their places on the site.
 OF_ROOT = {"README.md": "readme.html", "ARCHITECTURE.md": "architecture.html", "CHANGELOG.md": "changelog.html", "CONTRIBUTING.md": "contributing.html", "SECURITY.md": "security.html", "python/README.md": "python-package.html"}
+# Pages of the recomputed figures of the paper.
+RESULTS = "validation/paper/results"
 # The page of the front page.
 EXPLORER = "explorer/index.html"
 # The first pages of the interfaces for programs; the first two folders are theirs.
@@ -43,6 +45,8 @@ def slug(text, seen):
 def pages():
     """Every page: its path in the project and its place on the site."""
     found = {Path(path): place for path, place in OF_ROOT.items()}
+    for path in sorted((ROOT / RESULTS).glob("*.md")):
+        found[path.relative_to(ROOT)] = f"paper/{path.stem}.html"
     for path in sorted((ROOT / "docs").rglob("*.md")):
         inner = path.relative_to(ROOT / "docs")
         place = "book.html" if inner == Path("README.md") else str(inner.with_suffix(".html")).replace("README.html", "index.html")

@@ -3,7 +3,7 @@
 use crate::commands::{
     calibrate::CalibrateArguments, check::CheckArguments, compare::CompareArguments,
     completions::CompletionsArguments, completions::ManArguments, contact::ContactArguments,
-    explorer::ExplorerArguments, init::InitArguments, paper::PaperArguments, plan::PlanArguments,
+    explorer::ExplorerArguments, init::InitArguments, plan::PlanArguments,
     report::ReportArguments, run::RunArguments, schema::SchemaArguments, shakedown::ShakedownArguments,
     show::ShowArguments, sweep::SweepArguments, validate::ValidateArguments, verify::VerifyArguments,
     view::ViewArguments,
@@ -35,7 +35,6 @@ Getting started:
   railcrack explorer case.toml   write a page that computes the case in any browser
   railcrack verify DIR         check the files of a folder against their checksums
   railcrack shakedown case.toml   compute the stabilised plastic state under the same wheel
-  railcrack paper              recompute the figures and statements of Trolle et al. (2014)
 ";
 
 /// Predicts the growth of rolling-contact-fatigue cracks in rails.
@@ -67,7 +66,6 @@ pub enum Command {
     Explorer(ExplorerArguments),
     Validate(ValidateArguments),
     Verify(VerifyArguments),
-    Paper(PaperArguments),
     Schema(SchemaArguments),
     Completions(CompletionsArguments),
     Man(ManArguments),

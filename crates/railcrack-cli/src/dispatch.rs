@@ -2,7 +2,7 @@
 
 use crate::arguments::{Arguments, Command};
 use crate::commands::{
-    calibrate, check, compare, completions, contact, explorer, init, paper, plan, report, run, schema,
+    calibrate, check, compare, completions, contact, explorer, init, plan, report, run, schema,
     shakedown, show, sweep, validate, verify, view,
 };
 use crate::exit::{Exit, Failure};
@@ -25,7 +25,6 @@ pub fn dispatch(command: Command) -> Result<Exit, Failure> {
         Command::Verify(arguments) => verify::verify(&arguments),
         Command::Explorer(arguments) => explorer::explorer(&arguments),
         Command::View(arguments) => view::view(&arguments),
-        Command::Paper(arguments) => paper::paper(&arguments),
         Command::Show(arguments) => show::show(&arguments),
         Command::Schema(arguments) => schema::schema(&arguments),
         Command::Completions(arguments) => completions::completions(&arguments, Arguments::command()),

@@ -2,7 +2,6 @@
 
 use railcrack::shakedown::ShakedownError;
 use railcrack_case::CaseErrors;
-use railcrack_paper::{PaperError, UnknownFigure};
 use railcrack_run::OutputError;
 use railcrack_run::machine::OverBudget;
 use railcrack_run::setup::CarriedStressError;
@@ -57,12 +56,6 @@ pub enum Failure {
     /// A run that failed.
     #[error(transparent)]
     Run(#[from] RunError),
-    /// An unknown figure of the paper.
-    #[error(transparent)]
-    Figure(#[from] UnknownFigure),
-    /// The paper could not be recomputed.
-    #[error(transparent)]
-    Paper(#[from] PaperError),
     /// The run would overwrite its own case file.
     #[error(
         "{} is the case file and would be overwritten by the run: choose another folder with --out",
@@ -133,21 +126,9 @@ impl Failure {
         match self {
             Self::Case(_)
             | Self::Calibration { .. }
-            | Self::Figure(_)
             | Self::OverBudget(_)
             | Self::HoldsContact { .. }
             | Self::CaseInRunFolder { .. } => Exit::BadInput,
-            Self::Paper(error) => match error {
-                PaperError::Exists { .. }
-                | PaperError::Overlay { .. }
-                | PaperError::Case(_)
-                | PaperError::Steel(_) => Exit::BadInput,
-                PaperError::Run { .. } | PaperError::Stress { .. } | PaperError::Shakedown(_) => {
-                    Exit::NotConverged
-                }
-                PaperError::Interrupted => Exit::Interrupted,
-                PaperError::Output(_) | PaperError::Threads(_) => Exit::CannotReadOrWrite,
-            },
             Self::Run(error) => exit_of_run(error),
             #[cfg(not(feature = "png"))]
             Self::NoPng => Exit::BadInput,

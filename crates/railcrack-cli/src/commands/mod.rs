@@ -8,7 +8,6 @@ pub mod completions;
 pub mod contact;
 pub mod explorer;
 pub mod init;
-pub mod paper;
 pub mod plan;
 pub mod report;
 pub mod run;

@@ -3,7 +3,6 @@
 use crate::exit::{Exit, Failure};
 use crate::print;
 use clap::Args;
-use railcrack_paper::STATEMENTS_FILE;
 use railcrack_report::{FolderKind, rebuild_report};
 use railcrack_run::StudyFolder;
 use railcrack_run::simulation::RunError;
@@ -11,9 +10,9 @@ use std::path::{Path, PathBuf};
 
 /// Rebuild plots and HTML report of a folder from its files alone
 ///
-/// The folder is that of a run, a plastic state, a comparison, grinding plans, a study or the
-/// paper. The rebuilt files are identical to the original ones, byte for byte. For an interrupted
-/// run the finished steps are shown, for an interrupted study the finished runs.
+/// The folder is that of a run, a plastic state, a comparison, grinding plans or a study. The
+/// rebuilt files are identical to the original ones, byte for byte. For an interrupted run the
+/// finished steps are shown, for an interrupted study the finished runs.
 #[derive(Debug, Args)]
 pub struct ReportArguments {
     /// Folder of results    #[arg(value_name = "DIR")]
@@ -50,17 +49,12 @@ pub fn report(arguments: &ReportArguments) -> Result<Exit, Failure> {
     if arguments.png {
         return Err(Failure::NoPng);
     }
-    let what = if folder.join(STATEMENTS_FILE).is_file() {
-        railcrack_paper::rebuild_report(folder).map_err(RunError::from)?;
-        "paper"
-    } else {
-        match rebuild_report(folder).map_err(RunError::from)? {
-            FolderKind::Run => "run",
-            FolderKind::Shakedown => "plastic state",
-            FolderKind::Plan => "grinding plans",
-            FolderKind::Comparison => "comparison",
-            FolderKind::Study => "study",
-        }
+    let what = match rebuild_report(folder).map_err(RunError::from)? {
+        FolderKind::Run => "run",
+        FolderKind::Shakedown => "plastic state",
+        FolderKind::Plan => "grinding plans",
+        FolderKind::Comparison => "comparison",
+        FolderKind::Study => "study",
     };
     print::stdout(&format!("report of the {what} in {}\n", folder.join("report.html").display()))?;
     #[cfg(feature = "png")]

@@ -139,7 +139,7 @@ fn copy_files(from: &Path, to: &Path) {
         let target = to.join(path.file_name().unwrap());
         if path.is_file() {
             fs::copy(&path, target).unwrap();
-        } else if ["paper", "profiles"].iter().any(|shipped| path.ends_with(shipped)) {
+        } else if path.ends_with("profiles") {
             copy_files(&path, &target);
         }
     }

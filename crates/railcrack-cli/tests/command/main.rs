@@ -16,7 +16,6 @@ mod loads;
 mod long_runs;
 mod options;
 mod packed;
-mod paper;
 mod plan;
 mod plastic_stress;
 mod population;

@@ -8,12 +8,8 @@ const WIDTH: usize = 100;
 
 /// Pages that a program writes, held to their generators by tests of their own.
 const GENERATED: [&str; 3] = ["case-file.md", "verification.md", "paper.md"];
-/// Pages of the groups of figures, generated too, begin with this.
-const PAPER_PAGES: &str = "paper-fig";
-
 fn is_generated(path: &Path) -> bool {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    GENERATED.contains(&name.as_ref()) || name.starts_with(PAPER_PAGES)
+    GENERATED.contains(&path.file_name().unwrap_or_default().to_string_lossy().as_ref())
 }
 
 /// Folders and pages, relative to the workspace, whose prose must be free of [`CRUTCHES`]: pages,
