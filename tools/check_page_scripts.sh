@@ -12,7 +12,6 @@ sources=(
     crates/railcrack-report/src/assets/*.d.ts
     crates/railcrack-report/src/assets/page.css
     crates/railcrack-cli/src/commands/view/live.js
-    "$settings"/*.d.ts
 )
 mode=ci
 [ "${1-}" != --fix ] || mode='check --write'

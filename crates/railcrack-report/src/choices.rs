@@ -1,6 +1,6 @@
 //! Switches of a page: curves and rows that a reader shows or hides.
 
-use crate::chart::{CurveColour, CurveLook};
+use crate::chart::{CurveColour, CurveLook, dashes};
 use crate::html::json_for_script;
 use serde_json::json;
 use std::fmt::Write;
@@ -65,8 +65,8 @@ impl Choices {
                     ChoiceMark::Colour(colour) => Some(colour.name()),
                     _ => None,
                 },
-                "look": match choice.mark {
-                    ChoiceMark::Look(look) => Some(look.name()),
+                "dashes": match choice.mark {
+                    ChoiceMark::Look(look) => Some(dashes(look)),
                     _ => None,
                 },
             })

@@ -1,6 +1,6 @@
 //! The engine of a page: railcrack compiled to WebAssembly, as a file.
 
-use crate::shown::Deflated;
+use crate::page_data::Deflated;
 use railcrack_run::{OutputError, VERSION};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};

@@ -1,8 +1,7 @@
 //! Text and data in HTML.
 
 use crate::markup::{Piece, pieces};
-use crate::svg::{GREY, INK, LIGHT};
-use railcrack_vtu::base64;
+use crate::svg::{AREA, GREY, INK, LIGHT, RAIL, ZERO};
 pub(crate) use railcrack_vtu::escaped;
 use serde_json::Value;
 
@@ -38,28 +37,30 @@ pub(crate) fn typeset_in_parts(text: &str) -> String {
     parts.iter().map(|part| typeset(part)).collect::<Vec<_>>().join("<wbr>")
 }
 
-/// An SVG as an image of its own: its names cannot meet those of another picture, nor its content
-/// the page.
-pub(crate) fn still(svg: &str, description: &str) -> String {
-    let mut data = Vec::with_capacity(svg.len() / 3 * 4 + 4);
-    base64::encode(svg.as_bytes(), &mut data);
-    // Base64 is ASCII.
-    let data = String::from_utf8(data).unwrap_or_default();
-    format!("<img src=\"data:image/svg+xml;base64,{data}\" alt=\"{}\">", escaped(description))
-}
-
 /// An SVG as a part of the page, in the colours of the page's light or dark. There is one on a page
 /// at most: names in it are not made unique.
 pub(crate) fn inlined(svg: &str, description: &str) -> String {
     let label = format!("<svg role=\"img\" aria-label=\"{}\" ", escaped(description));
-    PAGE_COLOURS.iter().fold(svg.replacen("<svg ", &label, 1), |svg, (fixed, name)| {
+    in_page_colours(&svg.replacen("<svg ", &label, 1))
+}
+
+/// `svg` with the colours of the page, which are others in the dark.
+pub(crate) fn in_page_colours(svg: &str) -> String {
+    PAGE_COLOURS.iter().fold(svg.to_owned(), |svg, (fixed, name)| {
         svg.replace(&format!("\"{fixed}\""), &format!("\"var(--{name})\""))
     })
 }
 
 /// Colours of the files that are others in the dark, and their names on a page.
-const PAGE_COLOURS: [(&str, &str); 4] =
-    [("#ffffff", "ground"), (INK, "ink"), (GREY, "quiet"), (LIGHT, "line")];
+const PAGE_COLOURS: [(&str, &str); 7] = [
+    ("#ffffff", "ground"),
+    (INK, "ink"),
+    (GREY, "quiet"),
+    (LIGHT, "line"),
+    (ZERO, "zero"),
+    (AREA, "area"),
+    (RAIL, "rail"),
+];
 
 /// `value` for a `<script type="application/json">`, which nothing in it can end.
 pub(crate) fn json_for_script(value: &Value) -> String {

@@ -46,12 +46,12 @@ mod markup;
 mod now;
 mod numbers;
 mod page;
+mod page_data;
 mod pages;
 mod rebuild;
 mod recomputed;
 mod row;
 mod sensitivity;
-mod shown;
 mod svg;
 mod table;
 

@@ -1,16 +1,12 @@
-//! Live page of a folder whose results may still be computed.
+//! The page of a folder whose results may still be computed.
 
-use crate::figures::{
-    StudyRun, Styles, comparison_plots, plan_plots, run_plots, shakedown_plots, study_plots,
-};
-use crate::pages::{RunFolder, comparison_page, plan_page, run_page, shakedown_page, study_page};
-use crate::rebuild::{FolderKind, engine_of};
-use crate::shown::ShownRun;
+use crate::page_data::PageData;
+use crate::pages::RunFolder;
+use crate::rebuild::{Built, FolderKind};
 use railcrack::growth::RunStop;
 use railcrack::words::Choice;
-use railcrack_run::compare::stored_comparison;
 use railcrack_run::study::{RunState, StudyResults};
-use railcrack_run::{OutputError, PlanFolder, ShakedownFolder, StudyFolder};
+use railcrack_run::{OutputError, StudyFolder};
 use std::path::Path;
 
 /// Snapshot of the page of a folder.
@@ -30,23 +26,14 @@ pub struct PageNow {
 /// Errors: the folder holds no results yet; a file is damaged or being written; the tables of a run
 /// lack data that the page shows.
 pub fn page_now(folder: &Path) -> Result<PageNow, OutputError> {
-    let whole = |html: String| PageNow { html, progress: "complete".to_owned(), is_over: true };
-    Ok(match FolderKind::of(folder)? {
-        FolderKind::Run => run_now(folder)?,
-        FolderKind::Study => study_now(&StudyFolder::open(folder)?)?,
-        FolderKind::Shakedown => {
-            let state = ShakedownFolder::open(folder)?;
-            whole(shakedown_page(&state, &shakedown_plots(&state)).html())
+    match FolderKind::of(folder)? {
+        FolderKind::Run => run_now(folder),
+        FolderKind::Study => study_now(&StudyFolder::open(folder)?),
+        kind => {
+            let html = Built::of_file(folder, kind)?.page.html();
+            Ok(PageNow { html, progress: "complete".to_owned(), is_over: true })
         }
-        FolderKind::Plan => {
-            let plans = PlanFolder::open(folder)?;
-            whole(plan_page(&plans, &plan_plots(&plans.summary)).html())
-        }
-        FolderKind::Comparison => {
-            let (comparison, tolerance) = stored_comparison(folder)?;
-            whole(comparison_page(&comparison, tolerance, &comparison_plots(&comparison)).html())
-        }
-    })
+    }
 }
 
 fn run_now(folder: &Path) -> Result<PageNow, OutputError> {
@@ -58,29 +45,24 @@ fn run_now(folder: &Path) -> Result<PageNow, OutputError> {
             reason: "its tables lack data that the page shows".to_owned(),
         });
     }
-    let shown = ShownRun::read(folder, summary.steps_recorded)?;
-    let plots = run_plots(summary, &run.growth, &shown);
+    let page_data = PageData::read(folder, summary.steps_recorded)?;
     Ok(PageNow {
         progress: match summary.stop.map(RunStop::word) {
             Some(stop) => format!("ended at step {}: {}", summary.steps, stop.replace('-', " ")),
             None => format!("step {} of {}", summary.steps, run.case.growth.steps),
         },
         is_over: summary.stop.is_some(),
-        html: run_page(&run, &shown, &plots, engine_of(&run)?.as_ref()).html(),
+        html: Built::of_run(&run, &page_data)?.page.html(),
     })
 }
 
 fn study_now(folder: &StudyFolder) -> Result<PageNow, OutputError> {
     let results: StudyResults = folder.read_results()?;
-    let plan = folder.plan();
-    let rows = plan.runs.iter().zip(&results.rows);
-    let runs: Vec<StudyRun> = rows.map(|(planned, row)| StudyRun::new(folder, planned, row)).collect();
-    let styles = Styles::new(plan);
-    let plots = study_plots(plan, &runs, &styles);
     let over = results.count(|state| matches!(state, RunState::Done | RunState::Failed { .. }));
+    let count = folder.plan().runs.len();
     Ok(PageNow {
-        html: study_page((plan, &results.population), &runs, &styles, &folder.study_text()?, &plots).html(),
-        progress: format!("{over} of {} runs finished", runs.len()),
-        is_over: over == runs.len(),
+        html: Built::of_study(folder, &results)?.page.html(),
+        progress: format!("{over} of {count} runs finished"),
+        is_over: over == count,
     })
 }

@@ -2,17 +2,14 @@
 
 use crate::chart::Chart;
 use crate::choices::Choices;
-use crate::html::{escaped, inlined, json_for_script, still, typeset, typeset_in_parts};
+use crate::html::{escaped, inlined, json_for_script, typeset, typeset_in_parts};
 use crate::table::Table;
 use railcrack_run::VERSION;
 use serde_json::Value;
 use std::fmt::Write;
 
 const STYLE: &str = include_str!("assets/page.css");
-const D3: &str = include_str!("assets/vendor/d3.min.js");
-const PLOT: &str = include_str!("assets/vendor/plot.min.js");
-const KIT: &str = include_str!("assets/kit.js");
-const CHARTS: &str = include_str!("assets/charts.js");
+const COMMON: &str = include_str!("assets/common.js");
 const CHOICES: &str = include_str!("assets/choices.js");
 
 /// A key figure.
@@ -52,13 +49,6 @@ pub enum Block {
         /// Its caption, a sentence.
         caption: String,
     },
-    /// A picture shown only if scripts are disabled, instead of their drawing.
-    Still {
-        /// The SVG file.
-        svg: String,
-        /// Its caption, a sentence.
-        caption: String,
-    },
     /// Preformatted text in a monospaced font.
     Verbatim(String),
     /// Parts behind a heading that opens on demand; they are printed only when open.
@@ -68,11 +58,15 @@ pub enum Block {
         /// The parts.
         blocks: Vec<Block>,
     },
-    /// Elements built by a script of this kind of page. `html` is not escaped: it must be the
+    /// A part that a script of this kind of page moves. `html` is not escaped: it must be the
     /// program's own.
     Viewer {
-        /// Elements that the script fills.
+        /// Name of the element that holds the part.
+        id: &'static str,
+        /// Its controls.
         html: &'static str,
+        /// What the script moves; charts without curves are seen only while it does.
+        blocks: Vec<Block>,
         /// Name of the element that holds the data.
         data_id: &'static str,
         /// The data.
@@ -80,8 +74,6 @@ pub enum Block {
         /// The script.
         script: &'static str,
     },
-    /// A script that is run where it stands, before the libraries of the page are read.
-    AtOnce(&'static str),
 }
 
 impl Block {
@@ -188,8 +180,8 @@ impl Page {
             write_blocks(page, &section.blocks, &mut scripts);
             page.push_str("</section>\n");
         }
-        page.push_str("</main>\n<footer>Drawn with d3 and Observable Plot, which this file contains (ISC licence).</footer>\n");
-        for script in [D3, PLOT, KIT, CHARTS].into_iter().chain(scripts) {
+        page.push_str("</main>\n");
+        for script in std::iter::once(COMMON).chain(scripts) {
             let _ = writeln!(page, "<script>\n{script}</script>");
         }
         page.push_str("</body>\n</html>\n");
@@ -200,7 +192,7 @@ impl Page {
         for Section { id, heading, .. } in &self.sections {
             let _ = write!(page, "<li><a href=\"#{}\">{}</a></li>", escaped(id), typeset(heading));
         }
-        page.push_str("</ul><button type=\"button\" id=\"theme\" hidden>Theme</button></nav>\n");
+        page.push_str("</ul></nav>\n");
     }
 }
 
@@ -236,24 +228,19 @@ fn write_blocks(page: &mut String, blocks: &[Block], scripts: &mut Vec<&'static 
                     "<figure class=\"picture\"><div class=\"wide\">{picture}</div><figcaption>{caption}</figcaption></figure>"
                 )
             }
-            Block::Still { svg, caption } => {
-                page.push_str("<noscript>");
-                let (image, caption) = (still(svg, caption), typeset(caption));
-                let _ = writeln!(page, "<figure>{image}<figcaption>{caption}</figcaption></figure>");
-                writeln!(page, "</noscript>")
-            }
             Block::Verbatim(text) => writeln!(page, "<pre tabindex=\"0\">{}</pre>", escaped(text)),
             Block::Folded { heading, blocks } => {
                 let _ = writeln!(page, "<details><summary>{}</summary>", typeset(heading));
                 write_blocks(page, blocks, scripts);
                 writeln!(page, "</details>")
             }
-            Block::Viewer { html, data_id, data, script } => {
+            Block::Viewer { id, html, blocks, data_id, data, script } => {
+                let _ = writeln!(page, "<div id=\"{id}\" class=\"viewer\">\n{html}");
+                write_blocks(page, blocks, scripts);
                 scripts.push(script);
                 let data = json_for_script(data);
-                writeln!(page, "{html}<script type=\"application/json\" id=\"{data_id}\">{data}</script>")
+                writeln!(page, "</div><script type=\"application/json\" id=\"{data_id}\">{data}</script>")
             }
-            Block::AtOnce(script) => writeln!(page, "<script>\n{script}</script>"),
         };
     }
 }

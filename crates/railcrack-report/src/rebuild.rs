@@ -5,9 +5,10 @@ use crate::figures::{
     Plot, StudyRun, Styles, comparison_plots, plan_plots, run_plots, shakedown_plots, space_plots,
     study_plots,
 };
-use crate::pages::{RunFolder, comparison_page, plan_page, run_page, shakedown_page, space_page, study_page};
+use crate::page::Page;
+use crate::page_data::{PageData, PageStep};
+use crate::pages::{RunFolder, comparison_page, plan_page, run_page, shakedown_page, study_page};
 use crate::recomputed::recomputed;
-use crate::shown::{ShownRun, ShownStep};
 use railcrack::growth::StepRecord;
 use railcrack_case::Output;
 use railcrack_run::compare::stored_comparison;
@@ -21,6 +22,7 @@ use railcrack_run::{
     FolderLock, OutputError, PlanFolder, Presentation, RunPresentation, ShakedownFolder, TablesOnly,
 };
 use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Kind of results in a folder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -89,57 +91,109 @@ pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
     Ok(kind)
 }
 
+/// Plots and page of a folder.
+pub(crate) struct Built {
+    plots: Vec<Plot>,
+    pub(crate) page: Page,
+}
+
+impl Built {
+    /// Those of a run with what it shows of its long tables; without a finished step no plots.
+    ///
+    /// Errors: those of [`PageEngine::find`].
+    pub(crate) fn of_run(run: &RunFolder, page_data: &PageData) -> Result<Self, OutputError> {
+        let plots = match &run.case.space {
+            Some(_) => space_plots(&run.summary, &run.growth, page_data),
+            None => run_plots(&run.summary, &run.growth, page_data),
+        };
+        // The engine computes in the plane.
+        let computes = run.case.output.explorer && run.case.space.is_none();
+        let engine = computes.then(PageEngine::find).transpose()?;
+        let page = run_page(run, page_data, &plots, engine.as_ref());
+        Ok(Self { plots, page })
+    }
+
+    /// Those of a study with its `results`.
+    ///
+    /// Errors: the study file cannot be read.
+    pub(crate) fn of_study(folder: &StudyFolder, results: &StudyResults) -> Result<Self, OutputError> {
+        let plan = folder.plan();
+        let rows = plan.runs.iter().zip(&results.rows);
+        let runs: Vec<StudyRun> = rows.map(|(planned, row)| StudyRun::new(folder, planned, row)).collect();
+        let styles = Styles::new(plan);
+        let plots = study_plots(plan, &runs, &styles);
+        let page = study_page((plan, &results.population), &runs, &styles, &folder.study_text()?);
+        Ok(Self { plots, page })
+    }
+
+    /// Those of a stabilised state, of grinding plans or of a comparison, which one file holds.
+    ///
+    /// Errors: the file is damaged; the folder holds another kind.
+    pub(crate) fn of_file(folder: &Path, kind: FolderKind) -> Result<Self, OutputError> {
+        let (plots, page) = match kind {
+            FolderKind::Shakedown => {
+                let state = ShakedownFolder::open(folder)?;
+                let plots = shakedown_plots(&state);
+                let page = shakedown_page(&state, &plots);
+                (plots, page)
+            }
+            FolderKind::Plan => {
+                let plans = PlanFolder::open(folder)?;
+                let plots = plan_plots(&plans.summary);
+                let page = plan_page(&plans, &plots);
+                (plots, page)
+            }
+            FolderKind::Comparison => {
+                let (comparison, tolerance) = stored_comparison(folder)?;
+                let plots = comparison_plots(&comparison);
+                let page = comparison_page(&comparison, tolerance, &plots);
+                (plots, page)
+            }
+            FolderKind::Run | FolderKind::Study => {
+                return Err(OutputError::NothingToReport { folder: folder.to_path_buf() });
+            }
+        };
+        Ok(Self { plots, page })
+    }
+
+    /// Writes the files of the plots into the folder for plots in `folder`.
+    fn write_plots(&self, folder: &Path) -> Result<(), OutputError> {
+        if self.plots.is_empty() {
+            return Ok(());
+        }
+        let folder = inner_folder(folder, PLOTS_FOLDER)?;
+        self.plots.iter().try_for_each(|plot| put(&folder.join(plot.file), &plot.svg))
+    }
+
+    fn write_page(&self, folder: &Path) -> Result<(), OutputError> {
+        put(&folder.join(REPORT_FILE), &self.page.html())
+    }
+}
+
 /// Plots and report of a run from its folder alone: from its files or, if these are incomplete,
 /// from a repeated computation.
 fn rebuild_run(folder: &Path) -> Result<(), OutputError> {
     let mut run = RunFolder::read(folder)?;
-    if !run.case.output.is_whole() || run.lacks_samples() {
-        let (shown, decision) = recomputed(&run)?;
+    let page_data = if !run.case.output.is_whole() || run.lacks_samples() {
+        let (page_data, decision) = recomputed(&run)?;
         run.summary.decision = decision;
-        return write_run(&run, &shown);
-    }
-    let shown = ShownRun::read(folder, run.summary.steps_recorded)?;
-    write_run(&run, &shown)
-}
-
-/// Without a finished step there are no plots.
-fn write_run(run: &RunFolder, shown: &ShownRun) -> Result<(), OutputError> {
-    write_chosen(run, shown, Output::ALL)
+        page_data
+    } else {
+        PageData::read(folder, run.summary.steps_recorded)?
+    };
+    write_run(&run, &page_data, Output::ALL)
 }
 
 /// Plots and page, as selected by `output`.
-fn write_chosen(run: &RunFolder, shown: &ShownRun, output: Output) -> Result<(), OutputError> {
-    let plots = match &run.case.space {
-        Some(_) => space_plots(&run.summary, &run.growth, shown),
-        None => run_plots(&run.summary, &run.growth, shown),
-    };
+fn write_run(run: &RunFolder, page_data: &PageData, output: Output) -> Result<(), OutputError> {
+    let built = Built::of_run(run, page_data)?;
     if output.plots {
-        write_plots(&run.path, &plots)?;
+        built.write_plots(&run.path)?;
     }
     if output.report {
-        let page = match &run.case.space {
-            Some(space) => space_page(run, space, shown, &plots),
-            None => run_page(run, shown, &plots, engine_of(run)?.as_ref()),
-        };
-        put(&run.path.join(REPORT_FILE), &page.html())?;
+        built.write_page(&run.path)?;
     }
     Ok(())
-}
-
-/// The engine in the page of `run`, where its case requests one.
-///
-/// Errors: those of [`PageEngine::find`].
-pub(crate) fn engine_of(run: &RunFolder) -> Result<Option<PageEngine>, OutputError> {
-    run.case.output.explorer.then(PageEngine::find).transpose()
-}
-
-/// Writes the files of `plots` into the folder for plots in `folder`.
-fn write_plots(folder: &Path, plots: &[Plot]) -> Result<(), OutputError> {
-    if plots.is_empty() {
-        return Ok(());
-    }
-    let folder = inner_folder(folder, PLOTS_FOLDER)?;
-    plots.iter().try_for_each(|plot| put(&folder.join(plot.file), &plot.svg))
 }
 
 /// Writes `text` to `path` in one piece.
@@ -151,28 +205,43 @@ pub fn put(path: &Path, text: &str) -> Result<(), OutputError> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Pages;
 
-/// Results shown of a run in progress.
-#[derive(Debug)]
-struct Gathered {
-    shown: ShownRun,
-    taken: Option<ShownStep>,
-    output: Output,
+/// What becomes of the collected data when a run has ended.
+#[derive(Debug, Clone)]
+pub(crate) enum AtEnd {
+    /// Plots and page are written, as selected.
+    Write(Output),
+    /// They are kept here.
+    Keep(Arc<Mutex<Option<PageData>>>),
 }
 
-impl RunPresentation for Gathered {
+/// The data of the page of a run in progress.
+#[derive(Debug)]
+pub(crate) struct Collected {
+    pub(crate) page_data: PageData,
+    pub(crate) taken: Option<PageStep>,
+    pub(crate) at_end: AtEnd,
+}
+
+impl RunPresentation for Collected {
     fn take(&mut self, record: &StepRecord, scale: &SifScale) -> Result<(), OutputError> {
-        self.taken = Some(self.shown.of_record(record, scale)?);
+        self.taken = Some(self.page_data.of_record(record, scale)?);
         Ok(())
     }
 
     fn keep(&mut self) {
         if let Some(step) = self.taken.take() {
-            self.shown.push(step);
+            self.page_data.push(step);
         }
     }
 
     fn finish(&self, folder: &Path) -> Result<(), OutputError> {
-        write_chosen(&RunFolder::read(folder)?, &self.shown, self.output)
+        match &self.at_end {
+            AtEnd::Write(output) => write_run(&RunFolder::read(folder)?, &self.page_data, *output),
+            AtEnd::Keep(slot) => {
+                *slot.lock().unwrap_or_else(PoisonError::into_inner) = Some(self.page_data.clone());
+                Ok(())
+            }
+        }
     }
 }
 
@@ -181,7 +250,7 @@ impl Presentation for Pages {
         if !output.is_shown() {
             return Box::new(TablesOnly);
         }
-        Box::new(Gathered { shown: ShownRun::default(), taken: None, output })
+        Box::new(Collected { page_data: PageData::default(), taken: None, at_end: AtEnd::Write(output) })
     }
 
     fn resumed_run(
@@ -193,43 +262,36 @@ impl Presentation for Pages {
         if !output.is_shown() {
             return Ok(Box::new(TablesOnly));
         }
-        Ok(Box::new(Gathered { shown: ShownRun::read(folder, steps)?, taken: None, output }))
+        let page_data = PageData::read(folder, steps)?;
+        Ok(Box::new(Collected { page_data, taken: None, at_end: AtEnd::Write(output) }))
     }
 
     fn shakedown(&self, folder: &Path) -> Result<(), OutputError> {
-        let state = ShakedownFolder::open(folder)?;
-        let plots = shakedown_plots(&state);
-        write_plots(folder, &plots)?;
-        put(&folder.join(REPORT_FILE), &shakedown_page(&state, &plots).html())
+        let built = Built::of_file(folder, FolderKind::Shakedown)?;
+        built.write_plots(folder)?;
+        built.write_page(folder)
     }
 
     fn plan(&self, folder: &Path) -> Result<(), OutputError> {
-        let plans = PlanFolder::open(folder)?;
-        let plots = plan_plots(&plans.summary);
-        write_plots(folder, &plots)?;
-        put(&folder.join(REPORT_FILE), &plan_page(&plans, &plots).html())
+        let built = Built::of_file(folder, FolderKind::Plan)?;
+        built.write_plots(folder)?;
+        built.write_page(folder)
     }
 
     fn comparison(&self, folder: &Path) -> Result<(), OutputError> {
-        let (comparison, tolerance) = stored_comparison(folder)?;
-        let plots = comparison_plots(&comparison);
-        plots.iter().try_for_each(|plot| put(&folder.join(plot.file), &plot.svg))?;
-        put(&folder.join(REPORT_FILE), &comparison_page(&comparison, tolerance, &plots).html())
+        let built = Built::of_file(folder, FolderKind::Comparison)?;
+        built.plots.iter().try_for_each(|plot| put(&folder.join(plot.file), &plot.svg))?;
+        built.write_page(folder)
     }
 
     fn study(&self, folder: &StudyFolder, results: &StudyResults) -> Result<(), OutputError> {
-        let plan = folder.plan();
-        let rows = plan.runs.iter().zip(&results.rows);
-        let runs: Vec<StudyRun> = rows.map(|(planned, row)| StudyRun::new(folder, planned, row)).collect();
-        let styles = Styles::new(plan);
-        let plots = study_plots(plan, &runs, &styles);
+        let built = Built::of_study(folder, results)?;
         for file in STUDY_PLOTS {
-            match plots.iter().find(|plot| plot.file == file) {
+            match built.plots.iter().find(|plot| plot.file == file) {
                 Some(plot) => folder.put(&format!("plots/{file}"), plot.svg.as_bytes())?,
                 None => folder.take_away(&format!("plots/{file}"))?,
             }
         }
-        let page = study_page((plan, &results.population), &runs, &styles, &folder.study_text()?, &plots);
-        folder.put(REPORT_FILE, page.html().as_bytes())
+        folder.put(REPORT_FILE, built.page.html().as_bytes())
     }
 }

@@ -1,11 +1,11 @@
 //! Plots and page of a run whose files lack some of the data shown: the steps are computed again
 //! from the stored case.
 
+use crate::page_data::PageData;
 use crate::pages::RunFolder;
-use crate::shown::{ShownRun, ShownStep};
-use railcrack::growth::StepRecord;
+use crate::rebuild::{AtEnd, Collected};
 use railcrack_case::{Case, Output};
-use railcrack_run::csv::{SifScale, TipRow};
+use railcrack_run::csv::TipRow;
 use railcrack_run::decision::Decision;
 use railcrack_run::disk::inner_folder;
 use railcrack_run::simulation::{RunEntry, RunError, Simulation};
@@ -16,31 +16,31 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// Subfolder of the run folder in which its steps are computed again.
 const SCRATCH: &str = "again.partial";
 
-/// The shown part of `run`, computed again, with the decision block of its summary.
+/// What the page of `run` shows, computed again, with the decision block of its summary.
 ///
 /// Errors: it has not ended; what is computed is not what the folder has; it cannot be computed;
 /// the system refuses.
-pub(crate) fn recomputed(run: &RunFolder) -> Result<(ShownRun, Option<Decision>), OutputError> {
+pub(crate) fn recomputed(run: &RunFolder) -> Result<(PageData, Option<Decision>), OutputError> {
     let folder = &run.path;
     if run.summary.stop.is_none() {
         return Err(not_recomputed(folder, "it has not ended: --resume continues it"));
     }
     let scratch = inner_folder(folder, SCRATCH)?;
-    let shown = computed(&run.case, &scratch, &run.growth);
+    let again = computed(&run.case, &scratch, &run.growth);
     // Best effort: the error of the computation is the one to report.
     let removed = std::fs::remove_dir_all(&scratch);
-    let shown = shown.map_err(|reason| not_recomputed(folder, reason))?;
+    let again = again.map_err(|reason| not_recomputed(folder, reason))?;
     removed.map_err(OutputError::io("remove", &scratch))?;
-    Ok(shown)
+    Ok(again)
 }
 
-/// The shown part and the decision block of the run of `case`, computed in `scratch`; `growth` is
+/// What the page shows and the decision block of the run of `case`, computed in `scratch`; `growth` is
 /// what it must come to.
-fn computed(case: &Case, scratch: &Path, growth: &[TipRow]) -> Result<(ShownRun, Option<Decision>), String> {
+fn computed(case: &Case, scratch: &Path, growth: &[TipRow]) -> Result<(PageData, Option<Decision>), String> {
     let mut case = case.clone();
     case.output = Output { report: true, ..Output::LEAST };
-    let gathering = Gathering::default();
-    let simulation = Simulation::new(&case).presented_by(&gathering);
+    let collecting = Collecting::default();
+    let simulation = Simulation::new(&case).presented_by(&collecting);
     let finished = simulation.run_in(scratch, RunEntry::Replace);
     let finished = finished.map_err(|error: RunError| error.to_string())?;
     let again = railcrack_run::RunFolder::open(scratch).and_then(|run| run.growth());
@@ -57,53 +57,24 @@ fn computed(case: &Case, scratch: &Path, growth: &[TipRow]) -> Result<(ShownRun,
                 .to_owned(),
         );
     }
-    let shown = gathering.shown.lock().unwrap_or_else(PoisonError::into_inner).take();
-    Ok((shown.unwrap_or_default(), finished.summary.decision))
+    let page_data = collecting.collected.lock().unwrap_or_else(PoisonError::into_inner).take();
+    Ok((page_data.unwrap_or_default(), finished.summary.decision))
 }
 
 fn not_recomputed(folder: &Path, reason: impl Into<String>) -> OutputError {
     OutputError::NotRecomputed { folder: folder.to_path_buf(), reason: reason.into() }
 }
 
-/// Where what is shown of a run comes when the run has ended.
-type Slot = Arc<Mutex<Option<ShownRun>>>;
-
-/// Collects the data shown of a run without writing anything.
+/// Collects the data of the page of a run without writing anything.
 #[derive(Debug, Default)]
-struct Gathering {
-    shown: Slot,
+struct Collecting {
+    collected: Arc<Mutex<Option<PageData>>>,
 }
 
-/// The same for one run.
-#[derive(Debug)]
-struct OfRun {
-    gathered: ShownRun,
-    taken: Option<ShownStep>,
-    slot: Slot,
-}
-
-impl RunPresentation for OfRun {
-    fn take(&mut self, record: &StepRecord, scale: &SifScale) -> Result<(), OutputError> {
-        self.taken = Some(self.gathered.of_record(record, scale)?);
-        Ok(())
-    }
-
-    fn keep(&mut self) {
-        if let Some(step) = self.taken.take() {
-            self.gathered.push(step);
-        }
-    }
-
-    fn finish(&self, _: &Path) -> Result<(), OutputError> {
-        *self.slot.lock().unwrap_or_else(PoisonError::into_inner) = Some(self.gathered.clone());
-        Ok(())
-    }
-}
-
-impl Presentation for Gathering {
+impl Presentation for Collecting {
     fn run(&self, _: Output) -> Box<dyn RunPresentation> {
-        let slot = Arc::clone(&self.shown);
-        Box::new(OfRun { gathered: ShownRun::default(), taken: None, slot })
+        let at_end = AtEnd::Keep(Arc::clone(&self.collected));
+        Box::new(Collected { page_data: PageData::default(), taken: None, at_end })
     }
 
     fn resumed_run(

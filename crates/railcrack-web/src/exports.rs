@@ -5,6 +5,7 @@
 //! [`output`] is JSON. The functions return 0; 1: no step follows; 2: an error, which the text
 //! lists.
 
+use crate::drawing;
 use crate::refusal::Refusal;
 use crate::session::Session;
 use serde_json::{Value, json};
@@ -55,7 +56,7 @@ impl Page {
     }
 }
 
-/// Makes room for a case of `length` bytes; its place.
+/// Makes room for a text of `length` bytes; its place.
 #[unsafe(no_mangle)]
 #[expect(unsafe_code, reason = "the name of an exported function")]
 pub extern "C" fn input(length: usize) -> usize {
@@ -123,4 +124,14 @@ pub extern "C" fn decide() -> u32 {
 #[expect(unsafe_code, reason = "the name of an exported function")]
 pub extern "C" fn tables() -> u32 {
     with(|page| page.asked(|session| session.tables()))
+}
+
+/// The figure of the chart at [`input`], as a text; null where that is no chart.
+#[unsafe(no_mangle)]
+#[expect(unsafe_code, reason = "the name of an exported function")]
+pub extern "C" fn draw() -> u32 {
+    with(|page| {
+        let figure = drawing::figure(&std::mem::take(&mut page.input));
+        page.says(DONE, &json!(figure))
+    })
 }

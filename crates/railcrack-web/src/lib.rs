@@ -5,6 +5,8 @@
 //! can stop between two of them. A page has no files, threads or clock: what needs them is refused
 //! with a sentence, and wall times are zero.
 
+#[cfg(any(target_arch = "wasm32", test))]
+mod drawing;
 #[cfg(target_arch = "wasm32")]
 mod exports;
 mod refusal;

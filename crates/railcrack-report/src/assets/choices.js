@@ -2,10 +2,10 @@
 "use strict";
 
 (() => {
-  const { DASHES, bringOut, button, charts, element, inParts, legend, pageData, plain } = railcrack;
-  const place = element("choices");
+  const { bringOut, button, charts, every, inParts, isChosen, legend, plain } = railcrack;
+  const place = railcrack.element("choices");
   /** @type {ChoiceGroup[]} */
-  const groups = pageData("choices-data");
+  const groups = railcrack.pageData("choices-data");
   /** Places of the values that are on, by group; a group without values is always shown. */
   const on = groups.map(({ values }) =>
     values.length ? new Set(values.flatMap((value, i) => (value.shown ? [i] : []))) : null,
@@ -13,52 +13,40 @@
 
   function show() {
     for (const chart of charts.values()) chart.choose(on);
-    const rows = /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("tr[data-choices]"));
-    for (const row of rows) {
-      const values = row.dataset.choices ? row.dataset.choices.split(",") : [];
-      row.hidden = !values.every((value, group) => on[group]?.has(+value) ?? true);
-    }
+    for (const row of every("tr[data-choices]")) row.hidden = !isChosen(row.dataset.choices, on);
   }
 
   for (const [g, group] of groups.entries()) {
     if (!group.values.length) continue;
-    /** @param {number[]} values */
-    const turnOn = (values) => {
-      on[g] = new Set(values);
-      show();
-    };
     const set = document.createElement("fieldset");
-    const name = document.createElement("legend");
-    inParts(name, plain(group.name));
-    set.append(name);
-    const boxes = group.values.map((value) => {
+    set.append(inParts(document.createElement("legend"), plain(group.name)));
+    const boxes = group.values.map(({ name, shown, colour, dashes }) => {
       const label = document.createElement("label");
-      const box = document.createElement("input");
-      box.type = "checkbox";
-      box.checked = value.shown;
-      box.addEventListener("change", () => turnOn(checked()));
-      const colour = value.colour ? `var(--${value.colour})` : "var(--quiet)";
-      const dashes = value.look && DASHES[value.look];
-      const mark =
-        value.colour || value.look ? legend([{ name: "", colour, dashes }]).querySelector("svg") : null;
-      label.append(box, mark ?? "", plain(value.name));
+      const box = Object.assign(document.createElement("input"), { type: "checkbox", checked: shown });
+      box.addEventListener("change", turnOn);
+      const entry = { name: "", colour: `var(--${colour ?? "quiet"})`, dashes: dashes ?? "" };
+      const hasMark = colour !== null || dashes !== null;
+      label.append(box, (hasMark && legend([entry]).querySelector("svg")) || "", plain(name));
       set.append(label);
       return box;
     });
-    const checked = () => boxes.flatMap((box, i) => (box.checked ? [i] : []));
+    function turnOn() {
+      on[g] = new Set(boxes.flatMap((box, i) => (box.checked ? [i] : [])));
+      show();
+    }
     if (group.values.length > 2) {
       const all = button("all", () => {
         // A second click goes back to the first value alone.
-        const every = boxes.every((box) => box.checked);
-        for (const [i, box] of boxes.entries()) box.checked = !every || i === 0;
-        turnOn(checked());
+        const isAll = boxes.every((box) => box.checked);
+        for (const [i, box] of boxes.entries()) box.checked = !isAll || i === 0;
+        turnOn();
       });
       set.append(all);
     }
     place.append(set);
   }
 
-  for (const row of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("tr[data-name]"))) {
+  for (const row of every("tr[data-name]")) {
     row.addEventListener("pointerenter", () => bringOut(row.dataset.name));
     row.addEventListener("pointerleave", () => bringOut());
   }

@@ -1,12 +1,10 @@
 // "What if": the case of the page computed in the page, again and again while its values change.
 "use strict";
 
-railcrack.viewer("what-if-engine", "What if", "the program computes the same case", async () => {
-  const { aired, ends, element, linear, picture, say, sized, toScale, unpack, words } = railcrack;
-  const { within, button } = railcrack;
+railcrack.viewer("what-if-engine", "What if", "the program computes the same case", () => {
+  const { button, element, say, within, words } = railcrack;
 
-  const started = typeof railcrackStarted === "undefined" ? null : railcrackStarted;
-  const data = started?.data ?? /** @type {WhatIfData} */ (railcrack.pageData("what-if-data"));
+  const data = /** @type {WhatIfData} */ (railcrack.pageData("what-if-data"));
   const place = element("what-if-engine");
   const editor = element("what-if-case", HTMLTextAreaElement);
   const readout = element("what-if-readout");
@@ -15,12 +13,7 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
 
   // ---- The text of a case -----------------------------------------------------------------------
 
-  /**
-   * The lines of a section, from its header on, as places in the text.
-   * @typedef {{ from: number, to: number }} Lines
-   */
-
-  /** The sections called `name`. @param {string[]} lines @param {string} name @returns {Lines[]} */
+  /** The sections called `name`. @param {string[]} lines @param {string} name @returns {CaseLines[]} */
   function sectionsOf(lines, name) {
     const headers = lines.flatMap((line, at) => {
       const header = /^\s*\[\[?\s*([\w.]+)\s*\]\]?/.exec(line);
@@ -31,7 +24,7 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     );
   }
 
-  /** The line of `key` in a section; -1 without one. @param {string[]} lines @param {Lines} section @param {string} key */
+  /** The line of `key` in a section; -1 without one. @param {string[]} lines @param {CaseLines} section @param {string} key */
   function lineOf(lines, { from, to }, key) {
     const own = lines.slice(from + 1, to).findIndex((line) => new RegExp(`^\\s*${key}\\s*=`).test(line));
     return own < 0 ? -1 : from + 1 + own;
@@ -75,19 +68,6 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
 
   // ---- Controls ---------------------------------------------------------------------------------
 
-  /**
-   * A value of the case that a slider sets: the first of `keys` that the case has, or the only one
-   * where the case may lack it.
-   * @typedef {object} Dial
-   * @property {string} name
-   * @property {string} unit
-   * @property {string} section
-   * @property {string[]} keys
-   * @property {string} [absent] Its value where the case lacks the key.
-   * @property {string} [needs] A section without which it means nothing.
-   * @property {(value: number) => [number, number, number]} range Ends and step.
-   */
-
   /** A round step of about a hundredth of `span`. @param {number} span */
   const stepOf = (span) => 10 ** Math.floor(Math.log10(span / 60));
 
@@ -99,54 +79,22 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     return [round(value / 4), round(2 * value), step];
   };
 
+  /** @param {number} low @param {number} high @param {number} step @returns {Dial["range"]} */
+  const between = (low, high, step) => () => [low, high, step];
+  const LOADS = ["peak_pressure_mpa", "line_load_n_per_mm", "wheel_load_kn"];
+  const WEAR = { section: "maintenance", keys: ["wear_mm_per_mgt"], absent: "0", needs: "traffic" };
   /** @type {Dial[]} */
   const DIALS = [
-    {
-      name: "Load",
-      unit: "",
-      section: "contact",
-      keys: ["peak_pressure_mpa", "line_load_n_per_mm", "wheel_load_kn"],
-      range: around,
-    },
-    {
-      name: "Friction, wheel",
-      unit: "",
-      section: "contact",
-      keys: ["friction"],
-      range: (value) => [value < 0 ? -0.5 : Math.min(0, -0.5), 0.5, 0.005],
-    },
-    {
-      name: "Friction, faces",
-      unit: "",
-      section: "crack",
-      keys: ["friction"],
-      range: () => [0, 1, 0.01],
-    },
-    { name: "Length", unit: "mm", section: "crack", keys: ["length_mm"], range: around },
-    { name: "Angle", unit: "\u00b0", section: "crack", keys: ["angle_deg"], range: () => [5, 90, 1] },
-    {
-      name: "Wear",
-      unit: "mm/MGT",
-      section: "maintenance",
-      keys: ["wear_mm_per_mgt"],
-      absent: "0",
-      needs: "traffic",
-      range: (value) => [0, Math.max(0.1, 2 * value), 0.001],
-    },
+    { name: "Load", units: ["MPa", "N/mm", "kN"], section: "contact", keys: LOADS, range: around },
+    { name: "Friction, wheel", section: "contact", keys: ["friction"], range: between(-0.5, 0.5, 0.005) },
+    { name: "Friction, faces", section: "crack", keys: ["friction"], range: between(0, 1, 0.01) },
+    { name: "Length", units: ["mm"], section: "crack", keys: ["length_mm"], range: around },
+    { name: "Angle", units: ["\u00b0"], section: "crack", keys: ["angle_deg"], range: between(5, 90, 1) },
+    { name: "Wear", units: ["mm/MGT"], ...WEAR, range: (value) => [0, Math.max(0.1, 2 * value), 0.001] },
   ];
 
-  const UNITS = /** @type {Record<string, string>} */ ({
-    peak_pressure_mpa: "MPa",
-    line_load_n_per_mm: "N/mm",
-    wheel_load_kn: "kN",
-  });
-
-  /** Water in the cracks: words of the case file and of the page. @type {[string, string][]} */
-  const WATER = [
-    ["none", "dry"],
-    ["mouth", "from the mouth"],
-    ["trapped", "trapped"],
-  ];
+  /** Water in the cracks: words of the case file and of the page. */
+  const WATER = { none: "dry", mouth: "from the mouth", trapped: "trapped" };
 
   const controls = element("what-if-controls", HTMLFormElement);
   /** What the controls have set: keys of the case with their values. @type {Map<string, string>} */
@@ -188,16 +136,16 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     const first = Number(valueIn(text, dial.section, used) ?? dial.absent);
     if (!Number.isFinite(first)) return null;
     const [low, high, step] = dial.range(first);
-    const label = document.createElement("label");
-    const output = document.createElement("output");
+    const [label, output] = [document.createElement("label"), document.createElement("output")];
     const input = document.createElement("input");
     const name = `${dial.section}.${used}`;
     input.type = "range";
     input.id = `what-if-${name.replace(".", "-")}`;
-    // The slider stands exactly at the value of the case.
-    const places = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-    Object.assign(input, { min: String(low), max: String(high), step: "any" });
-    const unit = UNITS[used] ?? dial.unit;
+    // Steps are counted from the value of the case, at which the slider stands exactly.
+    const least = first - Math.floor((first - low) / step + 1e-9) * step;
+    const places = Math.max(0, 2 - Math.floor(Math.log10(step) + 1e-9));
+    Object.assign(input, { min: String(least), max: String(high), step: String(step) });
+    const unit = dial.units?.[dial.keys.indexOf(used)] ?? "";
     /** @param {number} value */
     const show = (value) => {
       const shown = `${words(value)}${unit && unit !== "\u00b0" ? "\u00a0" : ""}${unit}`;
@@ -205,26 +153,10 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
       input.setAttribute("aria-valuetext", shown);
     };
     input.addEventListener("input", () => {
-      const value = Number((Math.round(Number(input.value) / step) * step).toFixed(places));
+      const value = Number(Number(input.value).toFixed(places));
       show(value);
       // A number of TOML with a fraction, however whole it is.
       change(name, Number.isInteger(value) ? value.toFixed(1) : String(value));
-    });
-    // Without steps of its own, a slider would move by a hundredth of its way.
-    input.addEventListener("keydown", (event) => {
-      const ways = /** @type {Record<string, number>} */ ({
-        ArrowLeft: -1,
-        ArrowDown: -1,
-        ArrowRight: 1,
-        ArrowUp: 1,
-        PageDown: -10,
-        PageUp: 10,
-      });
-      const way = ways[event.key];
-      if (!way) return;
-      event.preventDefault();
-      input.value = String(Math.max(low, Math.min(high, Number(input.value) + way * step)));
-      input.dispatchEvent(new Event("input"));
     });
     label.append(dial.name, output, input);
     controls.append(label);
@@ -241,7 +173,7 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     const label = document.createElement("label");
     const menu = document.createElement("select");
     menu.id = "what-if-fluid";
-    for (const [value, name] of WATER) menu.add(new Option(name, value));
+    for (const [value, name] of Object.entries(WATER)) menu.add(new Option(name, value));
     menu.addEventListener("change", () => change("fluid", menu.value));
     label.append("Water in the crack", menu);
     controls.append(label);
@@ -259,16 +191,8 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
   const stopButton = button("Stop", stop);
   stopButton.id = "what-if-stop";
   stopButton.disabled = true;
-  {
-    const row = document.createElement("div");
-    row.className = "buttons";
-    const hint = document.createElement("span");
-    hint.className = "hint";
-    hint.textContent = "Keys: arrows and Page Up, Page Down on a slider; Escape stops";
-    row.append(stopButton, hint);
-    controls.append(row);
-    controls.addEventListener("submit", (event) => event.preventDefault());
-  }
+  controls.append(stopButton);
+  controls.addEventListener("submit", (event) => event.preventDefault());
 
   addEventListener("beforeprint", () => {
     element("what-if-printed").textContent = editor.value;
@@ -276,7 +200,6 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
 
   // ---- The engine -------------------------------------------------------------------------------
 
-  /** A life, as far as it is computed. @typedef {{ case: WhatIfCase, steps: WhatIfStep[], summary: any }} Life */
   /** @type {Life | null} */
   let now = null;
   /** The last life that was computed to its end. @type {Life | null} */
@@ -478,160 +401,109 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
 
   // ---- Charts -----------------------------------------------------------------------------------
 
-  const MARGIN = { top: 12, right: 14, bottom: 40, left: 52 };
-  const charts = {
-    kii: picture("what-if-kii"),
-    ki: picture("what-if-ki"),
-    depth: picture("what-if-depth"),
-    path: picture("what-if-path"),
-  };
   /** Tips whose curves a chart shows at most. */
   const MOST_TIPS = 6;
-
-  /** @typedef {{ x: number, y: number, z: number, was: boolean }} LifePoint */
-
-  /** The lives on the charts: the one of now, and the first one behind it. @returns {[Life | null, boolean][]} */
+  /** The lives on the charts: the first one, and that of now above it. @returns {[Life | null, boolean][]} */
   const shownLives = () => [
     [first === now ? null : first, true],
     [now?.steps.length ? now : whole, false],
   ];
-
-  /** @param {(life: Life) => { x: number, y: number, z: number }[]} of @returns {LifePoint[]} */
-  const pointsOf = (of) =>
-    shownLives().flatMap(([life, was]) => (life ? of(life).map((point) => ({ ...point, was })) : []));
-
-  /** @param {LifePoint[]} points */
-  const curves = (points) =>
-    [true, false].map((was) =>
-      Plot.line(
-        points.filter((point) => point.was === was),
-        {
-          x: "x",
-          y: "y",
-          z: "z",
-          stroke: was ? "var(--quiet)" : (/** @type {LifePoint} */ { z }) => `var(--c${z % 9})`,
-          strokeWidth: was ? 1.5 : 2.2,
-          strokeDasharray: was ? "5 4" : undefined,
-        },
-      ),
-    );
-
-  /** @param {"ki_mpa_sqrt_m" | "kii_mpa_sqrt_m"} name */
-  const historyPoints = (name) =>
-    pointsOf(({ steps, case: { half_width_mm } }) => {
-      const [step] = steps;
-      const passage = step?.passage;
-      if (!passage) return [];
-      const mouth = step.cracks[0][0][0];
-      return passage.tips
-        .slice(0, MOST_TIPS)
-        .flatMap((tip, z) =>
-          tip[name].map((y, i) => ({ x: (passage.xc_mm[i] - mouth) / half_width_mm, y, z })),
-        );
-    });
-
-  /** @param {"ki" | "kii"} name */
-  function drawHistory(name) {
-    const chart = charts[name];
-    const points = historyPoints(`${name}_mpa_sqrt_m`);
-    if (!(chart.width && points.length)) return;
-    chart.show(
-      Plot.plot({
-        ...sized(chart.width, 240, MARGIN),
-        x: linear("x_{c}/a"),
-        y: linear(`K_{${name === "ki" ? "I" : "II"}} (MPa√m)`),
-        ariaLabel: `History of K ${name.slice(1).toUpperCase()} over the first passage`,
-        marks: [Plot.ruleY([0], { stroke: "var(--line)" }), ...curves(points)],
-      }),
-    );
-  }
-
-  /** @param {WhatIfStep} step */
-  const trafficOf = (step) => step.mgt ?? step.load_cycles;
-
-  function drawDepth() {
-    const chart = charts.depth;
-    const points = pointsOf(({ steps }) =>
-      steps.map((step) => ({
-        x: trafficOf(step),
-        y: Math.max(...step.tips.map((tip) => tip.depth_mm)),
-        z: 0,
+  /** The curves of both lives, of each by crack or tip. @param {(life: Life) => Pair[][]} of @returns {DrawnCurve[]} */
+  const curvesOf = (of) =>
+    shownLives().flatMap(([life, isFirst]) =>
+      (life ? of(life) : []).map((points, tip) => ({
+        points,
+        name: isFirst ? data.first : "now",
+        colour: isFirst ? null : tip,
       })),
     );
-    if (!(chart.width && points.length)) return;
-    const limits = ["detectable_depth_mm", "critical_depth_mm"].flatMap((key) => {
-      const value = Number(valueIn(editor.value, "inspection", key));
-      return Number.isFinite(value) && value > 0 ? [{ y: value, name: key.split("_")[0] }] : [];
+  /** K of the first passage. @param {"ki_mpa_sqrt_m" | "kii_mpa_sqrt_m"} name */
+  const history = (name) =>
+    curvesOf(({ steps, case: { half_width_mm } }) => {
+      const [step] = steps;
+      const mouth = step?.cracks[0][0][0] ?? 0;
+      const xs = step?.passage?.xc_mm.map((xc) => (xc - mouth) / half_width_mm) ?? [];
+      return (step?.passage?.tips ?? [])
+        .slice(0, MOST_TIPS)
+        .map((tip) => xs.map((x, i) => [x, tip[name][i]]));
     });
-    const title = now?.steps[0]?.mgt == null ? "Load cycles" : "Million gross tonnes";
-    chart.show(
-      Plot.plot({
-        ...sized(chart.width, 240, MARGIN),
-        x: linear(title),
-        y: { ...linear("Depth (mm)"), zero: true, reverse: true },
-        ariaLabel: "Depth of the deepest tip over traffic",
-        marks: [
-          Plot.ruleY(limits, { y: "y", stroke: "var(--c1)", strokeDasharray: "2 3" }),
-          Plot.text(limits, {
-            y: "y",
-            text: "name",
-            frameAnchor: "right",
-            dx: -4,
-            dy: -7,
-            textAnchor: "end",
-            fill: "var(--quiet)",
-          }),
-          ...curves(points),
-          Plot.dot(
-            points.filter(({ was }) => !was),
-            { x: "x", y: "y", r: 2.5, fill: "var(--c0)" },
-          ),
-        ],
-      }),
-    );
-  }
-
-  function drawPath() {
-    const chart = charts.path;
-    const points = pointsOf(({ steps }) =>
-      (steps.at(-1)?.cracks ?? []).flatMap((crack, z) => crack.map(([x, y]) => ({ x, y: -y, z }))),
-    );
-    if (!(chart.width && points.length)) return;
-    const [, deepest] = ends(points.map(({ y }) => y));
-    const inside = chart.width - MARGIN.left - MARGIN.right;
-    const across = aired(points.map(({ x }) => x));
-    const fit = toScale(across, [-0.05 * deepest, 1.1 * deepest], inside, { most: 190, least: 120 });
-    chart.show(
-      Plot.plot({
-        ...sized(chart.width, fit.height + MARGIN.top + MARGIN.bottom, MARGIN),
-        x: linear("x (mm)", fit.x),
-        y: linear("Depth (mm)", [fit.y[1], fit.y[0]]),
-        ariaLabel: "Cracks after the last step, to scale",
-        marks: [Plot.ruleY([0], { stroke: "var(--ink)", strokeWidth: 2 }), ...curves(points)],
-      }),
-    );
-  }
-
-  const drawAll = () => {
-    drawHistory("kii");
-    drawHistory("ki");
-    drawDepth();
-    drawPath();
+  /** Depths that the case names, as lines across traffic. @param {DrawnCurve[]} lives @returns {DrawnCurve[]} */
+  const limits = (lives) => {
+    const [from, to] = railcrack.ends(lives.flatMap(({ points }) => points.map(([x]) => x)));
+    return ["detectable_depth_mm", "critical_depth_mm"].flatMap((key) => {
+      const depth = Number(valueIn(editor.value, "inspection", key));
+      if (!(depth > 0)) return [];
+      return [
+        {
+          name: `${key.split("_")[0]} depth`,
+          colour: null,
+          points: [
+            [from, depth],
+            [to, depth],
+          ],
+        },
+      ];
+    });
   };
+
+  /** What the charts show. @returns {DrawnChart[]} */
+  function drawings() {
+    const depths = curvesOf(({ steps }) => [
+      steps.map((step) => [step.mgt ?? step.load_cycles, Math.max(...step.tips.map((tip) => tip.depth_mm))]),
+    ]);
+    const traffic = now?.steps[0]?.mgt == null ? "Load cycles" : "Million gross tonnes";
+    const paths = curvesOf(({ steps }) =>
+      (steps.at(-1)?.cracks ?? []).map((crack) => crack.map(([x, y]) => [x, -y])),
+    );
+    const k = { x: "x_{c}/a", kind: /** @type {const} */ ("history") };
+    return [
+      {
+        ...k,
+        id: "what-if-kii",
+        caption: "K_{II} over the first passage.",
+        y: "K_{II} (MPa\u221am)",
+        curves: history("kii_mpa_sqrt_m"),
+      },
+      {
+        ...k,
+        id: "what-if-ki",
+        caption: "K_{I} over the first passage.",
+        y: "K_{I} (MPa\u221am)",
+        curves: history("ki_mpa_sqrt_m"),
+      },
+      {
+        id: "what-if-depth",
+        caption: "Depth over traffic.",
+        kind: "depth",
+        x: traffic,
+        y: "Depth (mm)",
+        curves: [...limits(depths), ...depths],
+      },
+      {
+        id: "what-if-path",
+        caption: "Path, to scale.",
+        kind: "path",
+        x: "x (mm)",
+        y: "Depth (mm)",
+        curves: paths,
+      },
+    ];
+  }
+  /** The engine of the page itself draws, while that of the worker computes. @type {ReturnType<typeof openEngine> | null} */
+  let drawer = null;
   let frame = 0;
   /** Draws in the next frame, once. */
-  const redraw = () => {
-    frame ||= requestAnimationFrame(() => {
+  function redraw() {
+    frame ||= requestAnimationFrame(async () => {
+      if (!drawer && module) drawer = openEngine(await WebAssembly.instantiate(module, {}));
       frame = 0;
-      drawAll();
+      for (const drawing of drawings()) {
+        if (!(drawer && drawing.curves.some(({ points }) => points.length))) continue;
+        // The program's own figure, whose texts are escaped.
+        element(drawing.id).outerHTML = drawer.draw(drawing).value;
+        railcrack.tools(railcrack.chartOf(element(drawing.id)).figure);
+      }
     });
-  };
-  for (const chart of Object.values(charts)) {
-    chart.follow(drawAll);
-    chart.explain([
-      { name: "now", colour: "var(--c0)" },
-      { name: data.first, colour: "var(--quiet)", dashes: "5 4" },
-    ]);
   }
 
   // ---- Text, files, address ---------------------------------------------------------------------
@@ -655,10 +527,6 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     URL.revokeObjectURL(link.href);
   }
 
-  element("what-if-copy").addEventListener("click", () => {
-    editor.select();
-    navigator.clipboard?.writeText(editor.value).catch(() => document.execCommand("copy"));
-  });
   element("what-if-save").addEventListener("click", () => save("case.toml", editor.value));
   element("what-if-load").addEventListener("change", async () => {
     const file = element("what-if-load", HTMLInputElement).files?.[0];
@@ -686,75 +554,46 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
   /** What the address begins with: other fragments are sections of the page. */
   const MARK = "#what-if&";
 
-  /** Bytes as letters of an address. @param {Uint8Array} bytes */
-  const lettered = (bytes) =>
-    btoa(String.fromCharCode(...bytes))
-      .replaceAll("+", "-")
-      .replaceAll("/", "_")
-      .replaceAll("=", "");
-
-  async function writeAddress() {
-    let fragment = "";
-    if (isEdited) {
-      const stream = new Blob([editor.value]).stream().pipeThrough(new CompressionStream("deflate"));
-      fragment = `${MARK}case=${lettered(new Uint8Array(await new Response(stream).arrayBuffer()))}`;
-    } else if (set.size) fragment = MARK + [...set].map(([name, value]) => `${name}=${value}`).join("&");
-    if (fragment) history.replaceState(null, "", fragment);
-    else if (location.hash.startsWith(MARK)) history.replaceState(null, "", "#what-if");
+  /** What the sliders have set goes into the address; an edited text is saved as a file instead. */
+  function writeAddress() {
+    const fragment =
+      isEdited || !set.size ? "" : MARK + [...set].map(([name, value]) => `${name}=${value}`).join("&");
+    if (fragment) window.history.replaceState(null, "", fragment);
+    else if (location.hash.startsWith(MARK)) window.history.replaceState(null, "", "#what-if");
   }
 
-  async function readAddress() {
+  function readAddress() {
     let text = data.case;
     set = new Map();
     isEdited = false;
-    if (location.hash.startsWith(MARK)) {
-      for (const [name, value] of new URLSearchParams(location.hash.slice(MARK.length))) {
-        if (name === "case") {
-          const bytes = await unpack(value.replaceAll("-", "+").replaceAll("_", "/"));
-          text = new TextDecoder().decode(bytes);
-          isEdited = true;
-        } else if (/^[\w.]+$/.test(name) && /^[\w.+-]+$/.test(value)) {
+    if (location.hash.startsWith(MARK))
+      for (const [name, value] of new URLSearchParams(location.hash.slice(MARK.length)))
+        if (/^[\w.]+$/.test(name) && /^[\w.+-]+$/.test(value)) {
           text = applied(text, name, value);
           set.set(name, value);
         }
-      }
-    }
     editor.value = text;
     followText();
   }
-  addEventListener("hashchange", async () => {
+  addEventListener("hashchange", () => {
     if (!location.hash.startsWith(MARK)) return;
-    await readAddress();
+    readAddress();
     compute();
   });
 
-  editor.value = data.case;
-  followText();
-  await readAddress();
+  readAddress();
 
   function start() {
     readout.textContent = "The engine is being unpacked.";
     hasBegun = true;
     // An address with other values: the case at first is computed before it.
     isOpening = editor.value !== data.case;
-    if (!started) {
-      compute(isOpening ? data.case : editor.value);
-      return;
-    }
-    worker = started.worker;
-    id = 1;
-    isNow("computing");
-    resting = setTimeout(remember, REST);
-    worker.onmessage = ({ data: message }) => hear(message);
-    for (const message of started.said) hear(message);
+    compute(isOpening ? data.case : editor.value);
   }
-  if (started) start();
-  else {
-    const sight = new IntersectionObserver((seen) => {
-      if (!seen.some((entry) => entry.isIntersecting)) return;
-      sight.disconnect();
-      start();
-    });
-    sight.observe(place);
-  }
+  const sight = new IntersectionObserver((seen) => {
+    if (!seen.some((entry) => entry.isIntersecting)) return;
+    sight.disconnect();
+    start();
+  });
+  sight.observe(place);
 });

@@ -2,64 +2,33 @@
 "use strict";
 
 railcrack.viewer("neighbourhood", "The fields", "ParaView shows the files in fields/", async () => {
-  const {
-    element,
-    ends,
-    imageMark,
-    levels,
-    linear,
-    pageData,
-    picture,
-    quantised,
-    shades,
-    signed,
-    sized,
-    slider,
-    toScale,
-    words,
-  } = railcrack;
+  const { chart, element, ends, levels, menu, pageData, quantised, range, shape, signed, words } = railcrack;
   const { steps } = /** @type {FieldData} */ (pageData("field-data"));
   const run = /** @type {RunData} */ (pageData("run-data"));
-  const select = element("field-choice", HTMLSelectElement);
-  const field = picture("field");
-  const choices = steps.flatMap((step, i) =>
-    step.snapshots.map((snapshot, j) => ({
-      i,
-      j,
-      step: step.step,
+  const figure = chart("field");
+  const choices = steps.flatMap((step) =>
+    step.snapshots.map((snapshot) => ({
+      step,
+      snapshot,
       xcOverA: run.wheels[0].xc_over_a[snapshot.position - 1],
     })),
   );
+  const MAGNIFICATIONS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000];
 
-  /**
-   * A field: points, corners of the cells, displacement from its mean, and stress.
-   * @typedef {object} Field
-   * @property {Float64Array} x
-   * @property {Float64Array} y
-   * @property {Float64Array} dx
-   * @property {Float64Array} dy
-   * @property {Float64Array} stress
-   * @property {Uint16Array} corners
-   */
-
+  /** Points, corners of the cells, displacement from its mean, stress. @typedef {Awaited<ReturnType<typeof decode>>} Field */
   /** @type {Map<(typeof choices)[number], Promise<Field>>} */
   const decoded = new Map();
-
-  /** @param {(typeof choices)[number]} choice @returns {Promise<Field>} */
-  async function decode({ i, j }) {
-    const step = steps[i];
-    const snapshot = step.snapshots[j];
-    const all = [step.x, step.y, snapshot.ux, snapshot.uy, snapshot.stress];
-    const [x, y, ux, uy, stress] = await Promise.all(all.map((values) => quantised(values)));
+  /** @param {(typeof choices)[number]} choice */
+  async function decode({ step, snapshot }) {
+    const packed = [step.x, step.y, snapshot.ux, snapshot.uy, snapshot.stress];
+    const [x, y, ux, uy, stress] = await Promise.all(packed.map((values) => quantised(values)));
     // A line load moves all of a half-plane: only differences mean something.
-    /** @param {Float64Array} values */
-    const fromMean = (values) => {
-      const mean = d3.mean(values) ?? 0;
+    const [dx, dy] = [ux, uy].map((values) => {
+      const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
       return values.map((value) => value - mean);
-    };
-    return { x, y, dx: fromMean(ux), dy: fromMean(uy), stress, corners: await levels(step.corners) };
+    });
+    return { x, y, dx, dy, stress, corners: await levels(step.corners) };
   }
-
   /** @param {(typeof choices)[number]} choice */
   function fieldOf(choice) {
     const known = decoded.get(choice) ?? decode(choice);
@@ -67,45 +36,34 @@ railcrack.viewer("neighbourhood", "The fields", "ParaView shows the files in fie
     return known;
   }
 
-  const MAGNIFICATIONS = [0, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000];
-  const MARGIN = { left: 56, right: 14, top: 10, bottom: 42 };
   const last = choices[choices.length - 1];
-  const state = { choice: last, field: await fieldOf(last), magnification: 0 };
-  state.magnification = usual(state.field);
+  const state = { choice: last, field: await fieldOf(last) };
 
-  /**
-   * The magnification that moves points by about a fiftieth of the picture.
-   * @param {Field} field
-   */
-  function usual({ x, dx, dy }) {
-    const [left, right] = ends(x);
-    const most = d3.max(dx, (u, i) => Math.hypot(u, dy[i])) || 1;
-    return Math.max(0, d3.bisectRight(MAGNIFICATIONS, (0.04 * (right - left)) / most) - 1);
+  /** The magnification that moves points by about a fiftieth of the picture. */
+  function magnification() {
+    const { x, dx, dy } = state.field;
+    const [[left, right], most] = [ends(x), ends(dx.map((u, i) => Math.hypot(u, dy[i])))[1] || 1];
+    return MAGNIFICATIONS.findLast((times) => times * most <= 0.04 * (right - left)) ?? 0;
   }
 
-  /**
-   * The picture of the cells, `perMm` pixels to a mm, within the domains x and y (depth). Colours
-   * end at `most`.
-   * @param {{ x: Pair, y: Pair, perUnit: number }} fit
-   * @param {number} magnified
-   * @param {number} most
-   */
-  function cells(fit, magnified, most) {
+  /** The picture of the cells; colours end at `most`. @param {number} magnified @param {number} most */
+  function cells(magnified, most) {
     const { x, y, dx, dy, stress, corners } = state.field;
-    // Twice the pixels of the page, for screens that have them.
-    const perMm = 2 * fit.perUnit;
-    const canvas = document.createElement("canvas");
-    [canvas.width, canvas.height] = [perMm * (fit.x[1] - fit.x[0]), perMm * (fit.y[1] - fit.y[0])];
+    const [left, top] = [figure.x.start, figure.y.end];
+    // Three pixels for one of the drawing, for screens that have them.
+    const size = { width: 3 * (figure.x.end - left), height: 3 * (figure.y.start - top) };
+    const canvas = Object.assign(document.createElement("canvas"), size);
     const context = canvas.getContext("2d");
     if (!context) throw new Error("no canvas to draw on");
-    const px = x.map((v, i) => perMm * (v + magnified * dx[i] - fit.x[0]));
-    const py = y.map((v, i) => perMm * (-(v + magnified * dy[i]) - fit.y[0]));
-    const colours = shades(64);
-    context.lineWidth = 0.6;
+    const px = x.map((v, i) => 3 * (figure.x.at(v + magnified * dx[i]) - left));
+    const py = y.map((v, i) => 3 * (figure.y.at(-(v + magnified * dy[i])) - top));
+    const style = getComputedStyle(document.documentElement);
+    const colours = range(17).map((i) => style.getPropertyValue(`--m${i}`).trim());
+    context.lineWidth = 0.8;
     for (let c = 0; c < corners.length; c += 4) {
       const [first, ...others] = corners.subarray(c, c + 4);
-      const mean = d3.sum([first, ...others], (corner) => stress[corner]) / 4;
-      context.fillStyle = context.strokeStyle = colours[Math.min(63, Math.floor((64 * mean) / most))];
+      const mean = (stress[first] + others.reduce((sum, corner) => sum + stress[corner], 0)) / 4;
+      context.fillStyle = context.strokeStyle = colours[Math.min(16, Math.floor((17 * mean) / most))];
       context.beginPath();
       context.moveTo(px[first], py[first]);
       for (const corner of others) context.lineTo(px[corner], py[corner]);
@@ -118,48 +76,37 @@ railcrack.viewer("neighbourhood", "The fields", "ParaView shows the files in fie
   }
 
   function draw() {
-    if (!field.width) return;
-    const { x, y, stress } = state.field;
-    const magnified = MAGNIFICATIONS[state.magnification];
-    const [[left, right], [bottom, top]] = [ends(x), ends(y)];
-    const air = 0.04 * (right - left);
-    const inside = field.width - MARGIN.left - MARGIN.right;
-    const fit = toScale([left - air, right + air], [-top - air, -bottom + air], inside, { most: 480 });
+    const { choice, field } = state;
+    const magnified = element("field-deformed", HTMLInputElement).checked ? magnification() : 0;
     // The tip is singular: colours end where all but a fiftieth of the points lie.
-    const most = d3.quantile(stress, 0.98) || 1;
-    const svg = Plot.plot({
-      ...sized(field.width, Math.round(fit.height) + MARGIN.top + MARGIN.bottom, MARGIN),
-      x: { ...linear("x (mm)", fit.x), grid: false },
-      y: { ...linear("Depth (mm)", [fit.y[1], fit.y[0]]), grid: false },
-      ariaLabel: "Deformed neighbourhood of the cracks",
-      marks: [imageMark(cells(fit, magnified, most)), Plot.frame({ stroke: "var(--line)" })],
-    });
-    field.show(svg);
-    field.explain([{ name: `von Mises stress, 0 to ${words(most)} MPa`, colours: shades(9) }]);
-    magnification.show(state.magnification, magnified ? `magnified ${words(magnified)} times` : "none");
-    field.caption(
-      `Step ${state.choice.step}, x_c/a = ${signed(state.choice.xcOverA, 3)}: displacement relative to its mean over ` +
-        "the picture, and von Mises stress of the total stress; values at the tips exceed the scale. " +
+    const sorted = field.stress.toSorted();
+    const most = sorted[Math.floor(0.98 * (sorted.length - 1))] || 1;
+    const { x, y } = figure;
+    const box = { x: x.start, y: y.end, width: x.end - x.start, height: y.start - y.end };
+    figure.show("cells", [
+      shape("image", { ...box, preserveAspectRatio: "none", href: cells(magnified, most) }),
+    ]);
+    figure.explain([{ name: `von Mises stress, 0 to ${words(most)} MPa`, mark: "map" }]);
+    figure.caption(
+      `Step ${choice.step.step}, x_c/a = ${signed(choice.xcOverA, 3)}: displacement relative to its mean over the ` +
+        "picture, and von Mises stress of the total stress; values at the tips exceed the scale. " +
         "Source: the files in fields/.",
     );
   }
 
-  select.append(
-    ...choices.map(({ step, xcOverA }) => new Option(`step ${step}, x_c/a = ${signed(xcOverA, 2)}`)),
-  );
-  element("neighbourhood").hidden = false;
-  select.selectedIndex = choices.length - 1;
-  select.addEventListener("change", async () => {
-    const choice = choices[select.selectedIndex];
-    const chosen = await fieldOf(choice);
+  const options = choices.map(({ step, xcOverA }, value) => ({
+    name: `step ${step.step}, x_c/a = ${signed(xcOverA, 2)}`,
+    value,
+  }));
+  const select = menu("field-choice", options, async (value) => {
+    const choice = choices[+value];
+    const field = await fieldOf(choice);
     // Another one has been chosen meanwhile.
     if (choice !== choices[select.selectedIndex]) return;
-    Object.assign(state, { choice, field: chosen });
+    Object.assign(state, { choice, field });
     draw();
   });
-  const magnification = slider("field-scale", MAGNIFICATIONS.length - 1, (place) => {
-    state.magnification = place;
-    draw();
-  });
-  field.follow(draw);
+  select.selectedIndex = choices.length - 1;
+  element("field-deformed").addEventListener("change", draw);
+  draw();
 });

@@ -15,46 +15,62 @@ type Pair = [number, number];
 
 // ---- Charts and switches ----------------------------------------------------------------------
 
-type Look = "line" | "dashed" | "fine" | "dash-dot" | "dots" | `varied-${number}`;
+type Attributes = Record<string, string | number | undefined>;
 
-interface AxisData {
+/** An axis of a chart: values and pixels at its ends, and one from the other. */
+interface ChartAxis {
   title: string;
-  scale: "linear" | "log" | "depth";
-  /** Whether zero is on the axis. */
-  zero?: boolean;
-  /** Exact ends. */
-  range?: Pair | null;
+  from: number;
+  to: number;
+  start: number;
+  end: number;
+  log: boolean;
+  at(value: number): number;
+  value(pixel: number): number;
 }
 
-interface CurveData {
+/** An entry of a legend: a line, a dot, a box, the colours of a map, or those of an ordered quantity. */
+interface LegendEntry {
   name: string;
-  note: string;
-  look: Look;
-  /** All points, none, or those at these places carry a dot. */
-  dots: boolean | number[];
-  colour: string;
-  wide: boolean;
-  fine: boolean;
-  /** Of each group of switches the value that the curve belongs to. */
-  choices: number[];
-  x: (number | null)[];
-  y: (number | null)[];
+  colour?: string;
+  dashes?: string;
+  mark?: "dot" | "box" | "map" | "ramp";
 }
 
-interface ChartData {
-  x: AxisData;
-  y: AxisData;
-  equal: boolean;
-  legend: boolean;
-  caption: string;
-  curves: CurveData[];
-  areas?: { name: string; x: number[]; y: number[] }[];
-  notes?: { at: Pair; words: string }[];
+interface MenuOption {
+  name: string;
+  value: string | number;
 }
 
 interface ChoiceGroup {
   name: string;
-  values: { name: string; shown: boolean; colour: string | null; look: Look | null }[];
+  values: { name: string; shown: boolean; colour: string | null; dashes: string | null }[];
+}
+
+/** Growth step and wheel position, by their places among those of the page; crack from 1. */
+interface PassageState {
+  step: number;
+  position: number;
+  wheel: number;
+  crack: number;
+}
+
+interface WheelOfPassage {
+  /** Name and share of the axles in a mix. */
+  name: string | null;
+  share: number | null;
+  half_width: number;
+  xc_over_a: number[];
+}
+
+/** What the controls of a passage need. */
+interface Passage {
+  steps: number;
+  wheels: WheelOfPassage[];
+  cracks: number;
+  state: PassageState;
+  moveTo(change: Partial<PassageState>): void;
+  chooseCrack(crack: number): void;
 }
 
 // ---- A run in the plane -----------------------------------------------------------------------
@@ -127,11 +143,7 @@ interface StepUnderWheel {
   contact: ContactData | null;
 }
 
-interface WheelData {
-  /** Name and share of the axles in a mix. */
-  name: string | null;
-  share: number | null;
-  half_width: number;
+interface WheelData extends WheelOfPassage {
   is_coupled: boolean;
   peak_pressure: number | null;
   friction: number | null;
@@ -139,7 +151,6 @@ interface WheelData {
   near: Pair;
   /** Of each of many cracks the first and the last position near it. */
   windows: Pair[] | null;
-  xc_over_a: number[];
   /** Stride of the positions of its faces. */
   face_stride: number;
 }
@@ -160,10 +171,18 @@ interface RunData {
   axle_load: number | null;
   last_step: number;
   cracks: { points: Pair[] }[];
+  /** Where each crack begins along the rail. */
+  mouths: number[];
   pieces: PieceData[];
   junctions: { crack: number; onto: number; x: number; y: number; step: number }[];
-  residual: { depth: number[]; sxx: number[] } | null;
   steps: RunStepData[];
+}
+
+/** What a crack of a row has in a step. */
+interface RowQuantity {
+  name: string;
+  unit: string;
+  of(step: number, i: number): number;
 }
 
 /** A row of cracks: what has a value for each growth step and crack is in that order. */
@@ -216,14 +235,9 @@ interface FrontPoint {
   wheels: { ki: Packed | null; kii: Packed | null; kiii: Packed | null }[];
 }
 
-interface SpaceWheel {
-  /** Name and share of the axles in a mix. */
-  name: string | null;
-  share: number | null;
-  half_width: number;
+interface SpaceWheel extends WheelOfPassage {
   lateral_half_width: number;
   lateral: number;
-  positions: number[];
 }
 
 interface SpaceData {
@@ -244,23 +258,29 @@ interface SpaceData {
 
 // ---- A study ----------------------------------------------------------------------------------
 
+/** An axis of a study, laid out by the program. */
+interface ColumnAxis {
+  from: number;
+  to: number;
+  log: boolean;
+  ticks: [number, string][];
+}
+
 interface ColumnData {
   name: string;
   title: string;
   /** Whether it is a key of the case, not a result. */
   key: boolean;
-  log: boolean;
+  axis: ColumnAxis;
+  /** The values of a list, which lie one by one on the axis. */
+  levels: number[] | null;
   /** Words that the values count. */
   words: string[] | null;
   data: Packed;
 }
 
-/** An estimate with its interval of 95 %, for each key. */
-type Estimates = { key: string; estimate: [number, number, number] | null }[];
-
 interface StudyData {
   columns: ColumnData[];
-  results: { name: string; title: string; rank: Estimates; sobol: Estimates }[];
   /** Where the states of each run begin. */
   first: Packed;
   cycles: Packed;
@@ -301,4 +321,49 @@ interface WhatIfStep {
   tips: { depth_mm: number; delta_ki_mpa_sqrt_m: number; delta_kii_mpa_sqrt_m: number }[];
   cracks: Pair[][];
   passage: { xc_mm: number[]; tips: { ki_mpa_sqrt_m: number[]; kii_mpa_sqrt_m: number[] }[] } | null;
+}
+
+/** A curve of a chart that the engine draws; without a colour it is dashed and quiet. */
+interface DrawnCurve {
+  name: string;
+  colour: number | null;
+  points: Pair[];
+}
+
+interface DrawnChart {
+  id: string;
+  caption: string;
+  kind: "history" | "depth" | "path";
+  x: string;
+  y: string;
+  curves: DrawnCurve[];
+}
+
+/** A life, as far as it is computed. */
+interface Life {
+  case: WhatIfCase;
+  steps: WhatIfStep[];
+  // biome-ignore lint/suspicious/noExplicitAny: summary.json, of which the page uses little
+  summary: any;
+}
+
+/** The lines of a section of a case, from its header on, as places in the text. */
+interface CaseLines {
+  from: number;
+  to: number;
+}
+
+/** A value of the case that a slider sets: the first of `keys` that the case has, or the only one where it may lack it. */
+interface Dial {
+  name: string;
+  /** By key. */
+  units?: string[];
+  section: string;
+  keys: string[];
+  /** Its value where the case lacks the key. */
+  absent?: string;
+  /** A section without which it means nothing. */
+  needs?: string;
+  /** Ends and step. */
+  range(value: number): [number, number, number];
 }

@@ -94,7 +94,7 @@
 
   /** @param {WebAssembly.Module} module */
   function open(module) {
-    engine = openEngine(module);
+    engine = openEngine(new WebAssembly.Instance(module, {}));
     if (asked && !isBusy) serve();
   }
 

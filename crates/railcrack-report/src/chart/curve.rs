@@ -86,26 +86,6 @@ impl CurveColour {
     }
 }
 
-impl CurveLook {
-    /// Its name in the data of a page.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Line => "line",
-            Self::Dashed => "dashed",
-            Self::FineDashed => "fine",
-            Self::DashDotted => "dash-dot",
-            Self::Varied(number) => {
-                const NAMES: [&str; 10] = [
-                    "varied-0", "varied-1", "varied-2", "varied-3", "varied-4", "varied-5", "varied-6",
-                    "varied-7", "varied-8", "varied-9",
-                ];
-                NAMES[usize::from(number) % NAMES.len()]
-            }
-            Self::Dots => "dots",
-        }
-    }
-}
-
 /// A curve: points (x, y) in the order in which they are joined.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {

@@ -7,7 +7,7 @@ mod sheet;
 mod types;
 
 pub(crate) use curve::CATEGORIES;
-pub(crate) use sheet::{HEADING, draw_heading};
+pub(crate) use sheet::{HEADING, dashes, draw_heading};
 
 pub use axis::{ChartAxis, ChartRange, ChartScale};
 pub use curve::{Curve, CurveColour, CurveDots, CurveLook, CurveWidth};

@@ -3,11 +3,12 @@
 use super::axis::{ChartAxis, ChartRange, ChartScale};
 use super::curve::{Curve, CurveColour, CurveDots, CurveLook, CurveWidth};
 use super::types::{Chart, ChartAspect, ChartSheet, LegendEntry, LegendMark, SheetLegend};
+use crate::html::escaped;
 use crate::markup::plain;
 use crate::numbers::shortened;
 use crate::svg::{
-    Anchor, Axes, Axis, CATEGORIES, Entry, Frame, GREY, INK, Mark, ORANGE, Span, Stroke, Svg, TextStyle,
-    around, coordinate, draw_legend, ends, legend_width, quantity, sequence, text,
+    AREA, Anchor, Axes, Axis, CATEGORIES, Entry, Frame, GREY, INK, Mark, ORANGE, RAIL, Span, Stroke, Svg,
+    TextStyle, around, coordinate, draw_legend, ends, legend_width, quantity, sequence, text,
 };
 
 /// Inside of the only chart of a sheet, and of one of several, pixels.
@@ -18,7 +19,7 @@ const LONG: f64 = 920.0;
 const LONG_HEIGHT: f64 = 200.0;
 /// Space above the surface of a strip, for crack labels, and below its deepest point.
 const STRIP: [f64; 2] = [20.0, 24.0];
-/// Heights of a chart to scale.
+/// Heights of a chart to scale in a file.
 const TO_SCALE: [f64; 2] = [150.0, 560.0];
 /// The least height of a row of cracks over the whole width, and its length over its depth.
 const TO_SCALE_ROW: f64 = 110.0;
@@ -34,9 +35,6 @@ const CHART_HEADING: f64 = 20.0;
 const LEGEND: usize = 18;
 /// Maximum number of letters in a line of the legend.
 const LEGEND_LETTERS: f64 = 60.0;
-/// Fill of areas and of the rail.
-const AREA: &str = "#fbe8c6";
-const RAIL: &str = "#f6f5f2";
 /// Colour of a background curve.
 const FINE: &str = "#bdbdbd";
 
@@ -67,7 +65,7 @@ impl ChartSheet {
             top += if row.iter().any(|chart| !chart.heading.is_empty()) { CHART_HEADING } else { 0.0 };
             let (mut bottom, mut below) = (top, BELOW[1]);
             for (column, chart) in row.iter().enumerate() {
-                let (x, y, height) = self.axes(chart, size);
+                let (x, y, height) = scales(chart, &self.charts().collect::<Vec<_>>(), size, TO_SCALE[1]);
                 let left = LEFT + column as f64 * (size[0] + LEFT + 16.0);
                 let frame = Frame { left, top, width: size[0], height };
                 // The chart below has the labels.
@@ -85,52 +83,10 @@ impl ChartSheet {
         let mut svg = Svg::new(width, top.max(HEADING + 20.0 + 18.0 * entries.len() as f64));
         draw_heading(&mut svg, LEFT, width - LEFT, &self.title, &self.subtitle);
         for (axes, chart, is_titled) in &placed {
-            draw(&mut svg, axes, chart, *is_titled);
+            draw(&mut svg, axes, chart, *is_titled, Ground::File);
         }
         draw_legend(&mut svg, [right + 16.0, HEADING], &entries);
         svg.finish(&format!("{}: {}", plain(&self.subtitle), self.title))
-    }
-
-    /// Coordinate `c` of all points on charts whose axis has the title of that of `chart`.
-    fn values<'a>(&'a self, chart: &'a Chart, c: usize) -> impl Iterator<Item = f64> + 'a {
-        let axis = move |chart: &'a Chart| if c == 0 { &chart.x } else { &chart.y };
-        let alike = self.charts().filter(move |other| axis(other).title() == axis(chart).title());
-        let points = |chart: &'a Chart| {
-            let areas = chart.areas.iter().flat_map(|area| &area.outline);
-            chart.curves.iter().flat_map(|curve| &curve.points).chain(areas)
-        };
-        alike.flat_map(points).map(move |point| point[c])
-    }
-
-    /// The scales of `chart`, and its height.
-    fn axes(&self, chart: &Chart, [width, height]: [f64; 2]) -> (Axis, Axis, f64) {
-        if let (ChartAspect::Equal, ChartRange::Exact(ends_of_x)) = (chart.aspect, chart.x.range) {
-            return strip(ends_of_x, ends(self.values(chart, 1))[1], width);
-        }
-        if chart.aspect == ChartAspect::Equal {
-            return equal(ends(self.values(chart, 0)), ends(self.values(chart, 1)), width);
-        }
-        let axis = |axis: &ChartAxis, c: usize, length: f64| {
-            let is_logarithmic = axis.scale == ChartScale::Logarithmic;
-            let values = self.values(chart, c).filter(|&value| !is_logarithmic || value > 0.0);
-            let [low, high] = match (axis.range, axis.scale) {
-                (ChartRange::Exact(ends), _) => ends,
-                (_, ChartScale::Logarithmic) => {
-                    let [low, high] = around(values.map(f64::ln));
-                    [low.exp(), high.exp()]
-                }
-                (ChartRange::Tight, _) => ends(values),
-                (ChartRange::Around, _) => around(values),
-                (ChartRange::AroundZero, _) => around(values.chain([0.0])),
-            };
-            let ticks = (length / 40.0).round() as usize;
-            match axis.scale {
-                ChartScale::Linear => Axis::exact(low, high, ticks),
-                ChartScale::Depth => Axis::exact(high, low, ticks),
-                ChartScale::Logarithmic => Axis::logarithmic(low, high),
-            }
-        };
-        (axis(&chart.x, 0, width), axis(&chart.y, 1, height), height)
     }
 
     /// The legend; of many names, evenly chosen ones.
@@ -163,9 +119,69 @@ impl ChartSheet {
     }
 }
 
+/// Where a chart stands: in a file on white, or in a page in its light or dark.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Ground {
+    File,
+    Page,
+}
+
+/// The scales of `chart` on `width` pixels and its height: that of `size`, to scale at most `most`.
+/// Axes with the same title as one of `charts` have the same scale.
+pub(super) fn scales(chart: &Chart, charts: &[&Chart], size: [f64; 2], most: f64) -> (Axis, Axis, f64) {
+    let [width, height] = size;
+    let values = |c: usize| {
+        let axis = |chart: &Chart| if c == 0 { chart.x.title() } else { chart.y.title() };
+        let alike = charts.iter().filter(|other| axis(other) == axis(chart));
+        let points = |chart: &Chart| -> Vec<f64> {
+            let areas = chart.areas.iter().flat_map(|area| &area.outline);
+            chart.curves.iter().flat_map(|curve| &curve.points).chain(areas).map(|point| point[c]).collect()
+        };
+        alike.flat_map(|chart| points(chart)).collect::<Vec<f64>>()
+    };
+    let (x, y) = (values(0), values(1));
+    if chart.aspect == ChartAspect::Equal {
+        return match (chart.x.range, chart.y.range) {
+            (ChartRange::Exact(of_x), ChartRange::Exact(of_y)) => exact(chart, [of_x, of_y], width, most),
+            (ChartRange::Exact(of_x), _) => strip(of_x, ends(y)[1], width),
+            _ => equal(ends(x), ends(y), width, most),
+        };
+    }
+    let axis = |axis: &ChartAxis, values: Vec<f64>, length: f64| {
+        let is_logarithmic = axis.scale == ChartScale::Logarithmic;
+        let values = values.into_iter().filter(|&value| !is_logarithmic || value > 0.0);
+        let [low, high] = match (axis.range, axis.scale) {
+            (ChartRange::Exact(ends), _) => ends,
+            (_, ChartScale::Logarithmic) => around(values.map(f64::ln)).map(f64::exp),
+            (ChartRange::Tight, _) => ends(values),
+            (ChartRange::Around, _) => around(values),
+            (ChartRange::AroundZero, _) => around(values.chain([0.0])),
+        };
+        let ticks = (length / 40.0).round() as usize;
+        match axis.scale {
+            ChartScale::Linear => Axis::exact(low, high, ticks),
+            ChartScale::Depth => Axis::exact(high, low, ticks),
+            ChartScale::Logarithmic => Axis::logarithmic(low, high),
+        }
+    };
+    (axis(&chart.x, x, width), axis(&chart.y, y, height), height)
+}
+
+/// Scales over `x` and `y` with the same unit both ways: the height that they need on `width` pixels,
+/// at most `most`, for which x is widened.
+fn exact(chart: &Chart, [x, y]: [[f64; 2]; 2], width: f64, most: f64) -> (Axis, Axis, f64) {
+    let (across, up) = ((x[1] - x[0]).max(1e-6), (y[1] - y[0]).max(1e-6));
+    let scale = (width / across).min(most / up);
+    let (half, middle, height) = (0.5 * width / scale, 0.5 * (x[0] + x[1]), scale * up);
+    let ticks = |length: f64| (length / 55.0) as usize + 1;
+    let [low, high] = if chart.y.scale == ChartScale::Depth { [y[1], y[0]] } else { y };
+    let x = Axis::exact(middle - half, middle + half, ticks(width));
+    (x, Axis::exact(low, high, ticks(height)), height)
+}
+
 /// Scales around the points between `x` and `y` with the same unit both ways, depth downwards, on
-/// `width` pixels; the height that they need.
-fn equal([left, right]: [f64; 2], [_, deep]: [f64; 2], width: f64) -> (Axis, Axis, f64) {
+/// `width` pixels; the height that they need, at most `most`.
+fn equal([left, right]: [f64; 2], [_, deep]: [f64; 2], width: f64, most: f64) -> (Axis, Axis, f64) {
     let (across, deep) = ((right - left).max(1e-6), deep.max(1e-6));
     let air = 0.12 * across.max(deep);
     // Rows of cracks need the whole width of a page, because growth is small compared with it.
@@ -174,7 +190,7 @@ fn equal([left, right]: [f64; 2], [_, deep]: [f64; 2], width: f64) -> (Axis, Axi
     // The room above the surface takes notes.
     let above = 0.6 * air;
     let (x_span, y_span) = (across + 2.0 * air, deep + air + above);
-    let scale = (width / x_span).min(TO_SCALE[1] / y_span);
+    let scale = (width / x_span).min(most / y_span);
     let height = (scale * y_span).max(least);
     let (half, middle) = (0.5 * width / scale, 0.5 * (left + right));
     let ticks = |length: f64| (length / 55.0) as usize + 1;
@@ -194,15 +210,17 @@ fn strip([left, right]: [f64; 2], deep: f64, width: f64) -> (Axis, Axis, f64) {
     (x, y, height)
 }
 
-fn draw(svg: &mut Svg, axes: &Axes, chart: &Chart, is_titled: bool) {
+/// Draws a chart into its axes; with titles of both axes, or of y alone.
+pub(super) fn draw(svg: &mut Svg, axes: &Axes, chart: &Chart, is_titled: bool, ground: Ground) {
     let frame = axes.frame;
     let [_, surface] = axes.at(0.0, 0.0);
     let is_rail = chart.aspect == ChartAspect::Equal && chart.y.scale == ChartScale::Depth;
     if is_rail {
-        svg.rectangle([frame.left, surface, frame.width, frame.bottom() - surface], RAIL, "none");
+        let top = surface.max(frame.top);
+        svg.rectangle([frame.left, top, frame.width, frame.bottom() - top], RAIL, "none");
     }
     axes.draw_grid(svg);
-    axes.clip(svg);
+    axes.clip(svg, if ground == Ground::Page { &chart.id } else { "" });
     let at = |points: &[[f64; 2]]| -> Vec<[f64; 2]> { points.iter().map(|&[x, y]| axes.at(x, y)).collect() };
     for area in &chart.areas {
         let corners = at(&area.outline);
@@ -213,16 +231,10 @@ fn draw(svg: &mut Svg, axes: &Axes, chart: &Chart, is_titled: bool) {
         svg.polyline("outline", &closed, &Stroke { dashes: "4 3", ..Stroke::solid(ORANGE, 1.2) });
     }
     for (place, curve) in chart.curves.iter().enumerate() {
-        draw_curve(
-            svg,
-            chart,
-            curve,
-            curve.colour.unwrap_or(CurveColour::Category(place)),
-            at(&curve.points),
-        );
+        draw_curve(svg, axes, chart, (place, curve), ground);
     }
-    svg.unclip();
-    if is_rail {
+    svg.end();
+    if is_rail && surface >= frame.top {
         let line = [[frame.left, surface], [frame.right(), surface]];
         svg.polyline("surface", &line, &Stroke::solid(INK, 2.2));
     }
@@ -232,30 +244,50 @@ fn draw(svg: &mut Svg, axes: &Axes, chart: &Chart, is_titled: bool) {
         svg.text([x, y - 7.0], &text(&note.words), style);
     }
     let heading = TextStyle { size: 12.0, anchor: Anchor::Start, colour: GREY, weight: "normal" };
-    if !chart.heading.is_empty() {
+    if !chart.heading.is_empty() && ground == Ground::File {
         svg.text([frame.left, frame.top - 9.0], &text(&chart.heading), heading);
     }
     let x_title = if is_titled { titled(&chart.x, &axes.x) } else { Vec::new() };
     axes.draw_frame(svg, &x_title, &titled(&chart.y, &axes.y));
 }
 
-fn draw_curve(svg: &mut Svg, chart: &Chart, curve: &Curve, colour: CurveColour, points: Vec<[f64; 2]>) {
-    let has_place = |&i: &usize| {
+fn draw_curve(svg: &mut Svg, axes: &Axes, chart: &Chart, (place, curve): (usize, &Curve), ground: Ground) {
+    let colour = curve.colour.unwrap_or(CurveColour::Category(place));
+    let has_place = |i: usize| {
         let [x, y] = curve.points[i];
         let fits = |axis: &ChartAxis, value: f64| axis.scale != ChartScale::Logarithmic || value > 0.0;
-        fits(&chart.x, x) && fits(&chart.y, y)
+        (fits(&chart.x, x) && fits(&chart.y, y)).then(|| (i, axes.at(x, y)))
     };
-    let shown: Vec<usize> = (0..points.len()).filter(has_place).collect();
-    let stroke = stroke(curve.look, curve.width, colour);
+    let shown: Vec<(usize, [f64; 2])> = (0..curve.points.len()).filter_map(has_place).collect();
+    let stroke = stroke(curve.look, curve.width, colour, ground);
+    if ground == Ground::Page {
+        svg.begin(&names(curve));
+    }
     if curve.look != CurveLook::Dots {
         let is_initial = colour == CurveColour::Ink && curve.width == CurveWidth::Wide;
         let class = if is_initial { "initial" } else { "series" };
-        let line: Vec<[f64; 2]> = shown.iter().map(|&i| points[i]).collect();
+        let line: Vec<[f64; 2]> = shown.iter().map(|(_, at)| *at).collect();
         svg.polyline(class, &line, &stroke);
     }
-    for &i in shown.iter().filter(|&&i| curve.has_dot(i)) {
-        svg.dot(points[i], 2.4, &stroke.colour);
+    for (_, at) in shown.iter().filter(|(i, _)| curve.has_dot(*i)) {
+        svg.dot(*at, 2.4, &stroke.colour);
     }
+    if ground == Ground::Page {
+        svg.end();
+    }
+}
+
+/// What the script of a page must know of a curve.
+fn names(curve: &Curve) -> String {
+    let mut names = format!(r#" class="curve" data-name="{}""#, escaped(&plain(&curve.name)));
+    if !curve.note.is_empty() {
+        names.push_str(&format!(r#" data-note="{}""#, escaped(&plain(&curve.note))));
+    }
+    if !curve.choices.is_empty() {
+        let choices: Vec<String> = curve.choices.iter().map(usize::to_string).collect();
+        names.push_str(&format!(r#" data-choices="{}""#, choices.join(",")));
+    }
+    names
 }
 
 /// The title of an axis with the power of ten that its labels leave out.
@@ -282,15 +314,20 @@ const VARIED: [&str; 10] = [
     "20 4 2 4",
 ];
 
-fn stroke(look: CurveLook, width: CurveWidth, colour: CurveColour) -> Stroke {
-    let dashes = match look {
+/// Dashes of a line, in pixels; empty for a solid one.
+pub(crate) fn dashes(look: CurveLook) -> &'static str {
+    match look {
         CurveLook::Line | CurveLook::Dots => "",
         CurveLook::Dashed => "6 4",
         CurveLook::FineDashed => "2 3",
         CurveLook::DashDotted => "9 3 2 3",
         CurveLook::Varied(number) => VARIED[usize::from(number) % VARIED.len()],
-    };
+    }
+}
+
+pub(super) fn stroke(look: CurveLook, width: CurveWidth, colour: CurveColour, ground: Ground) -> Stroke {
     let colour = match colour {
+        _ if ground == Ground::Page => format!("var(--{})", colour.name()),
         CurveColour::Category(number) => CATEGORIES[number % CATEGORIES.len()].to_owned(),
         CurveColour::Along(place) => sequence(place),
         CurveColour::Ink => INK.to_owned(),
@@ -302,7 +339,7 @@ fn stroke(look: CurveLook, width: CurveWidth, colour: CurveColour) -> Stroke {
         CurveWidth::Usual => 1.7,
         CurveWidth::Wide => 3.2,
     };
-    Stroke { dashes, ..Stroke::solid(&colour, width) }
+    Stroke { dashes: dashes(look), ..Stroke::solid(&colour, width) }
 }
 
 fn entry(entry: &LegendEntry) -> Entry {
@@ -311,7 +348,7 @@ fn entry(entry: &LegendEntry) -> Entry {
         LegendMark::Note => Mark::Note,
         LegendMark::Area => Mark::Box(AREA.to_owned()),
         LegendMark::Curve { look, dots, width, colour } => {
-            let stroke = stroke(*look, *width, *colour);
+            let stroke = stroke(*look, *width, *colour, Ground::File);
             match (look, dots) {
                 (CurveLook::Dots, _) => Mark::Dot(stroke.colour),
                 (_, CurveDots::None | CurveDots::Last) => Mark::Line(stroke),
@@ -340,7 +377,8 @@ mod tests {
         let rows =
             vec![vec![chart("y", &[[0.0, 1e-6]]), chart("y", &[[5.0, 1e-2]]), chart("z", &[[1.0, 1.0]])]];
         let sheet = ChartSheet { rows, ..ChartSheet::default() };
-        let [first, second, third] = [0, 1, 2].map(|i| sheet.axes(&sheet.rows[0][i], SIZES[1]));
+        let charts: Vec<&Chart> = sheet.charts().collect();
+        let [first, second, third] = [0, 1, 2].map(|i| scales(charts[i], &charts, SIZES[1], TO_SCALE[1]));
         assert!(first.0 == second.0 && first.1 == second.1 && first.0 == third.0 && first.1 != third.1);
     }
 

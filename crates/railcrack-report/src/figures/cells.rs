@@ -40,12 +40,12 @@ impl CellMap<'_> {
                 from = to;
             }
         }
-        self.axes.clip(svg);
+        self.axes.clip(svg, "");
         let there: Vec<usize> = (0..self.classes).filter(|&class| !outlines[class].is_empty()).collect();
         for &class in &there {
             svg.area("cells", &outlines[class], &colour(class));
         }
-        svg.unclip();
+        svg.end();
         there
     }
 }

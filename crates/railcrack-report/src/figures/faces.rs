@@ -2,7 +2,7 @@
 
 use super::cells::{CellMap, level_colour, level_words};
 use crate::chart::{HEADING, draw_heading};
-use crate::shown::CrackFaces;
+use crate::page_data::CrackFaces;
 use crate::svg::{
     Anchor, Axes, Axis, BLUE, Entry, Frame, INK, Mark, ORANGE, Svg, TextStyle, draw_legend, legend_width,
     quantity, round_step, text,

@@ -21,9 +21,9 @@ mod wheels;
 
 pub(crate) use compare::{comparison_plots, lengths_of_both, steps_of_both};
 pub(crate) use many::bundle;
-pub(crate) use near::{WheelPassage, origin};
+pub(crate) use near::{WheelPassage, mouth, mouth_over_a, origin};
 pub(crate) use plan::plan_plots;
-pub(crate) use plot::{Plot, chart};
+pub(crate) use plot::{Plot, chart, charts};
 pub(crate) use run::run_plots;
 pub(crate) use shakedown::shakedown_plots;
 pub(crate) use sif::far_chart;

@@ -1,5 +1,6 @@
 //! The part of a passage that is near the cracks, and the far part of a rail that bends.
 
+use crate::svg::ends;
 use railcrack_run::Summary;
 use std::ops::Range;
 
@@ -51,12 +52,8 @@ impl<'a> WheelPassage<'a> {
     pub(crate) fn window(&self, crack: usize, xc_over_a: &[f64]) -> Range<usize> {
         let near = self.near(xc_over_a);
         let mouth_of = |crack: usize| mouth(self.summary, crack).map_or(0.0, |mouth| self.over_a(mouth));
-        let mouths = (1..=self.summary.cracks.len()).map(mouth_of);
-        let (low, high) =
-            mouths.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
-        let ends = xc_over_a[near.clone()].iter();
-        let (from, to) =
-            ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &x| (low.min(x), high.max(x)));
+        let [low, high] = ends((1..=self.summary.cracks.len()).map(mouth_of));
+        let [from, to] = ends(xc_over_a[near.clone()].iter().copied());
         let mouth = mouth_of(crack);
         let (before, after) =
             (mouth + (from - low).min(0.0) - ROUND_OFF, mouth + (to - high).max(0.0) + ROUND_OFF);
@@ -90,7 +87,7 @@ pub(crate) fn mouth_over_a(summary: &Summary, crack: usize) -> f64 {
 }
 
 /// Abscissa of the start of `crack` (from 1), mm.
-fn mouth(summary: &Summary, crack: usize) -> Option<f64> {
+pub(crate) fn mouth(summary: &Summary, crack: usize) -> Option<f64> {
     let crack = summary.cracks.get(crack.checked_sub(1)?)?;
     Some(crack.initial_points_mm.first()?[0])
 }

@@ -1,6 +1,7 @@
 //! A plot of a folder: its SVG file, and its charts for the page.
 
 use crate::chart::{Chart, ChartSheet};
+use crate::page::Block;
 
 /// A plot.
 pub(crate) struct Plot {
@@ -28,4 +29,9 @@ impl Plot {
 /// The chart called `id`.
 pub(crate) fn chart(plots: &[Plot], id: &str) -> Option<Chart> {
     plots.iter().flat_map(|plot| &plot.charts).find(|chart| chart.id == id).cloned()
+}
+
+/// The charts called `ids`, side by side if there is space.
+pub(crate) fn charts(plots: &[Plot], ids: &[&str]) -> Block {
+    Block::charts(ids.iter().filter_map(|id| chart(plots, id)))
 }

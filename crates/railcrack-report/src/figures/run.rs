@@ -5,8 +5,8 @@ use super::near::near;
 use super::plot::Plot;
 use super::sif::Mode;
 use super::{cycles, fluid, paths, row, sif, wheels};
+use crate::page_data::{CrackFaces, PageData, StepFaces};
 use crate::row::{CrackRow, NamedCrack, is_many, named};
-use crate::shown::{CrackFaces, ShownRun, StepFaces};
 use railcrack::words::Choice;
 use railcrack_run::Summary;
 use railcrack_run::csv::{TipRow, deferred_growth};
@@ -18,7 +18,7 @@ const DRAWN_STEPS: usize = 5;
 
 /// The plots of a run from its `summary`, the rows of `growth.csv` and the `shown` part of the
 /// other tables. A run without a finished step has none.
-pub(crate) fn run_plots(summary: &Summary, growth: &[TipRow], shown: &ShownRun) -> Vec<Plot> {
+pub(crate) fn run_plots(summary: &Summary, growth: &[TipRow], page_data: &PageData) -> Vec<Plot> {
     if summary.steps_recorded == 0 {
         return Vec::new();
     }
@@ -31,12 +31,12 @@ pub(crate) fn run_plots(summary: &Summary, growth: &[TipRow], shown: &ShownRun) 
     let row = is_many(summary.cracks.len()).then(|| CrackRow::of(&summary.cracks, growth)).flatten();
     let told: Option<Vec<NamedCrack>> = row.as_ref().map(named);
     let told = told.as_deref();
-    let steps = chosen_steps(&shown.steps(), shown.histories(0).len());
-    let histories: Vec<&History> = steps.into_iter().flat_map(|step| shown.histories(step)).collect();
+    let steps = chosen_steps(&page_data.steps(), page_data.histories(0).len());
+    let histories: Vec<&History> = steps.into_iter().flat_map(|step| page_data.histories(step)).collect();
     let mut plots: Vec<Plot> =
         Mode::BOTH.iter().map(|&mode| sif::plot(summary, &model, &histories, told, mode)).collect();
     plots.extend(fluid::plot(summary, &model, &histories, told));
-    plots.extend(wheels::plot(summary, &model, growth, shown.under_wheels()));
+    plots.extend(wheels::plot(summary, &model, growth, page_data.under_wheels()));
     plots.push(match &row {
         Some(row) => paths::strips(summary, row, &model),
         None => paths::plot(summary, &model),
@@ -45,10 +45,10 @@ pub(crate) fn run_plots(summary: &Summary, growth: &[TipRow], shown: &ShownRun) 
     if let Some((row, told)) = row.as_ref().zip(told) {
         plots.push(row::plot(summary, row, told, &model));
     }
-    for (file, (step, faces)) in ["faces.svg", "faces-last.svg"].into_iter().zip(shown.end_faces()) {
+    for (file, (step, faces)) in ["faces.svg", "faces-last.svg"].into_iter().zip(page_data.end_faces()) {
         plots.push(Plot::picture(
             file,
-            face_map(&summary.title, &model, &map(summary, step, faces, growth, shown, told)),
+            face_map(&summary.title, &model, &map(summary, step, faces, growth, page_data, told)),
         ));
     }
     plots
@@ -70,7 +70,7 @@ fn map<'a>(
     step: usize,
     faces: &'a StepFaces,
     growth: &[TipRow],
-    shown: &'a ShownRun,
+    page_data: &'a PageData,
     told: Option<&[NamedCrack]>,
 ) -> FaceMap<'a> {
     let of_crack = |faces: &'a CrackFaces| {
@@ -83,7 +83,7 @@ fn map<'a>(
     };
     let is_told =
         |faces: &&CrackFaces| told.is_none_or(|told| told.iter().any(|named| named.crack == faces.crack));
-    let xc_over_a: &[f64] = shown.histories(step).first().map_or(&[], |history| &history.xc_over_a);
+    let xc_over_a: &[f64] = page_data.histories(step).first().map_or(&[], |history| &history.xc_over_a);
     FaceMap {
         step,
         xc_over_a,

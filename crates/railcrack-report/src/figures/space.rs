@@ -8,7 +8,7 @@ use crate::chart::{
     Chart, ChartAspect, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour, CurveDots, CurveLook,
     CurveWidth, SheetLegend,
 };
-use crate::shown::ShownRun;
+use crate::page_data::PageData;
 use railcrack_run::Summary;
 use railcrack_run::csv::TipRow;
 use railcrack_run::run_folder::History;
@@ -23,13 +23,13 @@ const FRONTS: usize = 9;
 
 /// The plots of the run with this `summary`, the rows of `growth.csv` and what is `shown`. A run
 /// without a finished step has none.
-pub(crate) fn space_plots(summary: &Summary, growth: &[TipRow], shown: &ShownRun) -> Vec<Plot> {
+pub(crate) fn space_plots(summary: &Summary, growth: &[TipRow], page_data: &PageData) -> Vec<Plot> {
     if summary.steps_recorded == 0 {
         return Vec::new();
     }
     let model = "half-space, space engine";
     let mut plots: Vec<Plot> =
-        MODES.iter().map(|mode| history_plot(summary, model, growth, shown, mode)).collect();
+        MODES.iter().map(|mode| history_plot(summary, model, growth, page_data, mode)).collect();
     plots.push(ranges(summary, model, growth));
     plots.push(fronts(summary, model, growth));
     plots.push(half_axes(summary, model, growth));
@@ -101,16 +101,22 @@ fn is_mirrored(growth: &[TipRow]) -> bool {
     ranges.iter().zip(ranges.iter().rev()).all(|(a, b)| (a - b).abs() <= MIRRORED * largest)
 }
 
-fn history_plot(summary: &Summary, model: &str, growth: &[TipRow], shown: &ShownRun, mode: &Mode) -> Plot {
+fn history_plot(
+    summary: &Summary,
+    model: &str,
+    growth: &[TipRow],
+    page_data: &PageData,
+    mode: &Mode,
+) -> Plot {
     let points = drawn_points(growth);
-    let steps = shown.steps();
+    let steps = page_data.steps();
     let ends: Vec<usize> =
         steps.first().into_iter().chain(steps.last().filter(|_| steps.len() > 1)).copied().collect();
     let (mut curves, mut far) = (Vec::new(), Vec::new());
     for (place, step) in ends.iter().enumerate() {
         for (number, Drawn { crack, tip, name }) in points.iter().enumerate() {
             let is_own = |history: &&History| (history.crack, history.tip) == (*crack, *tip);
-            let Some(history) = shown.histories(*step).iter().find(is_own) else { continue };
+            let Some(history) = page_data.histories(*step).iter().find(is_own) else { continue };
             let values: Vec<[f64; 2]> =
                 history.xc_over_a.iter().zip((mode.of)(history)).map(|(&x, &k)| [x, k]).collect();
             let curve = |values: Vec<[f64; 2]>| {

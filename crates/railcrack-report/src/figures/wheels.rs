@@ -2,7 +2,7 @@
 
 use super::plot::Plot;
 use crate::chart::{Chart, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour};
-use crate::shown::UnderWheel;
+use crate::page_data::UnderWheel;
 use railcrack_run::Summary;
 use railcrack_run::csv::TipRow;
 

@@ -29,13 +29,12 @@ pub(crate) fn comparison_page(comparison: &Comparison, tolerance: Option<f64>, p
     } else {
         Block::Table(differences(comparison))
     });
-    let still = |plot: &Plot| Block::Still { svg: plot.svg.clone(), caption: plot.file.to_owned() };
     let mut sections = Vec::new();
     if comparison.common_steps > 0 {
         sections.push(Section {
             id: "k".to_owned(),
             heading: "K over the stabilised passage".to_owned(),
-            blocks: k_blocks(comparison, plots).into_iter().chain(plots.iter().map(still)).collect(),
+            blocks: k_blocks(comparison, plots),
         });
         sections.push(Section {
             id: "paths".to_owned(),

@@ -1,12 +1,10 @@
 //! The pages, one for each kind of folder.
 
 mod compare;
-mod pictures;
 mod plan;
 mod run;
 mod sentence;
 mod shakedown;
-mod space;
 mod study;
 mod ways;
 mod what_if;
@@ -15,6 +13,5 @@ pub(crate) use compare::comparison_page;
 pub(crate) use plan::plan_page;
 pub(crate) use run::{RunFolder, run_page};
 pub(crate) use shakedown::shakedown_page;
-pub(crate) use space::space_page;
 pub(crate) use study::study_page;
 pub use what_if::explorer_page;

@@ -1,7 +1,6 @@
 //! The report of a stabilised plastic state.
 
-use super::pictures::{charts, still};
-use crate::figures::Plot;
+use crate::figures::{Plot, charts};
 use crate::numbers::{fixed, significant};
 use crate::page::{Block, Fact, Page, Section};
 use crate::pages::sentence::sentence;
@@ -21,10 +20,7 @@ pub(crate) fn shakedown_page(state: &ShakedownFolder, plots: &[Plot]) -> Page {
     }
     lead.push(Block::Heading("Assumptions".to_owned()));
     lead.push(Block::List(assumptions(summary)));
-    let charts = |ids: &[&str]| {
-        let stills = ids.iter().filter_map(|id| still(plots, &format!("{id}.svg"), ""));
-        std::iter::once(charts(plots, ids)).chain(stills).collect::<Vec<_>>()
-    };
+    let charts = |ids: &[&str]| vec![charts(plots, ids)];
     let field = plots.iter().find(|plot| plot.file == "field.svg");
     let section =
         |id: &str, heading: &str, blocks| Section { id: id.to_owned(), heading: heading.to_owned(), blocks };

@@ -5,8 +5,7 @@ use crate::engine::PageEngine;
 use crate::page::{Block, Page, Section};
 
 const WHAT_IF: &str = include_str!("../assets/explorer.html");
-const SCRIPT: &str = include_str!("../assets/explorer.js");
-const START: &str = include_str!("../assets/engine-start.js");
+const SCRIPT: &str = concat!(include_str!("../assets/engine.js"), include_str!("../assets/explorer.js"));
 
 /// A section with the values of `case` as sliders; `first` is the name of the curves of that case,
 /// and `says` introduces it. The engine starts when the section is seen.
@@ -17,7 +16,14 @@ pub(super) fn section(engine: &PageEngine, case: &str, first: &str, says: &str) 
         heading: "What if".to_owned(),
         blocks: vec![
             Block::Text(says.to_owned()),
-            Block::Viewer { html: WHAT_IF, data_id: "what-if-data", data, script: SCRIPT },
+            Block::Viewer {
+                id: "what-if-engine",
+                html: WHAT_IF,
+                blocks: Vec::new(),
+                data_id: "what-if-data",
+                data,
+                script: SCRIPT,
+            },
         ],
     }
 }
@@ -26,8 +32,7 @@ pub(super) fn section(engine: &PageEngine, case: &str, first: &str, says: &str) 
 #[must_use]
 pub fn explorer_page(engine: &PageEngine, case: &str) -> String {
     let says = "Everything on this page is computed in this browser, by the program itself: no file is sent anywhere, and nothing is loaded from anywhere. Move a slider or edit the case file below; the address keeps the state of the page.";
-    let mut section = section(engine, case, "as at first", says);
-    section.blocks.push(Block::AtOnce(START));
+    let section = section(engine, case, "as at first", says);
     Page {
         title: "What makes a head check grow?".to_owned(),
         kind: "Explorer".to_owned(),

@@ -1,8 +1,10 @@
 //! Axes: a frame, two scales, ticks at round numbers.
 
-use super::element::{Anchor, Span, Stroke, Svg, TextStyle};
-use super::palette::{INK, LIGHT};
+use super::element::{Anchor, Span, Svg, TextStyle, coordinate};
+use super::palette::{INK, LIGHT, ZERO};
 use super::ticks::{multiples, round_step, scale_exponent, tick_label};
+use crate::numbers::short;
+use serde_json::{Value, json};
 
 /// The rectangle inside the axes, pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -91,6 +93,30 @@ impl Axis {
         vec![Span::Plain(format!("{factor}10")), Span::Super(power)]
     }
 
+    /// Letters of the longest label.
+    pub(crate) fn widest(&self) -> f64 {
+        let letters = |&tick: &f64| self.label(tick).iter().map(Span::letters).sum();
+        self.ticks.iter().map(letters).max().unwrap_or(0usize) as f64
+    }
+
+    /// The axis between the pixels `from` and `to`, for the script of a page.
+    pub(crate) fn placed(&self, from: f64, to: f64) -> String {
+        let kind = if self.layout == Layout::Logarithmic { " log" } else { "" };
+        format!("{} {} {} {}{kind}", self.from, self.to, coordinate(from), coordinate(to))
+    }
+
+    /// The axis with about `most` ticks at most, for a script that draws it.
+    pub(crate) fn data(&self, most: usize) -> Value {
+        let every = self.ticks.len().div_ceil(most).max(1);
+        let ticks = self.ticks.iter().step_by(every);
+        json!({
+            "from": self.from,
+            "to": self.to,
+            "log": self.layout == Layout::Logarithmic,
+            "ticks": ticks.map(|&tick| json!([tick, short(tick)])).collect::<Vec<_>>(),
+        })
+    }
+
     /// The power of ten that the labels leave out.
     pub(crate) fn exponent(&self) -> i32 {
         self.exponent
@@ -135,21 +161,21 @@ impl Axes {
 
     /// Grid lines, the zero line of y a little stronger. Drawn before the data.
     pub(crate) fn draw_grid(&self, svg: &mut Svg) {
-        let quiet = Stroke::solid(LIGHT, 0.8);
-        for &tick in &self.x.ticks {
-            let [x, _] = self.at(tick, self.y.from);
-            svg.polyline("grid", &[[x, self.frame.top], [x, self.frame.bottom()]], &quiet);
-        }
-        for &tick in &self.y.ticks {
-            let [_, y] = self.at(self.x.from, tick);
-            let stroke = if tick == 0.0 { Stroke::solid("#b0b0b0", 1.0) } else { quiet.clone() };
-            svg.polyline("grid", &[[self.frame.left, y], [self.frame.right(), y]], &stroke);
+        let Frame { left, top, .. } = self.frame;
+        let across =
+            |y: f64| format!("M{} {}H{}", coordinate(left), coordinate(y), coordinate(self.frame.right()));
+        let xs = self.x.ticks.iter().map(|&tick| coordinate(self.at(tick, self.y.from)[0]));
+        let up = xs.map(|x| format!("M{x} {}V{}", coordinate(top), coordinate(self.frame.bottom())));
+        let ys = self.y.ticks.iter().map(|&tick| across(self.at(self.x.from, tick)[1]));
+        svg.lines("grid", &up.chain(ys).collect::<String>(), LIGHT, 0.8);
+        if self.y.ticks.contains(&0.0) {
+            svg.lines("zero", &across(self.at(self.x.from, 0.0)[1]), ZERO, 1.0);
         }
     }
 
     /// Begins the data, which are clipped at the frame.
-    pub(crate) fn clip(&self, svg: &mut Svg) {
-        svg.clip(self.frame.rectangle());
+    pub(crate) fn clip(&self, svg: &mut Svg, of: &str) {
+        svg.clip(of, self.frame.rectangle());
     }
 
     /// Frame, ticks and their labels. Drawn after the data; without a title the x axis has no
@@ -159,25 +185,29 @@ impl Axes {
         let labels = TextStyle { size: 12.0, anchor: Anchor::Middle, colour: INK, weight: "normal" };
         let title = TextStyle { size: 13.0, ..labels };
         let (left, bottom) = (self.frame.left, self.frame.bottom());
-        for &tick in &self.x.ticks {
-            let [x, _] = self.at(tick, self.y.from);
-            svg.polyline("tick", &[[x, bottom], [x, bottom + 4.0]], &Stroke::solid(INK, 1.0));
-            if !x_title.is_empty() {
-                svg.text([x, bottom + 18.0], &self.x.label(tick), labels);
-            }
+        let xs: Vec<f64> = self.x.ticks.iter().map(|&tick| self.at(tick, self.y.from)[0]).collect();
+        let ys: Vec<f64> = self.y.ticks.iter().map(|&tick| self.at(self.x.from, tick)[1]).collect();
+        let down = xs.iter().map(|x| format!("M{} {}v4", coordinate(*x), coordinate(bottom)));
+        let out = ys.iter().map(|y| format!("M{} {}h-4", coordinate(left), coordinate(*y)));
+        svg.lines("ticks", &down.chain(out).collect::<String>(), INK, 1.0);
+        if !x_title.is_empty() {
+            let all =
+                xs.iter().zip(&self.x.ticks).map(|(x, tick)| ([*x, bottom + 18.0], self.x.label(*tick)));
+            svg.labels("x-axis tick label", &all.collect::<Vec<_>>(), labels);
+            let middle = [left + 0.5 * self.frame.width, bottom + 40.0];
+            svg.labels("x-axis label", &[(middle, x_title.to_vec())], title);
         }
-        svg.text([left + 0.5 * self.frame.width, bottom + 40.0], x_title, title);
-        let mut widest: usize = 0;
-        for &tick in &self.y.ticks {
-            let [_, y] = self.at(self.x.from, tick);
-            let label = self.y.label(tick);
-            widest = widest.max(label.iter().map(Span::letters).sum());
-            svg.polyline("tick", &[[left - 4.0, y], [left, y]], &Stroke::solid(INK, 1.0));
-            svg.text([left - 8.0, y + 4.2], &label, TextStyle { anchor: Anchor::End, ..labels });
+        let all = ys.iter().zip(&self.y.ticks).map(|(y, tick)| ([left - 8.0, y + 4.2], self.y.label(*tick)));
+        svg.labels(
+            "y-axis tick label",
+            &all.collect::<Vec<_>>(),
+            TextStyle { anchor: Anchor::End, ..labels },
+        );
+        if !y_title.is_empty() {
+            let beside = [left - 20.0 - 7.0 * self.y.widest(), self.frame.top + 0.5 * self.frame.height];
+            let upwards = TextStyle { anchor: Anchor::Upwards, ..title };
+            svg.labels("y-axis label", &[(beside, y_title.to_vec())], upwards);
         }
-        let beside = left - 20.0 - 7.0 * widest as f64;
-        let middle = self.frame.top + 0.5 * self.frame.height;
-        svg.text([beside, middle], y_title, TextStyle { anchor: Anchor::Upwards, ..title });
     }
 
     /// A small label on a light ground inside the upper left corner.

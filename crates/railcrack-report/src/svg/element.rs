@@ -73,6 +73,29 @@ impl Span {
     }
 }
 
+/// The content of a text of this size.
+fn content(spans: &[Span], size: f64) -> String {
+    if let [Span::Plain(text)] = spans {
+        return escaped(text);
+    }
+    let mut content = String::new();
+    let mut raised = 0.0;
+    for span in spans {
+        let small = || format!(r#" font-size="{}""#, coordinate(0.72 * size));
+        let (text, height, own) = match span {
+            Span::Plain(text) => (text, 0.0, String::new()),
+            Span::Italic(text) => (text, 0.0, r#" font-style="italic""#.to_owned()),
+            Span::Sub(text) => (text, -0.25, small()),
+            Span::Super(text) => (text, 0.35, small()),
+        };
+        let shift = coordinate((raised - height) * size);
+        raised = height;
+        // Writing to a string does not fail.
+        let _ = write!(content, r#"<tspan dy="{shift}"{own}>{}</tspan>"#, escaped(text));
+    }
+    content
+}
+
 /// A coordinate with at most two decimals.
 pub(crate) fn coordinate(value: f64) -> String {
     let hundredths = (value * 100.0).round() as i64;
@@ -130,53 +153,76 @@ impl Svg {
         self.push(format_args!(r#"<circle cx="{x}" cy="{y}" r="{radius}" fill="{fill}"/>"#));
     }
 
-    pub(crate) fn text(&mut self, at: [f64; 2], spans: &[Span], style: TextStyle) {
-        if spans.is_empty() {
-            return;
-        }
-        let [x, y] = at.map(coordinate);
-        let (anchor, turn) = match style.anchor {
-            Anchor::Start => ("start", String::new()),
-            Anchor::Middle => ("middle", String::new()),
-            Anchor::End => ("end", String::new()),
-            Anchor::Upwards => ("middle", format!(r#" transform="rotate(-90 {x} {y})""#)),
-        };
-        let mut content = String::new();
-        let mut raised = 0.0;
-        for span in spans {
-            let (text, height, style_of_span) = match span {
-                Span::Plain(text) => (text.as_str(), 0.0, String::new()),
-                Span::Italic(text) => (text.as_str(), 0.0, r#" font-style="italic""#.to_owned()),
-                Span::Sub(text) => {
-                    (text.as_str(), -0.25, format!(r#" font-size="{}""#, coordinate(0.72 * style.size)))
-                }
-                Span::Super(text) => {
-                    (text.as_str(), 0.35, format!(r#" font-size="{}""#, coordinate(0.72 * style.size)))
-                }
-            };
-            let shift = coordinate((raised - height) * style.size);
-            raised = height;
-            let _ = write!(content, r#"<tspan dy="{shift}"{style_of_span}>{}</tspan>"#, escaped(text));
-        }
-        let TextStyle { size, colour, weight, .. } = style;
-        // Spaces at the border of two spans would be dropped without xml:space.
+    /// Lines without dashes, given by the path `d`; `name` becomes their class.
+    pub(crate) fn lines(&mut self, name: &str, d: &str, colour: &str, width: f64) {
         self.push(format_args!(
-            r#"<text xml:space="preserve" x="{x}" y="{y}" font-size="{size}" font-weight="{weight}" text-anchor="{anchor}" fill="{colour}"{turn}>{content}</text>"#
+            r#"<path class="{name}" d="{d}" fill="none" stroke="{colour}" stroke-width="{width}"/>"#
         ));
     }
 
-    /// Clips everything drawn until [`Svg::unclip`] to the rectangle.
-    pub(crate) fn clip(&mut self, [x, y, width, height]: [f64; 4]) {
+    /// Begins a group with these attributes, which [`Svg::end`] ends.
+    pub(crate) fn begin(&mut self, attributes: &str) {
+        self.push(format_args!("<g{attributes}>"));
+    }
+
+    pub(crate) fn end(&mut self) {
+        self.push(format_args!("</g>"));
+    }
+
+    pub(crate) fn text(&mut self, at: [f64; 2], spans: &[Span], style: TextStyle) {
+        if !spans.is_empty() {
+            self.labels("", &[(at, spans.to_vec())], style);
+        }
+    }
+
+    /// Texts of one style, each at its place, in a group called `name`; a single one without a name
+    /// stands alone.
+    pub(crate) fn labels(&mut self, name: &str, labels: &[([f64; 2], Vec<Span>)], style: TextStyle) {
+        let TextStyle { size, anchor, colour, weight } = style;
+        let anchor_word = match anchor {
+            Anchor::Start => "start",
+            Anchor::Middle | Anchor::Upwards => "middle",
+            Anchor::End => "end",
+        };
+        let shared = format!(
+            r#" font-size="{size}" font-weight="{weight}" text-anchor="{anchor_word}" fill="{colour}""#
+        );
+        let is_alone = name.is_empty() && labels.len() == 1;
+        if !is_alone {
+            self.begin(&format!(r#" aria-label="{}"{shared}"#, escaped(name)));
+        }
+        for (at, spans) in labels {
+            let [x, y] = at.map(coordinate);
+            let own = if is_alone { shared.as_str() } else { "" };
+            let turn = match anchor {
+                Anchor::Upwards => format!(r#" transform="rotate(-90 {x} {y})""#),
+                _ => String::new(),
+            };
+            // Spaces at the border of two spans would be dropped without xml:space.
+            let space = if spans.len() > 1 { r#" xml:space="preserve""# } else { "" };
+            let content = content(spans, size);
+            self.push(format_args!(r#"<text{space} x="{x}" y="{y}"{own}{turn}>{content}</text>"#));
+        }
+        if !is_alone {
+            self.end();
+        }
+    }
+
+    /// Begins a group that is clipped to the rectangle, which [`Svg::end`] ends; `of` makes the name
+    /// of the clip unique on a page.
+    pub(crate) fn clip(&mut self, of: &str, [x, y, width, height]: [f64; 4]) {
         self.clips += 1;
         let [x, y, width, height] = [x, y, width, height].map(coordinate);
-        let id = self.clips;
+        let id = format!("{of}clip{}", self.clips);
         self.push(format_args!(
-            r##"<clipPath id="clip{id}"><rect x="{x}" y="{y}" width="{width}" height="{height}"/></clipPath><g clip-path="url(#clip{id})">"##
+            r##"<clipPath id="{id}"><rect x="{x}" y="{y}" width="{width}" height="{height}"/></clipPath><g class="curves" clip-path="url(#{id})">"##
         ));
     }
 
-    pub(crate) fn unclip(&mut self) {
-        self.push(format_args!("</g>"));
+    /// The picture as a part of a page, with these attributes.
+    pub(crate) fn finish_in_page(self, attributes: &str) -> String {
+        let (width, height) = (coordinate(self.width), coordinate(self.height));
+        format!("<svg viewBox=\"0 0 {width} {height}\" role=\"img\" {attributes}>\n{}</svg>", self.body)
     }
 
     /// The picture as a file on a white ground.

@@ -6,6 +6,11 @@ pub(crate) const INK: &str = "#222222";
 pub(crate) const GREY: &str = "#666666";
 /// Grid lines and quiet areas.
 pub(crate) const LIGHT: &str = "#e4e4e4";
+/// The line of zero among grid lines.
+pub(crate) const ZERO: &str = "#b0b0b0";
+/// Areas, and the rail.
+pub(crate) const AREA: &str = "#fbe8c6";
+pub(crate) const RAIL: &str = "#f6f5f2";
 /// Blue of [`CATEGORIES`].
 pub(crate) const BLUE: &str = "#0072b2";
 /// Orange of [`CATEGORIES`].

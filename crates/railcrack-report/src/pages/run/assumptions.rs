@@ -200,7 +200,7 @@ fn fluid(fluid: Option<&CrackFluid>, wheel: &GivenWheel) -> String {
 }
 
 /// Bending and temperature of the rail under the first wheel.
-pub(in crate::pages) fn long_rail(case: &Case) -> String {
+pub(super) fn long_rail(case: &Case) -> String {
     long_rail_under(&case.wheel, case)
 }
 

@@ -1,10 +1,12 @@
 //! Data of the passage explorer.
 
+use super::passage::mouth;
 use super::stored::RunFolder;
-use super::wheels::{ShownWheel, wheels};
+use super::wheels::{PassedWheel, wheels};
+use crate::figures::origin;
 use crate::numbers::{number, numbers};
+use crate::page_data::{CrackWindows, Deflated, PageData, Quantised};
 use crate::row::NamedCrack;
-use crate::shown::{CrackWindows, Deflated, Quantised, ShownRun};
 use railcrack::growth::{RunStop, TipStop};
 use railcrack::words::Choice;
 use railcrack_run::csv::TipRow;
@@ -18,25 +20,25 @@ const VALUES: usize = 200_000;
 
 /// The data of the explorer. For many cracks, K at wheel positions near each of them, and the faces
 /// of the `named` ones.
-pub(super) fn explorer(run: &RunFolder, shown: &ShownRun, named: Option<&[NamedCrack]>) -> Value {
+pub(super) fn explorer(run: &RunFolder, page_data: &PageData, named: Option<&[NamedCrack]>) -> Value {
     let summary = &run.summary;
-    let wheels = wheels(run, shown, named);
+    let wheels = wheels(run, page_data, named);
     let seen: Option<Vec<CrackWindows>> =
         named.map(|named| wheels.iter().map(|wheel| wheel.windows_of(named)).collect());
-    let others = shown.other_faces(seen.as_deref());
+    let others = page_data.other_faces(seen.as_deref());
     let faces = |wheel: usize, step: usize| match (wheel, seen.as_ref().and_then(|seen| seen.first())) {
-        (0, Some(windows)) => json!(shown.faces_of(step, windows)),
-        (0, None) => json!(shown.faces(step)),
+        (0, Some(windows)) => json!(page_data.faces_of(step, windows)),
+        (0, None) => json!(page_data.faces(step)),
         _ => json!(others.under(wheel, step)),
     };
-    let steps: Vec<Value> = explored_steps(run, shown, named)
+    let steps: Vec<Value> = explored_steps(run, page_data, named)
         .into_iter()
         .map(|step| {
-            let of_wheel = |(number, wheel): (usize, &ShownWheel)| {
+            let of_wheel = |(number, wheel): (usize, &PassedWheel)| {
                 json!({
-                    "histories": histories(run, shown, (number, wheel), step),
+                    "histories": histories(run, page_data, (number, wheel), step),
                     "faces": faces(number, step),
-                    "contact": shown.contact(number, step),
+                    "contact": page_data.contact(number, step),
                 })
             };
             json!({
@@ -49,35 +51,36 @@ pub(super) fn explorer(run: &RunFolder, shown: &ShownRun, named: Option<&[NamedC
             })
         })
         .collect();
-    let stride = |number: usize| if number == 0 { shown.face_stride() } else { others.stride };
+    let stride = |number: usize| if number == 0 { page_data.face_stride() } else { others.stride };
     json!({
-        "wheels": wheels.iter().enumerate().map(|(i, wheel)| wheel.told(stride(i))).collect::<Vec<_>>(),
+        "wheels": wheels.iter().enumerate().map(|(i, wheel)| wheel.page_data(stride(i))).collect::<Vec<_>>(),
         "named": named.map(|named| named.iter().map(|named| named.crack).collect::<Vec<_>>()),
-        "origin": summary.cracks.first().and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |p| p[0]),
+        "origin": origin(summary),
         "axle_load": run.case.axle_load,
         "last_step": summary.steps_recorded.saturating_sub(1),
         "cracks": summary.cracks.iter().map(|crack| json!({
             "points": crack.points_mm.iter().map(|p| numbers(*p)).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
+        "mouths": numbers((1..=summary.cracks.len()).map(|crack| mouth(run, crack))),
         "pieces": pieces(run),
         "junctions": junctions(run),
-        "residual": (!run.residual.is_empty()).then(|| json!({
-            "depth": numbers(run.residual.iter().map(|row| row[0])),
-            "sxx": numbers(run.residual.iter().map(|row| row[1])),
-        })),
         "steps": steps,
     })
 }
 
 /// The steps of the explorer: those `shown`, or as many of them as fit for many cracks.
-pub(super) fn explored_steps(run: &RunFolder, shown: &ShownRun, named: Option<&[NamedCrack]>) -> Vec<usize> {
-    let steps = shown.steps();
+pub(super) fn explored_steps(
+    run: &RunFolder,
+    page_data: &PageData,
+    named: Option<&[NamedCrack]>,
+) -> Vec<usize> {
+    let steps = page_data.steps();
     if named.is_none() {
         return steps;
     }
-    let wheels = wheels(run, shown, named);
-    let of_tip = |wheel: &ShownWheel, crack: usize| wheel.window(crack).map_or(0, Range::len);
-    let all = wheels.iter().zip(shown.by_wheel(0));
+    let wheels = wheels(run, page_data, named);
+    let of_tip = |wheel: &PassedWheel, crack: usize| wheel.window(crack).map_or(0, Range::len);
+    let all = wheels.iter().zip(page_data.by_wheel(0));
     let values: usize =
         all.flat_map(|(wheel, histories)| histories.iter().map(|history| of_tip(wheel, history.crack))).sum();
     let most = wheels.len().clamp(1, 2) * VALUES;
@@ -205,11 +208,11 @@ fn tips(run: &RunFolder, step: usize) -> Vec<Value> {
 /// their windows.
 fn histories(
     run: &RunFolder,
-    shown: &ShownRun,
-    (number, wheel): (usize, &ShownWheel),
+    page_data: &PageData,
+    (number, wheel): (usize, &PassedWheel),
     step: usize,
 ) -> Vec<Value> {
-    let histories = shown.by_wheel(step).get(number).map_or(&[][..], Vec::as_slice);
+    let histories = page_data.by_wheel(step).get(number).map_or(&[][..], Vec::as_slice);
     let of_tip = |row: &TipRow| {
         let history = histories.iter().find(|h| (h.crack, h.tip) == (row.crack, row.tip));
         let window = wheel.window(row.crack);

@@ -16,7 +16,7 @@ use railcrack_run::decision::{
 const ROWS: usize = 9;
 
 /// The first blocks of the page; none without axle loads.
-pub(in crate::pages) fn decision(run: &RunFolder) -> Vec<Block> {
+pub(super) fn decision(run: &RunFolder) -> Vec<Block> {
     let Some(decision) = &run.summary.decision else { return Vec::new() };
     let mut sentences: Vec<String> = decision.verdict.reasons.iter().skip(1).map(reason).collect();
     sentences.extend(second(decision));
@@ -47,7 +47,7 @@ pub(in crate::pages) fn decision(run: &RunFolder) -> Vec<Block> {
 
 /// The verdict with its first reason; without axle loads only where the model does not describe
 /// the run.
-pub(in crate::pages) fn banner(run: &RunFolder) -> Option<Banner> {
+pub(super) fn banner(run: &RunFolder) -> Option<Banner> {
     let verdict = run.summary.verdict.as_ref()?;
     let (level, word) = match verdict.level {
         VerdictLevel::Ok => ("ok", "OK"),

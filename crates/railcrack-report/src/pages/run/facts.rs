@@ -90,7 +90,7 @@ fn deepest_beside(run: &RunFolder, representative: &TipRow) -> Option<String> {
 }
 
 /// Reason for the end of the run.
-pub(in crate::pages) fn stop_sentence(run: &RunFolder) -> String {
+pub(super) fn stop_sentence(run: &RunFolder) -> String {
     let steps = run.summary.steps;
     match run.summary.stop.map(RunStop::word) {
         None => format!("The run has not ended: step {steps} is the last finished one."),
@@ -183,7 +183,7 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
 }
 
 /// End of the run, and number of `warnings`.
-pub(in crate::pages) fn ending(run: &RunFolder, warnings: usize) -> [Fact; 2] {
+pub(super) fn ending(run: &RunFolder, warnings: usize) -> [Fact; 2] {
     let stop = run.summary.stop.map_or("not ended", RunStop::word).replace('-', " ");
     [
         Fact {
@@ -255,7 +255,7 @@ pub(super) fn cracks(run: &RunFolder) -> Option<Table> {
 }
 
 /// Why a tip stopped. The run ends with the fracture at one tip; the others end with it.
-pub(in crate::pages) fn stop_of(run: &RunFolder, row: &TipRow) -> String {
+pub(super) fn stop_of(run: &RunFolder, row: &TipRow) -> String {
     let broken = run.summary.fracture.filter(|_| row.stop == Some(RunStop::Fracture));
     match broken {
         Some(at) if (at.crack, at.tip) != (row.crack, row.tip) => format!("ends with crack {}", at.crack),

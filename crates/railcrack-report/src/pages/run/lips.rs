@@ -3,7 +3,7 @@
 use super::stored::RunFolder;
 use crate::chart::{Chart, ChartAxis, ChartRange, Curve, CurveColour, CurveLook};
 use crate::page::{Block, Section};
-use crate::shown::ShownRun;
+use crate::page_data::PageData;
 use railcrack_run::run_folder::History;
 
 /// Distance from the mouth over a within which the contact load is that on the lips.
@@ -12,11 +12,11 @@ const LIP: f64 = 0.1;
 const MOST: usize = 6;
 
 /// Load on the lips and approach of a wheel that feels the cracks; none for other wheels.
-pub(super) fn section(run: &RunFolder, shown: &ShownRun) -> Option<Section> {
-    let steps = shown.steps();
+pub(super) fn section(run: &RunFolder, page_data: &PageData) -> Option<Section> {
+    let steps = page_data.steps();
     let mut drawn: Vec<&History> = Vec::new();
     for step in [steps.first()?, steps.last()?] {
-        let of_step = shown.histories(*step).iter();
+        let of_step = page_data.histories(*step).iter();
         let new = of_step.filter(|history| history.tip == 1 && history.approach.iter().any(Option::is_some));
         drawn.extend(new.take(MOST).filter(|history| !drawn.contains(history)).collect::<Vec<_>>());
     }

@@ -44,7 +44,7 @@ impl RunFolder {
     }
 
     /// The rows of a tip, by step.
-    pub(in crate::pages) fn history(&self, crack: usize, tip: usize) -> impl Iterator<Item = &TipRow> {
+    pub(super) fn history(&self, crack: usize, tip: usize) -> impl Iterator<Item = &TipRow> {
         self.growth.iter().filter(move |row| (row.crack, row.tip) == (crack, tip))
     }
 
@@ -61,7 +61,7 @@ impl RunFolder {
     }
 
     /// The rows of the last finished step.
-    pub(in crate::pages) fn last(&self) -> impl Iterator<Item = &TipRow> {
+    pub(super) fn last(&self) -> impl Iterator<Item = &TipRow> {
         let last = self.summary.steps_recorded.saturating_sub(1);
         self.growth.iter().filter(move |row| row.step == last)
     }

@@ -3,8 +3,8 @@
 use super::data::explored_steps;
 use super::stored::RunFolder;
 use crate::numbers::{fixed, significant};
+use crate::page_data::PageData;
 use crate::row::NamedCrack;
-use crate::shown::ShownRun;
 use railcrack::bulk::Boundary;
 use railcrack::growth::WarningKind;
 use railcrack_run::summary::WarningSummary;
@@ -15,7 +15,7 @@ const OF_A_KIND: usize = 3;
 
 /// Warnings of the run grouped by kind, a note on the boundary of a block, and a note on a run that
 /// has not ended.
-pub(in crate::pages) fn warnings(run: &RunFolder) -> Vec<String> {
+pub(super) fn warnings(run: &RunFolder) -> Vec<String> {
     let mut texts = Vec::new();
     if !run.summary.complete {
         texts.push("The run has not ended; repeat its command with --resume to continue it.".to_owned());
@@ -42,7 +42,7 @@ pub(in crate::pages) fn warnings(run: &RunFolder) -> Vec<String> {
 }
 
 /// Number of warnings, each counted, which [`warnings`] groups by kind.
-pub(in crate::pages) fn count(run: &RunFolder) -> usize {
+pub(super) fn count(run: &RunFolder) -> usize {
     let notes = [!run.summary.complete, run.case.rail.boundary != Boundary::HalfPlane];
     run.summary.warnings.len() + notes.into_iter().filter(|is_so| *is_so).count()
 }
@@ -87,7 +87,7 @@ fn grouped_text(kind: WarningKind, warnings: &[&WarningSummary]) -> String {
 }
 
 /// Remarks: the largest secondary maximum; results that the page leaves out.
-pub(super) fn remarks(run: &RunFolder, shown: &ShownRun, told: Option<&[NamedCrack]>) -> Vec<String> {
+pub(super) fn remarks(run: &RunFolder, page_data: &PageData, told: Option<&[NamedCrack]>) -> Vec<String> {
     let mut texts = Vec::new();
     let secondary_maxima = run.growth.iter().filter_map(|row| Some((row, row.rival_deg?, row.rival_ratio?)));
     if let Some((row, angle, ratio)) =
@@ -104,7 +104,7 @@ pub(super) fn remarks(run: &RunFolder, shown: &ShownRun, told: Option<&[NamedCra
             fixed(kink, 0)
         ));
     }
-    let steps = explored_steps(run, shown, told).len();
+    let steps = explored_steps(run, page_data, told).len();
     if steps < run.summary.steps_recorded {
         texts.push(format!(
             "To limit the file size, the passage explorer shows {} of {} growth steps; the growth charts show all.",
@@ -121,10 +121,10 @@ pub(super) fn remarks(run: &RunFolder, shown: &ShownRun, told: Option<&[NamedCra
             numbers.join(", ")
         ));
     }
-    if shown.face_stride() > 1 {
+    if page_data.face_stride() > 1 {
         texts.push(format!(
             "To limit the file size, crack faces are shown at one in {} wheel positions; faces.csv has all.",
-            shown.face_stride()
+            page_data.face_stride()
         ));
     }
     texts

@@ -3,8 +3,8 @@
 use super::stored::RunFolder;
 use crate::figures::WheelPassage;
 use crate::numbers::{number, numbers};
+use crate::page_data::{CrackWindows, PageData};
 use crate::row::NamedCrack;
-use crate::shown::{CrackWindows, ShownRun};
 use railcrack::contact::{CrackFluid, FluidModel, PressureProfile};
 use railcrack_case::{GivenWheel, MixedWheel};
 use railcrack_run::run_folder::History;
@@ -12,14 +12,15 @@ use serde_json::{Value, json};
 use std::ops::Range;
 
 /// A wheel and its positions.
-pub(super) struct ShownWheel<'a> {
+pub(super) struct PassedWheel<'a> {
     /// Its name and share of a mix; none of a single wheel.
     mixed: Option<&'a MixedWheel>,
-    wheel: &'a GivenWheel,
-    half_width: f64,
-    xc_over_a: &'a [f64],
+    pub(super) wheel: &'a GivenWheel,
+    /// Half-width a of its contact, mm.
+    pub(super) half_width: f64,
+    pub(super) xc_over_a: &'a [f64],
     /// Positions near the cracks.
-    near: Range<usize>,
+    pub(super) near: Range<usize>,
     /// Of many cracks those near each.
     windows: Option<Vec<Range<usize>>>,
     /// Whether the pressure of the fluid falls from the mouth to the tip, as far as cracks of their
@@ -30,15 +31,15 @@ pub(super) struct ShownWheel<'a> {
 /// The wheels of which K is shown.
 pub(super) fn wheels<'a>(
     run: &'a RunFolder,
-    shown: &'a ShownRun,
+    page_data: &'a PageData,
     named: Option<&[NamedCrack]>,
-) -> Vec<ShownWheel<'a>> {
+) -> Vec<PassedWheel<'a>> {
     let of_wheel = |(number, histories): (usize, &'a Vec<History>)| {
         let mixed = run.case.mix.get(number);
         let passage = passage_of(run, number);
         let xc_over_a: &[f64] = histories.first().map_or(&[], |history| &history.xc_over_a);
         let cracks = 1..=run.summary.cracks.len();
-        ShownWheel {
+        PassedWheel {
             mixed,
             wheel: mixed.map_or(&run.case.wheel, |mixed| &mixed.wheel),
             half_width: passage.half_width(),
@@ -49,11 +50,11 @@ pub(super) fn wheels<'a>(
                 && run.summary.junctions.is_empty(),
         }
     };
-    shown.by_wheel(0).iter().enumerate().map(of_wheel).collect()
+    page_data.by_wheel(0).iter().enumerate().map(of_wheel).collect()
 }
 
 /// The passage of wheel `number`, from 0.
-pub(in crate::pages) fn passage_of(run: &RunFolder, number: usize) -> WheelPassage<'_> {
+pub(super) fn passage_of(run: &RunFolder, number: usize) -> WheelPassage<'_> {
     match run.case.mix.get(number).filter(|_| number > 0) {
         Some(MixedWheel { wheel, passages, .. }) => {
             let ends = [passages.passage.from, passages.passage.to];
@@ -69,9 +70,9 @@ fn falls(fluid: Option<&CrackFluid>) -> bool {
     })
 }
 
-impl ShownWheel<'_> {
+impl PassedWheel<'_> {
     /// The wheel as the page has it, with every `stride`-th position of its faces.
-    pub(super) fn told(&self, stride: usize) -> Value {
+    pub(super) fn page_data(&self, stride: usize) -> Value {
         let last_of = |window: &Range<usize>| json!([window.start, window.end.saturating_sub(1)]);
         let contact = self.wheel.contact();
         json!({

@@ -1,9 +1,8 @@
 //! The charts on the page of a study.
 
 use crate::chart::{Chart, ChartAxis, Curve, CurveColour, CurveDots};
-use crate::figures::{Plot, StudyRun, Styles, stratified, study_charts};
+use crate::figures::{StudyRun, Styles, stratified, study_charts};
 use crate::page::Block;
-use crate::pages::pictures::still;
 use railcrack_run::run_folder::RepresentativeTip;
 use railcrack_run::study::{StudyAxis, StudyPlan};
 use std::collections::{BTreeMap, BTreeSet};
@@ -16,7 +15,7 @@ const MOST_TOGETHER: usize = 12;
 const MOST_COMBINATIONS: usize = 9;
 
 /// The charts; none if no run has a finished step.
-pub(super) fn charts(plan: &StudyPlan, runs: &[StudyRun], styles: &Styles, plots: &[Plot]) -> Vec<Block> {
+pub(super) fn charts(plan: &StudyPlan, runs: &[StudyRun], styles: &Styles) -> Vec<Block> {
     let with_tip: Vec<&StudyRun> = runs.iter().filter(|run| run.tip().is_some()).collect();
     let planned: Vec<_> = with_tip.iter().map(|run| run.planned).collect();
     let shown: Vec<&StudyRun> = stratified(&planned, &extremes(&with_tip), MOST_SHOWN)
@@ -30,7 +29,6 @@ pub(super) fn charts(plan: &StudyPlan, runs: &[StudyRun], styles: &Styles, plots
         blocks.push(Block::Text(left_out(plan, &with_tip, &shown)));
     }
     blocks.extend([Block::charts([ki, kii]), Block::charts(charts.chain(effect(plan, &with_tip)))]);
-    blocks.extend(plots.iter().filter_map(|plot| still(plots, plot.file, "")));
     blocks
 }
 

@@ -3,9 +3,12 @@
 
 use super::runs::verdict;
 use crate::figures::{StudyRun, band_charts};
+use crate::numbers::{fixed, given};
 use crate::page::Block;
+use crate::page_data::Deflated;
 use crate::sensitivity::{Estimate, first_order, rank_correlation};
-use crate::shown::Deflated;
+use crate::svg::{Axis, around};
+use crate::table::{MISSING, Table};
 use railcrack::words::Choice;
 use railcrack_run::Summary;
 use railcrack_run::decision::Verdict;
@@ -36,23 +39,23 @@ pub(super) fn blocks(plan: &StudyPlan, runs: &[StudyRun]) -> Vec<Block> {
     blocks.push(Block::charts(passages));
     blocks.push(Block::charts(charts));
     blocks.push(Block::Heading("Keys and results".to_owned()));
+    let columns = columns(plan, runs);
     blocks.push(Block::Viewer {
+        id: "keys-and-results",
         html: include_str!("../../assets/study.html"),
+        blocks: Vec::new(),
         data_id: "study-data",
-        data: data(plan, runs),
+        data: data(&columns, runs),
         script: concat!(
-            include_str!("../../assets/study-statistics.js"),
             include_str!("../../assets/study-conditions.js"),
             include_str!("../../assets/study.js")
         ),
     });
+    blocks.push(Block::Table(dependence(&columns)));
     blocks
 }
 
-fn data(plan: &StudyPlan, runs: &[StudyRun]) -> Value {
-    let columns = columns(plan, runs);
-    let results: Vec<Value> =
-        columns.iter().filter(|column| is_result(column)).map(|result| depends(result, &columns)).collect();
+fn data(columns: &[Column], runs: &[StudyRun]) -> Value {
     let (mut first, mut cycles, mut lengths) = (vec![0.0], Vec::new(), Vec::new());
     for run in runs {
         for row in run.tip().map_or(&[][..], |tip| &tip.rows) {
@@ -63,19 +66,48 @@ fn data(plan: &StudyPlan, runs: &[StudyRun]) -> Value {
     }
     json!({
         "columns": columns.iter().map(column_data).collect::<Vec<_>>(),
-        "results": results,
         "first": Deflated::singles(&first),
         "cycles": Deflated::singles(&cycles),
         "lengths": Deflated::singles(&lengths),
     })
 }
 
+/// Most values of a key that an axis shows one by one.
+const LEVELS: usize = 24;
+/// Most ticks of an axis.
+const TICKS: usize = 6;
+
+/// A column with the axis on which charts have it: a key of few values, each in many runs, as a
+/// list.
 fn column_data(column: &Column) -> Value {
+    let mut levels: Vec<f64> = column.values.iter().copied().filter(|value| !value.is_nan()).collect();
+    levels.sort_by(f64::total_cmp);
+    levels.dedup();
+    let is_few = column.is_key && levels.len() <= LEVELS && 2 * levels.len() < column.values.len();
+    let is_list = !column.words.is_empty() || is_few;
+    let axis = if is_list {
+        let name = |value: f64| column.words.get(value as usize).cloned().unwrap_or_else(|| given(value));
+        let every = levels.len().div_ceil(TICKS).max(1);
+        let ticks: Vec<_> =
+            levels.iter().enumerate().step_by(every).map(|(k, value)| json!([k, name(*value)])).collect();
+        json!({ "from": -0.5, "to": levels.len() as f64 - 0.5, "log": false, "ticks": ticks })
+    } else {
+        let values = column.values.iter().copied().filter(|value| !column.is_logarithmic || *value > 0.0);
+        let axis = if column.is_logarithmic {
+            let [low, high] = around(values.map(f64::ln)).map(f64::exp);
+            Axis::logarithmic(low, high)
+        } else {
+            let [low, high] = around(values);
+            Axis::exact(low, high, TICKS)
+        };
+        axis.data(TICKS)
+    };
     json!({
         "name": column.name,
         "title": column.title,
         "key": column.is_key,
-        "log": column.is_logarithmic,
+        "axis": axis,
+        "levels": is_list.then_some(levels),
         "words": if column.words.is_empty() { None } else { Some(&column.words) },
         "data": Deflated::singles(&column.values),
     })
@@ -85,30 +117,33 @@ fn is_result(column: &Column) -> bool {
     !column.is_key && column.words.is_empty() && column.name != "run"
 }
 
-/// The keys on which `result` depends.
-fn depends(result: &Column, columns: &[Column]) -> Value {
-    let estimates = |of: fn(&[f64], &[f64]) -> Option<Estimate>, words_too: bool| -> Vec<Value> {
-        let keys = columns.iter().filter(|column| column.is_key && (words_too || column.words.is_empty()));
-        keys.map(|key| {
-            let pairs = key.values.iter().zip(&result.values);
-            // In the precision of the page: lengths that differ in their last digits have one rank.
-            let single = |value: f64| f64::from(value as f32);
-            let level = |value: f64| if result.is_logarithmic { single(value).ln() } else { single(value) };
-            let pairs =
-                pairs.map(|(x, y)| (single(*x), level(*y))).filter(|(x, y)| x.is_finite() && y.is_finite());
-            let (x, y): (Vec<f64>, Vec<f64>) = pairs.unzip();
-            let shown = |estimate: Estimate| {
-                [estimate.value, estimate.low, estimate.high].map(|x| (x * 1e4).round() / 1e4)
-            };
-            json!({ "key": key.name, "estimate": of(&x, &y).map(shown) })
-        })
-        .collect()
-    };
-    json!({
-        "name": result.name,
-        "title": result.title,
-        "rank": estimates(rank_correlation, false),
-        "sobol": estimates(first_order, true),
+/// What each result depends on: estimates for each key, with their intervals.
+fn dependence(columns: &[Column]) -> Table {
+    let mut table =
+        Table::new(["Result", "Key", "Rank correlation", "95 %", "First-order Sobol index", "95 %"])
+            .sortable();
+    table.caption = "What results depend on, of all runs: Spearman's rank correlation, and the share of the variance explained \
+                     by the key alone, of a life or a rate that of its logarithm; with intervals of 95 %"
+        .to_owned();
+    for result in columns.iter().filter(|column| is_result(column)) {
+        // In the precision of the page: lengths that differ in their last digits have one rank.
+        let single = |value: f64| f64::from(value as f32);
+        let level = |value: f64| if result.is_logarithmic { single(value).ln() } else { single(value) };
+        for key in columns.iter().filter(|column| column.is_key) {
+            let pairs = key.values.iter().zip(&result.values).map(|(x, y)| (single(*x), level(*y)));
+            let (x, y): (Vec<f64>, Vec<f64>) = pairs.filter(|(x, y)| x.is_finite() && y.is_finite()).unzip();
+            let rank = rank_correlation(&x, &y).filter(|_| key.words.is_empty());
+            let cells = [rank, first_order(&x, &y)].into_iter().flat_map(estimate);
+            table.row([result.title.clone(), key.name.clone()].into_iter().chain(cells));
+        }
+    }
+    table
+}
+
+/// An estimate and its interval.
+fn estimate(estimate: Option<Estimate>) -> [String; 2] {
+    estimate.map_or([MISSING, ""].map(str::to_owned), |Estimate { value, low, high }| {
+        [fixed(value, 3), format!("{} to {}", fixed(low, 2), fixed(high, 2))]
     })
 }
 

@@ -9,7 +9,7 @@ mod runs;
 mod verdicts;
 mod warnings;
 
-use crate::figures::{MANY, Plot, StudyRun, Styles};
+use crate::figures::{MANY, StudyRun, Styles};
 use crate::page::{Block, Page, Section};
 use railcrack_run::study::{Population, StudyPlan};
 
@@ -23,7 +23,6 @@ pub(crate) fn study_page(
     runs: &[StudyRun],
     styles: &Styles,
     study: &str,
-    plots: &[Plot],
 ) -> Page {
     let decision = population::blocks(populations);
     if runs.len() > MANY {
@@ -31,7 +30,7 @@ pub(crate) fn study_page(
     }
     let table = Block::Table(runs::table(plan, runs));
     let mut together = vec![Block::Choices(styles.choices())];
-    let charts = charts::charts(plan, runs, styles, plots);
+    let charts = charts::charts(plan, runs, styles);
     if runs.len() <= SHORT_TABLE {
         together.push(table);
         together.extend(charts);

@@ -1,10 +1,9 @@
 //! The wheels of a mix over the fronts: which lateral places grow which part.
 
-use crate::figures::{Plot, has_closed_front};
+use super::stored::RunFolder;
+use crate::figures::{Plot, charts, has_closed_front};
 use crate::numbers::fixed;
 use crate::page::Block;
-use crate::pages::pictures::charts;
-use crate::pages::run::RunFolder;
 use crate::table::Table;
 use railcrack_case::SpaceCase;
 use railcrack_run::csv::TipRow;
@@ -78,16 +77,16 @@ pub(super) fn wheels(run: &RunFolder, space: &SpaceCase) -> Vec<Block> {
                 fixed(100.0 * share, 0)
             ))
         };
-        let said: Vec<String> =
+        let sentences: Vec<String> =
             grown.iter().filter(|of| of.shares.iter().sum::<f64>() > 0.0).filter_map(most).collect();
-        if !said.is_empty() {
+        if !sentences.is_empty() {
             let which =
                 if run.summary.cracks.len() == 1 { "The front".to_owned() } else { format!("Front {crack}") };
-            lines.push(format!("{which} is grown most {}.", said.join(", ")));
+            lines.push(format!("{which} is grown most {}.", sentences.join(", ")));
         }
     }
-    let said = (!lines.is_empty()).then(|| Block::Text(lines.join(" ")));
-    said.into_iter().chain([Block::Table(table)]).collect()
+    let sentences = (!lines.is_empty()).then(|| Block::Text(lines.join(" ")));
+    sentences.into_iter().chain([Block::Table(table)]).collect()
 }
 
 /// The chart of the shares along the fronts; none of a run with a single wheel.

@@ -1,6 +1,6 @@
 //! K in the last step under every wheel of a mix.
 
-use super::of_steps::OfSteps;
+use super::step_table::StepTable;
 use railcrack::fracture::Sif;
 use railcrack::growth::{PassageRecord, StepRecord, TipRecord};
 use railcrack_run::OutputError;
@@ -19,11 +19,11 @@ pub(crate) struct UnderWheel {
 
 /// K of all tips in the last step under all wheels of a mix; empty under one wheel.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct ShownWheels {
+pub(crate) struct WheelData {
     pub last: Vec<UnderWheel>,
 }
 
-impl ShownWheels {
+impl WheelData {
     /// Of a recorded step.
     pub fn of_record(record: &StepRecord) -> Vec<UnderWheel> {
         if record.other_wheels.is_empty() {
@@ -50,7 +50,7 @@ impl ShownWheels {
     }
 }
 
-impl OfSteps for ShownWheels {
+impl StepTable for WheelData {
     type OfStep = Vec<UnderWheel>;
     type TableRow = SifRow;
 

@@ -32,16 +32,18 @@ pub(crate) struct PackedFields {
     positions: Vec<usize>,
     /// Cells and their values at the first positions; none if there are too many cells for a page.
     cells: Option<Value>,
+    /// Ends of the cells along x and y, mm.
+    extent: [[f64; 2]; 2],
 }
 
 /// The fields of the first and the last step that have any.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct ShownFields {
+pub(crate) struct FieldData {
     /// One or two, or none where the run has no fields.
     ends: Vec<PackedFields>,
 }
 
-impl ShownFields {
+impl FieldData {
     /// The fields of a record; none where it has none.
     ///
     /// Errors: they are not of one grid.
@@ -91,6 +93,13 @@ impl ShownFields {
         self.ends.iter().flat_map(|end| end.positions.iter().map(|&position| (end.step, position)))
     }
 
+    /// Ends of the cells that the page has along x and y, mm.
+    pub(crate) fn extent(&self) -> Option<[[f64; 2]; 2]> {
+        let extents = self.ends.iter().filter(|end| end.cells.is_some()).map(|end| end.extent);
+        let both = |one: [f64; 2], other: [f64; 2]| [one[0].min(other[0]), one[1].max(other[1])];
+        extents.reduce(|one, other| [both(one[0], other[0]), both(one[1], other[1])])
+    }
+
     /// Data for the page; none if nothing can be shown.
     pub(crate) fn data(&self) -> Option<Value> {
         let steps: Vec<&Value> = self.ends.iter().filter_map(|end| end.cells.as_ref()).collect();
@@ -115,7 +124,7 @@ fn packed_fields(
             Some(first) => first,
             None => {
                 let Some(cells) = cells(&grid) else {
-                    return Ok(PackedFields { step, positions, cells: None });
+                    return Ok(PackedFields { step, positions, cells: None, extent: [[0.0; 2]; 2] });
                 };
                 let along = |value: fn(Vec2) -> f64| packed(&cells, |point| value(grid.points[point]));
                 let places = [along(|p| p.x), along(|p| p.y)];
@@ -141,6 +150,7 @@ fn packed_fields(
             "stress": packed(cells, von_mises),
         }));
     }
+    let extent = first.as_ref().map_or([[0.0; 2]; 2], |(_, [x, y])| [x.ends(), y.ends()]);
     let cells = first.map(|(cells, [x, y])| {
         json!({
             "step": step,
@@ -150,7 +160,7 @@ fn packed_fields(
             "snapshots": snapshots,
         })
     });
-    Ok(PackedFields { step, positions, cells })
+    Ok(PackedFields { step, positions, cells, extent })
 }
 
 /// A value of every point that the page has.

@@ -1,5 +1,6 @@
 //! Arrays of numbers in a page: bytes, deflated (zlib), in base64.
 
+use crate::svg::ends;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use miniz_oxide::inflate::decompress_to_vec_zlib;
 use railcrack_vtu::base64;
@@ -99,15 +100,17 @@ impl Quantised {
     /// Of `values` in rows of `row`, in each every `stride`-th and the last. The levels are those
     /// of all values.
     pub(crate) fn every(stride: usize, values: &[f64], row: usize) -> Self {
-        let (low, high) = values
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
-        let (low, high) = if low <= high { (low, high) } else { (0.0, 0.0) };
+        let [low, high] = ends(values.iter().copied());
         let step = (high - low) / LEVELS;
         let level = |value: f64| if step > 0.0 { ((value - low) / step).round() as u16 } else { 0 };
         let levels: Vec<u16> = every(stride, values, row).map(level).collect();
         let row = every_count(stride, row);
         Self { low, step, data: Deflated::levels(&levels, row), row }
+    }
+
+    /// The smallest and the largest number.
+    pub(crate) fn ends(&self) -> [f64; 2] {
+        [self.low, self.low + LEVELS * self.step]
     }
 
     /// Of each row every other number and the last.

@@ -1,8 +1,9 @@
 //! The deformed surroundings of the cracks, and the field files.
 
+use crate::chart::{Chart, ChartAspect, ChartAxis, ChartRange};
 use crate::numbers::fixed;
 use crate::page::{Block, Section};
-use crate::shown::{CrackFaces, ShownRun};
+use crate::page_data::{CrackFaces, PageData};
 use crate::table::{Cell, MISSING, Table};
 use railcrack::contact::FaceStatus;
 use railcrack_run::field_file;
@@ -14,8 +15,8 @@ const FIELDS_SCRIPT: &str = include_str!("../../assets/fields.js");
 const ROWS: usize = 24;
 
 /// The section; none where the run has no fields.
-pub(super) fn section(shown: &ShownRun) -> Option<Section> {
-    let fields = &shown.fields;
+pub(super) fn section(page_data: &PageData) -> Option<Section> {
+    let fields = &page_data.fields;
     if fields.is_empty() {
         return None;
     }
@@ -23,27 +24,48 @@ pub(super) fn section(shown: &ShownRun) -> Option<Section> {
         None => Block::Text(format!(
             "The fields in fields/ have too many cells to be shown here; open {FIELDS_FILE} in ParaView."
         )),
-        Some(data) => Block::Viewer { html: FIELDS, data_id: "field-data", data, script: FIELDS_SCRIPT },
+        Some(data) => Block::Viewer {
+            id: "neighbourhood",
+            html: FIELDS,
+            blocks: fields.extent().map(|extent| Block::charts([frame(extent)])).into_iter().collect(),
+            data_id: "field-data",
+            data,
+            script: FIELDS_SCRIPT,
+        },
     };
     let (id, heading) = ("around".to_owned(), "Deformation around the cracks".to_owned());
-    Some(Section { id, heading, blocks: vec![picture, Block::Table(files(shown))] })
+    Some(Section { id, heading, blocks: vec![picture, Block::Table(files(page_data))] })
+}
+
+/// Room for the cells of all fields.
+fn frame([[left, right], [bottom, top]]: [[f64; 2]; 2]) -> Chart {
+    let air = 0.04 * (right - left);
+    Chart {
+        id: "field".to_owned(),
+        caption: "Deformed neighbourhood of the cracks.".to_owned(),
+        x: ChartAxis::linear("x", "mm").over(ChartRange::Exact([left - air, right + air])),
+        y: ChartAxis::depth().over(ChartRange::Exact([-top - air, -bottom + air])),
+        aspect: ChartAspect::Equal,
+        ..Chart::default()
+    }
 }
 
 /// The files, and where the cracks are open in them.
-fn files(shown: &ShownRun) -> Table {
+fn files(page_data: &PageData) -> Table {
     let mut table = Table::new(["File", "Step", "x_{c}/a", "Crack faces", "Largest K_{I} (MPa√m)"]);
     table.caption = "Field files for ParaView and PyVista, with the open length of the crack faces. \
                      Warping by displacement_mm shows an opening only there; closed faces slide \
                      along each other"
         .to_owned();
     table.row([Cell::linked(FIELDS_FILE, FIELDS_FILE), "all files".into()]);
-    for (step, position) in shown.fields.files().take(ROWS) {
+    for (step, position) in page_data.fields.files().take(ROWS) {
         let file = field_file(step, position);
-        let histories = shown.histories(step);
+        let histories = page_data.histories(step);
         let at = position - 1;
         let place = histories.first().and_then(|history| history.xc_over_a.get(at));
         let ki = histories.iter().filter_map(|history| history.ki.get(at)).copied().reduce(f64::max);
-        let faces = shown.end_faces().find(|(end, _)| *end == step).map(|(_, faces)| open(&faces.cracks, at));
+        let faces =
+            page_data.end_faces().find(|(end, _)| *end == step).map(|(_, faces)| open(&faces.cracks, at));
         table.row([
             Cell::linked(file.rsplit('/').next().unwrap_or(&file), &file),
             step.to_string().into(),

@@ -3,12 +3,13 @@
 use super::data::{nearest, pieces};
 use super::facts;
 use super::stored::RunFolder;
-use crate::figures::Plot;
+use crate::chart::{Chart, ChartAspect, ChartAxis, ChartRange};
+use crate::figures::{Plot, chart};
 use crate::numbers::numbers;
 use crate::page::{Block, Section};
-use crate::pages::pictures::still;
-use crate::row::{CrackRow, NamedCrack};
-use crate::shown::Deflated;
+use crate::page_data::Deflated;
+use crate::row::{CrackRow, CrackState, NamedCrack};
+use crate::svg::ends;
 use railcrack::words::Choice;
 use railcrack_run::csv::TipRow;
 use serde_json::{Value, json};
@@ -24,13 +25,72 @@ const GROWS: &str = "grows";
 /// The section of the `row`, with the `named` cracks highlighted.
 pub(super) fn section(run: &RunFolder, row: &CrackRow, named: &[NamedCrack], plots: &[Plot]) -> Section {
     let data = data(run, row, named);
-    let mut blocks = vec![Block::Viewer { html: MAP, data_id: "row-data", data, script: MAP_SCRIPT }];
-    blocks.extend(still(plots, "row.svg", ""));
+    let mut blocks = vec![Block::Viewer {
+        id: "row-map",
+        html: MAP,
+        blocks: charts(run, row, plots).into_iter().map(Block::Chart).collect(),
+        data_id: "row-data",
+        data,
+        script: MAP_SCRIPT,
+    }];
     blocks.extend(facts::cracks(run).map(|table| Block::Folded {
         heading: format!("Table of the {} cracks", row.cracks.len()),
         blocks: vec![Block::Table(table.sortable())],
     }));
     Section { id: "row".to_owned(), heading: "The row of cracks".to_owned(), blocks }
+}
+
+/// The charts of the map: the cracks along the rail by depth and by other quantities, over all
+/// steps. Without a script they show what the plots do.
+fn charts(run: &RunFolder, row: &CrackRow, plots: &[Plot]) -> Vec<Chart> {
+    let states = || row.cracks.iter().flat_map(|crack| &crack.states);
+    let cracks = run.summary.cracks.iter();
+    let points = cracks.flat_map(|crack| crack.points_mm.iter().chain(crack.path_mm.iter().flatten()));
+    let [left, right] = ends(points.clone().map(|point| point[0]));
+    let air = 0.008 * (right - left) + 0.2;
+    let deepest = points.map(|point| -point[1]).fold(1e-6, f64::max);
+    let over = |id: &str, caption: &str, y: ChartAxis| Chart {
+        id: format!("row-{id}"),
+        caption: caption.to_owned(),
+        x: ChartAxis::linear("x along the rail", "mm").over(ChartRange::Exact([left - air, right + air])),
+        y,
+        curves: chart(plots, &format!("row-{id}")).map_or_else(Vec::new, |chart| chart.curves),
+        aspect: ChartAspect::Long,
+        ..Chart::default()
+    };
+    let around = |label: &str, unit: &str, of: &dyn Fn(&CrackState) -> f64| {
+        let [low, high] = ends(states().map(of));
+        let air = 0.06 * (high - low).max(1e-3 * high.abs()).max(1e-9);
+        ChartAxis::linear(label, unit).over(ChartRange::Exact([low - air, high + air]))
+    };
+    let [low, high] = ends(states().map(|state| state.rate).filter(|rate| *rate > 0.0));
+    let rates =
+        if high > low { [0.8 * low, 1.25 * high] } else { [0.5 * high.max(1e-12), 2.0 * high.max(1e-12)] };
+    let growths = row
+        .cracks
+        .iter()
+        .flat_map(|crack| crack.states.iter().map(|state| state.length - crack.first().length));
+    let [least, most] = ends(growths.chain([0.0]));
+    let growths = [least - 0.06 * (most - least).max(1e-6), most + 0.06 * (most - least).max(1e-6)];
+    vec![
+        over(
+            "depth",
+            "Paths of the cracks.",
+            ChartAxis::depth().over(ChartRange::Exact([0.0, 1.06 * deepest])),
+        ),
+        over("length", "Length of the cracks.", around("Length", "mm", &|state| state.length)),
+        over(
+            "growth",
+            "Growth of the cracks.",
+            ChartAxis::linear("Growth since step 0", "mm").over(ChartRange::Exact(growths)),
+        ),
+        over("keq", "ΔK_{eq} of the cracks.", around("ΔK_{eq}", "MPa√m", &|state| state.delta_keq)),
+        over(
+            "rate",
+            "Growth rate of the cracks.",
+            ChartAxis::logarithmic("Growth rate", "mm per cycle").over(ChartRange::Exact(rates)),
+        ),
+    ]
 }
 
 /// The places among the steps of `row` that the page has: all, or every 2ⁿ-th and the last.
@@ -56,14 +116,13 @@ fn data(run: &RunFolder, row: &CrackRow, named: &[NamedCrack]) -> Value {
         });
         codes.push(code as u8);
     }
-    let packed = |of: fn(&crate::row::CrackState) -> f64| {
-        Deflated::singles(&states().map(|state| of(&state)).collect::<Vec<_>>())
-    };
+    let packed =
+        |of: fn(&CrackState) -> f64| Deflated::singles(&states().map(|state| of(&state)).collect::<Vec<_>>());
     let worn = run.summary.cracks.iter().any(|crack| crack.path_mm.is_some());
     let path = |crack: &railcrack_run::CrackSummary| -> Vec<Value> {
         crack.path_mm.as_ref().unwrap_or(&crack.points_mm).iter().map(|point| numbers(*point)).collect()
     };
-    let (ends, removed) = ends(run, row, &places);
+    let (points, removed) = end_points(run, row, &places);
     json!({
         "steps": places.iter().map(|&place| row.steps[place]).collect::<Vec<_>>(),
         "last_step": row.steps.last(),
@@ -76,7 +135,7 @@ fn data(run: &RunFolder, row: &CrackRow, named: &[NamedCrack]) -> Value {
         "rate": packed(|state| state.rate),
         "stop": Deflated::of(&codes),
         "stops": words.iter().map(|word| stop_words(word)).collect::<Vec<_>>(),
-        "ends": Deflated::levels(&ends, ends.len()),
+        "ends": Deflated::levels(&points, points.len()),
         "removed": numbers(removed),
         // Without removal of the surface, the explorer has the paths.
         "paths": worn.then(|| run.summary.cracks.iter().map(path).collect::<Vec<_>>()),
@@ -100,7 +159,7 @@ fn stop_words(word: &str) -> String {
 
 /// By step and crack, the first and the last point of the path that the crack has; and what of the
 /// surface is removed by step.
-fn ends(run: &RunFolder, row: &CrackRow, places: &[usize]) -> (Vec<u16>, Vec<f64>) {
+fn end_points(run: &RunFolder, row: &CrackRow, places: &[usize]) -> (Vec<u16>, Vec<f64>) {
     let cracks = &run.summary.cracks;
     let path = |crack: usize| cracks[crack].path_mm.as_ref().unwrap_or(&cracks[crack].points_mm);
     let index = |place: usize| u16::try_from(place).unwrap_or(u16::MAX);
@@ -108,9 +167,9 @@ fn ends(run: &RunFolder, row: &CrackRow, places: &[usize]) -> (Vec<u16>, Vec<f64
     let whole: Vec<[u16; 2]> =
         (0..cracks.len()).map(|crack| [0, index(path(crack).len().saturating_sub(1))]).collect();
     let mut side: BTreeMap<(usize, usize), usize> = BTreeMap::new();
-    let (mut ends, mut removed) = (Vec::new(), Vec::new());
+    let (mut points, mut removed) = (Vec::new(), Vec::new());
     for (place, rows) in run.growth.chunk_by(|one, next| one.step == next.step).enumerate() {
-        let mut now = whole.clone();
+        let mut of_cracks = whole.clone();
         let of_step = rows[0].removed.unwrap_or(0.0);
         for TipRow { crack, tip, place, .. } in rows {
             let Some(at) = crack.checked_sub(1).filter(|&at| at < cracks.len()) else { continue };
@@ -118,12 +177,12 @@ fn ends(run: &RunFolder, row: &CrackRow, places: &[usize]) -> (Vec<u16>, Vec<f64
             let end = *side
                 .entry((*crack, *tip))
                 .or_insert_with(|| usize::from(nearest(&cracks[at].initial_points_mm, *place) > 0));
-            now[at][end] = index(nearest(path(at), [place[0], place[1] - of_step]));
+            of_cracks[at][end] = index(nearest(path(at), [place[0], place[1] - of_step]));
         }
         if place < row.steps.len() && places.contains(&place) {
-            ends.extend(now.into_iter().flatten());
+            points.extend(of_cracks.into_iter().flatten());
             removed.push(of_step);
         }
     }
-    (ends, removed)
+    (points, removed)
 }

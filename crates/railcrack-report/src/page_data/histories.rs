@@ -1,6 +1,6 @@
 //! K over the stabilised passages.
 
-use super::of_steps::OfSteps;
+use super::step_table::StepTable;
 use super::thinned::Thinned;
 use crate::chart::CATEGORIES;
 use railcrack_run::OutputError;
@@ -14,11 +14,11 @@ const OF_MANY: usize = 4 * VALUES;
 
 /// The histories of the steps shown, by wheel. Those of a mix in the plane may take twice as much.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct ShownHistories {
+pub(crate) struct HistoryData {
     pub steps: Thinned<Vec<Vec<History>>>,
 }
 
-impl OfSteps for ShownHistories {
+impl StepTable for HistoryData {
     type OfStep = Vec<Vec<History>>;
     type TableRow = SifRow;
 

@@ -1,67 +1,50 @@
-//! The page of a growth run in space.
+//! Cracks in space on the page of a run: fronts, tables, assumptions.
 
-mod wheels;
-
-use super::pictures::{charts, still};
-use super::run::{
-    RunFolder, banner, case_section, decision, ending, long_rail, passage_of, stop_of, stop_sentence,
-    warning_count, warnings,
-};
-use crate::figures::{Plot, WheelPassage};
-use crate::numbers::{fixed, formula, given, grouped, number, numbers, significant, tonnage};
-use crate::page::{Block, Fact, Page, Section};
-use crate::shown::{Deflated, ShownRun};
+use super::assumptions::long_rail;
+use super::facts::{ending, stop_of, stop_sentence};
+use super::stored::RunFolder;
+use super::{RunParts, front_data, front_wheels, steps_section, warnings};
+use crate::figures::{Plot, charts};
+use crate::numbers::{fixed, formula, given, grouped, significant, tonnage};
+use crate::page::{Block, Fact, Section};
+use crate::page_data::PageData;
 use crate::table::Table;
 use railcrack::contact::FluidModel;
 use railcrack::fatigue::GrowthLaw;
-use railcrack::growth::{FrontShape, MouthStrip, RunStop, TipStop};
-use railcrack::space::{VERTEX_LAYER, WheelPatch};
+use railcrack::growth::{RunStop, TipStop};
+use railcrack::space::WheelPatch;
 use railcrack_case::{Case, SpaceCase};
 use railcrack_run::csv::TipRow;
-use railcrack_run::run_folder::History;
-use serde_json::{Value, json};
 
-const EXPLORER: &str = include_str!("../../assets/space.html");
-const EXPLORER_SCRIPT: &str = include_str!("../../assets/space.js");
-/// Maximum number of rows of the table of steps; `growth.csv` has all.
-const TABLE_ROWS: usize = 500;
-
-/// The page of a run with its histories `shown` and its `plots`.
-pub(crate) fn space_page(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, plots: &[Plot]) -> Page {
-    let warnings = warnings(run);
-    let mut page = Page {
-        title: run.summary.title.clone(),
-        kind: "Crack growth in space under rolling contact".to_owned(),
-        decision: banner(run),
-        verdict: verdict(run),
-        facts: facts(run, warning_count(run)),
-        lead: Vec::new(),
-        sections: Vec::new(),
-    };
-    if !warnings.is_empty() {
-        page.lead.push(Block::Warnings(warnings));
-    }
+/// What the page of `run` says of cracks in space.
+pub(super) fn parts(run: &RunFolder, space: &SpaceCase, page_data: &PageData, plots: &[Plot]) -> RunParts {
+    let (mut growth, mut sections) = (Vec::new(), Vec::new());
     if run.summary.steps_recorded > 0 {
-        page.lead.push(charts(plots, &["length-cycles", "along-front"]));
-        page.lead.push(front_table(run));
-        page.lead.extend(wheels::wheels(run, space));
-        page.lead.extend(wheels::drawn(run, plots));
-    }
-    page.lead.extend(decision(run));
-    page.lead.push(Block::Heading("Assumptions".to_owned()));
-    page.lead.push(Block::List(assumptions(run, space)));
-    if run.summary.steps_recorded > 0 {
-        page.sections.push(explorer(run, space, shown, plots));
-        page.sections.extend(whole_passage(run, plots));
-        page.sections.push(Section {
+        growth.push(charts(plots, &["length-cycles", "along-front"]));
+        growth.push(front_table(run));
+        growth.extend(front_wheels::wheels(run, space));
+        growth.extend(front_wheels::drawn(run, plots));
+        sections.push(front_data::explorer(run, space, page_data));
+        sections.extend(whole_passage(run, plots));
+        sections.push(Section {
             id: "fronts".to_owned(),
-            heading: "Fronts".to_owned(),
-            blocks: vec![charts(plots, &["from-above", "from-the-front", "from-the-side"])],
+            heading: "Fronts and K over the passage".to_owned(),
+            blocks: vec![charts(
+                plots,
+                &["from-above", "from-the-front", "from-the-side", "ki", "kii", "kiii"],
+            )],
         });
-        page.sections.push(steps(run));
+        sections.push(steps(run));
     }
-    page.sections.push(case_section(run));
-    page
+    RunParts {
+        kind: "Crack growth in space under rolling contact",
+        verdict: verdict(run),
+        facts: facts(run, warnings::count(run)),
+        growth,
+        tables: Vec::new(),
+        assumptions: assumptions(run, space),
+        sections,
+    }
 }
 
 /// The deepest point of a crack, counted from 1, in the first and in the last step.
@@ -87,7 +70,7 @@ fn is_folded(run: &RunFolder) -> bool {
 }
 
 /// Number of cracks.
-fn cracks(run: &RunFolder) -> usize {
+pub(super) fn cracks(run: &RunFolder) -> usize {
     run.summary.cracks.len()
 }
 
@@ -263,7 +246,7 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
                     own.harmonics()
                 )
             ),
-            given((100.0 * layer(case).to_degrees()).round() / 100.0),
+            given((100.0 * front_data::layer(case).to_degrees()).round() / 100.0),
             if is_folded(run) { " or of the fold, and as much of either end of the strip," } else { "" }
         ),
         format!(
@@ -354,15 +337,6 @@ fn frictions(of_cracks: &[f64]) -> String {
     different.iter().copied().map(given).collect::<Vec<_>>().join(", ")
 }
 
-fn explorer(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, plots: &[Plot]) -> Section {
-    let data = data(run, space, shown);
-    let mut blocks =
-        vec![Block::Viewer { html: EXPLORER, data_id: "space-data", data, script: EXPLORER_SCRIPT }];
-    let stills = ["ki.svg", "kii.svg", "kiii.svg", "paths.svg"].map(|file| still(plots, file, ""));
-    blocks.extend(stills.into_iter().flatten());
-    Section { id: "passage".to_owned(), heading: "Passage of the wheel".to_owned(), blocks }
-}
-
 /// K over the whole passage; none for a rail without bending.
 fn whole_passage(run: &RunFolder, plots: &[Plot]) -> Option<Section> {
     run.case.wheel.load.track.as_ref()?;
@@ -371,124 +345,6 @@ fn whole_passage(run: &RunFolder, plots: &[Plot]) -> Option<Section> {
         id: "far".to_owned(),
         heading: "The whole passage, in metres".to_owned(),
         blocks: vec![Block::Text(text.to_owned()), charts(plots, &["ki-far", "kii-far", "kiii-far"])],
-    })
-}
-
-fn data(run: &RunFolder, space: &SpaceCase, shown: &ShownRun) -> Value {
-    let histories = shown.by_wheel(0);
-    let passages: Vec<WheelPassage> = (0..histories.len()).map(|wheel| passage_of(run, wheel)).collect();
-    let steps: Vec<Value> =
-        shown.steps().into_iter().map(|step| step_data(run, space, shown, step, &passages)).collect();
-    let cracks = run.summary.cracks.first();
-    let origin = cracks.and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |p| p[0]);
-    let wheel =
-        |(i, ((passage, histories), patch)): (usize, ((&WheelPassage, &Vec<History>), &WheelPatch))| {
-            let wheel = patch.outline();
-            let mixed = run.case.mix.get(i);
-            let xc_over_a: &[f64] = histories.first().map_or(&[], |history| &history.xc_over_a);
-            json!({
-                "name": mixed.map(|mixed| &mixed.name),
-                "share": mixed.map(|mixed| number(mixed.share)),
-                "half_width": number(wheel.half_width),
-                "lateral_half_width": number(wheel.lateral_half_width),
-                "lateral": number(wheel.lateral),
-                // With bending the passage has distant positions, which the charts in metres show.
-                "positions": numbers(xc_over_a[passage.near(xc_over_a)].iter().copied()),
-            })
-        };
-    let wheels = passages.iter().zip(histories).zip(&space.wheels).enumerate().map(wheel);
-    json!({
-        "wheels": wheels.collect::<Vec<_>>(),
-        "origin": origin,
-        "cracks": space.shapes.iter().map(|shape| json!({
-            "dip": shape.dip,
-            "strike": shape.strike,
-            "middle": shape.middle.map(number),
-            "buried": shape.buried.is_some(),
-        })).collect::<Vec<_>>(),
-        "layer": layer(&run.case).to_degrees(),
-        "last_step": run.summary.steps_recorded.saturating_sub(1),
-        "steps": steps,
-    })
-}
-
-/// Half-width (radians of φ) of the layer next to the surface in which K does not count.
-fn layer(case: &Case) -> f64 {
-    let shapes = case.space.iter().flat_map(|space| &space.shapes);
-    shapes.map(|shape| shape.division(case.mesh.space).layer()).fold(VERTEX_LAYER, f64::min)
-}
-
-/// The way down a crack in one step.
-struct WayDown {
-    dip: f64,
-    /// The strip of a folded crack, as far as wear has left it.
-    strip: Option<MouthStrip>,
-}
-
-impl WayDown {
-    /// That of a crack of this shape, from the points of its front; a worn strip has none.
-    fn of(shape: &FrontShape, front: &[&TipRow]) -> Self {
-        let depth = |row: &&&TipRow| (row.phi_deg == Some(0.0)).then(|| -row.place[1]);
-        let is_folded = front.iter().any(|row| row.phi_deg.is_some_and(|phi| phi < 0.0));
-        let at_fold = front.iter().find_map(|row| depth(&row)).filter(|_| is_folded);
-        let left = |(strip, fold): (MouthStrip, f64)| MouthStrip { length: fold / strip.dip.sin(), ..strip };
-        Self { dip: shape.dip, strip: shape.strip.zip(at_fold).map(left) }
-    }
-
-    /// Distance from the mouth (mm), over the fold, at a depth (mm).
-    fn to(&self, depth: f64) -> f64 {
-        self.strip.map_or_else(|| depth / self.dip.sin(), |strip| strip.way_to(depth, self.dip))
-    }
-}
-
-fn step_data(
-    run: &RunFolder,
-    space: &SpaceCase,
-    shown: &ShownRun,
-    step: usize,
-    passages: &[WheelPassage],
-) -> Value {
-    let rows: Vec<&TipRow> = run.growth.iter().filter(|row| row.step == step).collect();
-    let point = |row: &&TipRow, way: Option<&WayDown>| {
-        let is_own = |history: &&History| (history.crack, history.tip) == (row.crack, row.tip);
-        let under = |(passage, histories): (&WheelPassage, &Vec<History>)| {
-            let history = histories.iter().find(is_own);
-            let packed = |k: fn(&History) -> &[f64]| {
-                history.map(|history| Deflated::singles(&k(history)[passage.near(&history.xc_over_a)]))
-            };
-            json!({
-                "ki": packed(|history| &history.ki),
-                "kii": packed(|history| &history.kii),
-                "kiii": packed(|history| &history.kiii),
-            })
-        };
-        json!({
-            "phi": number(row.phi_deg.unwrap_or(0.0)),
-            "x": number(row.place[0]),
-            "depth": number(-row.place[1]),
-            "down": way.map(|way| number(way.to(-row.place[1]))),
-            "z": number(row.lateral.unwrap_or(0.0)),
-            "delta_keq": number(row.delta_keq),
-            "rate": number(row.rate),
-            "wanted": row.wanted_kink_deg.map(number),
-            "wheels": passages.iter().zip(shown.by_wheel(step)).map(under).collect::<Vec<_>>(),
-        })
-    };
-    let crack = |number_of: usize| {
-        let own: Vec<&TipRow> = rows.iter().copied().filter(|row| row.crack == number_of).collect();
-        let way = space.shapes.get(number_of - 1).map(|shape| WayDown::of(shape, &own));
-        let fold = way.as_ref().and_then(|way| Some(number(way.strip?.length)));
-        json!({
-            "depth": own.first().map(|row| number(row.length)),
-            "fold": fold,
-            "half_length": own.first().and_then(|row| row.half_length).map(number),
-            "front": own.iter().map(|row| point(row, way.as_ref())).collect::<Vec<_>>(),
-        })
-    };
-    json!({
-        "step": step,
-        "cycles": rows.first().map(|row| row.load_cycles),
-        "cracks": (1..=cracks(run)).map(crack).collect::<Vec<_>>(),
     })
 }
 
@@ -506,7 +362,7 @@ fn steps(run: &RunFolder) -> Section {
         "Load cycles",
         "Stop",
     ]);
-    for row in run.growth.iter().take(TABLE_ROWS) {
+    for row in run.growth.iter().take(super::TABLE_ROWS) {
         table.row([
             row.step.to_string(),
             row.crack.to_string(),
@@ -521,14 +377,5 @@ fn steps(run: &RunFolder) -> Section {
             stop_of(run, row),
         ]);
     }
-    table.caption = "State at the start of each growth step; ranges over the stabilised passage".to_owned();
-    if run.growth.len() > TABLE_ROWS {
-        table.caption.push_str(&format!("; the first {TABLE_ROWS} rows of growth.csv"));
-    }
-    let heading = format!("{} rows", run.growth.len().min(TABLE_ROWS));
-    Section {
-        id: "steps".to_owned(),
-        heading: "All growth steps".to_owned(),
-        blocks: vec![Block::Folded { heading, blocks: vec![Block::Table(table)] }],
-    }
+    steps_section(run, table)
 }

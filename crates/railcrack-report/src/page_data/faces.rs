@@ -2,8 +2,8 @@
 //! many cracks only these two are kept, and a page shows some of the cracks. Under the other wheels
 //! of a mix, too, there are these two.
 
-use super::of_steps::OfSteps;
 use super::pack::{Deflated, Quantised, every, every_count, within};
+use super::step_table::StepTable;
 use super::thinned::Thinned;
 use crate::row::is_many;
 use railcrack::contact::FaceStatus;
@@ -291,7 +291,7 @@ impl OtherFaces {
 /// The faces of the steps shown, within the size limit: all steps and positions if possible,
 /// otherwise every 2ⁿ-th position, then every 2ⁿ-th step.
 #[derive(Debug, Clone)]
-pub(crate) struct ShownFaces {
+pub(crate) struct FacesData {
     pub steps: Thinned<PackedFaces>,
     /// Stride of the packed positions.
     pub stride: usize,
@@ -303,13 +303,13 @@ pub(crate) struct ShownFaces {
     most: usize,
 }
 
-impl Default for ShownFaces {
+impl Default for FacesData {
     fn default() -> Self {
         Self { steps: Thinned::default(), stride: 1, ends: Vec::new(), others: Vec::new(), most: STATES }
     }
 }
 
-impl ShownFaces {
+impl FacesData {
     pub(crate) fn of_record(&self, record: &StepRecord) -> Result<FacesOfStep, OutputError> {
         Ok(self.packed(StepFaces::by_wheel(FaceRow::of_step(record).map(Ok))?))
     }
@@ -365,7 +365,7 @@ impl ShownFaces {
     }
 }
 
-impl OfSteps for ShownFaces {
+impl StepTable for FacesData {
     type OfStep = FacesOfStep;
     type TableRow = FaceRow;
 
@@ -418,8 +418,8 @@ mod tests {
         StepFaces { cracks: vec![crack(1, 4), crack(3, 3)] }
     }
 
-    fn shown(steps: usize, positions: usize, most: usize) -> ShownFaces {
-        let mut shown = ShownFaces { most, ..ShownFaces::default() };
+    fn shown(steps: usize, positions: usize, most: usize) -> FacesData {
+        let mut shown = FacesData { most, ..FacesData::default() };
         for step in 0..steps {
             let part = shown.packed(vec![faces(step, positions)]);
             shown.push(step, part);
@@ -450,7 +450,7 @@ mod tests {
 
     #[test]
     fn other_wheels_have_the_first_and_the_last_step() {
-        let mut shown = ShownFaces::default();
+        let mut shown = FacesData::default();
         for step in 0..=4 {
             let mut wheels = vec![faces(step, 241)];
             if [0, 4].contains(&step) {

@@ -1,11 +1,11 @@
 //! The shown part of a run.
 
-use super::contact::{ContactOfStep, PackedContact, ShownContact};
-use super::faces::{CrackWindows, FacesOfStep, OtherFaces, PackedFaces, ShownFaces, StepFaces};
-use super::histories::ShownHistories;
-use super::neighbourhood::{PackedFields, ShownFields};
-use super::of_steps::{OfSteps, read_table};
-use super::wheels::{ShownWheels, UnderWheel};
+use super::contact::{ContactData, ContactOfStep, PackedContact};
+use super::faces::{CrackWindows, FacesData, FacesOfStep, OtherFaces, PackedFaces, StepFaces};
+use super::fields::{FieldData, PackedFields};
+use super::histories::HistoryData;
+use super::step_table::{StepTable, read_table};
+use super::wheels::{UnderWheel, WheelData};
 use railcrack::growth::StepRecord;
 use railcrack_run::OutputError;
 use railcrack_run::csv::{ContactRow, SifRow, SifScale, Table};
@@ -15,17 +15,17 @@ use std::path::Path;
 
 /// The shown part of a run.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct ShownRun {
-    histories: ShownHistories,
-    faces: ShownFaces,
-    contact: ShownContact,
-    wheels: ShownWheels,
-    pub fields: ShownFields,
+pub(crate) struct PageData {
+    histories: HistoryData,
+    faces: FacesData,
+    contact: ContactData,
+    wheels: WheelData,
+    pub fields: FieldData,
 }
 
 /// The shown part of one step.
 #[derive(Debug)]
-pub(crate) struct ShownStep {
+pub(crate) struct PageStep {
     step: usize,
     histories: Vec<Vec<History>>,
     faces: FacesOfStep,
@@ -34,7 +34,7 @@ pub(crate) struct ShownStep {
     fields: Option<PackedFields>,
 }
 
-impl ShownRun {
+impl PageData {
     /// The shown part of the first `steps` steps of the run in `folder`.
     ///
     /// Errors: a file is damaged; the system refuses.
@@ -44,11 +44,11 @@ impl ShownRun {
         }
         let (faces, (histories, fields)) = rayon::join(
             || read_table(folder, steps),
-            || (read_table(folder, steps), ShownFields::read(folder, steps)),
+            || (read_table(folder, steps), FieldData::read(folder, steps)),
         );
         // Only wheels that feel the cracks have this table.
         let is_coupled = folder.join(ContactRow::FILE).is_file();
-        let contact = if is_coupled { read_table(folder, steps)? } else { ShownContact::default() };
+        let contact = if is_coupled { read_table(folder, steps)? } else { ContactData::default() };
         let wheels = read_table(folder, steps)?;
         // In the order of the files, so that the first error is reported.
         Ok(Self { histories: histories?, faces: faces?, contact, wheels, fields: fields? })
@@ -57,19 +57,19 @@ impl ShownRun {
     /// The shown part of a recorded step.
     ///
     /// Errors: its fields do not belong together.
-    pub(crate) fn of_record(&self, record: &StepRecord, scale: &SifScale) -> Result<ShownStep, OutputError> {
-        Ok(ShownStep {
+    pub(crate) fn of_record(&self, record: &StepRecord, scale: &SifScale) -> Result<PageStep, OutputError> {
+        Ok(PageStep {
             step: record.step,
             histories: History::by_wheel(SifRow::of_step(record, scale).map(Ok))?,
             faces: self.faces.of_record(record)?,
-            contact: ShownContact::of_record(record)?,
-            wheels: ShownWheels::of_record(record),
-            fields: ShownFields::of_record(record)?,
+            contact: ContactData::of_record(record)?,
+            wheels: WheelData::of_record(record),
+            fields: FieldData::of_record(record)?,
         })
     }
 
     /// Adds the step after the last one.
-    pub(crate) fn push(&mut self, step: ShownStep) {
+    pub(crate) fn push(&mut self, step: PageStep) {
         self.histories.push(step.step, step.histories);
         self.faces.push(step.step, step.faces);
         self.contact.push(step.step, step.contact);
@@ -121,7 +121,7 @@ impl ShownRun {
         self.faces.near(step, windows)
     }
 
-    /// Stride of the positions in [`ShownRun::faces`].
+    /// Stride of the positions in [`PageData::faces`].
     pub(crate) fn face_stride(&self) -> usize {
         self.faces.stride
     }

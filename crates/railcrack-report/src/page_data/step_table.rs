@@ -9,7 +9,7 @@ use std::path::Path;
 const AT_ONCE: usize = 4;
 
 /// Parts of a table, collected step by step.
-pub(super) trait OfSteps: Sync {
+pub(super) trait StepTable: Sync {
     /// The part of one step.
     type OfStep: Send;
     /// The rows of the table.
@@ -28,7 +28,7 @@ pub(super) trait OfSteps: Sync {
 /// The shown part of a table for the first `steps` steps of the run in `folder`.
 ///
 /// Errors: the table is damaged; the system refuses.
-pub(super) fn read_table<S: OfSteps + Default>(folder: &Path, steps: usize) -> Result<S, OutputError> {
+pub(super) fn read_table<S: StepTable + Default>(folder: &Path, steps: usize) -> Result<S, OutputError> {
     let mut shown = S::default();
     let mut waiting: Vec<StepBlock<S::TableRow>> = Vec::new();
     let take = |shown: &mut S, waiting: &mut Vec<StepBlock<S::TableRow>>| -> Result<(), OutputError> {

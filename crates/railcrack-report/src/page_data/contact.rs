@@ -1,8 +1,8 @@
 //! The pressure of a wheel that feels the cracks, at the nodes of the running surface.
 
 use super::faces::by_point;
-use super::of_steps::OfSteps;
 use super::pack::{Deflated, Quantised};
+use super::step_table::StepTable;
 use super::thinned::Thinned;
 use railcrack::growth::StepRecord;
 use railcrack_run::OutputError;
@@ -69,12 +69,12 @@ impl ContactOfStep {
 /// The pressures of the steps shown, within the size limit: every 2ⁿ-th step. Of the other wheels
 /// of a mix the first and the last step, as many wheels as fit into the same limit.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct ShownContact {
+pub(crate) struct ContactData {
     steps: Thinned<PackedContact>,
     others: Vec<(usize, ContactOfStep)>,
 }
 
-impl ShownContact {
+impl ContactData {
     pub(crate) fn of_record(record: &StepRecord) -> Result<ContactOfStep, OutputError> {
         ContactOfStep::of_rows(ContactRow::of_step(record).map(Ok))
     }
@@ -91,7 +91,7 @@ impl ShownContact {
     }
 }
 
-impl OfSteps for ShownContact {
+impl StepTable for ContactData {
     type OfStep = ContactOfStep;
     type TableRow = ContactRow;
 
@@ -154,7 +154,7 @@ mod tests {
             gap: 0.0,
             wheel: Some(wheel),
         };
-        let mut shown = ShownContact::default();
+        let mut shown = ContactData::default();
         for (step, wheels) in [(0, 2..=3), (1, 1..=1), (2, 1..=3)] {
             let rows = wheels.map(|wheel| Ok(row(step, wheel)));
             let part = ContactOfStep::of_rows(rows).unwrap();

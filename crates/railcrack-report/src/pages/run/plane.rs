@@ -1,0 +1,227 @@
+//! Cracks in the plane on the page of a run: growth, passage, tables.
+
+use super::{
+    RunParts, assumptions, data, events, facts, fields, lengths, lips, passage, rail_bending, row_map,
+    steps_section, stored::RunFolder, warnings,
+};
+use crate::chart::{Chart, ChartAxis, Curve, CurveColour, CurveDots, CurveLook};
+use crate::figures::{Plot, bundle, chart};
+use crate::numbers::{fixed, given, grouped, significant, tonnage};
+use crate::page::{Block, Section};
+use crate::page_data::PageData;
+use crate::row::{CrackRow, NamedCrack, is_many, named};
+use crate::table::Table;
+use railcrack_run::csv::TipRow;
+use railcrack_run::decision::Quantiles;
+
+const EXPLORER_SCRIPT: &str = include_str!("../../assets/run.js");
+/// Maximum number of columns of a table with a chart to its right, also in print.
+const BESIDE_COLUMNS: usize = 5;
+
+/// What the page of `run` says of cracks in the plane.
+pub(super) fn parts(run: &RunFolder, page_data: &PageData, plots: &[Plot]) -> RunParts {
+    let row =
+        is_many(run.summary.cracks.len()).then(|| CrackRow::of(&run.summary.cracks, &run.growth)).flatten();
+    let named: Option<Vec<NamedCrack>> = row.as_ref().map(named);
+    let named = named.as_deref();
+    let lengths = lengths::lengths(run, named);
+    let mut by_cycles = chart(plots, "length-cycles").filter(|_| lengths.is_some());
+    let depths = depth_by_tonnage(run, named)
+        .map(|depths| Block::charts([depths].into_iter().chain(by_cycles.take())));
+    let mut after = match (lengths, by_cycles) {
+        // A table of many cracks needs the whole width.
+        (Some(table), Some(chart)) if table.headings.len() <= BESIDE_COLUMNS => {
+            vec![Block::Beside(vec![Block::Table(table), Block::charts([chart])])]
+        }
+        (table, chart) => {
+            let chart = chart.map(|chart| Block::charts([chart]));
+            table.map(Block::Table).into_iter().chain(chart).collect()
+        }
+    };
+    if row.is_none() {
+        after.extend(facts::cracks(run).map(Block::Table));
+    }
+    after.extend(events::table(run).map(Block::Table));
+    let mut sections = Vec::new();
+    if run.summary.steps_recorded > 0 {
+        sections.extend(row.as_ref().zip(named).map(|(row, named)| row_map::section(run, row, named, plots)));
+        sections.push(explorer(run, page_data, named, plots));
+        sections.extend(rail_bending::section(run, plots));
+        sections.extend(water(plots));
+        sections.extend(lips::section(run, page_data));
+        sections.extend(fields::section(page_data));
+        sections.push(growth(run, named, warnings::remarks(run, page_data, named)));
+        sections.push(steps(run));
+    }
+    RunParts {
+        kind: "Crack growth under rolling contact",
+        verdict: facts::verdict(run),
+        facts: facts::facts(run, warnings::count(run)),
+        growth: depths.into_iter().collect(),
+        tables: after,
+        assumptions: assumptions::assumptions(run),
+        sections,
+    }
+}
+
+/// The passage of every wheel.
+fn explorer(run: &RunFolder, page_data: &PageData, named: Option<&[NamedCrack]>, plots: &[Plot]) -> Section {
+    let viewer = Block::Viewer {
+        id: "explorer",
+        html: super::EXPLORER,
+        blocks: passage::charts(run, page_data, named, plots),
+        data_id: "run-data",
+        data: data::explorer(run, page_data, named),
+        script: EXPLORER_SCRIPT,
+    };
+    Section { id: "passage".to_owned(), heading: "Passage of the wheel".to_owned(), blocks: vec![viewer] }
+}
+
+/// Pressure and volume of the fluid in the cracks; none of dry ones.
+fn water(plots: &[Plot]) -> Option<Section> {
+    let charts: Vec<Chart> =
+        ["fluid-pressure", "fluid-volume"].into_iter().filter_map(|id| chart(plots, id)).collect();
+    (!charts.is_empty()).then(|| Section {
+        id: "water".to_owned(),
+        heading: "Fluid in the cracks".to_owned(),
+        blocks: vec![Block::charts(charts)],
+    })
+}
+
+fn growth(run: &RunFolder, named: Option<&[NamedCrack]>, remarks: Vec<String>) -> Section {
+    let mut blocks = Vec::new();
+    if run.summary.steps_recorded > 1 {
+        let chart = |id: &str, caption: &str, x: ChartAxis, point: fn(&TipRow) -> [f64; 2]| Chart {
+            id: id.to_owned(),
+            caption: caption.to_owned(),
+            x,
+            y: ChartAxis::logarithmic("da/dN", "mm/cycle"),
+            curves: curves(run, named, point),
+            ..Chart::default()
+        };
+        blocks.push(Block::charts([chart(
+            "rate-length",
+            "Growth rate against crack length.",
+            ChartAxis::linear("Crack length", "mm"),
+            |row| [row.length, row.rate],
+        )]));
+    }
+    if !remarks.is_empty() {
+        blocks.push(Block::List(remarks));
+    }
+    Section { id: "growth".to_owned(), heading: "Growth".to_owned(), blocks }
+}
+
+/// Quantiles of the depth over traffic, where there is scatter.
+fn quantiles(run: &RunFolder) -> Vec<Curve> {
+    let decision = run.summary.decision.as_ref();
+    let Some(scatter) = decision.and_then(|decision| decision.scatter.as_ref()) else { return Vec::new() };
+    let of = |name: &str, quantile: fn(&Quantiles) -> Option<f64>| {
+        let points = scatter.depth.iter().filter_map(|at| Some([at.mgt, quantile(&at.depth_mm)?]));
+        Curve::line(name, points.collect()).with_look(CurveLook::Dashed)
+    };
+    vec![
+        of("5 % quantile of the samples", |depth| depth.p05),
+        of("95 % quantile of the samples", |depth| depth.p95),
+    ]
+}
+
+/// The `curves` of the run and others: then the curve of a single tip needs a name, too.
+fn named_beside(mut curves: Vec<Curve>, others: Vec<Curve>) -> Vec<Curve> {
+    if let ([only], false) = (&mut curves[..], others.is_empty())
+        && only.name.is_empty()
+    {
+        only.name = "this run".to_owned();
+    }
+    curves.extend(others);
+    curves
+}
+
+/// Depth of the tips against million gross tonnes; none without growth or without axle loads.
+fn depth_by_tonnage(run: &RunFolder, named: Option<&[NamedCrack]>) -> Option<Chart> {
+    let load = run.case.axle_load.filter(|_| run.summary.steps_recorded > 1)?;
+    Some(Chart {
+        id: "depth-mgt".to_owned(),
+        caption: format!(
+            "Depth of the tip below the running surface against traffic, at {} t per axle.",
+            given(load)
+        ),
+        x: ChartAxis::linear("Traffic", "million gross tonnes"),
+        y: ChartAxis::depth(),
+        curves: named_beside(
+            curves(run, named, |row| [1e-6 * load * row.load_cycles, -row.place[1]]),
+            quantiles(run),
+        ),
+        ..Chart::default()
+    })
+}
+
+/// A curve for each tip, unnamed for a single tip, which needs no legend. For many cracks only the
+/// `named` ones are named.
+fn curves(run: &RunFolder, named: Option<&[NamedCrack]>, point: impl Fn(&TipRow) -> [f64; 2]) -> Vec<Curve> {
+    let tips = run.tips();
+    let has_two = tips.iter().any(|&(_, tip)| tip > 1);
+    let curve = |(place, &(crack, tip)): (usize, &(usize, usize))| {
+        let name = match (tips.len(), has_two) {
+            (1, _) => String::new(),
+            (_, false) => format!("crack {crack}"),
+            (_, true) => format!("crack {crack}, tip {tip}"),
+        };
+        Curve::line(&name, run.history(crack, tip).map(&point).collect())
+            .with_dots(CurveDots::All)
+            .with_colour(CurveColour::of(place, tips.len()))
+    };
+    let curves: Vec<Curve> = tips.iter().enumerate().map(curve).collect();
+    match named {
+        Some(named) => bundle(named, tips.iter().map(|&(crack, _)| crack).zip(curves).collect()),
+        None => curves,
+    }
+}
+
+fn steps(run: &RunFolder) -> Section {
+    let load = run.case.axle_load;
+    let mut headings = vec![
+        "Step",
+        "Crack",
+        "Tip",
+        "Length (mm)",
+        "x (mm)",
+        "Depth (mm)",
+        "ΔK_{I} (MPa√m)",
+        "ΔK_{II} (MPa√m)",
+        "ΔK_{eq} (MPa√m)",
+        "Kink (°)",
+        "Secondary maximum (°)",
+        "Ratio to the main maximum",
+        "Rate (mm/cycle)",
+        "Load cycles",
+    ];
+    if load.is_some() {
+        headings.push("Million gross tonnes");
+    }
+    headings.push("Stop");
+    let mut table = Table::new(headings);
+    let degrees = |angle: Option<f64>| angle.map_or_else(String::new, |angle| fixed(angle, 1));
+    for row in run.growth.iter().take(super::TABLE_ROWS) {
+        let mut cells = vec![
+            row.step.to_string(),
+            row.crack.to_string(),
+            row.tip.to_string(),
+            fixed(row.length, 3),
+            fixed(row.place[0], 3),
+            fixed(-row.place[1], 3),
+            fixed(row.delta_ki, 3),
+            fixed(row.delta_kii, 3),
+            fixed(row.delta_keq, 3),
+            degrees(row.kink_deg),
+            degrees(row.rival_deg),
+            row.rival_ratio.map_or_else(String::new, |ratio| fixed(ratio, 3)),
+            significant(row.rate),
+            grouped(row.load_cycles),
+        ];
+        cells.extend(load.map(|load| tonnage(row.load_cycles * load / 1e6)));
+        cells.push(facts::stop_of(run, row));
+        table.row(cells);
+    }
+    steps_section(run, table)
+}
