@@ -1,6 +1,5 @@
 //! The law of Bold, Brown and Allen.
 
-use super::RateLaw;
 use super::rate_law::{COEFFICIENTS, CheckValue, Constant, LawConstants, LawDeclaration, LawInput, OwnRange, RATE_UNIT, Law};
 use crate::fatigue::EquivalentRange;
 use crate::words::Word;
@@ -43,6 +42,7 @@ pub(super) const DECLARATION: LawDeclaration = LawDeclaration {
         all: &[C],
         coefficient: C,
         exponent: None,
+        threshold: None,
         law: |values| match *values {
             [c] => Some(Bold { c }.into()),
             _ => None,
@@ -66,9 +66,5 @@ impl Law for Bold {
 
     fn constants(&self) -> Vec<f64> {
         vec![self.c]
-    }
-
-    fn times(&self, factor: f64) -> RateLaw {
-        Self { c: self.c * factor }.into()
     }
 }

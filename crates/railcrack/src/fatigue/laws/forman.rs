@@ -1,6 +1,5 @@
 //! Forman's law.
 
-use super::RateLaw;
 use super::rate_law::{CheckValue, Constant, EXPONENTS, K_UNIT, LawConstants, LawDeclaration, LawInput, RATE_UNIT, Law, above};
 use crate::words::Word;
 
@@ -53,6 +52,7 @@ pub(super) const DECLARATION: LawDeclaration = LawDeclaration {
         all: &[C, M, KC, Constant::THRESHOLD],
         coefficient: C,
         exponent: Some(M),
+        threshold: Some(Constant::THRESHOLD),
         law: |values| match *values {
             [c, m, kc, threshold] => Some(Forman { c, m, kc, threshold }.into()),
             _ => None,
@@ -75,23 +75,11 @@ impl Law for Forman {
         format!("{c:e} dK^{m}/((1-R) {kc} - dK){}", above(threshold))
     }
 
-    fn threshold(&self) -> Option<f64> {
-        Some(self.threshold)
-    }
-
-    fn with_threshold(&self, threshold: f64) -> Option<RateLaw> {
-        Some(Self { threshold, ..*self }.into())
-    }
-
     fn exponent(&self) -> f64 {
         self.m
     }
 
     fn constants(&self) -> Vec<f64> {
         vec![self.c, self.m, self.kc, self.threshold]
-    }
-
-    fn times(&self, factor: f64) -> RateLaw {
-        Self { c: self.c * factor, ..*self }.into()
     }
 }

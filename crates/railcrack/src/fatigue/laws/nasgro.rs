@@ -1,6 +1,5 @@
 //! The law of NASGRO.
 
-use super::RateLaw;
 use super::rate_law::{COEFFICIENTS, CheckValue, Constant, EXPONENTS, K_UNIT, LawConstants, LawDeclaration, LawInput, RATE_UNIT, Law};
 use crate::words::Word;
 use std::f64::consts::PI;
@@ -98,6 +97,7 @@ pub(super) const DECLARATION: LawDeclaration = LawDeclaration {
         all: &[C, N, P, Q, THRESHOLD, KC, ALPHA, S],
         coefficient: C,
         exponent: Some(N),
+        threshold: Some(THRESHOLD),
         law: |values| match *values {
             [c, n, p, q, threshold, kc, alpha, s] => {
                 Some(Nasgro { c, n, p, q, threshold, kc, alpha, s }.into())
@@ -123,23 +123,11 @@ impl Law for Nasgro {
         format!("{c:e} [(1-f)/(1-R) dK]^{n} (1 - {threshold}/dK)^{p}/(1 - Kmax/{kc})^{q}")
     }
 
-    fn threshold(&self) -> Option<f64> {
-        Some(self.threshold)
-    }
-
-    fn with_threshold(&self, threshold: f64) -> Option<RateLaw> {
-        Some(Self { threshold, ..*self }.into())
-    }
-
     fn exponent(&self) -> f64 {
         self.n
     }
 
     fn constants(&self) -> Vec<f64> {
         vec![self.c, self.n, self.p, self.q, self.threshold, self.kc, self.alpha, self.s]
-    }
-
-    fn times(&self, factor: f64) -> RateLaw {
-        Self { c: self.c * factor, ..*self }.into()
     }
 }

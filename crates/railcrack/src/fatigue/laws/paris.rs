@@ -1,6 +1,5 @@
 //! Paris' law.
 
-use super::RateLaw;
 use super::rate_law::{COEFFICIENTS, CheckValue, Constant, EXPONENTS, LawConstants, LawDeclaration, LawInput, RATE_UNIT, Law, above};
 use crate::words::Word;
 
@@ -44,6 +43,7 @@ pub(super) const DECLARATION: LawDeclaration = LawDeclaration {
         all: &[C, M, Constant::THRESHOLD],
         coefficient: C,
         exponent: Some(M),
+        threshold: Some(Constant::THRESHOLD),
         law: |values| match *values {
             [c, m, threshold] => Some(Paris { c, m, threshold }.into()),
             _ => None,
@@ -61,23 +61,11 @@ impl Law for Paris {
         format!("{:e} dK^{}{}", self.c, self.m, above(self.threshold))
     }
 
-    fn threshold(&self) -> Option<f64> {
-        Some(self.threshold)
-    }
-
-    fn with_threshold(&self, threshold: f64) -> Option<RateLaw> {
-        Some(Self { threshold, ..*self }.into())
-    }
-
     fn exponent(&self) -> f64 {
         self.m
     }
 
     fn constants(&self) -> Vec<f64> {
         vec![self.c, self.m, self.threshold]
-    }
-
-    fn times(&self, factor: f64) -> RateLaw {
-        Self { c: self.c * factor, ..*self }.into()
     }
 }

@@ -1,6 +1,5 @@
 //! Paris' law with the threshold inside.
 
-use super::RateLaw;
 use super::rate_law::{CheckValue, Constant, LawConstants, LawDeclaration, LawInput, Law};
 use super::paris::{C, M};
 use crate::words::Word;
@@ -27,6 +26,7 @@ pub(super) const DECLARATION: LawDeclaration = LawDeclaration {
         all: &[C, M, Constant::THRESHOLD],
         coefficient: C,
         exponent: Some(M),
+        threshold: Some(Constant::THRESHOLD),
         law: |values| match *values {
             [c, m, threshold] => Some(ParisThreshold { c, m, threshold }.into()),
             _ => None,
@@ -44,23 +44,11 @@ impl Law for ParisThreshold {
         format!("{:e} (dK^{m} - {}^{m})", self.c, self.threshold, m = self.m)
     }
 
-    fn threshold(&self) -> Option<f64> {
-        Some(self.threshold)
-    }
-
-    fn with_threshold(&self, threshold: f64) -> Option<RateLaw> {
-        Some(Self { threshold, ..*self }.into())
-    }
-
     fn exponent(&self) -> f64 {
         self.m
     }
 
     fn constants(&self) -> Vec<f64> {
         vec![self.c, self.m, self.threshold]
-    }
-
-    fn times(&self, factor: f64) -> RateLaw {
-        Self { c: self.c * factor, ..*self }.into()
     }
 }

@@ -71,12 +71,35 @@ impl RateLaw {
 
     /// The threshold of the range, MPa√m; none where the law has no constant for it.
     pub(crate) fn threshold(&self) -> Option<f64> {
-        self.law().threshold()
+        let (_, place) = self.place_of(|of| of.threshold)?;
+        Some(self.constants()[place])
     }
 
     /// The same law with the threshold `threshold` (MPa√m), where it has a constant for it.
     pub(in crate::fatigue) fn with_threshold(&self, threshold: f64) -> Self {
-        self.law().with_threshold(threshold).unwrap_or_else(|| self.clone())
+        self.changed(|of| of.threshold, |_| threshold).unwrap_or_else(|| self.clone())
+    }
+
+    /// The constants that the law declares, and the place of one of them among their values.
+    fn place_of(
+        &self,
+        constant: impl Fn(&LawConstants) -> Option<Constant>,
+    ) -> Option<(&'static LawConstants, usize)> {
+        let LawInput::Constants(of) = self.declaration().input else { return None };
+        let constant = constant(of)?;
+        Some((of, of.all.iter().position(|one| one.key == constant.key)?))
+    }
+
+    /// The law with a constant changed; none where it has none of this kind.
+    fn changed(
+        &self,
+        constant: impl Fn(&LawConstants) -> Option<Constant>,
+        change: impl Fn(f64) -> f64,
+    ) -> Option<Self> {
+        let (of, place) = self.place_of(constant)?;
+        let mut values = self.constants();
+        values[place] = change(values[place]);
+        (of.law)(&values)
     }
 
     /// The ratio of the rates of two drives, far from a threshold.
@@ -106,7 +129,10 @@ impl RateLaw {
     /// This law with all its rates times `factor`.
     #[must_use]
     pub fn times(&self, factor: f64) -> Self {
-        self.law().times(factor)
+        match self {
+            Self::Table(table) => table.times(factor).into(),
+            _ => self.changed(|of| Some(of.coefficient), |c| c * factor).unwrap_or_else(|| self.clone()),
+        }
     }
 }
 
@@ -125,24 +151,11 @@ pub(super) trait Law {
         None
     }
 
-    /// The threshold of the range, MPa√m; none where the law has no constant for it.
-    fn threshold(&self) -> Option<f64> {
-        None
-    }
-
-    /// The same law with another threshold, where it has a constant for it.
-    fn with_threshold(&self, _threshold: f64) -> Option<RateLaw> {
-        None
-    }
-
     /// The exponent of the rate in [`Law::drive`], far from a threshold.
     fn exponent(&self) -> f64;
 
     /// The values of the constants in the order of the declaration; none of a table.
     fn constants(&self) -> Vec<f64>;
-
-    /// The same law with all its rates times `factor`.
-    fn times(&self, factor: f64) -> RateLaw;
 
     /// The law with its constants, `dK` for the equivalent range: `da/dN = …`, mm per cycle and
     /// MPa√m.
@@ -200,6 +213,8 @@ pub struct LawConstants {
     pub coefficient: Constant,
     /// The exponent of the range, where it may be chosen.
     pub exponent: Option<Constant>,
+    /// The threshold of the range, where it may be chosen.
+    pub threshold: Option<Constant>,
     /// The law of the values of `all`; none of another number of values.
     pub law: fn(&[f64]) -> Option<RateLaw>,
     /// A rate computed by hand, with the default of every constant.

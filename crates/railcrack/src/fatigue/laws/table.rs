@@ -1,6 +1,5 @@
 //! Measured growth rates as a table.
 
-use super::RateLaw;
 use super::rate_law::{LawDeclaration, LawInput, Law};
 use crate::math::OutOfRange;
 use crate::words::Word;
@@ -58,6 +57,11 @@ impl RateTable {
         &self.rows
     }
 
+    /// The table with all its rates times `factor`.
+    pub(super) fn times(&self, factor: f64) -> Self {
+        Self { rows: self.rows.iter().map(|&(delta, rate)| (delta, rate * factor)).collect() }
+    }
+
     /// The smallest and the largest range that it covers, MPa√m.
     #[must_use]
     pub fn covers(&self) -> (f64, f64) {
@@ -92,9 +96,5 @@ impl Law for RateTable {
 
     fn constants(&self) -> Vec<f64> {
         Vec::new()
-    }
-
-    fn times(&self, factor: f64) -> RateLaw {
-        Self { rows: self.rows.iter().map(|&(delta, rate)| (delta, rate * factor)).collect() }.into()
     }
 }

@@ -1,6 +1,5 @@
 //! Walker's law.
 
-use super::RateLaw;
 use super::rate_law::{COEFFICIENTS, CheckValue, Constant, EXPONENTS, LawConstants, LawDeclaration, LawInput, RATE_UNIT, Law, above};
 use crate::words::Word;
 
@@ -52,6 +51,7 @@ pub(super) const DECLARATION: LawDeclaration = LawDeclaration {
         all: &[C, M, GAMMA, Constant::THRESHOLD],
         coefficient: C,
         exponent: Some(M),
+        threshold: Some(Constant::THRESHOLD),
         law: |values| match *values {
             [c, m, gamma, threshold] => Some(Walker { c, m, gamma, threshold }.into()),
             _ => None,
@@ -74,23 +74,11 @@ impl Law for Walker {
         format!("{c:e} [dK/(1-R)^{:.4}]^{m}{}", 1.0 - gamma, above(threshold))
     }
 
-    fn threshold(&self) -> Option<f64> {
-        Some(self.threshold)
-    }
-
-    fn with_threshold(&self, threshold: f64) -> Option<RateLaw> {
-        Some(Self { threshold, ..*self }.into())
-    }
-
     fn exponent(&self) -> f64 {
         self.m
     }
 
     fn constants(&self) -> Vec<f64> {
         vec![self.c, self.m, self.gamma, self.threshold]
-    }
-
-    fn times(&self, factor: f64) -> RateLaw {
-        Self { c: self.c * factor, ..*self }.into()
     }
 }
