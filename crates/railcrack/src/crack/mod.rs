@@ -5,7 +5,7 @@ mod network;
 mod polyline;
 
 pub use curve::CrackCurve;
+pub(crate) use network::JunctionPoint;
 pub use network::{CrackEnd, CrackNetwork, CrackTip, Junction, NetworkError};
-pub(crate) use network::{EndKind, JunctionPoint, Passing};
 pub use polyline::{Crack, CrackError, End, segment_distance};
 pub(crate) use polyline::{from_nearest, point_to_segment};

@@ -1,11 +1,13 @@
 //! Iteration over passages up to the stabilised state.
 
 use super::bounds::{ShakedownLimit, utilisation};
-use super::cycle;
 use super::eigenstress::{Columns, Eigenstress};
 use super::fourier::{ACTIVE, RailGrid, Resolution};
 use super::rail::{PlasticStrain, RolledRail, ShakedownError};
-use super::state::{DepthRange, LayerState, Method, PassRecord, RailState, StabilisedRail};
+use super::state::{
+    DepthRange, LayerState, Method, PassRecord, RailState, StabilisedRail, layer_stress, mirror_sign,
+    stabilised_cycle, unstrained,
+};
 use super::streamline::{FlowLaw, SteadyPassage, SteadyProblem, Upstream, first_column};
 use crate::interruption::Interruption;
 use crate::math::{OutOfRange, Stress};
@@ -138,7 +140,7 @@ impl<'a> PassIteration<'a> {
     ) -> Result<Self, ShakedownError> {
         let field = rail.forward_field()?;
         let layers = grid.layers.middles();
-        let mut background = cycle::zeros(grid);
+        let mut background = unstrained(grid);
         for (j, &depth) in layers.iter().enumerate() {
             let initial = rail.initial_stress(depth);
             for i in 0..grid.columns {
@@ -231,7 +233,7 @@ impl<'a> PassIteration<'a> {
     /// Predictor of the plastic strain of the next passage from the previous ones: their last
     /// change times the ratio of the last two.
     fn guess(&self) -> Columns {
-        let Some(last) = &self.last else { return cycle::zeros(self.grid) };
+        let Some(last) = &self.last else { return unstrained(self.grid) };
         let mut guess = last.strain.clone();
         let Some(before) = &self.before else { return guess };
         let layers = self.entering.len();
@@ -267,9 +269,9 @@ impl<'a> PassIteration<'a> {
         };
         for j in 0..came.len() {
             let change = PlasticStrain::from_deviator([0, 1, 2].map(|c| leaving[j][c] - came[j][c]));
-            let by = cycle::layer_stress(&self.rail.steel, change);
+            let by = layer_stress(&self.rail.steel, change);
             let strain = PlasticStrain::from_deviator(leaving[j]);
-            let stress = cycle::layer_stress(&self.rail.steel, strain);
+            let stress = layer_stress(&self.rail.steel, strain);
             record.stress_change = record.stress_change.max(by.xx.abs()).max(by.zz.abs());
             record.strain_change = record.strain_change.max(change.equivalent());
             record.largest_strain = record.largest_strain.max(strain.equivalent());
@@ -288,18 +290,18 @@ impl<'a> PassIteration<'a> {
     fn finish(mut self) -> Result<StabilisedRail, ShakedownError> {
         let layers = self.entering.len();
         let passage = self.last.take().unwrap_or_else(|| SteadyPassage {
-            strain: cycle::zeros(self.grid),
+            strain: unstrained(self.grid),
             entering: self.entering.clone(),
             path: vec![0.0; layers],
             iterations: 0,
             change: 0.0,
         });
-        let (cycle, admissibility) = cycle::of(self.rail, self.grid, &mut self.problem, &passage)?;
+        let (cycle, admissibility) = stabilised_cycle(self.rail, self.grid, &mut self.problem, &passage)?;
         let depths = self.grid.layers.middles();
-        let mirror = cycle::mirror(self.rail.travel);
+        let mirror = mirror_sign(self.rail.travel);
         let layer = |j: usize| {
             let strain = PlasticStrain::from_deviator(self.entering[j]);
-            let residual = cycle::layer_stress(&self.rail.steel, strain);
+            let residual = layer_stress(&self.rail.steel, strain);
             LayerState {
                 depth: depths[j],
                 stress: residual + self.rail.initial_stress(depths[j]),

@@ -204,7 +204,7 @@ impl StabilisedRail {
 }
 
 /// Zero strain or stress on all columns of `grid`.
-pub(super) fn zeros(grid: &RailGrid) -> Columns {
+pub(super) fn unstrained(grid: &RailGrid) -> Columns {
     let size = grid.columns * grid.layers.count();
     [vec![0.0; size], vec![0.0; size], vec![0.0; size]]
 }
@@ -221,7 +221,7 @@ pub(super) fn layer_stress(steel: &IsotropicElastic, strain: PlasticStrain) -> S
 }
 
 /// −1 if the computation is the mirror image of the rail: the factor of abscissae and shears.
-pub(super) fn mirror(travel: Travel) -> f64 {
+pub(super) fn mirror_sign(travel: Travel) -> f64 {
     match travel {
         Travel::Forward => 1.0,
         Travel::Backward => -1.0,
@@ -229,7 +229,7 @@ pub(super) fn mirror(travel: Travel) -> f64 {
 }
 
 /// Stress and strain of `passage`, and their admissibility. Errors: an invalid contact.
-pub(super) fn of(
+pub(super) fn stabilised_cycle(
     rail: &RolledRail,
     grid: &RailGrid,
     problem: &mut SteadyProblem,
@@ -239,13 +239,13 @@ pub(super) fn of(
     let layers = depths.len();
     let strain_at = |at: usize| [0, 1, 2].map(|c| passage.strain[c][at]);
     let entering = &passage.entering;
-    let mut residual = zeros(grid);
+    let mut residual = unstrained(grid);
     problem.eigenstress.stress(&passage.strain, entering, &mut residual);
     let imbalance = problem.eigenstress.imbalance(&passage.strain, entering);
     let field = rail.forward_field()?;
     let (poisson, young) = (rail.steel.poisson(), rail.steel.young());
     let (radius, back) = (rail.hardening.yield_radius(), rail.hardening.back_stress_modulus());
-    let side = mirror(rail.travel);
+    let side = mirror_sign(rail.travel);
     let mut cycle = Cycle {
         abscissae: (0..grid.columns).rev().map(|i| side * grid.abscissa(i)).collect(),
         stress: Vec::with_capacity(grid.columns * layers),

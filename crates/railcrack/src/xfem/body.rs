@@ -1,7 +1,7 @@
 //! Cracked rails in extended finite elements, condensed to their face points, and their size.
 
 use super::basis::Elasticity;
-use super::border::Border;
+use super::border::{Border, face_jumps};
 use super::columns::ColumnStore;
 use super::condense::{Condensed, System};
 use super::cuts::Cuts;
@@ -11,7 +11,6 @@ use super::interface::{Interface, Station};
 use super::settings::{EnrichmentRadius, XfemSettings};
 use super::sif::{SifContext, SifFunctional, domain_of, short_part};
 use super::space::Space;
-use super::trace;
 use crate::body::{BodyTimes, CrackedBody, thin_flaps};
 use crate::bulk::{Boundary, BulkRail};
 use crate::crack::CrackNetwork;
@@ -80,7 +79,7 @@ pub(super) fn reduced(
         rail: background,
         space: &space,
         border: &border,
-        jumps: &trace::jumps(background, &cuts, &space, &interface),
+        jumps: &face_jumps(background, &cuts, &space, &interface),
         functionals: &functionals,
         duality: &duality,
     };

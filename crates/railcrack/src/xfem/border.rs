@@ -203,7 +203,7 @@ impl<'a> Integral<'a> {
 
 /// B: for row 2 j + axis of face point j, the entries (enriched unknown, ∫ λ_j ⟦φ⟧ ds), in
 /// increasing order.
-pub(super) fn jumps(
+pub(super) fn face_jumps(
     background: &BulkRail,
     cuts: &Cuts,
     space: &Space,

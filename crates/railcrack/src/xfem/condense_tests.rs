@@ -7,10 +7,10 @@ use crate::material::IsotropicElastic;
 use crate::math::Matrix;
 use crate::xfem::basis::Elasticity;
 use crate::xfem::body::Discretisation;
-use crate::xfem::border::Border;
+use crate::xfem::border::{Border, face_jumps};
 use crate::xfem::columns::ColumnStore;
 use crate::xfem::sif::{SifContext, SifDomain, SifFunctional};
-use crate::xfem::{MeshSettings, RailEnd, XfemEngine, XfemSettings, trace};
+use crate::xfem::{MeshSettings, RailEnd, XfemEngine, XfemSettings};
 
 /// A kinked crack, one that passes near it and a buried one.
 fn network() -> CrackNetwork {
@@ -46,7 +46,7 @@ fn dense_border_and_one_factorisation_agree() {
     let domain = |size: f64| SifDomain { inner: 1.5 * size, outer: 4.5 * size };
     let functionals: Vec<SifFunctional> =
         (0..sizes.len()).flat_map(|tip| context.functionals(tip, domain(sizes[tip]))).collect();
-    let jumps = trace::jumps(rail, &cuts, &space, &interface);
+    let jumps = face_jumps(rail, &cuts, &space, &interface);
     let duality = interface.duality();
     let system = System {
         rail,

@@ -2,11 +2,10 @@
 
 use super::basis::{CellBasis, Elasticity, Function, MODES};
 use super::body::Discretisation;
-use super::border::Border;
+use super::border::{Border, face_jumps};
 use super::cuts::{CellPlace, CutElement, along_side};
 use super::interface::Interface;
 use super::sif::{SifContext, SifDomain, SifFunctional};
-use super::trace;
 use crate::bulk::{BottomSupport, Boundary, BulkRail, RectangleStiffness, SideSupport};
 use crate::crack::{Crack, CrackNetwork};
 use crate::fracture::WilliamsField;
@@ -299,7 +298,7 @@ fn nodal_jumps(
     interface: &Interface,
 ) -> Matrix {
     let mut b = Matrix::zeros(2 * interface.faces.points.len(), space.unknowns());
-    for (i, row) in trace::jumps(rail, cuts, space, interface).iter().enumerate() {
+    for (i, row) in face_jumps(rail, cuts, space, interface).iter().enumerate() {
         row.iter().for_each(|&(unknown, value)| b[(i, unknown)] = value);
     }
     interface.duality().nodal_jumps(b)
