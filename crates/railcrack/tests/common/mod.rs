@@ -2,7 +2,7 @@
 //! passages, reference tables.
 
 // Each test program uses a part of this.
-#![allow(dead_code)]
+#![allow(dead_code, unused_imports)]
 
 mod ledger;
 mod passage;
