@@ -34,7 +34,6 @@ pub use schema::{
 pub use study::{Axis, Distribution, Input, Keeping, SampleTable, Study, StudyRun, Variation, study_schema};
 pub use tables::{
     CalibrationPrior, Combine, ContactOrigin, ContactSolver, Detection, Engine, EngineDomain, FieldOutput,
-    Fracture, GivenWheel, Inspection, InspectionRisk, Kept, MaintenancePlan, MeshSettings, Output,
-    PlasticSource, ProfileOrigin, Rail, SECTIONS, STUDY, Scatter, ShakedownSettings, init_text, json_schema,
-    markdown,
+    Fracture, GivenWheel, Inspection, InspectionRisk, Kept, MeshSettings, Output, PlasticSource,
+    ProfileOrigin, Rail, SECTIONS, STUDY, Scatter, ShakedownSettings, init_text, json_schema, markdown,
 };

@@ -3,10 +3,9 @@
 use crate::commands::{
     calibrate::CalibrateArguments, check::CheckArguments, compare::CompareArguments,
     completions::CompletionsArguments, completions::ManArguments, contact::ContactArguments,
-    explorer::ExplorerArguments, init::InitArguments, plan::PlanArguments,
-    report::ReportArguments, run::RunArguments, schema::SchemaArguments, shakedown::ShakedownArguments,
-    show::ShowArguments, sweep::SweepArguments, validate::ValidateArguments, verify::VerifyArguments,
-    view::ViewArguments,
+    explorer::ExplorerArguments, init::InitArguments, plan::PlanArguments, report::ReportArguments,
+    run::RunArguments, schema::SchemaArguments, shakedown::ShakedownArguments, show::ShowArguments,
+    sweep::SweepArguments, validate::ValidateArguments, verify::VerifyArguments, view::ViewArguments,
 };
 use clap::{Parser, Subcommand};
 

@@ -2,8 +2,8 @@
 
 use crate::arguments::{Arguments, Command};
 use crate::commands::{
-    calibrate, check, compare, completions, contact, explorer, init, plan, report, run, schema,
-    shakedown, show, sweep, validate, verify, view,
+    calibrate, check, compare, completions, contact, explorer, init, plan, report, run, schema, shakedown,
+    show, sweep, validate, verify, view,
 };
 use crate::exit::{Exit, Failure};
 use clap::CommandFactory;

@@ -84,9 +84,9 @@ impl Drawing<'_> {
 
     /// The paths in each main set-up that has any.
     fn path_panels(&self) -> Vec<Chart> {
-        let panels = self.paper.setups[..MAIN].iter().filter(|setup| {
-            self.curves.iter().any(|curve| curve.setup == setup.name)
-        });
+        let panels = self.paper.setups[..MAIN]
+            .iter()
+            .filter(|setup| self.curves.iter().any(|curve| curve.setup == setup.name));
         panels.map(|setup| self.path_panel(&setup.name)).collect()
     }
 
@@ -172,8 +172,7 @@ impl Drawing<'_> {
                 [ChartAxis::linear("σ_{xx}", "MPa"), ChartAxis::depth().over(ChartRange::Tight)]
             }
         };
-        let aspect =
-            if self.quantity == Quantity::Paths { ChartAspect::Equal } else { ChartAspect::Free };
+        let aspect = if self.quantity == Quantity::Paths { ChartAspect::Equal } else { ChartAspect::Free };
         Chart { x, y, aspect, ..Chart::default() }
     }
 }
@@ -222,7 +221,10 @@ pub fn engines(paper: &Paper, results: &Results) -> Option<ChartSheet> {
         title: "Two engines on the case of Fig. 13".to_owned(),
         subtitle: "K over the stabilised passage, half-plane".to_owned(),
         rows: vec![
-            row(("K_{I}", [&first.ki, &second.ki], 1), ["Both engines", "Finite elements minus dislocations"]),
+            row(
+                ("K_{I}", [&first.ki, &second.ki], 1),
+                ["Both engines", "Finite elements minus dislocations"],
+            ),
             row(("K_{II}", [&first.kii, &second.kii], 2), ["", ""]),
         ],
         ..ChartSheet::default()

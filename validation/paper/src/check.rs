@@ -42,7 +42,11 @@ pub fn check(contents: &Contents) -> Result<(), PaperError> {
     for group in &contents.paper.groups {
         if group.figures.iter().all(|figure| contents.figures.contains(figure)) {
             let path = home().join("results").join(group.file());
-            faults.extend(differences(&group.file(), &read(&path)?, &in_repository(&contents.group_page(group))));
+            faults.extend(differences(
+                &group.file(),
+                &read(&path)?,
+                &in_repository(&contents.group_page(group)),
+            ));
         }
     }
     if faults.is_empty() { Ok(()) } else { Err(PaperError::Differs(faults)) }
@@ -63,7 +67,8 @@ fn differences(name: &str, kept: &str, computed: &str) -> Vec<String> {
 fn says_the_same(kept: &str, computed: &str) -> bool {
     let words = |line: &str| line.split([' ', ',', ';', ':']).map(str::to_owned).collect::<Vec<_>>();
     let (kept, computed) = (words(kept), words(computed));
-    let is_same = |(kept, computed): (&String, &String)| match (kept.parse::<f64>(), computed.parse::<f64>()) {
+    let is_same = |(kept, computed): (&String, &String)| match (kept.parse::<f64>(), computed.parse::<f64>())
+    {
         (Ok(kept), Ok(computed)) => (kept - computed).abs() <= SAME * computed.abs() + 1e-9,
         _ => kept == computed,
     };

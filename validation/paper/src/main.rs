@@ -82,8 +82,13 @@ fn run(arguments: &Arguments) -> Result<(), PaperError> {
     let folder = &arguments.out;
     let (results, profiles) = compute(&paper, &figures, folder)?;
     let verdicts = verdicts(&paper, &results, &figures);
-    let contents =
-        Contents { paper: &paper, figures: &figures, results: &results, verdicts: &verdicts, profiles: &profiles };
+    let contents = Contents {
+        paper: &paper,
+        figures: &figures,
+        results: &results,
+        verdicts: &verdicts,
+        profiles: &profiles,
+    };
     write_figures(&contents, &overlays, folder)?;
     write_pages(&contents, folder)?;
     for verdict in &verdicts {

@@ -46,7 +46,9 @@ pub enum Measure {
 impl Measure {
     /// Whether it needs a crack that grows.
     pub fn needs_growth(self) -> bool {
-        use Measure::{Branch, CyclesTo7mm, Depth, FirstKink, Inclination, KeqAtLast, SecondKink, SecondRatio};
+        use Measure::{
+            Branch, CyclesTo7mm, Depth, FirstKink, Inclination, KeqAtLast, SecondKink, SecondRatio,
+        };
         matches!(
             self,
             FirstKink | SecondKink | SecondRatio | CyclesTo7mm | KeqAtLast | Branch | Depth | Inclination

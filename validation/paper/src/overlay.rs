@@ -37,7 +37,12 @@ impl Overlay {
         let header = rows.next().unwrap_or_default();
         let rows: Vec<Vec<String>> = rows.collect();
         if let Some(row) = rows.iter().find(|row| row.len() != header.len()) {
-            return Err(refused(format!("`{}` has {} fields, not {}", row.join(","), row.len(), header.len())));
+            return Err(refused(format!(
+                "`{}` has {} fields, not {}",
+                row.join(","),
+                row.len(),
+                header.len()
+            )));
         }
         Ok(Self { path: path.to_path_buf(), figure, header, rows })
     }
@@ -87,7 +92,9 @@ impl Overlay {
             let name = curve.map_or("", |at| &row[at]);
             if quantity != Quantity::Profile && !figure.curves.iter().any(|known| known == name) {
                 let (number, known) = (figure.number, figure.curves.join(", "));
-                return Err(self.refused(format!("`{name}` is not a curve of Fig. {number}: must be one of {known}")));
+                return Err(
+                    self.refused(format!("`{name}` is not a curve of Fig. {number}: must be one of {known}"))
+                );
             }
             let crack = crack.map_or(Ok(1.0), |at| number(&row[at]))? as usize;
             let (setup, name) = (DIGITISED.to_owned(), name.to_owned());
@@ -151,14 +158,20 @@ mod tests {
     #[test]
     fn a_digitised_curve_is_measured() {
         let paper = Paper::read().unwrap();
-        let path = std::env::temp_dir().join(format!("paper-of-2014-{}", std::process::id())).join("fig13.csv");
+        let path =
+            std::env::temp_dir().join(format!("paper-of-2014-{}", std::process::id())).join("fig13.csv");
         let read = |text: &str, figures: &[u8]| {
             crate::files::write(&path, text).unwrap();
             Overlay::read(&paper, &path, figures)
         };
         let figure = &paper.figures[0];
         let points = vec![[0.0, 1.0], [1.0, 2.0], [2.0, 5.0]];
-        let ours = |setup: &str| FigureCurve { setup: setup.into(), name: "fig13".into(), crack: 1, points: points.clone() };
+        let ours = |setup: &str| FigureCurve {
+            setup: setup.into(),
+            name: "fig13".into(),
+            crack: 1,
+            points: points.clone(),
+        };
         let mut curves = vec![(Quantity::Ki, vec![]), (Quantity::Kii, vec![ours("a, b"), ours("c")])];
         let overlay = read("curve,xc_over_a,kii_mpa_sqrt_m\nfig13,0.5,2.0\nfig13,2.0,5.5\n", &[13]).unwrap();
         let rows = overlay.add_to(figure, &mut curves).unwrap();
@@ -175,7 +188,9 @@ mod tests {
         let other = refused("curve,xc_over_a,kii_mpa_sqrt_m\nnine,0,1\n", &[13]);
         assert!(other.contains("`nine` is not a curve of Fig. 13: must be one of fig13"), "{other}");
         assert!(refused("curve,x\nfig13,0\n", &[13]).contains("no points"));
-        assert!(refused("curve,xc_over_a,kii_mpa_sqrt_m\nfig13,0,x\n", &[13]).contains("`x` is not a number"));
+        assert!(
+            refused("curve,xc_over_a,kii_mpa_sqrt_m\nfig13,0,x\n", &[13]).contains("`x` is not a number")
+        );
         assert!(refused("curve,x\nfig13,0\n", &[14]).contains("not among the recomputed"));
     }
 }

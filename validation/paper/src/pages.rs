@@ -162,12 +162,17 @@ impl Contents<'_> {
         });
         let decisions: Vec<(&Verdict, usize)> = decisions.collect();
         let departing = decisions.iter().filter(|(verdict, at)| verdict.departs(*at));
-        let departing = departing.map(|(verdict, at)| format!("{} ({})", verdict.claim.id, self.paper.setups[*at].name));
+        let departing =
+            departing.map(|(verdict, at)| format!("{} ({})", verdict.claim.id, self.paper.setups[*at].name));
         let departing = departing.collect::<Vec<_>>().join(", ");
         let all = decisions.len();
         match departing.is_empty() {
-            true => format!("Of the {all} decisions with fixed load steps, none differs from that with controlled load steps."),
-            false => format!("Of the {all} decisions with fixed load steps, these differ from those with controlled load steps: {departing}."),
+            true => format!(
+                "Of the {all} decisions with fixed load steps, none differs from that with controlled load steps."
+            ),
+            false => format!(
+                "Of the {all} decisions with fixed load steps, these differ from those with controlled load steps: {departing}."
+            ),
         }
     }
 
@@ -228,7 +233,8 @@ impl Contents<'_> {
         };
         let claims = self.paper.rolled.iter().map(|claim| {
             let decisions = claim.decisions(self.profiles);
-            let cells: String = decisions.iter().map(|(_, holds)| if *holds { " yes |" } else { " no |" }).collect();
+            let cells: String =
+                decisions.iter().map(|(_, holds)| if *holds { " yes |" } else { " no |" }).collect();
             let verdict = match decisions.iter().filter(|(_, holds)| *holds).count() {
                 0 => "does not hold".to_owned(),
                 all if all == decisions.len() => "holds".to_owned(),

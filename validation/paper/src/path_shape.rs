@@ -141,11 +141,7 @@ mod tests {
     use super::*;
 
     fn path(points: &[[f64; 2]]) -> PathShape {
-        PathShape::new(&CrackGrowth {
-            points: points.to_vec(),
-            initial_points: 2,
-            ..CrackGrowth::default()
-        })
+        PathShape::new(&CrackGrowth { points: points.to_vec(), initial_points: 2, ..CrackGrowth::default() })
     }
 
     #[test]
@@ -157,7 +153,11 @@ mod tests {
             assert_eq!(down.branch_increment(), 2);
             let up = path(&[at(0.0, 0.0), at(6.0, 2.0), at(7.0, 1.9)]);
             assert_eq!(up.branch, Some(Branch { increment: 1, side: Side::Up }));
-            assert!(up.is(PathCourse::Parallel, sign) && up.is(PathCourse::ParallelWithTravel, sign) && up.inclination_after.unwrap() < 0.0);
+            assert!(
+                up.is(PathCourse::Parallel, sign)
+                    && up.is(PathCourse::ParallelWithTravel, sign)
+                    && up.inclination_after.unwrap() < 0.0
+            );
             assert!((up.along_after.unwrap() - sign).abs() < 1e-12, "{up:?}");
             // Straight up, past the vertical.
             let back = path(&[at(0.0, 0.0), at(6.0, 2.0), at(5.9, 1.0)]);

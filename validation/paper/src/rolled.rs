@@ -129,7 +129,8 @@ impl StressProfile {
 
     /// Value (MPa) and depth (mm) of the largest |σ_xx|.
     pub fn extreme(&self) -> [f64; 2] {
-        let larger = |best: [f64; 2], point: [f64; 2]| if point[0].abs() > best[0].abs() { point } else { best };
+        let larger =
+            |best: [f64; 2], point: [f64; 2]| if point[0].abs() > best[0].abs() { point } else { best };
         self.points().into_iter().fold([0.0; 2], larger)
     }
 

@@ -251,6 +251,10 @@ mod tests {
         // What is compared with it has no stress at all.
         let reference = of("rolled 430 MPa, along", "reference");
         assert!(reference.plastic_stress.is_none() && reference.residual_stress.is_none());
-        assert!(of("rolled 430 MPa, along", "stress").residual_stress.is_some_and(|file| file.given_name() == "rolled-430-20000-0.025.csv"));
+        assert!(
+            of("rolled 430 MPa, along", "stress")
+                .residual_stress
+                .is_some_and(|file| file.given_name() == "rolled-430-20000-0.025.csv")
+        );
     }
 }

@@ -1,8 +1,8 @@
 //! The paper as data: `figures.toml`, `setups.toml` and `claims.toml`.
 
 use crate::error::PaperError;
-use crate::rules::{SingleRule, Test};
 use crate::rolled::RolledRule;
+use crate::rules::{SingleRule, Test};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};

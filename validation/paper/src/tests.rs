@@ -26,8 +26,7 @@ fn the_pages_in_the_repository_have_the_deciding_numbers_of_fig_13() {
     let ids: Vec<&str> = verdicts.iter().map(|verdict| verdict.claim.id.as_str()).collect();
     assert_eq!(ids, ["4-agreement", "4-locked"]);
     assert_eq!(verdicts[0].words(), "holds in the 2 decided");
-    let mut contents =
-        Contents { paper, figures: &[13], results, verdicts: &verdicts, profiles: &[] };
+    let mut contents = Contents { paper, figures: &[13], results, verdicts: &verdicts, profiles: &[] };
     check(&contents).unwrap();
 
     crate::write_figures(&contents, &[], folder).unwrap();
@@ -118,9 +117,8 @@ fn the_chapter_counts_the_statements_that_depend_on_the_increment() {
 #[test]
 fn figures_are_called_by_their_numbers() {
     let paper = Paper::read().unwrap();
-    let called = |names: &[&str]| {
-        paper.figures_called(&names.iter().map(|name| name.to_string()).collect::<Vec<_>>())
-    };
+    let called =
+        |names: &[&str]| paper.figures_called(&names.iter().map(|name| name.to_string()).collect::<Vec<_>>());
     assert_eq!(called(&["20", "fig13", "Fig20"]).unwrap(), [13, 20]);
     assert_eq!(called(&[]).unwrap().len(), paper.figures.len());
     for wrong in ["26", "12", "x", "", "fig"] {

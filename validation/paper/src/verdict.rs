@@ -153,7 +153,10 @@ mod tests {
         ];
         let text = closest(&verdicts).words(&paper);
         assert!(text.contains("\u{201c}half-plane, along\u{201d}: of the 2 statements"), "{text}");
-        assert!(text.contains("2 hold there, compared with 1 in \u{201c}half-plane, against\u{201d}"), "{text}");
+        assert!(
+            text.contains("2 hold there, compared with 1 in \u{201c}half-plane, against\u{201d}"),
+            "{text}"
+        );
         verdicts.remove(0);
         assert!(closest(&verdicts).words(&paper).starts_with("No main set-up"));
     }

@@ -198,7 +198,7 @@ pub(crate) fn build(
                 .as_ref()
                 .filter(|_| space.as_ref().is_some_and(Option::is_none))
                 .and_then(|fracture| fracture.pop_in),
-            maintenance: maintenance.zip(axle_load).map(|(plan, tonnes)| plan.per_axle(tonnes)),
+            maintenance: maintenance.zip(axle_load).map(|(removal, tonnes)| removal.over_axles(tonnes)),
             ..growth.as_ref()?.settings.clone()
         },
         growth_steel: growth.as_ref()?.steel,

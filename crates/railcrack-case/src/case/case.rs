@@ -7,13 +7,13 @@ use crate::files::{CaseFile, Companion, DetectionFile, ProfileFile, RatesFile, T
 use crate::schema::{Value, Written};
 use crate::tables::{
     CalibrationPrior, ContactSolver, Detection, Engine, FieldOutput, Fracture, GivenWheel, Inspection,
-    InspectionRisk, MaintenancePlan, MeshSettings, OUTPUT, Output, PlasticSource, RUN_FOLDERS, Rail, Scatter,
+    InspectionRisk, MeshSettings, OUTPUT, Output, PlasticSource, RUN_FOLDERS, Rail, Scatter,
     ShakedownSettings, TITLE, TOP,
 };
 use railcrack::contact::CrackFluid;
 use railcrack::crack::CrackNetwork;
 use railcrack::fatigue::RailSteel;
-use railcrack::growth::{GrowthSettings, NetworkContact, PassageSettings};
+use railcrack::growth::{GrowthSettings, Mgt, NetworkContact, PassageSettings, SurfaceRemoval};
 use railcrack::load::Passage;
 use railcrack::material::IsotropicElastic;
 
@@ -73,7 +73,7 @@ pub struct Case {
     /// The table of which wheels of the mix are representatives, where one is given.
     pub wheel_table: Option<WheelTable>,
     /// Wear and grinding, where they are given.
-    pub maintenance: Option<MaintenancePlan>,
+    pub maintenance: Option<SurfaceRemoval<Mgt>>,
     /// The inspection, where it is given.
     pub inspection: Option<Inspection>,
     /// The risk between inspections, where there is an inspection.
@@ -123,6 +123,13 @@ impl Case {
             places.extend(points().next().map(|point| point.x));
         }
         wheel.positions(passage, &places, &self.steel)
+    }
+
+    /// Gives the case another wear and grinding, where it has axle loads.
+    pub fn set_maintenance(&mut self, removal: Option<SurfaceRemoval<Mgt>>) {
+        self.maintenance = removal;
+        self.growth.maintenance =
+            removal.zip(self.axle_load).map(|(removal, tonnes)| removal.over_axles(tonnes));
     }
 
     /// The case with the cracks of the indices `kept` (from 0) alone, resolved as in the whole

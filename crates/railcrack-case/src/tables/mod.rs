@@ -33,7 +33,6 @@ pub use contact::{ContactOrigin, ProfileOrigin};
 pub use file::{SECTIONS, init_text, json_schema, markdown};
 pub use fracture::Fracture;
 pub use inspection::{Detection, Inspection, InspectionRisk, Scatter};
-pub use maintenance::MaintenancePlan;
 pub use mesh::MeshSettings;
 pub use output::{FieldOutput, Kept, Output};
 pub use rail::Rail;

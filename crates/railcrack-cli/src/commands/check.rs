@@ -9,7 +9,7 @@ use clap::Args;
 use railcrack::contact::{CrackFluid, FluidModel, StepControl};
 use railcrack::crack::Crack;
 use railcrack::fatigue::{ACCEPTANCE_RANGES, ACCEPTED_GROWTH, DirectionCriterion, RailSteel, RateLaw};
-use railcrack::growth::Turning;
+use railcrack::growth::{Grinding, Turning};
 use railcrack::load::{Contact, HertzEllipse, Passage};
 use railcrack::rolling::{Creepage, RollingPatch};
 use railcrack::shakedown::DepthBounds;
@@ -702,18 +702,18 @@ fn acceptance(law: &RateLaw) -> String {
 
 /// Wear and grinding, and the growth rate that balances them.
 fn maintenance(case: &Case) -> Vec<CheckLine> {
-    let Some(plan) = &case.maintenance else { return Vec::new() };
-    let mut rows = vec![("wear", format!("{} mm/MGT", short(plan.wear)))];
-    if let Some((depth, interval)) = plan.grinding {
-        rows.push(("grinding", format!("{} mm every {} MGT", short(depth), short(interval))));
+    let Some(removal) = &case.maintenance else { return Vec::new() };
+    let mut rows = vec![("wear", format!("{} mm/MGT", short(removal.wear)))];
+    if let Some(Grinding { depth, interval, .. }) = removal.grinding {
+        rows.push(("grinding", format!("{} mm every {} MGT", short(depth), short(interval.0))));
     }
-    rows.push(("removal", format!("{} mm/MGT on average", short(plan.removal()))));
+    rows.push(("removal", format!("{} mm/MGT on average", short(removal.mean_rate()))));
     let first = case.cracks.cracks().first().filter(|crack| crack.is_surface_breaking());
     let wheels = case.axle_load.zip(first);
     rows.extend(wheels.map(|(tonnes, crack)| {
         let (mouth, next) = crack.segment(0);
         let sine = (mouth.y - next.y) / (next - mouth).length();
-        let rate = 1e-6 * tonnes * plan.removal() / sine;
+        let rate = 1e-6 * tonnes * removal.mean_rate() / sine;
         (
             "balance",
             format!("the first crack grows deeper if its tip grows by more than {rate:.3e} mm per cycle"),

@@ -3,8 +3,9 @@
 
 use super::course::Course;
 use super::failure::{Nominal, Question};
+use super::family::Family;
+use super::scatter::CourseAccuracy;
 use crate::log::{Companion, CompanionKind};
-use railcrack_case::MaintenancePlan;
 use serde::{Deserialize, Serialize};
 
 /// Million gross tonnes to failure along three paths; null where that path does not lead to a
@@ -29,34 +30,29 @@ pub struct FrictionLife {
 }
 
 /// The courses of the companions of a run.
-pub(super) struct Companions<'a> {
+pub(crate) struct Companions<'a> {
     pub all: &'a [Companion],
-    pub question: Question<'a>,
+    /// What is asked of the run.
+    pub question: Question,
     /// The crack (from 0) that an inspection looks for.
     pub found: usize,
 }
 
 impl Companions<'_> {
     fn course(&self, companion: &Companion) -> Course {
-        let speed = match companion.kind {
-            CompanionKind::Speed(speed) => speed,
-            _ => 1.0,
-        };
-        let plan = self.question.maintenance.map(|plan| slowed(plan, speed));
-        Course::of(&companion.steps, plan.as_ref(), self.question.tonnes, self.found)
+        let Question { removal, tonnes, .. } = self.question.at_speed(companion.kind.speed());
+        Course::of(&companion.steps, &removal.over_axles(tonnes), self.found)
     }
 
     /// The courses at other speeds, and those speeds, the fastest first; none that failed.
-    pub fn speeds(&self) -> Vec<(f64, Course)> {
-        let of = |companion: &Companion| match companion.kind {
-            CompanionKind::Speed(speed) if companion.reason.is_none() => {
-                Some((speed, self.course(companion)))
-            }
-            _ => None,
+    pub fn speeds(&self) -> Speeds {
+        let is_one = |companion: &&Companion| {
+            matches!(companion.kind, CompanionKind::Speed(_)) && companion.reason.is_none()
         };
-        let mut all: Vec<(f64, Course)> = self.all.iter().filter_map(of).collect();
+        let of = |companion: &Companion| (companion.kind.speed(), self.course(companion));
+        let mut all: Vec<(f64, Course)> = self.all.iter().filter(is_one).map(of).collect();
         all.sort_by(|a, b| b.0.total_cmp(&a.0));
-        all
+        Speeds(all)
     }
 
     /// The life of the companion of `kind`; none where there is none.
@@ -88,13 +84,37 @@ impl Companions<'_> {
     }
 }
 
-/// `plan` for cracks that grow faster by `speed`, told in their traffic: the same growth takes that
-/// much less, and less is removed meanwhile.
-pub(crate) fn slowed(plan: &MaintenancePlan, speed: f64) -> MaintenancePlan {
-    MaintenancePlan {
-        wear: plan.wear / speed,
-        grinding: plan.grinding.map(|(depth, interval)| (depth, interval * speed)),
-        first_grinding: plan.first_grinding.map(|first| first * speed),
-        ..*plan
+/// Runs of the same rail at other speeds, and these speeds, the fastest first.
+pub(crate) struct Speeds(Vec<(f64, Course)>);
+
+impl Speeds {
+    /// The courses among which samples of the run `course` are made.
+    pub fn family(&self, course: &Course) -> Family {
+        self.family_without(None, course)
+    }
+
+    fn family_without(&self, left_out: Option<f64>, course: &Course) -> Family {
+        let of = |is_it: &dyn Fn(f64) -> bool| -> Vec<&Course> {
+            let kept = self.0.iter().filter(|(speed, _)| is_it(*speed) && Some(*speed) != left_out);
+            kept.map(|(_, course)| course).collect()
+        };
+        let nominal = of(&|speed| speed == 1.0).first().copied().unwrap_or(course);
+        Family::of(nominal, &of(&|speed| speed > 1.0), &of(&|speed| speed < 1.0))
+    }
+
+    /// How well samples between the run `course` and these repeat each of them that lies between
+    /// two others; none without any.
+    pub fn accuracy(&self, course: &Course, question: &Question) -> Option<CourseAccuracy> {
+        let others = || self.0.iter().filter(|(speed, _)| *speed != 1.0);
+        let runs = others().count() + 1;
+        let inner = others().skip(1).take(runs.saturating_sub(3));
+        let error = |(speed, left_out): &(f64, Course)| {
+            let family = self.family_without(Some(*speed), course);
+            let own = Nominal::of(left_out, &question.at_speed(*speed));
+            let found = Nominal::mgt_at_speed(&family, *speed, question)?;
+            Some(100.0 * (found * speed / own.failure.mgt? - 1.0).abs())
+        };
+        let left_out_percent = inner.filter_map(error).reduce(f64::max);
+        (runs > 1).then_some(CourseAccuracy { runs, left_out_percent })
     }
 }

@@ -2,14 +2,13 @@
 
 use super::path::GrowthPath;
 use crate::log::StepDigest;
-use railcrack::growth::{PieceKind, RunStop, TipRecord, TipStop, WheelShares};
+use railcrack::growth::{Axles, PieceKind, RunStop, SurfaceRemoval, TipRecord, TipStop, WheelShares};
 use railcrack::math::MPA_SQRT_MM;
-use railcrack_case::MaintenancePlan;
 use serde::{Deserialize, Serialize};
 
 /// All cracks at one time.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct CoursePoint {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct CoursePoint {
     /// Axles so far.
     pub axles: f64,
     /// Their estimated error by the increments.
@@ -86,8 +85,8 @@ impl FailureMode {
 }
 
 /// An event on a course.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct CourseEvent {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct CourseEvent {
     /// Growth and removal at which it takes place, mm.
     pub work: f64,
     /// Axles until then.
@@ -99,8 +98,8 @@ pub struct CourseEvent {
 }
 
 /// The end of a course.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum CourseEnd {
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum CourseEnd {
     /// Nothing more: no crack grows any longer.
     Rest,
     /// Nothing more: the last crack is worn away.
@@ -110,8 +109,8 @@ pub enum CourseEnd {
 }
 
 /// A run over traffic.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Course {
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Course {
     /// At the start of each step; a grinding lies between two of them with the same axles.
     pub points: Vec<CoursePoint>,
     /// Its events, in order.
@@ -121,17 +120,11 @@ pub struct Course {
 }
 
 impl Course {
-    /// The course of `steps` with the removal of `plan`; `found` is the crack (from 0) that an
-    /// inspection looks for.
-    pub(crate) fn of(
-        steps: &[StepDigest],
-        plan: Option<&MaintenancePlan>,
-        tonnes: f64,
-        found: usize,
-    ) -> Self {
+    /// The course of `steps` with `removal`; `found` is the crack (from 0) that an inspection looks
+    /// for.
+    pub fn of(steps: &[StepDigest], removal: &SurfaceRemoval<Axles>, found: usize) -> Self {
         let mut points: Vec<CoursePoint> = Vec::with_capacity(steps.len());
         let mut events: Vec<CourseEvent> = Vec::new();
-        let wear = plan.map_or(0.0, |plan| 1e-6 * tonnes * plan.wear);
         let (mut grown, mut ground) = (0.0, 0.0);
         let mut before: Option<&StepDigest> = None;
         for (i, step) in steps.iter().enumerate() {
@@ -142,7 +135,7 @@ impl Course {
             before = Some(step);
             // The wear of a step was that of its predicted cycles, and the next one makes up for
             // the difference.
-            let removed = wear * step.load_cycles + ground;
+            let removed = removal.wear * step.load_cycles + ground;
             let Some(point) = point(step, grown, removed, found) else { continue };
             points.push(point);
             for event in events_of(step, point.work) {
@@ -166,7 +159,7 @@ impl Course {
     }
 
     /// The course of one crack along `path`.
-    pub(crate) fn of_path(path: &GrowthPath) -> Self {
+    pub fn of_path(path: &GrowthPath) -> Self {
         let first = path.points.first().map_or(0.0, |point| point.length);
         let tip = (path.tip.0.saturating_sub(1), path.tip.1.saturating_sub(1));
         let points: Vec<CoursePoint> = path

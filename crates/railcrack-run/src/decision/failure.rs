@@ -1,11 +1,14 @@
 //! Failure of the rail in the run: the first of all modes over all cracks and tips.
 
 use super::course::{Course, CourseEvent, FailureMode};
-use super::family::{Family, Removal};
+use super::events::{Fate, Limits};
+use super::family::Family;
 use super::life_error::{error_at, life_error};
 use super::risk::DepthCurve;
-use super::walk::{Fate, Limits, SampledRates, Track, Walk};
-use railcrack_case::{Inspection, MaintenancePlan};
+use super::walk::{SampledRates, Track, Walk, Walked};
+use crate::log::RunInfo;
+use railcrack::growth::{Axles, Mgt, SurfaceRemoval};
+use railcrack_case::Inspection;
 use serde::{Deserialize, Serialize};
 
 /// A failure of the rail.
@@ -57,32 +60,53 @@ impl FailureSummary {
 
 /// Question to a run.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Question<'a> {
-    /// The inspection, where there is one.
-    pub inspection: Option<&'a Inspection>,
+pub(crate) struct Question {
+    /// The inspection; without one, that which finds nothing and calls no depth critical.
+    pub inspection: Inspection,
     /// A length that is critical, mm.
     pub critical_length: Option<f64>,
     /// Mean load of an axle, t.
     pub tonnes: f64,
-    /// Wear and grinding, where there are any.
-    pub maintenance: Option<&'a MaintenancePlan>,
+    /// Wear and grinding.
+    pub removal: SurfaceRemoval<Mgt>,
 }
 
-impl Question<'_> {
+impl Question {
+    /// The question of a case to its runs; none without axle loads.
+    pub fn of(info: &RunInfo) -> Option<Self> {
+        Some(Self {
+            inspection: info.inspection.unwrap_or_default(),
+            critical_length: info.critical_length,
+            tonnes: info.axle_load?,
+            removal: info.maintenance.unwrap_or(SurfaceRemoval::NONE),
+        })
+    }
+
+    /// The question to cracks that grow faster by `speed`, in the traffic in which they grow as
+    /// much.
+    pub fn at_speed(&self, speed: f64) -> Self {
+        Self { removal: self.removal.outpaced(speed), ..*self }
+    }
+
     pub(super) fn limits(&self) -> Limits {
-        let inspection = self.inspection.copied().unwrap_or_default();
         Limits {
-            critical_depth: inspection.critical_depth,
+            critical_depth: self.inspection.critical_depth,
             critical_length: self.critical_length,
             toughness: None,
-            detectable_depth: inspection.detectable_depth,
-            detectable_length: inspection.detectable_length,
+            detectable_depth: self.inspection.detectable_depth,
+            detectable_length: self.inspection.detectable_length,
             ignored: None,
         }
     }
 
-    pub(super) fn removal(&self) -> Removal {
-        Removal::of(self.maintenance)
+    /// The walk of cracks that grow faster by `speed` than the run of `family`, but for failures of
+    /// the mode `ignored`.
+    fn walk(&self, family: &Family, speed: f64, ignored: Option<FailureMode>) -> (Walked, Track) {
+        let walk = Walk::through(family, self.tonnes, self.removal);
+        let rates = SampledRates { faster: speed, ..SampledRates::of_case(self.tonnes, self.removal) };
+        let mut track = Track::default();
+        let walked = walk.walk(&rates, &Limits { ignored, ..self.limits() }, &mut track);
+        (walked, track)
     }
 }
 
@@ -105,15 +129,11 @@ impl Nominal {
     /// The run `course`.
     pub fn of(course: &Course, question: &Question) -> Self {
         let family = Family::alone(course);
-        let walk = Walk::through(&family, question.tonnes, question.removal());
-        let rates = SampledRates::of_case(question.tonnes, question.removal());
-        let limits = question.limits();
-        let mut track = Track::default();
-        let first = walk.walk(&rates, &limits, &mut track);
+        let (first, _) = question.walk(&family, 1.0, None);
         let failure = failure_of(course, first.fate, question);
         let second = failure.mode.map_or(FailureSummary::NONE, |mode| {
-            let again = walk.walk(&rates, &Limits { ignored: Some(mode), ..limits }, &mut track);
-            failure_of(course, again.fate, question)
+            let (next, _) = question.walk(&family, 1.0, Some(mode));
+            failure_of(course, next.fate, question)
         });
         let (worn, replaced) = match first.fate {
             Fate::Worn(mgt) => (Some(mgt), None),
@@ -126,22 +146,12 @@ impl Nominal {
     /// Million gross tonnes to failure of cracks in `family` that grow faster by `speed`; none
     /// where they do not fail.
     pub fn mgt_at_speed(family: &Family, speed: f64, question: &Question) -> Option<f64> {
-        let walk = Walk::through(family, question.tonnes, question.removal());
-        let rates = SampledRates::of_case(question.tonnes, question.removal());
-        let rates = SampledRates { faster: speed, ..rates };
-        match walk.walk(&rates, &question.limits(), &mut Track::default()).fate {
-            Fate::Fails(_, mgt) => Some(mgt),
-            _ => None,
-        }
+        question.walk(family, speed, None).0.fate.failure()
     }
 
     /// The depth of the crack that is looked for in the run `course`, over traffic.
     pub fn depths(course: &Course, question: &Question) -> DepthCurve {
-        let family = Family::alone(course);
-        let walk = Walk::through(&family, question.tonnes, question.removal());
-        let rates = SampledRates::of_case(question.tonnes, question.removal());
-        let mut track = Track::default();
-        walk.walk(&rates, &question.limits(), &mut track);
+        let (_, track) = question.walk(&Family::alone(course), 1.0, None);
         DepthCurve::through(track.own_depths())
     }
 }
@@ -149,8 +159,8 @@ impl Nominal {
 /// The failure at the end of a walk along `course`.
 fn failure_of(course: &Course, fate: Fate, question: &Question) -> FailureSummary {
     let Fate::Fails(mode, mgt) = fate else { return FailureSummary::NONE };
-    let Question { tonnes, .. } = *question;
-    let axles = 1e6 * mgt / tonnes;
+    let Question { tonnes, ref removal, .. } = *question;
+    let Axles(axles) = Mgt(mgt).axles(tonnes);
     let after = course.points.iter().find(|point| point.axles >= axles * (1.0 - 1e-9));
     let after = after.or(course.points.last());
     let of_event = || course.event(Some(mode)).map(|event: &CourseEvent| event.tip);
@@ -162,17 +172,17 @@ fn failure_of(course: &Course, fate: Fate, question: &Question) -> FailureSummar
     let Limits { critical_depth, critical_length, .. } = question.limits();
     let error = match (mode, critical_depth, critical_length) {
         (FailureMode::Depth, Some(depth), _) => {
-            life_error(course, |point| point.depth, depth, axles, tonnes, question.removal())
+            life_error(course, |point| point.depth, depth, axles, tonnes, removal)
         }
         (FailureMode::Length, _, Some(length)) => {
-            life_error(course, |point| point.length, length, axles, tonnes, question.removal())
+            life_error(course, |point| point.length, length, axles, tonnes, removal)
         }
         _ => error_at(&course.points, axles),
     };
     FailureSummary {
         mode: Some(mode),
         mgt: Some(mgt),
-        mgt_error: after.map(|_| 1e-6 * tonnes * error),
+        mgt_error: after.map(|_| Axles(error).mgt(tonnes).0),
         crack: tip.map(|(crack, _)| crack + 1),
         tip: tip.map(|(_, tip)| tip + 1),
     }

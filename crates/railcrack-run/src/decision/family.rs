@@ -8,7 +8,6 @@
 
 use super::course::{Course, CourseEnd, CoursePoint, FailureMode};
 use railcrack::growth::WheelShares;
-use railcrack_case::MaintenancePlan;
 
 /// States on the common grid that are closer than this (mm) are one.
 const SAME: f64 = 1e-9;
@@ -47,6 +46,16 @@ impl State {
             length: point.length,
             own_length: point.own_length,
         }
+    }
+
+    /// Depth of the deepest tip, mm.
+    pub fn depth(&self) -> f64 {
+        self.reach - self.removed
+    }
+
+    /// Depth of the deepest tip of the crack looked for, mm.
+    pub fn own_depth(&self) -> f64 {
+        self.own_reach - self.removed
     }
 
     /// Between `self` at 0 and `other` at 1; also beyond.
@@ -89,10 +98,9 @@ pub(crate) struct Family {
     curves: Vec<Curve>,
     /// The run among them.
     nominal: usize,
-    /// Axles of the run from each place of the grid to the next; none beyond its end.
+    /// Axles of the run from each place of the grid to the next, as far as the run goes; none where
+    /// it is ground.
     axles: Vec<Option<f64>>,
-    /// Whether the run is ground from there to the next.
-    ground: Vec<bool>,
 }
 
 /// A place on the common grid: a cell, and the fraction of it.
@@ -100,6 +108,15 @@ pub(crate) struct Family {
 pub(crate) struct Spot {
     pub cell: usize,
     pub share: f64,
+}
+
+/// The cracks at a place on the common grid.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct CracksAt<'a> {
+    pub spot: Spot,
+    pub state: State,
+    /// Shares of the wheels in the rate, those of the nearest place.
+    pub shares: &'a WheelShares,
 }
 
 /// The neighbours of a state and its place between them.
@@ -121,25 +138,7 @@ impl Family {
     pub fn of(nominal: &Course, faster: &[&Course], slower: &[&Course]) -> Self {
         let all: Vec<&Course> =
             faster.iter().copied().chain([nominal]).chain(slower.iter().copied()).collect();
-        let mut grid: Vec<f64> = Vec::new();
-        let mut axles: Vec<Option<f64>> = Vec::new();
-        let mut ground = Vec::new();
-        let mut passed = 0.0;
-        let mut before: Option<&CoursePoint> = None;
-        for point in &nominal.points {
-            if let Some(earlier) = before {
-                passed += point.axles - earlier.axles;
-                if point.work - grid.last().copied().unwrap_or(0.0) > SAME {
-                    grid.push(point.work);
-                    axles.push(Some(passed));
-                    ground.push(point.axles == earlier.axles && point.removed > earlier.removed + SAME);
-                    passed = 0.0;
-                }
-            } else {
-                grid.push(point.work);
-            }
-            before = Some(point);
-        }
+        let (mut grid, axles) = places_of(nominal);
         let last = grid.last().copied().unwrap_or(0.0);
         let mut later: Vec<f64> =
             all.iter().flat_map(|course| &course.points).map(|point| point.work).collect();
@@ -148,12 +147,10 @@ impl Family {
         for work in later {
             if work - grid.last().copied().unwrap_or(0.0) > SAME {
                 grid.push(work);
-                axles.push(None);
-                ground.push(false);
             }
         }
         let curves = all.iter().map(|course| Curve::of(course, &grid)).collect();
-        Self { grid, curves, nominal: faster.len(), axles, ground }
+        Self { grid, curves, nominal: faster.len(), axles }
     }
 
     /// Number of places on the grid.
@@ -162,7 +159,7 @@ impl Family {
     }
 
     /// The place `work`, mm.
-    pub fn spot(&self, work: f64) -> Option<Spot> {
+    fn spot(&self, work: f64) -> Option<Spot> {
         let next = self.grid.partition_point(|place| *place <= work + SAME);
         let cell = next.checked_sub(1)?;
         if next == self.grid.len() {
@@ -180,7 +177,7 @@ impl Family {
 
     /// Axles of the run over the cell of the grid; none beyond its end and where it is ground.
     pub fn axles(&self, cell: usize) -> Option<f64> {
-        self.axles.get(cell).copied().flatten().filter(|_| !self.ground[cell])
+        self.axles.get(cell).copied().flatten()
     }
 
     /// The state of the run at the start of a cell; none beyond its end.
@@ -188,19 +185,23 @@ impl Family {
         self.curves[self.nominal].states.get(place).copied()
     }
 
-    /// The state at `spot` with `removed` (mm) gone; none where no course goes that far. `shares`
-    /// are those of the nearest place.
-    pub fn state(&self, spot: Spot, removed: f64) -> Option<(State, &WheelShares)> {
-        let between = self.between(spot, removed)?;
-        let faster = self.curves[between.faster].at(spot)?;
-        let near = if between.share > 0.5 { between.slower } else { between.faster };
+    /// The cracks at `spot` with `removed` (mm) gone; none where no course goes that far.
+    pub fn cracks(&self, spot: Spot, removed: f64) -> Option<CracksAt<'_>> {
+        let Between { faster, slower, share } = self.between(spot, removed)?;
+        let near = if share > 0.5 { slower } else { faster };
         let shares = self.curves[near].shares.get(spot.cell)?;
-        if between.faster == between.slower {
-            return Some((faster, shares));
-        }
-        let slower = self.curves[between.slower].at(spot)?;
-        let state = State { removed, ..faster.to(&slower, between.share) };
-        Some((state, shares))
+        let fast = self.curves[faster].at(spot)?;
+        let state = match faster == slower {
+            true => fast,
+            false => State { removed, ..fast.to(&self.curves[slower].at(spot)?, share) },
+        };
+        Some(CracksAt { spot, state, shares })
+    }
+
+    /// The cracks with growth and removal of `work` (mm), of which `removed` (mm) are removal; none
+    /// where no course goes that far.
+    pub fn cracks_with(&self, work: f64, removed: f64) -> Option<CracksAt<'_>> {
+        self.cracks(self.spot(work)?, removed)
     }
 
     /// Where, in growth and removal, each of [`EVENTS`] takes place for a crack at `spot` with
@@ -263,6 +264,34 @@ impl Family {
     }
 }
 
+/// Growth and removal (mm) of each place of the run `course`, and its axles from each to the next;
+/// none where it is ground.
+fn places_of(course: &Course) -> (Vec<f64>, Vec<Option<f64>>) {
+    let mut grid: Vec<f64> = course.points.first().map(|point| point.work).into_iter().collect();
+    let mut axles = Vec::new();
+    let mut passed = 0.0;
+    for pair in course.points.windows(2) {
+        let [from, to] = [&pair[0], &pair[1]];
+        passed += to.axles - from.axles;
+        if to.work - grid.last().copied().unwrap_or(0.0) > SAME {
+            let is_ground = to.axles == from.axles && to.removed > from.removed + SAME;
+            grid.push(to.work);
+            axles.push((!is_ground).then_some(passed));
+            passed = 0.0;
+        }
+    }
+    (grid, axles)
+}
+
+/// The state at `work` (mm) on the continued last part of `points`; none too far beyond it.
+fn beyond(points: &[CoursePoint], work: f64) -> Option<State> {
+    let (first, last) = (points.first()?, points.last()?);
+    let earlier = points.iter().rev().find(|point| point.work < last.work - SAME)?;
+    let share = (work - earlier.work) / (last.work - earlier.work);
+    let is_near = work - last.work <= CONTINUED * (last.work - first.work);
+    is_near.then(|| State::of(earlier).to(&State::of(last), share))
+}
+
 impl Curve {
     fn of(course: &Course, grid: &[f64]) -> Self {
         let points = &course.points;
@@ -280,18 +309,10 @@ impl Curve {
                     State::of(before).to(&State::of(after), share.clamp(0.0, 1.0))
                 }
                 None if work <= before.work + SAME => State::of(before),
-                None => {
-                    let Some(earlier) = points.iter().rev().find(|point| point.work < before.work - SAME)
-                    else {
-                        break;
-                    };
-                    let share = (work - earlier.work) / (before.work - earlier.work);
-                    let first = points.first().map_or(0.0, |point| point.work);
-                    if !fails || work - before.work > CONTINUED * (before.work - first) {
-                        break;
-                    }
-                    State::of(earlier).to(&State::of(before), share)
-                }
+                None => match beyond(points, work).filter(|_| fails) {
+                    Some(state) => state,
+                    None => break,
+                },
             };
             states.push(state);
             shares.push(before.shares);
@@ -314,36 +335,5 @@ impl Curve {
             return Some(*here);
         }
         Some(here.to(self.states.get(spot.cell + 1)?, spot.share))
-    }
-}
-
-/// Removal of the surface over traffic.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Removal {
-    /// mm per million gross tonnes.
-    pub wear: f64,
-    /// Depth (mm), interval and first time (million gross tonnes) of grindings.
-    pub grinding: Option<(f64, f64, f64)>,
-    /// Removal at which the rail is replaced, mm, less what is rounding.
-    pub limit: Option<f64>,
-}
-
-/// Removal below the limit, relative to it, that is attributed to rounding.
-const AT_LIMIT: f64 = 1e-9;
-
-impl Removal {
-    /// None without a `plan`.
-    pub fn of(plan: Option<&MaintenancePlan>) -> Self {
-        let grinding = plan.and_then(|plan| {
-            let (depth, interval) = plan.grinding?;
-            Some((depth, interval, plan.first_grinding.unwrap_or(interval)))
-        });
-        let limit = plan.and_then(|plan| Some(plan.wear_limit? * (1.0 - AT_LIMIT)));
-        Self { wear: plan.map_or(0.0, |plan| plan.wear), grinding, limit }
-    }
-
-    /// Million gross tonnes until the next grinding after `done` of them.
-    pub fn next(&self, done: usize) -> f64 {
-        self.grinding.map_or(f64::INFINITY, |(_, interval, first)| first + interval * done as f64)
     }
 }

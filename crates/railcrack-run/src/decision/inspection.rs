@@ -3,6 +3,7 @@
 
 use super::course::FailureMode;
 use super::failure::Nominal;
+use super::rows::{DecisionRow, depth_at};
 use railcrack_case::Inspection;
 use serde::{Deserialize, Serialize};
 
@@ -27,13 +28,14 @@ pub struct InspectionSummary {
 }
 
 impl InspectionSummary {
-    /// The `inspection` of a run; a crack that is detected by its length has the depth `found`
-    /// (mm) then.
-    pub(crate) fn of(nominal: &Nominal, inspection: &Inspection, found: Option<f64>) -> Self {
+    /// The `inspection` of a run; a crack that is detected by its length has the depth in `rows`
+    /// then.
+    pub(crate) fn of(nominal: &Nominal, inspection: &Inspection, rows: &[DecisionRow]) -> Self {
+        let found = || nominal.detected.and_then(|mgt| depth_at(rows, mgt));
         let (to_detectable, to_critical) = (nominal.detected, nominal.failure.mgt);
         let way = to_detectable.zip(to_critical).map(|(from, to)| (to - from).max(0.0));
         Self {
-            detectable_depth_mm: inspection.detectable_depth.or(found),
+            detectable_depth_mm: inspection.detectable_depth.or_else(found),
             mgt_to_detectable: to_detectable,
             critical_by: nominal.failure.mode,
             mgt_to_critical: to_critical,

@@ -5,7 +5,7 @@
 //! to could have done so before: the error of the life is then not e but the way to the next time.
 
 use super::course::{Course, CoursePoint};
-use super::family::Removal;
+use railcrack::growth::{Grinding, Mgt, SurfaceRemoval};
 
 /// Grindings followed beyond the end of a course at most.
 const MOST_GRINDINGS: usize = 1000;
@@ -20,10 +20,12 @@ pub(super) fn life_error(
     limit: f64,
     life: f64,
     tonnes: f64,
-    removal: Removal,
+    removal: &SurfaceRemoval<Mgt>,
 ) -> f64 {
     let points = &course.points;
-    let Some((depth, interval, _)) = removal.grinding else { return error_at(points, life) };
+    let Some(Grinding { depth, interval: Mgt(interval), .. }) = removal.grinding else {
+        return error_at(points, life);
+    };
     let per_axle = 1e-6 * tonnes;
     let mut slope = 0.0;
     let mut ends: [Option<f64>; 2] = [None, None];
@@ -48,8 +50,8 @@ pub(super) fn life_error(
     let latest = ends[1].or_else(|| {
         let (last, (mut axles, [_, mut least])) = points.last().zip(before)?;
         let cut = depth * size(last) / last.depth;
-        let done = (0..).find(|&done| removal.next(done) > per_axle * axles * (1.0 + 1e-9))?;
-        for next in (done..done + MOST_GRINDINGS).map(|done| removal.next(done) / per_axle) {
+        let done = (0..).find(|&done| removal.next_grinding(done).0 > per_axle * axles * (1.0 + 1e-9))?;
+        for next in (done..done + MOST_GRINDINGS).map(|done| removal.next_grinding(done).0 / per_axle) {
             let until = axles + (limit - least) / slope;
             if slope > 0.0 && until <= next {
                 return Some(until);
@@ -79,7 +81,10 @@ mod tests {
     use railcrack::growth::WheelShares;
 
     /// Axles of 1 t, so that a million of them are an MGT; 0.1 mm is ground every 20 MGT.
-    const REMOVAL: Removal = Removal { wear: 0.0, grinding: Some((0.1, 20.0, 20.0)), limit: None };
+    const REMOVAL: SurfaceRemoval<Mgt> = SurfaceRemoval {
+        grinding: Some(Grinding { depth: 0.1, interval: Mgt(20.0), first: None }),
+        ..SurfaceRemoval::NONE
+    };
 
     /// A crack that grows by `rate` (mm/MGT) from 2 mm, with errors of 1 % of the axles, until
     /// `end` (MGT): 20 points in each interval, and one before each grinding.
@@ -116,7 +121,7 @@ mod tests {
     }
 
     fn error(limit: f64, life: f64, end: f64) -> f64 {
-        1e-6 * life_error(&course(0.01, end), |point| point.depth, limit, 1e6 * life, 1.0, REMOVAL)
+        1e-6 * life_error(&course(0.01, end), |point| point.depth, limit, 1e6 * life, 1.0, &REMOVAL)
     }
 
     /// 0.01 mm/MGT less 0.1 mm every 20 MGT: the depth before the fifth grinding is 2.6 mm, and
@@ -145,7 +150,7 @@ mod tests {
     #[test]
     fn a_crack_that_grinding_holds_has_no_later_time() {
         let held = course(0.004, 19.0);
-        let error = life_error(&held, |point| point.depth, 2.0799, 19.975e6, 1.0, REMOVAL);
+        let error = life_error(&held, |point| point.depth, 2.0799, 19.975e6, 1.0, &REMOVAL);
         assert_eq!(error, 19.975e6);
     }
 }

@@ -1,7 +1,7 @@
 //! Growth of a crack against the removal of the surface by wear and grinding.
 
-use super::row::DecisionRow;
-use railcrack_case::MaintenancePlan;
+use super::rows::DecisionRow;
+use railcrack::growth::{Mgt, SurfaceRemoval};
 use serde::{Deserialize, Serialize};
 
 /// Growth against wear and grinding.
@@ -36,22 +36,27 @@ pub struct MaintenanceSummary {
 impl MaintenanceSummary {
     /// The balance for the crack of `rows`, which is gone at the last of them if it `is_worn_away`,
     /// after `removed` (mm) of the surface.
-    pub(super) fn of(plan: &MaintenancePlan, rows: &[DecisionRow], is_worn_away: bool, removed: f64) -> Self {
-        let removal = plan.removal();
+    pub(super) fn of(
+        removal: &SurfaceRemoval<Mgt>,
+        rows: &[DecisionRow],
+        is_worn_away: bool,
+        removed: f64,
+    ) -> Self {
+        let mean = removal.mean_rate();
         let ratio =
-            |row: &DecisionRow| Some(row.balance_mm_per_mgt? / removal).filter(|ratio| ratio.is_finite());
+            |row: &DecisionRow| Some(row.balance_mm_per_mgt? / mean).filter(|ratio| ratio.is_finite());
         let ends = rows.first().and_then(ratio).zip(rows.last().and_then(ratio));
         Self {
-            wear_mm_per_mgt: plan.wear,
-            grinding_mm: plan.grinding.map(|(depth, _)| depth),
-            grinding_interval_mgt: plan.grinding.map(|(_, interval)| interval),
-            removal_mm_per_mgt: removal,
+            wear_mm_per_mgt: removal.wear,
+            grinding_mm: removal.grinding.map(|grinding| grinding.depth),
+            grinding_interval_mgt: removal.grinding.map(|grinding| grinding.interval.0),
+            removal_mm_per_mgt: mean,
             removed_mm: removed,
             growth_over_removal: ends.map(|(first, last)| [first, last]),
             balance_depth_mm: rows.windows(2).find_map(|pair| balance(pair, ratio)),
             mgt_to_worn_away: rows.last().filter(|_| is_worn_away).map(|last| last.mgt),
-            wear_limit_mm: plan.wear_limit,
-            mgt_to_wear_limit: plan.replacement(),
+            wear_limit_mm: removal.limit,
+            mgt_to_wear_limit: removal.replacement().map(|Mgt(mgt)| mgt),
         }
     }
 }

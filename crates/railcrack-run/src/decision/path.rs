@@ -24,7 +24,7 @@ pub struct PathPoint {
     pub shares: WheelShares,
 }
 
-/// The deepest tip of a run from step to step.
+/// A tip of a run from step to step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GrowthPath {
     /// Crack and tip, from 1.
@@ -37,27 +37,29 @@ pub struct GrowthPath {
     pub is_worn_away: bool,
 }
 
+/// The tip of the last of `steps` that has grown most, of equal ones the deepest.
+pub(super) fn most_grown(steps: &[StepDigest]) -> Option<&TipRecord> {
+    let grown = |tip: &TipRecord| {
+        let same = |step: &StepDigest| {
+            step.tips.iter().find(|other| other.tip == tip.tip).map_or(0.0, |other| other.increment)
+        };
+        steps.iter().map(same).sum::<f64>()
+    };
+    steps.last()?.tips.iter().max_by(|a, b| {
+        let deeper = a.depth().total_cmp(&b.depth());
+        grown(a).total_cmp(&grown(b)).then(deeper)
+    })
+}
+
 impl GrowthPath {
     /// The path of the tip `followed` (crack and tip, from 0) or of the one that has grown most, of
     /// equal ones the deepest; none without steps.
     pub(crate) fn of(steps: &[StepDigest], followed: Option<(usize, usize)>) -> Option<Self> {
         let last = steps.last()?;
-        let grown = |tip: &TipRecord| {
-            let same = |step: &StepDigest| {
-                step.tips.iter().find(|other| other.tip == tip.tip).map_or(0.0, |other| other.increment)
-            };
-            steps.iter().map(same).sum::<f64>()
-        };
         let own = last.tips.iter().find(|tip| followed == Some((tip.tip.crack, tip.tip.tip)));
-        let most = || {
-            last.tips.iter().max_by(|a, b| {
-                let deeper = a.depth().total_cmp(&b.depth());
-                grown(a).total_cmp(&grown(b)).then(deeper)
-            })
-        };
-        let deepest = own.or_else(most)?.tip;
+        let followed = own.or_else(|| most_grown(steps))?.tip;
         let point = |step: &StepDigest| {
-            let same = |tip: &&TipRecord| (tip.tip.crack, tip.tip.tip) == (deepest.crack, deepest.tip);
+            let same = |tip: &&TipRecord| (tip.tip.crack, tip.tip.tip) == (followed.crack, followed.tip);
             let tip = step.tips.iter().find(same)?;
             Some(PathPoint {
                 axles: step.load_cycles,
@@ -71,14 +73,19 @@ impl GrowthPath {
             })
         };
         Some(Self {
-            tip: (deepest.crack + 1, deepest.tip + 1),
+            tip: (followed.crack + 1, followed.tip + 1),
             points: steps.iter().filter_map(point).collect(),
             breaks: last.stop == Some(RunStop::Fracture),
             is_worn_away: last
                 .tips
                 .iter()
-                .any(|tip| (tip.tip.crack, tip.stop) == (deepest.crack, Some(TipStop::WornAway))),
+                .any(|tip| (tip.tip.crack, tip.stop) == (followed.crack, Some(TipStop::WornAway))),
         })
+    }
+
+    /// Crack and tip, from 0.
+    pub(crate) fn followed(&self) -> (usize, usize) {
+        (self.tip.0 - 1, self.tip.1 - 1)
     }
 
     /// Axles of each point.

@@ -1,7 +1,11 @@
 //! Risk over the inspection interval, and the interval for a target risk, in `summary.json`.
 
-use super::risk::{DepthCurve, DetectionCurve, IntervalForTarget, Life, Risk};
+use super::failure::Nominal;
+use super::inspection::InspectionSummary;
+use super::nominal_run::NominalRun;
+use super::risk::{DetectionCurve, IntervalForTarget, Life, Risk};
 use super::scatter::SampledLife;
+use crate::log::RunInfo;
 use railcrack_case::InspectionRisk;
 use serde::{Deserialize, Serialize};
 
@@ -65,33 +69,48 @@ const SHORTEST: f64 = 0.02;
 
 /// The inputs of the risk besides the lives.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct RiskInputs<'a> {
+struct RiskInputs<'a> {
     /// The detection and the accepted risk.
-    pub asked: &'a InspectionRisk,
+    asked: &'a InspectionRisk,
     /// Depth (mm) from which cracks are found where the case gives no probability of detection.
-    pub detectable_depth: f64,
+    detectable_depth: f64,
     /// Million gross tonnes per year, where they are given.
-    pub mgt_per_year: Option<f64>,
+    mgt_per_year: Option<f64>,
+    /// Million gross tonnes up to which intervals are tried: those to failure, or where the run
+    /// does not fail to its end.
+    life: f64,
+    /// Million gross tonnes between inspections by the decision.
+    interval: Option<f64>,
 }
 
 impl RiskSummary {
-    /// The risk of one crack with `depths` over traffic that fails after `failure` million gross
-    /// tonnes and is inspected every `interval`.
-    pub(super) fn of_run(depths: &DepthCurve, failure: f64, interval: Option<f64>, of: RiskInputs) -> Self {
-        let lives = [Life { failure, depths, found_from: None }];
-        Self::of(&lives, failure, interval, of)
-    }
-
-    /// The risk of the samples `lives` of a run that fails after `life` million gross tonnes, or
-    /// ends then; that of a life without failures where none fails.
-    pub(super) fn of_samples(
-        samples: &[SampledLife],
-        life: f64,
-        interval: Option<f64>,
-        of: RiskInputs,
-    ) -> Self {
-        let lives: Vec<Life> = samples.iter().map(Life::of).collect();
-        Self::of(&lives, life, interval, of)
+    /// The risk of the crack of `run` under its `inspection`, or of its samples where `lives` has
+    /// them; the run ends after `longest` million gross tonnes. None where the case does not ask
+    /// for it, or nothing fails.
+    pub(super) fn of_inspection(
+        info: &RunInfo,
+        run: &NominalRun,
+        inspection: &InspectionSummary,
+        lives: Option<&[SampledLife]>,
+        longest: f64,
+    ) -> Option<Self> {
+        let NominalRun { course, nominal, question, .. } = run;
+        let failure = nominal.failure.mgt;
+        // Never detectable: no inspection finds it.
+        let never = || nominal.detected.is_none().then_some(f64::INFINITY);
+        let inputs = RiskInputs {
+            asked: info.inspection_risk.as_ref()?,
+            detectable_depth: inspection.detectable_depth_mm.or_else(never)?,
+            mgt_per_year: info.mgt_per_year,
+            life: failure.unwrap_or(longest),
+            interval: inspection.interval_mgt,
+        };
+        if let Some(samples) = lives {
+            let lives: Vec<Life> = samples.iter().map(Life::of).collect();
+            return Some(Self::of(&lives, inputs));
+        }
+        let depths = Nominal::depths(course, question);
+        Some(Self::of(&[Life { failure: failure?, depths: &depths, found_from: None }], inputs))
     }
 
     /// The risk at the interval of the decision, or without one at the longest of the series, and
@@ -102,14 +121,9 @@ impl RiskSummary {
         (at.probability > target).then_some((*at, target))
     }
 
-    /// The risk of `lives`, with a series of intervals up to `life` (million gross tonnes).
-    pub(super) fn of(
-        lives: &[Life<'_>],
-        life: f64,
-        inspected_every: Option<f64>,
-        inputs: RiskInputs<'_>,
-    ) -> Self {
-        let RiskInputs { asked, detectable_depth, mgt_per_year } = inputs;
+    /// The risk of `lives`.
+    fn of(lives: &[Life<'_>], inputs: RiskInputs<'_>) -> Self {
+        let RiskInputs { asked, detectable_depth, mgt_per_year, life, .. } = inputs;
         let curve = asked.detection.as_ref().map(DetectionCurve::from);
         let risk = Risk::of(lives, curve.unwrap_or(DetectionCurve::Step(detectable_depth)));
         let at = |interval: f64| RiskAtInterval {
@@ -123,7 +137,7 @@ impl RiskSummary {
         };
         Self {
             risk: series(life).into_iter().map(at).collect(),
-            risk_at_interval: inspected_every.filter(|interval| *interval > 0.0).map(at),
+            risk_at_interval: inputs.interval.filter(|interval| *interval > 0.0).map(at),
             target_risk: asked.target,
             interval_for_target_mgt: interval,
             interval_for_target_months: interval.zip(mgt_per_year).map(|(mgt, year)| 12.0 * mgt / year),
@@ -154,6 +168,7 @@ fn rounded(step: f64, power: i32) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::decision::DepthCurve;
 
     #[test]
     fn round_intervals_up_to_the_life() {
@@ -167,8 +182,14 @@ mod tests {
         let depths = DepthCurve::through([(0.0, 0.0), (100.0, 10.0)]);
         let lives = [Life { failure: 50.0, depths: &depths, found_from: None }];
         let asked = InspectionRisk { target: Some(0.25), detection: None };
-        let inputs = RiskInputs { asked: &asked, detectable_depth: 2.0, mgt_per_year: Some(20.0) };
-        let of = RiskSummary::of(&lives, 50.0, Some(30.0), inputs);
+        let inputs = RiskInputs {
+            asked: &asked,
+            detectable_depth: 2.0,
+            mgt_per_year: Some(20.0),
+            life: 50.0,
+            interval: Some(30.0),
+        };
+        let of = RiskSummary::of(&lives, inputs);
         assert_eq!(of.risk_at_interval.map(|at| at.probability), Some(0.0));
         let at = |mgt: f64| of.risk.iter().find(|at| at.interval_mgt == mgt).unwrap().probability;
         assert!((at(50.0) - 0.4).abs() < 1e-12 && at(30.0) == 0.0, "{of:?}");

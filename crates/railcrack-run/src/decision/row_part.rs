@@ -1,8 +1,8 @@
 //! The difference that the distant cracks of a long row make to the runs of a decision.
 
 use super::course::{Course, CoursePoint};
-use super::failure::Nominal;
-use super::nominal_course::course_of;
+use super::failure::Question;
+use super::nominal_run::NominalRun;
 use super::path::GrowthPath;
 use crate::log::{Companion, CompanionKind, RunInfo, RunLog};
 use serde::{Deserialize, Serialize};
@@ -43,7 +43,7 @@ impl RowPartSummary {
         Some(Self {
             cracks,
             of: log.now.initial_cracks.len(),
-            mgt: with_failures(info, alone).and_then(|(_, nominal)| nominal.failure.mgt),
+            mgt: with_failures(info, alone).and_then(|run| run.nominal.failure.mgt),
             difference_percent: 100.0 * from_run(info, log, alone)?,
         })
     }
@@ -52,8 +52,8 @@ impl RowPartSummary {
 /// The cracks (from 0) that decide in the run of `log`: that of the first failure, that of the next
 /// one, and the one that is looked for.
 pub(crate) fn deciding(info: &RunInfo, log: &RunLog) -> Vec<usize> {
-    let nominal = info.axle_load.and_then(|tonnes| course_of(info, log, tonnes)).map(|(_, nominal)| nominal);
-    let failing = nominal.into_iter().flat_map(|nominal| [nominal.failure.crack, nominal.second.crack]);
+    let run = Question::of(info).and_then(|question| NominalRun::of(&log.steps, question));
+    let failing = run.into_iter().flat_map(|run| [run.nominal.failure.crack, run.nominal.second.crack]);
     let mut all: Vec<usize> = failing.flatten().map(|crack| crack - 1).collect();
     if all.is_empty() {
         all.extend(GrowthPath::of(&log.steps, None).map(|path| path.tip.0 - 1));
@@ -67,9 +67,9 @@ pub(crate) fn deciding(info: &RunInfo, log: &RunLog) -> Vec<usize> {
 /// neither fails of the growth of the crack that is looked for, relative to that of the run. None
 /// where one of them fails and the other does not, or they fail differently.
 pub(crate) fn from_run(info: &RunInfo, log: &RunLog, alone: &Companion) -> Option<f64> {
-    let (course, run) = course_of(info, log, info.axle_load?)?;
-    let (of_part, part) = with_failures(info, alone)?;
-    let (one, other) = (run.failure, part.failure);
+    let run = NominalRun::of(&log.steps, Question::of(info)?)?;
+    let part = with_failures(info, alone)?;
+    let (one, other) = (run.nominal.failure, part.nominal.failure);
     if (one.mode, one.crack) != (other.mode, other.crack) {
         return None;
     }
@@ -77,15 +77,14 @@ pub(crate) fn from_run(info: &RunInfo, log: &RunLog, alone: &Companion) -> Optio
         return Some((of_part / mgt - 1.0).abs());
     }
     let end = |course: &Course| course.points.last().map_or(0.0, |point| point.axles);
-    let at = end(&course).min(end(&of_part));
-    let [run, part] = [&course, &of_part].map(|course| grown(course, at));
+    let at = end(&run.course).min(end(&part.course));
+    let [run, part] = [&run.course, &part.course].map(|course| grown(course, at));
     Some(if run == part { 0.0 } else { (part / run - 1.0).abs() })
 }
 
 /// The companion `alone` with its failures; none where it could not be followed to its end.
-fn with_failures(info: &RunInfo, alone: &Companion) -> Option<(Course, Nominal)> {
-    let log = RunLog { steps: alone.steps.clone(), ..RunLog::default() };
-    course_of(info, &log, info.axle_load?).filter(|_| alone.reason.is_none())
+fn with_failures(info: &RunInfo, alone: &Companion) -> Option<NominalRun> {
+    NominalRun::of(&alone.steps, Question::of(info)?).filter(|_| alone.reason.is_none())
 }
 
 /// Growth into the depth of the crack that is looked for until `axles`, mm; what is removed counts.

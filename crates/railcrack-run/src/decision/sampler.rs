@@ -1,13 +1,15 @@
 //! One sampled crack on a computed path.
 
+use super::events::{Fate, Limits};
 use super::failure::Question;
-use super::family::{Family, Removal};
-use super::walk::{Fate, Limits, SampledRates, SampledShares, Track, Walk};
-use crate::log::MixInfo;
-use railcrack::growth::MOST_WHEELS;
+use super::family::Family;
+use super::walk::{SampledRates, SampledShares, Track, Walk};
+use crate::log::{MixInfo, RunInfo};
+use railcrack::growth::{MOST_WHEELS, SurfaceRemoval};
 use railcrack_case::{Scatter, normal_quantile};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
+use rayon::prelude::*;
 use std::f64::consts::PI;
 
 /// The cracks that are sampled, and their scatter.
@@ -16,7 +18,7 @@ pub(crate) struct Sampling<'a> {
     /// The cracks at different speeds.
     pub family: &'a Family,
     /// The question to them.
-    pub question: Question<'a>,
+    pub question: Question,
     /// Standard deviations.
     pub scatter: &'a Scatter,
     /// The wheels of a mix.
@@ -26,6 +28,20 @@ pub(crate) struct Sampling<'a> {
     /// Whether the samples break where k1 reaches their own toughness; otherwise where the run
     /// does.
     pub has_own_toughness: bool,
+}
+
+impl<'a> Sampling<'a> {
+    /// Samples of a run in `family` with `scatter`, as `question` asks for them.
+    pub fn of_run(info: &'a RunInfo, question: Question, family: &'a Family, scatter: &'a Scatter) -> Self {
+        Self {
+            family,
+            question,
+            scatter,
+            mix: &info.mix,
+            arrest_rate: if info.maintenance.is_some() { 0.0 } else { info.arrest_rate },
+            has_own_toughness: scatter.toughness_std > 0.0,
+        }
+    }
 }
 
 /// Keys of the quantities whose scatter is described by one deviate each.
@@ -156,31 +172,45 @@ pub(crate) struct Sampler<'a> {
     /// The wheels of a mix whose shares scatter.
     mix: &'a [MixInfo],
     limits: Limits,
-    removal: Removal,
     walk: Walk<'a>,
 }
+
+/// Samples that one thread makes at a time.
+const CHUNK: usize = 256;
 
 impl<'a> Sampler<'a> {
     /// Samples of `of`.
     pub fn of(of: Sampling<'a>) -> Self {
         // Shares that do not scatter leave the rates as they are, to the last bit.
         let mix = if of.scatter.share_log_std > 0.0 { of.mix } else { &[] };
-        let removal = of.question.removal();
-        let walk = Walk::through(of.family, of.question.tonnes, removal);
-        Self { limits: of.question.limits(), removal, mix, walk, of }
+        let walk = Walk::through(of.family, of.question.tonnes, of.question.removal);
+        Self { limits: of.question.limits(), mix, walk, of }
+    }
+
+    /// What `of` makes of each sample of `draws`, and of its depths over traffic.
+    pub fn each<T: Send>(&self, draws: &[Draw], of: impl Fn(Sample, &Track) -> T + Sync) -> Vec<T> {
+        let of_chunk = |draws: &[Draw]| {
+            let mut track = Track::default();
+            let of_one = |draw| {
+                let sample = self.sample(draw, &mut track);
+                of(sample, &track)
+            };
+            draws.iter().map(of_one).collect::<Vec<T>>()
+        };
+        draws.par_chunks(CHUNK).flat_map_iter(of_chunk).collect()
     }
 
     /// The sample `draw`; `track` receives its depths over traffic.
     pub fn sample(&self, draw: &Draw, track: &mut Track) -> Sample {
         let [c, m, toughness, detected, wear] = draw.deviates;
-        let scatter = self.of.scatter;
+        let Sampling { scatter, question: Question { tonnes, removal, .. }, .. } = self.of;
         let shares = draw.shares.map(|z| (scatter.share_log_std * z).exp());
-        let wear = (self.removal.wear + scatter.wear_std * wear).max(0.0);
+        let wear = (removal.wear + scatter.wear_std * wear).max(0.0);
         let rates = SampledRates {
             faster: (scatter.c_log_std * c).exp(),
             steeper: scatter.m_std * m,
-            shares: SampledShares::of(self.mix, shares, self.of.question.tonnes),
-            removal: Removal { wear, ..self.removal },
+            shares: SampledShares::of(self.mix, shares, tonnes),
+            removal: SurfaceRemoval { wear, ..removal },
             arrest_rate: self.of.arrest_rate,
         };
         let own = scatter.toughness.filter(|_| self.of.has_own_toughness);
@@ -191,10 +221,7 @@ impl<'a> Sampler<'a> {
             ..self.limits
         };
         let walked = self.walk.walk(&rates, &limits, track);
-        let to_critical = match walked.fate {
-            Fate::Fails(_, mgt) => mgt,
-            _ => f64::INFINITY,
-        };
+        let to_critical = walked.fate.failure().unwrap_or(f64::INFINITY);
         let outlives = match walked.fate {
             Fate::Outlives(mgt) => mgt,
             _ => f64::INFINITY,

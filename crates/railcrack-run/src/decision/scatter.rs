@@ -4,7 +4,6 @@ use super::risk::DepthCurve;
 use super::sampler::{Draw, Draws, KEYS, Sample, Sampler, Sampling};
 use super::walk::Track;
 use railcrack_case::Scatter;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 /// Quantiles over all samples; null if the run does not reach that far.
@@ -125,20 +124,12 @@ pub(crate) fn sampled(
         let piece: Vec<Draw> = (0..left.min(PIECE)).map(|_| draws.next()).collect();
         left -= piece.len();
         let tonnages = &gathered.tonnages;
-        let made: Vec<(Sample, Vec<f64>, Option<SampledLife>)> = piece
-            .par_chunks(CHUNK)
-            .flat_map_iter(|draws| {
-                let mut track = Track::default();
-                let of_one = |draw| {
-                    let sample = sampler.sample(draw, &mut track);
-                    let depth = |at: &f64| track.at(&track.own_depth, *at, sample.fate);
-                    let depths = tonnages.iter().map(depth).collect();
-                    let life = (risk == Lives::Kept).then(|| SampledLife::of(&sample, &track));
-                    (sample, depths, life)
-                };
-                draws.iter().map(of_one).collect::<Vec<_>>()
-            })
-            .collect();
+        let made = sampler.each(&piece, |sample, track| {
+            let depth = |at: &f64| track.at(&track.own_depth, *at, sample.fate);
+            let depths = tonnages.iter().map(depth).collect();
+            let life = (risk == Lives::Kept).then(|| SampledLife::of(&sample, track));
+            (sample, depths, life)
+        });
         for (sample, depths, life) in made {
             gathered.take(sample, depths);
             lives.extend(life);
@@ -153,8 +144,7 @@ pub(crate) fn sampled(
         let share = (0..of.mix.len()).map(|wheel| of_wheel(wheel).share).sum();
         sensitivities.push(Sensitivity { key: "share_log_std".to_owned(), share });
     }
-    let is_removed =
-        of.question.maintenance.is_some_and(|plan| plan.removal() > 0.0) || scatter.wear_std > 0.0;
+    let is_removed = of.question.removal.mean_rate() > 0.0 || scatter.wear_std > 0.0;
     (gathered.summary(scatter, interval, is_removed, sensitivities), lives)
 }
 
@@ -193,10 +183,8 @@ impl SampledLife {
     }
 }
 
-/// Samples that are in memory with all their deviates at once, and those that one thread makes at a
-/// time.
+/// Samples that are in memory with all their deviates at once.
 const PIECE: usize = 1 << 14;
-const CHUNK: usize = 256;
 
 /// Tonnages (million gross tonnes) at which quantiles of the depth are given, from 0, for a run of
 /// `longest`.

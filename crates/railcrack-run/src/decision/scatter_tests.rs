@@ -3,7 +3,8 @@
 use super::*;
 use crate::decision::{Course, Family, GrowthPath, InspectionSummary, Nominal, PathPoint, Question};
 use crate::log::MixInfo;
-use railcrack_case::{Inspection, MaintenancePlan};
+use railcrack::growth::SurfaceRemoval;
+use railcrack_case::Inspection;
 
 /// A crack under Paris' law with ΔK = 4 √length, from 4 to 16 mm.
 fn path() -> GrowthPath {
@@ -49,26 +50,20 @@ fn scatter() -> Scatter {
 struct Asked<'a> {
     path: &'a GrowthPath,
     scatter: &'a Scatter,
-    maintenance: Option<&'a MaintenancePlan>,
     mix: &'a [MixInfo],
 }
 
-impl Asked<'_> {
-    fn question(&self) -> Question<'_> {
-        Question {
-            inspection: Some(&INSPECTION),
-            critical_length: None,
-            tonnes: 20.0,
-            maintenance: self.maintenance,
-        }
-    }
+/// What is asked of each path.
+const QUESTION: Question =
+    Question { inspection: INSPECTION, critical_length: None, tonnes: 20.0, removal: SurfaceRemoval::NONE };
 
+impl Asked<'_> {
     fn sampled(&self) -> ScatterSummary {
         let course = Course::of_path(self.path);
         let family = Family::alone(&course);
         let of = Sampling {
             family: &family,
-            question: self.question(),
+            question: QUESTION,
             scatter: self.scatter,
             mix: self.mix,
             arrest_rate: 0.0,
@@ -81,14 +76,12 @@ impl Asked<'_> {
 
 /// Samples of an inspected path under one wheel.
 fn idle<'a>(path: &'a GrowthPath, scatter: &'a Scatter) -> Asked<'a> {
-    Asked { path, scatter, maintenance: None, mix: &[] }
+    Asked { path, scatter, mix: &[] }
 }
 
 /// The inspection of the run.
 fn nominal(path: &GrowthPath) -> InspectionSummary {
-    let question =
-        Question { inspection: Some(&INSPECTION), critical_length: None, tonnes: 20.0, maintenance: None };
-    InspectionSummary::of(&Nominal::of(&Course::of_path(path), &question), &INSPECTION, None)
+    InspectionSummary::of(&Nominal::of(&Course::of_path(path), &QUESTION), &INSPECTION, &[])
 }
 
 fn sample(path: &GrowthPath, scatter: &Scatter) -> ScatterSummary {

@@ -1,5 +1,7 @@
 //! Traffic in words: three significant digits, and months where the traffic of a year is known.
 
+use crate::log::RunInfo;
+
 /// Traffic as sentences give it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct TonnageWords {
@@ -8,6 +10,11 @@ pub struct TonnageWords {
 }
 
 impl TonnageWords {
+    /// With the traffic of a year that the case gives, if it does.
+    pub(crate) fn of_year(info: &RunInfo) -> Self {
+        Self { mgt_per_year: info.mgt_per_year }
+    }
+
     /// `mgt` with its unit, and in months.
     #[must_use]
     pub fn of(&self, mgt: f64) -> String {

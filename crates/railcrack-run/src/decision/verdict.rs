@@ -1,6 +1,7 @@
 //! The verdict: one level for the whole run, with its reasons.
 
 use super::failure::{FailureSummary, Nominal};
+use super::nominal_run::NominalRun;
 use super::risk_summary::RiskAtInterval;
 use super::tonnage::{TonnageWords, three_digits};
 use crate::log::{RunInfo, RunLog, StepDigest};
@@ -168,32 +169,20 @@ impl Verdict {
         Self { level, reasons }
     }
 
-    /// The verdict on a run with the failures of `nominal` under axles of `tonnes`; cracks are
-    /// detected by something that the case gives where `is_inspected`.
-    pub(super) fn of(
-        info: &RunInfo,
-        log: &RunLog,
-        nominal: &Nominal,
-        tonnes: f64,
-        is_inspected: bool,
-    ) -> Self {
-        let mgt = |step: &StepDigest| 1e-6 * tonnes * step.load_cycles;
-        let end = nominal.failure.mgt.unwrap_or(f64::INFINITY);
-        // The steps up to the failure, the first among them in any case.
-        let steps: Vec<&StepDigest> = log
-            .steps
-            .iter()
-            .enumerate()
-            .filter(|(i, step)| *i == 0 || mgt(step) <= end * (1.0 + 1e-9))
-            .map(|(_, step)| step)
-            .collect();
+    /// The verdict on `run`, of the steps of `log`.
+    pub(crate) fn of(info: &RunInfo, log: &RunLog, run: &NominalRun) -> Self {
+        let tonnes = run.question.tonnes;
+        let judged = Judged { info, log, nominal: &run.nominal, tonnes, words: TonnageWords::of_year(info) };
+        let steps = judged.steps_to_failure();
         let mut reasons = limits_of_model(info, &steps);
         reasons.extend(rate(&steps, tonnes));
-        reasons = reasons.into_iter().map(|reason| at(reason, &steps, mgt)).collect();
-        let words = TonnageWords { mgt_per_year: info.mgt_per_year };
-        reasons.extend(failure(nominal, log, (mgt, words), is_inspected));
+        for reason in &mut reasons {
+            let step = steps.iter().find(|step| Some(step.step) == reason.step);
+            reason.mgt = step.map(|step| step.mgt(tonnes));
+        }
+        reasons.extend(judged.failure());
         if reasons.is_empty() {
-            reasons.extend(end_of_run(info, log, nominal, (mgt, words)));
+            reasons.extend(judged.end_of_run());
         }
         Self::of_reasons(reasons)
     }
@@ -234,12 +223,6 @@ impl Verdict {
 /// `value` with three digits.
 fn probability(value: f64) -> String {
     if value > 0.0 && value < 1e-3 { format!("{value:.2e}") } else { format!("{value:.4}") }
-}
-
-/// A reason with the tonnage of its step.
-fn at(reason: Reason, steps: &[&StepDigest], mgt: impl Fn(&StepDigest) -> f64) -> Reason {
-    let step = steps.iter().find(|step| Some(step.step) == reason.step);
-    Reason { mgt: step.map(|step| mgt(step)), ..reason }
 }
 
 /// A reason at the tip of `worst`, with its step.
@@ -364,34 +347,6 @@ fn layer(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
     Some(of_tip(Reason::new(ReasonKind::PlasticLayer, text), step, tip, tip.depth(), bottom))
 }
 
-fn failure(
-    nominal: &Nominal,
-    log: &RunLog,
-    (mgt, words): (impl Fn(&StepDigest) -> f64, TonnageWords),
-    is_inspected: bool,
-) -> Option<Reason> {
-    let FailureSummary { mode, mgt: until, mgt_error, crack, tip } = nominal.failure;
-    let (mode, until) = (mode?, until?);
-    let second = log.steps.get(1).map_or(f64::INFINITY, &mgt);
-    let step = log.steps.iter().rev().find(|step| mgt(step) <= until * (1.0 + 1e-9));
-    let whose = crack.map_or_else(String::new, |crack| format!(" of crack {crack}"));
-    let what = format!("{}{whose}", mode.words());
-    let life = match mgt_error.map(|error| 100.0 * error / until).filter(|percent| *percent > 0.0) {
-        Some(percent) => words.noted(until, Some(&format!("± {:.1} % by the increments", percent.max(0.1)))),
-        None => words.of(until),
-    };
-    let (kind, text) = if until == 0.0 {
-        (ReasonKind::AtOnce, format!("{what} at once"))
-    } else if until <= second {
-        (ReasonKind::AtOnce, format!("{what} within the first increment, after {life}"))
-    } else if is_inspected && nominal.detected.is_none_or(|detected| detected >= until) {
-        (ReasonKind::BeforeDetectable, format!("{what} after {life}, before the crack is detectable"))
-    } else {
-        (ReasonKind::Failure, format!("{what} after {life}"))
-    };
-    Some(Reason { crack, tip, step: step.map(|step| step.step), mgt: Some(until), ..Reason::new(kind, text) })
-}
-
 /// Whether no crack grows any longer, for whatever traffic.
 fn is_at_rest(stop: RunStop) -> bool {
     matches!(stop, RunStop::NoTipGrows(TipStop::Arrest | TipStop::Coalescence | TipStop::WornAway))
@@ -403,38 +358,97 @@ fn asks_for_failure(info: &RunInfo) -> bool {
     critical_depth.or(info.critical_length).or(info.toughness).is_some()
 }
 
-fn end_of_run(
-    info: &RunInfo,
-    log: &RunLog,
-    nominal: &Nominal,
-    (mgt, words): (impl Fn(&StepDigest) -> f64, TonnageWords),
-) -> Option<Reason> {
-    let last = log.steps.last()?;
-    let is_over = nominal.worn.or(nominal.replaced).is_some();
-    // Without steps a run is one of K alone, unless somebody is to decide by it.
-    let decides = last.step > 0 || info.inspection.is_some();
-    let is_cut = !is_over && last.stop == Some(RunStop::StepsDone) && decides;
-    let is_unknown = asks_for_failure(info) || last.step == 0;
-    let kind = if is_cut && is_unknown { ReasonKind::StepLimit } else { ReasonKind::EndOfRun };
-    let text = match (nominal.worn, last.stop) {
-        _ if nominal.replaced.is_some() => format!(
-            "the rail is worn to the limit at which it is replaced after {}",
-            words.of(nominal.replaced.unwrap_or_default())
-        ),
-        (Some(worn), _) => format!("the cracks are worn away after {}", words.of(worn)),
-        (None, Some(stop)) if is_at_rest(stop) => "no crack grows any longer".to_owned(),
-        _ if kind == ReasonKind::StepLimit => format!(
-            "the {} steps of the case end after {} without a failure, and what follows is not known: give more steps in [growth], or stop_after_cycles for the traffic in question",
-            last.step,
-            words.of(mgt(last))
-        ),
-        _ => {
-            format!("the run ends after {} without a failure: what follows is not known", words.of(mgt(last)))
-        }
-    };
-    Some(Reason {
-        step: Some(last.step),
-        mgt: Some(nominal.replaced.or(nominal.worn).unwrap_or_else(|| mgt(last))),
-        ..Reason::new(kind, text)
-    })
+/// A run whose end is judged.
+struct Judged<'a> {
+    info: &'a RunInfo,
+    log: &'a RunLog,
+    nominal: &'a Nominal,
+    /// Mean load of an axle, t.
+    tonnes: f64,
+    words: TonnageWords,
+}
+
+impl<'a> Judged<'a> {
+    /// Million gross tonnes until `step`.
+    fn mgt(&self, step: &StepDigest) -> f64 {
+        step.mgt(self.tonnes)
+    }
+
+    /// The steps up to the failure, the first among them in any case.
+    fn steps_to_failure(&self) -> Vec<&'a StepDigest> {
+        let end = self.nominal.failure.mgt.unwrap_or(f64::INFINITY);
+        let steps = self.log.steps.iter().enumerate();
+        let until = steps.filter(|(i, step)| *i == 0 || self.mgt(step) <= end * (1.0 + 1e-9));
+        until.map(|(_, step)| step).collect()
+    }
+
+    /// The failure within the run.
+    fn failure(&self) -> Option<Reason> {
+        let FailureSummary { mode, mgt: until, mgt_error, crack, tip } = self.nominal.failure;
+        let (mode, until) = (mode?, until?);
+        let second = self.log.steps.get(1).map_or(f64::INFINITY, |step| self.mgt(step));
+        let step = self.log.steps.iter().rev().find(|step| self.mgt(step) <= until * (1.0 + 1e-9));
+        let whose = crack.map_or_else(String::new, |crack| format!(" of crack {crack}"));
+        let what = format!("{}{whose}", mode.words());
+        let life = match mgt_error.map(|error| 100.0 * error / until).filter(|percent| *percent > 0.0) {
+            Some(percent) => {
+                self.words.noted(until, Some(&format!("± {:.1} % by the increments", percent.max(0.1))))
+            }
+            None => self.words.of(until),
+        };
+        let (kind, text) = if until == 0.0 {
+            (ReasonKind::AtOnce, format!("{what} at once"))
+        } else if until <= second {
+            (ReasonKind::AtOnce, format!("{what} within the first increment, after {life}"))
+        } else if self.info.inspection.is_some()
+            && self.nominal.detected.is_none_or(|detected| detected >= until)
+        {
+            (ReasonKind::BeforeDetectable, format!("{what} after {life}, before the crack is detectable"))
+        } else {
+            (ReasonKind::Failure, format!("{what} after {life}"))
+        };
+        Some(Reason {
+            crack,
+            tip,
+            step: step.map(|step| step.step),
+            mgt: Some(until),
+            ..Reason::new(kind, text)
+        })
+    }
+
+    /// The end of a run without a failure.
+    fn end_of_run(&self) -> Option<Reason> {
+        let Self { info, nominal, words, .. } = *self;
+        let last = self.log.steps.last()?;
+        let is_over = nominal.worn.or(nominal.replaced).is_some();
+        // Without steps a run is one of K alone, unless somebody is to decide by it.
+        let decides = last.step > 0 || info.inspection.is_some();
+        let is_cut = !is_over && last.stop == Some(RunStop::StepsDone) && decides;
+        let is_unknown = asks_for_failure(info) || last.step == 0;
+        let kind = if is_cut && is_unknown { ReasonKind::StepLimit } else { ReasonKind::EndOfRun };
+        let text = match (nominal.worn, last.stop) {
+            _ if nominal.replaced.is_some() => format!(
+                "the rail is worn to the limit at which it is replaced after {}",
+                words.of(nominal.replaced.unwrap_or_default())
+            ),
+            (Some(worn), _) => format!("the cracks are worn away after {}", words.of(worn)),
+            (None, Some(stop)) if is_at_rest(stop) => "no crack grows any longer".to_owned(),
+            _ if kind == ReasonKind::StepLimit => format!(
+                "the {} steps of the case end after {} without a failure, and what follows is not known: give more steps in [growth], or stop_after_cycles for the traffic in question",
+                last.step,
+                words.of(self.mgt(last))
+            ),
+            _ => {
+                format!(
+                    "the run ends after {} without a failure: what follows is not known",
+                    words.of(self.mgt(last))
+                )
+            }
+        };
+        Some(Reason {
+            step: Some(last.step),
+            mgt: Some(nominal.replaced.or(nominal.worn).unwrap_or_else(|| self.mgt(last))),
+            ..Reason::new(kind, text)
+        })
+    }
 }

@@ -1,9 +1,11 @@
 //! The way of a sampled crack through a family of courses.
 
-use super::course::{CourseEnd, FailureMode};
-use super::family::{EVENTS, Family, Removal, Spot, State};
+use super::course::CourseEnd;
+use super::events::{Fate, Limits, Part};
+use super::family::{CracksAt, EVENTS, Family, Spot, State};
 use crate::log::MixInfo;
-use railcrack::growth::{MOST_WHEELS, WheelShares};
+use railcrack::growth::{Axles, Grinding, MOST_WHEELS, Mgt, SurfaceRemoval, WheelShares};
+use std::ops::ControlFlow;
 
 /// ΔK_eq (MPa√m) about which the exponent of the law scatters: there the rate keeps its scatter.
 const PIVOT: f64 = 10.0;
@@ -20,25 +22,25 @@ pub(super) struct SampledRates {
     /// m less that of the case.
     pub steeper: f64,
     pub shares: SampledShares,
-    pub removal: Removal,
+    pub removal: SurfaceRemoval<Mgt>,
     /// Rate (mm per axle) below which growth stops; zero where the surface is removed.
     pub arrest_rate: f64,
 }
 
 impl SampledRates {
     /// The rates of the case.
-    pub fn of_case(tonnes: f64, removal: Removal) -> Self {
+    pub fn of_case(tonnes: f64, removal: SurfaceRemoval<Mgt>) -> Self {
         let shares = SampledShares::of(&[], [1.0; MOST_WHEELS], tonnes);
         Self { faster: 1.0, steeper: 0.0, shares, removal, arrest_rate: 0.0 }
     }
 
     /// The rate over that of the case.
-    fn factor(&self, state: &State, shares: &WheelShares) -> f64 {
+    fn factor(&self, cracks: &CracksAt<'_>) -> f64 {
         let steeper = match self.steeper {
             0.0 => 1.0,
-            steeper => (state.delta_keq.max(1e-3) / PIVOT).powf(steeper),
+            steeper => (cracks.state.delta_keq.max(1e-3) / PIVOT).powf(steeper),
         };
-        self.faster * steeper * self.shares.factor(shares)
+        self.faster * steeper * self.shares.factor(cracks.shares)
     }
 }
 
@@ -76,34 +78,6 @@ impl SampledShares {
     }
 }
 
-/// Limits that end a walk, and sizes that are looked for meanwhile.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Limits {
-    pub critical_depth: Option<f64>,
-    pub critical_length: Option<f64>,
-    /// K_Ic (MPa√m) of a sample; none where the fractures of the courses count.
-    pub toughness: Option<f64>,
-    pub detectable_depth: Option<f64>,
-    pub detectable_length: Option<f64>,
-    /// A mode that does not end the walk.
-    pub ignored: Option<FailureMode>,
-}
-
-/// How a walk ends.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Fate {
-    /// The rail fails after so many million gross tonnes.
-    Fails(FailureMode, f64),
-    /// The last crack is worn away after so many million gross tonnes.
-    Worn(f64),
-    /// The rail is worn to the limit at which it is replaced after so many million gross tonnes.
-    Replaced(f64),
-    /// No crack grows any longer.
-    Rests,
-    /// It has not failed after so many million gross tonnes, where the courses end.
-    Outlives(f64),
-}
-
 /// A walk.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Walked {
@@ -112,8 +86,6 @@ pub(super) struct Walked {
     pub detected: f64,
     /// Whether the crack grows into the depth at first.
     pub grows: bool,
-    /// Where the walk ended.
-    pub end: Spot,
 }
 
 /// Depths of a sample over traffic.
@@ -136,21 +108,20 @@ impl Track {
 
     fn push(&mut self, mgt: f64, state: &State) {
         self.mgt.push(mgt);
-        self.depth.push(state.reach - state.removed);
-        self.own_depth.push(state.own_reach - state.removed);
+        self.depth.push(state.depth());
+        self.own_depth.push(state.own_depth());
     }
 
     /// The end of `part`, and before it the place where the crack looked for becomes as deep as
     /// `found_from` (mm).
     fn follow(&mut self, part: &Part, found_from: Option<f64>) {
         if let Some(found) = found_from {
-            let own = |state: &State| state.own_reach - state.removed;
-            let (from, to) = (own(&part.from), own(&part.to));
+            let (from, to) = (part.from.own_depth(), part.to.own_depth());
             let share = (found - from) / (to - from);
             if from < found && found < to {
                 let between = part.from.to(&part.to, share);
                 self.mgt.push(part.at(share));
-                self.depth.push(between.reach - between.removed);
+                self.depth.push(between.depth());
                 self.own_depth.push(found);
             }
         }
@@ -193,102 +164,19 @@ pub(super) struct Walk<'a> {
     waits: Vec<f64>,
 }
 
-/// A part of a walk from one state to another.
-struct Part {
-    from: State,
-    to: State,
-    /// 1/(ds/dN), MGT per mm, at both ends.
-    slowness: [f64; 2],
-    mgt: [f64; 2],
-    work: [f64; 2],
-}
-
-impl Part {
-    /// No way at all: `state` at `mgt`, with growth and removal of `work` (mm).
-    fn at_rest(state: State, mgt: f64, work: f64) -> Self {
-        Self { from: state, to: state, slowness: [0.0; 2], mgt: [mgt; 2], work: [work; 2] }
-    }
-
-    /// The tonnage at which `share` of the way lies behind: the slowness is linear along it.
-    fn at(&self, share: f64) -> f64 {
-        let [a, b] = self.slowness;
-        let whole = 0.5 * (a + b);
-        let part = if whole > 0.0 && whole.is_finite() {
-            share * (a + 0.5 * share * (b - a)) / whole
-        } else {
-            share
-        };
-        self.mgt[0] + part * (self.mgt[1] - self.mgt[0])
-    }
-
-    /// The tonnage at which `quantity` first reaches `value`.
-    fn reaches(&self, quantity: impl Fn(&State) -> f64, value: f64) -> Option<f64> {
-        let (from, to) = (quantity(&self.from), quantity(&self.to));
-        if from >= value {
-            return Some(self.mgt[0]);
-        }
-        (to >= value).then(|| self.at((value - from) / (to - from)))
-    }
-
-    /// The tonnage at which growth and removal have come to `work`.
-    fn passes(&self, work: f64) -> Option<f64> {
-        let [from, to] = self.work;
-        if work > to {
-            return None;
-        }
-        Some(if to > from { self.at(((work - from) / (to - from)).clamp(0.0, 1.0)) } else { self.mgt[1] })
-    }
-}
-
 /// Iterations of the removal at the end of a cell: each reduces its error by two orders or more.
 const ITERATIONS: usize = 4;
-/// Critical lengths and depths are reached up to rounding.
-const REACHED: f64 = 1e-8;
-
-impl Limits {
-    /// The first end of a walk on `part`, with the `events` of its courses.
-    fn first(&self, part: &Part, events: &[Option<f64>; EVENTS.len()]) -> Option<Fate> {
-        let depth = self.critical_depth.map(|depth| depth * (1.0 - REACHED));
-        let depth = depth.and_then(|depth| part.reaches(|state| state.reach - state.removed, depth));
-        let length = self.critical_length.map(|length| length * (1.0 - REACHED));
-        let length = length.and_then(|length| part.reaches(|state| state.length, length));
-        let breaks = self.toughness.and_then(|toughness| part.reaches(|state| state.largest_k1, toughness));
-        let found =
-            [(FailureMode::Depth, depth), (FailureMode::Length, length), (FailureMode::Fracture, breaks)];
-        let found = found.into_iter().filter_map(|(mode, mgt)| Some((Some(mode), mgt?)));
-        let counts =
-            |mode: &Option<FailureMode>| self.toughness.is_none() || *mode != Some(FailureMode::Fracture);
-        let of_courses = EVENTS.iter().zip(events).filter(|(mode, _)| counts(mode));
-        let of_courses = of_courses.filter_map(|(mode, work)| Some((*mode, part.passes((*work)?)?)));
-        let first = found
-            .chain(of_courses)
-            .filter(|(mode, _)| mode.is_none() || *mode != self.ignored)
-            .reduce(|a, b| if b.1 < a.1 { b } else { a })?;
-        Some(match first {
-            (Some(mode), mgt) => Fate::Fails(mode, mgt),
-            (None, mgt) => Fate::Worn(mgt),
-        })
-    }
-
-    fn detects(&self, part: &Part) -> Option<f64> {
-        match (self.detectable_depth, self.detectable_length) {
-            (Some(depth), _) => part.reaches(|state| state.own_reach - state.removed, depth),
-            (None, Some(length)) => part.reaches(|state| state.own_length, length),
-            (None, None) => Some(0.0),
-        }
-    }
-}
 
 impl<'a> Walk<'a> {
     /// Walks through `family`, whose run has axles of `tonnes` and loses `removal` of its surface.
-    pub fn through(family: &'a Family, tonnes: f64, removal: Removal) -> Self {
+    pub fn through(family: &'a Family, tonnes: f64, removal: SurfaceRemoval<Mgt>) -> Self {
         let rates = SampledRates::of_case(tonnes, removal);
         let cells = family.places().saturating_sub(1);
         let (mut corrections, mut waits) = (vec![1.0; cells], vec![0.0; cells]);
         for cell in 0..cells {
             let states = family.of_run(cell).zip(family.of_run(cell + 1));
             let (Some(axles), Some((from, to))) = (family.axles(cell), states) else { continue };
-            let mgt = 1e-6 * tonnes * axles;
+            let Mgt(mgt) = Axles(axles).mgt(tonnes);
             let slow = |state: &State| slowness(1e6 / tonnes * state.rate * rates.faster + removal.wear);
             let work = [0.0, 1.0].map(|share| family.work(Spot { cell, share }));
             let ruled = 0.5 * (slow(&from) + slow(&to)) * (work[1] - work[0]);
@@ -304,175 +192,219 @@ impl<'a> Walk<'a> {
     /// The walk of a crack with `rates` up to the first of `limits`; its depths go to `track`.
     pub fn walk(&self, rates: &SampledRates, limits: &Limits, track: &mut Track) -> Walked {
         track.clear();
-        let per_mgt = 1e6 / rates.shares.tonnes;
-        let removal = rates.removal;
-        let mut spot = Spot { cell: 0, share: 0.0 };
-        let mut walked = Walked { fate: Fate::Rests, detected: f64::INFINITY, grows: false, end: spot };
-        let Some((mut state, mut shares)) = self.family.state(spot, 0.0) else { return walked };
-        let (mut mgt, mut done) = (0.0, 0);
-        track.push(mgt, &state);
-        // A rail that fails at once has no part of a way.
-        let begin = Part::at_rest(state, mgt, self.family.work(spot));
-        if let Some(fate) = limits.first(&begin, &self.family.events(spot, state.removed)) {
-            let detected = limits.detects(&begin).unwrap_or(f64::INFINITY);
-            return Walked { fate, detected, ..walked };
+        let Some(cracks) = self.family.cracks(Spot { cell: 0, share: 0.0 }, 0.0) else {
+            return Walked { fate: Fate::Rests, detected: f64::INFINITY, grows: false };
+        };
+        track.push(0.0, &cracks.state);
+        let (mgt, grindings, detected, grows) = (0.0, 0, f64::INFINITY, None);
+        let mut walker = Walker { walk: self, rates, limits, track, cracks, mgt, grindings, detected, grows };
+        let fate = walker.fails_at_once().unwrap_or_else(|| walker.goes_on());
+        Walked { fate, detected: walker.detected, grows: walker.grows.unwrap_or(false) }
+    }
+}
+
+/// A crack on its walk.
+struct Walker<'a> {
+    walk: &'a Walk<'a>,
+    rates: &'a SampledRates,
+    limits: &'a Limits,
+    track: &'a mut Track,
+    /// Where it is.
+    cracks: CracksAt<'a>,
+    /// Million gross tonnes so far.
+    mgt: f64,
+    /// Grindings so far.
+    grindings: usize,
+    /// Million gross tonnes until the crack is detectable; infinite before.
+    detected: f64,
+    /// Whether the crack grows into the depth at first, once it is known.
+    grows: Option<bool>,
+}
+
+/// The way over a cell of the grid.
+struct Crossing {
+    /// Its traffic, million gross tonnes; infinite for a crack at rest.
+    mgt: f64,
+    /// 1/(ds/dN), MGT per mm, at both ends.
+    slowness: [f64; 2],
+}
+
+impl Walker<'_> {
+    /// The failure of a rail that fails before any traffic.
+    fn fails_at_once(&mut self) -> Option<Fate> {
+        let begin = self.rest();
+        let fate = self.limits.first(&begin, &self.events())?;
+        self.detected = self.limits.detects(&begin);
+        Some(fate)
+    }
+
+    /// The walk to its end.
+    fn goes_on(&mut self) -> Fate {
+        for _ in 0..MOST_STEPS {
+            if let ControlFlow::Break(fate) = self.step() {
+                return fate;
+            }
         }
-        for step in 0..MOST_STEPS {
-            let rate = state.rate * rates.factor(&state, shares);
-            if rate < rates.arrest_rate {
-                return Walked { fate: Fate::Rests, end: spot, ..walked };
-            }
-            let speed = per_mgt * rate + removal.wear;
-            let next = removal.next(done);
-            let due = next <= mgt * (1.0 + ROUNDING);
-            let target = Spot { cell: spot.cell + 1, share: 0.0 };
-            let is_last = target.cell >= self.family.places();
-            let here = self.family.work(spot);
-            if !due && is_last {
-                let fate = self.end(spot, &state, mgt);
-                return Walked { fate, end: spot, ..walked };
-            }
-            // The rest of this cell, up to the next grinding.
-            let mut part = Part {
-                from: state,
-                to: state,
-                slowness: [slowness(speed); 2],
-                mgt: [mgt; 2],
-                work: [here; 2],
+        Fate::Outlives(self.mgt)
+    }
+
+    /// The rest of a cell or up to the next grinding, and the grinding if it is due then.
+    fn step(&mut self) -> ControlFlow<Fate> {
+        let part = if self.is_grinding_due() { self.rest() } else { self.grow()? };
+        self.pass(&part)?;
+        if self.is_grinding_due() { self.grind() } else { ControlFlow::Continue(()) }
+    }
+
+    /// The way over the rest of this cell, or up to the next grinding.
+    fn grow(&mut self) -> ControlFlow<Fate, Part> {
+        let (family, mgt) = (self.walk.family, self.mgt);
+        let CracksAt { spot, state, .. } = self.cracks;
+        let target = Spot { cell: spot.cell + 1, share: 0.0 };
+        let rate = state.rate * self.rates.factor(&self.cracks);
+        if rate < self.rates.arrest_rate {
+            return ControlFlow::Break(Fate::Rests);
+        }
+        if target.cell >= family.places() {
+            return ControlFlow::Break(self.end_of_course());
+        }
+        let work = [spot, target].map(|spot| family.work(spot));
+        let crossing = self.cross(target, rate, work)?;
+        let next = self.next_grinding();
+        if crossing.mgt == f64::INFINITY && next == f64::INFINITY {
+            return ControlFlow::Break(Fate::Rests);
+        }
+        let wear = self.rates.removal.wear;
+        let (until, to, cracks) = if next <= (mgt + crossing.mgt) * (1.0 - ROUNDING) {
+            let share = if crossing.mgt.is_finite() { (next - mgt) / crossing.mgt } else { 0.0 };
+            let to = work[0] + share * (work[1] - work[0]);
+            (next, to, family.cracks_with(to, state.removed + wear * (next - mgt)))
+        } else {
+            let removed = state.removed + wear * crossing.mgt;
+            (mgt + crossing.mgt, work[1], family.cracks(target, removed))
+        };
+        let Some(cracks) = cracks else { return ControlFlow::Break(Fate::Outlives(mgt)) };
+        (self.cracks, self.mgt) = (cracks, until);
+        ControlFlow::Continue(Part {
+            from: state,
+            to: cracks.state,
+            slowness: crossing.slowness,
+            mgt: [mgt, until],
+            work: [work[0], to],
+        })
+    }
+
+    /// The way from here, where the crack grows by `rate` (mm per axle), to `target`; growth and
+    /// removal are `work` (mm) at both. The removal at its end follows from its traffic, and this
+    /// from the removal.
+    fn cross(&mut self, target: Spot, rate: f64, work: [f64; 2]) -> ControlFlow<Fate, Crossing> {
+        let SampledRates { faster, removal, .. } = *self.rates;
+        let per_mgt = 1e6 / self.rates.shares.tonnes;
+        let (cell, state, length) = (self.cracks.spot.cell, self.cracks.state, work[1] - work[0]);
+        let wait = self.walk.waits[cell];
+        let speed = per_mgt * rate + removal.wear;
+        let begins = self.grows.is_none();
+        let mut crossing =
+            Crossing { mgt: if speed > 0.0 { length / speed } else { 0.0 }, slowness: [slowness(speed); 2] };
+        for _ in 0..if removal.wear > 0.0 { ITERATIONS } else { 1 } {
+            let gone = state.removed + removal.wear * crossing.mgt;
+            let Some(ahead) = self.walk.family.cracks(target, gone) else {
+                return ControlFlow::Break(self.end_of_course());
             };
-            if !due {
-                let there = self.family.work(target);
-                let cell = spot.cell;
-                let wait = self.waits[cell];
-                // The removal at the end of the cell follows from the tonnage, and this from it.
-                let mut passed = if speed > 0.0 { (there - here) / speed } else { 0.0 };
-                for _ in 0..if removal.wear > 0.0 { ITERATIONS } else { 1 } {
-                    let gone = state.removed + removal.wear * passed;
-                    let Some((ahead, of_wheels)) = self.family.state(target, gone) else {
-                        let fate = self.end(spot, &state, mgt);
-                        return Walked { fate, end: spot, ..walked };
-                    };
-                    if step == 0 {
-                        let sinks = (ahead.reach - state.reach) / (there - here);
-                        walked.grows = is_growing(sinks * speed, removal);
-                    }
-                    let end = per_mgt * ahead.rate * rates.factor(&ahead, of_wheels) + removal.wear;
-                    part.slowness = [slowness(speed), slowness(end)];
-                    let ruled = 0.5 * (part.slowness[0] + part.slowness[1]) * (there - here);
-                    passed = if ruled > 0.0 {
-                        self.corrections[cell] * ruled
-                    } else if wait > 0.0 {
-                        wait / rates.faster
-                    } else {
-                        f64::INFINITY
-                    };
-                    if passed == f64::INFINITY {
-                        break;
-                    }
-                }
-                let until = mgt + passed;
-                let stays = next <= until * (1.0 - ROUNDING);
-                if passed == f64::INFINITY && next == f64::INFINITY {
-                    return Walked { fate: Fate::Rests, end: spot, ..walked };
-                }
-                if stays {
-                    let share = if passed.is_finite() { (next - mgt) / passed } else { 0.0 };
-                    let gone = state.removed + removal.wear * (next - mgt);
-                    let at = here + share * (there - here);
-                    let Some((spot_at, (to, to_shares))) =
-                        self.family.spot(at).and_then(|spot| Some((spot, self.family.state(spot, gone)?)))
-                    else {
-                        return Walked { fate: Fate::Outlives(mgt), end: spot, ..walked };
-                    };
-                    part.to = to;
-                    part.mgt[1] = next;
-                    part.work[1] = at;
-                    spot = spot_at;
-                    shares = to_shares;
-                } else {
-                    let gone = state.removed + removal.wear * passed;
-                    let Some((to, to_shares)) = self.family.state(target, gone) else {
-                        return Walked { fate: Fate::Outlives(mgt), end: spot, ..walked };
-                    };
-                    part.to = to;
-                    part.mgt[1] = until;
-                    part.work[1] = there;
-                    spot = target;
-                    shares = to_shares;
-                }
-                state = part.to;
-                mgt = part.mgt[1];
+            if begins {
+                let sinks = (ahead.state.reach - state.reach) / length;
+                self.grows = Some(sinks * speed > removal.mean_rate());
             }
-            let events = self.family.events(spot, state.removed);
-            if walked.detected == f64::INFINITY {
-                walked.detected = limits.detects(&part).unwrap_or(f64::INFINITY);
-            }
-            track.follow(&part, limits.detectable_depth);
-            let replaced = removal.limit.and_then(|limit| part.reaches(|state| state.removed, limit));
-            if let Some(fate) = earlier(limits.first(&part, &events), replaced) {
-                let (Fate::Fails(_, at) | Fate::Worn(at) | Fate::Replaced(at)) = fate else { continue };
-                if walked.detected > at {
-                    walked.detected = f64::INFINITY;
-                }
-                return Walked { fate, end: spot, ..walked };
-            }
-            if state.reach <= state.removed {
-                return Walked { fate: Fate::Worn(mgt), end: spot, ..walked };
-            }
-            // The grinding that is due.
-            if let Some((depth, ..)) = removal.grinding
-                && removal.next(done) <= mgt * (1.0 + ROUNDING)
-            {
-                done += 1;
-                let gone = state.removed + depth;
-                let after = self.family.spot(self.family.work(spot) + depth);
-                let after = after.and_then(|spot| Some((spot, self.family.state(spot, gone)?)));
-                if state.reach <= gone {
-                    return Walked { fate: Fate::Worn(mgt), end: spot, ..walked };
-                }
-                let Some((at, (ground, ground_shares))) = after else {
-                    let fate = self.end(spot, &state, mgt);
-                    return Walked { fate, end: spot, ..walked };
-                };
-                (spot, state, shares) = (at, ground, ground_shares);
-                track.push(mgt, &state);
-                let part = Part::at_rest(state, mgt, self.family.work(spot));
-                if let Some(fate @ Fate::Worn(_)) =
-                    limits.first(&part, &self.family.events(spot, state.removed))
-                {
-                    return Walked { fate, end: spot, ..walked };
-                }
-                if removal.limit.is_some_and(|limit| state.removed >= limit) {
-                    return Walked { fate: Fate::Replaced(mgt), end: spot, ..walked };
-                }
+            let end = per_mgt * ahead.state.rate * self.rates.factor(&ahead) + removal.wear;
+            crossing.slowness[1] = slowness(end);
+            let ruled = 0.5 * (crossing.slowness[0] + crossing.slowness[1]) * length;
+            crossing.mgt = if ruled > 0.0 {
+                self.walk.corrections[cell] * ruled
+            } else if wait > 0.0 {
+                wait / faster
+            } else {
+                f64::INFINITY
+            };
+            if crossing.mgt == f64::INFINITY {
+                break;
             }
         }
-        Walked { fate: Fate::Outlives(mgt), end: spot, ..walked }
+        ControlFlow::Continue(crossing)
     }
 
-    /// How a walk ends at `spot`, where no course goes on.
-    fn end(&self, spot: Spot, state: &State, mgt: f64) -> Fate {
-        match self.family.end(spot, state.removed) {
+    /// The events on `part`, which ends here.
+    fn pass(&mut self, part: &Part) -> ControlFlow<Fate> {
+        if self.detected == f64::INFINITY {
+            self.detected = self.limits.detects(part);
+        }
+        self.track.follow(part, self.limits.detectable_depth);
+        let replaced = self.rates.removal.reached_limit();
+        let replaced = replaced.and_then(|limit| part.reaches(|state| state.removed, limit));
+        let first = self.limits.first(part, &self.events());
+        if let Some(fate) = first.into_iter().chain(replaced.map(Fate::Replaced)).reduce(Fate::or_earlier) {
+            if self.detected > fate.mgt() {
+                self.detected = f64::INFINITY;
+            }
+            return ControlFlow::Break(fate);
+        }
+        if self.cracks.state.depth() <= 0.0 {
+            return ControlFlow::Break(Fate::Worn(self.mgt));
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// The grinding that is due.
+    fn grind(&mut self) -> ControlFlow<Fate> {
+        let Some(Grinding { depth, .. }) = self.rates.removal.grinding else {
+            return ControlFlow::Continue(());
+        };
+        self.grindings += 1;
+        let family = self.walk.family;
+        let CracksAt { spot, state, .. } = self.cracks;
+        let gone = state.removed + depth;
+        if state.reach <= gone {
+            return ControlFlow::Break(Fate::Worn(self.mgt));
+        }
+        let Some(ground) = family.cracks_with(family.work(spot) + depth, gone) else {
+            return ControlFlow::Break(self.end_of_course());
+        };
+        self.cracks = ground;
+        self.track.push(self.mgt, &ground.state);
+        if let Some(fate @ Fate::Worn(_)) = self.limits.first(&self.rest(), &self.events()) {
+            return ControlFlow::Break(fate);
+        }
+        match self.rates.removal.reached_limit() {
+            Some(limit) if ground.state.removed >= limit => ControlFlow::Break(Fate::Replaced(self.mgt)),
+            _ => ControlFlow::Continue(()),
+        }
+    }
+
+    /// No way at all, from here.
+    fn rest(&self) -> Part {
+        Part::at_rest(self.cracks.state, self.mgt, self.walk.family.work(self.cracks.spot))
+    }
+
+    /// Where, in growth and removal, the events of the courses take place.
+    fn events(&self) -> [Option<f64>; EVENTS.len()] {
+        self.walk.family.events(self.cracks.spot, self.cracks.state.removed)
+    }
+
+    /// Million gross tonnes until the next grinding; infinite without any.
+    fn next_grinding(&self) -> f64 {
+        self.rates.removal.next_grinding(self.grindings).0
+    }
+
+    fn is_grinding_due(&self) -> bool {
+        self.next_grinding() <= self.mgt * (1.0 + ROUNDING)
+    }
+
+    /// How the walk ends here, where no course goes on.
+    fn end_of_course(&self) -> Fate {
+        match self.walk.family.end(self.cracks.spot, self.cracks.state.removed) {
             CourseEnd::Rest => Fate::Rests,
-            CourseEnd::Worn => Fate::Worn(mgt),
-            CourseEnd::Unknown => Fate::Outlives(mgt),
+            CourseEnd::Worn => Fate::Worn(self.mgt),
+            CourseEnd::Unknown => Fate::Outlives(self.mgt),
         }
     }
-}
-
-/// The earlier of the end `first` of a part and the replacement of the rail.
-fn earlier(first: Option<Fate>, replaced: Option<f64>) -> Option<Fate> {
-    match (first, replaced) {
-        (Some(Fate::Fails(_, at) | Fate::Worn(at)), Some(replaced)) if at <= replaced => first,
-        (_, Some(replaced)) => Some(Fate::Replaced(replaced)),
-        (first, None) => first,
-    }
-}
-
-/// Whether the growth into the depth (mm per MGT) outpaces the removal in the mean.
-fn is_growing(deeper: f64, removal: Removal) -> bool {
-    let ground = removal.grinding.map_or(0.0, |(depth, interval, _)| depth / interval);
-    deeper > removal.wear + ground
 }
 
 /// 1/speed; zero at rest, where traffic passes without growth.

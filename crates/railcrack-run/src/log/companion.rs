@@ -20,6 +20,13 @@ pub(crate) enum CompanionKind {
     PartOfRow,
 }
 
+impl CompanionKind {
+    /// Speed of growth over that of the run.
+    pub fn speed(self) -> f64 {
+        if let Self::Speed(speed) = self { speed } else { 1.0 }
+    }
+}
+
 /// A companion of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Companion {

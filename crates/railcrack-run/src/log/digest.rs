@@ -1,7 +1,9 @@
 //! A finished growth step as the run log keeps it.
 
 use crate::fields::FieldFileEntry;
-use railcrack::growth::{PhaseTimes, Piece, PopInTest, RunStop, SolverCounts, TipRecord, Warning};
+use railcrack::growth::{
+    Axles, Mgt, PhaseTimes, Piece, PopInTest, RunStop, SolverCounts, TipRecord, Warning,
+};
 use serde::{Deserialize, Serialize};
 
 /// A finished growth step: an entry of the run log, appended once and never changed.
@@ -29,4 +31,12 @@ pub(crate) struct StepDigest {
     pub pieces: Vec<Piece>,
     pub warnings: Vec<Warning>,
     pub fields: Vec<FieldFileEntry>,
+}
+
+impl StepDigest {
+    /// Million gross tonnes so far, of axles of `tonnes`.
+    pub fn mgt(&self, tonnes: f64) -> f64 {
+        let Mgt(mgt) = Axles(self.load_cycles).mgt(tonnes);
+        mgt
+    }
 }

@@ -2,8 +2,8 @@
 
 use railcrack::bulk::Boundary;
 use railcrack::fatigue::RailSteel;
-use railcrack::growth::Warning;
-use railcrack_case::{ContactSolver, Engine, Inspection, InspectionRisk, MaintenancePlan, Output, Scatter};
+use railcrack::growth::{Mgt, SurfaceRemoval, Warning};
+use railcrack_case::{ContactSolver, Engine, Inspection, InspectionRisk, Output, Scatter};
 
 /// A wheel of a mix.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,7 +52,7 @@ pub struct RunInfo {
     /// The wheels of a mix; empty for one wheel.
     pub mix: Vec<MixInfo>,
     /// Wear and grinding, where the case has them.
-    pub maintenance: Option<MaintenancePlan>,
+    pub maintenance: Option<SurfaceRemoval<Mgt>>,
     /// The inspection, where the case has one.
     pub inspection: Option<Inspection>,
     /// The risk between inspections, where the case has one.

@@ -3,6 +3,7 @@
 use crate::decision::{FailureMode, Verdict, VerdictLevel};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::time::{SystemTime, UNIX_EPOCH};
 
 /// How a rail under a grinding plan ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -207,7 +208,37 @@ pub(crate) fn civil(days: i64) -> String {
     format!("{year:04}-{month:02}-{day:02}")
 }
 
+/// Days from 1970-01-01 to today (UTC).
+pub(crate) fn today() -> i64 {
+    let seconds = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
+    (seconds / 86_400) as i64
+}
+
 impl PlanSummary {
+    /// Finds the least grinding that holds, begun today, where the verdict allows conclusions.
+    pub(crate) fn find_least(&mut self) {
+        if self.verdict.level >= VerdictLevel::Stop {
+            return;
+        }
+        let today = today();
+        self.least_by_interval =
+            (0..self.grinding_interval_mgt.len()).map(|i| self.least_at(i, today)).collect();
+        let of_grinding = self.least_by_interval.iter().flatten().cloned();
+        let of_grinding =
+            of_grinding.reduce(|a, b| if b.removal_mm_per_mgt < a.removal_mm_per_mgt { b } else { a });
+        let without = Some(&self.without_grinding).filter(|plan| plan.holds);
+        self.least = without.map(|plan| LeastGrinding::of(plan, today)).or(of_grinding);
+    }
+
+    /// The least depth that holds at interval `i`.
+    fn least_at(&self, i: usize, today: i64) -> Option<LeastGrinding> {
+        let depths = 0..self.grinding_mm.len();
+        // Deeper grinding must hold as well: a rail that one depth saves by chance is not safe.
+        let holds = |depth: usize| self.plan(depth, i).is_some_and(|plan| plan.holds);
+        let first = depths.clone().find(|depth| (*depth..depths.end).all(holds))?;
+        self.plan(first, i).map(|plan| LeastGrinding::of(plan, today))
+    }
+
     /// The plan of a depth and an interval, by their places.
     #[must_use]
     pub fn plan(&self, depth: usize, interval: usize) -> Option<&PlannedGrinding> {

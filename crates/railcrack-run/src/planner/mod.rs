@@ -4,8 +4,8 @@ mod document;
 mod folder;
 mod tables;
 
-pub(crate) use document::civil;
 pub use document::{LeastGrinding, PlanOutcome, PlanSummary, PlannedGrinding};
+pub(crate) use document::{civil, today};
 pub use folder::PlanFolder;
 pub(crate) use folder::write_plan;
 pub use tables::PlanRow;

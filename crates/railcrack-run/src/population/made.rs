@@ -10,9 +10,9 @@ use crate::study::{
     Between, InterpolationError, Population, PopulationPlan, RunState, StudyAxis, StudyPlan, StudyResults,
     StudyRow, distributions,
 };
-use railcrack::growth::RunStop;
+use railcrack::growth::{Axles, RunStop, SurfaceRemoval};
 use railcrack::math::Matrix;
-use railcrack_case::{Distribution, Inspection, Scatter};
+use railcrack_case::{Distribution, Scatter};
 use rayon::prelude::*;
 
 /// Maximum number of runs used for interpolation; further runs measure its error.
@@ -107,10 +107,10 @@ impl Population {
         let interpolation = Interpolation::of(&inputs, &numbers)
             .ok_or_else(|| format!("{} runs are too few for {} keys", base.len(), distributions.len()))?;
         let breaks = !base.is_empty() && base.iter().all(|point| point.breaks);
-        let inspection = plan.inspection();
+        let question = question(plan);
         let way = |path: &GrowthPath| {
-            let nominal = Nominal::of(&Course::of_path(path), &question(plan, &inspection));
-            InspectionSummary::of(&nominal, &inspection, None)
+            let nominal = Nominal::of(&Course::of_path(path), &question);
+            InspectionSummary::of(&nominal, &question.inspection, &[])
         };
         let known = |(point, numbers): (&Point, Vec<f64>)| {
             let exact = way(&GrowthPath { breaks: point.breaks, ..point.path.clone() });
@@ -128,7 +128,7 @@ impl Population {
             beyond.iter().map(|point| (point, interpolation.at(&point.inputs))).filter_map(known).collect()
         };
         let nominal = path_of(&interpolation.at(&vec![0.0; distributions.len()]), breaks);
-        let samples = Samples { plan, scatter: plan.scatter(), inspection, interpolation, breaks };
+        let samples = Samples { question, scatter: plan.scatter(), interpolation, breaks };
         let interval_mgt = way(&nominal).interval_mgt;
         Ok(Self {
             choice: String::new(),
@@ -167,12 +167,12 @@ fn refused(runs: &[(usize, &StudyRow)]) -> (usize, usize) {
 }
 
 /// The question to each crack of a population.
-fn question<'a>(plan: &PopulationPlan, inspection: &'a Inspection) -> Question<'a> {
+fn question(plan: &PopulationPlan) -> Question {
     Question {
-        inspection: Some(inspection),
+        inspection: plan.inspection(),
         critical_length: plan.critical_length_mm,
         tonnes: plan.axle_load_t,
-        maintenance: None,
+        removal: SurfaceRemoval::NONE,
     }
 }
 
@@ -197,15 +197,14 @@ impl InterpolationError {
 }
 
 /// How samples are made.
-struct Samples<'a> {
-    plan: &'a PopulationPlan,
+struct Samples {
+    question: Question,
     scatter: Scatter,
-    inspection: Inspection,
     interpolation: Interpolation,
     breaks: bool,
 }
 
-impl Samples<'_> {
+impl Samples {
     fn made(
         &self,
         axis: &StudyAxis,
@@ -220,7 +219,7 @@ impl Samples<'_> {
         });
         let tonnages = longest.map_or_else(Vec::new, |path| {
             let axles = path.points.last().map_or(0.0, |point| point.axles);
-            tonnages(1e-6 * self.plan.axle_load_t * axles, scatter)
+            tonnages(Axles(axles).mgt(self.question.tonnes).0, scatter)
         });
         let mut gathered = Gathered::new(scatter, tonnages.clone());
         let mut draws = Draws::of(scatter, &[]);
@@ -241,7 +240,7 @@ impl Samples<'_> {
                     let family = Family::alone(&Course::of_path(&path));
                     let sampler = Sampler::of(Sampling {
                         family: &family,
-                        question: question(self.plan, &self.inspection),
+                        question: self.question,
                         scatter,
                         mix: &[],
                         arrest_rate: 0.0,

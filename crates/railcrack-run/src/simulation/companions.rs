@@ -1,17 +1,16 @@
 //! The companions of a run: other runs of the same cracks that its decision needs.
 
-use super::beside::Beside;
 use super::drive::OfSteps;
 use super::error::RunError;
-use super::job::Stage;
-use super::observer::RunObserver;
+use super::job::{Beside, Stage};
+use super::observer::AskedAlone;
 use super::row_part::{RowPart, numbered_as_in_the_run};
 use super::run::Simulation;
-use crate::decision::{course_of, slowed};
+use crate::decision::{Course, NominalRun, Question};
 use crate::log::{Companion, CompanionKind, RunInfo, RunLog, StepDigest};
 use railcrack::fatigue::DirectionCriterion;
-use railcrack::growth::{GrowthState, Turning};
-use railcrack_case::{Case, Engine, MaintenancePlan, Scatter};
+use railcrack::growth::{GrowthState, SurfaceRemoval, Turning};
+use railcrack_case::{Case, Engine, Scatter};
 use rayon::prelude::*;
 use std::path::Path;
 
@@ -97,19 +96,20 @@ impl Simulation<'_> {
     /// A speed between two neighbours of which one fails and the other does not; none where these
     /// are close together.
     fn doubtful(&self, info: &RunInfo, all: &[Companion], log: &RunLog) -> Option<f64> {
+        let question = Question::of(info).filter(|_| info.maintenance.is_some())?;
         let fails = |steps: &[StepDigest], speed: f64| {
-            let plan = info.maintenance.map(|plan| slowed(&plan, speed));
-            fails(&RunInfo { maintenance: plan, ..info.clone() }, steps)
+            let run = NominalRun::of(steps, question.at_speed(speed));
+            run.is_some_and(|run| run.nominal.failure.mode.is_some())
+        };
+        let of_speed = |companion: &&Companion| {
+            matches!(companion.kind, CompanionKind::Speed(_)) && companion.reason.is_none()
         };
         let mut speeds: Vec<(f64, bool)> = all
             .iter()
-            .filter(|companion| companion.reason.is_none())
-            .filter_map(|companion| match companion.kind {
-                CompanionKind::Speed(speed) => Some((speed, fails(&companion.steps, speed))),
-                _ => None,
-            })
+            .filter(of_speed)
+            .map(|companion| (companion.kind.speed(), fails(&companion.steps, companion.kind.speed())))
             .collect();
-        if speeds.is_empty() || info.maintenance.is_none() {
+        if speeds.is_empty() {
             return None;
         }
         if !speeds.iter().any(|(speed, _)| *speed == 1.0) {
@@ -126,13 +126,15 @@ impl Simulation<'_> {
 
     fn kinds(&self, info: &RunInfo, log: &RunLog) -> Vec<CompanionKind> {
         let case = self.case;
-        let Some((course, nominal)) = info.axle_load.and_then(|tonnes| course_of(info, log, tonnes)) else {
+        let Some(NominalRun { course, nominal, .. }) =
+            Question::of(info).and_then(|question| NominalRun::of(&log.steps, question))
+        else {
             return Vec::new();
         };
         let mut kinds = Vec::new();
         if let Some(scatter) = info.scatter.as_ref().filter(|_| course.points.len() > 1) {
             let deviation = deviation(case, scatter, &course);
-            let is_removed = info.maintenance.is_some_and(|plan| plan.removal() > 0.0);
+            let is_removed = info.maintenance.is_some_and(|removal| removal.mean_rate() > 0.0);
             if scatter.toughness_std > 0.0 && case.fracture.is_some() {
                 kinds.push(CompanionKind::Speed(1.0));
             }
@@ -236,25 +238,9 @@ fn speeds(deviation: f64) -> Vec<f64> {
     (1..=count).rev().map(at).chain((1..=count).map(|i| at(i).recip())).collect()
 }
 
-/// Whether the rail fails in `steps`.
-fn fails(info: &RunInfo, steps: &[StepDigest]) -> bool {
-    let log = RunLog { steps: steps.to_vec(), ..RunLog::default() };
-    let course = info.axle_load.and_then(|tonnes| course_of(info, &log, tonnes));
-    course.is_some_and(|(_, nominal)| nominal.failure.mode.is_some())
-}
-
-/// Passes on only whether to stop.
-struct AskedAlone<'a>(&'a dyn RunObserver);
-
-impl RunObserver for AskedAlone<'_> {
-    fn interrupted(&self) -> bool {
-        self.0.interrupted()
-    }
-}
-
 /// The standard deviation of the logarithm of growth over removal in the samples of `scatter`.
-fn deviation(case: &Case, scatter: &Scatter, course: &crate::decision::Course) -> f64 {
-    let removal = case.maintenance.map_or(0.0, |plan| plan.removal());
+fn deviation(case: &Case, scatter: &Scatter, course: &Course) -> f64 {
+    let removal = case.maintenance.map_or(0.0, |removal| removal.mean_rate());
     let wear = if removal > 0.0 { scatter.wear_std / removal } else { 0.0 };
     let steeper = course
         .points
@@ -270,7 +256,7 @@ fn deviation(case: &Case, scatter: &Scatter, course: &crate::decision::Course) -
 fn case_of(case: &Case, kind: CompanionKind) -> Case {
     let mut case = case.clone();
     case.growth.steps *= MORE_STEPS;
-    let is_removed = case.maintenance.is_some_and(|plan| plan.removal() > 0.0);
+    let is_removed = case.maintenance.is_some_and(|removal| removal.mean_rate() > 0.0);
     if kind == CompanionKind::Limit && is_removed {
         case.growth.steps = case.growth.steps.min(MOST_KINKS);
     }
@@ -283,13 +269,10 @@ fn case_of(case: &Case, kind: CompanionKind) -> Case {
         }
         CompanionKind::Speed(speed) => {
             // Samples that wear faster still find a course at their wear limit.
-            let beyond = |plan: MaintenancePlan| MaintenancePlan {
-                wear_limit: plan.wear_limit.map(|limit| limit * BEYOND_LIMIT),
-                ..plan
-            };
-            let plan = case.maintenance.map(|plan| beyond(slowed(&plan, speed)));
-            case.maintenance = plan;
-            case.growth.maintenance = plan.zip(case.axle_load).map(|(plan, tonnes)| plan.per_axle(tonnes));
+            case.set_maintenance(case.maintenance.map(|removal| SurfaceRemoval {
+                limit: removal.limit.map(|limit| limit * BEYOND_LIMIT),
+                ..removal.outpaced(speed)
+            }));
             case.growth.arrest_rate /= speed;
             case.growth.stop_after_cycles = case.growth.stop_after_cycles.map(|cycles| cycles * speed);
             let above = case.scatter.map_or(0.0, |scatter| TOUGHEST * scatter.toughness_std);

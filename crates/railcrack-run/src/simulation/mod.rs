@@ -1,7 +1,6 @@
 //! Simulation: what `railcrack run`, `shakedown` and `sweep` compute, also for users of the
 //! library.
 
-mod beside;
 mod by_step;
 mod companions;
 mod drive;
@@ -12,6 +11,7 @@ mod job;
 mod memory;
 mod observer;
 mod plan;
+mod plan_outcome;
 mod queue;
 mod recorder;
 mod residual_stress;

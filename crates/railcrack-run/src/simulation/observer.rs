@@ -29,6 +29,15 @@ pub struct Silent;
 
 impl RunObserver for Silent {}
 
+/// Passes on only whether to stop.
+pub(super) struct AskedAlone<'a>(pub &'a dyn RunObserver);
+
+impl RunObserver for AskedAlone<'_> {
+    fn interrupted(&self) -> bool {
+        self.0.interrupted()
+    }
+}
+
 /// Observes the runs of a study, which may be computed in parallel.
 pub trait StudyObserver: Sync {
     /// The observer of a run of `steps` growth steps.

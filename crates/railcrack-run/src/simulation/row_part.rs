@@ -1,8 +1,8 @@
 //! The cracks of a long row that the companions of its run follow: those that decide, with the
 //! neighbours that shield them.
 
-use super::beside::Beside;
 use super::error::RunError;
+use super::job::Beside;
 use super::run::Simulation;
 use crate::decision::{deciding, from_run};
 use crate::log::{Companion, CompanionKind, RunInfo, RunLog, StepDigest};

@@ -66,7 +66,8 @@ impl PopulationPlan {
 
     fn of_case(case: &Case) -> Option<Self> {
         let scatter = case.scatter?;
-        let is_removed = case.maintenance.is_some_and(|plan| plan.removal() > 0.0) || scatter.wear_std > 0.0;
+        let is_removed =
+            case.maintenance.is_some_and(|removal| removal.mean_rate() > 0.0) || scatter.wear_std > 0.0;
         let inspection = case.inspection.unwrap_or_default();
         Some(Self {
             samples: scatter.samples,

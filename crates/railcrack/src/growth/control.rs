@@ -312,11 +312,11 @@ impl Control<'_> {
     /// The relative change of the life over that of the growth of the leading mover: growth over
     /// growth less removal. An error of the growth, once made, stays the same number of cycles.
     fn leverage_of_balance(&self) -> f64 {
-        let Some(maintenance) = self.settings.maintained() else { return 1.0 };
+        let Some(removal) = self.settings.maintained() else { return 1.0 };
         let Some(leader) = leading(self.before.movers).filter(|leader| leader.rate > 0.0) else { return 1.0 };
         let own = |tip: &&TipRecord| (tip.tip.crack, tip.tip.tip) == (leader.crack, leader.index);
         let Some(sine) = self.before.tips.iter().find(own).and_then(|tip| tip.mouth_sine) else { return 1.0 };
-        let net = (leader.rate - maintenance.removal() / sine).abs();
+        let net = (leader.rate - removal.mean_rate() / sine).abs();
         leader.rate / net.max(f64::MIN_POSITIVE)
     }
 

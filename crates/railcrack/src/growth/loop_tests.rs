@@ -267,12 +267,8 @@ fn grinding_is_of_second_order() {
         length
     };
     let error = |increment: f64| {
-        let maintenance = Maintenance {
-            wear: 0.0,
-            grinding: Some(Grinding { depth, interval, first: interval }),
-            stress: StressMoves::WithMetal,
-            limit: None,
-        };
+        let grinding = Some(Grinding { depth, interval: Axles(interval), first: None });
+        let maintenance = SurfaceRemoval { grinding, ..SurfaceRemoval::NONE };
         let maintained = GrowthSettings {
             maintenance: Some(maintenance),
             stop_after_cycles: Some(2.0 * interval),
@@ -364,8 +360,7 @@ fn chosen_increments_under_wear_stay_bounded_and_right() {
         let wear = part * first;
         let exact = life_under(wear, length);
         for (tolerance, most) in [(1e-2, 60), (1e-3, 100)] {
-            let maintenance =
-                Maintenance { wear, grinding: None, stress: StressMoves::WithMetal, limit: None };
+            let maintenance = SurfaceRemoval { wear, ..SurfaceRemoval::NONE };
             let maintained = GrowthSettings {
                 maintenance: Some(maintenance),
                 tolerance: Some(tolerance),

@@ -11,12 +11,12 @@ mod growth_loop;
 mod history;
 #[cfg(test)]
 mod loop_tests;
-mod maintenance;
 mod mix;
 mod pace;
 mod positions;
 mod rail;
 mod record;
+mod removal;
 mod settings;
 mod stabilised;
 mod state;
@@ -26,6 +26,7 @@ mod stop;
 mod stops;
 mod surface;
 mod sweeps;
+mod tonnage;
 mod turning;
 mod warning;
 mod warnings;
@@ -38,13 +39,13 @@ pub use front::{FaceAcross, FrontDeviation, FrontMotion, FrontShape, FrontTip, M
 pub use geometry::{Geometry, PlaneGeometry, SpaceGeometry, TipCourse};
 pub use growth_loop::Growth;
 pub use history::Interval;
-pub use maintenance::{Grinding, Maintenance, StressMoves};
 pub use positions::output_positions;
 pub use rail::{BodyReport, CrackedRail, Observer, TipJudge, Unobserved, WheelOfRail};
 pub use record::{
     FaceRecord, FieldRecord, FieldSettings, FieldSnapshot, PassageRecord, PhaseTimes, Piece, PieceKind,
     PlaneTip, SolverCounts, StepRecord, TipGeometry, TipRecord,
 };
+pub use removal::{Grinding, StressMoves, SurfaceRemoval};
 pub use settings::{GrowthSettings, PassageSettings};
 pub use stabilised::{GroupsError, GrowthError, Overlap, PassageError, StabilisedPassage};
 pub use state::GrowthState;
@@ -53,14 +54,15 @@ pub use step_start::{EarlierStep, Mover, StepStart};
 pub use stop::{BreakOut, RunStop, TipStop};
 pub use surface::WornSurface;
 pub use sweeps::NetworkContact;
+pub use tonnage::{Axles, Mgt, Traffic};
 pub use turning::{DeferredGrowth, Jump, Turn, Turning};
 pub use warning::{PopInTest, Warning, WarningKind};
 pub use warnings::NEAR_TIE;
 pub use wheel_shares::{MOST_WHEELS, WheelShares};
 
-pub(crate) use maintenance::Uncovered;
 pub(crate) use mix::{MixedTip, WheelDemand, WithoutProgress, under_each_wheel};
 pub(crate) use pace::{Event, LEAST_PART, Moving, Pace, WearingCrack, is_worth_a_step};
+pub(crate) use removal::Uncovered;
 pub(crate) use stabilised::{Memory, Repeated, Repeats, until_repeated};
 pub(crate) use stops::{
     ChangingCrack, TipDemand, least_length, nothing_grows, run_stop, spent_ligament, standstill,

@@ -3,7 +3,7 @@
 
 use super::control::LOCATED;
 use super::history::History;
-use super::{EarlierStep, GrowthSettings, Interval, Maintenance, Mover, StepProgress, StepStart};
+use super::{Axles, EarlierStep, GrowthSettings, Interval, Mover, StepProgress, StepStart, SurfaceRemoval};
 
 /// The pace of a step. It is set by the fastest-growing mover, or by the removal of the surface
 /// where that takes more of a crack.
@@ -231,11 +231,11 @@ pub(crate) fn is_worth_a_step(
         && (event.ends_run || after > LOCATED * (at.load_cycles + pace.cycles))
 }
 
-impl Maintenance {
+impl SurfaceRemoval<Axles> {
     /// Depth (mm) of the grinding that is due at `at`, if one is.
     fn grinding_due(&self, at: &StepStart<'_>) -> Option<f64> {
         let grinding = self.grinding?;
-        let due = grinding.at(at.worn.grindings) - at.load_cycles <= DUE * grinding.interval;
+        let due = grinding.at(at.worn.grindings).0 - at.load_cycles <= DUE * grinding.interval.0;
         due.then_some(grinding.depth)
     }
 
@@ -244,18 +244,12 @@ impl Maintenance {
     fn cycles_at_most(&self, wearing: &[WearingCrack], at: &StepStart<'_>) -> f64 {
         let by_wear = |crack: &WearingCrack| at.share * crack.longest * crack.mouth_sine / self.wear;
         let by_wear = wearing.iter().map(by_wear).fold(f64::INFINITY, f64::min);
-        let next = self.grinding.map(|grinding| grinding.at(at.worn.grindings) - at.load_cycles);
-        let limit = self.limit.map_or(f64::INFINITY, |limit| (limit - self.ground(at)) / self.wear);
-        by_wear.min(next.unwrap_or(f64::INFINITY)).min(limit - at.load_cycles).max(0.0)
-    }
-
-    /// Depth (mm) that grinding has removed so far.
-    fn ground(&self, at: &StepStart<'_>) -> f64 {
-        self.grinding.map_or(0.0, |grinding| grinding.depth * at.worn.grindings as f64)
+        by_wear.min(self.next_event(at.worn.grindings).0 - at.load_cycles).max(0.0)
     }
 
     /// Depth (mm) that the surface loses in `cycles` without grinding.
     fn removal_over(&self, cycles: f64, at: &StepStart<'_>) -> f64 {
-        (self.wear * (at.load_cycles + cycles) + self.ground(at) - at.worn.removed).max(0.0)
+        let until = Axles(at.load_cycles + cycles);
+        (self.removed_at(until, at.worn.grindings) - at.worn.removed).max(0.0)
     }
 }

@@ -1,6 +1,6 @@
 //! Settings of passages and growth; the defaults are the reference values of the paper.
 
-use super::{Maintenance, StressMoves, Turning, WornSurface};
+use super::{Axles, StressMoves, SurfaceRemoval, Turning, WornSurface};
 use crate::contact::StepControl;
 use crate::fatigue::{DirectionCriterion, GrowthLaw};
 use crate::load::Passage;
@@ -86,7 +86,7 @@ pub struct GrowthSettings {
     /// it are tested ([`PopInTest`](super::PopInTest)), without effect on the run.
     pub usual_toughness: Option<f64>,
     /// Wear and grinding of the running surface.
-    pub maintenance: Option<Maintenance>,
+    pub maintenance: Option<SurfaceRemoval<Axles>>,
 }
 
 /// [`GrowthSettings::REFERENCE`].
@@ -117,8 +117,8 @@ impl GrowthSettings {
     };
 
     /// Wear and grinding, if they remove anything.
-    pub(crate) fn maintained(&self) -> Option<&Maintenance> {
-        self.maintenance.as_ref().filter(|maintenance| maintenance.removal() > 0.0)
+    pub(crate) fn maintained(&self) -> Option<&SurfaceRemoval<Axles>> {
+        self.maintenance.as_ref().filter(|removal| removal.mean_rate() > 0.0)
     }
 
     /// Depth (mm) by which the residual stress has come closer to the `worn` surface.
@@ -144,7 +144,7 @@ impl GrowthSettings {
         at_least_zero("arrest rate (mm per cycle)", self.arrest_rate)?;
         at_least_zero("critical length (mm)", self.critical_length.unwrap_or(0.0))?;
         at_least_zero("cycles to stop after", self.stop_after_cycles.unwrap_or(0.0))?;
-        self.maintenance.as_ref().map_or(Ok(()), Maintenance::check)?;
+        self.maintenance.as_ref().map_or(Ok(()), SurfaceRemoval::check)?;
         OutOfRange::unless_positive("toughness (MPa \u{221a}mm)", self.toughness.unwrap_or(1.0))
     }
 }

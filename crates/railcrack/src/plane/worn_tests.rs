@@ -3,7 +3,7 @@
 use super::*;
 use crate::crack::{CrackTip, End};
 use crate::growth::{
-    EarlierStep, Grinding, GrowthSettings, Maintenance, Mover, RunStop, StepStart, StressMoves, TipStop,
+    Axles, EarlierStep, Grinding, GrowthSettings, Mover, RunStop, StepStart, SurfaceRemoval, TipStop,
     Turning, WornSurface,
 };
 use crate::plane::fixtures::{self, SETTINGS, advanced, at, crack, state};
@@ -69,8 +69,8 @@ fn due<'a>(cracks: &'a [Crack], tips: &'a [TipDrive]) -> StepState<'a> {
     StepState { at: at(0, 1e5), ..state(cracks, tips, 0.01) }
 }
 
-fn maintained(wear: f64, grinding: Option<Grinding>) -> GrowthSettings {
-    let maintenance = Maintenance { wear, grinding, stress: StressMoves::WithMetal, limit: None };
+fn maintained(wear: f64, grinding: Option<Grinding<Axles>>) -> GrowthSettings {
+    let maintenance = SurfaceRemoval { wear, grinding, ..SurfaceRemoval::NONE };
     GrowthSettings { maintenance: Some(maintenance), turning: Turning::Over(1.0), ..SETTINGS }
 }
 
@@ -131,7 +131,7 @@ fn wear_that_takes_more_than_grows_sets_the_pace() {
 #[test]
 fn grinding_takes_its_depth_at_its_interval() {
     let (cracks, tips) = (crack_of_five(), [drive(1e-6)]);
-    let settings = maintained(0.0, Some(Grinding { depth: 0.3, interval: 2.5e5, first: 2.5e5 }));
+    let settings = maintained(0.0, Some(Grinding { depth: 0.3, interval: Axles(2.5e5), first: None }));
     let first = advanced(&state(&cracks, &tips, 0.01), &settings);
     assert!(
         !first.progress.ground && first.progress.removal == 0.0 && (first.progress.cycles - 2e5).abs() < 1e-8
@@ -163,7 +163,7 @@ fn grinding_takes_its_depth_at_its_interval() {
 #[test]
 fn a_crack_that_is_worn_away_ends_the_run_and_others_go_on_without_it() {
     let (cracks, tips) = (crack_of_five(), [drive(1e-6)]);
-    let deep = maintained(0.0, Some(Grinding { depth: 3.1, interval: 1e5, first: 1e5 }));
+    let deep = maintained(0.0, Some(Grinding { depth: 3.1, interval: Axles(1e5), first: None }));
     let next = advanced(&due(&cracks, &tips), &deep);
     assert_eq!(next.stop, Some(RunStop::NoTipGrows(TipStop::WornAway)));
     assert_eq!(next.tips[0].stop, Some(TipStop::WornAway));
@@ -190,7 +190,7 @@ fn a_surface_that_comes_down_to_a_junction_ends_the_run() {
     let junctions = [Junction { joining: crate::crack::CrackEnd { crack: 1, end: End::Last }, onto: 0 }];
     let tips = [drive(1e-6)];
     let joined = StepState { junctions: &junctions, ..due(&cracks, &tips) };
-    let deep = |depth| maintained(0.0, Some(Grinding { depth, interval: 1e5, first: 1e5 }));
+    let deep = |depth| maintained(0.0, Some(Grinding { depth, interval: Axles(1e5), first: None }));
     assert_eq!(advanced(&joined, &deep(1.5)).stop, None);
     assert_eq!(advanced(&joined, &deep(2.5)).stop, Some(RunStop::Detached));
 }

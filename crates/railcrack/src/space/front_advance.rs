@@ -250,7 +250,7 @@ mod tests {
     use super::super::body::FrontPoint;
     use super::super::division::{VERTEX_LAYER, is_outside};
     use super::*;
-    use crate::growth::{Grinding, Maintenance, StressMoves, Turning, WornSurface};
+    use crate::growth::{Axles, Grinding, SurfaceRemoval, Turning, WornSurface};
     use std::f64::consts::PI;
 
     const RAIL: RailBox = RailBox { centre: 0.0, width: 300.0, depth: 172.0 };
@@ -385,7 +385,7 @@ mod tests {
     fn in_the_balance_of_growth_and_wear_the_length_stays() {
         let shapes = [FrontShape { dip: (0.6f64).asin(), ..circle(0.0, 0.0) }];
         let maintained = |wear, grinding| {
-            let maintenance = Maintenance { wear, grinding, stress: StressMoves::WithMetal, limit: None };
+            let maintenance = SurfaceRemoval { wear, grinding, ..SurfaceRemoval::NONE };
             GrowthSettings { maintenance: Some(maintenance), ..settings() }
         };
         // w = sin(dip) dl/dN.
@@ -405,7 +405,7 @@ mod tests {
         let at_rest = advance(&shapes, &[None], &[0.0], &maintained(0.6e-6, None));
         assert_eq!((at_rest.stop, at_rest.stopped[0]), (None, None));
         assert!((at_rest.shapes[0].length - 3.8).abs() < 1e-9, "{at_rest:?}");
-        let deep = Grinding { depth: 2.5, interval: 1e5, first: 0.0 };
+        let deep = Grinding { depth: 2.5, interval: Axles(1e5), first: Some(Axles(0.0)) };
         let gone = advance(&shapes, &[None], &[1e-6], &maintained(0.0, Some(deep)));
         assert_eq!(gone.stop, Some(RunStop::NoTipGrows(TipStop::WornAway)), "{gone:?}");
     }

@@ -5,14 +5,14 @@ use railcrack::dislocation::{DislocationEngine, FaceResolution};
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::field::{DepthProfile, HertzWheel};
 use railcrack::growth::{
-    Grinding, Growth, GrowthSettings, GrowthState, Maintenance, RunStop, StepRecord, StressMoves, TipStop,
-    Unobserved,
+    Axles, Grinding, Growth, GrowthSettings, GrowthState, RunStop, StepRecord, StressMoves, SurfaceRemoval,
+    TipStop, Unobserved,
 };
 use railcrack::load::HertzianContact;
 use railcrack::plane::PlaneRail;
 
 /// A crack of 6 mm at 30° that goes straight on under a driven wheel.
-fn problem(maintenance: Option<Maintenance>, steps: usize, increment: f64) -> PlaneRail {
+fn problem(maintenance: Option<SurfaceRemoval<Axles>>, steps: usize, increment: f64) -> PlaneRail {
     let contact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.3 };
     let engine = DislocationEngine { steel: steel(), resolution: FaceResolution::default() };
     let wheel = HertzWheel::new(&contact, &steel()).unwrap();
@@ -32,8 +32,8 @@ fn run(problem: PlaneRail) -> Vec<StepRecord> {
     std::iter::from_fn(|| growth.next_step(&Unobserved).unwrap()).collect()
 }
 
-fn wear(rate: f64) -> Maintenance {
-    Maintenance { wear: rate, grinding: None, stress: StressMoves::WithSurface, limit: None }
+fn wear(rate: f64) -> SurfaceRemoval<Axles> {
+    SurfaceRemoval { wear: rate, stress: StressMoves::WithSurface, ..SurfaceRemoval::NONE }
 }
 
 /// Cycles until the length is `length`, linear between steps.
@@ -104,11 +104,9 @@ fn the_run_ends_when_the_rail_is_worn_to_its_limit() {
     let plans = [(None, 1.03), (Some((0.3, 0.2)), 1.03 - 2.0 * 0.3), (Some((0.3, 0.1)), 3.0 * 0.1)];
     for (ground, worn) in plans {
         let want = worn / rate;
-        let grinding = ground.map(|(depth, worn)| {
-            let interval = worn / rate;
-            Grinding { depth, interval, first: interval }
-        });
-        let limited = Maintenance { grinding, limit: Some(1.03), ..wear(rate) };
+        let grinding =
+            ground.map(|(depth, worn)| Grinding { depth, interval: Axles(worn / rate), first: None });
+        let limited = SurfaceRemoval { grinding, limit: Some(1.03), ..wear(rate) };
         let steps = run(problem(Some(limited), 200, 0.04));
         let last = steps.last().unwrap();
         assert_eq!((last.stop, last.tips[0].stop), (Some(RunStop::WearLimit), None));
@@ -121,10 +119,9 @@ fn the_run_ends_when_the_rail_is_worn_to_its_limit() {
 fn grinding_wears_the_crack_away_at_last_and_a_resumed_run_is_the_same() {
     let first = run(problem(None, 0, 0.04))[0].tips[0].rate;
     // Every 0.5 mm of growth, 0.8 mm in depth: 1.6 mm of length.
-    let grinding = Grinding { depth: 0.8, interval: 0.5 / first, first: 0.5 / first };
+    let grinding = Grinding { depth: 0.8, interval: Axles(0.5 / first), first: None };
     let maintained = || {
-        let all =
-            Maintenance { wear: 0.0, grinding: Some(grinding), stress: StressMoves::WithMetal, limit: None };
+        let all = SurfaceRemoval { grinding: Some(grinding), ..SurfaceRemoval::NONE };
         let mut problem = problem(Some(all), 40, 0.04);
         let rows = vec![(0.0, -50.0, 0.0), (2.0, 20.0, 0.0), (6.0, 0.0, 0.0)];
         problem.wheels[0].residual = Some(Box::new(DepthProfile::new(rows).unwrap()));
@@ -137,7 +134,7 @@ fn grinding_wears_the_crack_away_at_last_and_a_resumed_run_is_the_same() {
     let ground: Vec<f64> = whole.iter().map(|step| step.removed / 0.8).collect();
     assert!(ground.iter().all(|times| (times - times.round()).abs() < 1e-9), "{ground:?}");
     let after = whole.iter().find(|step| step.removed > 0.0).unwrap();
-    assert!((after.load_cycles / grinding.interval - 1.0).abs() < 1e-12, "at its interval");
+    assert!((after.load_cycles / grinding.interval.0 - 1.0).abs() < 1e-12, "at its interval");
 
     let mut growth = Growth::new(maintained(), GrowthState::initial(&surface_crack(0.0, 6.0, 30.0).into()));
     let mut state = growth.state().clone();
@@ -159,9 +156,12 @@ fn grinding_wears_the_crack_away_at_last_and_a_resumed_run_is_the_same() {
 #[test]
 fn residual_stress_stays_in_the_steel_or_moves_with_the_surface() {
     let rates = [StressMoves::WithMetal, StressMoves::WithSurface].map(|stress| {
-        let grinding = Grinding { depth: 1.0, interval: 1.0, first: 1.0 };
-        let mut problem =
-            problem(Some(Maintenance { wear: 0.0, grinding: Some(grinding), stress, limit: None }), 2, 0.04);
+        let grinding = Grinding { depth: 1.0, interval: Axles(1.0), first: None };
+        let mut problem = problem(
+            Some(SurfaceRemoval { grinding: Some(grinding), stress, ..SurfaceRemoval::NONE }),
+            2,
+            0.04,
+        );
         let rows = vec![(0.0, -300.0, 0.0), (1.0, -300.0, 0.0), (1.001, 0.0, 0.0)];
         problem.wheels[0].residual = Some(Box::new(DepthProfile::new(rows).unwrap()));
         run(problem).remove(2).tips[0].rate

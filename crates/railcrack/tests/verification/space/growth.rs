@@ -2,8 +2,8 @@
 
 use crate::common::{Of, Relative, close, steel};
 use railcrack::growth::{
-    FrontDeviation, FrontShape, Grinding, Growth, GrowthError, GrowthSettings, GrowthState, Maintenance,
-    MouthStrip, NetworkContact, PassageSettings, StepRecord, StressMoves, Unobserved,
+    Axles, FrontDeviation, FrontShape, Grinding, Growth, GrowthError, GrowthSettings, GrowthState,
+    MouthStrip, NetworkContact, PassageSettings, StepRecord, StressMoves, SurfaceRemoval, Unobserved,
 };
 use railcrack::load::Passage;
 use railcrack::math::RailBox;
@@ -47,7 +47,7 @@ fn wheel(lateral: f64, share: f64) -> SpaceWheel {
 }
 
 fn rail(wheels: Vec<SpaceWheel>, friction: f64, wear: f64) -> SpaceRail {
-    let maintenance = Maintenance { wear, grinding: None, stress: StressMoves::WithSurface, limit: None };
+    let maintenance = SurfaceRemoval { wear, stress: StressMoves::WithSurface, ..SurfaceRemoval::NONE };
     SpaceRail {
         network: NetworkContact::Whole,
         steel: steel(),
@@ -211,9 +211,9 @@ fn wear_shortens_the_strip_of_a_folded_crack_and_then_its_branch() {
 
 #[test]
 fn grinding_takes_the_strip_of_a_folded_crack_and_then_its_branch() {
-    let grinding = Some(Grinding { depth: 1.5, interval: 1e4, first: 1e4 });
+    let grinding = Some(Grinding { depth: 1.5, interval: Axles(1e4), first: None });
     let mut often = rail(vec![wheel(0.0, 1.0)], 0.2, 0.0);
-    let maintenance = Maintenance { wear: 0.0, grinding, stress: StressMoves::WithSurface, limit: None };
+    let maintenance = SurfaceRemoval { grinding, stress: StressMoves::WithSurface, ..SurfaceRemoval::NONE };
     often.growth = GrowthSettings { steps: 8, maintenance: Some(maintenance), ..often.growth };
     let steps = run_of(often, folded());
     let depth = |step: &StepRecord| step.tips.iter().map(|tip| -tip.y).fold(0.0, f64::max);

@@ -7,8 +7,8 @@ use railcrack::fatigue::DirectionCriterion;
 use railcrack::field::{HertzWheel, Wheel};
 use railcrack::fracture::Sif;
 use railcrack::growth::{
-    CrackedRail, FrontShape, Growth, GrowthSettings, GrowthState, Maintenance, NetworkContact,
-    PassageSettings, StepRecord, StressMoves, Unobserved,
+    CrackedRail, FrontShape, Growth, GrowthSettings, GrowthState, NetworkContact, PassageSettings,
+    StepRecord, StressMoves, SurfaceRemoval, Unobserved,
 };
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::math::{RailBox, Stress, Vec2};
@@ -206,7 +206,7 @@ fn one_increment(rail: impl CrackedRail, state: GrowthState) -> [StepRecord; 2] 
 #[ignore = "extra: 8 s"]
 fn of_the_2d_engine_under_a_mix_with_wear() {
     let (length, degrees, friction, wear) = (4.0, 30.0f64, 0.3, 4e-7);
-    let maintenance = Maintenance { wear, grinding: None, stress: StressMoves::WithSurface, limit: None };
+    let maintenance = SurfaceRemoval { wear, stress: StressMoves::WithSurface, ..SurfaceRemoval::NONE };
     let growth = GrowthSettings {
         steps: 1,
         increment: 0.05,

@@ -1,0 +1,209 @@
+//! Outcomes of grinding plans: what becomes of the rail under each of them, and the least that
+//! holds.
+
+use super::plan::{AllFollowed, Followed, Planning};
+use crate::decision::{
+    Companions, Draw, Draws, FailureMode, NominalRun, Sampler, Sampling, VerdictLevel, calibration,
+};
+use crate::disk::VERSION;
+use crate::planner::{PlanOutcome, PlanSummary, PlannedGrinding, civil, today};
+use crate::summary::validity;
+use railcrack::growth::{Axles, Mgt, RunStop, TipStop};
+use std::collections::BTreeMap;
+use std::time::Instant;
+
+/// Probability of failure before the horizon up to which a plan holds, where the case has scatter
+/// and no target risk.
+const USUAL_TARGET: f64 = 0.05;
+/// Samples of each plan at most.
+const MOST_SAMPLES: usize = 5000;
+
+impl Planning<'_> {
+    /// All runs in numbers, before the least grinding is found.
+    pub(super) fn summary(&self, all: &AllFollowed, started: Instant) -> PlanSummary {
+        let case = self.simulation.case;
+        let draws = self.draws();
+        PlanSummary {
+            version: VERSION.to_owned(),
+            title: case.title.clone(),
+            date: civil(today()),
+            case_checksum: String::new(),
+            calibration: calibration(case.calibration.sites),
+            axle_load_t: self.tonnes,
+            mgt_per_year: case.mgt_per_year,
+            horizon_mgt: all.horizon.0,
+            wear_mm_per_mgt: case.maintenance.map_or(0.0, |removal| removal.wear),
+            wear_limit_mm: case.maintenance.and_then(|removal| removal.limit),
+            target_risk: (!draws.is_empty()).then(|| self.target()),
+            samples: Some(draws.len()).filter(|count| *count > 0),
+            seed: case.scatter.map(|scatter| scatter.seed),
+            grinding_mm: all.depths.clone(),
+            grinding_interval_mgt: all.intervals.clone(),
+            without_grinding: self.outcome(&all.alone, all.horizon, &[]),
+            plans: all.plans.iter().map(|plan| self.outcome(plan, all.horizon, &draws)).collect(),
+            least: None,
+            least_by_interval: vec![None; all.intervals.len()],
+            runs: 1 + all.plans.iter().map(|plan| 1 + plan.speeds.len()).sum::<usize>(),
+            wall_s: started.elapsed().as_secs_f64(),
+            assumptions: Vec::new(),
+            warnings: warnings(&all.alone),
+            checksums: BTreeMap::new(),
+            verdict: all.alone.verdict.clone(),
+        }
+    }
+
+    /// The probability of failure up to which a plan holds.
+    fn target(&self) -> f64 {
+        self.simulation.case.inspection_risk.as_ref().and_then(|risk| risk.target).unwrap_or(USUAL_TARGET)
+    }
+
+    fn draws(&self) -> Vec<Draw> {
+        let Some(scatter) = &self.simulation.case.scatter else { return Vec::new() };
+        let mut draws = Draws::of(scatter, &self.info.mix);
+        (0..scatter.samples.min(MOST_SAMPLES)).map(|_| draws.next()).collect()
+    }
+
+    /// Outcome of `plan`.
+    fn outcome(&self, plan: &Followed, horizon: Mgt, draws: &[Draw]) -> PlannedGrinding {
+        let case = self.simulation.case;
+        let (outcome, mgt) = self.end(plan, horizon);
+        let course = &plan.run.course;
+        let until =
+            course.points.iter().filter(|point| Axles(point.axles).mgt(self.tonnes).0 <= mgt * (1.0 + 1e-9));
+        let critical = case.inspection.and_then(|inspection| inspection.critical_depth);
+        let reached = critical.filter(|_| outcome == PlanOutcome::Fails(FailureMode::Depth)).unwrap_or(0.0);
+        let (mut deepest, mut removed) = (reached, 0.0);
+        for point in until {
+            deepest = f64::max(deepest, point.depth);
+            removed = f64::max(removed, point.removed);
+        }
+        let level = match plan.verdict.level {
+            // The run goes on beyond the horizon.
+            VerdictLevel::Ok | VerdictLevel::Act if outcome.is_failure() => VerdictLevel::Act,
+            VerdictLevel::Ok | VerdictLevel::Act => VerdictLevel::Ok,
+            level => level,
+        };
+        let (probability, not_known) = self.probability(plan, horizon, draws).unzip();
+        // A sample whose fate is not known may fail.
+        let keeps = probability.is_none_or(|found| found + not_known.unwrap_or(0.0) <= self.target());
+        let months = |mgt: f64| case.mgt_per_year.map(|year| 12.0 * mgt / year);
+        let removal = plan.run.question.removal;
+        let replacement = removal.replacement().map(|Mgt(mgt)| mgt);
+        PlannedGrinding {
+            grinding_mm: plan.grinding.map_or(0.0, |grinding| grinding.depth),
+            grinding_interval_mgt: plan.grinding.map(|grinding| grinding.interval.0),
+            removal_mm_per_mgt: removal.mean_rate(),
+            outcome,
+            mgt,
+            months: months(mgt),
+            largest_depth_mm: deepest,
+            removed_mm: removed,
+            level,
+            probability_of_failure: probability,
+            probability_not_known: not_known,
+            holds: outcome.is_safe() && level < VerdictLevel::Stop && keeps,
+            mgt_to_wear_limit: replacement,
+            months_to_wear_limit: replacement.and_then(months),
+        }
+    }
+
+    /// How the rail ends under `plan` before `horizon`, and million gross tonnes until then.
+    fn end(&self, plan: &Followed, Mgt(horizon): Mgt) -> (PlanOutcome, f64) {
+        let nominal = &plan.run.nominal;
+        let last = plan.log.steps.last();
+        let end = last.map_or(0.0, |step| step.mgt(self.tonnes));
+        let stop = last.and_then(|step| step.stop);
+        let is_at_rest = matches!(stop, Some(RunStop::NoTipGrows(TipStop::Arrest | TipStop::Coalescence)));
+        let by = |mgt: Option<f64>| mgt.filter(|mgt| *mgt <= horizon);
+        let failure = nominal.failure.mode.zip(by(nominal.failure.mgt));
+        match (failure, by(nominal.worn), by(nominal.replaced)) {
+            (Some((mode, mgt)), ..) => (PlanOutcome::Fails(mode), mgt),
+            (_, Some(mgt), _) => (PlanOutcome::WornAway, mgt),
+            (_, _, Some(mgt)) => (PlanOutcome::WearLimit, mgt),
+            _ if is_at_rest => (PlanOutcome::Arrest, end.min(horizon)),
+            _ if end >= horizon * (1.0 - 1e-9) => (PlanOutcome::Holds, horizon),
+            _ => (PlanOutcome::Unknown, end),
+        }
+    }
+
+    /// The share of samples that fail before `horizon`, and of those of which it is not known.
+    fn probability(&self, plan: &Followed, Mgt(horizon): Mgt, draws: &[Draw]) -> Option<(f64, f64)> {
+        let scatter = self.simulation.case.scatter.as_ref().filter(|_| !draws.is_empty())?;
+        let NominalRun { question, ref course, found, .. } = plan.run;
+        let family = Companions { all: &plan.speeds, question, found }.speeds().family(course);
+        let sampler = Sampler::of(Sampling::of_run(&plan.info, question, &family, scatter));
+        let ends = sampler.each(draws, |sample, _| (sample.to_critical, sample.outlives));
+        let count = ends.len() as f64;
+        let share = |is_it: &dyn Fn(&(f64, f64)) -> bool| ends.iter().filter(|end| is_it(end)).count() as f64;
+        Some((share(&|end| end.0 <= horizon) / count, share(&|end| end.1 < horizon) / count))
+    }
+
+    /// Assumptions of the plans, a sentence each.
+    pub(super) fn assumptions(&self, summary: &PlanSummary) -> Vec<String> {
+        let case = self.simulation.case;
+        let mut all = vec![
+            format!(
+                "Traffic is counted by a mean axle load of {} t{}.",
+                summary.axle_load_t,
+                case.mgt_per_year.map_or_else(
+                    || "; the traffic of a year is not given, so that there are no months".to_owned(),
+                    |year| format!(", {year} million gross tonnes in a year")
+                )
+            ),
+            match case.mix.len() {
+                0 | 1 => "One wheel stands for all traffic.".to_owned(),
+                wheels => format!("{wheels} wheels of given shares stand for all traffic."),
+            },
+            "The cracks are those of the case at the beginning, and grow as a plane rail by the growth law of the case.".to_owned(),
+            format!("The surface wears by {} mm per million gross tonnes at all times.", summary.wear_mm_per_mgt),
+            match case.maintenance.and_then(|removal| removal.grinding?.first) {
+                Some(Mgt(first)) => format!("The first grinding is due after {first} million gross tonnes in every plan, the others follow at the interval."),
+                None => "The first grinding is due after one interval.".to_owned(),
+            },
+            "A grinding takes the same depth everywhere and leaves the shape of the contact as it is.".to_owned(),
+            format!("The rail is followed up to {:.1} million gross tonnes.", summary.horizon_mgt),
+        ];
+        if let Some(depth) = case.inspection.and_then(|inspection| inspection.critical_depth) {
+            all.push(format!("A tip at a depth of {depth} mm below the present surface is a failure."));
+        }
+        if let Some(length) = case.growth.critical_length {
+            all.push(format!("A crack of a length of {length} mm is a failure."));
+        }
+        if let Some(fracture) = &case.fracture {
+            all.push(format!("The rail breaks by a toughness of {} MPa√m.", fracture.at_rail));
+        }
+        if let Some(limit) = summary.wear_limit_mm {
+            all.push(format!("The rail is replaced when wear and grinding have removed {limit} mm."));
+        }
+        if let (Some(samples), Some(scatter)) = (summary.samples, case.scatter) {
+            all.push(format!(
+                "Probabilities are shares of {samples} samples about each plan with standard deviations of {} of ln C, {} of the exponent and {} mm per million gross tonnes of the wear; inspections are not counted. A plan holds where at most {} of the samples fail or are not known, {}.",
+                scatter.c_log_std,
+                scatter.m_std,
+                scatter.wear_std,
+                self.target(),
+                if case.inspection_risk.as_ref().is_some_and(|risk| risk.target.is_some()) {
+                    "the target_risk of the case"
+                } else {
+                    "since the case gives no target_risk"
+                }
+            ));
+        } else {
+            all.push("Nothing scatters: the case has no [scatter], and the coefficient of the growth law is known to a factor only.".to_owned());
+        }
+        all
+    }
+}
+
+/// Warnings on the case and on its cracks without grinding, each once.
+fn warnings(alone: &Followed) -> Vec<String> {
+    let of_case = alone.info.warnings.iter().map(|warning| warning.text.clone());
+    let of_steps = validity::of_steps(&alone.info, &alone.log).into_iter().map(|warning| warning.text);
+    let mut all: Vec<String> = Vec::new();
+    for text in of_case.chain(of_steps) {
+        if !all.contains(&text) {
+            all.push(text);
+        }
+    }
+    all
+}
