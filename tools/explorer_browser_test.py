@@ -57,7 +57,7 @@ class Explorer:
 
     def curve(self, name):
         """The drawn curves of a chart."""
-        return self.browser.run(f"[...document.querySelectorAll('#what-if-{name} svg [aria-label=\"line\"] path')].map((p) => p.getAttribute('d')).join()")
+        return self.browser.run(f"[...document.querySelectorAll('#what-if-{name} svg g.curve polyline')].map((p) => p.getAttribute('points')).join()")
 
 
 def check_drag(explorer, checks):
@@ -207,7 +207,7 @@ def check_life(explorer, checks, program):
     checks.that(f"{len(rows)} steps" in shown, "as many steps as the program", shown)
     delta = float(rows[0]["delta_kii_mpa_sqrt_m"])
     checks.that(f"{delta:.4g}" in shown, "the range of K_II is that of the program", f"{delta:.4g}: {shown}")
-    depth = browser.run("document.querySelectorAll('#what-if-depth svg [aria-label=\"dot\"] circle').length")
+    depth = browser.run("document.querySelectorAll('#what-if-depth .drawing g.curve circle').length")
     checks.that(depth == len(rows), "a dot for each step", f"{depth} for {len(rows)}")
 
 

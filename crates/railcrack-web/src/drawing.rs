@@ -1,29 +1,40 @@
 //! Charts of a page as its script describes them, drawn as those of every report.
 
-use railcrack_report::{
-    Chart, ChartAspect, ChartAxis, ChartRange, ChartScale, Curve, CurveColour, CurveDots, CurveLook,
-};
+use railcrack_report::{Chart, ChartAspect, ChartAxis, ChartRange, Curve, CurveColour, CurveDots, CurveLook};
 use serde_json::Value;
 
-/// The figure of the chart in `text`: its `id` and `caption`, the titles `x` and `y` of its axes, its
-/// `kind` (`history`, `depth` or `path`), and `curves` with a name, points, and the number of their
-/// colour; null for a dashed one behind the others. `None` where the text is none of these.
+/// The figure of the chart in `text`: its `kind` (`ki`, `kii`, `depth`, `depth-mgt` or `path`), and
+/// `curves` with a name, points, and the number of their colour; null for a dashed one behind the
+/// others. `None` where the text is none of these.
 pub(crate) fn figure(text: &[u8]) -> Option<String> {
     let value: Value = serde_json::from_slice(text).ok()?;
-    let word = |name: &str| Some(value.get(name)?.as_str()?.to_owned());
-    let axis = |title: String| ChartAxis { label: title, ..ChartAxis::default() };
-    let (x, y) = (axis(word("x")?), axis(word("y")?));
     let curves: Option<Vec<Curve>> = value.get("curves")?.as_array()?.iter().map(curve).collect();
-    let chart = Chart { id: word("id")?, caption: word("caption")?, curves: curves?, ..Chart::default() };
-    let depth = ChartAxis { scale: ChartScale::Depth, ..y.clone() };
-    Some(
-        match word("kind")?.as_str() {
-            "depth" => Chart { x, y: depth.over(ChartRange::AroundZero), ..dotted(chart) },
-            "path" => Chart { x, y: depth, aspect: ChartAspect::Equal, ..chart },
-            _ => Chart { x: x.over(ChartRange::Tight), y: y.over(ChartRange::AroundZero), ..chart },
-        }
-        .figure(),
-    )
+    let curves = curves?;
+    let of = |id: &str, caption: &str, x: ChartAxis, y: ChartAxis| {
+        let (id, caption) = (format!("what-if-{id}"), caption.to_owned());
+        Chart { id, caption, x, y, curves: curves.clone(), ..Chart::default() }
+    };
+    let history = |id: &str, symbol: &str| {
+        let x = ChartAxis::linear("x_{c}/a", "").over(ChartRange::Tight);
+        let y = ChartAxis::linear(symbol, "MPa√m").over(ChartRange::AroundZero);
+        of(id, &format!("{symbol} over the first passage."), x, y)
+    };
+    let lives = |traffic: &str| {
+        let y = ChartAxis::depth().over(ChartRange::AroundZero);
+        dotted(of("depth", "Depth over traffic.", ChartAxis::linear(traffic, ""), y))
+    };
+    let chart = match value.get("kind")?.as_str()? {
+        "ki" => history("ki", "K_{I}"),
+        "kii" => history("kii", "K_{II}"),
+        "depth" => lives("Load cycles"),
+        "depth-mgt" => lives("Million gross tonnes"),
+        "path" => Chart {
+            aspect: ChartAspect::Equal,
+            ..of("path", "Path, to scale.", ChartAxis::linear("x", "mm"), ChartAxis::depth())
+        },
+        _ => return None,
+    };
+    Some(chart.figure())
 }
 
 /// The chart with a dot at each step of the lives in colour.
@@ -51,7 +62,7 @@ mod tests {
 
     #[test]
     fn a_life_is_drawn_with_its_first_one_behind_it() {
-        let text = br#"{"id":"d","caption":"Depth.","kind":"depth","x":"MGT","y":"Depth (mm)",
+        let text = br#"{"kind":"depth-mgt",
             "curves":[{"name":"first","colour":null,"points":[[0,1],[2,3]]},{"name":"now","colour":0,"points":[[0,1],[1,4]]}]}"#;
         let figure = figure(text).unwrap();
         assert_eq!(figure.matches("class=\"curve\"").count(), 2, "{figure}");

@@ -41,10 +41,7 @@ const railcrack = (() => {
   /** Whole numbers from 0, `count` of them. @param {number} count */
   const range = (count) => Array.from({ length: count }, (_, i) => i);
 
-  /**
-   * The place of the least value; 0 of none.
-   * @param {Iterable<number>} values
-   */
+  /** The place of the least value; 0 of none. @param {Iterable<number>} values */
   function leastIndex(values) {
     let [best, least, i] = [0, Number.POSITIVE_INFINITY, 0];
     for (const value of values) {
@@ -618,12 +615,15 @@ const railcrack = (() => {
     return text;
   }
 
+  /** @param {string} name @param {string} kind @param {string} text */
+  const download = (name, kind, text) => {
+    const href = `data:${kind};charset=utf-8,${encodeURIComponent(text)}`;
+    Object.assign(document.createElement("a"), { href, download: name }).click();
+  };
+
   /** A button that keeps a figure as a file. @param {HTMLElement} figure */
   function tools(figure) {
-    const keep = button("SVG", () => {
-      const href = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(file(figure))}`;
-      Object.assign(document.createElement("a"), { href, download: `${figure.id}.svg` }).click();
-    });
+    const keep = button("SVG", () => download(`${figure.id}.svg`, "image/svg+xml", file(figure)));
     keep.setAttribute("aria-label", `Save figure ${figure.id} as SVG`);
     keep.className = "tools";
     figure.append(keep);
@@ -658,6 +658,7 @@ const railcrack = (() => {
     charts,
     compared,
     crack,
+    download,
     element,
     ends,
     every,

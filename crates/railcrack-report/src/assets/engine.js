@@ -2,26 +2,6 @@
 "use strict";
 
 /**
- * An answer of the module: 0, or 1 where no step follows, or 2 for errors.
- * @typedef {{ code: number, value: any }} EngineAnswer
- */
-
-/**
- * What the module exports.
- * @typedef {object} EngineExports
- * @property {WebAssembly.Memory} memory
- * @property {(length: number) => number} input
- * @property {() => number} output
- * @property {() => number} output_length
- * @property {() => number} begin
- * @property {() => number} step
- * @property {() => number} summary
- * @property {() => number} decide
- * @property {() => number} tables
- * @property {() => number} draw
- */
-
-/**
  * The engine of an instance of the module. `begin` takes the text of a case; then `step` computes one
  * growth step after another. `draw` takes a chart and gives its figure.
  * @param {WebAssembly.Instance} instance

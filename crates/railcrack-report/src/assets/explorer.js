@@ -350,12 +350,8 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
 
   // ---- Words ------------------------------------------------------------------------------------
 
-  const LEVELS = /** @type {Record<string, string>} */ ({
-    ok: "OK",
-    act: "Act",
-    stop: "Stop",
-    outside: "Outside of what the model describes",
-  });
+  /** @type {Record<string, string>} */
+  const LEVELS = { ok: "OK", act: "Act", stop: "Stop", outside: "Outside of what the model describes" };
   const MODES = /** @type {Record<string, string>} */ ({
     depth: "the critical depth",
     length: "the critical length",
@@ -429,21 +425,16 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     });
   /** Depths that the case names, as lines across traffic. @param {DrawnCurve[]} lives @returns {DrawnCurve[]} */
   const limits = (lives) => {
-    const [from, to] = railcrack.ends(lives.flatMap(({ points }) => points.map(([x]) => x)));
-    return ["detectable_depth_mm", "critical_depth_mm"].flatMap((key) => {
-      const depth = Number(valueIn(editor.value, "inspection", key));
-      if (!(depth > 0)) return [];
-      return [
-        {
-          name: `${key.split("_")[0]} depth`,
-          colour: null,
-          points: [
-            [from, depth],
-            [to, depth],
-          ],
-        },
-      ];
+    const across = railcrack.ends(lives.flatMap(({ points }) => points.map(([x]) => x)));
+    const named = ["detectable", "critical"].map((name) => {
+      const depth = Number(valueIn(editor.value, "inspection", `${name}_depth_mm`));
+      return {
+        name: `${name} depth`,
+        colour: null,
+        points: across.map((x) => /** @type {Pair} */ ([x, depth])),
+      };
     });
+    return named.filter(({ points }) => points[0][1] > 0);
   };
 
   /** What the charts show. @returns {DrawnChart[]} */
@@ -451,42 +442,14 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     const depths = curvesOf(({ steps }) => [
       steps.map((step) => [step.mgt ?? step.load_cycles, Math.max(...step.tips.map((tip) => tip.depth_mm))]),
     ]);
-    const traffic = now?.steps[0]?.mgt == null ? "Load cycles" : "Million gross tonnes";
-    const paths = curvesOf(({ steps }) =>
-      (steps.at(-1)?.cracks ?? []).map((crack) => crack.map(([x, y]) => [x, -y])),
+    const paths = curvesOf(
+      ({ steps }) => steps.at(-1)?.cracks.map((crack) => crack.map(([x, y]) => [x, -y])) ?? [],
     );
-    const k = { x: "x_{c}/a", kind: /** @type {const} */ ("history") };
     return [
-      {
-        ...k,
-        id: "what-if-kii",
-        caption: "K_{II} over the first passage.",
-        y: "K_{II} (MPa\u221am)",
-        curves: history("kii_mpa_sqrt_m"),
-      },
-      {
-        ...k,
-        id: "what-if-ki",
-        caption: "K_{I} over the first passage.",
-        y: "K_{I} (MPa\u221am)",
-        curves: history("ki_mpa_sqrt_m"),
-      },
-      {
-        id: "what-if-depth",
-        caption: "Depth over traffic.",
-        kind: "depth",
-        x: traffic,
-        y: "Depth (mm)",
-        curves: [...limits(depths), ...depths],
-      },
-      {
-        id: "what-if-path",
-        caption: "Path, to scale.",
-        kind: "path",
-        x: "x (mm)",
-        y: "Depth (mm)",
-        curves: paths,
-      },
+      { kind: "kii", curves: history("kii_mpa_sqrt_m") },
+      { kind: "ki", curves: history("ki_mpa_sqrt_m") },
+      { kind: now?.steps[0]?.mgt == null ? "depth" : "depth-mgt", curves: [...limits(depths), ...depths] },
+      { kind: "path", curves: paths },
     ];
   }
   /** The engine of the page itself draws, while that of the worker computes. @type {ReturnType<typeof openEngine> | null} */
@@ -499,9 +462,10 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
       frame = 0;
       for (const drawing of drawings()) {
         if (!(drawer && drawing.curves.some(({ points }) => points.length))) continue;
+        const id = `what-if-${drawing.kind.replace("-mgt", "")}`;
         // The program's own figure, whose texts are escaped.
-        element(drawing.id).outerHTML = drawer.draw(drawing).value;
-        railcrack.tools(railcrack.chartOf(element(drawing.id)).figure);
+        element(id).outerHTML = drawer.draw(drawing).value;
+        railcrack.tools(railcrack.chartOf(element(id)).figure);
       }
     });
   }
@@ -519,13 +483,7 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
   });
 
   /** @param {string} name @param {string} text */
-  function save(name, text) {
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
-    link.download = name;
-    link.click();
-    URL.revokeObjectURL(link.href);
-  }
+  const save = (name, text) => railcrack.download(name, "text/plain", text);
 
   element("what-if-save").addEventListener("click", () => save("case.toml", editor.value));
   element("what-if-load").addEventListener("change", async () => {

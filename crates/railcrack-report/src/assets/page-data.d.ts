@@ -86,10 +86,6 @@ interface TipData {
   rate: number;
   /** Kink at the end of the step, degrees; null for a tip without load. */
   kink: number | null;
-  /** Angle of the secondary maximum of the direction criterion, degrees. */
-  rival: number | null;
-  /** Value of the secondary maximum over that of the chosen one. */
-  ratio: number | null;
   stop: string;
 }
 
@@ -331,11 +327,7 @@ interface DrawnCurve {
 }
 
 interface DrawnChart {
-  id: string;
-  caption: string;
-  kind: "history" | "depth" | "path";
-  x: string;
-  y: string;
+  kind: "kii" | "ki" | "depth" | "depth-mgt" | "path";
   curves: DrawnCurve[];
 }
 
@@ -366,4 +358,40 @@ interface Dial {
   needs?: string;
   /** Ends and step. */
   range(value: number): [number, number, number];
+}
+
+/** An answer of the module: 0, or 1 where no step follows, or 2 for errors. */
+interface EngineAnswer {
+  code: number;
+  // biome-ignore lint/suspicious/noExplicitAny: JSON of the module
+  value: any;
+}
+
+/** What the module exports. */
+interface EngineExports {
+  memory: WebAssembly.Memory;
+  input(length: number): number;
+  output(): number;
+  output_length(): number;
+  begin(): number;
+  step(): number;
+  summary(): number;
+  decide(): number;
+  tables(): number;
+  draw(): number;
+}
+
+/** What the page asks for: the life of a case, or something about the last one. */
+interface EngineRequest {
+  id: number;
+  text?: string;
+  about?: "decide" | "tables";
+}
+
+/** What a condition on runs needs of a column. */
+interface SelectedColumn {
+  name: string;
+  words: string[] | null;
+  values: ArrayLike<number>;
+  text(i: number): string;
 }

@@ -29,17 +29,12 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const wet = fluid && { pressure: await over(fluid[0]), volume: await over(fluid[1]) };
     return { ki: await over(ki), kii: await over(kii), fluid: wet };
   }
+  /** The histories of the tips of a step under a wheel. @param {RunStepData} step @param {number} under */
+  const decodeStep = ({ tips, wheels: all }, under) =>
+    Promise.all(all[under].histories.map((one, i) => decodeHistory(one, wheels[under], tips[i].crack)));
   /** By wheel, step and tip. */
   const histories = await Promise.all(
-    wheels.map((wheel, under) =>
-      Promise.all(
-        steps.map(({ tips, wheels }) =>
-          Promise.all(
-            wheels[under].histories.map((history, i) => decodeHistory(history, wheel, tips[i].crack)),
-          ),
-        ),
-      ),
-    ),
+    wheels.map((_, under) => Promise.all(steps.map((step) => decodeStep(step, under)))),
   );
 
   /** Faces of a crack: values by face point and stored position. @typedef {Awaited<ReturnType<typeof decodeFaces>>} Faces */
@@ -58,15 +53,11 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   async function decodeContact({ first, positions, x, pressure }) {
     return { first, positions, x: await singles(x), pressure: await quantised(pressure, positions) };
   }
-  /** Faces and contact of a step under a wheel, decoded once. @type {Map<StepUnderWheel, Promise<{ faces: Faces[], contact: Contact | null }>>} */
+  /** Faces and contact of a step under a wheel, decoded once. @type {Map<StepUnderWheel, ReturnType<typeof decode>>} */
   const decoded = new Map();
   /** @param {StepUnderWheel} parts */
-  async function decode({ faces, contact }) {
-    return {
-      faces: await Promise.all((faces ?? []).map(decodeFaces)),
-      contact: contact && (await decodeContact(contact)),
-    };
-  }
+  const decode = ({ faces, contact }) =>
+    Promise.all([Promise.all((faces ?? []).map(decodeFaces)), contact && decodeContact(contact)]);
 
   // ---- State ------------------------------------------------------------------------------------
 
@@ -644,9 +635,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const name = nameIfSeveral(tip) || "the crack";
     const whose = `${name[0].toUpperCase()}${name.slice(1)}`;
     if (tip.kink === null) return `${whose} is unloaded and does not kink`;
-    const kink = `${whose} kinks by ${signed(tip.kink, 1)}\u00b0 at the end of the step`;
-    if (tip.rival === null) return kink;
-    return `${kink} (secondary maximum at ${signed(tip.rival, 1)}\u00b0, ${signed(tip.ratio ?? 0, 3)} times the selected one)`;
+    return `${whose} kinks by ${signed(tip.kink, 1)}\u00b0 at the end of the step`;
   }
 
   /** What has become of the chosen crack where it has no tip any more. */
@@ -663,7 +652,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const parts = step().wheels[state.wheel];
     const known = decoded.get(parts) ?? decode(parts);
     decoded.set(parts, known);
-    const { faces, contact } = await known;
+    const [faces, contact] = await known;
     // A later step has been asked for meanwhile.
     if (turn !== asked) return;
     state.contact = contact;

@@ -9,11 +9,6 @@
    */
   const [PATIENCE, LONG_PATIENCE] = [700, 4000];
 
-  /**
-   * What the page asks for: the life of a case, or something about the last one.
-   * @typedef {{ id: number, text?: string, about?: "decide" | "tables" }} EngineRequest
-   */
-
   /** @typedef {ReturnType<typeof openEngine>} Engine */
 
   /** @type {Engine | null} */

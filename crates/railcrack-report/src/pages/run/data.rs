@@ -196,8 +196,6 @@ fn tips(run: &RunFolder, step: usize) -> Vec<Value> {
             "delta_keq": number(row.delta_keq),
             "rate": number(row.rate),
             "kink": row.kink_deg.map(number),
-            "rival": row.rival_deg.map(number),
-            "ratio": row.rival_ratio.map(number),
             "stop": row.stop_word(),
         })
     };
