@@ -23,7 +23,6 @@ ROOT = Path(__file__).resolve().parents[1]
 PROGRAM = "railcrack-cli"
 LICENCE_FILE = re.compile(r"^(licen[cs]e|copying|notice|unlicense|copyright|ofl)", re.IGNORECASE)
 FONTS = ROOT / "crates/railcrack-cli/fonts"
-SCRIPTS = ROOT / "crates/railcrack-report/src/assets/vendor"
 
 
 def metadata(target):
@@ -119,10 +118,9 @@ def licences(packages, needs):
         for path in files:
             text = path.read_text(errors="replace").strip()
             texts.setdefault(text, set()).add(name)
-    for folder, name in [(SCRIPTS, "d3, Observable Plot"), (FONTS, "Liberation fonts")]:
-        for path in sorted(folder.iterdir()):
-            if LICENCE_FILE.match(path.name):
-                texts.setdefault(path.read_text().strip(), set()).add(name)
+    for path in sorted(FONTS.iterdir()):
+        if LICENCE_FILE.match(path.name):
+            texts.setdefault(path.read_text().strip(), set()).add("Liberation fonts")
     mit = (ROOT / "LICENSE-MIT").read_text()
     for name, holder in [("rust-std", "The Rust Project contributors"), ("musl", "2005-2020 Rich Felker, et al."), ("zig-compiler-rt", "Zig contributors")]:
         texts.setdefault(re.sub(r"Copyright \(c\).*", f"Copyright (c) {holder}", mit).strip(), set()).add(name)

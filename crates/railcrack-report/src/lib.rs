@@ -36,14 +36,15 @@
 //! assert!(page.html().contains("<td class=\"number\">1 197 467</td>"));
 //! ```
 
+mod built;
 mod chart;
 mod choices;
 mod direction;
 mod engine;
 mod figures;
 mod html;
+mod live_page;
 mod markup;
-mod now;
 mod numbers;
 mod page;
 mod page_data;
@@ -55,15 +56,16 @@ mod sensitivity;
 mod svg;
 mod table;
 
+pub use built::{FolderKind, put};
 pub use chart::{
     Chart, ChartArea, ChartAspect, ChartAxis, ChartLegend, ChartNote, ChartRange, ChartScale, ChartSheet,
     Curve, CurveColour, CurveDots, CurveLook, CurveWidth, LegendEntry, LegendMark, SheetLegend,
 };
 pub use choices::{AtFirst, Choice, ChoiceGroup, ChoiceMark, Choices};
 pub use engine::PageEngine;
-pub use now::{PageNow, page_now};
+pub use live_page::{LivePage, live_page};
 pub use numbers::{fixed, formula, grouped, short, significant, tonnage};
 pub use page::{Banner, Block, Fact, Page, Section};
 pub use pages::explorer_page;
-pub use rebuild::{FolderKind, Pages, put, rebuild_report};
+pub use rebuild::{Pages, rebuild_report};
 pub use table::{Cell, CellTone, MISSING, Table};

@@ -1,11 +1,12 @@
-//! Plots and page of a run whose files lack some of the data shown: the steps are computed again
-//! from the stored case.
+//! The data of the page of a run, collected while it is computed: in the run itself, or again from
+//! the stored case where its files lack some of them.
 
-use crate::page_data::PageData;
+use crate::built::write_run;
+use crate::page_data::{PageData, PageStep};
 use crate::pages::RunFolder;
-use crate::rebuild::{AtEnd, Collected};
+use railcrack::growth::StepRecord;
 use railcrack_case::{Case, Output};
-use railcrack_run::csv::TipRow;
+use railcrack_run::csv::{SifScale, TipRow};
 use railcrack_run::decision::Decision;
 use railcrack_run::disk::inner_folder;
 use railcrack_run::simulation::{RunEntry, RunError, Simulation};
@@ -74,7 +75,7 @@ struct Collecting {
 impl Presentation for Collecting {
     fn run(&self, _: Output) -> Box<dyn RunPresentation> {
         let at_end = AtEnd::Keep(Arc::clone(&self.collected));
-        Box::new(Collected { page_data: PageData::default(), taken: None, at_end })
+        Box::new(Collected::after(PageData::default(), at_end))
     }
 
     fn resumed_run(
@@ -84,5 +85,52 @@ impl Presentation for Collecting {
         output: Output,
     ) -> Result<Box<dyn RunPresentation>, OutputError> {
         Ok(self.run(output))
+    }
+}
+
+/// What becomes of the collected data when a run has ended.
+#[derive(Debug, Clone)]
+pub(crate) enum AtEnd {
+    /// Plots and page are written, as selected.
+    Write(Output),
+    /// They are kept here.
+    Keep(Arc<Mutex<Option<PageData>>>),
+}
+
+/// The data of the page of a run in progress.
+#[derive(Debug)]
+pub(crate) struct Collected {
+    page_data: PageData,
+    taken: Option<PageStep>,
+    at_end: AtEnd,
+}
+
+impl Collected {
+    /// After the steps whose data are `page_data`.
+    pub(crate) fn after(page_data: PageData, at_end: AtEnd) -> Self {
+        Self { page_data, taken: None, at_end }
+    }
+}
+
+impl RunPresentation for Collected {
+    fn take(&mut self, record: &StepRecord, scale: &SifScale) -> Result<(), OutputError> {
+        self.taken = Some(self.page_data.of_record(record, scale)?);
+        Ok(())
+    }
+
+    fn keep(&mut self) {
+        if let Some(step) = self.taken.take() {
+            self.page_data.push(step);
+        }
+    }
+
+    fn finish(&self, folder: &Path) -> Result<(), OutputError> {
+        match &self.at_end {
+            AtEnd::Write(output) => write_run(&RunFolder::read(folder)?, &self.page_data, *output),
+            AtEnd::Keep(slot) => {
+                *slot.lock().unwrap_or_else(PoisonError::into_inner) = Some(self.page_data.clone());
+                Ok(())
+            }
+        }
     }
 }

@@ -2,7 +2,7 @@
 "use strict";
 
 (() => {
-  const { bringOut, button, charts, every, inParts, isChosen, legend, plain } = railcrack;
+  const { bringOut, charts, every, inParts, isChosen, legend, plain } = railcrack;
   const place = railcrack.element("choices");
   /** @type {ChoiceGroup[]} */
   const groups = railcrack.pageData("choices-data");
@@ -33,15 +33,6 @@
     function turnOn() {
       on[g] = new Set(boxes.flatMap((box, i) => (box.checked ? [i] : [])));
       show();
-    }
-    if (group.values.length > 2) {
-      const all = button("all", () => {
-        // A second click goes back to the first value alone.
-        const isAll = boxes.every((box) => box.checked);
-        for (const [i, box] of boxes.entries()) box.checked = !isAll || i === 0;
-        turnOn();
-      });
-      set.append(all);
     }
     place.append(set);
   }

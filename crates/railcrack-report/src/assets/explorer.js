@@ -352,18 +352,10 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
 
   /** @type {Record<string, string>} */
   const LEVELS = { ok: "OK", act: "Act", stop: "Stop", outside: "Outside of what the model describes" };
-  const MODES = /** @type {Record<string, string>} */ ({
-    depth: "the critical depth",
-    length: "the critical length",
-    fracture: "fracture",
-    spall: "a spall",
-    detached: "the loss of a piece",
-  });
-
   /** @param {Life} life */
   const lifeWords = ({ summary }) => {
     const failure = summary.decision?.failure;
-    if (failure?.mgt != null) return `${MODES[failure.mode]} after ${words(failure.mgt)} MGT`;
+    if (failure?.mgt != null) return `failure (${failure.mode}) after ${words(failure.mgt)} MGT`;
     const end = String(summary.stop).replaceAll("-", " ");
     const after =
       summary.million_gross_tonnes === null
@@ -482,10 +474,9 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     if (key === "Escape") stop();
   });
 
-  /** @param {string} name @param {string} text */
-  const save = (name, text) => railcrack.download(name, "text/plain", text);
-
-  element("what-if-save").addEventListener("click", () => save("case.toml", editor.value));
+  element("what-if-save").addEventListener("click", () =>
+    railcrack.download("case.toml", "text/plain", editor.value),
+  );
   element("what-if-load").addEventListener("change", async () => {
     const file = element("what-if-load", HTMLInputElement).files?.[0];
     if (!file) return;
@@ -504,7 +495,7 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
       if (place.dataset.state !== "done") return;
       answer = (tables) => {
         answer = null;
-        save(table, tables[table]);
+        railcrack.download(table, "text/csv", tables[table]);
       };
       worker?.postMessage({ id, about: "tables" });
     });

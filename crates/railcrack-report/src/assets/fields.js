@@ -15,9 +15,6 @@ railcrack.viewer("neighbourhood", "The fields", "ParaView shows the files in fie
   );
   const MAGNIFICATIONS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000];
 
-  /** Points, corners of the cells, displacement from its mean, stress. @typedef {Awaited<ReturnType<typeof decode>>} Field */
-  /** @type {Map<(typeof choices)[number], Promise<Field>>} */
-  const decoded = new Map();
   /** @param {(typeof choices)[number]} choice */
   async function decode({ step, snapshot }) {
     const packed = [step.x, step.y, snapshot.ux, snapshot.uy, snapshot.stress];
@@ -29,15 +26,8 @@ railcrack.viewer("neighbourhood", "The fields", "ParaView shows the files in fie
     });
     return { x, y, dx, dy, stress, corners: await levels(step.corners) };
   }
-  /** @param {(typeof choices)[number]} choice */
-  function fieldOf(choice) {
-    const known = decoded.get(choice) ?? decode(choice);
-    decoded.set(choice, known);
-    return known;
-  }
-
   const last = choices[choices.length - 1];
-  const state = { choice: last, field: await fieldOf(last) };
+  const state = { choice: last, field: await decode(last) };
 
   /** The magnification that moves points by about a fiftieth of the picture. */
   function magnification() {
@@ -100,7 +90,7 @@ railcrack.viewer("neighbourhood", "The fields", "ParaView shows the files in fie
   }));
   const select = menu("field-choice", options, async (value) => {
     const choice = choices[+value];
-    const field = await fieldOf(choice);
+    const field = await decode(choice);
     // Another one has been chosen meanwhile.
     if (choice !== choices[select.selectedIndex]) return;
     Object.assign(state, { choice, field });

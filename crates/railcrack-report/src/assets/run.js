@@ -53,9 +53,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   async function decodeContact({ first, positions, x, pressure }) {
     return { first, positions, x: await singles(x), pressure: await quantised(pressure, positions) };
   }
-  /** Faces and contact of a step under a wheel, decoded once. @type {Map<StepUnderWheel, ReturnType<typeof decode>>} */
-  const decoded = new Map();
-  /** @param {StepUnderWheel} parts */
+  /** Faces and contact of a step under a wheel. @param {StepUnderWheel} parts */
   const decode = ({ faces, contact }) =>
     Promise.all([Promise.all((faces ?? []).map(decodeFaces)), contact && decodeContact(contact)]);
 
@@ -325,46 +323,38 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
 
   const MODES = /** @type {const} */ (["ki", "kii"]);
 
+  /** The tips that the K charts show, with their histories: of a row those of the chosen crack. */
+  const shownTips = () =>
+    step()
+      .tips.map((tip, i) => ({ tip, history: historiesHere()[i], colour: colourOf(tip.crack, tip.tip) }))
+      .filter(({ tip }) => !isRow || tip.crack === state.crack);
+
   /** The curves of this step, above those that the program has drawn of some steps under the first wheel. */
   function drawK() {
-    const tips = step().tips.map((tip, i) => ({ tip, history: historiesHere()[i] }));
     for (const mode of MODES) {
-      chart(mode).background(state.wheel === 0);
-      chart(mode).show(
-        "step",
-        tips.flatMap(({ tip, history }) => {
-          if (isRow && tip.crack !== state.crack) return [];
-          const [from, to] = windowUnder(wheel(), tip.crack);
-          const points = Array.from(
-            history[mode].slice(from, to + 1),
-            (k, p) => /** @type {Pair} */ ([place(from + p), k]),
-          );
-          const name = isSingle ? `step ${step().step}` : `${tipName(tip)}, step ${step().step}`;
-          return [
-            chart(mode).curve(name, points, { stroke: colourOf(tip.crack, tip.tip), "stroke-width": 2.8 }),
-          ];
-        }),
-      );
+      const figure = chart(mode);
+      const curves = shownTips().map(({ tip, history, colour }) => {
+        const [from, to] = windowUnder(wheel(), tip.crack);
+        const own = Array.from(history[mode].slice(from, to + 1));
+        const points = own.map((k, p) => /** @type {Pair} */ ([place(from + p), k]));
+        const name = isSingle ? `step ${step().step}` : `${tipName(tip)}, step ${step().step}`;
+        return figure.curve(name, points, { stroke: colour, "stroke-width": 2.8 });
+      });
+      figure.background(state.wheel === 0);
+      figure.show("step", curves);
     }
   }
 
   /** Puts the wheel on the K charts: a line, and a ring on each curve of this step. */
   function markK() {
-    const tips = step().tips.map((tip, i) => ({ tip, history: historiesHere()[i] }));
+    const [x, xcOverA] = [place(state.position), positions()[state.position]];
     for (const mode of MODES) {
       const figure = chart(mode);
-      const rings = tips.flatMap(({ tip, history }) => {
-        if (isRow && tip.crack !== state.crack) return [];
-        const ring = figure.dot([place(state.position), history[mode][state.position]], {
-          r: 5,
-          fill: "var(--ground)",
-          stroke: colourOf(tip.crack, tip.tip),
-          "stroke-width": 2.5,
-          "data-x": positions()[state.position],
-        });
-        return [ring];
+      const rings = shownTips().map(({ history, colour }) => {
+        const ring = { r: 5, fill: "var(--ground)", stroke: colour, "stroke-width": 2.5, "data-x": xcOverA };
+        return figure.dot([x, history[mode][state.position]], ring);
       });
-      const line = figure.upright(place(state.position), { stroke: "var(--c1)", "stroke-dasharray": "3 3" });
+      const line = figure.upright(x, { stroke: "var(--c1)", "stroke-dasharray": "3 3" });
       figure.show("marks", isNear() ? [line, ...rings] : []);
     }
   }
@@ -459,13 +449,9 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   /** What the page says where it has no faces. */
   function withoutFaces() {
     const known = steps.filter((step) => step.wheels[state.wheel].faces).map(({ step }) => step);
-    if (!data.named && state.wheel === 0) return "No crack-face data for this step.";
-    const whose = data.named
-      ? `cracks ${data.named.toSorted((one, other) => one - other).join(", ")}`
-      : "the faces under this wheel";
     const what = data.named ? "this crack" : "this wheel";
-    const rest = state.wheel === 0 ? "; faces.csv has all" : "";
-    return `No face data for ${what} in this step. This page includes ${whose} in growth steps ${known.join(" and ")}${rest}.`;
+    const whose = data.named ? `those of cracks ${data.named.join(", ")}` : "them";
+    return `No face data for ${what} in this step. This page includes ${whose} in growth steps ${known.join(" and ")}.`;
   }
 
   // ---- Maps of the faces ------------------------------------------------------------------------
@@ -606,12 +592,8 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     controls.show(`${length}, ${traffic(tip.cycles, data.axle_load)}`, contactCentre());
     const all = tips.map((_, i) => kText(i));
     const shown = all.length <= 4 ? all.join("; ") : all[Math.max(0, tips.indexOf(tip))];
-    const event = tips.some((tip) => tip.crack === state.crack) ? "" : joined();
     const under = wheel().name === null ? "" : `Under \u201c${wheel().name}\u201d: `;
-    say(
-      element("readout"),
-      `${event}${under}${shown}. ${kinkText(tip)}${tip.stop ? `; stop: ${tip.stop}` : ""}.`,
-    );
+    say(element("readout"), `${under}${shown}. ${kinkText(tip)}${tip.stop ? `; stop: ${tip.stop}` : ""}.`);
   }
 
   /** The name of a tip where there are several things to name. @param {TipData} tip */
@@ -638,21 +620,12 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     return `${whose} kinks by ${signed(tip.kink, 1)}\u00b0 at the end of the step`;
   }
 
-  /** What has become of the chosen crack where it has no tip any more. */
-  function joined() {
-    const onto = data.junctions.find(({ crack, step: at }) => crack === state.crack && step().step >= at);
-    return onto ? `Crack ${state.crack} has joined crack ${onto.onto}. ` : "";
-  }
-
   // ---- Everything that follows the sliders ------------------------------------------------------
 
   let asked = 0;
   async function stepChanged() {
     const turn = ++asked;
-    const parts = step().wheels[state.wheel];
-    const known = decoded.get(parts) ?? decode(parts);
-    decoded.set(parts, known);
-    const [faces, contact] = await known;
+    const [faces, contact] = await decode(step().wheels[state.wheel]);
     // A later step has been asked for meanwhile.
     if (turn !== asked) return;
     state.contact = contact;

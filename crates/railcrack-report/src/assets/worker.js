@@ -10,7 +10,6 @@
   const [PATIENCE, LONG_PATIENCE] = [700, 4000];
 
   /** @typedef {ReturnType<typeof openEngine>} Engine */
-
   /** @type {Engine | null} */
   let engine = null;
   /** @type {EngineRequest | null} */
@@ -34,9 +33,7 @@
 
   /** The module that the page has in packed form, compiled while it is unpacked. @param {Packed} packed */
   function compiled(packed) {
-    const letters = atob(packed);
-    const deflated = new Uint8Array(letters.length);
-    for (let i = 0; i < letters.length; i++) deflated[i] = letters.charCodeAt(i);
+    const deflated = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
     const stream = new Blob([deflated]).stream().pipeThrough(new DecompressionStream("deflate"));
     const headers = { "Content-Type": "application/wasm" };
     return WebAssembly.compileStreaming(new Response(stream, { headers }));

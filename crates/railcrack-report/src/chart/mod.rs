@@ -1,6 +1,5 @@
 //! Charts, and their two writers.
 
-mod axis;
 mod curve;
 mod page;
 mod sheet;
@@ -9,8 +8,8 @@ mod types;
 pub(crate) use curve::CATEGORIES;
 pub(crate) use sheet::{HEADING, dashes, draw_heading};
 
-pub use axis::{ChartAxis, ChartRange, ChartScale};
 pub use curve::{Curve, CurveColour, CurveDots, CurveLook, CurveWidth};
 pub use types::{
-    Chart, ChartArea, ChartAspect, ChartLegend, ChartNote, ChartSheet, LegendEntry, LegendMark, SheetLegend,
+    Chart, ChartArea, ChartAspect, ChartAxis, ChartLegend, ChartNote, ChartRange, ChartScale, ChartSheet,
+    LegendEntry, LegendMark, SheetLegend,
 };

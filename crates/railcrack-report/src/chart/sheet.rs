@@ -1,8 +1,9 @@
 //! A sheet of charts as an SVG file.
 
-use super::axis::{ChartAxis, ChartRange, ChartScale};
 use super::curve::{Curve, CurveColour, CurveDots, CurveLook, CurveWidth};
-use super::types::{Chart, ChartAspect, ChartSheet, LegendEntry, LegendMark, SheetLegend};
+use super::types::{
+    Chart, ChartAspect, ChartAxis, ChartRange, ChartScale, ChartSheet, LegendEntry, LegendMark, SheetLegend,
+};
 use crate::html::escaped;
 use crate::markup::plain;
 use crate::numbers::shortened;

@@ -1,9 +1,9 @@
 //! Two runs: K of both and its difference, crack paths, lengths.
 
 use super::near::ROUND_OFF;
+use super::paths;
 use super::plot::Plot;
 use super::sif::{self, Mode};
-use super::{cycles, paths};
 use crate::chart::{
     Chart, ChartSheet, Curve, CurveColour, CurveDots, CurveLook, CurveWidth, LegendEntry, SheetLegend,
 };
@@ -197,7 +197,7 @@ pub(crate) fn lengths_of_both(comparison: &Comparison) -> Chart {
         of_run(run, Curve::line(&names[run], points)).with_dots(dots)
     };
     let curves = (0..2).flat_map(|run| cracks.iter().map(move |&crack| (run, crack)));
-    cycles::chart(
+    paths::lengths_chart(
         "Crack length against load cycles in the common steps; second run dashed.",
         curves.map(|(run, crack)| curve(run, crack)).collect(),
     )

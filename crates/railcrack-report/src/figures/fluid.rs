@@ -1,8 +1,8 @@
 //! Pressure and volume of the fluid in the cracks against the wheel position.
 
-use super::many::bundle;
 use super::near::near;
 use super::plot::Plot;
+use super::row::bundle;
 use super::sif::chart;
 use crate::chart::{Chart, ChartSheet, Curve, CurveColour};
 use crate::row::NamedCrack;

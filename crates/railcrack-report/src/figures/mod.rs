@@ -2,28 +2,24 @@
 
 mod cells;
 mod compare;
-mod cycles;
 mod faces;
 mod fluid;
-mod many;
 mod near;
 mod paths;
 mod plan;
 mod plot;
-mod rolled_field;
 mod row;
 mod run;
 mod shakedown;
 mod sif;
 mod space;
 mod study;
-mod wheels;
 
 pub(crate) use compare::{comparison_plots, lengths_of_both, steps_of_both};
-pub(crate) use many::bundle;
 pub(crate) use near::{WheelPassage, mouth, mouth_over_a, origin};
 pub(crate) use plan::plan_plots;
 pub(crate) use plot::{Plot, chart, charts};
+pub(crate) use row::bundle;
 pub(crate) use run::run_plots;
 pub(crate) use shakedown::shakedown_plots;
 pub(crate) use sif::far_chart;

@@ -1,15 +1,15 @@
-//! Crack paths to scale.
+//! Crack growth: paths to scale, lengths against load cycles.
 
-use super::many::colour_bar;
 use super::plot::Plot;
-use super::row::most_growth;
+use super::row::{bundle, colour_bar, most_growth};
 use crate::chart::{
     Chart, ChartArea, ChartAspect, ChartAxis, ChartNote, ChartRange, ChartSheet, Curve, CurveColour,
     CurveDots, CurveLook, CurveWidth, LegendEntry, LegendMark, SheetLegend,
 };
-use crate::row::CrackRow;
+use crate::row::{CrackRow, NamedCrack};
 use crate::svg::ends;
 use railcrack::words::Choice;
+use railcrack_run::csv::TipRow;
 use railcrack_run::{CrackSummary, PieceSummary, Summary};
 
 /// Maximum number of crack labels on a chart; of more, evenly spaced ones are chosen.
@@ -149,4 +149,46 @@ pub(super) fn strips(summary: &Summary, row: &CrackRow, model: &str) -> Plot {
         legend: SheetLegend::Entries(entries),
     };
     Plot::sheet("paths.svg", sheet)
+}
+
+/// A chart of lengths.
+pub(super) fn lengths_chart(caption: &str, curves: Vec<Curve>) -> Chart {
+    Chart {
+        id: "length-cycles".to_owned(),
+        caption: caption.to_owned(),
+        x: ChartAxis::linear("Load cycles", "axles"),
+        y: ChartAxis::linear("Crack length", "mm"),
+        curves,
+        ..Chart::default()
+    }
+}
+
+/// The lengths in a run on the model `model`; for many cracks the `named` ones are highlighted.
+pub(super) fn lengths(
+    summary: &Summary,
+    growth: &[TipRow],
+    named: Option<&[NamedCrack]>,
+    model: &str,
+) -> Plot {
+    // Both tips of a buried crack have the same length, so the first represents the crack.
+    let cracks: Vec<usize> =
+        growth.iter().filter(|row| row.step == 0 && row.tip == 1).map(|row| row.crack).collect();
+    let curve = |(place, &crack): (usize, &usize)| {
+        let rows = growth.iter().filter(|row| row.crack == crack && row.tip == 1);
+        let name = if cracks.len() > 1 { format!("crack {crack}") } else { String::new() };
+        Curve::line(&name, rows.map(|row| [row.load_cycles, row.length]).collect())
+            .with_dots(CurveDots::All)
+            .with_colour(CurveColour::of(place, cracks.len()))
+    };
+    let curves: Vec<Curve> = cracks.iter().enumerate().map(curve).collect();
+    let curves = match named {
+        Some(named) => bundle(named, cracks.into_iter().zip(curves).collect()),
+        None => curves,
+    };
+    let caption = "Crack length against load cycles (axles); dots mark the growth steps.";
+    let subtitle = format!("Crack length, dots mark the growth steps · {model}");
+    Plot::sheet(
+        "length-cycles.svg",
+        ChartSheet::of(&summary.title, &subtitle, lengths_chart(caption, curves)),
+    )
 }

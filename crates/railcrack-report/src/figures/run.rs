@@ -4,7 +4,7 @@ use super::faces::{CrackMap, FaceMap, face_map};
 use super::near::near;
 use super::plot::Plot;
 use super::sif::Mode;
-use super::{cycles, fluid, paths, row, sif, wheels};
+use super::{fluid, paths, row, sif};
 use crate::page_data::{CrackFaces, PageData, StepFaces};
 use crate::row::{CrackRow, NamedCrack, is_many, named};
 use railcrack::words::Choice;
@@ -16,9 +16,15 @@ use railcrack_run::run_folder::History;
 /// step are shown.
 const DRAWN_STEPS: usize = 5;
 
-/// The plots of a run from its `summary`, the rows of `growth.csv` and the `shown` part of the
-/// other tables. A run without a finished step has none.
-pub(crate) fn run_plots(summary: &Summary, growth: &[TipRow], page_data: &PageData) -> Vec<Plot> {
+/// The plots of a run from its `summary`, the rows of `growth.csv`, what a page shows of the other
+/// tables, and the half-widths of the contacts of its wheels (mm). A run without a finished step has
+/// none.
+pub(crate) fn run_plots(
+    summary: &Summary,
+    growth: &[TipRow],
+    page_data: &PageData,
+    half_widths: &[f64],
+) -> Vec<Plot> {
     if summary.steps_recorded == 0 {
         return Vec::new();
     }
@@ -29,26 +35,26 @@ pub(crate) fn run_plots(summary: &Summary, growth: &[TipRow], page_data: &PageDa
         summary.contact.word()
     );
     let row = is_many(summary.cracks.len()).then(|| CrackRow::of(&summary.cracks, growth)).flatten();
-    let told: Option<Vec<NamedCrack>> = row.as_ref().map(named);
-    let told = told.as_deref();
+    let named: Option<Vec<NamedCrack>> = row.as_ref().map(named);
+    let named = named.as_deref();
     let steps = chosen_steps(&page_data.steps(), page_data.histories(0).len());
     let histories: Vec<&History> = steps.into_iter().flat_map(|step| page_data.histories(step)).collect();
     let mut plots: Vec<Plot> =
-        Mode::BOTH.iter().map(|&mode| sif::plot(summary, &model, &histories, told, mode)).collect();
-    plots.extend(fluid::plot(summary, &model, &histories, told));
-    plots.extend(wheels::plot(summary, &model, growth, page_data.under_wheels()));
+        Mode::BOTH.iter().map(|&mode| sif::plot(summary, &model, &histories, named, mode)).collect();
+    plots.extend(fluid::plot(summary, &model, &histories, named));
+    plots.extend(sif::under_wheels(summary, &model, growth, page_data, half_widths));
     plots.push(match &row {
         Some(row) => paths::strips(summary, row, &model),
         None => paths::plot(summary, &model),
     });
-    plots.push(cycles::plot(summary, growth, told, &model));
-    if let Some((row, told)) = row.as_ref().zip(told) {
-        plots.push(row::plot(summary, row, told, &model));
+    plots.push(paths::lengths(summary, growth, named, &model));
+    if let Some((row, named)) = row.as_ref().zip(named) {
+        plots.push(row::plot(summary, row, named, &model));
     }
     for (file, (step, faces)) in ["faces.svg", "faces-last.svg"].into_iter().zip(page_data.end_faces()) {
         plots.push(Plot::picture(
             file,
-            face_map(&summary.title, &model, &map(summary, step, faces, growth, page_data, told)),
+            face_map(&summary.title, &model, &map(summary, step, faces, growth, page_data, named)),
         ));
     }
     plots
@@ -71,7 +77,7 @@ fn map<'a>(
     faces: &'a StepFaces,
     growth: &[TipRow],
     page_data: &'a PageData,
-    told: Option<&[NamedCrack]>,
+    named: Option<&[NamedCrack]>,
 ) -> FaceMap<'a> {
     let of_crack = |faces: &'a CrackFaces| {
         let rows = || growth.iter().filter(|row| row.step == step && row.crack == faces.crack);
@@ -81,14 +87,14 @@ fn map<'a>(
         let last = || faces.s.last().copied().unwrap_or(0.0);
         CrackMap { length: rows().next().map_or_else(last, |row| row.length - deferred), faces }
     };
-    let is_told =
-        |faces: &&CrackFaces| told.is_none_or(|told| told.iter().any(|named| named.crack == faces.crack));
+    let is_named =
+        |faces: &&CrackFaces| named.is_none_or(|named| named.iter().any(|named| named.crack == faces.crack));
     let xc_over_a: &[f64] = page_data.histories(step).first().map_or(&[], |history| &history.xc_over_a);
     FaceMap {
         step,
         xc_over_a,
         near: near(summary, xc_over_a),
         of: summary.cracks.len(),
-        cracks: faces.cracks.iter().filter(is_told).map(of_crack).collect(),
+        cracks: faces.cracks.iter().filter(is_named).map(of_crack).collect(),
     }
 }

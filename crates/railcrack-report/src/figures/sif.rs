@@ -1,11 +1,13 @@
-//! K_I and K_II against the wheel position.
+//! K_I and K_II against the wheel position; under every wheel of a mix.
 
-use super::many::bundle;
-use super::near::{WheelPassage, mouth_over_a, near, origin};
+use super::near::{WheelPassage, mouth, mouth_over_a, near, origin};
 use super::plot::Plot;
+use super::row::bundle;
 use crate::chart::{Chart, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour, CurveLook, SheetLegend};
+use crate::page_data::PageData;
 use crate::row::NamedCrack;
 use railcrack_run::Summary;
+use railcrack_run::csv::TipRow;
 use railcrack_run::run_folder::History;
 
 /// A mode of fracture.
@@ -162,4 +164,55 @@ fn many(summary: &Summary, model: &str, histories: &[&History], named: &[NamedCr
     let title = summary.title.clone();
     let subtitle = format!("{words} of {} cracks · {model}", summary.cracks.len());
     Plot::sheet(mode.file(), ChartSheet { title, subtitle, rows, legend: SheetLegend::default() })
+}
+
+/// How far from the mouth of the crack wheels are drawn, over the half-width of the first contact.
+const REACH: f64 = 8.0;
+
+/// The plot of the fastest tip in the last step under every wheel of a mix, whose contacts have these
+/// `half_widths` (mm); none for one wheel.
+pub(super) fn under_wheels(
+    summary: &Summary,
+    model: &str,
+    growth: &[TipRow],
+    page_data: &PageData,
+    half_widths: &[f64],
+) -> Option<Plot> {
+    let last = growth.last()?.step;
+    let of_step = growth.iter().filter(|row| row.step == last);
+    let fastest = of_step.max_by(|a, b| a.rate.total_cmp(&b.rate))?;
+    let is_own = |history: &&History| (history.crack, history.tip) == (fastest.crack, fastest.tip);
+    let under = page_data.by_wheel(last).iter().map(|wheel| wheel.iter().find(is_own));
+    let own: Vec<(&History, f64)> =
+        under.zip(half_widths).filter_map(|(history, a)| Some((history?, *a))).collect();
+    if own.len() < 2 {
+        return None;
+    }
+    let wheels = summary.decision.as_ref().map_or(&[][..], |decision| &decision.wheels);
+    let name =
+        |place: usize| wheels.get(place).map_or_else(|| format!("wheel {}", place + 1), |of| of.name.clone());
+    // x_c/a is counted from the first mouth.
+    let aside = origin(summary) - mouth(summary, fastest.crack).unwrap_or(0.0);
+    let reach = REACH * summary.half_width_mm;
+    let chart = |id: &str, mode: Mode| {
+        let curve = |(place, (history, a)): (usize, &(&History, f64))| {
+            let points = mode.points(history).into_iter().map(|[x, k]| [a * x + aside, k]);
+            Curve::line(&name(place), points.filter(|point| point[0].abs() <= reach).collect())
+                .with_colour(CurveColour::of(place, own.len()))
+        };
+        let symbol = mode.symbol();
+        Chart {
+            x: ChartAxis::linear("Wheel position from the mouth", "mm").over(ChartRange::Tight),
+            ..chart(
+                id,
+                symbol,
+                format!("{symbol} of crack {} under each wheel, step {last}.", fastest.crack),
+                own.iter().enumerate().map(curve).collect(),
+            )
+        }
+    };
+    let words = format!("K of crack {} under each wheel · {model}", fastest.crack);
+    let mut sheet = ChartSheet::of(&summary.title, &words, chart("wheels-ki", Mode::I));
+    sheet.rows.push(vec![chart("wheels-kii", Mode::II)]);
+    Some(Plot::sheet("wheels.svg", sheet))
 }

@@ -354,7 +354,7 @@ fn half_axes(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
             .collect(),
     };
     let caption = "Semi-axes of the cracks against load cycles (axles); dots mark the growth steps.";
-    let chart = Chart { curves, ..super::cycles::chart(caption, Vec::new()) };
+    let chart = Chart { curves, ..super::paths::lengths_chart(caption, Vec::new()) };
     let subtitle = format!("Semi-axes of the cracks, dots mark the growth steps · {model}");
     Plot::sheet("length-cycles.svg", ChartSheet::of(&summary.title, &subtitle, chart))
 }

@@ -6,14 +6,11 @@
 mod contact;
 mod faces;
 mod fields;
-mod histories;
 mod pack;
 mod run;
 mod step_table;
 mod thinned;
-mod wheels;
 
 pub(crate) use faces::{CrackFaces, CrackWindows, StepFaces};
 pub(crate) use pack::{Deflated, Quantised};
 pub(crate) use run::{PageData, PageStep};
-pub(crate) use wheels::UnderWheel;

@@ -3,9 +3,8 @@
 use super::contact::{ContactData, ContactOfStep, PackedContact};
 use super::faces::{CrackWindows, FacesData, FacesOfStep, OtherFaces, PackedFaces, StepFaces};
 use super::fields::{FieldData, PackedFields};
-use super::histories::HistoryData;
 use super::step_table::{StepTable, read_table};
-use super::wheels::{UnderWheel, WheelData};
+use super::thinned::HistoryData;
 use railcrack::growth::StepRecord;
 use railcrack_run::OutputError;
 use railcrack_run::csv::{ContactRow, SifRow, SifScale, Table};
@@ -19,7 +18,6 @@ pub(crate) struct PageData {
     histories: HistoryData,
     faces: FacesData,
     contact: ContactData,
-    wheels: WheelData,
     pub fields: FieldData,
 }
 
@@ -30,7 +28,6 @@ pub(crate) struct PageStep {
     histories: Vec<Vec<History>>,
     faces: FacesOfStep,
     contact: ContactOfStep,
-    wheels: Vec<UnderWheel>,
     fields: Option<PackedFields>,
 }
 
@@ -49,9 +46,8 @@ impl PageData {
         // Only wheels that feel the cracks have this table.
         let is_coupled = folder.join(ContactRow::FILE).is_file();
         let contact = if is_coupled { read_table(folder, steps)? } else { ContactData::default() };
-        let wheels = read_table(folder, steps)?;
         // In the order of the files, so that the first error is reported.
-        Ok(Self { histories: histories?, faces: faces?, contact, wheels, fields: fields? })
+        Ok(Self { histories: histories?, faces: faces?, contact, fields: fields? })
     }
 
     /// The shown part of a recorded step.
@@ -63,7 +59,6 @@ impl PageData {
             histories: History::by_wheel(SifRow::of_step(record, scale).map(Ok))?,
             faces: self.faces.of_record(record)?,
             contact: ContactData::of_record(record)?,
-            wheels: WheelData::of_record(record),
             fields: FieldData::of_record(record)?,
         })
     }
@@ -73,7 +68,6 @@ impl PageData {
         self.histories.push(step.step, step.histories);
         self.faces.push(step.step, step.faces);
         self.contact.push(step.step, step.contact);
-        self.wheels.push(step.step, step.wheels);
         if let Some(fields) = step.fields {
             self.fields.push(fields);
         }
@@ -93,11 +87,6 @@ impl PageData {
     /// K of the tips under every wheel in a step that is shown.
     pub(crate) fn by_wheel(&self, step: usize) -> &[Vec<History>] {
         self.histories.steps.get(step).map_or(&[], Vec::as_slice)
-    }
-
-    /// K in the last step under every wheel of a mix; empty under one wheel.
-    pub(crate) fn under_wheels(&self) -> &[UnderWheel] {
-        &self.wheels.last
     }
 
     /// The crack faces in a step that is shown.

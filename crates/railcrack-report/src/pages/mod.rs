@@ -1,12 +1,11 @@
 //! The pages, one for each kind of folder.
 
 mod compare;
+mod phrases;
 mod plan;
 mod run;
-mod sentence;
 mod shakedown;
 mod study;
-mod ways;
 mod what_if;
 
 pub(crate) use compare::comparison_page;

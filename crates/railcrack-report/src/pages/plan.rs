@@ -3,7 +3,7 @@
 use crate::figures::Plot;
 use crate::numbers::{fixed, given, rounded, significant};
 use crate::page::{Banner, Block, Fact, Page, Section};
-use crate::pages::sentence::calibration;
+use crate::pages::phrases::calibration;
 use crate::table::{Cell, CellTone, MISSING, Table};
 use railcrack_run::PlanFolder;
 use railcrack_run::decision::VerdictLevel;

@@ -3,7 +3,7 @@
 use crate::figures::{Plot, charts};
 use crate::numbers::{fixed, significant};
 use crate::page::{Block, Fact, Page, Section};
-use crate::pages::sentence::sentence;
+use crate::pages::phrases::sentence;
 use crate::table::Table;
 use railcrack::load::ContactKind;
 use railcrack::shakedown::Method;

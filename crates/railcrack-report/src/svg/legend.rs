@@ -1,8 +1,7 @@
 //! Legends: a column of marks and labels next to the axes.
 
-use super::element::{Anchor, Stroke, Svg, TextStyle};
+use super::element::{Anchor, Stroke, Svg, TextStyle, text};
 use super::palette::INK;
-use super::words::text;
 use crate::markup::plain;
 
 /// The mark before the words.

@@ -112,16 +112,25 @@ fn colours_are_those_of_the_named_and_the_others_are_grey() {
     let page = report(scratch.path());
     for id in ["length-cycles", "rate-length", "depth-mgt"] {
         let (_, figure) = page.split_once(&format!("<figure class=\"chart\" id=\"{id}\"")).unwrap();
-        let (_, data) = figure.split_once("<script type=\"application/json\">").unwrap();
-        let data: serde_json::Value = serde_json::from_str(data.split_once("</script>").unwrap().0).unwrap();
-        let curves = data["curves"].as_array().unwrap();
+        let (_, drawing) = figure.split_once("<div class=\"drawing\">").unwrap();
+        let svg = roxmltree::Document::parse(drawing.split_once("</div>").unwrap().0).unwrap();
+        let curves: Vec<[&str; 4]> = svg
+            .descendants()
+            .filter(|node| node.attribute("class") == Some("curve"))
+            .map(|curve| {
+                let line = curve.first_element_child().unwrap();
+                let of = |name: &str| curve.attribute(name).unwrap();
+                let of_line = |name: &str| line.attribute(name).unwrap();
+                [of("data-name"), of("data-note"), of_line("stroke"), of_line("stroke-width")]
+            })
+            .collect();
         assert_eq!(curves.len(), 12, "{id}");
-        let (fine, told): (Vec<_>, Vec<_>) = curves.iter().partition(|curve| curve["fine"] == true);
-        assert!(fine.iter().all(|curve| curve["colour"] == "quiet" && curve["name"] == "other cracks"));
-        let colours: BTreeSet<&str> = told.iter().map(|curve| curve["colour"].as_str().unwrap()).collect();
-        assert!(told.len() == 3 && colours.len() == 3, "{id}: {colours:?}");
+        let (fine, named): (Vec<_>, Vec<_>) = curves.iter().partition(|curve| curve[3] == "0.8");
+        assert!(fine.iter().all(|curve| curve[2] == "var(--quiet)" && curve[0] == "other cracks"));
+        let colours: BTreeSet<&str> = named.iter().map(|curve| curve[2]).collect();
+        assert!(named.len() == 3 && colours.len() == 3, "{id}: {colours:?}");
         // Every crack is found by its number, whatever it is called.
-        let notes: BTreeSet<&str> = curves.iter().map(|curve| curve["note"].as_str().unwrap()).collect();
+        let notes: BTreeSet<&str> = curves.iter().map(|curve| curve[1]).collect();
         assert!(notes.len() == 12 && notes.contains("crack 7"), "{id}: {notes:?}");
     }
     let plot = |file: &str| fs::read_to_string(scratch.path().join("plots").join(file)).unwrap();
@@ -135,7 +144,7 @@ fn nine_cracks_have_colours_of_their_own_and_no_map() {
     let scratch = Scratch::new("row-of-nine");
     run(scratch.path(), Size { cracks: 9, ..SMALL });
     let page = report(scratch.path());
-    assert!(!page.contains("row-data") && !page.contains("\"name\":\"other cracks\""));
+    assert!(!page.contains("row-data") && !page.contains("data-name=\"other cracks\""));
     assert!(!scratch.path().join("plots/row.svg").exists());
     assert!(page.contains("Every tip in the last finished step"));
 }

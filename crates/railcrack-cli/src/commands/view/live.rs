@@ -1,7 +1,7 @@
 //! Live page of a folder of results.
 
 use super::answer::Answer;
-use railcrack_report::{Page, PageNow, page_now};
+use railcrack_report::{Page, LivePage, live_page};
 use railcrack_run::OutputError;
 use railcrack_run::files::REPORT_FILE;
 use serde_json::json;
@@ -27,7 +27,7 @@ pub(super) struct LivePage {
 /// A snapshot of the page.
 #[derive(Debug, Clone)]
 struct Reading {
-    page: Arc<PageNow>,
+    page: Arc<LivePage>,
     /// The page with the polling script.
     html: Arc<[u8]>,
     /// Number of the page, different for each version.
@@ -68,7 +68,7 @@ impl LivePage {
             return reading.clone();
         }
         let begun = Instant::now();
-        let page = match (page_now(&self.folder), &*last) {
+        let page = match (live_page(&self.folder), &*last) {
             (Ok(page), _) => Arc::new(page),
             // A file that is being written is complete at the next read.
             (Err(_), Some(before)) => Arc::clone(&before.page),
@@ -84,9 +84,9 @@ impl LivePage {
     }
 
     /// The page shown before results can be read: an existing `report.html`, or the reason.
-    fn stand_in(&self, error: &OutputError) -> PageNow {
+    fn stand_in(&self, error: &OutputError) -> LivePage {
         if let Ok(html) = std::fs::read_to_string(self.folder.join(REPORT_FILE)) {
-            return PageNow { html, progress: "as stored in report.html".to_owned(), is_over: false };
+            return LivePage { html, progress: "as stored in report.html".to_owned(), is_over: false };
         }
         let is_empty = matches!(error, OutputError::NothingToReport { .. });
         let (verdict, progress) = match is_empty {
@@ -99,6 +99,6 @@ impl LivePage {
             verdict,
             ..Page::default()
         };
-        PageNow { html: page.html(), progress, is_over: false }
+        LivePage { html: page.html(), progress, is_over: false }
     }
 }

@@ -1,9 +1,9 @@
 //! Quantile bands for studies with many runs.
 
-use super::run::StudyRun;
+use super::styles::StudyRun;
 use crate::chart::{Chart, ChartArea, ChartAxis, ChartScale, Curve, CurveColour, CurveLook, CurveWidth};
 use crate::figures::sif::Mode;
-use crate::figures::{cycles, sif};
+use crate::figures::{paths, sif};
 use railcrack_run::run_folder::{RepresentativeTip, cycles_to};
 
 /// Number of runs above which a study is shown as bands.
@@ -98,7 +98,7 @@ fn lives(tips: &[&RepresentativeTip]) -> Option<Chart> {
         return None;
     }
     let caption = "Load cycles to reach a crack length: quantiles of all runs; a run that does not reach the length counts as infinite life.";
-    let chart = cycles::chart(caption, Vec::new());
+    let chart = paths::lengths_chart(caption, Vec::new());
     let chart = Chart { x: ChartAxis::logarithmic(&chart.x.label, &chart.x.unit), ..chart };
     Some(banded(chart, &rows, |length, cycles| [cycles, length]))
 }

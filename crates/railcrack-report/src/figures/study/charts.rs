@@ -1,11 +1,17 @@
-//! The charts of a study.
+//! The charts and SVG files of a study.
 
-use super::run::StudyRun;
-use super::styles::Styles;
-use crate::chart::{Chart, ChartAxis, ChartLegend, Curve, CurveDots};
+use super::bands::{MANY, band_charts};
+use super::styles::{StudyRun, Styles};
+use crate::chart::{
+    Chart, ChartAxis, ChartLegend, ChartSheet, Curve, CurveColour, CurveDots, CurveLook, LegendEntry,
+    SheetLegend,
+};
+use crate::figures::plot::Plot;
 use crate::figures::sif::Mode;
-use crate::figures::{cycles, paths, sif};
+use crate::figures::{paths, sif};
+use railcrack_run::files::STUDY_PLOTS;
 use railcrack_run::run_folder::RepresentativeTip;
+use railcrack_run::study::StudyPlan;
 
 /// K of the initial cracks, paths and growth of `runs`, those with a finished step among them.
 pub(crate) fn study_charts(runs: &[&StudyRun], styles: &Styles) -> Vec<Chart> {
@@ -37,7 +43,7 @@ pub(crate) fn study_charts(runs: &[&StudyRun], styles: &Styles) -> Vec<Chart> {
     if with_tip.iter().any(|(_, tip)| tip.rows.len() > 1) {
         let lengths = of_tip(&|tip| tip.rows.iter().map(|row| [row.load_cycles, row.length]).collect());
         let lengths = lengths.into_iter().map(|curve| curve.with_dots(CurveDots::Last)).collect();
-        let chart = cycles::chart("Crack length against load cycles.", lengths);
+        let chart = paths::lengths_chart("Crack length against load cycles.", lengths);
         // Lives differ by powers of ten: on a linear axis most curves would coincide with the axis.
         charts.push(Chart { x: ChartAxis::logarithmic(&chart.x.label, &chart.x.unit), ..chart });
         charts.push(Chart {
@@ -50,4 +56,47 @@ pub(crate) fn study_charts(runs: &[&StudyRun], styles: &Styles) -> Vec<Chart> {
         });
     }
     charts.into_iter().map(|chart| Chart { legend: ChartLegend::Pointer, ..chart }).collect()
+}
+
+/// The plots of a study for its runs with a finished step; none without such runs.
+pub(crate) fn study_plots(plan: &StudyPlan, runs: &[StudyRun], styles: &Styles) -> Vec<Plot> {
+    if runs.len() > MANY {
+        return band_plots(plan, runs);
+    }
+    let drawn: Vec<&StudyRun> = runs.iter().filter(|run| run.tip().is_some()).collect();
+    let of_all = if drawn.len() == runs.len() { String::new() } else { format!(" of {}", runs.len()) };
+    // The subtitle says which tip is shown if a run has several.
+    let several = |run: &&StudyRun| {
+        run.row.summary.as_ref().is_some_and(|summary| summary.cracks.len() > 1)
+            || run.tip().is_some_and(|tip| tip.first.tip > 1)
+    };
+    let of_tip = if drawn.iter().any(several) { ", tip with the largest growth in each run" } else { "" };
+    let sheet = |chart: Chart| {
+        let file = STUDY_PLOTS.into_iter().find(|file| file.strip_suffix(".svg") == Some(&chart.id))?;
+        let caption = chart.caption.trim_end_matches('.');
+        let mut legend = styles.legend();
+        let of_tip = if chart.id == "paths" { "" } else { of_tip };
+        if chart.id == "paths" {
+            legend.insert(0, LegendEntry::curve("initial crack", CurveLook::Line, CurveColour::Ink));
+        }
+        let subtitle = format!("{caption}{of_tip} · {}{of_all} runs", drawn.len());
+        Some(Plot::sheet(
+            file,
+            ChartSheet {
+                legend: SheetLegend::Entries(legend),
+                ..ChartSheet::of(&plan.title, &subtitle, chart)
+            },
+        ))
+    };
+    study_charts(&drawn, styles).into_iter().filter_map(sheet).collect()
+}
+
+/// The plots of a study with many runs: quantile bands, without paths.
+fn band_plots(plan: &StudyPlan, runs: &[StudyRun]) -> Vec<Plot> {
+    let sheet = |chart: Chart| {
+        let file = STUDY_PLOTS.into_iter().find(|file| file.strip_suffix(".svg") == Some(&chart.id))?;
+        let subtitle = format!("{} · {} runs", chart.caption.trim_end_matches('.'), runs.len());
+        Some(Plot::sheet(file, ChartSheet::of(&plan.title, &subtitle, chart)))
+    };
+    band_charts(runs).into_iter().filter_map(sheet).collect()
 }

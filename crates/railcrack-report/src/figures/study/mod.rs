@@ -3,13 +3,9 @@
 mod bands;
 mod charts;
 mod choice;
-mod plots;
-mod run;
 mod styles;
 
 pub(crate) use bands::{MANY, band_charts};
-pub(crate) use charts::study_charts;
+pub(crate) use charts::{study_charts, study_plots};
 pub(crate) use choice::stratified;
-pub(crate) use plots::study_plots;
-pub(crate) use run::{StudyRun, values};
-pub(crate) use styles::Styles;
+pub(crate) use styles::{StudyRun, Styles, values};

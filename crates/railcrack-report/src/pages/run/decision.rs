@@ -3,8 +3,8 @@
 use super::stored::RunFolder;
 use crate::numbers::{fixed, given, significant, tonnage};
 use crate::page::{Banner, Block};
-use crate::pages::sentence::calibration;
-use crate::pages::ways::ways;
+use crate::pages::phrases::calibration;
+use crate::pages::phrases::detectable_to_critical;
 use crate::table::{MISSING, Table};
 use railcrack_run::decision::{
     Decision, FailureMode, FrictionLife, InspectionSummary, MaintenanceSummary, PathLives, Reason,
@@ -244,8 +244,8 @@ fn scatter(scatter: &ScatterSummary) -> Option<String> {
     let growing = scatter.probability_growing.map(|probability| {
         format!("Probability that growth initially outpaces wear and grinding: {}.", given(probability))
     });
-    let ways = ways(scatter);
-    let sentences: Vec<String> = ways.into_iter().chain(growing).collect();
+    let traffic = detectable_to_critical(scatter);
+    let sentences: Vec<String> = traffic.into_iter().chain(growing).collect();
     (!sentences.is_empty()).then(|| sentences.join(" "))
 }
 

@@ -14,14 +14,14 @@ const LENGTHS: usize = 8;
 const LENGTH_CRACKS: usize = 9;
 
 /// Growth as a table with the tonnage: for a single crack, load cycles to round lengths; for
-/// several cracks, lengths after round numbers of load cycles; for many, only the `told` ones. None
+/// several cracks, lengths after round numbers of load cycles; for many, only the `named` ones. None
 /// without growth.
-pub(super) fn lengths(run: &RunFolder, told: Option<&[NamedCrack]>) -> Option<Table> {
-    let is_told = |crack: usize| told.is_none_or(|told| told.iter().any(|named| named.crack == crack));
+pub(super) fn lengths(run: &RunFolder, named: Option<&[NamedCrack]>) -> Option<Table> {
+    let is_named = |crack: usize| named.is_none_or(|named| named.iter().any(|named| named.crack == crack));
     let tips: Vec<(usize, usize)> = run
         .tips()
         .into_iter()
-        .filter(|&(crack, tip)| tip == 1 && is_told(crack))
+        .filter(|&(crack, tip)| tip == 1 && is_named(crack))
         .take(LENGTH_CRACKS)
         .collect();
     let histories: Vec<(usize, Vec<&TipRow>)> =

@@ -1,6 +1,7 @@
 //! The page of a growth run: of cracks in the plane, of a row of them, of cracks in space.
 
 mod assumptions;
+mod crack_feedback;
 mod data;
 mod decision;
 mod events;
@@ -10,7 +11,6 @@ mod front_data;
 mod front_wheels;
 mod fronts;
 mod lengths;
-mod lips;
 mod passage;
 mod plane;
 mod rail_bending;

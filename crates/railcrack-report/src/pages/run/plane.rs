@@ -1,8 +1,8 @@
 //! Cracks in the plane on the page of a run: growth, passage, tables.
 
 use super::{
-    RunParts, assumptions, data, events, facts, fields, lengths, lips, passage, rail_bending, row_map,
-    steps_section, stored::RunFolder, warnings,
+    RunParts, assumptions, crack_feedback, data, events, facts, fields, lengths, passage, rail_bending,
+    row_map, steps_section, stored::RunFolder, warnings,
 };
 use crate::chart::{Chart, ChartAxis, Curve, CurveColour, CurveDots, CurveLook};
 use crate::figures::{Plot, bundle, chart};
@@ -48,7 +48,7 @@ pub(super) fn parts(run: &RunFolder, page_data: &PageData, plots: &[Plot]) -> Ru
         sections.push(explorer(run, page_data, named, plots));
         sections.extend(rail_bending::section(run, plots));
         sections.extend(water(plots));
-        sections.extend(lips::section(run, page_data));
+        sections.extend(crack_feedback::section(run, page_data));
         sections.extend(fields::section(page_data));
         sections.push(growth(run, named, warnings::remarks(run, page_data, named)));
         sections.push(steps(run));

@@ -48,6 +48,14 @@ impl RunFolder {
         self.growth.iter().filter(move |row| (row.crack, row.tip) == (crack, tip))
     }
 
+    /// Half-widths of the contacts of the wheels, mm.
+    pub(crate) fn half_widths(&self) -> Vec<f64> {
+        match &self.case.mix[..] {
+            [] => vec![self.summary.half_width_mm],
+            mix => mix.iter().map(|mixed| mixed.wheel.half_width()).collect(),
+        }
+    }
+
     /// The tips, as (crack, tip).
     pub(super) fn tips(&self) -> Vec<(usize, usize)> {
         self.growth.iter().filter(|row| row.step == 0).map(|row| (row.crack, row.tip)).collect()

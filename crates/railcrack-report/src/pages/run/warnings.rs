@@ -87,7 +87,7 @@ fn grouped_text(kind: WarningKind, warnings: &[&WarningSummary]) -> String {
 }
 
 /// Remarks: the largest secondary maximum; results that the page leaves out.
-pub(super) fn remarks(run: &RunFolder, page_data: &PageData, told: Option<&[NamedCrack]>) -> Vec<String> {
+pub(super) fn remarks(run: &RunFolder, page_data: &PageData, named: Option<&[NamedCrack]>) -> Vec<String> {
     let mut texts = Vec::new();
     let secondary_maxima = run.growth.iter().filter_map(|row| Some((row, row.rival_deg?, row.rival_ratio?)));
     if let Some((row, angle, ratio)) =
@@ -104,15 +104,15 @@ pub(super) fn remarks(run: &RunFolder, page_data: &PageData, told: Option<&[Name
             fixed(kink, 0)
         ));
     }
-    let steps = explored_steps(run, page_data, told).len();
+    let steps = explored_steps(run, page_data, named).len();
     if steps < run.summary.steps_recorded {
         texts.push(format!(
             "To limit the file size, the passage explorer shows {} of {} growth steps; the growth charts show all.",
             steps, run.summary.steps_recorded
         ));
     }
-    if let Some(told) = told {
-        let mut numbers: Vec<usize> = told.iter().map(|named| named.crack).collect();
+    if let Some(named) = named {
+        let mut numbers: Vec<usize> = named.iter().map(|named| named.crack).collect();
         numbers.sort_unstable();
         let numbers: Vec<String> = numbers.iter().map(usize::to_string).collect();
         texts.push(format!(

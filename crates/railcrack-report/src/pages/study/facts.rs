@@ -144,7 +144,7 @@ pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
         ("unfinished", count(|state| *state == RunState::Unfinished)),
         ("missing", count(|state| *state == RunState::Missing)),
     ];
-    let mut facts = vec![fact("Runs", all.len().to_string(), told(&states))];
+    let mut facts = vec![fact("Runs", all.len().to_string(), counted(&states))];
     let names: Vec<String> = plan.axes.iter().map(|axis| axis.name()).collect();
     let values: Vec<String> = plan.axes.iter().map(|axis| axis.len().to_string()).collect();
     facts.push(fact("Parameters", names.join("; "), format!("{} values", values.join(" × "))));
@@ -162,7 +162,7 @@ pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
     }
     let courses: Vec<Course> = all.iter().filter_map(|run| Some(run.heading()?.course())).collect();
     if !courses.is_empty() {
-        let told: Vec<String> = Course::ALL
+        let of_each: Vec<String> = Course::ALL
             .iter()
             .map(|course| (course, courses.iter().filter(|other| *other == course).count()))
             .filter(|(_, count)| *count > 0)
@@ -170,7 +170,7 @@ pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
             .collect();
         facts.push(fact(
             "Direction",
-            told.join(", "),
+            of_each.join(", "),
             "of the last segment at the representative tip".to_owned(),
         ));
     }
@@ -179,12 +179,12 @@ pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
         *stops.entry(summary.stop.map_or("not ended", RunStop::word).replace('-', " ")).or_default() += 1;
     }
     let stops: Vec<(&str, usize)> = stops.iter().map(|(stop, count)| (stop.as_str(), *count)).collect();
-    facts.push(fact("Ended by", told(&stops), String::new()));
+    facts.push(fact("Ended by", counted(&stops), String::new()));
     facts
 }
 
 /// `3 done, 1 failed`.
-fn told(counts: &[(&str, usize)]) -> String {
+fn counted(counts: &[(&str, usize)]) -> String {
     let there = counts.iter().filter(|(_, count)| *count > 0);
     there.map(|(name, count)| format!("{count} {name}")).collect::<Vec<_>>().join(", ")
 }

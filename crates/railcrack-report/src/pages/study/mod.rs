@@ -6,7 +6,6 @@ mod grinding;
 mod many;
 mod population;
 mod runs;
-mod verdicts;
 mod warnings;
 
 use crate::figures::{MANY, StudyRun, Styles};
@@ -51,7 +50,7 @@ fn page(
 ) -> Page {
     let warnings = warnings::warnings(runs);
     let mut lead = if warnings.is_empty() { Vec::new() } else { vec![Block::Warnings(warnings)] };
-    lead.extend(verdicts::table(runs).map(Block::Table));
+    lead.extend(warnings::verdicts(runs).map(Block::Table));
     lead.extend(decision);
     Page {
         title: plan.title.clone(),

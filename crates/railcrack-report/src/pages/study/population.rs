@@ -3,7 +3,7 @@
 use crate::chart::{Chart, ChartAxis, ChartRange, Curve, CurveLook};
 use crate::numbers::{fixed, significant, tonnage};
 use crate::page::Block;
-use crate::pages::ways::ways;
+use crate::pages::phrases::detectable_to_critical;
 use crate::table::Table;
 use railcrack_run::decision::{DepthQuantiles, Quantiles, ScatterSummary};
 use railcrack_run::study::Population;
@@ -29,7 +29,7 @@ pub(super) fn blocks(populations: &[Population]) -> Vec<Block> {
 }
 
 fn of(place: usize, population: &Population, scatter: &ScatterSummary) -> Vec<Block> {
-    let mut sentences: Vec<String> = ways(scatter).into_iter().collect();
+    let mut sentences: Vec<String> = detectable_to_critical(scatter).into_iter().collect();
     if let Some(interval) = population.interval_mgt {
         let mgt = tonnage(interval);
         sentences.push(format!("With all keys at their means, the inspection interval is {mgt} MGT."));

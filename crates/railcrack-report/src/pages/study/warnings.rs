@@ -1,9 +1,12 @@
-//! Warnings on the page of a study: failed and missing runs, warnings of the runs by what they say.
+//! Warnings and verdicts on the page of a study, by what they say.
 
 use super::facts::of_all;
+use super::runs::verdict;
 use crate::figures::StudyRun;
+use crate::table::Table;
 use railcrack::bulk::Boundary;
 use railcrack::growth::WarningKind;
+use railcrack_run::decision::{ReasonKind, VerdictLevel};
 use railcrack_run::study::RunState;
 use railcrack_run::summary::validity::pattern;
 
@@ -43,7 +46,7 @@ pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
     let block = |run: &StudyRun| run.row.summary.as_ref().is_some_and(|s| s.boundary != Boundary::HalfPlane);
     list("Block on supports: its bending opens cracks that stay closed in a half-plane", numbers(&block));
     let shared = shared(all);
-    texts.extend(shared.iter().take(MOST_WARNINGS).map(|warning| told(warning, all.len())));
+    texts.extend(shared.iter().take(MOST_WARNINGS).map(|warning| shared_text(warning, all.len())));
     if shared.len() > MOST_WARNINGS {
         texts.push(format!("{} other kinds of warnings in few runs.", shared.len() - MOST_WARNINGS));
     }
@@ -100,7 +103,7 @@ fn shared<'a>(all: &[StudyRun<'a>]) -> Vec<SharedWarning<'a>> {
     found
 }
 
-fn told(warning: &SharedWarning, count: usize) -> String {
+fn shared_text(warning: &SharedWarning, count: usize) -> String {
     let heading = match warning.kind {
         WarningKind::NearTie => "Near tie of the direction criterion, to which the path is sensitive",
         WarningKind::PopIn => "Pop-in: a tip extends at once under one load, and arrests",
@@ -134,6 +137,51 @@ pub(super) fn listed(runs: &[usize]) -> String {
     let more = runs.len().saturating_sub(MOST_LISTED);
     let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
     format!("runs {}{rest}", numbers.join(", "))
+}
+
+/// Runs whose verdicts have the same reason.
+struct SharedReason<'a> {
+    level: VerdictLevel,
+    kind: ReasonKind,
+    /// Its text in the first of the runs.
+    text: &'a str,
+    /// The runs, by number.
+    runs: Vec<usize>,
+}
+
+/// Number of runs by verdict and reason, the gravest first; none where no run has a verdict.
+pub(super) fn verdicts(all: &[StudyRun]) -> Option<Table> {
+    let mut found: Vec<SharedReason> = Vec::new();
+    for run in all {
+        let Some(verdict) = verdict(run) else { continue };
+        for reason in &verdict.reasons {
+            let level = verdict.level;
+            match found.iter_mut().find(|shared| (shared.level, shared.kind) == (level, reason.kind)) {
+                Some(shared) if shared.runs.last() == Some(&run.number()) => {}
+                Some(shared) => shared.runs.push(run.number()),
+                None => {
+                    let (kind, text) = (reason.kind, reason.text.as_str());
+                    found.push(SharedReason { level, kind, text, runs: vec![run.number()] });
+                }
+            }
+        }
+    }
+    found.sort_by_key(|shared| (std::cmp::Reverse(shared.level), std::cmp::Reverse(shared.runs.len())));
+    let mut table = Table::new(["Verdict", "Reason", "Runs", "Which", "In the first of them"]);
+    table.caption =
+        "Verdicts on the runs by their reasons, the gravest first; summary.csv has the columns verdict, \
+         reasons and failure"
+            .to_owned();
+    for shared in &found {
+        table.row([
+            shared.level.word().to_owned(),
+            shared.kind.words().to_owned(),
+            of_all(shared.runs.len(), all.len()),
+            listed(&shared.runs),
+            format!("{}.", shared.text),
+        ]);
+    }
+    (!found.is_empty()).then_some(table)
 }
 
 #[cfg(test)]

@@ -6,8 +6,8 @@ use crate::page::{Block, Section};
 use crate::page_data::PageData;
 use railcrack_run::run_folder::History;
 
-/// Distance from the mouth over a within which the contact load is that on the lips.
-const LIP: f64 = 0.1;
+/// Distance from the mouth over a within which the contact load is that at the mouth.
+const NEAR_MOUTH: f64 = 0.1;
 /// Largest number of cracks that are drawn.
 const MOST: usize = 6;
 
@@ -48,8 +48,8 @@ pub(super) fn section(run: &RunFolder, page_data: &PageData) -> Option<Section> 
     };
     if let (true, Some(mouth)) = (is_single, mouth(first)) {
         let p0 = run.case.wheel.contact().peak_pressure();
-        let over_lips = 2.0 * LIP * a * p0;
-        let hertz = first.xc_over_a.iter().map(|&x| [x, over_lips * mean_of_half_ellipse(mouth - x)]);
+        let over_mouth = 2.0 * NEAR_MOUTH * a * p0;
+        let hertz = first.xc_over_a.iter().map(|&x| [x, over_mouth * mean_of_half_ellipse(mouth - x)]);
         let hertz = hertz.filter(|point| (point[0] - mouth).abs() < 2.0).collect();
         loads.push(Curve::line("uncracked rail", hertz).with_look(CurveLook::Dashed));
     }
@@ -71,7 +71,7 @@ pub(super) fn section(run: &RunFolder, page_data: &PageData) -> Option<Section> 
     };
     let lead = format!(
         "The wheel feels the cracks. Over {} mm, 0.2 a, the load on the lips is the mean pressure over the mouth, that of fluid from it.",
-        crate::numbers::fixed(2.0 * LIP * a, 2)
+        crate::numbers::fixed(2.0 * NEAR_MOUTH * a, 2)
     );
     Some(Section {
         id: "coupled".to_owned(),
@@ -86,7 +86,7 @@ fn mean_of_half_ellipse(at: f64) -> f64 {
         let u = u.clamp(-1.0, 1.0);
         0.5 * (u * ((1.0 - u) * (1.0 + u)).sqrt() + u.asin())
     };
-    (below(at + LIP) - below(at - LIP)) / (2.0 * LIP)
+    (below(at + NEAR_MOUTH) - below(at - NEAR_MOUTH)) / (2.0 * NEAR_MOUTH)
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! The page of a folder whose results may still be computed.
 
+use crate::built::{Built, FolderKind};
 use crate::page_data::PageData;
 use crate::pages::RunFolder;
-use crate::rebuild::{Built, FolderKind};
 use railcrack::growth::RunStop;
 use railcrack::words::Choice;
 use railcrack_run::study::{RunState, StudyResults};
@@ -11,7 +11,7 @@ use std::path::Path;
 
 /// Snapshot of the page of a folder.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PageNow {
+pub struct LivePage {
     /// The page, as [`rebuild_report`](crate::rebuild_report) would write it.
     pub html: String,
     /// Progress of the results.
@@ -25,18 +25,18 @@ pub struct PageNow {
 ///
 /// Errors: the folder holds no results yet; a file is damaged or being written; the tables of a run
 /// lack data that the page shows.
-pub fn page_now(folder: &Path) -> Result<PageNow, OutputError> {
+pub fn live_page(folder: &Path) -> Result<LivePage, OutputError> {
     match FolderKind::of(folder)? {
         FolderKind::Run => run_now(folder),
         FolderKind::Study => study_now(&StudyFolder::open(folder)?),
         kind => {
             let html = Built::of_file(folder, kind)?.page.html();
-            Ok(PageNow { html, progress: "complete".to_owned(), is_over: true })
+            Ok(LivePage { html, progress: "complete".to_owned(), is_over: true })
         }
     }
 }
 
-fn run_now(folder: &Path) -> Result<PageNow, OutputError> {
+fn run_now(folder: &Path) -> Result<LivePage, OutputError> {
     let run = RunFolder::read(folder)?;
     let summary = &run.summary;
     if !run.case.output.is_whole() {
@@ -46,7 +46,7 @@ fn run_now(folder: &Path) -> Result<PageNow, OutputError> {
         });
     }
     let page_data = PageData::read(folder, summary.steps_recorded)?;
-    Ok(PageNow {
+    Ok(LivePage {
         progress: match summary.stop.map(RunStop::word) {
             Some(stop) => format!("ended at step {}: {}", summary.steps, stop.replace('-', " ")),
             None => format!("step {} of {}", summary.steps, run.case.growth.steps),
@@ -56,11 +56,11 @@ fn run_now(folder: &Path) -> Result<PageNow, OutputError> {
     })
 }
 
-fn study_now(folder: &StudyFolder) -> Result<PageNow, OutputError> {
+fn study_now(folder: &StudyFolder) -> Result<LivePage, OutputError> {
     let results: StudyResults = folder.read_results()?;
     let over = results.count(|state| matches!(state, RunState::Done | RunState::Failed { .. }));
     let count = folder.plan().runs.len();
-    Ok(PageNow {
+    Ok(LivePage {
         html: Built::of_study(folder, &results)?.page.html(),
         progress: format!("{over} of {count} runs finished"),
         is_over: over == count,

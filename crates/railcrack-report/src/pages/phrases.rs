@@ -1,10 +1,10 @@
-//! Traffic from the detectable to the critical crack.
+//! Phrases of results as sentences.
 
 use crate::numbers::{given, grouped, tonnage};
 use railcrack_run::decision::{Quantiles, ScatterSummary};
 
 /// Traffic from detectable to critical in the samples; none if fewer than half become critical.
-pub(super) fn ways(scatter: &ScatterSummary) -> Option<String> {
+pub(super) fn detectable_to_critical(scatter: &ScatterSummary) -> Option<String> {
     let Quantiles { p05, p50, p95 } = scatter.mgt_detectable_to_critical;
     let shown = |mgt: Option<f64>| mgt.map_or_else(|| "more than computed".to_owned(), tonnage);
     let mut text = format!(
@@ -21,4 +21,17 @@ pub(super) fn ways(scatter: &ScatterSummary) -> Option<String> {
         ));
     }
     Some(text)
+}
+
+/// `text` as a complete sentence.
+pub(super) fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map_or_else(String::new, |letter| letter.to_uppercase().collect());
+    let end = if text.ends_with('.') { "" } else { "." };
+    format!("{first}{}{end}", letters.as_str())
+}
+
+/// How well absolute rates are known; none of a folder that does not say it.
+pub(super) fn calibration(text: &str) -> Option<String> {
+    (!text.is_empty()).then(|| sentence(text))
 }
