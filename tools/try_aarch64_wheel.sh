@@ -47,7 +47,7 @@ python() { qemu-aarch64-static -L "$root" -E PYTHONPATH="$site" -E PYTHONHOME="$
 
 python3 -m venv "$scratch/tools"
 "$scratch/tools/bin/pip" download --quiet --disable-pip-version-check --only-binary :all: --no-deps \
-    --platform manylinux2014_aarch64 --platform manylinux_2_28_aarch64 --python-version "${interpreter##*python}" --dest "$scratch/wheels" 'numpy>=1.23'
+    --platform manylinux2014_aarch64 --platform manylinux_2_28_aarch64 --python-version "${interpreter##*python}" --dest "$scratch/wheels" 'numpy>=1.23' 'tomli-w>=1.1'
 for package in "$scratch"/wheels/*.whl "$wheel"; do
     python3 -m zipfile --extract "$package" "$site"
 done

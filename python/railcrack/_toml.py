@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-import json
+import datetime
+import os
 import sys
 from collections.abc import Mapping, Sequence
 from typing import Any
+
+import tomli_w
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -20,18 +23,8 @@ def read(text: str) -> dict[str, Any]:
 
 def write(sections: Mapping[str, Any]) -> str:
     """The text of `sections`: a dictionary of values, of dictionaries (sections) and of lists of
-    dictionaries (repeated sections), with NumPy or Python numbers."""
-    plain = {name: value for name, value in sections.items() if value is not None and not _is_section(value)}
-    values = [f"{name} = {_value(value)}\n" for name, value in plain.items()]
-    text = "".join(values)
-    for name, value in sections.items():
-        if not _is_section(value):
-            continue
-        many = not isinstance(value, Mapping)
-        for section in value if many else [value]:
-            text += f"\n[[{name}]]\n" if many else f"\n[{name}]\n"
-            text += "".join(f"{key} = {_value(v)}\n" for key, v in section.items() if v is not None)
-    return text
+    dictionaries (repeated sections), with NumPy or Python numbers; None is left out."""
+    return tomli_w.dumps(_plain(sections))
 
 
 def without_tables(sections: Mapping[str, Any], prefix: str) -> tuple[dict[str, Any], list[tuple[str, bytes]]]:
@@ -83,27 +76,16 @@ def _section(section: Mapping[str, Any], change: Mapping[str, Any]) -> dict[str,
     return {key: value for key, value in merged.items() if value is not None}
 
 
-def _is_section(value: Any) -> bool:
-    if isinstance(value, Mapping):
-        return True
-    return isinstance(value, Sequence) and not isinstance(value, str) and any(isinstance(v, Mapping) for v in value)
-
-
-def _value(value: Any) -> str:
+def _plain(value: Any) -> Any:
+    """`value` in the types of TOML."""
     if hasattr(value, "tolist"):  # a NumPy number or array
         value = value.tolist()
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, float):
-        return "inf" if value == float("inf") else "-inf" if value == float("-inf") else repr(value)
-    if isinstance(value, int):
-        return repr(value)
-    if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False)
     if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{key} = {_value(v)}" for key, v in value.items() if v is not None) + " }"
+        return {str(key): _plain(inner) for key, inner in value.items() if inner is not None}
+    if isinstance(value, (bool, int, float, str, datetime.date, datetime.time)):
+        return value
     if isinstance(value, Sequence):
-        return "[" + ", ".join(map(_value, value)) + "]"
-    if hasattr(value, "__fspath__"):
-        return json.dumps(str(value), ensure_ascii=False)
+        return [_plain(inner) for inner in value]
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
     raise TypeError(f"{value!r} is not valid in a case: must be a number, a text, true, false, a list or a section")

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import pickle
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 import railcrack as rc
+from railcrack import _toml
 
 from conftest import CASES, SMALL
 
@@ -38,6 +40,29 @@ def test_every_shipped_case_is_read_and_pickles(path: Path) -> None:
     case = rc.Case.read(path)
     copy = pickle.loads(pickle.dumps(case))
     assert copy == case and copy.to_toml() == case.to_toml()
+
+
+@pytest.mark.parametrize(
+    "sections",
+    [
+        {"title": "a\x7fb \x85 \\"},
+        {"contact": {"peak pressure": 1.5}, "a.b": {"é": 1.0}},
+        {"wheel": [{"contact": {"u.v": 1.0, "w": [{"x y": 2.0}]}}]},
+        {"mixed": [1, {"a": 2}], "wheel": [], "nested": {"one": [{"b": {"c": 1}}]}},
+    ],
+    ids=["control characters", "keys with spaces and dots", "keys in sections of sections", "lists"],
+)
+def test_toml_of_any_dictionary_reads_back(sections: dict[str, Any]) -> None:
+    assert _toml.read(_toml.write(sections)) == sections
+
+
+def test_toml_of_numpy_and_paths() -> None:
+    given = {"a": np.float32(0.5), "n": np.int64(3), "b": np.arange(3), "is": np.bool_(True), "no": None}
+    given |= {"f": float("inf"), "file": Path("x.csv"), "section": {"no": None, "x": 1e300}}
+    want = {"a": 0.5, "n": 3, "b": [0, 1, 2], "is": True, "f": float("inf"), "file": "x.csv", "section": {"x": 1e300}}
+    assert _toml.read(_toml.write(given)) == want
+    with pytest.raises(TypeError, match="not valid in a case"):
+        _toml.write({"a": object()})
 
 
 def test_errors_have_line_column_and_key() -> None:

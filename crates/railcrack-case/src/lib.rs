@@ -9,7 +9,7 @@
 mod case;
 mod entries;
 mod files;
-mod normal;
+pub mod normal;
 mod regular_file;
 mod schema;
 mod study;
@@ -24,7 +24,6 @@ pub use files::{
     CaseFile, Column, Columned, Columns, Companion, ContactFile, DetectionFile, DetectionTable, FieldFile,
     PointFile, ProfileFile, RatesFile, TablePatch, TableWheel, ToughnessFile, WheelTableFile,
 };
-pub use normal::quantile as normal_quantile;
 pub use regular_file::open_regular;
 pub use schema::read_text_file;
 pub use schema::{

@@ -3,6 +3,7 @@
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{IsTerminal, Write};
 use std::time::{Duration, Instant};
+use terminal_size::{Width, terminal_size_of};
 
 /// Display of a computation in progress.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,23 +59,12 @@ impl Display {
 
 /// Columns of the terminal on standard output; `None` where it is no terminal, or unknown.
 pub fn stdout_columns() -> Option<usize> {
-    columns(&std::io::stdout())
+    terminal_size_of(std::io::stdout()).map(|(Width(columns), _)| columns.into())
 }
 
 /// Columns of the terminal on standard error.
 pub fn stderr_columns() -> Option<usize> {
-    columns(&std::io::stderr())
-}
-
-#[cfg(unix)]
-fn columns(stream: &(impl IsTerminal + std::os::fd::AsFd)) -> Option<usize> {
-    let size = stream.is_terminal().then(|| rustix::termios::tcgetwinsize(stream))?;
-    size.ok().map(|size| usize::from(size.ws_col)).filter(|columns| *columns > 0)
-}
-
-#[cfg(not(unix))]
-fn columns(_: &impl IsTerminal) -> Option<usize> {
-    None
+    terminal_size_of(std::io::stderr()).map(|(Width(columns), _)| columns.into())
 }
 
 /// Indentation of a continued line of [`wrapped`]: below the values of a summary.

@@ -4,7 +4,7 @@ use crate::background::{Watch, compute};
 use crate::errors::{bad_input, case_error, class_of};
 use crate::judge::OwnJudge;
 use crate::run::RunCore;
-use crate::scratch::Scratch;
+use crate::scratch::{reading, scratch_folder};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use railcrack::growth::TipJudge;
@@ -36,8 +36,7 @@ impl CaseCore {
         folder: PathBuf,
         files: Vec<(String, Vec<u8>)>,
     ) -> PyResult<Self> {
-        let case =
-            Scratch::reading(&folder, files, |folder| railcrack_case::Case::parse(text, name, folder))?;
+        let case = reading(&folder, files, |folder| railcrack_case::Case::parse(text, name, folder))?;
         Ok(Self { case: Arc::new(case.map_err(|errors| case_error(py, &errors))?) })
     }
 
@@ -127,8 +126,8 @@ impl CaseCore {
         let judge: Arc<dyn TipJudge> = Arc::new(OwnJudge { law, direction, watch: Arc::clone(&watch) });
         let before = before.and_then(RunCore::in_memory);
         let (case, observer) = (Arc::clone(&self.case), Arc::clone(&watch));
+        let scratch = scratch_folder()?;
         let over = compute(py, threads, (watch, told), tell, move || {
-            let scratch = Scratch::new();
             let simulation = Simulation::new(&case).observed_by(observer.as_ref());
             let simulation = if own { simulation.judged_by(&judge) } else { simulation };
             let (run, ending) = simulation.run_in_memory(scratch.path(), before);

@@ -4,7 +4,7 @@ use crate::background::{Watch, compute};
 use crate::columns;
 use crate::errors::{bad_input, exception, output_error, run_error};
 use crate::grid;
-use crate::scratch::Scratch;
+use crate::scratch::scratch_folder;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use railcrack_case::{FieldOutput, Output};
@@ -14,6 +14,7 @@ use railcrack_run::simulation::{RunInMemory, Simulation};
 use railcrack_run::{Existing, OutputError, Presentation, RunFolder, TablesOnly, field_grids};
 use std::path::PathBuf;
 use std::sync::Arc;
+use tempfile::TempDir;
 
 /// A run: computed here, or stored in a folder.
 #[pyclass(module = "railcrack._railcrack", name = "Run", frozen)]
@@ -26,7 +27,7 @@ enum Source {
         case: Arc<railcrack_case::Case>,
         run: Arc<RunInMemory>,
         /// Folder with the plastic state of a rolled rail.
-        _scratch: Scratch,
+        _scratch: TempDir,
     },
     Folder(Box<RunFolder>),
 }
@@ -34,7 +35,7 @@ enum Source {
 type TableColumns = Vec<(&'static Column, ColumnValues)>;
 
 impl RunCore {
-    pub(crate) fn computed(case: Arc<railcrack_case::Case>, run: RunInMemory, scratch: Scratch) -> Self {
+    pub(crate) fn computed(case: Arc<railcrack_case::Case>, run: RunInMemory, scratch: TempDir) -> Self {
         Self { source: Source::Memory { case, run: Arc::new(run), _scratch: scratch } }
     }
 
@@ -178,10 +179,10 @@ impl RunCore {
         }
         let (watch, told) = Watch::new();
         let observer = Arc::clone(&watch);
+        let scratch = scratch_folder()?;
         let over = compute(py, threads, (watch, told), None, move || {
             let mut case = case;
             case.fields = FieldOutput { over_a: vec![over_a], every: 1 };
-            let scratch = Scratch::new();
             let simulation = Simulation::new(&case).observed_by(observer.as_ref());
             let record = simulation.one_step(scratch.path(), state)?;
             Ok(record.and_then(|record| field_grids(&record).next()).map(|(.., grid)| grid))

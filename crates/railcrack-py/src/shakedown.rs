@@ -4,7 +4,7 @@ use crate::background::{Watch, compute};
 use crate::case::CaseCore;
 use crate::columns;
 use crate::errors::{exception, output_error, run_error};
-use crate::scratch::Scratch;
+use crate::scratch::scratch_folder;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use railcrack::interruption::Interruption;
@@ -32,8 +32,8 @@ pub fn shakedown<'py>(
 ) -> PyResult<State<'py>> {
     let (watch, told) = Watch::new();
     let (case, observer) = (Arc::clone(&case.case), Arc::clone(&watch));
+    let scratch = scratch_folder()?;
     let over = compute(py, threads, (watch, told), tell, move || {
-        let scratch = Scratch::new();
         let folder = out.as_deref().unwrap_or(scratch.path());
         let presentation: &dyn Presentation = if out.is_some() { &Pages } else { &TablesOnly };
         let existing = if replace { Existing::Replace } else { Existing::Refuse };

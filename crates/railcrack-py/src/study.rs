@@ -4,7 +4,7 @@ use crate::background::{Watch, check_threads, compute};
 use crate::case::CaseCore;
 use crate::columns;
 use crate::errors::{case_error, output_error, run_error, warn_of_damages};
-use crate::scratch::Scratch;
+use crate::scratch::reading;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use railcrack_case::Overrides;
@@ -40,7 +40,7 @@ impl StudyCore {
         folder: PathBuf,
         files: Vec<(String, Vec<u8>)>,
     ) -> PyResult<Self> {
-        let study = Scratch::reading(&folder, files, |folder| {
+        let study = reading(&folder, files, |folder| {
             railcrack_case::Study::parse_with(text, name, folder, &Overrides::default())
         })?;
         Ok(Self { study: Arc::new(study.map_err(|errors| case_error(py, &errors))?) })

@@ -3,7 +3,7 @@
 //!
 //! Source: *VTK File Formats*, chapter of *The VTK User's Guide* (Kitware), "XML File Formats".
 
-pub mod base64;
+mod base64;
 mod cell_type;
 mod error;
 mod numbers;

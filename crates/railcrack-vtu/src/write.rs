@@ -1,8 +1,8 @@
 //! Writer of `.vtu` files.
 
-use crate::base64;
 use crate::cell_type::vtk_type;
 use crate::error::VtuError;
+use data_encoding::BASE64;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use railcrack::mesh::{Array, GridError, SYMMETRIC_TENSOR, UnstructuredGrid};
 use std::fs;
@@ -138,8 +138,8 @@ fn binary_array(text: &mut Vec<u8>, attributes: &str, bytes: &[u8]) {
     let sizes = [blocks.len(), BLOCK, bytes.len() % BLOCK];
     let sizes = sizes.into_iter().chain(blocks.iter().map(Vec::len));
     let header: Vec<u8> = sizes.flat_map(|size| (size as u64).to_le_bytes()).collect();
-    base64::encode(&header, text);
-    base64::encode(&blocks.concat(), text);
+    text.extend(BASE64.encode(&header).into_bytes());
+    text.extend(BASE64.encode(&blocks.concat()).into_bytes());
     line(text, "\n</DataArray>");
 }
 

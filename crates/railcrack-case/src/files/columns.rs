@@ -1,6 +1,7 @@
 //! Tables of numbers in CSV files, read by header.
 
-use crate::schema::{CaseErrors, Fault, Report, Source, nearest, read_file};
+use super::csv_rows::{CsvRow, csv_rows};
+use crate::schema::{CaseErrors, Fault, Report, Source, escaped, nearest, read_file};
 use std::ops::Range;
 use std::path::Path;
 
@@ -9,13 +10,14 @@ use std::path::Path;
 pub enum Column {
     /// Required.
     Needed(&'static str),
-    /// Exactly one of all alternatives is required.
+    /// One of all alternatives is required, unless a column of [`Column::Blank`] is there: then each
+    /// field may be blank.
     Alternative(&'static str),
     /// Optional; its values are 0 if it is missing.
     Optional(&'static str),
     /// Optional, and so is each field: the values are NaN where they are missing or blank.
     Blank(&'static str),
-    /// Optional, with any text, and not read: its values are 0.
+    /// A known column that is not read: its values are 0.
     PassedOver(&'static str),
 }
 
@@ -37,6 +39,8 @@ pub struct Columned {
     pub rows: Vec<Vec<f64>>,
     /// Whether each column is present.
     pub is_given: Vec<bool>,
+    /// Columns of the file that are none of the table, and are not read.
+    pub unused: Vec<String>,
     /// Where the header and each row stand.
     header: Range<usize>,
     spans: Vec<Range<usize>>,
@@ -58,7 +62,7 @@ impl Column {
 
     /// Its value in a row without it.
     fn if_missing(self) -> f64 {
-        if matches!(self, Self::Blank(_)) { f64::NAN } else { 0.0 }
+        if matches!(self, Self::Blank(_) | Self::Alternative(_)) { f64::NAN } else { 0.0 }
     }
 }
 
@@ -69,15 +73,16 @@ impl Columns {
             Ok(source) => source,
             Err(errors) => return errors,
         };
-        let span = lines(&source).nth(number).map_or(0..0, |(_, span)| span);
+        let span = csv_rows(&source).nth(number).map_or(0..0, |row| row.span);
         let mut report = Report::new(source);
         report.add(*self.fault(message, &span));
         report.into_errors()
     }
 
-    /// The table in the file `path`; lines that begin with # and empty lines are ignored.
+    /// The table in the file `path`; lines that begin with # and empty lines are ignored, and so are
+    /// columns that are none of the table.
     ///
-    /// Errors: the file cannot be read; a column is unknown, missing or given twice; a row has a
+    /// Errors: the file cannot be read; a column is missing, misspelt or given twice; a row has a
     /// different number of fields; a field is not a number.
     pub fn read_file(&self, path: &Path) -> Result<Columned, CaseErrors> {
         let source = read_file(path)?;
@@ -90,97 +95,130 @@ impl Columns {
 
     /// The table in `source`.
     pub(crate) fn read(&self, source: &Source) -> Result<Columned, Box<Fault>> {
-        let mut lines = lines(source);
-        let Some((header, header_span)) = lines.next() else {
+        let mut rows = csv_rows(source);
+        let Some(header) = rows.next() else {
             return Err(self.fault("the file is empty".into(), &(0..0)));
         };
-        let order = self.order(header, &header_span)?;
-        let is_given = (0..self.columns.len()).map(|column| order.contains(&column)).collect();
-        let mut read = Columned { rows: Vec::new(), is_given, header: header_span, spans: Vec::new() };
-        // Where a row has other columns to say what it says, its alternative may be blank.
-        let may_be_blank = self.columns.iter().any(|column| matches!(column, Column::Blank(_)));
-        for (text, span) in lines {
-            let fields: Vec<&str> = text.split(',').map(str::trim).collect();
-            if fields.len() != order.len() {
-                let (number, columns) = (read.rows.len() + 1, order.len());
-                let mut message =
-                    format!("row {number}: {} values in a row of {columns} columns", fields.len());
-                if fields.len() == 2 * order.len() && fields.iter().all(|field| field.parse::<f64>().is_ok())
-                {
-                    message.push_str(": numbers have a decimal point, not a comma");
-                }
-                return Err(self.fault(message, &span));
-            }
-            let mut row: Vec<f64> = self.columns.iter().map(|column| column.if_missing()).collect();
-            for (&column, given) in order.iter().zip(fields) {
-                match (self.columns[column], given.parse::<f64>()) {
-                    (Column::PassedOver(_), _) => (),
-                    (Column::Blank(_) | Column::Alternative(_), _) if given.is_empty() && may_be_blank => {
-                        row[column] = f64::NAN;
-                    }
-                    (_, Ok(value)) if value.abs() <= self.largest => row[column] = value,
-                    (other, _) => {
-                        let (name, most) = (other.name(), self.largest);
-                        let number = read.rows.len() + 1;
-                        let found = match given.is_empty() {
-                            true => format!("`{name}` is blank"),
-                            false => format!("`{name} = {given}`"),
-                        };
-                        let message =
-                            format!("row {number}: {found}: must be a number in [-{most:e}, {most:e}]");
-                        return Err(self.fault(message, &span));
-                    }
-                }
-            }
-            read.rows.push(row);
-            read.spans.push(span);
+        let order = self.order(&header)?;
+        let is_given = (0..self.columns.len()).map(|column| order.contains(&Some(column))).collect();
+        let mut read = Columned {
+            rows: Vec::new(),
+            is_given,
+            unused: self.unused(&header),
+            header: header.span.clone(),
+            spans: Vec::new(),
+        };
+        for row in rows {
+            let values = self.values(&row, &order);
+            let fault = |message| self.fault(format!("row {}: {message}", read.rows.len() + 1), &row.span);
+            let values = values.map_err(fault)?;
+            read.rows.push(values);
+            read.spans.push(row.span);
         }
         Ok(read)
     }
 
-    /// For each column of the file, the declared column that it corresponds to.
-    fn order(&self, header: &str, span: &Range<usize>) -> Result<Vec<usize>, Box<Fault>> {
-        let names: Vec<&str> = header.split(',').map(str::trim).collect();
+    /// The values of `row` in the declared order; or what is wrong with it.
+    fn values(&self, row: &CsvRow, order: &[Option<usize>]) -> Result<Vec<f64>, String> {
+        if row.len() != order.len() {
+            return Err(row.wrong_length(order.len()));
+        }
+        // Where a row has other columns to say what it says, its alternative may be blank.
+        let may_be_blank = self.columns.iter().any(|column| matches!(column, Column::Blank(_)));
+        let mut values: Vec<f64> = self.columns.iter().map(|column| column.if_missing()).collect();
+        let known = order.iter().zip(row.fields()).filter_map(|(column, given)| Some(((*column)?, given)));
+        for (column, given) in known {
+            match (self.columns[column], given.parse::<f64>()) {
+                (Column::PassedOver(_), _) => (),
+                (Column::Blank(_) | Column::Alternative(_), _) if given.is_empty() && may_be_blank => (),
+                (_, Ok(value)) if value.abs() <= self.largest => values[column] = value,
+                (other, _) => {
+                    let (name, most) = (other.name(), self.largest);
+                    let found = match given.is_empty() {
+                        true => format!("`{name}` is blank"),
+                        false => format!("`{name} = {given}`"),
+                    };
+                    return Err(format!("{found}: must be a number in [-{most:e}, {most:e}]"));
+                }
+            }
+        }
+        Ok(values)
+    }
+
+    /// For each column of the file, the declared column that it is; none of others.
+    fn order(&self, header: &CsvRow) -> Result<Vec<Option<usize>>, Box<Fault>> {
+        let names: Vec<&str> = header.fields().collect();
+        let refuse = |message: String| Err(self.fault(message, &header.span));
         // With another separator it is still such a table.
-        let mut words = header.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
-        if !words.any(|word| self.columns.iter().any(|column| column.name() == word)) {
+        let mut words = names.iter().flat_map(|name| name.split([';', '\t', ' ']));
+        if !words.any(|word| self.columns.iter().any(|column| column.name() == word.trim_matches('"'))) {
             return Err(Box::new(of_another_kind(self.help)));
         }
-        if let Some(other) = [";", "\t"].into_iter().find(|other| names.len() == 1 && header.contains(other))
+        let other = [(';', "semicolons"), ('\t', "tabs")];
+        if let Some((_, other)) =
+            other.iter().find(|(other, _)| names.len() == 1 && names[0].contains(*other))
         {
-            let other = if other == ";" { "semicolons" } else { "tabs" };
-            let message =
-                format!("columns are separated by commas, not by {other}; numbers have a decimal point");
-            return Err(self.fault(message, span));
+            return refuse(format!(
+                "columns are separated by commas, not by {other}; numbers have a decimal point"
+            ));
         }
-        let mut order = Vec::with_capacity(names.len());
-        for (i, name) in names.iter().enumerate() {
-            if names[..i].contains(name) {
-                return Err(self.fault(format!("column `{name}` is given twice"), span));
+        if let Some(twice) =
+            (1..names.len()).find(|&i| names[..i].contains(&names[i]) && !names[i].is_empty())
+        {
+            return refuse(format!("column `{}` is given twice", names[twice]));
+        }
+        let unknown: Vec<&str> = names.iter().copied().filter(|name| self.place(name).is_none()).collect();
+        let absent = self.columns.iter().map(|column| column.name()).filter(|known| !names.contains(known));
+        for name in &unknown {
+            // Not merely another column: what is meant by it would be left out.
+            if absent.clone().any(|known| is_misspelt(name, known)) {
+                let near = nearest(name, absent).unwrap_or_default();
+                return refuse(format!("unknown column `{name}`; nearest known column: `{near}`"));
             }
-            let Some(column) = self.columns.iter().position(|column| column.name() == *name) else {
-                let known = self.columns.iter().filter(|column| !matches!(column, Column::PassedOver(_)));
-                let near = nearest(name, known.map(|column| column.name())).unwrap_or_default();
-                let message = format!("unknown column `{name}`; nearest known column: `{near}`");
-                return Err(self.fault(message, span));
-            };
-            order.push(column);
         }
+        match self.missing(&names) {
+            Some(message) if unknown.is_empty() => refuse(message),
+            Some(message) => refuse(format!("{message}; unknown column {}", in_words(&unknown))),
+            None => Ok(names.iter().map(|name| self.place(name)).collect()),
+        }
+    }
+
+    /// The columns of the file `source` that are none of the table; none of a file of another kind.
+    pub(super) fn unused_of(&self, source: &Source) -> Vec<String> {
+        csv_rows(source).next().map(|header| self.unused(&header)).unwrap_or_default()
+    }
+
+    fn unused(&self, header: &CsvRow) -> Vec<String> {
+        if header.fields().all(|name| self.place(name).is_none()) {
+            return Vec::new();
+        }
+        // A column without a name numbers the rows.
+        let is_unused = |name: &&str| !name.is_empty() && self.place(name).is_none();
+        header.fields().filter(is_unused).map(escaped).collect()
+    }
+
+    fn place(&self, name: &str) -> Option<usize> {
+        self.columns.iter().position(|column| column.name() == name)
+    }
+
+    /// What a file with the columns `names` lacks.
+    fn missing(&self, names: &[&str]) -> Option<String> {
         let is_there = |column: &&Column| names.contains(&column.name());
         let needed = |column: &&Column| matches!(column, Column::Needed(_));
         if let Some(missing) = self.columns.iter().filter(needed).find(|column| !is_there(column)) {
-            return Err(self.fault(format!("column `{}` is missing", missing.name()), span));
+            return Some(format!("column `{}` is missing", missing.name()));
         }
         let alternatives: Vec<&Column> =
             self.columns.iter().filter(|column| matches!(column, Column::Alternative(_))).collect();
-        let given = alternatives.iter().filter(|column| is_there(column)).count();
-        if given != 1 && !alternatives.is_empty() {
-            let named: Vec<String> =
-                alternatives.iter().map(|column| format!("`{}`", column.name())).collect();
-            let says = if given == 0 { "is missing" } else { "must be given, and only one of them" };
-            return Err(self.fault(format!("column {} {says}", named.join(" or ")), span));
-        }
-        Ok(order)
+        let blank = |column: &&Column| matches!(column, Column::Blank(_));
+        let says = match alternatives.iter().filter(|column| is_there(column)).count() {
+            0 if self.columns.iter().filter(blank).any(|column| is_there(&column)) => return None,
+            0 if !alternatives.is_empty() => "is missing",
+            0 | 1 => return None,
+            _ => "must be given, and only one of them",
+        };
+        let named: Vec<&str> = alternatives.iter().map(|column| column.name()).collect();
+        Some(format!("column {} {says}", in_words(&named)))
     }
 
     /// A fault at `span`.
@@ -200,15 +238,14 @@ pub(crate) fn of_another_kind(help: &str) -> Fault {
     Fault::new("the file is of another kind: its first line names none of the columns").help(help)
 }
 
-/// Lines of a table that are neither empty nor comments, with their places.
-pub(crate) fn lines(source: &Source) -> impl Iterator<Item = (&str, Range<usize>)> {
-    let mut offset = 0;
-    source.text.split_inclusive('\n').filter_map(move |raw| {
-        let start = offset;
-        offset += raw.len();
-        let text = raw.trim_end_matches(['\n', '\r']);
-        let text = if start == 0 { text.trim_start_matches('\u{feff}') } else { text };
-        let is_row = !text.trim().is_empty() && !text.trim_start().starts_with('#');
-        is_row.then(|| (text, start..start + raw.trim_end().len()))
-    })
+fn in_words(names: &[&str]) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(" or ")
+}
+
+/// Whether the column `name` of a file is meant to be `known`: another case, one letter wrong, or
+/// without its unit.
+fn is_misspelt(name: &str, known: &str) -> bool {
+    let name = name.to_lowercase();
+    let without_unit = known.rsplit_once('_').map(|(quantity, _)| quantity);
+    strsim::osa_distance(&name, known) <= 1 || without_unit == Some(name.as_str())
 }

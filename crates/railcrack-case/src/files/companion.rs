@@ -1,5 +1,6 @@
 //! Files that a case names, and how they are stored with it.
 
+use super::columns::Columns;
 use super::detection_table::DetectionTable;
 use crate::schema::{Fault, KeyRow, Kind, Report, SectionValues, Source, read_text};
 use railcrack::fatigue::{RateTable, Toughness};
@@ -16,6 +17,10 @@ pub struct Companion<'a> {
     pub name: &'static str,
     /// Its content.
     pub text: &'a str,
+    /// The file as the case of the user names it.
+    pub given: &'a str,
+    /// Columns of it that are not read.
+    pub unused: &'a [String],
 }
 
 /// A file that a case names. Two are equal when their texts are.
@@ -25,6 +30,7 @@ pub struct CaseFile<T> {
     kept_as: &'static str,
     text: String,
     content: T,
+    unused: Vec<String>,
 }
 
 /// A plastic stress on a mesh, and its file reduced to the mesh and this one array.
@@ -58,7 +64,7 @@ impl<T> CaseFile<T> {
             Kind::Path { kept_as } => kept_as,
             _ => row.key.name,
         };
-        Self { given, kept_as, text, content }
+        Self { given, kept_as, text, content, unused: Vec::new() }
     }
 
     /// Its content.
@@ -81,20 +87,21 @@ impl<T> CaseFile<T> {
 
     /// The file stored with a case.
     pub(crate) fn companion(&self) -> Companion<'_> {
-        Companion { name: self.kept_as, text: &self.text }
+        Companion { name: self.kept_as, text: &self.text, given: &self.given, unused: &self.unused }
     }
 }
 
 /// Help where a file cannot be found.
 pub(super) const RELATIVE: &str = "file names are relative to the folder of the case file";
 
-/// The text file that a key names, relative to `folder`, with what `parse` makes of it; none if no
-/// file is named or it is refused; errors are added to `report`.
+/// The table in the file that a key names, relative to `folder`, with what `parse` makes of it; none
+/// if no file is named or it is refused; errors are added to `report`.
 pub(super) fn read_named<T>(
     section: &SectionValues,
     row: KeyRow<String>,
     folder: &Path,
     report: &mut Report,
+    columns: &Columns,
     parse: impl FnOnce(&Source) -> Result<T, Box<Fault>>,
 ) -> Option<CaseFile<T>> {
     let given = section.get(row)?;
@@ -102,7 +109,13 @@ pub(super) fn read_named<T>(
     let key = || Some(section.dotted(row.key.name));
     match read_text(&path, &path.display().to_string()) {
         Ok(source) => match parse(&source) {
-            Ok(content) => return Some(CaseFile::new(row, given, source.text.to_string(), content)),
+            Ok(content) => {
+                let unused = columns.unused_of(&source);
+                return Some(CaseFile {
+                    unused,
+                    ..CaseFile::new(row, given, source.text.to_string(), content)
+                });
+            }
             // The file as a whole is wrong, and so is the key that names it.
             Err(fault) if fault.span.is_none() => {
                 let at_key = section.fault(row, fault.message);

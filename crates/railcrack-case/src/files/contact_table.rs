@@ -34,7 +34,7 @@ pub(crate) fn read_contact_table(
     folder: &Path,
     report: &mut Report,
 ) -> Option<ContactFile> {
-    read_named(section, row, folder, report, |source| parse(source, reading))
+    read_named(section, row, folder, report, &COLUMNS, |source| parse(source, reading))
 }
 
 fn parse(source: &Source, reading: ContactReading) -> Result<TableContact, Box<Fault>> {

@@ -20,7 +20,7 @@ pub(crate) fn read_detection(
     folder: &Path,
     report: &mut Report,
 ) -> Option<DetectionFile> {
-    read_named(section, row, folder, report, parse)
+    read_named(section, row, folder, report, &COLUMNS, parse)
 }
 
 fn parse(source: &Source) -> Result<DetectionTable, Box<Fault>> {

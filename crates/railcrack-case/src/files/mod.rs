@@ -4,6 +4,7 @@ mod columns;
 mod companion;
 mod contact_mat;
 mod contact_table;
+mod csv_rows;
 mod detection;
 mod detection_table;
 mod field;
@@ -19,8 +20,9 @@ pub use companion::{
 };
 pub use detection_table::DetectionTable;
 
-pub(crate) use columns::{lines, of_another_kind};
+pub(crate) use columns::of_another_kind;
 pub(crate) use contact_table::{ContactReading, read_contact_table};
+pub(crate) use csv_rows::csv_rows;
 pub(crate) use detection::read_detection;
 pub(crate) use field::read_field;
 pub use point_profile::PointFile;

@@ -40,7 +40,7 @@ pub(crate) fn read_points(
     folder: &Path,
     report: &mut Report,
 ) -> Option<PointFile> {
-    read_named(section, row, folder, report, |source| parse(source, reading))
+    read_named(section, row, folder, report, &COLUMNS, |source| parse(source, reading))
 }
 
 fn parse(source: &Source, reading: ProfileReading) -> Result<Profile, Box<Fault>> {

@@ -43,7 +43,7 @@ pub(crate) fn read_profile(
     folder: &Path,
     report: &mut Report,
 ) -> Option<ProfileFile> {
-    read_named(section, row, folder, report, parse)
+    read_named(section, row, folder, report, &COLUMNS, parse)
 }
 
 fn parse(source: &Source) -> Result<DepthProfile, Box<Fault>> {

@@ -20,7 +20,7 @@ pub(crate) fn read_rates(
     folder: &Path,
     report: &mut Report,
 ) -> Option<RatesFile> {
-    read_named(section, row, folder, report, parse)
+    read_named(section, row, folder, report, &COLUMNS, parse)
 }
 
 fn parse(source: &Source) -> Result<RateTable, Box<Fault>> {

@@ -20,7 +20,7 @@ pub(crate) fn read_toughness(
     folder: &Path,
     report: &mut Report,
 ) -> Option<ToughnessFile> {
-    read_named(section, row, folder, report, parse)
+    read_named(section, row, folder, report, &COLUMNS, parse)
 }
 
 fn parse(source: &Source) -> Result<Toughness, Box<Fault>> {

@@ -111,7 +111,7 @@ pub(crate) fn read_wheel_table(
     folder: &Path,
     report: &mut Report,
 ) -> Option<WheelTableFile> {
-    read_named(section, row, folder, report, |source| parse(source, reading))
+    read_named(section, row, folder, report, &COLUMNS, |source| parse(source, reading))
 }
 
 fn parse(source: &Source, reading: WheelReading<'_>) -> Result<Vec<TableWheel>, Box<Fault>> {
@@ -340,6 +340,11 @@ mod tests {
         assert_eq!((wheels.len(), wheels[0].patches.len(), wheels[1].number), (2, 2, 7));
         assert_eq!(wheels[0].patches[0].patch.creepage.longitudinal, 1e-3, "vehicle signs are opposite");
         assert_eq!(wheels[0].over(5.0)[1].y, -15.0);
+        let exported =
+            "time_s,side,wheel,normal_kn,y_rail_mm,creepage_x,creepage_y,spin_per_mm,mu,a_mm,b_mm\n";
+        let text = format!("{exported}0.1,R,1,80,2,0,0,0,0.3,6,5\n0.2,\"R, outer\",2,80,2,0,0,0,0.3,6,5\n");
+        assert_eq!(parsed(&text).unwrap().len(), 2);
+        assert_eq!(COLUMNS.unused_of(&Source::new("w.csv", &text)), ["time_s", "side"]);
     }
 
     #[test]

@@ -1,25 +1,21 @@
 //! Errors of a file: message, place, key, help; all of a file at once.
 
-use miette::{Diagnostic, LabeledSpan, NamedSource};
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 use thiserror::Error;
 
 /// One error of a case file or of a file that it names.
-#[derive(Debug, Clone, Error, Diagnostic)]
+#[derive(Debug, Clone, Error)]
 #[error("{message}")]
 pub struct CaseError {
     message: String,
     file: String,
     key: Option<String>,
     span: Option<Range<usize>>,
-    #[help]
     help: Option<String>,
-    #[source_code]
-    text: NamedSource<Arc<str>>,
-    #[label(collection)]
-    labels: Vec<LabeledSpan>,
+    text: Arc<str>,
+    labels: Vec<(Range<usize>, &'static str)>,
     quoting: Quoting,
 }
 
@@ -56,11 +52,24 @@ impl CaseError {
         self.span.clone()
     }
 
+    /// The text of the file, in which control characters are question marks.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The places in [`CaseError::text`] that the error is about, each with its label: first its own
+    /// place, if it has one.
+    #[must_use]
+    pub fn labels(&self) -> &[(Range<usize>, &'static str)] {
+        &self.labels
+    }
+
     /// Line and column in the file, from 1; columns count characters.
     #[must_use]
     pub fn position(&self) -> Option<(usize, usize)> {
         let start = self.span.as_ref()?.start;
-        let before = self.text.inner().get(..start)?;
+        let before = self.text.get(..start)?;
         let line = before.matches('\n').count() + 1;
         let column = before.rsplit('\n').next().map_or(0, |rest| rest.chars().count()) + 1;
         Some((line, column))
@@ -83,7 +92,7 @@ impl CaseError {
             return String::new();
         }
         let (Some((line, column)), Some(span)) = (self.position(), &self.span) else { return String::new() };
-        let text = self.text.inner();
+        let text = &self.text;
         let Some(shown) = text.lines().nth(line - 1) else { return String::new() };
         let (number, before) = (line.to_string(), column - 1);
         let marked = text.get(span.clone()).and_then(|text| text.lines().next()).unwrap_or_default();
@@ -123,9 +132,8 @@ fn windowed(line: &str, before: usize, count: usize) -> (String, usize, usize) {
 }
 
 /// All errors of a case file, in the order of the file; never empty.
-#[derive(Debug, Clone, Error, Diagnostic)]
+#[derive(Debug, Clone, Error)]
 pub struct CaseErrors {
-    #[related]
     errors: Vec<CaseError>,
 }
 
@@ -305,16 +313,14 @@ impl Report {
             self.found -= 1;
             return;
         }
-        let primary = span.clone().map(|s| LabeledSpan::new_primary_with_span(Some("here".into()), s));
-        let second = also.map(|(s, what)| LabeledSpan::new_with_span(Some(what.into()), s));
-        let labels = primary.into_iter().chain(second).collect();
+        let labels = span.clone().map(|span| (span, "here")).into_iter().chain(also).collect();
         self.errors.push(CaseError {
             message,
             file: escaped(&source.name),
             key,
             span,
             help,
-            text: NamedSource::new(escaped(&source.name), blanked(source)),
+            text: blanked(source),
             labels,
             quoting: source.quoting,
         });
@@ -335,7 +341,7 @@ impl Report {
         for error in self.errors.iter_mut().skip(first).filter(|error| error.file != COMMAND_LINE) {
             COMMAND_LINE.clone_into(&mut error.file);
             error.message = format!("`{}`: {}", escaped(shown), error.message);
-            error.text = NamedSource::new(COMMAND_LINE, Arc::from(""));
+            error.text = Arc::from("");
             error.span = None;
             error.labels = Vec::new();
         }

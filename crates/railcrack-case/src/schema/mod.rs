@@ -35,7 +35,7 @@ pub(crate) use declaration::short;
 pub(crate) use document::{
     from_file, parse_document, read_bytes, read_file, read_sections, read_text, tables,
 };
-pub(crate) use error::{Fault, Report, Source};
+pub(crate) use error::{Fault, Report, Source, escaped};
 pub(crate) use json_schema::{file_schema, section_schema};
 pub(crate) use markdown::page;
 pub(crate) use reading::{Chosen, Defaults, Override, Reading};

@@ -143,9 +143,8 @@ fn control_characters_of_a_file_do_not_reach_the_terminal() {
     let text = one(SHORT, "[mesh]\n\"a\\u001b[31m\" = \"\\u202e\"\n# \u{1b}[2J\n");
     let errors = Case::parse(&text, "case\u{1b}.toml", Path::new("")).unwrap_err();
     let mut shown = errors.to_string();
-    let handler = miette::GraphicalReportHandler::new_themed(miette::GraphicalTheme::unicode_nocolor());
     for error in errors.errors() {
-        handler.render_report(&mut shown, error).unwrap();
+        shown += &[error.text(), error.file(), error.message(), error.help().unwrap_or_default()].concat();
     }
     assert!(!shown.contains(['\u{1b}', '\u{202e}']), "{shown}");
 }

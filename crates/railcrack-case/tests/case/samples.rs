@@ -119,7 +119,7 @@ fn a_table_of_samples_is_a_run_for_each_row() {
         ("", "there is no header"),
         ("contact.friction\n", "there is no row"),
         ("contact.fricton\n0.1\n", "nearest known key: `friction`"),
-        ("contact.friction,crack[1].angle_deg\n0.1\n", "samples.csv:2:1: 1 fields in a table of 2 columns"),
+        ("contact.friction,crack[1].angle_deg\n0.1\n", "samples.csv:2:1: 1 values in a row of 2 columns"),
         ("contact.friction\nhigh\n0.1\n", "TOML"),
         ("contact.friction\n9.5\n0.1\n", "must be a number in"),
         ("crack[3].friction\n0.5\n0.1\n", "the file has no such section"),

@@ -53,6 +53,35 @@ fn the_fitted_case_has_the_coefficient_of_the_measurements() {
     }
 }
 
+/// Two narrow classes of one rail at the same tonnage, a quarter of a millimetre apart with an error
+/// of reading of a hundredth: the coefficient lies between them, known to 4 %. By a Φ without a lower
+/// tail it would be off by a quarter.
+#[test]
+fn sharp_readings_that_contradict_each_other_meet_between() {
+    let folder = common::folder("calibrate", "contradiction");
+    let page = read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/how-to/calibrate.md"));
+    let case = page.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    fs::write(folder.join("case.toml"), case).unwrap();
+    let header = "mgt,depth_mm,at_least_mm,at_most_mm,std_mm";
+    fs::write(
+        folder.join("m.csv"),
+        format!("{header},crew\n0.50,,2.69,2.71,0.01,A\n0.50,,2.95,2.97,0.01,B\n"),
+    )
+    .unwrap();
+    let line = ["calibrate", "case.toml", "--measured", "m.csv", "--out", "fit", "--quiet"];
+    let output = ends(&folder, &line, 0);
+    let (told, warned) = (common::stdout(&output), stderr(&output));
+    assert!(told.contains("2 of 2 measurements used"), "{told}");
+    assert!(warned.contains("warning: m.csv: these columns are not read: `crew`"), "{warned}");
+    let json: serde_json::Value = serde_json::from_str(&read(&folder.join("fit/calibration.json"))).unwrap();
+    let number = |name: &str| json[name].as_f64().unwrap();
+    let (mean, std) = (number("log_mean"), number("log_std"));
+    let [low, high] = [-1.96, 1.96].map(|z| (mean + z * std).exp());
+    for (got, want) in [(mean.exp(), 0.829), (low, 0.798), (high, 0.861)] {
+        assert!((got - want).abs() < 2e-3, "{got} and {want}");
+    }
+}
+
 /// Two sites of which one grows at the rate of the case and the other at a quarter of it, with
 /// readings, classes and no indication; the discrepancy is given.
 #[test]

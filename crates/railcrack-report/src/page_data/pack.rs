@@ -1,9 +1,9 @@
 //! Arrays of numbers in a page: bytes, deflated (zlib), in base64.
 
 use crate::svg::ends;
+use data_encoding::BASE64;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use miniz_oxide::inflate::decompress_to_vec_zlib;
-use railcrack_vtu::base64;
 use serde::{Serialize, Serializer};
 use std::ops::Range;
 
@@ -74,10 +74,7 @@ impl Deflated {
 
 impl Serialize for Deflated {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut text = Vec::new();
-        base64::encode(&self.0, &mut text);
-        // Base64 is ASCII.
-        serializer.serialize_str(&String::from_utf8(text).unwrap_or_default())
+        serializer.serialize_str(&BASE64.encode(&self.0))
     }
 }
 

@@ -117,7 +117,11 @@ fn facts(summary: &PlanSummary) -> Vec<Fact> {
     }
     facts.push(fact("Horizon", format!("{} MGT", given(rounded(summary.horizon_mgt, 4))), String::new()));
     facts.push(fact("Date", summary.date.clone(), format!("railcrack {}", summary.version)));
-    facts.push(fact("Case", summary.case_checksum.clone(), format!("FNV-1a of {CASE_FILE}")));
+    facts.push(fact(
+        "Case",
+        summary.case_checksum.clone(),
+        format!("SHA-256 of {CASE_FILE}, as sha256sum prints it"),
+    ));
     facts
 }
 

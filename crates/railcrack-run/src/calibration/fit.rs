@@ -3,9 +3,10 @@
 use super::course::SizeCurve;
 use super::measured::{Measure, Site};
 use super::observed::{Observations, Observed, UsualError, observations};
-use super::posterior::{NORMAL, Posterior, Prior, SiteLikelihood, SitePosterior, posterior};
+use super::posterior::{Posterior, Prior, SiteLikelihood, SitePosterior, posterior};
 use crate::error::OutputError;
 use crate::statistics::student;
+use railcrack_case::normal::QUANTILE_97_5;
 use thiserror::Error;
 
 /// One site of a calibration.
@@ -92,7 +93,7 @@ pub(super) fn unknown(site: &Observations) -> Vec<f64> {
 pub(super) fn from_squares(squares: f64, degrees: usize) -> UsualError {
     match degrees {
         0 => UsualError::OfSize(READING),
-        _ => UsualError::OfLife((squares / degrees as f64).sqrt() * student(degrees) / NORMAL),
+        _ => UsualError::OfLife((squares / degrees as f64).sqrt() * student(degrees) / QUANTILE_97_5),
     }
 }
 
@@ -145,6 +146,7 @@ mod tests {
             name: "a.csv".into(),
             measure: Measure::Depth,
             measured: measured.into_iter().map(of).collect(),
+            unused: Vec::new(),
         }
     }
 
@@ -157,7 +159,7 @@ mod tests {
         let all = vec![at(2.5, 1.1), at(3.5, 1.0 / 1.1), at(4.5, 1.1), at(5.5, 1.0 / 1.1), at(7.0, 1.0)];
         let fit = calibrate(&[site(all)], curve, PRIOR).unwrap();
         assert_eq!(fit.sites[0].observations.iter().flatten().count(), 4, "one is deeper than the run");
-        let std = 1.1_f64.ln() * (4.0_f64 / 3.0).sqrt() * 3.182 / NORMAL / 2.0;
+        let std = 1.1_f64.ln() * (4.0_f64 / 3.0).sqrt() * 3.182_446_305_284 / QUANTILE_97_5 / 2.0;
         let (mean, width) = fit.sites[0].readings.unwrap();
         assert!((mean - 1.5_f64.ln()).abs() < 1e-12 && (width - std).abs() < 1e-12, "{fit:?}");
         // The prior pulls towards the case by v/(τ² + v).

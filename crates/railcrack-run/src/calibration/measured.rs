@@ -53,6 +53,8 @@ pub struct Site {
     pub measure: Measure,
     /// The measurements.
     pub measured: Vec<Measured>,
+    /// Columns of its file that are not read.
+    pub unused: Vec<String>,
 }
 
 /// A file of measurements.
@@ -66,18 +68,19 @@ const COLUMNS: Columns = Columns {
         Column::Blank("std_mm"),
     ],
     largest: 1e6,
-    help: "a file of measurements begins with the header mgt,depth_mm or mgt,length_mm, with at_least_mm,at_most_mm for classes (the size is then left blank) and std_mm for errors of reading, and has a row for each measurement",
+    help: "a file of measurements begins with the header mgt,depth_mm or mgt,length_mm, with at_least_mm,at_most_mm for classes (the size is then left blank or out) and std_mm for errors of reading, and has a row for each measurement",
 };
 
 /// The measurements in the CSV file `path`, with the columns mgt and depth_mm or length_mm, and
-/// optionally at_least_mm, at_most_mm and std_mm.
+/// optionally at_least_mm, at_most_mm and std_mm; with classes alone neither of the former.
 ///
 /// Errors: it cannot be read; another header; no row; a field that is not a number; a row without a
 /// size and a bound, or with both; bounds in descending order; a negative mgt; a std_mm that is not
 /// positive.
 pub fn read_measured(path: &Path) -> Result<Site, CaseErrors> {
     let read = COLUMNS.read_file(path)?;
-    let (measure, column) = if read.is_given[1] { (Measure::Depth, 1) } else { (Measure::Length, 2) };
+    // Classes alone are classes of depth.
+    let (measure, column) = if read.is_given[2] { (Measure::Length, 2) } else { (Measure::Depth, 1) };
     if read.rows.is_empty() {
         return Err(COLUMNS.error_of_row(path, 0, "no measurement follows the header".to_owned()));
     }
@@ -121,7 +124,7 @@ pub fn read_measured(path: &Path) -> Result<Site, CaseErrors> {
         measured.push(Measured { mgt: row[0], finding, std });
     }
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    Ok(Site { name, measure, measured })
+    Ok(Site { name, measure, measured, unused: read.unused })
 }
 
 #[cfg(test)]
@@ -152,7 +155,22 @@ mod tests {
         );
         assert_eq!(site.measured[2].finding, Finding::Within(2.1, f64::INFINITY));
         assert_eq!(site.measured[3].std, Some(0.5));
+        // Classes alone, quotes, and columns of whoever exported the table.
+        let of_class = Finding::Within(1.0, 1.5);
+        let site = read("mgt,at_least_mm,at_most_mm,std_mm\n6,1.0,1.5,0.3\n").unwrap();
+        assert_eq!((site.measure, site.measured[0].finding), (Measure::Depth, of_class));
+        let site = read("\u{feff}\"mgt\",\"depth_mm\"\r\n\"6.0\",\"1.2\"\r\n").unwrap();
+        assert_eq!(site.measured, [of(6.0, 1.2)]);
+        let site = read("\"\",date,mgt,operator,depth_mm\n1,2024-05-02,6,\"Doe, J.\",1.2\n").unwrap();
+        assert_eq!(
+            (site.measured, site.unused),
+            (vec![of(6.0, 1.2)], ["date", "operator"].map(String::from).into())
+        );
         for (text, line, says) in [
+            ("mgt,depth_mm,std\n1,2,1\n", 1, "unknown column `std`; nearest known column: `std_mm`"),
+            ("mgt,place\n1,2\n", 1, "column `depth_mm` or `length_mm` is missing; unknown column `place`"),
+            ("mgt,std_mm\n1,2\n", 2, "neither depth_mm nor at_least_mm"),
+            ("mgt,depth_mm\n1,\"2,5\"\n", 2, "row 1: `depth_mm = 2,5`: must be a number"),
             ("depth,mgt\n", 1, "unknown column `depth`; nearest known column: `depth_mm`"),
             ("mgt\n1\n", 1, "column `depth_mm` or `length_mm` is missing"),
             (

@@ -2,14 +2,14 @@
 
 use super::course::SizeCurve;
 use super::measured::{Finding, Site};
-use crate::statistics::distribution;
+use railcrack_case::normal::log_of_interval;
 
 /// ln(C/C0) at which the probability of a class is tabulated: from −`REACH` to `REACH`.
 const REACH: f64 = 12.0;
 /// Intervals of the table: 0.006 each, less than a hundredth of any change of a rate.
 const INTERVALS: usize = 4000;
-/// The logarithm of the least probability of a class: a finding that contradicts every value of the
-/// coefficient still leaves a posterior.
+/// The logarithm of the probability of a sharp class that the size is not in: a finding that
+/// contradicts every value of the coefficient still leaves a posterior.
 const IMPOSSIBLE: f64 = -700.0;
 
 /// The statement of a measurement about ln(C/C0) of its site, C0 the coefficient of the run.
@@ -88,19 +88,11 @@ pub(super) fn observations(site: &Site, curve: &SizeCurve) -> Observations {
 
 /// ln P of the class `from` to `to` for a crack of `size`.
 fn log_of_class(size: f64, (from, to): (f64, f64), std: Option<f64>) -> f64 {
-    let share = match std {
-        Some(std) => {
-            // Both tails from the nearer side: a difference of two numbers near one loses digits.
-            let (low, high) = ((from - size) / std, (to - size) / std);
-            if low > 0.0 {
-                distribution(-low) - distribution(-high)
-            } else {
-                distribution(high) - distribution(low)
-            }
-        }
-        None => f64::from(u8::from(size > from && size <= to)),
-    };
-    if share > 0.0 { share.ln().max(IMPOSSIBLE) } else { IMPOSSIBLE }
+    match std {
+        Some(std) => log_of_interval((from - size) / std, (to - size) / std),
+        None if size > from && size <= to => 0.0,
+        None => IMPOSSIBLE,
+    }
 }
 
 /// A tabulated ln P at `theta`, linear between its points, constant outside.

@@ -2,7 +2,8 @@
 
 use super::fit::{CalibrationError, from_squares, unknown, usual_error};
 use super::observed::{Observations, Observed, UsualError};
-use super::posterior::{NORMAL, Posterior, Prior, SiteLikelihood, posterior};
+use super::posterior::{Posterior, Prior, SiteLikelihood, posterior};
+use railcrack_case::normal::QUANTILE_97_5;
 
 /// A run with one value of the parameter.
 #[derive(Debug, Clone, PartialEq)]
@@ -188,7 +189,7 @@ pub fn fit_parameter(
     let sites = likelihoods(&points[least].1);
     let mut found = posterior(&sites, of_result);
     if let (Coefficient::Searched(_), (Some(low), Some(high))) = (coefficient, interval) {
-        found = found.known_to((high / low).ln().abs() / (2.0 * NORMAL), &sites, prior);
+        found = found.known_to((high / low).ln().abs() / (2.0 * QUANTILE_97_5), &sites, prior);
     }
     // Values of negligible weight are left out: with classes each takes an integration.
     let all = points.iter().zip(&excess).filter(|(_, (_, deviance))| *deviance < NEGLIGIBLE);

@@ -11,9 +11,10 @@
 //! b + d_j; then b and d_j are integrated numerically.
 
 use super::observed::{Observations, Observed, UsualError, tabulated};
-use crate::statistics::{log_density, student};
+use crate::statistics::student;
 use railcrack::math::{Ties, golden_section};
 use railcrack_case::CalibrationPrior;
+use railcrack_case::normal::{QUANTILE_97_5, log_density};
 
 /// The prior of ln C and of the discrepancy.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,8 +78,6 @@ pub struct Posterior {
     pub sites: Vec<SitePosterior>,
 }
 
-/// The normal quantile of 97.5 %.
-pub(super) const NORMAL: f64 = 1.959_963_984_540_054;
 /// The least standard deviation of a reading: a table of exact numbers has no error, and 1/σ²
 /// must be finite.
 const LEAST_SIGMA: f64 = 1e-6;
@@ -279,7 +278,7 @@ pub fn posterior(sites: &[SiteLikelihood], prior: Prior) -> Posterior {
     if sites.iter().all(|site| site.classes.is_empty()) {
         let (centre, variance, evidence) = closed(sites, of_prior, s);
         (mean, std, log_evidence) = (centre, variance.sqrt(), evidence);
-        interval = (mean - NORMAL * std, mean + NORMAL * std);
+        interval = (mean - QUANTILE_97_5 * std, mean + QUANTILE_97_5 * std);
         of_b = Vec::new();
     } else {
         let points = grid(sites, of_prior, s);
@@ -311,7 +310,7 @@ pub fn posterior(sites: &[SiteLikelihood], prior: Prior) -> Posterior {
     };
     let of_sites = sites.iter().map(of_site).collect();
     let new_std = std.hypot(s);
-    let reach = NORMAL * new_std * widening(sites, prior, new_std);
+    let reach = QUANTILE_97_5 * new_std * widening(sites, prior, new_std);
     let new_interval = (mean - reach, mean + reach);
     Posterior {
         mean,
@@ -331,10 +330,10 @@ impl Posterior {
     #[must_use]
     pub(super) fn known_to(self, std: f64, sites: &[SiteLikelihood], prior: Prior) -> Self {
         let new_std = std.hypot(self.discrepancy);
-        let reach = NORMAL * new_std * widening(sites, prior, new_std);
+        let reach = QUANTILE_97_5 * new_std * widening(sites, prior, new_std);
         Self {
             std,
-            interval: (self.mean - NORMAL * std, self.mean + NORMAL * std),
+            interval: (self.mean - QUANTILE_97_5 * std, self.mean + QUANTILE_97_5 * std),
             new_std,
             new_interval: (self.mean - reach, self.mean + reach),
             ..self
@@ -350,7 +349,7 @@ fn widening(sites: &[SiteLikelihood], prior: Prior, new_std: f64) -> f64 {
     if prior.discrepancy.is_some() || count < 2 || new_std <= 0.0 {
         return 1.0;
     }
-    (student(count - 1) / NORMAL).min((prior.log_std / new_std).max(1.0))
+    (student(count - 1) / QUANTILE_97_5).min((prior.log_std / new_std).max(1.0))
 }
 
 /// The quantile of `share` of a grid.

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::calibration::{Finding, Measure, Measured, Site, SizeCurve, observe};
-use crate::statistics::distribution;
+use railcrack_case::normal::{density, distribution};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
@@ -42,8 +42,8 @@ fn posterior_of_three_sites() {
     close(fit.interval.0.exp(), 0.29192, 5e-6);
     close(fit.interval.1.exp(), 0.91280, 5e-6);
     close(fit.new_std, 0.578_429, DIGITS);
-    close((fit.mean - NORMAL * fit.new_std).exp(), 0.1661, 5e-5);
-    close((fit.mean + NORMAL * fit.new_std).exp(), 1.6039, 5e-5);
+    close((fit.mean - QUANTILE_97_5 * fit.new_std).exp(), 0.1661, 5e-5);
+    close((fit.mean + QUANTILE_97_5 * fit.new_std).exp(), 1.6039, 5e-5);
     let without = with(0.0);
     close(without.mean, -0.666_379, DIGITS);
     close(without.std, 0.088_112, DIGITS);
@@ -105,7 +105,7 @@ fn a_censored_site_in_closed_form() {
     close(log_evidence(std::slice::from_ref(&site), (0.0, tau), s), whole, 1e-4);
     // Mean of b: τ² φ(z)/(q Φ(z)), z = −c/q, q² = w² + s² + τ².
     let q = (w * w + s * s + tau * tau).sqrt();
-    let mean = tau * tau / q * crate::statistics::density(-c / q) / distribution(-c / q);
+    let mean = tau * tau / q * density(-c / q) / distribution(-c / q);
     let fit = posterior(&[site], Prior { mean: 0.0, log_std: tau, discrepancy: Some(s) });
     close(fit.mean, mean, 1e-4);
 }
@@ -220,7 +220,7 @@ fn synthetic_sites_come_back() {
             };
             measured.push(Measured { mgt, finding, std: Some(0.15) });
         }
-        sites.push(Site { name: format!("{j}"), measure: Measure::Depth, measured });
+        sites.push(Site { name: format!("{j}"), measure: Measure::Depth, measured, unused: Vec::new() });
     }
     let likelihoods: Vec<SiteLikelihood> = sites
         .iter()

@@ -1,6 +1,6 @@
 //! A table that is extended by whole rows and can be truncated to a known length.
 
-use crate::disk::{Seal, changes};
+use crate::disk::{Seal, Sealing, changes};
 use crate::error::OutputError;
 use railcrack_case::open_regular;
 use std::fs::{File, OpenOptions};
@@ -18,13 +18,13 @@ const CHUNK: usize = 4096;
 pub(crate) struct CsvFile {
     path: PathBuf,
     file: File,
-    seal: Seal,
+    sealing: Sealing,
 }
 
 impl CsvFile {
     /// A new table at `path` that holds `header` only, whatever was there.
     pub(crate) fn create(path: &Path, header: &str) -> Result<Self, OutputError> {
-        let mut table = Self::open(path, Seal::NOTHING)?;
+        let mut table = Self::open(path, Sealing::default())?;
         table.append(header.as_bytes())?;
         Ok(table)
     }
@@ -34,28 +34,28 @@ impl CsvFile {
     ///
     /// Errors: less than that is there, or something else; the system refuses.
     pub(crate) fn cut_back(path: &Path, seal: Seal) -> Result<Self, OutputError> {
-        check_sealed(path, seal)?;
-        Self::open(path, seal)
+        Self::open(path, sealed(path, seal)?.0)
     }
 
-    fn open(path: &Path, seal: Seal) -> Result<Self, OutputError> {
+    fn open(path: &Path, sealing: Sealing) -> Result<Self, OutputError> {
         let refused = || OutputError::io("write", path);
         let mut options = OpenOptions::new();
         options.write(true).create(true).truncate(false);
         let mut file = changes::open(path, &mut options).map_err(refused())?;
-        changes::set_length(&file, path, seal.length).map_err(refused())?;
-        file.seek(SeekFrom::Start(seal.length)).map_err(refused())?;
-        Ok(Self { path: path.to_path_buf(), file, seal })
+        let length = sealing.seal().length;
+        changes::set_length(&file, path, length).map_err(refused())?;
+        file.seek(SeekFrom::Start(length)).map_err(refused())?;
+        Ok(Self { path: path.to_path_buf(), file, sealing })
     }
 
     /// Appends whole rows. On an error the table is cut back to what it held before.
     pub(crate) fn append(&mut self, rows: &[u8]) -> Result<(), OutputError> {
         let write = |piece: &[u8]| changes::write(&mut self.file, &self.path, piece);
         if let Err(reason) = write_whole_rows(write, rows) {
-            self.take_back(self.seal);
+            self.take_back(self.seal());
             return Err(OutputError::Io { action: "write", path: self.path.clone(), reason });
         }
-        self.seal = self.seal.with(rows);
+        self.sealing.add(rows);
         Ok(())
     }
 
@@ -64,7 +64,11 @@ impl CsvFile {
     pub(crate) fn take_back(&mut self, seal: Seal) {
         let _ = changes::set_length(&self.file, &self.path, seal.length);
         let _ = self.file.seek(SeekFrom::Start(seal.length));
-        self.seal = seal;
+        if seal != self.seal()
+            && let Ok((sealing, _)) = sealed(&self.path, seal)
+        {
+            self.sealing = sealing;
+        }
     }
 
     /// Waits until the disk has the rows: a checkpoint must not outlive what it counts on.
@@ -74,7 +78,7 @@ impl CsvFile {
 
     /// Content of the table.
     pub(crate) fn seal(&self) -> Seal {
-        self.seal
+        self.sealing.seal()
     }
 }
 
@@ -83,6 +87,11 @@ impl CsvFile {
 ///
 /// Errors: it does not; the system refuses.
 pub(crate) fn check_sealed(path: &Path, seal: Seal) -> Result<u64, OutputError> {
+    sealed(path, seal).map(|(_, length)| length)
+}
+
+/// The same with the checksum, to go on from.
+fn sealed(path: &Path, seal: Seal) -> Result<(Sealing, u64), OutputError> {
     let refused = || OutputError::io("read", path);
     let file = open_regular(path).map_err(refused())?;
     let length = file.metadata().map_err(refused())?.len();
@@ -90,10 +99,11 @@ pub(crate) fn check_sealed(path: &Path, seal: Seal) -> Result<u64, OutputError> 
         let reason = format!("holds {length} bytes where the finished steps wrote {}", seal.length);
         return Err(OutputError::damaged(path, reason));
     }
-    if Seal::read(file, seal.length).map_err(refused())? != seal {
+    let sealing = Sealing::read(file, seal.length).map_err(refused())?;
+    if sealing.seal() != seal {
         return Err(OutputError::damaged(path, "does not hold what the finished steps wrote (checksum)"));
     }
-    Ok(length)
+    Ok((sealing, length))
 }
 
 /// Writes `rows` by calls of at most [`CHUNK`] bytes that end with a row; a row longer than that

@@ -6,7 +6,7 @@ use super::family::Family;
 use super::walk::{SampledRates, SampledShares, Track, Walk};
 use crate::log::{MixInfo, RunInfo};
 use railcrack::growth::{MOST_WHEELS, SurfaceRemoval};
-use railcrack_case::{Scatter, normal_quantile};
+use railcrack_case::{Scatter, normal};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;
@@ -64,7 +64,7 @@ impl EvenDeviates {
 
     fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(GOLDEN);
-        normal_quantile(((self.0 >> 11) as f64 + 0.5) / (1u64 << 53) as f64)
+        normal::quantile(((self.0 >> 11) as f64 + 0.5) / (1u64 << 53) as f64)
     }
 }
 

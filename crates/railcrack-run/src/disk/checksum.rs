@@ -1,10 +1,13 @@
-//! Checksums of what was written: FNV-1a, 64 bits. Each byte maps the sum one-to-one, so that a
-//! single changed byte is always found.
+//! Checksums of what was written: SHA-256.
 
+use super::files::SUMS_FILE;
+use super::replace::{Durability, replace_file};
 use crate::error::OutputError;
+use data_encoding::HEXLOWER;
 use railcrack_case::open_regular;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
+use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::io::{self, Read};
@@ -13,46 +16,49 @@ use std::path::Path;
 /// Key of a JSON document for the checksum of the others.
 const KEY: &str = "checksum";
 
+/// Number of bytes of a checksum.
+pub(crate) const CHECKSUM_BYTES: usize = 32;
+
 /// A checksum of bytes in their order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct Checksum(u64);
+pub(crate) struct Checksum([u8; CHECKSUM_BYTES]);
 
 impl Checksum {
-    /// The checksum of no bytes.
-    pub(crate) const NOTHING: Self = Self(0xcbf2_9ce4_8422_2325);
+    /// That of nothing in particular.
+    pub(crate) const NONE: Self = Self([0; CHECKSUM_BYTES]);
 
     /// The checksum of `bytes`.
     pub(crate) fn of(bytes: &[u8]) -> Self {
-        Self::NOTHING.with(bytes)
+        Self::of_parts([bytes])
     }
 
-    /// The checksum of the bytes so far followed by `bytes`.
-    #[must_use]
-    pub(crate) fn with(self, bytes: &[u8]) -> Self {
-        let add = |hash: u64, &byte: &u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-        Self(bytes.iter().fold(self.0, add))
-    }
-
-    /// The checksum that this number is.
-    pub(crate) fn of_number(number: u64) -> Self {
-        Self(number)
+    /// The checksum of `parts` one after another.
+    pub(crate) fn of_parts<'a>(parts: impl IntoIterator<Item = &'a [u8]>) -> Self {
+        let mut sealing = Sealing::default();
+        parts.into_iter().for_each(|part| sealing.add(part));
+        sealing.seal().checksum
     }
 
     /// The checksum that `text` shows; none where it is not one.
     pub(crate) fn of_text(text: &str) -> Option<Self> {
-        u64::from_str_radix(text, 16).ok().map(Self)
+        Self::of_bytes(&HEXLOWER.decode(text.as_bytes()).ok()?)
     }
 
-    /// As bytes of a file, the lowest first.
-    pub(crate) fn to_bytes(self) -> [u8; 8] {
-        self.0.to_le_bytes()
+    /// The checksum that these bytes of a file are; none where their number is another one.
+    pub(crate) fn of_bytes(bytes: &[u8]) -> Option<Self> {
+        bytes.try_into().ok().map(Self)
+    }
+
+    /// As bytes of a file.
+    pub(crate) fn to_bytes(self) -> [u8; CHECKSUM_BYTES] {
+        self.0
     }
 }
 
-/// Sixteen hexadecimal digits.
+/// Sixty-four hexadecimal digits.
 impl fmt::Display for Checksum {
     fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
-        write!(out, "{:016x}", self.0)
+        out.write_str(&HEXLOWER.encode(&self.0))
     }
 }
 
@@ -66,18 +72,9 @@ pub(crate) struct Seal {
 }
 
 impl Seal {
-    /// The seal of an empty file.
-    pub(crate) const NOTHING: Self = Self { length: 0, checksum: Checksum::NOTHING };
-
     /// The checksum of `bytes`.
     pub(crate) fn of(bytes: &[u8]) -> Self {
-        Self::NOTHING.with(bytes)
-    }
-
-    /// The seal of what was written so far followed by `bytes`.
-    #[must_use]
-    pub(crate) fn with(self, bytes: &[u8]) -> Self {
-        Self { length: self.length + bytes.len() as u64, checksum: self.checksum.with(bytes) }
+        Self { length: bytes.len() as u64, checksum: Checksum::of(bytes) }
     }
 
     /// The seal of the file at `path`.
@@ -85,27 +82,63 @@ impl Seal {
     /// Errors: the system refuses.
     pub(crate) fn of_file(path: &Path) -> Result<Self, OutputError> {
         let refused = || OutputError::io("read", path);
-        Self::read(open_regular(path).map_err(refused())?, u64::MAX).map_err(refused())
+        let sealing = Sealing::read(open_regular(path).map_err(refused())?, u64::MAX).map_err(refused())?;
+        Ok(sealing.seal())
     }
+}
 
-    /// The seal of all of `content`, or of its first `most` bytes.
+/// Length and checksum of what is being written.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Sealing {
+    length: u64,
+    hash: Sha256,
+}
+
+impl Sealing {
+    /// Of all of `content`, or of its first `most` bytes.
     pub(crate) fn read(content: impl Read, most: u64) -> io::Result<Self> {
-        let (mut content, mut seal, mut piece) = (content.take(most), Self::NOTHING, vec![0; 1 << 16]);
+        let (mut content, mut sealing, mut piece) = (content.take(most), Self::default(), vec![0; 1 << 16]);
         loop {
             match content.read(&mut piece)? {
-                0 => return Ok(seal),
-                count => seal = seal.with(&piece[..count]),
+                0 => return Ok(sealing),
+                count => sealing.add(&piece[..count]),
             }
         }
     }
+
+    /// `bytes` follow.
+    pub(crate) fn add(&mut self, bytes: &[u8]) {
+        self.length += bytes.len() as u64;
+        self.hash.update(bytes);
+    }
+
+    /// The seal of what was written so far.
+    pub(crate) fn seal(&self) -> Seal {
+        Seal { length: self.length, checksum: Checksum(self.hash.clone().finalize().into()) }
+    }
+}
+
+/// The file of the checksums `sums` of a folder by file, which `sha256sum -c` reads.
+pub(crate) fn sums_text(sums: &BTreeMap<String, String>) -> String {
+    sums.iter().map(|(file, sum)| format!("{sum}  {file}\n")).collect()
+}
+
+/// Writes `sums` to [`SUMS_FILE`] in `folder`.
+///
+/// Errors: the system refuses.
+pub(crate) fn write_sums(folder: &Path, sums: &BTreeMap<String, String>) -> Result<(), OutputError> {
+    replace_file(&folder.join(SUMS_FILE), sums_text(sums).as_bytes(), Durability::Cached)
 }
 
 /// Checksums of `files` in `folder`, for a document stored with them.
 ///
 /// Errors: the system refuses.
-pub(crate) fn checksums(folder: &Path, files: &[&str]) -> Result<BTreeMap<String, String>, OutputError> {
-    let of = |file: &&str| Ok(((*file).to_owned(), Seal::of_file(&folder.join(file))?.checksum.to_string()));
-    files.iter().map(of).collect()
+pub(crate) fn checksums<'a>(
+    folder: &Path,
+    files: impl IntoIterator<Item = &'a str>,
+) -> Result<BTreeMap<String, String>, OutputError> {
+    let of = |file: &str| Ok((file.to_owned(), Seal::of_file(&folder.join(file))?.checksum.to_string()));
+    files.into_iter().map(of).collect()
 }
 
 /// Adds the checksum of its content to a JSON document.
@@ -116,10 +149,13 @@ pub(crate) fn sign(document: &mut Value) {
     }
 }
 
-/// Whether a JSON document has what was written; none where it has no checksum.
+/// Whether a JSON document has what was written; none where it has no checksum, or one of versions
+/// before SHA-256: sixteen digits.
 pub(crate) fn is_signed(document: &Value) -> Option<bool> {
     let stored = document.get(KEY)?.as_str();
-    Some(stored == Some(&of_document(document).to_string()))
+    let is_digits = |text: &&str| text.len() == 16 && text.bytes().all(|byte| byte.is_ascii_hexdigit());
+    let is_of_before = stored.as_ref().is_some_and(is_digits);
+    (!is_of_before).then(|| stored == Some(&of_document(document).to_string()))
 }
 
 /// The checksum of a document without its own checksum and without what differs between two runs of
@@ -162,6 +198,17 @@ mod tests {
         }
     }
 
+    /// FIPS 180-2, appendix B.1, whole and in parts.
+    #[test]
+    fn the_checksum_is_sha_256() {
+        let sum = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+        assert_eq!(Checksum::of(b"abc").to_string(), sum);
+        assert_eq!(Checksum::of_parts([&b"a"[..], b"", b"bc"]), Checksum::of(b"abc"));
+        assert_eq!(Sealing::read(&b"abcd"[..], 3).unwrap().seal(), Seal::of(b"abc"));
+        assert_eq!(Checksum::of_text(sum), Some(Checksum::of(b"abc")));
+        assert_eq!((Checksum::of_text("ba78"), Checksum::of_text("cbf29ce484222325")), (None, None));
+    }
+
     #[test]
     fn a_document_is_signed_without_its_times() {
         let of = |wall: f64, k: f64| {
@@ -176,5 +223,6 @@ mod tests {
         read["k"] = json!(0.2);
         assert_eq!(is_signed(&read), Some(false));
         assert_eq!(is_signed(&json!({ "k": 1 })), None);
+        assert_eq!(is_signed(&json!({ "k": 1, "checksum": "cbf29ce484222325" })), None);
     }
 }

@@ -11,6 +11,8 @@ pub const CHECKPOINT_FILE: &str = "checkpoint.bin";
 pub const RUN_LOG_FILE: &str = "run-log.bin";
 /// A run in numbers.
 pub const SUMMARY_FILE: &str = "summary.json";
+/// SHA-256 of the files of a folder, as `sha256sum -c` reads them.
+pub const SUMS_FILE: &str = "SHA256SUMS";
 /// How a run of a study ended.
 pub const OUTCOME_FILE: &str = "outcome.json";
 /// List of the field files.
@@ -83,10 +85,11 @@ pub(crate) const PLOT_FILES: [&str; 18] = [
 
 /// Files of a run other than `case.toml`, in the order in which a replaced run is removed: a run
 /// without its checkpoint counts as not started.
-pub(crate) const RUN_FILES: [&str; 26] = [
+pub(crate) const RUN_FILES: [&str; 27] = [
     CHECKPOINT_FILE,
     RUN_LOG_FILE,
     OUTCOME_FILE,
+    SUMS_FILE,
     "sif.csv",
     "growth.csv",
     "faces.csv",

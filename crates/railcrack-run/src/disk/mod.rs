@@ -13,7 +13,9 @@ mod replace;
 mod stored_name;
 pub(crate) mod words;
 
-pub(crate) use checksum::{Checksum, Seal, checksums, is_signed, sign};
+pub(crate) use checksum::{
+    CHECKSUM_BYTES, Checksum, Seal, Sealing, checksums, is_signed, sign, sums_text, write_sums,
+};
 pub use files::VERSION;
 pub use inner::inner_folder;
 pub(crate) use inner::own_folder;

@@ -15,7 +15,7 @@ const UTF8: i32 = 0;
 /// digits.
 const STUDY: &str = "railcrack.study";
 const CHECKSUM: &str = "railcrack.checksum";
-const NO_DIGITS: &str = "0000000000000000";
+const NO_DIGITS: &str = "0000000000000000000000000000000000000000000000000000000000000000";
 
 /// A file under construction.
 #[derive(Debug)]
@@ -121,7 +121,7 @@ pub(crate) fn check(file: &[u8], study: &str) -> Result<(), &'static str> {
     let at = digits_at(file).ok_or("has no checksum of its content")?;
     let (before, rest) = file.split_at(at);
     let (digits, behind) = rest.split_at(NO_DIGITS.len());
-    let sum = Checksum::of(before).with(NO_DIGITS.as_bytes()).with(behind);
+    let sum = Checksum::of_parts([before, NO_DIGITS.as_bytes(), behind]);
     if sum.to_string().as_bytes() != digits {
         return Err("does not hold what was written (checksum)");
     }

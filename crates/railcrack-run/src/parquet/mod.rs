@@ -2,7 +2,6 @@
 //! line. Written only: one data page for each column of a group of rows, compressed by zstd, with
 //! its checksum; the footer has that of the file.
 
-mod crc;
 mod file;
 mod page;
 mod thrift;

@@ -1,6 +1,5 @@
 //! A column of a group of rows as a page of data.
 
-use super::crc::crc;
 use super::thrift::{Struct, varint};
 use ruzstd::encoding::{CompressionLevel, compress_to_vec};
 
@@ -135,7 +134,7 @@ impl Values {
             .i32(1, 0)
             .i32(2, plain.len() as i32)
             .i32(3, packed.len() as i32)
-            .i32(4, crc(&packed) as i32)
+            .i32(4, crc32fast::hash(&packed) as i32)
             .nested(5, data);
         let mut page = header.end();
         let whole = page.len() + plain.len();

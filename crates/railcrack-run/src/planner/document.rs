@@ -142,7 +142,7 @@ pub struct PlanSummary {
     pub title: String,
     /// Day on which it was computed, year-month-day (UTC).
     pub date: String,
-    /// Checksum of `case.toml` (FNV-1a, 64 bits).
+    /// Checksum of `case.toml` (SHA-256).
     pub case_checksum: String,
     /// The verdict on the rail without grinding.
     pub verdict: Verdict,
@@ -186,7 +186,7 @@ pub struct PlanSummary {
     pub assumptions: Vec<String>,
     /// Warnings on the case and on its cracks without grinding.
     pub warnings: Vec<String>,
-    /// Checksum of each table (FNV-1a, 64 bits).
+    /// Checksum of each table (SHA-256).
     #[serde(default)]
     pub checksums: BTreeMap<String, String>,
 }

@@ -4,7 +4,7 @@ use super::document::PlanSummary;
 use super::tables::PlanRow;
 use crate::csv::{Table, whole};
 use crate::disk::files::{CASE_FILE, PLANS_FILE};
-use crate::disk::{Durability, checksums, read_json, replace_file, write_json};
+use crate::disk::{Durability, checksums, read_json, replace_file, write_json, write_sums};
 use crate::error::OutputError;
 use crate::run_folder::stored_case;
 use std::path::{Path, PathBuf};
@@ -39,7 +39,8 @@ impl PlanFolder {
 pub(crate) fn write_plan(folder: &Path, summary: PlanSummary) -> Result<PlanSummary, OutputError> {
     let rows = std::iter::once(&summary.without_grinding).chain(&summary.plans).map(PlanRow::from);
     replace_file(&folder.join(PlanRow::FILE), &whole(rows)?, Durability::Cached)?;
-    let checksums = checksums(folder, &[CASE_FILE, PlanRow::FILE])?;
+    let checksums = checksums(folder, [CASE_FILE, PlanRow::FILE])?;
+    write_sums(folder, &checksums)?;
     let case_checksum = checksums.get(CASE_FILE).cloned().unwrap_or_default();
     let summary = PlanSummary { checksums, case_checksum, ..summary };
     write_json(folder, PLANS_FILE, &summary, Durability::Cached)?;

@@ -1,7 +1,7 @@
 //! The case of a run as files, and whether two runs have the same.
 
-use crate::disk::files::{CASE_FILE, INPUTS_FOLDER, RUN_FILES};
-use crate::disk::{Checksum, read_if_there};
+use crate::disk::files::{CASE_FILE, FIELDS_FILE, INPUTS_FOLDER, RUN_FILES};
+use crate::disk::{Checksum, checksums, read_if_there};
 use crate::error::OutputError;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -55,9 +55,17 @@ impl CaseFiles {
         companions.sort();
         let texts = companions.into_iter().flat_map(|(name, text)| [name, text]);
         // Between texts, a byte that none of them has.
-        let with = |sum: Checksum, text: &String| sum.with(&[0]).with(text.as_bytes());
-        texts.fold(Checksum::of(self.toml.as_bytes()), with)
+        let parts = texts.flat_map(|text| [&[0], text.as_bytes()]);
+        Checksum::of_parts(std::iter::once(self.toml.as_bytes()).chain(parts))
     }
+}
+
+/// Checksums of the case in `folder`, of the files that it names, and of the list of fields.
+///
+/// Errors: the system refuses.
+pub(crate) fn case_checksums(folder: &Path) -> Result<BTreeMap<String, String>, OutputError> {
+    let all = [CASE_FILE, FIELDS_FILE].into_iter().chain(input_files());
+    checksums(folder, all.filter(|file| folder.join(file).is_file()))
 }
 
 /// Whether the case `stored` of the run in `folder` is `given`.

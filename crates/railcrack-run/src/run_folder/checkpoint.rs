@@ -3,22 +3,23 @@
 //! log and of the tables is valid.
 
 use super::case_files::CaseFiles;
-use crate::csv::{ContactRow, CsvFile, FaceRow, SifRow, Table, TipRow};
+use crate::csv::{ContactRow, CsvFile, FaceRow, ResidualRow, SifRow, Table, TipRow};
 use crate::disk::files::{CHECKPOINT_FILE, RUN_LOG_FILE};
-use crate::disk::{Checksum, Durability, Seal, VERSION, read_if_there, replace_file};
+use crate::disk::{CHECKSUM_BYTES, Checksum, Durability, Seal, VERSION, read_if_there, replace_file};
 use crate::error::OutputError;
 use crate::log::{Present, RunLog, StepDigest};
 use railcrack::growth::GrowthState;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 const MAGIC: [u8; 8] = *b"RAILCRCK";
 
 /// Raised whenever the layout of [`Checkpoint`] or of what it holds changes.
-const FORMAT: u32 = 18;
+const FORMAT: u32 = 19;
 
 /// Magic, format, checksum.
-const HEADER: usize = 8 + 4 + 8;
+const HEADER: usize = 8 + 4 + CHECKSUM_BYTES;
 
 /// Content of tables and run log after the last finished step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -34,6 +35,15 @@ pub(crate) struct Seals {
 }
 
 impl Seals {
+    /// Checksums of the tables and fields of a run with this `log`, by file.
+    pub(crate) fn checksums(&self, log: &RunLog) -> BTreeMap<String, String> {
+        let tables = self.tables().map(|(file, seal)| (file.to_owned(), seal));
+        let residual = log.now.residual_table.map(|seal| (ResidualRow::FILE.to_owned(), seal));
+        let fields = log.fields().map(|field| (field.name.clone(), field.seal));
+        let all = tables.chain(residual).chain(fields);
+        all.map(|(file, seal)| (file, seal.checksum.to_string())).collect()
+    }
+
     /// The tables with their files.
     pub(crate) fn tables(&self) -> impl Iterator<Item = (&'static str, Seal)> + use<> {
         let all = [
@@ -143,7 +153,7 @@ impl Checkpoint {
             return Ok(None);
         };
         let damaged = |reason: &str| OutputError::damaged(&path, reason);
-        if bytes.len() < HEADER || bytes[..8] != MAGIC {
+        if bytes.len() < 12 || bytes[..8] != MAGIC {
             return Err(damaged("is not a checkpoint of railcrack"));
         }
         let other_version = |written_by: String, this: String| OutputError::OtherVersion {
@@ -156,10 +166,8 @@ impl Checkpoint {
             let this = format!("{VERSION} with checkpoint format {FORMAT}");
             return Err(other_version(format!("with checkpoint format {format}"), this));
         }
-        let body = &bytes[HEADER..];
-        if bytes[12..HEADER] != Checksum::of(body).to_bytes() {
-            return Err(damaged("does not hold what was written (checksum)"));
-        }
+        let body = bytes.get(HEADER..).filter(|body| bytes[12..HEADER] == Checksum::of(body).to_bytes());
+        let body = body.ok_or_else(|| damaged("does not hold what was written (checksum)"))?;
         let checkpoint: Self = postcard::from_bytes(body).map_err(|reason| damaged(&reason.to_string()))?;
         if checkpoint.program != VERSION {
             return Err(other_version(checkpoint.program, VERSION.to_owned()));

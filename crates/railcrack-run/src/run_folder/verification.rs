@@ -1,16 +1,17 @@
 //! Verification of one folder of results: whether its files hold what was written to them.
 
-use super::case_files::CaseFiles;
+use super::case_files::{CaseFiles, case_checksums};
 use super::checkpoint::{Checkpoint, LogFile};
 use crate::csv::{ContactRow, FaceRow, ResidualRow, Table, check_sealed};
 use crate::disk::files::{
     CASE_FILE, FIELDS_FILE, FIELDS_FOLDER, OUTCOME_FILE, ROLLED_FOLDER, RUN_FILES, SHAKEDOWN_FILE,
-    SUMMARY_FILE,
+    SUMMARY_FILE, SUMS_FILE,
 };
-use crate::disk::{Seal, check_stored_name, is_signed, read_file, read_if_there};
+use crate::disk::{Seal, check_stored_name, is_signed, read_file, read_if_there, sums_text};
 use crate::error::OutputError;
 use crate::fields::collection;
 use serde_json::Value;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Verdict on the files of a folder.
@@ -75,7 +76,16 @@ impl Verification {
             let whole = |seal: Seal| sum.as_str() == Some(&seal.checksum.to_string());
             self.answer(Seal::of_file(&path).and_then(|seal| sealed(&path, whole(seal))))?;
         }
-        Ok(())
+        self.sums(folder, &stored_sums(&document))
+    }
+
+    /// The file of the checksums `sums`.
+    fn sums(&mut self, folder: &Path, sums: &BTreeMap<String, String>) -> Result<(), OutputError> {
+        let path = folder.join(SUMS_FILE);
+        if !path.is_file() {
+            return Ok(());
+        }
+        self.answer(same_bytes(&path, sums_text(sums).as_bytes()))
     }
 
     /// A JSON document with a checksum of its own; none where it cannot be read.
@@ -92,7 +102,9 @@ impl Verification {
         match is_signed(&document) {
             Some(good) => self.answer(sealed(&path, good))?,
             None => {
-                self.notes.push(format!("{}: has no checksum (an older version wrote it)", path.display()))
+                let says = "has no SHA-256 checksum (an older version wrote it)";
+                self.notes.push(format!("{}: {says}", path.display()));
+                return Ok(None);
             }
         }
         Ok(Some(document))
@@ -100,8 +112,9 @@ impl Verification {
 
     pub(crate) fn run(&mut self, folder: &Path, extent: Extent) -> Result<(), OutputError> {
         for file in [SUMMARY_FILE, OUTCOME_FILE] {
-            if folder.join(file).is_file() {
-                self.document(folder, file)?;
+            if folder.join(file).is_file() && self.document(folder, file)?.is_none() {
+                // What is unreadable or of an older version is compared with nothing.
+                return Ok(());
             }
         }
         if extent == Extent::All && folder.join(ROLLED_FOLDER).join(SHAKEDOWN_FILE).is_file() {
@@ -151,6 +164,9 @@ impl Verification {
                 let text = collection(&list, log.fields())?;
                 self.answer(same_bytes(&list, text.as_bytes()))?;
             }
+            let mut sums = case_checksums(folder)?;
+            sums.extend(checkpoint.seals.checksums(&log));
+            self.sums(folder, &sums)?;
         }
         Ok(())
     }
@@ -181,6 +197,9 @@ impl Verification {
                 self.answer(Seal::of_file(&file).and_then(|seal| sealed(&file, whole(seal))))?;
             }
         }
+        if extent == Extent::All {
+            self.sums(folder, &stored_sums(&summary))?;
+        }
         Ok(())
     }
 
@@ -196,6 +215,12 @@ impl Verification {
     fn whole(&mut self, path: &Path, seal: Seal) -> Result<(), OutputError> {
         self.answer(Seal::of_file(path).and_then(|found| sealed(path, found == seal)))
     }
+}
+
+/// The checksums by file that a document has.
+fn stored_sums(document: &Value) -> BTreeMap<String, String> {
+    let all = document.get("checksums").and_then(Value::as_object).into_iter().flatten();
+    all.filter_map(|(name, sum)| Some((name.clone(), sum.as_str()?.to_owned()))).collect()
 }
 
 fn sealed(path: &Path, good: bool) -> Result<(), OutputError> {

@@ -62,7 +62,7 @@ pub struct ShakedownSummary {
     pub wall_s: f64,
     /// Remarks for the reader.
     pub warnings: Vec<String>,
-    /// Checksum of each table and field file (FNV-1a, 64 bits).
+    /// Checksum of each table and field file (SHA-256).
     #[serde(default)]
     pub checksums: BTreeMap<String, String>,
 }

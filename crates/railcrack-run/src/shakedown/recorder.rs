@@ -6,7 +6,7 @@ use super::results::ShakedownResults;
 use super::tables::{LayerRow, PassRow};
 use crate::csv::{CsvFile, Rows, Table, header, whole};
 use crate::disk::files::{CASE_FILE, CYCLE_FILE, PLASTIC_FILE, SHAKEDOWN_FILE};
-use crate::disk::{Durability, checksums, replace_file, write_json};
+use crate::disk::{Durability, checksums, replace_file, write_json, write_sums};
 use crate::error::OutputError;
 use crate::run_folder::{CaseFiles, Existing, begin};
 use railcrack::shakedown::PassRecord;
@@ -56,7 +56,8 @@ impl ShakedownRecorder {
             write_vtu(&path, &grid)?;
         }
         let files = [CASE_FILE, PassRow::FILE, LayerRow::FILE, PLASTIC_FILE, CYCLE_FILE];
-        let checksums = checksums(&self.folder, &files)?;
+        let checksums = checksums(&self.folder, files)?;
+        write_sums(&self.folder, &checksums)?;
         let summary = ShakedownSummary { checksums, ..ShakedownSummary::of(results) };
         write_json(&self.folder, SHAKEDOWN_FILE, &summary, Durability::Cached)?;
         Ok(summary)

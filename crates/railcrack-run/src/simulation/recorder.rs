@@ -3,21 +3,20 @@
 use crate::csv::{
     ContactRow, CsvFile, FaceRow, ResidualRow, Rows, SifRow, SifScale, Table, TipRow, header, whole,
 };
-use crate::disk::files::{CASE_FILE, FIELDS_FILE, SUMMARY_FILE};
-use crate::disk::{Durability, Seal, VERSION, replace_file, write_json};
+use crate::disk::files::{CASE_FILE, FIELDS_FILE, SUMMARY_FILE, SUMS_FILE};
+use crate::disk::{Durability, Seal, VERSION, remove, replace_file, write_json, write_sums};
 use crate::error::OutputError;
 use crate::fields::{write_collection, write_fields};
 use crate::log::{Companion, ResidualSummary, RunInfo, RunLog};
 use crate::machine::peak_memory_mb;
 use crate::presentation::{Presentation, RunPresentation};
 use crate::run_folder::{
-    CaseFiles, Checkpoint, Existing, LogFile, Seals, begin, restore_case, same_case, same_text, stored_case,
-    was_about_to_begin,
+    CaseFiles, Checkpoint, Existing, LogFile, Seals, begin, case_checksums, restore_case, same_case,
+    same_text, stored_case, was_about_to_begin,
 };
 use crate::summary::{Summary, finite_summary};
 use railcrack::growth::{GrowthState, StepRecord};
 use railcrack_case::Kept;
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -95,6 +94,8 @@ impl Recorder {
             begin(folder, &case, Existing::Replace)?;
             return Ok((Self::from_the_beginning(folder, &case, info, presentation)?, None));
         }
+        // It is of the steps so far.
+        remove(&folder.join(SUMS_FILE))?;
         restore_case(folder, &case)?;
         if log.fields().next().is_some() {
             // A list that is gone, or that has fields of a step that a kill has cut.
@@ -251,6 +252,9 @@ impl Recorder {
         // The samples are made once, and the verdict rests on them.
         let Summary { decision, verdict, .. } = summary;
         let summary = Summary { decision, verdict, ..Summary::new(&self.info, &self.log, false) };
+        let mut sums = case_checksums(&self.folder)?;
+        sums.extend(self.seals().checksums(&self.log));
+        write_sums(&self.folder, &sums)?;
         self.write_summary(summary, Durability::Synced)
     }
 
@@ -313,18 +317,8 @@ impl Recorder {
         };
     }
 
-    /// Checksums of the files that `verify` reads, for `summary.json`.
-    fn checksums(&self) -> BTreeMap<String, String> {
-        let seals = self.seals();
-        let tables = seals.tables().map(|(file, seal)| -> (&str, Seal) { (file, seal) });
-        let residual = self.log.now.residual_table.map(|seal| (ResidualRow::FILE, seal));
-        let fields = self.log.fields().map(|field| (field.name.as_str(), field.seal));
-        let all = tables.chain(residual).chain(fields);
-        all.map(|(file, seal)| (file.to_owned(), seal.checksum.to_string())).collect()
-    }
-
     fn write_summary(&self, summary: Summary, durability: Durability) -> Result<Summary, OutputError> {
-        let summary = Summary { checksums: self.checksums(), ..summary };
+        let summary = Summary { checksums: self.seals().checksums(&self.log), ..summary };
         write_json(&self.folder, SUMMARY_FILE, &summary, durability)?;
         Ok(summary)
     }

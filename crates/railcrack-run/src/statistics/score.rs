@@ -1,6 +1,6 @@
 //! Scores of a predicted distribution against what was observed.
 
-use super::normal::{density, distribution};
+use railcrack_case::normal::{density, distribution};
 use std::f64::consts::PI;
 
 /// The continuous ranked probability score ∫ (F(x) − 1[x ≥ `observed`])² dx of a normal

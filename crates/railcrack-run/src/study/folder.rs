@@ -8,8 +8,8 @@ use crate::disk::files::{
     STUDY_PLOTS, STUDY_TABLES,
 };
 use crate::disk::{
-    Checksum, FolderLock, LOCK_FILE, check_stored_name, inner_folder, json_text, own_folder, read_if_there,
-    read_json_if_there, remove,
+    Checksum, FolderLock, LOCK_FILE, VERSION, check_stored_name, inner_folder, json_text, own_folder,
+    read_if_there, read_json_if_there, remove,
 };
 use crate::error::OutputError;
 use crate::run_folder::{CaseFiles, RunFolder, check_case, clear_run, run_file_in, run_file_in_study};
@@ -73,7 +73,11 @@ impl StudyFolder {
         let in_the_way = folder.file_in_the_way(text)?;
         let stored = match stored_plan(path) {
             // A damaged plan is replaced with all the rest.
-            Err(OutputError::Damaged { .. }) if entry == Entry::Replace => None,
+            Err(OutputError::Damaged { .. } | OutputError::OtherVersion { .. })
+                if entry == Entry::Replace =>
+            {
+                None
+            }
             stored => stored?,
         };
         folder.may_enter(stored.as_ref(), entry)?;
@@ -365,6 +369,14 @@ impl StudyFolder {
 /// study.
 fn stored_plan(folder: &Path) -> Result<Option<StudyPlan>, OutputError> {
     let plan = read_json_if_there::<StudyPlan>(folder, PLAN_FILE)?;
+    let is_of_before = |text: &String| Checksum::of_text(text).is_none();
+    if let Some(plan) = plan.as_ref().filter(|plan| plan.text.as_ref().is_some_and(is_of_before)) {
+        return Err(OutputError::OtherVersion {
+            folder: folder.to_path_buf(),
+            written_by: format!("{} without SHA-256", plan.version),
+            this: format!("{VERSION} with it"),
+        });
+    }
     for run in plan.iter().flat_map(|plan| &plan.runs) {
         check_stored_name(&folder.join(PLAN_FILE), &run.folder)?;
     }

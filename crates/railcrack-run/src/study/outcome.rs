@@ -1,9 +1,9 @@
 //! How a run of a study ended, in its run folder.
 
-use crate::disk::files::{CASE_FILE, CHECKPOINT_FILE, FIELDS_FILE, OUTCOME_FILE, RUN_LOG_FILE, SUMMARY_FILE};
-use crate::disk::{Durability, Seal, read_json, read_json_if_there, remove, write_json};
+use crate::disk::files::{CHECKPOINT_FILE, OUTCOME_FILE, RUN_LOG_FILE, SUMMARY_FILE};
+use crate::disk::{Durability, read_json, read_json_if_there, remove, write_json};
 use crate::error::OutputError;
-use crate::run_folder::input_files;
+use crate::run_folder::case_checksums;
 use crate::summary::{Outcome, RunEnd, Summary};
 use std::path::Path;
 
@@ -34,11 +34,4 @@ impl Outcome {
     pub(super) fn tidy(folder: &Path) -> Result<(), OutputError> {
         [CHECKPOINT_FILE, RUN_LOG_FILE].iter().try_for_each(|file| remove(&folder.join(file)))
     }
-}
-
-/// Checksums of the case, of the files that it names, and of the list of fields.
-fn case_checksums(folder: &Path) -> Result<Vec<(String, String)>, OutputError> {
-    let there =
-        [CASE_FILE, FIELDS_FILE].into_iter().chain(input_files()).filter(|file| folder.join(file).is_file());
-    there.map(|file| Ok((file.to_owned(), Seal::of_file(&folder.join(file))?.checksum.to_string()))).collect()
 }

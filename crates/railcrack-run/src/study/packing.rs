@@ -62,7 +62,7 @@ impl StudyFolder {
             None => self.planned(number).and_then(|run| Checksum::of_text(run.case.as_deref()?)),
         };
         match pack.as_mut() {
-            Some(pack) => pack.append(number, case.unwrap_or(Checksum::NOTHING), files),
+            Some(pack) => pack.append(number, case.unwrap_or(Checksum::NONE), files),
             None => Ok(()),
         }
     }

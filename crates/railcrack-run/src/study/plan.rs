@@ -108,10 +108,10 @@ impl StudyAxis {
 impl StudyPlan {
     /// The checksum of the cases of all runs, which distinguishes the study from others.
     pub(crate) fn checksum(&self) -> String {
-        let with = |sum: Checksum, run: &PlannedRun| {
-            sum.with(&run.number.to_le_bytes()).with(run.case.as_deref().unwrap_or_default().as_bytes())
+        let of_run = |run: &PlannedRun| {
+            [&run.number.to_le_bytes()[..], run.case.as_deref().unwrap_or_default().as_bytes()].concat()
         };
-        self.runs.iter().fold(Checksum::NOTHING, with).to_string()
+        Checksum::of(&self.runs.iter().flat_map(of_run).collect::<Vec<u8>>()).to_string()
     }
 
     /// The keys that vary, axis by axis, with the value that `run` has of each.

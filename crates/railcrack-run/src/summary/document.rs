@@ -112,8 +112,7 @@ pub struct Summary {
     /// Pieces of the rail that were enclosed, in order.
     #[serde(default)]
     pub pieces: Vec<PieceSummary>,
-    /// Checksum of each table and field file as far as the finished steps wrote it (FNV-1a, 64
-    /// bits).
+    /// Checksum of each table and field file as far as the finished steps wrote it (SHA-256).
     #[serde(default)]
     pub checksums: BTreeMap<String, String>,
     /// How the run of a study ended, once it is done: nothing is added to it any more.

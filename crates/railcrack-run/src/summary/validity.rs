@@ -45,7 +45,17 @@ pub fn of_case(case: &Case) -> Vec<Warning> {
     }
     warnings.extend(of_wheel_table(case));
     warnings.extend(unfelt_gap(case));
+    warnings.extend(case.companions().iter().filter_map(|file| {
+        let text = unused_columns(file.given, file.unused)?;
+        Some(Warning { step: 0, kind: WarningKind::Validity, text, severity: None })
+    }));
     warnings
+}
+
+/// A warning of the columns `unused` that the file `name` has and railcrack does not read.
+pub fn unused_columns(name: &str, unused: &[String]) -> Option<String> {
+    let names: Vec<String> = unused.iter().map(|column| format!("`{column}`")).collect();
+    (!names.is_empty()).then(|| format!("{name}: these columns are not read: {}", names.join(", ")))
 }
 
 /// Gap over a²/2R from which on a wheel should feel the crack.

@@ -1,8 +1,9 @@
 //! Scores of a prediction against a measured value.
 
 use super::computed::Predicted;
-use crate::statistics::{crps_of_samples, distribution, quantile_of_sorted};
+use crate::statistics::{crps_of_samples, quantile_of_sorted};
 use railcrack_case::Grade;
+use railcrack_case::normal::{QUANTILE_97_5, distribution};
 
 /// A prediction against a measured value; logarithms throughout, as both are positive and known by
 /// factors.
@@ -25,8 +26,6 @@ pub struct Score {
     pub without: f64,
 }
 
-/// Normal quantile of 97.5 %: half of the width of a measured value in its standard deviations.
-const NORMAL: f64 = 1.959_963_984_540_054;
 /// Deviates by which the error of measurement is added to each sample: the quantiles of the middles
 /// of nine equal shares of the normal distribution.
 const DEVIATES: [f64; 9] =
@@ -41,7 +40,7 @@ impl Score {
             return None;
         }
         let measured = 0.5 * (low.ln() + high.ln());
-        let sigma = (high.ln() - low.ln()) / (2.0 * NORMAL);
+        let sigma = (high.ln() - low.ln()) / (2.0 * QUANTILE_97_5);
         let pit =
             logs.iter().map(|log| distribution((measured - log) / sigma)).sum::<f64>() / logs.len() as f64;
         let mut blurred: Vec<f64> = logs.iter().flat_map(|log| DEVIATES.map(|z| log + sigma * z)).collect();

@@ -59,7 +59,7 @@ fn errors_name_the_part_and_what_is_wrong() {
             "array `t`: there is no <AppendedData>",
         ),
         ("\"t\" format=\"ascii\"", "\"t\" format=\"octal\"", "format of array `t` is `octal`"),
-        ("\"t\" format=\"ascii\"", "\"t\" format=\"binary\"", "array `t`: invalid base64 at byte 5 of 5"),
+        ("\"t\" format=\"ascii\"", "\"t\" format=\"binary\"", "array `t`: invalid base64 at byte 0 of 5"),
         ("Name=\"t\"", "Name=\"t\" NumberOfComponents=\"0\"", "NumberOfComponents is `0`"),
         ("</Piece>", "</Piece><Piece/>", "is of 2 pieces"),
     ];

@@ -2,7 +2,7 @@
 
 use super::substitute::Substitute;
 use crate::case::place_of;
-use crate::files::{lines, of_another_kind};
+use crate::files::{csv_rows, of_another_kind};
 use crate::schema::{CaseErrors, Fault, Kind, Report, Source, read_file};
 use crate::tables::SECTIONS;
 use std::path::Path;
@@ -40,20 +40,27 @@ impl SampleTable {
 }
 
 fn read(source: &Source, report: &mut Report) -> Option<Vec<(String, Substitute)>> {
-    let mut lines = lines(source);
+    let mut rows = csv_rows(source);
     let help = "the table begins with a header of keys such as contact.friction,crack[1].angle_deg, followed by a row per run";
-    let Some((header, at)) = lines.next() else {
+    let Some(header) = rows.next() else {
         report.add(Fault::new("there is no header").help(help));
         return None;
     };
     let section = |name: &str| name.trim().split(['.', '[']).next().unwrap_or_default().to_owned();
     let is_known = |name: &str| !name.is_empty() && SECTIONS.iter().any(|section| section.name == name);
-    if !header.split([',', ';', '\t']).any(|name| is_known(&section(name))) {
+    let separated = |field: &str| field.split([';', '\t']).any(|name| is_known(&section(name)));
+    if !header.fields().any(separated) {
         report.add(of_another_kind(help));
         return None;
     }
     let mut columns = Vec::new();
-    for name in header.split(',').map(str::trim) {
+    for name in header.fields() {
+        let fault = |says: String| Fault { span: Some(header.span.clone()), ..Fault::new(says) };
+        // A column without a name numbers the rows.
+        if name.is_empty() {
+            columns.push(None);
+            continue;
+        }
         match place_of(name) {
             Ok((section, number, key)) if is_single(key.kind) => {
                 let substitute = Substitute {
@@ -63,33 +70,31 @@ fn read(source: &Source, report: &mut Report) -> Option<Vec<(String, Substitute)
                     values: Vec::new(),
                     span: None,
                 };
-                columns.push((name.to_owned(), key.kind, substitute));
+                columns.push(Some((name.to_owned(), key.kind, substitute)));
             }
-            Ok(_) => {
-                let says = format!("`{name}` is a list, which a field of a table cannot hold");
-                report.add(Fault { span: Some(at.clone()), ..Fault::new(says).help(help) });
-            }
-            Err((says, near)) => {
-                let says = format!("column `{name}`: {says}");
-                report.add(Fault { span: Some(at.clone()), ..Fault::new(says).help(near) });
-            }
+            Ok(_) => report
+                .add(fault(format!("`{name}` is a list, which a field of a table cannot hold")).help(help)),
+            Err((says, near)) => report.add(fault(format!("column `{name}`: {says}")).help(near)),
         }
     }
-    for (line, at) in lines {
-        let fields: Vec<&str> = line.split(',').map(str::trim).collect();
-        if fields.len() != columns.len() {
-            let says = format!("{} fields in a table of {} columns", fields.len(), columns.len());
-            report.add(Fault { span: Some(at), ..Fault::new(says).help(help) });
+    for row in rows {
+        if row.len() != columns.len() {
+            let says = row.wrong_length(columns.len());
+            report.add(Fault { span: Some(row.span), ..Fault::new(says).help(help) });
             return None;
         }
-        for (field, (_, kind, substitute)) in fields.iter().zip(&mut columns) {
-            substitute.values.push(toml(field, *kind));
+        for (field, column) in row.fields().zip(&mut columns) {
+            if let Some((_, kind, substitute)) = column {
+                substitute.values.push(toml(field, *kind));
+            }
         }
     }
-    if columns.iter().any(|(_, _, substitute)| substitute.values.is_empty()) {
+    let columns = columns.into_iter().flatten();
+    let columns: Vec<_> = columns.map(|(name, _, substitute)| (name, substitute)).collect();
+    if columns.iter().any(|(_, substitute)| substitute.values.is_empty()) {
         report.add(Fault::new("there is no row").help(help));
     }
-    Some(columns.into_iter().map(|(name, _, substitute)| (name, substitute)).collect())
+    Some(columns)
 }
 
 fn is_single(kind: Kind) -> bool {

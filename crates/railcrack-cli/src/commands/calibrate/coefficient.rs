@@ -11,11 +11,13 @@ use crate::commands::run::{is_same_file, listen};
 use crate::display::Verbosity;
 use crate::exit::{Exit, Failure};
 use crate::input::default_folder;
+use crate::print;
 use crate::progress::Progress;
 use railcrack_case::{Case, CaseErrors};
 use railcrack_report::Pages;
 use railcrack_run::calibration::{Measure, Prior, Site, SizeCurve, calibrate as fit, read_measured};
 use railcrack_run::simulation::{Ending, RunEntry, Simulation};
+use railcrack_run::summary::validity::unused_columns;
 
 /// Computes the case, fits, writes the folder and prints the result.
 pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
@@ -28,6 +30,9 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
     let sites: Result<Vec<Site>, CaseErrors> =
         arguments.measured.iter().map(|path| read_measured(path)).collect();
     let sites = sites?;
+    for site in &sites {
+        unused_columns(&site.name, &site.unused).iter().for_each(|says| print::warning(says));
+    }
     for (i, path) in arguments.measured.iter().enumerate() {
         if arguments.measured[..i].contains(path) {
             return Err(refuse(format!("--measured {}: given twice, each file is one site", path.display())));

@@ -1,6 +1,7 @@
 //! `calibration.json`.
 
-use super::found::{Fitted, Found, NORMAL, New};
+use super::found::{Fitted, Found, New};
+use railcrack_case::normal::QUANTILE_97_5;
 use railcrack_run::calibration::Posterior;
 use serde_json::{Value, json};
 
@@ -78,6 +79,6 @@ fn of_posterior(add: &mut impl FnMut(&str, Value) -> Option<Value>, posterior: &
 }
 
 fn new_rail(mean: f64, new: New, value: f64) -> Value {
-    let ends = [-NORMAL, NORMAL].map(|z| value * (mean + z * new.std).exp());
+    let ends = [-QUANTILE_97_5, QUANTILE_97_5].map(|z| value * (mean + z * new.std).exp());
     json!({ "log_std": new.std, "interval": ends })
 }

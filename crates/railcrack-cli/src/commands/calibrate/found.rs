@@ -1,6 +1,7 @@
 //! Numbers that a calibration found.
 
 use railcrack_case::Case;
+use railcrack_case::normal::QUANTILE_97_5;
 use railcrack_run::calibration::{Calibration, ParameterFit, Posterior, Prior, Site};
 
 /// The scatter of a rail that was not measured.
@@ -12,8 +13,6 @@ pub(super) struct New {
     pub is_of_case: bool,
 }
 
-/// The normal quantile of 97.5 %.
-pub(super) const NORMAL: f64 = 1.959_963_984_540_054;
 /// Scatter of ln C from rail to rail where the case gives none.
 const USUAL: f64 = 0.3;
 
@@ -23,7 +22,7 @@ impl New {
         let usual = case.scatter.as_ref().map_or(USUAL, |scatter| scatter.c_log_std);
         let kept = posterior.std.hypot(usual);
         let (low, high) = posterior.new_interval;
-        let std = (high - low) / (2.0 * NORMAL);
+        let std = (high - low) / (2.0 * QUANTILE_97_5);
         let is_shown = sites > 1 && (posterior.largest_discrepancy < usual || std >= kept);
         if prior.discrepancy.is_some() || is_shown {
             Self { std, is_of_case: false }

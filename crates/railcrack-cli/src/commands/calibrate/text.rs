@@ -1,6 +1,7 @@
 //! The printed result of a calibration.
 
-use super::found::{Fitted, Found, NORMAL, New};
+use super::found::{Fitted, Found, New};
+use railcrack_case::normal::QUANTILE_97_5;
 use railcrack_run::calibration::{Finding, Measured, Posterior, Prior, Site, UsualError};
 
 /// The printed text.
@@ -87,7 +88,7 @@ fn of_coefficient(key: &str, value: f64, posterior: &Posterior) -> String {
 
 /// The coefficient `value` over all values of `other` that were tried.
 fn of_all_values(other: &str, key: &str, value: f64, (mean, std): (f64, f64)) -> String {
-    let [low, high] = [-NORMAL, NORMAL].map(|z| value * (mean + z * std).exp());
+    let [low, high] = [-QUANTILE_97_5, QUANTILE_97_5].map(|z| value * (mean + z * std).exp());
     format!(
         "over all values of {other}, weighted by their evidence: {key} = {:.4e}, 95 % from {low:.4e} to {high:.4e}\n",
         value * mean.exp()
@@ -95,7 +96,7 @@ fn of_all_values(other: &str, key: &str, value: f64, (mean, std): (f64, f64)) ->
 }
 
 fn of_new_rail(value: f64, posterior: &Posterior, new: New, sites: &[Site]) -> String {
-    let [low, high] = [-NORMAL, NORMAL].map(|z| value * (posterior.mean + z * new.std).exp());
+    let [low, high] = [-QUANTILE_97_5, QUANTILE_97_5].map(|z| value * (posterior.mean + z * new.std).exp());
     let why = match (new.is_of_case, sites.len()) {
         (false, _) => "",
         (true, 1) => "; one site does not show how rails differ, so that the scatter of the case is kept",

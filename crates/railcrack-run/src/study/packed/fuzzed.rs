@@ -1,6 +1,6 @@
 //! Files of packed runs of any content.
 
-use super::record::{HEADER, Header, MARK};
+use super::record::{HEADER, Header, MARK, SUM};
 use super::runs::packed_file;
 use super::{Flaw, PackedRuns};
 use crate::disk::Checksum;
@@ -28,8 +28,8 @@ fn mended(input: &[u8]) -> Vec<u8> {
         if !bytes[at..].starts_with(&MARK) {
             continue;
         }
-        let sum = Checksum::of(&bytes[at..at + 48]);
-        bytes[at + 48..at + HEADER].copy_from_slice(&sum.to_bytes());
+        let sum = Checksum::of(&bytes[at..at + SUM]);
+        bytes[at + SUM..at + HEADER].copy_from_slice(&sum.to_bytes());
         let Some(header) = Header::of(&bytes[at..]) else { continue };
         let length = usize::try_from(header.length).unwrap_or(usize::MAX);
         let Some(body) = bytes[at + HEADER..].get(..length) else { continue };

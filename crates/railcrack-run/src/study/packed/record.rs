@@ -1,6 +1,6 @@
 //! A record of a file of packed runs: a header that is found and checked by itself, and a body.
 
-use crate::disk::Checksum;
+use crate::disk::{CHECKSUM_BYTES, Checksum};
 use crate::error::OutputError;
 use crate::run_folder::RunFiles;
 use miniz_oxide::deflate::compress_to_vec;
@@ -8,12 +8,18 @@ use miniz_oxide::inflate::decompress_to_vec_with_limit;
 use std::path::Path;
 
 /// Begins every record: behind damage, the next one is found by it.
-pub(super) const MARK: [u8; 7] = *b"RAILRUN";
+pub(super) const MARK: [u8; 7] = *b"RAILPAK";
+/// The mark of records without SHA-256: no damage of a few bytes makes it of the other.
+const MARK_OF_BEFORE: [u8; 7] = *b"RAILRUN";
 /// Raised whenever the layout of a record changes.
-pub(super) const FORMAT: u8 = 2;
-/// Mark and format, number of the run, generation, case, length of the body and its checksum, and
-/// the checksum of all these: seven times eight bytes.
-pub(super) const HEADER: usize = 56;
+pub(super) const FORMAT: u8 = 3;
+/// Mark and format, number of the run, generation and length of the body, eight bytes each; the
+/// checksums of case and body, and that of all these.
+pub(super) const HEADER: usize = SUM + CHECKSUM_BYTES;
+const CASE: usize = 4 * 8;
+const BODY: usize = CASE + CHECKSUM_BYTES;
+/// Place of the checksum of what is before it.
+pub(super) const SUM: usize = BODY + CHECKSUM_BYTES;
 /// Number of a record that stands for damaged bytes; runs count from 1.
 pub(super) const VOID: u64 = 0;
 /// Level of compression: higher levels do not reduce numbers further.
@@ -50,11 +56,11 @@ impl Header {
         bytes[7] = FORMAT;
         bytes[8..16].copy_from_slice(&self.number.to_le_bytes());
         bytes[16..24].copy_from_slice(&self.generation.to_le_bytes());
-        bytes[24..32].copy_from_slice(&self.case.to_bytes());
-        bytes[32..40].copy_from_slice(&self.length.to_le_bytes());
-        bytes[40..48].copy_from_slice(&self.body.to_bytes());
-        let sum = Checksum::of(&bytes[..48]);
-        bytes[48..].copy_from_slice(&sum.to_bytes());
+        bytes[24..CASE].copy_from_slice(&self.length.to_le_bytes());
+        bytes[CASE..BODY].copy_from_slice(&self.case.to_bytes());
+        bytes[BODY..SUM].copy_from_slice(&self.body.to_bytes());
+        let sum = Checksum::of(&bytes[..SUM]);
+        bytes[SUM..].copy_from_slice(&sum.to_bytes());
         bytes
     }
 
@@ -65,27 +71,22 @@ impl Header {
         Some(Self {
             number: number(8),
             generation: number(16),
-            case: Checksum::of_number(number(24)),
-            length: number(32),
-            body: Checksum::of_number(number(40)),
+            length: number(24),
+            case: Checksum::of_bytes(&whole[CASE..BODY])?,
+            body: Checksum::of_bytes(&whole[BODY..SUM])?,
         })
     }
 }
 
 fn is_whole(header: &[u8]) -> bool {
-    header[..7] == MARK && header[48..HEADER] == Checksum::of(&header[..48]).to_bytes()
+    header[..7] == MARK && header[SUM..] == Checksum::of(&header[..SUM]).to_bytes()
 }
 
-/// The format of the records of a file that begins with `bytes`, where it is another one. The first
-/// format had no mark: number of the run, length and checksum before the body.
+/// The format of the records of a file that begins with `bytes`, where it is another one.
 pub(super) fn other_format(bytes: &[u8]) -> Option<u64> {
+    let of_before = bytes.get(..8).filter(|begins| begins[..7] == MARK_OF_BEFORE);
     let marked = bytes.get(..HEADER).filter(|whole| is_whole(whole) && whole[7] != FORMAT);
-    let first = || {
-        let length = usize::try_from(little_endian(bytes.get(8..16)?)).ok()?;
-        let body = bytes.get(24..24usize.checked_add(length)?)?;
-        (bytes[16..24] == Checksum::of(&bytes[..16]).with(body).to_bytes()).then_some(1)
-    };
-    marked.map(|header| u64::from(header[7])).or_else(first)
+    of_before.or(marked).map(|header| u64::from(header[7]))
 }
 
 fn little_endian(bytes: &[u8]) -> u64 {

@@ -153,7 +153,6 @@ impl Reader {
 
     /// The format of the file, where it is another one.
     fn first_format(&mut self) -> Result<Option<u64>> {
-        // Bounded by the first record, which is a run.
-        Ok(other_format(&self.bytes(0, 1 << 24)?))
+        Ok(other_format(&self.bytes(0, HEADER)?))
     }
 }

@@ -1,6 +1,6 @@
 //! Files of packed runs: cut by kills, damaged, of other studies, in any order.
 
-use super::record::{HEADER, Header};
+use super::record::{HEADER, Header, SUM};
 use super::{PackWriter, PackedRuns, void_damages};
 use crate::disk::Checksum;
 use crate::disk::files::CASE_FILE;
@@ -144,16 +144,13 @@ fn what_is_revoked_does_not_depend_on_the_order_of_files() {
 fn other_formats_are_refused() {
     let folder = place("format");
     let path = folder.join("packed-1.bin");
-    // The first format: number of the run, length, checksum, body.
-    let mut first = [1u64.to_le_bytes(), 3u64.to_le_bytes()].concat();
-    let sum = Checksum::of(&first).with(b"abc");
-    first.extend(sum.to_bytes());
-    first.extend(b"abc");
-    let mut later = Header::new(1, 0, Checksum::NOTHING, b"").to_bytes();
+    // Before SHA-256: seven numbers of eight bytes.
+    let before = [&b"RAILRUN\x02"[..], &[0; 48]].concat();
+    let mut later = Header::new(1, 0, Checksum::NONE, b"").to_bytes();
     later[7] += 1;
-    let sum = Checksum::of(&later[..HEADER - 8]).to_bytes();
-    later[HEADER - 8..].copy_from_slice(&sum);
-    for (bytes, format) in [(&first[..], 1), (&later[..], 3)] {
+    let sum = Checksum::of(&later[..SUM]).to_bytes();
+    later[SUM..].copy_from_slice(&sum);
+    for (bytes, format) in [(&before[..], 2), (&later[..], 4)] {
         std::fs::write(&path, bytes).unwrap();
         let error = PackedRuns::of(&folder, &plan("own", 3)).unwrap_err();
         assert!(matches!(error, OutputError::OtherVersion { .. }));

@@ -3,7 +3,7 @@
 use super::record::{HEADER, Header, VOID, body_of};
 use super::runs::{PackedRuns, damage_in_words, packed_file, packed_files};
 use super::scan::{Damage, Scan};
-use crate::disk::{Checksum, Seal, changes};
+use crate::disk::{Checksum, Sealing, changes};
 use crate::error::OutputError;
 use crate::run_folder::RunFiles;
 use crate::study::plan::PlannedRun;
@@ -138,8 +138,8 @@ fn void(file: &mut File, damage: &Damage) -> std::io::Result<()> {
         };
     };
     file.seek(SeekFrom::Start(damage.from + HEADER as u64))?;
-    let body = Seal::read(&mut *file, length)?.checksum;
-    let header = Header { number: VOID, generation: 0, case: Checksum::NOTHING, length, body };
+    let body = Sealing::read(&mut *file, length)?.seal().checksum;
+    let header = Header { number: VOID, generation: 0, case: Checksum::NONE, length, body };
     file.seek(SeekFrom::Start(damage.from))?;
     file.write_all(&header.to_bytes())
 }
