@@ -1,10 +1,9 @@
 //! Plots and report of a results folder, built from its files or at the end of a computation.
 
 use crate::built::{Built, FolderKind, put, write_run};
-use crate::collected::{AtEnd, Collected};
 use crate::page_data::PageData;
 use crate::pages::RunFolder;
-use crate::recomputed::recomputed;
+use crate::recomputed::{AtEnd, Collected, recomputed};
 use railcrack_case::Output;
 use railcrack_run::files::{REPORT_FILE, STUDY_PLOTS};
 use railcrack_run::study::{StudyFolder, StudyResults};

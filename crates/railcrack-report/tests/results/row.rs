@@ -125,7 +125,8 @@ fn colours_are_those_of_the_named_and_the_others_are_grey() {
             })
             .collect();
         assert_eq!(curves.len(), 12, "{id}");
-        let (fine, named): (Vec<_>, Vec<_>) = curves.iter().partition(|curve| curve[3] == "0.8");
+        let (fine, named): (Vec<[&str; 4]>, Vec<[&str; 4]>) =
+            curves.iter().copied().partition(|curve| curve[3] == "0.8");
         assert!(fine.iter().all(|curve| curve[2] == "var(--quiet)" && curve[0] == "other cracks"));
         let colours: BTreeSet<&str> = named.iter().map(|curve| curve[2]).collect();
         assert!(named.len() == 3 && colours.len() == 3, "{id}: {colours:?}");

@@ -1,7 +1,7 @@
 //! Live page of a folder of results.
 
 use super::answer::Answer;
-use railcrack_report::{Page, LivePage, live_page};
+use railcrack_report::{LivePage, Page, live_page};
 use railcrack_run::OutputError;
 use railcrack_run::files::REPORT_FILE;
 use serde_json::json;
@@ -19,7 +19,7 @@ const SHARE: u32 = 8;
 
 /// The page of a folder, refreshed on request.
 #[derive(Debug)]
-pub(super) struct LivePage {
+pub(super) struct WatchedFolder {
     folder: PathBuf,
     last: Mutex<Option<Reading>>,
 }
@@ -42,7 +42,7 @@ fn with_script(html: &str, stamp: &str) -> Arc<[u8]> {
     [before, &script, after].concat().into_bytes().into()
 }
 
-impl LivePage {
+impl WatchedFolder {
     pub(super) fn of(folder: PathBuf) -> Self {
         Self { folder, last: Mutex::new(None) }
     }

@@ -1,7 +1,7 @@
 //! Site of a folder: its live page and its files.
 
 use super::answer::Answer;
-use super::live::LivePage;
+use super::live::WatchedFolder;
 use super::request::Request;
 use railcrack_run::files::REPORT_FILE;
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ pub(super) struct Site {
     root: PathBuf,
     /// The pages that were asked for last, with their folders, the last one at the end; the runs of
     /// a study have their own pages.
-    pages: Mutex<Vec<(PathBuf, Arc<LivePage>)>>,
+    pages: Mutex<Vec<(PathBuf, Arc<WatchedFolder>)>>,
 }
 
 impl Site {
@@ -54,10 +54,10 @@ impl Site {
         path.canonicalize().ok().filter(|path| path.starts_with(&self.root))
     }
 
-    fn page(&self, folder: PathBuf) -> Arc<LivePage> {
+    fn page(&self, folder: PathBuf) -> Arc<WatchedFolder> {
         let mut pages = self.pages.lock().unwrap_or_else(PoisonError::into_inner);
         let known = pages.iter().position(|(known, _)| *known == folder).map(|at| pages.remove(at));
-        let (folder, page) = known.unwrap_or_else(|| (folder.clone(), Arc::new(LivePage::of(folder))));
+        let (folder, page) = known.unwrap_or_else(|| (folder.clone(), Arc::new(WatchedFolder::of(folder))));
         if pages.len() >= MOST_PAGES {
             pages.remove(0);
         }
