@@ -1,5 +1,5 @@
-//! The tables of docs/dev/networks.md: K of every crack of the networks in `cases` beside the single
-//! crack.
+//! The tables of docs/dev/networks.md: K of every crack of the networks in `cases` beside the
+//! single crack.
 //!
 //! `cargo run --release --example network_tables`
 

@@ -1,5 +1,5 @@
-//! The tables of `docs/dev/shakedown.md`: what columns, layers and period change, and what the direct
-//! method costs and misses.
+//! The tables of `docs/dev/shakedown.md`: what columns, layers and period change, and what the
+//! direct method costs and misses.
 //!
 //! `cargo run --release --example shakedown_studies`
 

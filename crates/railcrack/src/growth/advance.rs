@@ -9,7 +9,7 @@ pub struct Advance {
     pub geometry: Geometry,
     /// Pieces of the rail that this step encloses.
     pub pieces: Vec<Piece>,
-    /// What passes until the next step.
+    /// Cycles, growth and removal until the next step.
     pub progress: StepProgress,
     /// Why the run ends with this step, if it does; no further cycles then pass.
     pub stop: Option<RunStop>,
@@ -17,7 +17,7 @@ pub struct Advance {
     pub warnings: Vec<Warning>,
 }
 
-/// What passes from one step to the next; by default nothing.
+/// Cycles, growth and removal from one step to the next; none by default.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct StepProgress {
     /// Load cycles, as predicted at the start of the step.

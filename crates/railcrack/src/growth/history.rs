@@ -1,4 +1,4 @@
-//! Rates extrapolated from the previous step, and growth that it left out.
+//! Rates extrapolated from the previous step, growth that it left out, and the cycles in between.
 
 use super::{EarlierStep, GrowthSettings, Mover, StepStart};
 use serde::{Deserialize, Serialize};

@@ -137,8 +137,8 @@ impl Pace {
         }
     }
 
-    /// What passes in this step. `all` are the movers of all cracks; `is_kinked` says of a mover
-    /// whether it kinks, and the rates at the start continue where none does.
+    /// Cycles, growth and removal of this step. `all` are the movers of all cracks; `is_kinked`
+    /// says of a mover whether it kinks, and the rates at the start continue where none does.
     pub fn progress(&self, all: &[Mover], is_kinked: impl Fn(&Mover) -> bool) -> StepProgress {
         let is_smooth = !all.iter().any(&is_kinked);
         StepProgress {

@@ -1,4 +1,4 @@
-//! What a step knows at its start: the previous step, and everything that moves the cracks.
+//! The start of a step: progress of the run, the previous step, and all that moves the cracks.
 
 use super::{Turn, WornSurface};
 use serde::{Deserialize, Serialize};

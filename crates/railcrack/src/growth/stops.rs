@@ -38,7 +38,7 @@ pub(crate) struct ChangingCrack {
     pub length: f64,
     /// The increments of its tips, mm.
     pub growth: f64,
-    /// What wear and grinding take from its mouth, mm.
+    /// Its loss at the mouth by wear and grinding, mm.
     pub cut: f64,
     /// The length (mm) below which it counts as worn away; `None` where it cannot be.
     pub least: Option<f64>,

@@ -2,7 +2,7 @@
 
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// What is kept of a range where a function has the same value at both of its inner points.
+/// The part of a range that is kept where a function has the same value at both inner points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ties {
     /// The part up to the second point.

@@ -50,7 +50,7 @@ pub(super) struct PlaneAdvance {
     pub break_outs: Vec<BreakOut>,
     /// Pieces that this step encloses.
     pub pieces: Vec<Piece>,
-    /// What passes until the next step.
+    /// Cycles, growth and removal until the next step.
     pub progress: StepProgress,
     /// Why the run ends with this step, if it does; the cracks then stay unchanged and no cycles
     /// pass.

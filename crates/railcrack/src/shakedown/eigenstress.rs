@@ -27,8 +27,8 @@ pub(super) type Columns = [Vec<f64>; 3];
 ///   σ_xx = −E′ mean + (K_xx + E′)(q − D x/L) + E′ D_xx x/L + …,
 ///
 /// q the mean of the strain less the step of height D at x = 0, and −Im K D/(L Δk/6) for stresses
-/// that are odd in k. Together they are in equilibrium like the wave itself. `docs/dev/shakedown.md`
-/// shows the remaining effect of the period.
+/// that are odd in k. Together they are in equilibrium like the wave itself.
+/// `docs/dev/shakedown.md` shows the remaining effect of the period.
 pub(super) struct Eigenstress {
     plane_strain_modulus: f64,
     poisson: f64,

@@ -175,7 +175,8 @@ pub struct Resolution {
 }
 
 impl Default for Resolution {
-    /// The resolution measured in `docs/dev/shakedown.md`: within 2 % of the largest residual stress.
+    /// The resolution measured in `docs/dev/shakedown.md`: within 2 % of the largest residual
+    /// stress.
     fn default() -> Self {
         Self { per_half_width: 32, period: 16 }
     }
