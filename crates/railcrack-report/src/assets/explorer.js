@@ -7,8 +7,7 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
   const data = /** @type {WhatIfData} */ (railcrack.pageData("what-if-data"));
   const place = element("what-if-engine");
   const editor = element("what-if-case", HTMLTextAreaElement);
-  const readout = element("what-if-readout");
-  const banner = element("what-if-verdict");
+  const [readout, banner] = [element("what-if-readout"), element("what-if-verdict")];
   const errorList = element("what-if-errors");
 
   // ---- The text of a case -----------------------------------------------------------------------
@@ -103,9 +102,8 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
   let isEdited = false;
 
   /** @param {string} text */
-  function waterOf(text) {
-    return sectionsOf(text.split("\n"), "fluid").length ? (valueIn(text, "fluid", "model") ?? "") : "none";
-  }
+  const waterOf = (text) =>
+    sectionsOf(text.split("\n"), "fluid").length ? (valueIn(text, "fluid", "model") ?? "") : "none";
 
   /** @param {string} text @param {string} name @param {string} value */
   function applied(text, name, value) {
@@ -139,8 +137,7 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     const [label, output] = [document.createElement("label"), document.createElement("output")];
     const input = document.createElement("input");
     const name = `${dial.section}.${used}`;
-    input.type = "range";
-    input.id = `what-if-${name.replace(".", "-")}`;
+    Object.assign(input, { type: "range", id: `what-if-${name.replace(".", "-")}` });
     // Steps are counted from the value of the case, at which the slider stands exactly.
     const least = first - Math.floor((first - low) / step + 1e-9) * step;
     const places = Math.max(0, 2 - Math.floor(Math.log10(step) + 1e-9));
@@ -171,8 +168,7 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
   /** The menu of water in the cracks. */
   function water() {
     const label = document.createElement("label");
-    const menu = document.createElement("select");
-    menu.id = "what-if-fluid";
+    const menu = Object.assign(document.createElement("select"), { id: "what-if-fluid" });
     for (const [value, name] of Object.entries(WATER)) menu.add(new Option(name, value));
     menu.addEventListener("change", () => change("fluid", menu.value));
     label.append("Water in the crack", menu);
@@ -188,9 +184,7 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     for (const one of follow) one();
   };
 
-  const stopButton = button("Stop", stop);
-  stopButton.id = "what-if-stop";
-  stopButton.disabled = true;
+  const stopButton = Object.assign(button("Stop", stop), { id: "what-if-stop", disabled: true });
   controls.append(stopButton);
   controls.addEventListener("submit", (event) => event.preventDefault());
 
@@ -376,8 +370,7 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     within(banner, "span").textContent = verdict
       ? `${verdict.reasons[0]?.text ?? ""}.${interval ? ` Inspection interval: ${words(interval)} MGT.` : ""}`
       : `${lifeWords(whole)}.`;
-    const [step] = steps;
-    const tip = step?.tips[0];
+    const tip = steps[0]?.tips[0];
     const before = first && first !== whole ? ` As at first: ${lifeWords(first)}.` : "";
     const rest = place.dataset.state === "deciding" ? " The rest of the decision is being computed." : "";
     say(
@@ -532,17 +525,14 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
 
   readAddress();
 
-  function start() {
+  const sight = new IntersectionObserver((seen) => {
+    if (!seen.some((entry) => entry.isIntersecting)) return;
+    sight.disconnect();
     readout.textContent = "The engine is being unpacked.";
     hasBegun = true;
     // An address with other values: the case at first is computed before it.
     isOpening = editor.value !== data.case;
     compute(isOpening ? data.case : editor.value);
-  }
-  const sight = new IntersectionObserver((seen) => {
-    if (!seen.some((entry) => entry.isIntersecting)) return;
-    sight.disconnect();
-    start();
   });
   sight.observe(place);
 });

@@ -1,6 +1,6 @@
 //! A sheet of charts as an SVG file.
 
-use super::curve::{Curve, CurveColour, CurveDots, CurveLook, CurveWidth};
+use super::types::{Curve, CurveColour, CurveDots, CurveLook, CurveWidth};
 use super::types::{
     Chart, ChartAspect, ChartAxis, ChartRange, ChartScale, ChartSheet, LegendEntry, LegendMark, SheetLegend,
 };
@@ -175,9 +175,12 @@ fn exact(chart: &Chart, [x, y]: [[f64; 2]; 2], width: f64, most: f64) -> (Axis, 
     let scale = (width / across).min(most / up);
     let (half, middle, height) = (0.5 * width / scale, 0.5 * (x[0] + x[1]), scale * up);
     let ticks = |length: f64| (length / 55.0) as usize + 1;
-    let [low, high] = if chart.y.scale == ChartScale::Depth { [y[1], y[0]] } else { y };
     let x = Axis::exact(middle - half, middle + half, ticks(width));
-    (x, Axis::exact(low, high, ticks(height)), height)
+    let y = match chart.y.scale {
+        ChartScale::Depth => Axis::exact(y[1], y[0], ticks(height)).from_zero(),
+        _ => Axis::exact(y[0], y[1], ticks(height)),
+    };
+    (x, y, height)
 }
 
 /// Scales around the points between `x` and `y` with the same unit both ways, depth downwards, on

@@ -3,7 +3,6 @@
 mod cells;
 mod compare;
 mod faces;
-mod fluid;
 mod near;
 mod paths;
 mod plan;

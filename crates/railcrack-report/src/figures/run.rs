@@ -4,7 +4,7 @@ use super::faces::{CrackMap, FaceMap, face_map};
 use super::near::near;
 use super::plot::Plot;
 use super::sif::Mode;
-use super::{fluid, paths, row, sif};
+use super::{paths, row, sif};
 use crate::page_data::{CrackFaces, PageData, StepFaces};
 use crate::row::{CrackRow, NamedCrack, is_many, named};
 use railcrack::words::Choice;
@@ -41,7 +41,7 @@ pub(crate) fn run_plots(
     let histories: Vec<&History> = steps.into_iter().flat_map(|step| page_data.histories(step)).collect();
     let mut plots: Vec<Plot> =
         Mode::BOTH.iter().map(|&mode| sif::plot(summary, &model, &histories, named, mode)).collect();
-    plots.extend(fluid::plot(summary, &model, &histories, named));
+    plots.extend(sif::fluid(summary, &model, &histories, named));
     plots.extend(sif::under_wheels(summary, &model, growth, page_data, half_widths));
     plots.push(match &row {
         Some(row) => paths::strips(summary, row, &model),

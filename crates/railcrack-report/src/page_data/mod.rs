@@ -8,7 +8,6 @@ mod faces;
 mod fields;
 mod pack;
 mod run;
-mod step_table;
 mod thinned;
 
 pub(crate) use faces::{CrackFaces, CrackWindows, StepFaces};

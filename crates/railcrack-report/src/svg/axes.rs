@@ -92,6 +92,12 @@ impl Axis {
         vec![Span::Plain(format!("{factor}10")), Span::Super(power)]
     }
 
+    /// The axis with ticks from zero on only: above the running surface there is no depth.
+    pub(crate) fn from_zero(mut self) -> Self {
+        self.ticks.retain(|tick| *tick >= 0.0);
+        self
+    }
+
     /// Letters of the longest label.
     pub(crate) fn widest(&self) -> f64 {
         let letters = |&tick: &f64| self.label(tick).iter().map(Span::letters).sum();

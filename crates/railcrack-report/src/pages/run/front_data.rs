@@ -66,14 +66,11 @@ fn charts(run: &RunFolder, space: &SpaceCase, page_data: &PageData) -> Vec<Chart
     let histories = || steps.iter().flat_map(|step| page_data.by_wheel(*step)).flatten();
     let k = |history: &History| [&history.ki, &history.kii, &history.kiii].map(Clone::clone).concat();
     let k_axis = || ChartAxis::linear("K", "MPa√m").over(aired(histories().flat_map(k).chain([0.0])));
-    let near =
-        |history: &History| {
-            let wheels = 0..space.wheels.len();
-            ends(wheels.flat_map(|wheel| {
-                history.xc_over_a[passage_of(run, wheel).near(&history.xc_over_a)].to_vec()
-            }))
-        };
-    let positions = ends(histories().take(1 + space.wheels.len()).flat_map(near));
+    let under = page_data.by_wheel(0).iter().enumerate();
+    let positions = ends(under.flat_map(|(wheel, histories)| {
+        let xs: &[f64] = histories.first().map_or(&[], |history| &history.xc_over_a);
+        xs[passage_of(run, wheel).near(xs)].to_vec()
+    }));
     let chart = |id: &str, caption: &str, [x, y]: [ChartAxis; 2], aspect: ChartAspect| Chart {
         id: id.to_owned(),
         caption: caption.to_owned(),

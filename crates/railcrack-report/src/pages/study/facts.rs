@@ -1,12 +1,12 @@
 //! The first screen of the report of a study.
 
-use super::grinding;
 use crate::direction::Course;
 use crate::figures::{StudyRun, values};
-use crate::numbers::{fixed, grouped, significant};
+use crate::numbers::{fixed, given, grouped, significant};
 use crate::page::Fact;
 use railcrack::growth::{RunStop, TipStop};
 use railcrack::words::Choice;
+use railcrack_run::decision::VerdictLevel;
 use railcrack_run::run_folder::cycles_to;
 use railcrack_run::study::{RunState, StudyPlan};
 use std::collections::BTreeMap;
@@ -128,7 +128,7 @@ pub(super) fn verdict(plan: &StudyPlan, all: &[StudyRun]) -> String {
     if still > 0 {
         text.push_str(&format!(" Growth ends in arrest in {still} of {} runs.", all.len()));
     }
-    match grinding::least(all) {
+    match least_grinding(all) {
         Some(least) => format!("{least} {text}"),
         None => text,
     }
@@ -192,4 +192,72 @@ fn counted(counts: &[(&str, usize)]) -> String {
 /// `all 12 runs`, `3 of 12 runs`.
 pub(super) fn of_all(count: usize, all: usize) -> String {
     if count == all { format!("all {all} runs") } else { format!("{count} of {all} runs") }
+}
+
+/// A grinding plan with the runs that have it.
+struct GroundRuns {
+    /// Depth of each grinding, mm.
+    depth: f64,
+    /// Million gross tonnes between two of them.
+    interval: f64,
+    /// Whether each of the runs is finished and ends without a failure.
+    holds: bool,
+}
+
+impl GroundRuns {
+    /// Removal, mm per million gross tonnes.
+    fn removal(&self) -> f64 {
+        self.depth / self.interval
+    }
+}
+
+/// The least grinding of a study that varies it with which no run fails, in a sentence; none where
+/// all runs have the same grinding.
+fn least_grinding(all: &[StudyRun]) -> Option<String> {
+    let mut plans: Vec<GroundRuns> = Vec::new();
+    for run in all {
+        let Some(decision) = run.row.summary.as_ref().and_then(|summary| summary.decision.as_ref()) else {
+            continue;
+        };
+        let Some(plan) = decision.maintenance.as_ref() else { continue };
+        let Some((depth, interval)) = plan.grinding_mm.zip(plan.grinding_interval_mgt) else { continue };
+        let holds = run.row.state == RunState::Done
+            && decision.failure.mgt.is_none()
+            && decision.verdict.level == VerdictLevel::Ok;
+        match plans.iter_mut().find(|plan| (plan.depth, plan.interval) == (depth, interval)) {
+            Some(plan) => plan.holds &= holds,
+            None => plans.push(GroundRuns { depth, interval, holds }),
+        }
+    }
+    (plans.len() > 1).then(|| grinding_sentence(&plans))
+}
+
+fn grinding_sentence(plans: &[GroundRuns]) -> String {
+    let least = plans.iter().filter(|plan| plan.holds).min_by(|one, other| {
+        one.removal().total_cmp(&other.removal()).then(one.depth.total_cmp(&other.depth))
+    });
+    match least {
+        Some(plan) => format!(
+            "The least of the {} grinding plans with which no run fails within its steps is {} mm every {} MGT, {} mm per MGT.",
+            plans.len(),
+            given(plan.depth),
+            given(plan.interval),
+            given(plan.removal())
+        ),
+        None => format!("With each of the {} grinding plans some run fails.", plans.len()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_least_is_that_of_the_smallest_removal() {
+        let plan = |depth, interval, holds| GroundRuns { depth, interval, holds };
+        let plans = [plan(0.2, 10.0, true), plan(0.1, 10.0, true), plan(0.05, 10.0, false)];
+        let text = grinding_sentence(&plans);
+        assert!(text.contains("0.1 mm every 10 MGT, 0.01 mm per MGT"), "{text}");
+        assert!(grinding_sentence(&plans[2..]).starts_with("With each of the 1"), "{}", grinding_sentence(&plans[2..]));
+    }
 }

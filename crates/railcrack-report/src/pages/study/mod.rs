@@ -2,7 +2,6 @@
 
 mod charts;
 mod facts;
-mod grinding;
 mod many;
 mod population;
 mod runs;
