@@ -1,9 +1,9 @@
 //! A chart on a page: the same picture in the colours of the page, with what its script must know to
 //! say values under the pointer, to hide curves and to move others.
 
-use super::types::{Curve, CurveColour, CurveDots, CurveLook};
 use super::sheet::{Ground, draw, scales, stroke};
 use super::types::{Chart, ChartAspect, ChartLegend};
+use super::types::{Curve, CurveColour, CurveDots, CurveLook};
 use crate::html::{escaped, in_page_colours, typeset};
 use crate::markup::plain;
 use crate::svg::{Axes, Frame, Svg};

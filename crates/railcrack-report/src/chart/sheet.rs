@@ -1,9 +1,9 @@
 //! A sheet of charts as an SVG file.
 
-use super::types::{Curve, CurveColour, CurveDots, CurveLook, CurveWidth};
 use super::types::{
     Chart, ChartAspect, ChartAxis, ChartRange, ChartScale, ChartSheet, LegendEntry, LegendMark, SheetLegend,
 };
+use super::types::{Curve, CurveColour, CurveDots, CurveLook, CurveWidth};
 use crate::html::escaped;
 use crate::markup::plain;
 use crate::numbers::shortened;

@@ -1,14 +1,14 @@
 //! K_I and K_II against the wheel position, under every wheel of a mix, and the fluid in the cracks.
 
+use super::near::{WheelPassage, mouth, mouth_over_a, near, origin};
+use super::plot::Plot;
+use super::row::bundle;
 use crate::chart::{Chart, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour, CurveLook, SheetLegend};
 use crate::page_data::PageData;
 use crate::row::NamedCrack;
 use railcrack_run::Summary;
 use railcrack_run::csv::TipRow;
 use railcrack_run::run_folder::History;
-use super::near::{WheelPassage, mouth, mouth_over_a, near, origin};
-use super::plot::Plot;
-use super::row::bundle;
 
 /// A mode of fracture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,5 +1,9 @@
 //! What a page shows of a run, and of its tables step by step.
 
+use super::contact::{ContactData, ContactOfStep, PackedContact};
+use super::faces::{CrackWindows, FacesData, FacesOfStep, OtherFaces, PackedFaces, StepFaces};
+use super::fields::{FieldData, PackedFields};
+use super::thinned::HistoryData;
 use railcrack::growth::StepRecord;
 use railcrack_run::OutputError;
 use railcrack_run::csv::{ContactRow, SifRow, SifScale, StepBlock, StepBlocks, Table};
@@ -7,10 +11,6 @@ use railcrack_run::run_folder::History;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::path::Path;
-use super::contact::{ContactData, ContactOfStep, PackedContact};
-use super::faces::{CrackWindows, FacesData, FacesOfStep, OtherFaces, PackedFaces, StepFaces};
-use super::fields::{FieldData, PackedFields};
-use super::thinned::HistoryData;
 
 /// The shown part of a run.
 #[derive(Debug, Clone, Default)]

@@ -258,6 +258,10 @@ mod tests {
         let plans = [plan(0.2, 10.0, true), plan(0.1, 10.0, true), plan(0.05, 10.0, false)];
         let text = grinding_sentence(&plans);
         assert!(text.contains("0.1 mm every 10 MGT, 0.01 mm per MGT"), "{text}");
-        assert!(grinding_sentence(&plans[2..]).starts_with("With each of the 1"), "{}", grinding_sentence(&plans[2..]));
+        assert!(
+            grinding_sentence(&plans[2..]).starts_with("With each of the 1"),
+            "{}",
+            grinding_sentence(&plans[2..])
+        );
     }
 }
