@@ -1,6 +1,6 @@
 //! A growth step as its page shows it.
 
-use railcrack::growth::{PassageRecord, StepRecord, TipRecord};
+use railcrack::growth::{Axles, PassageRecord, StepRecord, TipRecord};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::words::Choice;
 use railcrack_case::Case;
@@ -17,7 +17,7 @@ pub(crate) fn step(record: &StepRecord, case: &Case) -> Value {
     json!({
         "step": record.step,
         "load_cycles": record.load_cycles,
-        "mgt": case.axle_load.map(|tonnes| 1e-6 * tonnes * record.load_cycles),
+        "mgt": case.axle_load.map(|tonnes| Axles(record.load_cycles).mgt(tonnes).0),
         "removed_mm": record.removed,
         "stop": record.stop.map(Choice::word),
         "tips": tips,

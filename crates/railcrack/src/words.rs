@@ -10,6 +10,11 @@ pub trait Choice: Copy + PartialEq + Sized + 'static {
         Self::WORDS.iter().find(|(value, _)| *value == self).map_or("", |(_, word)| word.name)
     }
 
+    /// Its meaning, without a capital and a full stop.
+    fn meaning(self) -> &'static str {
+        Self::WORDS.iter().find(|(value, _)| *value == self).map_or("", |(_, word)| word.doc)
+    }
+
     /// The variant with this word, if there is one.
     fn of_word(name: &str) -> Option<Self> {
         Self::WORDS.iter().find(|(_, word)| word.name == name).map(|(value, _)| *value)

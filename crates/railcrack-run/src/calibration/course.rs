@@ -2,6 +2,7 @@
 
 use super::measured::Measure;
 use crate::csv::TipRow;
+use railcrack::growth::Axles;
 
 /// The depth or length of a tip over traffic: linear between the steps of its run.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,7 +19,7 @@ impl SizeCurve {
             Measure::Depth => row.depth.unwrap_or(-row.place[1]),
             Measure::Length => row.length,
         };
-        Self { points: rows.iter().map(|row| (1e-6 * tonnes * row.load_cycles, size(row))).collect() }
+        Self { points: rows.iter().map(|row| (Axles(row.load_cycles).mgt(tonnes).0, size(row))).collect() }
     }
 
     /// The curve through `points` of traffic (million gross tonnes, ascending) and size (mm).

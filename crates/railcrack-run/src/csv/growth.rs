@@ -1,7 +1,7 @@
 //! `growth.csv`: every tip at every step.
 
 use super::table;
-use railcrack::growth::{Jump, RunStop, StepRecord, TipRecord, WheelShares};
+use railcrack::growth::{Axles, Jump, RunStop, StepRecord, TipRecord, WheelShares};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::words::Choice;
 use serde::{Deserialize, Serialize};
@@ -108,7 +108,7 @@ impl TipRow {
     pub fn of_step(record: &StepRecord, axle_load: Option<f64>) -> impl Iterator<Item = Self> {
         record.tips.iter().map(move |tip| Self {
             stop: tip.stop.map(RunStop::NoTipGrows).or(record.stop),
-            mgt: axle_load.map(|tonnes| 1e-6 * tonnes * record.load_cycles),
+            mgt: axle_load.map(|tonnes| Axles(record.load_cycles).mgt(tonnes).0),
             removed: Some(record.removed),
             cycles_error: record.cycles_error,
             ..Self::of_tip(record.step, record.load_cycles, tip)

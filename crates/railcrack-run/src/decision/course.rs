@@ -4,6 +4,7 @@ use super::path::GrowthPath;
 use crate::log::StepDigest;
 use railcrack::growth::{Axles, PieceKind, RunStop, SurfaceRemoval, TipRecord, TipStop, WheelShares};
 use railcrack::math::MPA_SQRT_MM;
+use railcrack::words::{Choice, Word};
 use serde::{Deserialize, Serialize};
 
 /// All cracks at one time.
@@ -55,32 +56,21 @@ pub enum FailureMode {
     Detached,
 }
 
+impl Choice for FailureMode {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Depth, Word::now("depth", "critical depth")),
+        (Self::Length, Word::now("length", "critical length")),
+        (Self::Fracture, Word::now("fracture", "fracture")),
+        (Self::Spall, Word::now("spall", "spall")),
+        (Self::Detached, Word::now("detached", "detached piece")),
+    ];
+}
+
 impl FailureMode {
-    /// All modes.
-    pub const ALL: [Self; 5] = [Self::Depth, Self::Length, Self::Fracture, Self::Spall, Self::Detached];
-
-    /// Its word in results.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Depth => "depth",
-            Self::Length => "length",
-            Self::Fracture => "fracture",
-            Self::Spall => "spall",
-            Self::Detached => "detached",
-        }
-    }
-
     /// In words.
     #[must_use]
     pub fn words(self) -> &'static str {
-        match self {
-            Self::Depth => "critical depth",
-            Self::Length => "critical length",
-            Self::Fracture => "fracture",
-            Self::Spall => "spall",
-            Self::Detached => "detached piece",
-        }
+        self.meaning()
     }
 }
 

@@ -4,9 +4,10 @@ use super::course::{Course, CourseEvent, FailureMode};
 use super::events::{Fate, Limits};
 use super::family::Family;
 use super::life_error::{error_at, life_error};
+use super::path::most_grown;
 use super::risk::DepthCurve;
 use super::walk::{SampledRates, Track, Walk, Walked};
-use crate::log::RunInfo;
+use crate::log::{RunInfo, StepDigest};
 use railcrack::growth::{Axles, Mgt, SurfaceRemoval};
 use railcrack_case::Inspection;
 use serde::{Deserialize, Serialize};
@@ -152,7 +153,7 @@ impl Nominal {
     /// The depth of the crack that is looked for in the run `course`, over traffic.
     pub fn depths(course: &Course, question: &Question) -> DepthCurve {
         let (_, track) = question.walk(&Family::alone(course), 1.0, None);
-        DepthCurve::through(track.own_depths())
+        DepthCurve::through(track.points().iter().copied())
     }
 }
 
@@ -185,5 +186,43 @@ fn failure_of(course: &Course, fate: Fate, question: &Question) -> FailureSummar
         mgt_error: after.map(|_| Axles(error).mgt(tonnes).0),
         crack: tip.map(|(crack, _)| crack + 1),
         tip: tip.map(|(_, tip)| tip + 1),
+    }
+}
+
+/// The run of a decision, with its failures.
+#[derive(Debug, Clone)]
+pub(crate) struct NominalRun {
+    /// What is asked of it.
+    pub question: Question,
+    /// All its cracks over traffic.
+    pub course: Course,
+    /// Its failures.
+    pub nominal: Nominal,
+    /// The crack (from 0) that an inspection looks for: the one that fails first, or where none
+    /// does the one that has grown most.
+    pub found: usize,
+}
+
+impl NominalRun {
+    /// The run of `steps`, of which `question` is asked; none without steps.
+    pub fn of(steps: &[StepDigest], question: Question) -> Option<Self> {
+        let removal = question.removal.over_axles(question.tonnes);
+        let run = |found: usize| {
+            let course = Course::of(steps, &removal, found);
+            let nominal = Nominal::of(&course, &question);
+            Self { question, course, nominal, found }
+        };
+        let first = run(most_grown(steps)?.tip.crack);
+        let failing = first.nominal.failure.crack.map_or(first.found, |crack| crack - 1);
+        let run = if failing == first.found { first } else { run(failing) };
+        (!run.course.points.is_empty()).then_some(run)
+    }
+
+    /// Crack and tip (from 0) of the failure.
+    pub fn failing_tip(&self) -> Option<(usize, usize)> {
+        let FailureSummary { mode, crack, tip, .. } = self.nominal.failure;
+        // A length is that of a crack, at any of its tips.
+        let tip = tip.filter(|_| mode != Some(FailureMode::Length));
+        Some((crack? - 1, tip? - 1))
     }
 }

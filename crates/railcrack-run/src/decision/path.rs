@@ -4,8 +4,8 @@ use crate::log::StepDigest;
 use railcrack::growth::{RunStop, TipRecord, TipStop, WheelShares};
 
 /// A tip at the start of a growth step.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PathPoint {
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct PathPoint {
     /// Axles so far.
     pub axles: f64,
     /// Length of its crack, mm.
@@ -22,11 +22,17 @@ pub struct PathPoint {
     pub mouth_sine: Option<f64>,
     /// Shares of the wheels of a mix in the rate.
     pub shares: WheelShares,
+    /// Removal of the surface so far, mm.
+    pub removed: f64,
+    /// Growth until the next step, mm.
+    pub increment: f64,
+    /// The wheel of a mix (from 0) without which it would change its direction most, if by enough.
+    pub turned_by: Option<usize>,
 }
 
 /// A tip of a run from step to step.
 #[derive(Debug, Clone, PartialEq)]
-pub struct GrowthPath {
+pub(crate) struct GrowthPath {
     /// Crack and tip, from 1.
     pub tip: (usize, usize),
     /// At the start of each step.
@@ -70,6 +76,9 @@ impl GrowthPath {
                 largest_k1: tip.compared_k1() / railcrack::math::MPA_SQRT_MM,
                 mouth_sine: tip.mouth_sine,
                 shares: tip.shares,
+                removed: step.removed,
+                increment: tip.increment,
+                turned_by: tip.plane().and_then(|plane| plane.turned_by),
             })
         };
         Some(Self {
@@ -81,11 +90,6 @@ impl GrowthPath {
                 .iter()
                 .any(|tip| (tip.tip.crack, tip.stop) == (followed.crack, Some(TipStop::WornAway))),
         })
-    }
-
-    /// Crack and tip, from 0.
-    pub(crate) fn followed(&self) -> (usize, usize) {
-        (self.tip.0 - 1, self.tip.1 - 1)
     }
 
     /// Axles of each point.

@@ -52,19 +52,17 @@ impl DetectionCurve {
                 distribution((depth / median).ln() / log_std)
             }
             Self::LogNormal { .. } => 0.0,
-            Self::Table(rows) => interpolated(rows, depth),
+            Self::Table(rows) => interpolated(rows, depth).unwrap_or(0.0),
         }
     }
 }
 
-/// The table `rows` at `depth`.
-fn interpolated(rows: &[(f64, f64)], depth: f64) -> f64 {
-    let next = rows.partition_point(|row| row.0 <= depth);
-    match (next.checked_sub(1).and_then(|i| rows.get(i)), rows.get(next)) {
-        (None, _) => 0.0,
-        (Some(last), None) => last.1,
-        (Some(from), Some(to)) => from.1 + (depth - from.0) / (to.0 - from.0) * (to.1 - from.1),
-    }
+/// The value of `rows` at `x`: linear between them, constant beyond the last; none before the first.
+pub(super) fn interpolated(rows: &[(f64, f64)], x: f64) -> Option<f64> {
+    let next = rows.partition_point(|row| row.0 <= x);
+    let from = rows.get(next.checked_sub(1)?)?;
+    let between = |to: &(f64, f64)| from.1 + (x - from.0) / (to.0 - from.0) * (to.1 - from.1);
+    Some(rows.get(next).map_or(from.1, between))
 }
 
 /// Depth of a crack over traffic: linear between points, constant outside of them.
@@ -129,12 +127,8 @@ impl DepthCurve {
 
     /// The depth (mm) at `mgt`.
     fn at(&self, mgt: f64) -> f64 {
-        let next = self.points.partition_point(|point| point.0 <= mgt);
-        match (next.checked_sub(1).and_then(|i| self.points.get(i)), self.points.get(next)) {
-            (None, first) => first.map_or(0.0, |first| first.1),
-            (Some(last), None) => last.1,
-            (Some(from), Some(to)) => from.1 + (mgt - from.0) / (to.0 - from.0) * (to.1 - from.1),
-        }
+        let first = || self.points.first().map_or(0.0, |first| first.1);
+        interpolated(&self.points, mgt).unwrap_or_else(first)
     }
 
     /// The traffic up to `end` during which the depth is at least `depth`.

@@ -1,8 +1,7 @@
 //! Risk over the inspection interval, and the interval for a target risk, in `summary.json`.
 
-use super::failure::Nominal;
+use super::failure::{Nominal, NominalRun};
 use super::inspection::InspectionSummary;
-use super::nominal_run::NominalRun;
 use super::risk::{DetectionCurve, IntervalForTarget, Life, Risk};
 use super::scatter::SampledLife;
 use crate::log::RunInfo;
@@ -90,11 +89,12 @@ impl RiskSummary {
     pub(super) fn of_inspection(
         info: &RunInfo,
         run: &NominalRun,
-        inspection: &InspectionSummary,
+        inspection: Option<&InspectionSummary>,
         lives: Option<&[SampledLife]>,
         longest: f64,
     ) -> Option<Self> {
         let NominalRun { course, nominal, question, .. } = run;
+        let inspection = inspection?;
         let failure = nominal.failure.mgt;
         // Never detectable: no inspection finds it.
         let never = || nominal.detected.is_none().then_some(f64::INFINITY);

@@ -125,7 +125,7 @@ pub(crate) fn sampled(
         left -= piece.len();
         let tonnages = &gathered.tonnages;
         let made = sampler.each(&piece, |sample, track| {
-            let depth = |at: &f64| track.at(&track.own_depth, *at, sample.fate);
+            let depth = |at: &f64| track.at(*at, sample.fate);
             let depths = tonnages.iter().map(depth).collect();
             let life = (risk == Lives::Kept).then(|| SampledLife::of(&sample, track));
             (sample, depths, life)
@@ -173,9 +173,9 @@ const THINNED: f64 = 1e-3;
 
 impl SampledLife {
     fn of(sample: &Sample, track: &Track) -> Self {
-        let deepest = track.own_depth.iter().copied().fold(0.0, f64::max);
+        let deepest = track.points().iter().map(|point| point.1).fold(0.0, f64::max);
         let depths = if sample.to_critical.is_finite() {
-            DepthCurve::through(track.own_depths()).thinned(THINNED * deepest, sample.found_from)
+            DepthCurve::through(track.points().iter().copied()).thinned(THINNED * deepest, sample.found_from)
         } else {
             DepthCurve::through([])
         };

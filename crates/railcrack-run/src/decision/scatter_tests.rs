@@ -26,7 +26,7 @@ fn path() -> GrowthPath {
             delta_keq,
             largest_k1: delta_keq,
             mouth_sine: Some(0.5),
-            shares: Default::default(),
+            ..PathPoint::default()
         });
     }
     GrowthPath { tip: (1, 1), points, breaks: false, is_worn_away: false }

@@ -1,19 +1,15 @@
 //! The decision block of `summary.json`.
 
-use super::companions::{Companions, FrictionLife, PathLives, Speeds};
-use super::failure::{FailureSummary, Question};
-use super::inspection::InspectionSummary;
-use super::maintenance::MaintenanceSummary;
-use super::nominal_run::NominalRun;
+use super::companions::{Companions, FrictionLife, PathLives, RowPartSummary, Speeds};
+use super::failure::{FailureSummary, NominalRun, Question};
+use super::inspection::{InspectionSummary, StageLimits, StagesSummary};
 use super::path::GrowthPath;
 use super::risk_summary::RiskSummary;
-use super::row_part::RowPartSummary;
-use super::rows::{DecisionRow, rate_per_10_mgt, rows_of};
+use super::rows::{DecisionRow, MaintenanceSummary, rate_per_10_mgt, rows_of};
 use super::sampler::Sampling;
 use super::scatter::{Lives, Quantiles, SampledLife, ScatterSummary, sampled};
-use super::stages::{StageLimits, StagesSummary};
 use super::tonnage::TonnageWords;
-use super::verdict::{Reason, Verdict};
+use super::verdict::Verdict;
 use super::wheels::WheelSummary;
 use crate::log::{RunInfo, RunLog};
 use railcrack_case::Scatter;
@@ -85,6 +81,7 @@ impl Decision {
         let path = GrowthPath::of(&log.steps, run.failing_tip())?;
         let (question, nominal) = (run.question, run.nominal);
         let rows = rows_of(&path, question.tonnes);
+        let last = rows.last().map_or(0.0, |last| last.mgt);
         let all = log.now.companions.as_deref().unwrap_or_default();
         let companions = Companions { all, question, found: path.tip.0 - 1 };
         let verdict = Verdict::of(info, log, &run);
@@ -95,36 +92,27 @@ impl Decision {
             .scatter
             .as_ref()
             .filter(|_| is_sampled && has_ended && path.points.len() > 1)
-            .map(|scatter| samples.of(scatter, &companions.speeds(), last_mgt(&rows)))
+            .map(|scatter| samples.of(scatter, &companions.speeds(), last))
             .unzip();
         let inspection = inspected.filter(|_| verdict.gives_intervals());
-        let risk = inspection.as_ref().and_then(|inspection| {
-            let lives = lives.as_deref();
-            RiskSummary::of_inspection(info, &run, inspection, lives, last_mgt(&rows))
-        });
+        let risk = RiskSummary::of_inspection(info, &run, inspection.as_ref(), lives.as_deref(), last);
         let risk = risk.unwrap_or_default();
-        let verdict = match risk.exceeds_target() {
-            Some((at, target)) => verdict.with(Reason::of_risk(at, target, TonnageWords::of_year(info))),
-            None => verdict,
-        };
+        let verdict = verdict.with_risk(&risk, TonnageWords::of_year(info));
         let limits = StageLimits {
             inspection: info.inspection.as_ref(),
             detected: nominal.detected,
             failure: nominal.failure.mgt,
             gives_intervals: verdict.gives_intervals(),
         };
-        let removed = log.steps.last().map_or(0.0, |step| step.removed);
-        let removal = info.maintenance.as_ref();
         Some(Self {
-            stages: StagesSummary::of(&log.steps, path.followed(), question.tonnes, &limits),
+            stages: StagesSummary::of(&path, question.tonnes, &limits),
             rate_mm_per_10_mgt: rate_per_10_mgt(&rows, &nominal),
             calibration: calibration(info.calibrated_sites),
             paths: companions.paths(nominal.failure.mgt),
             frictions: companions.frictions(),
             part_of_row: RowPartSummary::of(info, log),
-            maintenance: removal
-                .map(|removal| MaintenanceSummary::of(removal, &rows, path.is_worn_away, removed)),
-            wheels: WheelSummary::of(&info.mix, &path, &log.steps),
+            maintenance: info.maintenance.map(|removal| MaintenanceSummary::of(&removal, &rows, &path)),
+            wheels: WheelSummary::of(&info.mix, &path),
             verdict,
             failure: nominal.failure,
             second: nominal.second,
@@ -138,11 +126,6 @@ impl Decision {
             scatter,
         })
     }
-}
-
-/// Million gross tonnes at the last of `rows`.
-fn last_mgt(rows: &[DecisionRow]) -> f64 {
-    rows.last().map_or(0.0, |last| last.mgt)
 }
 
 /// The samples of a run.

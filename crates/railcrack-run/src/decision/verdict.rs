@@ -1,14 +1,14 @@
 //! The verdict: one level for the whole run, with its reasons.
 
-use super::failure::{FailureSummary, Nominal};
-use super::nominal_run::NominalRun;
-use super::risk_summary::RiskAtInterval;
+use super::failure::{FailureSummary, Nominal, NominalRun};
+use super::risk_summary::{RiskAtInterval, RiskSummary};
 use super::tonnage::{TonnageWords, three_digits};
 use crate::log::{RunInfo, RunLog, StepDigest};
 use railcrack::fatigue::RailSteel;
 use railcrack::growth::{RunStop, TipRecord, TipStop};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::validity::{self, UNFELT_OPENING};
+use railcrack::words::{Choice, Word};
 use serde::{Deserialize, Serialize};
 
 /// Consequence of a run.
@@ -99,39 +99,26 @@ pub struct Verdict {
 /// what happens: ten times what the fastest head checks in track are found to grow.
 const LARGEST_RATE: f64 = 3.0;
 
-impl ReasonKind {
-    /// Its word in results.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Failure => "failure",
-            Self::AtOnce => "at-once",
-            Self::BeforeDetectable => "before-detectable",
-            Self::Risk => "risk",
-            Self::EndOfRun => "end-of-run",
-            Self::StepLimit => "step-limit",
-            Self::Toughness => "toughness",
-            Self::LiftedFlap => "lifted-flap",
-            Self::Rate => "rate",
-            Self::PlasticLayer => "plastic-layer",
-        }
-    }
+impl Choice for ReasonKind {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Failure, Word::now("failure", "failure within the run")),
+        (Self::AtOnce, Word::now("at-once", "failure within the first increment")),
+        (Self::BeforeDetectable, Word::now("before-detectable", "failure before the crack is detectable")),
+        (Self::Risk, Word::now("risk", "risk between inspections above the target")),
+        (Self::EndOfRun, Word::now("end-of-run", "no failure within the run")),
+        (Self::StepLimit, Word::now("step-limit", "the steps end before the traffic that is asked for")),
+        (Self::Toughness, Word::now("toughness", "K beyond the toughness of the steel")),
+        (Self::LiftedFlap, Word::now("lifted-flap", "fluid lifts the flap")),
+        (Self::Rate, Word::now("rate", "growth faster than cracks grow")),
+        (Self::PlasticLayer, Word::now("plastic-layer", "a tip in the layer that flows")),
+    ];
+}
 
+impl ReasonKind {
     /// Its meaning in a few words.
     #[must_use]
     pub fn words(self) -> &'static str {
-        match self {
-            Self::Failure => "failure within the run",
-            Self::AtOnce => "failure within the first increment",
-            Self::BeforeDetectable => "failure before the crack is detectable",
-            Self::Risk => "risk between inspections above the target",
-            Self::EndOfRun => "no failure within the run",
-            Self::StepLimit => "the steps end before the traffic that is asked for",
-            Self::Toughness => "K beyond the toughness of the steel",
-            Self::LiftedFlap => "fluid lifts the flap",
-            Self::Rate => "growth faster than cracks grow",
-            Self::PlasticLayer => "a tip in the layer that flows",
-        }
+        self.meaning()
     }
 
     fn level(self) -> VerdictLevel {
@@ -150,7 +137,7 @@ impl Reason {
     }
 
     /// A risk between inspections above its `target`.
-    pub(super) fn of_risk(at: RiskAtInterval, target: f64, words: TonnageWords) -> Self {
+    fn of_risk(at: RiskAtInterval, target: f64, words: TonnageWords) -> Self {
         let text = format!(
             "with inspections every {}, the probability that a crack fails before it is found is {}, above the target of {}",
             words.of(at.interval_mgt),
@@ -194,9 +181,11 @@ impl Verdict {
         (!reasons.is_empty()).then(|| Self::of_reasons(reasons))
     }
 
-    /// The verdict with one more `reason`; the end of a run is no reason beside it.
-    pub(super) fn with(mut self, reason: Reason) -> Self {
-        self.reasons.push(reason);
+    /// The verdict with the reason that the `risk` exceeds its target, if it does; the end of a run
+    /// is no reason beside it.
+    pub(super) fn with_risk(mut self, risk: &RiskSummary, words: TonnageWords) -> Self {
+        let Some((at, target)) = risk.exceeds_target() else { return self };
+        self.reasons.push(Reason::of_risk(at, target, words));
         self.reasons.retain(|reason| reason.kind != ReasonKind::EndOfRun);
         Self::of_reasons(self.reasons)
     }

@@ -3,6 +3,7 @@
 use super::course::CourseEnd;
 use super::events::{Fate, Limits, Part};
 use super::family::{CracksAt, EVENTS, Family, Spot, State};
+use super::risk::interpolated;
 use crate::log::MixInfo;
 use railcrack::growth::{Axles, Grinding, MOST_WHEELS, Mgt, SurfaceRemoval, WheelShares};
 use std::ops::ControlFlow;
@@ -88,68 +89,41 @@ pub(super) struct Walked {
     pub grows: bool,
 }
 
-/// Depths of a sample over traffic.
+/// Depth (mm) of the crack that is looked for in a sample, over million gross tonnes; two points at
+/// one tonnage are a grinding.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct Track {
-    /// Million gross tonnes.
-    pub mgt: Vec<f64>,
-    /// Depth of the deepest tip, mm.
-    pub depth: Vec<f64>,
-    /// Depth of the crack that is looked for, mm.
-    pub own_depth: Vec<f64>,
-}
+pub(crate) struct Track(Vec<(f64, f64)>);
 
 impl Track {
-    fn clear(&mut self) {
-        self.mgt.clear();
-        self.depth.clear();
-        self.own_depth.clear();
-    }
-
     fn push(&mut self, mgt: f64, state: &State) {
-        self.mgt.push(mgt);
-        self.depth.push(state.depth());
-        self.own_depth.push(state.own_depth());
+        self.0.push((mgt, state.own_depth()));
     }
 
-    /// The end of `part`, and before it the place where the crack looked for becomes as deep as
-    /// `found_from` (mm).
+    /// The end of `part`, and before it the place where the crack becomes as deep as `found_from`
+    /// (mm).
     fn follow(&mut self, part: &Part, found_from: Option<f64>) {
-        if let Some(found) = found_from {
-            let (from, to) = (part.from.own_depth(), part.to.own_depth());
-            let share = (found - from) / (to - from);
-            if from < found && found < to {
-                let between = part.from.to(&part.to, share);
-                self.mgt.push(part.at(share));
-                self.depth.push(between.depth());
-                self.own_depth.push(found);
-            }
+        let (from, to) = (part.from.own_depth(), part.to.own_depth());
+        if let Some(found) = found_from.filter(|found| from < *found && *found < to) {
+            self.0.push((part.at((found - from) / (to - from)), found));
         }
         self.push(part.mgt[1], &part.to);
     }
 
-    /// The depth of the crack that is looked for over traffic; two points at one tonnage are a
-    /// grinding.
-    pub fn own_depths(&self) -> impl Iterator<Item = (f64, f64)> {
-        self.mgt.iter().copied().zip(self.own_depth.iter().copied())
+    /// The points.
+    pub fn points(&self) -> &[(f64, f64)] {
+        &self.0
     }
 
-    /// The value of `of`, one for each tonnage, at `mgt`, where the walk ended with `fate`:
-    /// infinite once it is not known or the rail has failed.
-    pub fn at(&self, of: &[f64], mgt: f64, fate: Fate) -> f64 {
-        let next = self.mgt.partition_point(|here| *here <= mgt);
-        match (next.checked_sub(1), self.mgt.get(next)) {
-            (Some(i), Some(after)) => {
-                let share = (mgt - self.mgt[i]) / (after - self.mgt[i]);
-                of[i] + share * (of[i + 1] - of[i])
-            }
-            (Some(i), None) if self.mgt[i] == mgt => of[i],
-            (Some(i), None) => match fate {
+    /// The depth at `mgt`, where the walk ended with `fate`: infinite once it is not known or the
+    /// rail has failed.
+    pub fn at(&self, mgt: f64, fate: Fate) -> f64 {
+        match self.0.last() {
+            Some(last) if last.0 < mgt => match fate {
                 Fate::Worn(_) | Fate::Replaced(_) => 0.0,
-                Fate::Rests => of[i],
+                Fate::Rests => last.1,
                 Fate::Fails(..) | Fate::Outlives(_) => f64::INFINITY,
             },
-            (None, _) => of.first().copied().unwrap_or(0.0),
+            _ => interpolated(&self.0, mgt).or(self.0.first().map(|first| first.1)).unwrap_or(0.0),
         }
     }
 }
@@ -191,7 +165,7 @@ impl<'a> Walk<'a> {
 
     /// The walk of a crack with `rates` up to the first of `limits`; its depths go to `track`.
     pub fn walk(&self, rates: &SampledRates, limits: &Limits, track: &mut Track) -> Walked {
-        track.clear();
+        track.0.clear();
         let Some(cracks) = self.family.cracks(Spot { cell: 0, share: 0.0 }, 0.0) else {
             return Walked { fate: Fate::Rests, detected: f64::INFINITY, grows: false };
         };

@@ -20,13 +20,6 @@ pub(crate) enum CompanionKind {
     PartOfRow,
 }
 
-impl CompanionKind {
-    /// Speed of growth over that of the run.
-    pub fn speed(self) -> f64 {
-        if let Self::Speed(speed) = self { speed } else { 1.0 }
-    }
-}
-
 /// A companion of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Companion {
@@ -36,4 +29,15 @@ pub(crate) struct Companion {
     pub steps: Vec<StepDigest>,
     /// Why there are no more; none where it ended.
     pub reason: Option<String>,
+}
+
+impl Companion {
+    /// Speed of growth over that of the run, of a companion at another speed that was followed to
+    /// its end.
+    pub fn at_speed(&self) -> Option<f64> {
+        match self.kind {
+            CompanionKind::Speed(speed) if self.reason.is_none() => Some(speed),
+            _ => None,
+        }
+    }
 }

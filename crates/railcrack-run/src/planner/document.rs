@@ -1,6 +1,7 @@
 //! `plan.json`.
 
 use crate::decision::{FailureMode, Verdict, VerdictLevel};
+use railcrack::words::Choice;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::time::{SystemTime, UNIX_EPOCH};

@@ -247,7 +247,7 @@ impl Samples {
                         has_own_toughness: false,
                     });
                     let sample = sampler.sample(draw, &mut track);
-                    let depth = |at: &f64| track.at(&track.own_depth, *at, sample.fate);
+                    let depth = |at: &f64| track.at(*at, sample.fate);
                     (sample, tonnages.iter().map(depth).collect::<Vec<f64>>())
                 };
                 inputs.iter().zip(draws).map(of_one).collect::<Vec<_>>()

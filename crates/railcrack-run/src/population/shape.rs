@@ -21,9 +21,8 @@ pub(super) fn path_of_tip(tip: &RepresentativeTip) -> Option<GrowthPath> {
             depth: row.depth.unwrap_or(-row.place[1]),
             rate: row.rate,
             delta_keq: row.delta_keq,
-            largest_k1: 0.0,
-            mouth_sine: None,
             shares: row.shares,
+            ..PathPoint::default()
         })
         .collect();
     let grows = points.len() > 1
@@ -79,9 +78,7 @@ pub(super) fn path_of(numbers: &[f64], breaks: bool) -> GrowthPath {
             depth: depths[j] * lengths[j],
             rate: slowness[j.min(NODES - 2)].recip(),
             delta_keq: keqs[j].exp(),
-            largest_k1: 0.0,
-            mouth_sine: None,
-            shares: Default::default(),
+            ..PathPoint::default()
         }
     });
     GrowthPath { tip: (1, 1), points: points.collect(), breaks, is_worn_away: false }
@@ -105,9 +102,7 @@ mod tests {
                 depth: 0.4 * length + 0.01 * length * length,
                 rate: 1e-7,
                 delta_keq: 5.0 * length.sqrt(),
-                largest_k1: 0.0,
-                mouth_sine: None,
-                shares: Default::default(),
+                ..PathPoint::default()
             }
         });
         let path = GrowthPath { tip: (1, 1), points: points.collect(), breaks: true, is_worn_away: false };

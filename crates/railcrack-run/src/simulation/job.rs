@@ -24,15 +24,6 @@ pub struct Stage<'a> {
     pub state: Option<GrowthState>,
 }
 
-/// The run to which companions belong.
-pub(super) struct Beside<'a> {
-    /// Its state after its last step.
-    pub state: &'a GrowthState,
-    /// Holds the plastic state of a rolled rail.
-    pub folder: &'a Path,
-    pub observer: &'a dyn RunObserver,
-}
-
 /// A run before anything is computed.
 #[derive(Debug, Clone)]
 pub struct Job {

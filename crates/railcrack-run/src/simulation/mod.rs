@@ -1,7 +1,6 @@
 //! Simulation: what `railcrack run`, `shakedown` and `sweep` compute, also for users of the
 //! library.
 
-mod by_step;
 mod companions;
 mod drive;
 mod error;
@@ -16,15 +15,13 @@ mod queue;
 mod recorder;
 mod residual_stress;
 mod rolling;
-mod row_part;
 mod run;
 mod sweep;
 
-pub use by_step::RunByStep;
 pub use drive::Ending;
 pub use error::RunError;
 pub use job::{Job, Stage, case_files};
-pub use memory::RunInMemory;
+pub use memory::{RunByStep, RunInMemory};
 pub use observer::{RunObserver, Silent, StudyObserver};
 pub use plan::PlanRequest;
 pub use queue::{NextRun, RunQueue, WaitingRun};

@@ -7,6 +7,7 @@ use crate::csv::{Rows, Table, column_names, header_of, line_fields, table, whole
 use crate::decision::{FailureMode, Verdict};
 use crate::error::OutputError;
 use railcrack::growth::RunStop;
+use railcrack::words::Choice;
 use std::collections::HashSet;
 
 table! {
