@@ -86,46 +86,7 @@ pub(super) struct PlaneAdvance {
 /// Source: Trollé et al. 2014, eq. 32.
 #[must_use]
 pub(super) fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> PlaneAdvance {
-    let mut stops: Vec<Option<TipStop>> =
-        state.tips.iter().map(|tip| tip.stopped.or_else(|| standstill(tip, settings))).collect();
-    let mut break_outs = state.break_outs.to_vec();
-    let mut pieces = Vec::new();
-    let mut part = 1.0;
-    // Every round but the last stops at least one tip or shortens the step to end at an event.
-    let (pace, plans, met, outcome) = loop {
-        let pace = pace(state, settings, &stops, part);
-        let plans = planned(state, &pace, settings, &stops);
-        let steps: Vec<Option<Step>> = plans.iter().map(|plan| plan.map(|plan| plan.step)).collect();
-        let met = coalescences(&steps, state.cracks, state.resolution);
-        let plans = adapted_to_coalescences(state, plans, &met);
-        let event = first_event(state, &plans, &met, &pace, settings).filter(|_| part > LEAST_PART);
-        if let Some(event) = event.filter(|event| is_worth_a_step(*event, &pace, &state.at, settings)) {
-            part *= event.part.max(0.5 * LEAST_PART);
-            continue;
-        }
-        let blocked = blocked_steps(state, &steps, &met, pace.removal);
-        if blocked.is_empty() {
-            let made: Vec<Option<Step>> =
-                plans.iter().map(|plan| plan.and_then(PlannedAdvance::made)).collect();
-            match grow(state, &made, &met) {
-                Outcome::Impossible(blamed) => {
-                    for i in blamed {
-                        stops[i] = Some(TipStop::Coalescence);
-                    }
-                }
-                outcome => break (pace, plans, met, outcome),
-            }
-        }
-        for (i, stop) in blocked {
-            stops[i] = Some(stop);
-            if let (TipStop::BreakOut, Some(step)) = (stop, &steps[i]) {
-                let new = BreakOut { tip: step.tip.crack_end(), surface: way_out(step) };
-                pieces.extend(spall(state, &break_outs, new));
-                break_outs.push(new);
-            }
-        }
-    };
-    let (mut plans, mut outcome) = (plans, outcome);
+    let Drawn { pace, mut plans, met, mut outcome, mut stops, break_outs, pieces } = drawn(state, settings);
     let frees =
         pace.removal > 0.0 && reaches_junction(state.cracks, state.junctions, pace.removal, state.resolution);
     if let Outcome::Grown { cracks, .. } = &mut outcome
@@ -166,6 +127,60 @@ pub(super) fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Plane
             PlaneAdvance { cracks, junctions, progress, tips, ..standing }
         }
         _ => standing,
+    }
+}
+
+/// The increments of a step, with the stops and pieces that they cause.
+struct Drawn {
+    pace: Pace,
+    plans: Vec<Option<PlannedAdvance>>,
+    met: Vec<Option<Coalescence>>,
+    outcome: Outcome,
+    stops: Vec<Option<TipStop>>,
+    break_outs: Vec<BreakOut>,
+    pieces: Vec<Piece>,
+}
+
+/// The increments from `state`, before the surface is removed.
+fn drawn(state: &StepState<'_>, settings: &GrowthSettings) -> Drawn {
+    let mut stops: Vec<Option<TipStop>> =
+        state.tips.iter().map(|tip| tip.stopped.or_else(|| standstill(tip, settings))).collect();
+    let mut break_outs = state.break_outs.to_vec();
+    let mut pieces = Vec::new();
+    let mut part = 1.0;
+    // Every round but the last stops at least one tip or shortens the step to end at an event.
+    loop {
+        let pace = pace(state, settings, &stops, part);
+        let plans = planned(state, &pace, settings, &stops);
+        let steps: Vec<Option<Step>> = plans.iter().map(|plan| plan.map(|plan| plan.step)).collect();
+        let met = coalescences(&steps, state.cracks, state.resolution);
+        let plans = adapted_to_coalescences(state, plans, &met);
+        let event = first_event(state, &plans, &met, &pace, settings).filter(|_| part > LEAST_PART);
+        if let Some(event) = event.filter(|event| is_worth_a_step(*event, &pace, &state.at, settings)) {
+            part *= event.part.max(0.5 * LEAST_PART);
+            continue;
+        }
+        let blocked = blocked_steps(state, &steps, &met, pace.removal);
+        if blocked.is_empty() {
+            let made: Vec<Option<Step>> =
+                plans.iter().map(|plan| plan.and_then(PlannedAdvance::made)).collect();
+            match grow(state, &made, &met) {
+                Outcome::Impossible(blamed) => {
+                    for i in blamed {
+                        stops[i] = Some(TipStop::Coalescence);
+                    }
+                }
+                outcome => return Drawn { pace, plans, met, outcome, stops, break_outs, pieces },
+            }
+        }
+        for (i, stop) in blocked {
+            stops[i] = Some(stop);
+            if let (TipStop::BreakOut, Some(step)) = (stop, &steps[i]) {
+                let new = BreakOut { tip: step.tip.crack_end(), surface: way_out(step) };
+                pieces.extend(spall(state, &break_outs, new));
+                break_outs.push(new);
+            }
+        }
     }
 }
 

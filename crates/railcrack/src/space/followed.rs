@@ -248,14 +248,9 @@ impl PassageInProgress<'_> {
             self.interval(None, between, level + 1)?;
             return self.interval(None, to, level + 1);
         }
-        let one = match &whole {
-            // Midway between the two.
-            Some(whole) => {
-                let guess = last.towards(whole, 0.5);
-                self.instant(Some(guess), earlier.as_deref(), &last, between)
-            }
-            None => self.instant(None, earlier.as_deref(), &last, between),
-        };
+        // Midway between the two.
+        let guess = whole.as_ref().map(|whole| last.towards(whole, 0.5));
+        let one = self.instant(guess, earlier.as_deref(), &last, between);
         let guess = whole.as_ref().map(|whole| whole.guess());
         let two = match &one {
             Ok(one) => self.instant(guess, Some(&last), one, to),

@@ -99,15 +99,20 @@ pub(super) fn stiffness_of(
                     Matrix::from_fn(between.rows(), between.columns(), |i, c| mu * between[(i, c)])
                 }
             };
-            for i in 0..between.rows() {
-                for (c, &value) in between.row(i).iter().enumerate() {
-                    stiffness[(first + i, start + c)] = value;
-                    stiffness[(start + c, first + i)] = value;
-                }
-            }
+            set_both(&mut stiffness, [first, start], &between);
         }
     }
     Ok(stiffness.into())
+}
+
+/// Sets the `block` of a symmetric `matrix` that begins in this row and column, and its transpose.
+fn set_both(matrix: &mut Matrix, [row, column]: [usize; 2], block: &Matrix) {
+    for i in 0..block.rows() {
+        for (j, &value) in block.row(i).iter().enumerate() {
+            matrix[(row + i, column + j)] = value;
+            matrix[(column + j, row + i)] = value;
+        }
+    }
 }
 
 /// Offsets of cracks that differ by no more than this fraction of a semi-axis count as equal: far

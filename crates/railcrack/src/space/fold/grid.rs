@@ -147,12 +147,11 @@ impl FoldedGrid {
         let lower = Grid::new(&crack.branch_shape()?, &CellDivision::even(resolution.branch, false));
 
         let line = vertices_on_fold(&lower);
-        let columns = line.len() - 1;
-        let inside = columns - 1;
-        let (above, sides) = (rows * inside, rows);
+        let (columns, inside) = (line.len() - 1, line.len() - 2);
+        let above = rows * inside;
         let free = above + lower.free;
-        let count = free + lower.front.len() + 2 * sides;
-        let below = |v: usize| if v < lower.free { above + v } else { free + sides + v - lower.free };
+        let count = free + lower.front.len() + 2 * rows;
+        let below = |v: usize| if v < lower.free { above + v } else { free + rows + v - lower.free };
         let vertex = |r: usize, c: usize| match c {
             c if r == rows => below(line[c]),
             0 => free + r,
@@ -161,19 +160,16 @@ impl FoldedGrid {
         };
 
         let (strip_cells, mouth) = cells_of_strip(&lower, &line, crack.fold, rows, &vertex);
-        let in_branch = |cell: &Cell| {
-            Cell::new(cell.vertices.map(below), |u, v| {
-                let [s, zeta] = cell.at(u, v).position;
-                [crack.fold + s, zeta]
-            })
-        };
+        let on_branch = |[s, zeta]: [f64; 2]| [crack.fold + s, zeta];
+        let in_branch =
+            |cell: &Cell| Cell::new(cell.vertices.map(below), |u, v| on_branch(cell.at(u, v).position));
         let cells: Vec<Cell> = strip_cells.iter().cloned().chain(lower.cells.iter().map(in_branch)).collect();
-        let mut part_of_cell = vec![Part::Strip; strip_cells.len()];
-        part_of_cell.resize(cells.len(), Part::Branch);
+        let part_of_cell =
+            [vec![Part::Strip; strip_cells.len()], vec![Part::Branch; lower.cells.len()]].concat();
 
         let mut vertices = vec![[0.0; 2]; count];
-        for (v, [s, zeta]) in lower.vertices.iter().enumerate() {
-            vertices[below(v)] = [crack.fold + s, *zeta];
+        for (v, &position) in lower.vertices.iter().enumerate() {
+            vertices[below(v)] = on_branch(position);
         }
         for (r, c) in (0..rows).flat_map(|r| (0..=columns).map(move |c| (r, c))) {
             vertices[vertex(r, c)] = [crack.fold * row(r, rows), lower.vertices[line[c]][1]];
@@ -184,15 +180,15 @@ impl FoldedGrid {
             v if line.contains(&(v - above)) => Part::Fold,
             _ => Part::Branch,
         };
-        let on_strip = |end: FrontColumn, r: usize, columns: [usize; 2]| {
-            let vertices = columns.map(|c| vertex(r, c));
-            FoldedFront { column: FrontColumn { vertices, ..end }, part: Part::Strip }
+        let on_strip = |end: FrontColumn, r: usize, columns: [usize; 2]| FoldedFront {
+            column: FrontColumn { vertices: columns.map(|c| vertex(r, c)), ..end },
+            part: Part::Strip,
         };
-        let on_branch = |column: &FrontColumn| FoldedFront {
+        let of_branch = |column: &FrontColumn| FoldedFront {
             column: FrontColumn { vertices: column.vertices.map(below), ..*column },
             part: Part::Branch,
         };
-        let mut front: Vec<FoldedFront> = lower.front.iter().map(on_branch).collect();
+        let mut front: Vec<FoldedFront> = lower.front.iter().map(of_branch).collect();
         if let &[first, .., last] = &lower.front[..] {
             front.splice(..0, (0..rows).map(|r| on_strip(first, r, [1, 2])));
             front.extend((0..rows).rev().map(|r| on_strip(last, r, [columns - 1, columns - 2])));
