@@ -1,7 +1,7 @@
 //! The pages in the repository against what was computed.
 
 use crate::error::PaperError;
-use crate::pages::Contents;
+use crate::pages::{Contents, STATEMENTS};
 use crate::tables::home;
 use railcrack_run::OutputError;
 use std::path::{Path, PathBuf};
@@ -10,43 +10,37 @@ use std::path::{Path, PathBuf};
 /// last of them may differ on another machine.
 const SAME: f64 = 0.01;
 
-/// Where the chapter is in the repository.
+/// The chapter of the book.
 pub fn chapter_path() -> PathBuf {
     home().join("../../docs/paper.md")
 }
 
-/// The page `text` with the links that it has in the repository.
-pub fn in_repository(text: &str) -> String {
-    // The chapter is next to the pages that it links to.
-    text.replace("](results/", "](../validation/paper/results/")
-        .replace("](../paper.md)", "](../../../docs/paper.md)")
-}
-
 /// Compares the pages in the repository with `contents`: the rows of the statements that were
-/// decided and the pages of groups whose figures were all recomputed, and the whole chapter if every
-/// figure was.
+/// decided, the pages of groups whose figures were all recomputed, and, if every figure was, the
+/// page of all statements and the result in the chapter.
 ///
 /// Errors: the lines that differ; the system refuses.
 pub fn check(contents: &Contents) -> Result<(), PaperError> {
     let read = |path: &Path| std::fs::read_to_string(path).map_err(OutputError::io("read", path));
-    let chapter = read(&chapter_path())?;
+    let results = home().join("results");
+    let statements = read(&results.join(STATEMENTS))?;
     let mut faults = Vec::new();
     for row in contents.verdicts.iter().map(|verdict| contents.row(verdict)) {
-        if !chapter.lines().any(|line| line == row) {
-            faults.push(format!("docs/paper.md has no line\n  {row}"));
+        if !statements.lines().any(|line| line == row) {
+            faults.push(format!("{STATEMENTS} has no line\n  {row}"));
         }
     }
     if contents.figures.len() == contents.paper.figures.len() {
-        faults.extend(differences("docs/paper.md", &chapter, &in_repository(&contents.chapter()?)));
+        faults.extend(differences(STATEMENTS, &statements, &contents.statements()?));
+        let chapter = read(&chapter_path())?.split_whitespace().collect::<Vec<_>>().join(" ");
+        if !chapter.contains(&contents.result()) {
+            faults.push(format!("docs/paper.md lacks\n  {}", contents.result()));
+        }
     }
     for group in &contents.paper.groups {
         if group.figures.iter().all(|figure| contents.figures.contains(figure)) {
-            let path = home().join("results").join(group.file());
-            faults.extend(differences(
-                &group.file(),
-                &read(&path)?,
-                &in_repository(&contents.group_page(group)),
-            ));
+            let file = group.file();
+            faults.extend(differences(&file, &read(&results.join(&file))?, &contents.group_page(group)));
         }
     }
     if faults.is_empty() { Ok(()) } else { Err(PaperError::Differs(faults)) }

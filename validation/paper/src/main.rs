@@ -24,25 +24,26 @@ mod tables;
 mod tests;
 mod verdict;
 
-use check::{chapter_path, check, in_repository};
+use check::check;
 use clap::Parser;
 use error::PaperError;
 use files::write;
 use overlay::{OVERLAY_COLUMNS, Overlay};
-use pages::Contents;
+use pages::{Contents, STATEMENTS};
 use results::Results;
 use rolled::{StressProfile, profiles};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use tables::{Paper, home};
+use tables::Paper;
 use verdict::verdicts;
 
 /// Recompute the figures of Trolle et al. (2014) and decide every statement of its text
 ///
 /// Figs 13 to 25 and 27 to 30 are recomputed for each choice that the paper leaves open: half-plane
-/// or block, direction of travel, friction, load steps, criterion. The folder gets the page
-/// (paper.md), a page of each group of figures, a plot and a table of each figure (results/), the
-/// numbers that decide each statement (claims.csv), and the cases (cases/).
+/// or block, direction of travel, friction, load steps, criterion. The folder gets a page of the
+/// statements (statements.md) and of each group of figures, a plot and a table of each figure
+/// (figures/), the numbers that decide each statement (claims.csv), the effort and the warnings of
+/// each run (runs.csv), and the cases (cases/).
 #[derive(Debug, Parser)]
 #[command(name = "paper-of-2014")]
 struct Arguments {
@@ -59,9 +60,6 @@ struct Arguments {
     /// Compare the pages in the repository with what was computed; fail where they differ
     #[arg(long)]
     check: bool,
-    /// Replace docs/paper.md and validation/paper/results by what was computed
-    #[arg(long, conflicts_with_all = ["only", "overlay"])]
-    update: bool,
 }
 
 fn main() -> ExitCode {
@@ -97,11 +95,8 @@ fn run(arguments: &Arguments) -> Result<(), PaperError> {
     for (name, reason) in &results.failures {
         println!("ended early: {name}: {reason}");
     }
-    let page = folder.join("paper.md");
+    let page = folder.join(STATEMENTS);
     println!("{} statements, {} runs; page in {}", verdicts.len(), results.count, page.display());
-    if arguments.update {
-        update(&contents)?;
-    }
     if arguments.check { check(&contents) } else { Ok(()) }
 }
 
@@ -120,7 +115,7 @@ fn compute(
 
 fn write_figures(contents: &Contents, overlays: &[Overlay], folder: &Path) -> Result<(), PaperError> {
     let Contents { paper, results, .. } = *contents;
-    let folder_of_figures = folder.join("results/figures");
+    let folder_of_figures = folder.join("figures");
     let mut distances = String::new();
     for figure in paper.figures.iter().filter(|figure| contents.figures.contains(&figure.number)) {
         let mut curves = figures::curves(paper, figure, results, contents.profiles);
@@ -142,18 +137,9 @@ fn write_figures(contents: &Contents, overlays: &[Overlay], folder: &Path) -> Re
 
 fn write_pages(contents: &Contents, folder: &Path) -> Result<(), PaperError> {
     write(&folder.join("claims.csv"), &contents.claims_table())?;
-    write(&folder.join("paper.md"), &contents.chapter()?)?;
+    write(&folder.join(STATEMENTS), &contents.statements()?)?;
     for group in contents.paper.groups.iter().filter(|group| contents.has(group)) {
-        write(&folder.join("results").join(group.file()), &contents.group_page(group))?;
-    }
-    Ok(())
-}
-
-/// Replaces the pages and pictures in the repository.
-fn update(contents: &Contents) -> Result<(), PaperError> {
-    write(&chapter_path(), &in_repository(&contents.chapter()?))?;
-    for group in &contents.paper.groups {
-        write(&home().join("results").join(group.file()), &in_repository(&contents.group_page(group)))?;
+        write(&folder.join(group.file()), &contents.group_page(group))?;
     }
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! The pages: `paper.md`, the chapter with every statement, and a page of each group of figures.
+//! The pages: `statements.md` with every statement, and a page of each group of figures.
 
 use crate::error::PaperError;
 use crate::results::{Results, SetupResults};
@@ -9,6 +9,9 @@ use crate::verdict::{Verdict, closest};
 use railcrack::shakedown::RailState;
 use railcrack::words::Choice;
 use railcrack_run::OutputError;
+
+/// The page with every statement.
+pub const STATEMENTS: &str = "statements.md";
 
 /// What the pages are written from.
 pub struct Contents<'a> {
@@ -38,7 +41,7 @@ impl Group {
         }
     }
 
-    /// `figs-14-16.md`, the file of its page in `results`.
+    /// `figs-14-16.md`, the file of its page.
     pub fn file(&self) -> String {
         match self.ends() {
             (first, last) if first == last => format!("fig-{first}.md"),
@@ -84,16 +87,16 @@ impl Contents<'_> {
         text
     }
 
-    /// The chapter.
+    /// `statements.md`, the page with every statement.
     ///
     /// Errors: the system refuses.
-    pub fn chapter(&self) -> Result<String, PaperError> {
-        let path = home().join("chapter.md");
+    pub fn statements(&self) -> Result<String, PaperError> {
+        let path = home().join(STATEMENTS);
         let template = std::fs::read_to_string(&path).map_err(OutputError::io("read", &path))?;
         let main: Vec<&str> = self.paper.setups[..MAIN].iter().map(|setup| setup.name.as_str()).collect();
         let setups = self.results.setups(self.paper).map(SetupResults::setup);
         let parts = [
-            ("{summary}", self.summary()),
+            ("{result}", self.result()),
             ("{main}", main.join(" | ")),
             ("{statements}", lines(self.verdicts.iter().map(|verdict| self.row(verdict)))),
             ("{groups}", self.groups()),
@@ -106,11 +109,12 @@ impl Contents<'_> {
         Ok(page.trim_end().to_owned() + "\n")
     }
 
-    fn summary(&self) -> String {
+    /// The result in a few sentences.
+    pub fn result(&self) -> String {
         let count = |start: &str| self.verdicts.iter().filter(|v| v.words().starts_with(start)).count();
         let only = count("holds only");
         format!(
-            "{} statements, {} runs: {} hold in all of the main set-ups that\ndecide them, {only} in some set-ups only, {} in none.\n\n{}",
+            "{} statements, {} runs: {} hold in all of the main set-ups that decide them, {only} in some set-ups only, {} in none. {}",
             self.verdicts.len(),
             self.results.count,
             count("holds") - only,
@@ -119,7 +123,7 @@ impl Contents<'_> {
         )
     }
 
-    /// The row of a statement in the table of the chapter.
+    /// The row of a statement in the table of all.
     pub fn row(&self, verdict: &Verdict) -> String {
         let claim = verdict.claim;
         let marks = (0..MAIN).map(|at| verdict.decision(at).map_or("", |decision| mark(decision.holds)));
@@ -145,7 +149,7 @@ impl Contents<'_> {
                 1 => ": 1 statement".to_owned(),
                 more => format!(": {more} statements"),
             };
-            format!("* [{}](results/{}){statements}", group.heading(), group.file())
+            format!("* [{}]({}){statements}", group.heading(), group.file())
         }))
     }
 
@@ -185,8 +189,8 @@ impl Contents<'_> {
     /// The page of `group`: its figures, its statements with their rules and numbers.
     pub fn group_page(&self, group: &Group) -> String {
         let mut text = format!(
-            "# {}\n\nPart of [the paper, recomputed](../paper.md), which describes the set-ups.\n\n\
-             K: half-plane solid, block dashed. The numbers of all set-ups are in `figures/*.csv` of the folder.\n\n",
+            "# {}\n\nPart of [the paper, recomputed](../../../docs/paper.md); [the set-ups](statements.md#set-ups).\n\n\
+             K: half-plane solid, block dashed. The numbers of all set-ups are in `figures/*.csv`.\n\n",
             group.heading()
         );
         let is_drawn = |number: &u8| group.figures.contains(number) && self.figures.contains(number);
