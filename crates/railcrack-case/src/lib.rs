@@ -16,8 +16,8 @@ mod study;
 mod tables;
 
 pub use case::{
-    ByGeometry, Case, CoarseFront, Coefficient, MixedWheel, NoCoefficient, NoNumber, NotInPage, Overrides,
-    SpaceCase, TabledWheel, WheelTable, open_crack,
+    ByGeometry, Case, Coefficient, NoCoefficient, NoNumber, NotInPage, Overrides, SpaceCase, TabledWheel,
+    TrafficWheel, WheelGroups, WheelTable,
 };
 pub use entries::{Comparison, Entry, EntryValue, Grade, HowRead, Quantity, entry_schema};
 pub use files::{
@@ -33,6 +33,7 @@ pub use schema::{
 pub use study::{Axis, Distribution, Input, Keeping, SampleTable, Study, StudyRun, Variation, study_schema};
 pub use tables::{
     CalibrationPrior, Combine, ContactOrigin, ContactSolver, Detection, Engine, EngineDomain, FieldOutput,
-    Fracture, GivenWheel, Inspection, InspectionRisk, Kept, MeshSettings, Output, PlasticSource,
-    ProfileOrigin, Rail, SECTIONS, STUDY, Scatter, ShakedownSettings, init_text, json_schema, markdown,
+    Fracture, GivenContact, GivenWheel, Inspection, InspectionRisk, Kept, MeshSettings, Output,
+    PlasticSource, ProfileOrigin, Rail, SECTIONS, STUDY, Scatter, ShakedownSettings, WheelLoading, init_text,
+    json_schema, markdown,
 };

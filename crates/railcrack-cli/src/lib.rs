@@ -39,7 +39,7 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>) -> u8 {
 /// The lines that `railcrack check` prints of `case`, whose run would be written to `folder`.
 #[must_use]
 pub fn check_text(case: &Case, folder: &Path) -> String {
-    commands::check::summary(case, folder)
+    commands::check::summary(&railcrack_run::setup::represented(case), folder)
 }
 
 /// Readers for the fuzz targets in `fuzz/`.

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use railcrack::growth::TipJudge;
 use railcrack::words::Choice;
-use railcrack_run::setup::{RunSize, contact_bounds};
+use railcrack_run::setup::{RunSize, contact_bounds, represented};
 use railcrack_run::simulation::{Ending, Simulation, plastic_stress_left_out};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -77,9 +77,13 @@ impl CaseCore {
     /// Sizes, bounds and warnings.
     fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let case = Arc::clone(&self.case);
-        let (text, size) =
-            py.detach(move || (railcrack_cli::check_text(&case, Path::new(".")), RunSize::estimate(&case)));
-        let case = &self.case;
+        let (case, text, size) = py.detach(move || {
+            let case = represented(&case).into_owned();
+            let text = railcrack_cli::check_text(&case, Path::new("."));
+            let size = RunSize::estimate(&case);
+            (case, text, size)
+        });
+        let wheel = &case.first_wheel().wheel;
         let check = PyDict::new(py);
         check.set_item("text", text)?;
         check.set_item("face_points", size.face_points)?;
@@ -87,14 +91,15 @@ impl CaseCore {
         check.set_item("displacement_unknowns", size.displacements)?;
         check.set_item("memory_bytes", size.memory_bytes)?;
         let shear_yield = case.shakedown.hardening.shear_yield_stress();
-        check.set_item("p0_over_k", case.wheel.contact().peak_pressure() / shear_yield)?;
-        let bounds = contact_bounds(&case.wheel, &case.steel, |bounds| {
+        let ratio = wheel.contact().map(|contact| contact.peak_pressure() / shear_yield);
+        check.set_item("p0_over_k", ratio)?;
+        let bounds = contact_bounds(wheel, &case.steel, |bounds| {
             (bounds.first_yield().ratio, bounds.shakedown_limit().ratio)
         });
         let (first_yield, shakedown_limit) = bounds.unzip();
         check.set_item("first_yield_p0_over_k", first_yield)?;
         check.set_item("shakedown_limit_p0_over_k", shakedown_limit)?;
-        check.set_item("warnings", Vec::from_iter(plastic_stress_left_out(case)))?;
+        check.set_item("warnings", Vec::from_iter(plastic_stress_left_out(&case)))?;
         Ok(check)
     }
 
@@ -111,7 +116,7 @@ impl CaseCore {
     ) -> PyResult<Computed> {
         let (watch, told) = Watch::new();
         let own = law.is_some() || direction.is_some();
-        if own && !self.case.mix.is_empty() {
+        if own && self.case.is_mix() {
             return Err(bad_input(
                 py,
                 "law, direction: not supported for a mix of wheels, which has several histories",

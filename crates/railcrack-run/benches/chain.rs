@@ -12,7 +12,7 @@ use railcrack::growth::{StabilisedPassage, StepRecord, StepSource, Unobserved};
 use railcrack::load::HertzianContact;
 use railcrack::plane::{RailLoad, stabilised_passage};
 use railcrack_case::{Case, Overrides};
-use railcrack_run::setup::PreparedRun;
+use railcrack_run::setup::{PreparedRun, wheel_field};
 use std::path::{Path, PathBuf};
 
 const REFERENCE: &str = "reference.toml";
@@ -46,10 +46,10 @@ fn passages(bencher: Bencher, solver: &dyn ContactSolver) {
     let case = read(REFERENCE);
     let body = body(&case);
     let problem = FaceProblem::new(&body, &case.crack_friction).unwrap();
-    let wheel = case.wheel.field(&case.steel).unwrap();
+    let wheel = wheel_field(&case.first_wheel().wheel, &case.steel).unwrap();
     let load = RailLoad { wheel: wheel.as_ref(), residual: None };
     bencher.bench_local(|| -> StabilisedPassage {
-        stabilised_passage(&problem, solver, load, &case.passages, &Unobserved).unwrap()
+        stabilised_passage(&problem, solver, load, &case.first_wheel().passages, &Unobserved).unwrap()
     });
 }
 
@@ -94,6 +94,7 @@ fn passages_with_fluid(bencher: Bencher, fluid: &str) {
     let wheel = HertzWheel::new(&contact, &case.steel).unwrap();
     let load = RailLoad { wheel: &wheel, residual: None };
     bencher.bench_local(|| {
-        stabilised_passage(&problem, &Newton::default(), load, &case.passages, &Unobserved).unwrap()
+        stabilised_passage(&problem, &Newton::default(), load, &case.first_wheel().passages, &Unobserved)
+            .unwrap()
     });
 }

@@ -37,7 +37,7 @@ pub use disk::{FolderLock, LOCK_FILE, VERSION};
 pub use error::OutputError;
 pub use fields::{FieldFile, field_file, field_files, field_grids};
 pub use log::{
-    MixInfo, PlasticOrigin, ProjectionSummary, ReleaseSummary, ResidualSummary, RolledSummary, RunInfo,
+    PlasticOrigin, ProjectionSummary, ReleaseSummary, ResidualSummary, RolledSummary, RunInfo, WheelInfo,
 };
 pub use planner::{PlanFolder, PlanSummary};
 pub use presentation::{Presentation, RunPresentation, TablesOnly};

@@ -115,7 +115,7 @@ impl CaseRun {
 /// The cracks of the first step; every crack of the paper has one tip.
 fn initial(case: &Case, record: &StepRecord) -> Vec<CrackGrowth> {
     let Some(stabilised) = record.passages.last() else { return Vec::new() };
-    let passage = &case.passages.passage;
+    let passage = &case.first_wheel().passages.passage;
     let travel = (passage.to - passage.from).signum();
     let position: Vec<f64> = stabilised.xc.iter().map(|xc| travel * xc / case.half_width()).collect();
     let sticks = |crack: usize| -> Vec<bool> {

@@ -52,7 +52,11 @@ impl Steel {
             steel: case.steel,
             hardening: KinematicHardening::new(self.yield_stress, self.modulus)?,
             contact: HertzianContact {
-                peak_pressure: case.wheel.contact().peak_pressure(),
+                peak_pressure: case
+                    .first_wheel()
+                    .wheel
+                    .contact()
+                    .map_or(0.0, |contact| contact.peak_pressure()),
                 half_width: case.half_width(),
                 friction: self.wheel_friction,
             }

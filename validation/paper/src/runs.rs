@@ -237,12 +237,12 @@ mod tests {
         };
         let friction = |setup: &str| {
             let case = of(setup, "wheel+0.1");
-            case.wheel.contact().sliding().unwrap().friction
+            case.first_wheel().wheel.contact().unwrap().sliding().unwrap().friction
         };
         assert_eq!(friction("half-plane, along"), 0.1);
         assert_eq!(friction("half-plane, against"), -0.1);
         assert_eq!(friction("drag reversed, along"), -0.1);
-        let passage = of("block, against", "pair").passages.passage;
+        let passage = of("block, against", "pair").first_wheel().passages.passage;
         assert!(passage.from > passage.to);
         let plastic = of("Fig. 21 plastic, along", "stress");
         assert!(plastic.plastic_stress.is_some() && plastic.residual_stress.is_none());

@@ -7,27 +7,24 @@ use super::cracks::{Meetings, check_fit, place_cracks};
 use super::finite_section::check_section;
 use super::in_page::check_explorer;
 use super::limits::{WantedSize, check_size};
-use super::mix::{MixedWheel, read_mix, require_axle_load};
-use super::read_wheel::ReadWheel;
 use super::space::{read_space, refuse_free_front, refuse_strike};
+use super::traffic::{Traffic, TrafficContext, read_traffic, require_axle_load};
+use super::traffic_wheel::{TrafficWheel, mean_axle_load};
 use crate::files::read_profile;
-use crate::schema::{Report, SectionValues, Sections, Value, Written, short};
+use crate::schema::{KeyRow, Report, SectionValues, Sections, Value, Written, short};
 use crate::tables::{
-    AXLE_LOAD, CALIBRATION, CENTRE, CONTACT, CRACK, CalibrationPrior, ContactExtent, ContactSolver, ENGINE,
-    Engine, EngineDomain, FLUID, FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture, GROWTH, GivenWheel,
-    INSPECTION, MAINTENANCE, MESH, MGT_PER_YEAR, MeshSettings, NETWORK, OUTPUT, Output, PASSAGE,
-    PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER,
-    SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scattering, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK,
-    TRAFFIC, WHEEL, WHEEL_TEMPERATURE, WHEEL_TRACK, WIDTH, WheelSections, YIELD_STRESS, is_of_the_steel,
-    read_calibration, read_fluid, read_growth, read_inspection, read_maintenance, read_passage,
-    read_passages, read_risk, read_scatter, read_steel, read_travel,
+    CALIBRATION, CENTRE, CRACK, CalibrationPrior, ContactExtent, ContactSolver, ENGINE, Engine, EngineDomain,
+    FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture, GROWTH, INSPECTION, MAINTENANCE, MESH, MGT_PER_YEAR,
+    MeshSettings, NETWORK, OUTPUT, Output, PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL,
+    RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scattering,
+    ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL_TEMPERATURE, WHEEL_TRACK, WIDTH,
+    YIELD_STRESS, is_of_the_steel, read_calibration, read_growth, read_inspection, read_maintenance,
+    read_risk, read_scatter, read_steel,
 };
 use railcrack::bulk::Boundary;
 use railcrack::contact::{CrackFluid, FluidModel};
-use railcrack::crack::CrackNetwork;
 use railcrack::growth::{GrowthSettings, NetworkContact};
-use railcrack::load::{Passage, Temperature};
-use railcrack::material::IsotropicElastic;
+use railcrack::load::Temperature;
 use railcrack::math::MPA_SQRT_MM;
 use std::path::Path;
 
@@ -49,59 +46,27 @@ pub(crate) fn build(
     let placed = place_cracks(&crack_sections, meetings, report);
     let network = placed.as_ref().map(|placed| &placed.network);
     let growth = sections.one(&GROWTH).and_then(|s| read_growth(s, folder, report));
-    let mut wheel_table = None;
-    let mix = if sections.all(&WHEEL).next().is_some() {
-        let law = growth.as_ref().map(|growth| &growth.settings.law);
-        let extent = contact_extent(&sections);
-        let read = read_mix(&sections, steel.as_ref(), extent, (network, law), folder, report);
-        read.map(|(wheels, table)| {
-            wheel_table = table;
-            Some(wheels)
-        })
-    } else {
-        Some(None)
+    let context = TrafficContext {
+        sections: &sections,
+        steel: steel.as_ref(),
+        network,
+        extent: contact_extent(&sections),
+        folder,
     };
-    let first = mix.as_ref().and_then(|mix| mix.as_ref()?.first());
-    let wheel = match &mix {
-        Some(Some(_)) => first.map(|first| first.wheel.clone()),
-        Some(None) => read_wheel(&sections, steel.as_ref(), folder, report),
-        None => None,
-    };
-    let travel = first.map(|first| first.travel).or_else(|| sections.one(&PASSAGE).and_then(read_travel));
+    let traffic = read_traffic(context, report);
+    let wheels = traffic.as_ref().map(|traffic| traffic.wheels.as_slice());
     let rail = rail_section.and_then(|s| Rail::read(s, network));
     if let (Some(rail), Some(placed)) = (&rail, &placed) {
         check_fit(placed, rail, &crack_sections, report);
     }
-    let passage = sections
-        .one(&PASSAGE)
-        .and_then(|s| read_passage(s, wheel.as_ref().map(GivenWheel::half_width), travel, network, report));
     if let Some(rail) = rail.filter(|rail| rail.boundary != Boundary::HalfPlane) {
-        check_block(&rail, &sections, wheel.as_ref().zip(passage.as_ref()), report);
+        check_block(&rail, &sections, wheels.unwrap_or_default(), report);
     }
-    let fluid = match sections.one(&FLUID).zip(network) {
-        Some((section, network)) => read_fluid(section, network, report),
-        None => Some(None),
-    };
-    let mix = mix.and_then(|mix| {
-        let place = |read: ReadWheel| place_wheel(read, &sections, fluid.as_ref(), network, report);
-        // All of them, so that all errors are found at once.
-        let placed: Vec<Option<MixedWheel>> = mix.unwrap_or_default().into_iter().map(place).collect();
-        placed.into_iter().collect::<Option<Vec<MixedWheel>>>()
-    });
-    let fluid = match mix.as_ref().and_then(|mix| mix.first()) {
-        Some(first) => Some(first.fluid.clone()),
-        None => fluid,
-    };
-    let of_wheels = mix.iter().flatten().filter_map(|wheel| wheel.fluid.as_ref());
-    let fluids = fluid.iter().flatten().chain(of_wheels);
-    check_coupled(&sections, rail.as_ref().map(|rail| rail.boundary), fluids, report);
-    let bent = wheel.iter().chain(mix.iter().flatten().map(|mixed| &mixed.wheel));
-    check_section(&sections, rail.as_ref(), bent.filter_map(|wheel| wheel.load.track.as_ref()), report);
-    if let (Some(mix), Some(rail)) = (&mix, rail.filter(|rail| rail.boundary != Boundary::HalfPlane)) {
-        for other in mix.iter().skip(1) {
-            check_block(&rail, &sections, Some((&other.wheel, &other.passages.passage)), report);
-        }
-    }
+    let of_wheels = || wheels.into_iter().flatten();
+    let fluids = || of_wheels().filter_map(|wheel| wheel.fluid.as_ref());
+    check_coupled(&sections, rail.as_ref().map(|rail| rail.boundary), fluids(), report);
+    let tracks = of_wheels().filter_map(|wheel| wheel.wheel.track.as_ref());
+    check_section(&sections, rail.as_ref(), tracks, report);
     let residual_section = sections.one(&RESIDUAL_STRESS);
     let residual_stress = residual_section.and_then(|s| read_profile(s, PROFILE, folder, report));
     let plastic_section = sections.one(&PLASTIC_STRESS);
@@ -122,14 +87,10 @@ pub(crate) fn build(
         // A stored case takes the yield stress from the steel again.
         sections.leave_out(&SHAKEDOWN, |key| key.name == YIELD_STRESS.key.name);
     }
-    let temperature = wheel.as_ref().and_then(|wheel| wheel.load.temperature);
+    let temperature = wheels.and_then(|wheels| wheels.first()?.wheel.temperature);
     let fracture = read_fracture(&sections, temperature, folder, report);
-    let traffic = sections.one(&TRAFFIC).and_then(|s| s.get(AXLE_LOAD));
-    let mean = |mix: &Vec<MixedWheel>| -> Option<f64> {
-        mix.iter().map(|wheel| Some(wheel.share * wheel.axle_load?)).sum()
-    };
-    let axle_load = mix.as_ref().and_then(|mix| if mix.is_empty() { traffic } else { mean(mix) });
-    if let (Some(section), Some(_), None) = (sections.one(&TRAFFIC), &mix, axle_load) {
+    let axle_load = wheels.and_then(mean_axle_load);
+    if let (Some(section), Some(_), None) = (sections.one(&TRAFFIC), wheels, axle_load) {
         require_axle_load(section, report);
     }
     // A missing axle load is one error.
@@ -147,49 +108,40 @@ pub(crate) fn build(
         steel: steel_of_law,
         has_tonnes: counts_tonnes,
         is_maintained: maintenance.is_some(),
-        is_mix: mix.as_ref().is_none_or(|mix| mix.len() > 1),
+        is_mix: wheels.is_none_or(|wheels| wheels.len() > 1),
     };
     let scatter = scatter.map(|s| read_scatter(s, scattering, report));
     let space = match is_in_space(&sections) {
-        true => {
-            let wheels: Option<Vec<&GivenWheel>> = match &mix {
-                Some(mix) if !mix.is_empty() => Some(mix.iter().map(|mixed| &mixed.wheel).collect()),
-                _ => wheel.as_ref().map(|wheel| vec![wheel]),
-            };
-            let wheels = (wheels.as_deref(), wheel_table.as_ref());
-            read_space(&sections, placed.as_ref(), wheels, rail.as_ref(), report).map(Some)
-        }
+        true => read_space(&sections, placed.as_ref(), wheels, rail.as_ref(), report).map(Some),
         false => {
             refuse_strike(&sections, report);
             refuse_free_front(&sections, report);
             Some(None)
         }
     };
-    let (placed, rail) = (placed?, rail?);
     let maintenance = match maintenance {
         Some(read) => Some(read?),
         None => None,
     };
+    let is_block = rail.is_some_and(|rail| matches!(rail.boundary, Boundary::Block { .. }));
+    let traps = |fluid: &CrackFluid| matches!(fluid.model, FluidModel::Trapped { .. });
+    let is_trapped = fluids().any(traps);
+    check_network(&sections, (is_trapped, is_block), report);
+    let (Traffic { wheels, table: wheel_table }, placed, rail) = (traffic?, placed?, rail?);
     // A stored case records the middle of the rail, and how far it reaches.
     sections.settle(&RAIL, CENTRE, Value::Number(rail.extent.centre));
     sections.settle(&RAIL, WIDTH, Value::Number(rail.extent.width));
-    let is_block = matches!(rail.boundary, Boundary::Block { .. });
-    let traps = |fluid: &CrackFluid| matches!(fluid.model, FluidModel::Trapped { .. });
-    let is_trapped = fluid.iter().flatten().any(&traps)
-        || mix.iter().flatten().filter_map(|wheel| wheel.fluid.as_ref()).any(&traps);
-    check_network(&sections, (is_trapped, is_block), report);
     let solver = sections.one(&SOLVER)?;
     let case = Case {
         title: sections.one(&TOP)?.get(TITLE)?,
         steel: steel?,
         rail,
-        wheel: wheel?,
-        passages: read_passages(sections.one(&PASSAGE)?, passage?)?,
+        wheels,
+        wheel_table,
         cracks: placed.network,
         crack_friction: placed.friction,
         residual_stress,
         plastic_stress,
-        fluid: fluid?,
         shakedown: shakedown?,
         growth: GrowthSettings {
             toughness: fracture.as_ref()?.as_ref().map(|fracture| MPA_SQRT_MM * fracture.at_rail),
@@ -212,8 +164,6 @@ pub(crate) fn build(
         fields: FieldOutput::read(sections.one(&OUTPUT)?)?,
         output: Output::read(sections.one(&OUTPUT)?)?,
         axle_load,
-        mix: mix?,
-        wheel_table,
         maintenance,
         inspection: match inspection {
             Some(read) => Some(read?),
@@ -238,26 +188,6 @@ pub(crate) fn build(
     is_possible.then_some(case)
 }
 
-/// A wheel of a mix with its passage, in its own half-width, and its fluid, by default that of the
-/// case.
-fn place_wheel(
-    read: ReadWheel,
-    sections: &Sections,
-    of_case: Option<&Option<CrackFluid>>,
-    network: Option<&CrackNetwork>,
-    report: &mut Report,
-) -> Option<MixedWheel> {
-    let section = sections.one(&PASSAGE)?;
-    let ReadWheel { name, share, axle_load, wheel, travel, fluid } = read;
-    let fluid = match &fluid {
-        Some(own) => read_fluid(own, network?, report),
-        None => of_case.cloned(),
-    };
-    let passage = read_passage(section, Some(wheel.half_width()), Some(travel), network, report)?;
-    let passages = read_passages(section, passage)?;
-    Some(MixedWheel { name, share, axle_load, wheel, fluid: fluid?, passages })
-}
-
 /// Whether the engine is that in space.
 fn is_in_space(sections: &Sections) -> bool {
     let engine = sections.one(&SOLVER).and_then(|solver| solver.get(ENGINE));
@@ -273,23 +203,6 @@ fn calibration(sections: &Sections) -> CalibrationPrior {
 /// The part of the contacts that the engine needs.
 fn contact_extent(sections: &Sections) -> ContactExtent {
     if is_in_space(sections) { ContactExtent::Ellipse } else { ContactExtent::Strip }
-}
-
-/// The one wheel of the case.
-fn read_wheel(
-    sections: &Sections,
-    steel: Option<&IsotropicElastic>,
-    folder: &Path,
-    report: &mut Report,
-) -> Option<GivenWheel> {
-    let of_wheel = WheelSections {
-        contact: sections.one(&CONTACT)?,
-        track: sections.one(&TRACK),
-        temperature: sections.one(&TEMPERATURE),
-        extent: contact_extent(sections),
-    };
-    let travel = sections.one(&PASSAGE).and_then(read_travel)?;
-    GivenWheel::read(of_wheel, steel?, travel, folder, report)
 }
 
 /// Fracture where it is given; none where it cannot be read.
@@ -336,13 +249,8 @@ fn check_network(sections: &Sections, (is_trapped, is_block): (bool, bool), repo
     }
 }
 
-/// A block needs the finite-element engine, and a wheel that stays on its top.
-fn check_block(
-    rail: &Rail,
-    sections: &Sections,
-    wheel: Option<(&GivenWheel, &Passage)>,
-    report: &mut Report,
-) {
+/// A block needs the finite-element engine, and wheels that stay on its top.
+fn check_block(rail: &Rail, sections: &Sections, wheels: &[TrafficWheel], report: &mut Report) {
     if let Some(solver) = sections.one(&SOLVER)
         && solver.get(ENGINE).is_some_and(|engine| engine.domain() == EngineDomain::HalfPlane)
     {
@@ -361,13 +269,20 @@ fn check_block(
         let help = "use rail.boundary = \"half-plane\", or leave [temperature] out";
         report.add(temperature.fault(RAIL_TEMPERATURE, says).help(help));
     }
-    let (Some((wheel, passage)), Some(section)) = (wheel, sections.one(&PASSAGE)) else { return };
-    let contact = wheel.contact();
-    let reach = 0.5 * rail.extent.width - contact.reach() - SIDE_GAP * contact.half_width();
-    let (left, right) = (rail.extent.centre - reach, rail.extent.centre + reach);
-    for (key, at) in [(FROM, passage.from), (TO, passage.to)] {
-        if (at - rail.extent.centre).abs() > reach {
-            let [at, left, right] = [at, left, right].map(short);
+    let Some(section) = sections.one(&PASSAGE) else { return };
+    let left = |wheel: &TrafficWheel| {
+        let contact = wheel.wheel.contact()?;
+        let reach = 0.5 * rail.extent.width - contact.reach() - SIDE_GAP * contact.half_width();
+        let passage = wheel.passages.passage;
+        let ends = [(FROM, passage.from), (TO, passage.to)];
+        let beyond = |(_, at): &(KeyRow<f64>, f64)| (at - rail.extent.centre).abs() > reach;
+        Some((ends.into_iter().filter(beyond).collect::<Vec<_>>(), reach))
+    };
+    // Of many wheels the first that leaves it.
+    if let Some((ends, reach)) = wheels.iter().filter_map(left).find(|(ends, _)| !ends.is_empty()) {
+        for (key, at) in ends {
+            let centre = rail.extent.centre;
+            let [at, left, right] = [at, centre - reach, centre + reach].map(short);
             let says = format!(
                 "puts the wheel at x = {at} mm; on top of the block it must stay between {left} and {right} mm"
             );

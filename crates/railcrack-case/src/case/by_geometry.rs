@@ -52,7 +52,7 @@ fn geometry(case: &Case) -> String {
         "{:?}",
         (
             (case.engine, case.network, &case.mesh, &case.rail, case.steel),
-            (grows, case.positions().len(), &case.cracks, fronts, plastic),
+            (grows, case.positions(case.first_wheel()).len(), &case.cracks, fronts, plastic),
         )
     )
 }

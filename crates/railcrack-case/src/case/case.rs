@@ -1,20 +1,19 @@
 //! Checked case: everything that a run computes, in the types of the mechanics.
 
-use super::mix::MixedWheel;
 use super::space_case::SpaceCase;
-use super::wheel_table::WheelTable;
+use super::traffic_wheel::{TrafficWheel, mean_axle_load};
+use super::wheel_table::{WheelGroups, WheelTable};
 use crate::files::{CaseFile, Companion, DetectionFile, ProfileFile, RatesFile, ToughnessFile};
 use crate::schema::{Value, Written};
 use crate::tables::{
-    CalibrationPrior, ContactSolver, Detection, Engine, FieldOutput, Fracture, GivenWheel, Inspection,
-    InspectionRisk, MeshSettings, OUTPUT, Output, PlasticSource, RUN_FOLDERS, Rail, Scatter,
-    ShakedownSettings, TITLE, TOP,
+    CONTACT, CalibrationPrior, ContactSolver, Detection, Engine, FieldOutput, Fracture, Inspection,
+    InspectionRisk, KIND, MeshSettings, OUTPUT, Output, PlasticSource, RUN_FOLDERS, Rail, Scatter,
+    ShakedownSettings, TITLE, TOP, WHEEL_CONTACT,
 };
 use railcrack::contact::CrackFluid;
 use railcrack::crack::CrackNetwork;
 use railcrack::fatigue::RailSteel;
-use railcrack::growth::{GrowthSettings, Mgt, NetworkContact, PassageSettings, SurfaceRemoval};
-use railcrack::load::Passage;
+use railcrack::growth::{GrowthSettings, Mgt, NetworkContact, SurfaceRemoval};
 use railcrack::material::IsotropicElastic;
 
 /// Everything in a case file, checked, in the types of the mechanics. Two are equal when their
@@ -27,10 +26,11 @@ pub struct Case {
     pub steel: IsotropicElastic,
     /// Extent and boundary of the rail.
     pub rail: Rail,
-    /// The load of the wheel: contact, bending, temperature; in a mix, the first one.
-    pub wheel: GivenWheel,
-    /// Output positions; repetition and resolution of the passages.
-    pub passages: PassageSettings,
+    /// The wheels that pass, at least one: all those that are given, or instead of the wheels of a
+    /// table their representatives.
+    pub wheels: Vec<TrafficWheel>,
+    /// The table of which the last wheels are, where one is given.
+    pub wheel_table: Option<WheelTable>,
     /// The cracks, copies written out: in the order of the file, the copies of each from left to
     /// right.
     pub cracks: CrackNetwork,
@@ -40,8 +40,6 @@ pub struct Case {
     pub residual_stress: Option<ProfileFile>,
     /// Plastic stress, still to be balanced.
     pub plastic_stress: Option<PlasticSource>,
-    /// Fluid in the cracks, where it is given; in a mix, under the first wheel.
-    pub fluid: Option<CrackFluid>,
     /// Plastic behaviour under the repeated passage.
     pub shakedown: ShakedownSettings,
     /// Rate and direction of growth, and the end of the run.
@@ -68,10 +66,6 @@ pub struct Case {
     pub output: Output,
     /// Mean load of an axle (t) where traffic is given: one passage is one axle.
     pub axle_load: Option<f64>,
-    /// The wheels of a mix, the first of which is `wheel`; empty for one wheel.
-    pub mix: Vec<MixedWheel>,
-    /// The table of which wheels of the mix are representatives, where one is given.
-    pub wheel_table: Option<WheelTable>,
     /// Wear and grinding, where they are given.
     pub maintenance: Option<SurfaceRemoval<Mgt>>,
     /// The inspection, where it is given.
@@ -89,40 +83,71 @@ pub struct Case {
 }
 
 impl Case {
+    /// The first wheel, by which positions are measured and whose faces and fields are written.
+    #[must_use]
+    pub fn first_wheel(&self) -> &TrafficWheel {
+        &self.wheels[0]
+    }
+
+    /// Whether several wheels pass: results then tell them apart.
+    #[must_use]
+    pub fn is_mix(&self) -> bool {
+        self.wheels.len() > 1
+    }
+
+    /// Number of wheels that a run computes, at most: of those of a table its representatives.
+    #[must_use]
+    pub fn computed_wheels(&self) -> usize {
+        let of_table = |table: &WheelTable| table.computed_wheels(&self.wheels);
+        self.wheel_table.as_ref().map_or(self.wheels.len(), of_table)
+    }
+
+    /// The case under `wheels` that represent those of its table in `groups`.
+    #[must_use]
+    pub fn represented_by(mut self, wheels: Vec<TrafficWheel>, groups: WheelGroups) -> Self {
+        self.axle_load = mean_axle_load(&wheels);
+        self.set_maintenance(self.maintenance);
+        self.wheels = wheels;
+        if let Some(table) = &mut self.wheel_table {
+            table.groups = Some(groups);
+        }
+        self
+    }
+
     /// Whether there is fluid in the cracks, under any wheel.
     #[must_use]
     pub fn has_fluid(&self) -> bool {
-        self.fluid.is_some() || self.mix.iter().any(|wheel| wheel.fluid.is_some())
+        self.wheels.iter().any(|wheel| wheel.fluid.is_some())
     }
 
     /// Whether a wheel feels the cracks.
     #[must_use]
     pub fn has_coupled_wheel(&self) -> bool {
-        self.wheel.coupling.is_some() || self.mix.iter().any(|wheel| wheel.wheel.coupling.is_some())
+        self.wheels.iter().any(|wheel| wheel.wheel.coupling().is_some())
     }
 
-    /// a, mm: the unit of `[passage]` positions.
+    /// Whether the rail bends as a beam under a wheel.
+    #[must_use]
+    pub fn has_track(&self) -> bool {
+        self.wheels.iter().any(|wheel| wheel.wheel.track.is_some())
+    }
+
+    /// a, mm: the unit of `[passage]` positions, of the first wheel.
     #[must_use]
     pub fn half_width(&self) -> f64 {
-        self.wheel.half_width()
+        self.first_wheel().wheel.half_width()
     }
 
-    /// The wheel positions of a passage that are written, in the order of travel, mm: those of
+    /// The positions of a passage of `wheel` that are written, in the order of travel, mm: those of
     /// `[passage]`, and where the rail bends those far away. Of the cracks at the beginning.
     #[must_use]
-    pub fn positions(&self) -> Vec<f64> {
-        self.positions_under(&self.wheel, &self.passages.passage)
-    }
-
-    /// [`Case::positions`] of `wheel` in its `passage`.
-    #[must_use]
-    pub fn positions_under(&self, wheel: &GivenWheel, passage: &Passage) -> Vec<f64> {
+    pub fn positions(&self, wheel: &TrafficWheel) -> Vec<f64> {
         let points = || self.cracks.cracks().iter().flat_map(|crack| crack.points());
         let mut places: Vec<f64> = points().filter(|point| point.y == 0.0).map(|point| point.x).collect();
         if places.is_empty() {
             places.extend(points().next().map(|point| point.x));
         }
-        wheel.positions(passage, &places, &self.steel)
+        wheel.wheel.positions(&wheel.passages.passage, &places, &self.steel)
     }
 
     /// Gives the case another wear and grinding, where it has axle loads.
@@ -152,15 +177,23 @@ impl Case {
             interface_elements: Some(self.face_resolution().elements),
             ..self.mesh
         };
-        let wheel = |mixed: &MixedWheel| MixedWheel { fluid: filled(mixed.fluid.as_ref()), ..mixed.clone() };
+        let wheel =
+            |wheel: &TrafficWheel| TrafficWheel { fluid: filled(wheel.fluid.as_ref()), ..wheel.clone() };
         Some(Self {
             mesh,
-            fluid: filled(self.fluid.as_ref()),
-            mix: self.mix.iter().map(wheel).collect(),
+            wheels: self.wheels.iter().map(wheel).collect(),
             crack_friction: friction,
             cracks,
             ..self.clone()
         })
+    }
+
+    /// The sections of the contacts that the text of the case gives, such as `contact`.
+    #[must_use]
+    pub fn contact_sections(&self) -> Vec<String> {
+        let numbered = (1..=self.wheels.len() + 1).map(|number| WHEEL_CONTACT.path(number));
+        let all = std::iter::once(CONTACT.path(1)).chain(numbered);
+        all.filter(|path| self.written.value(path, KIND.key.name).is_some()).collect()
     }
 
     /// The same case with another title.
@@ -206,8 +239,8 @@ impl Case {
             Detection::LogNormal { .. } => None,
         });
         // The tables of a mix are one file, and its profiles one pair.
-        let wheels = std::iter::once(&self.wheel).chain(self.mix.iter().map(|wheel| &wheel.wheel));
-        let contact = wheels.map(GivenWheel::companions).find(|files| !files.is_empty()).unwrap_or_default();
+        let mut wheels = self.wheels.iter().map(|wheel| wheel.wheel.companions());
+        let contact = wheels.find(|files| !files.is_empty()).unwrap_or_default();
         let wheels = self.wheel_table.as_ref().map(|table| CaseFile::companion(&table.file));
         let stresses = residual.into_iter().chain(plastic).chain(initial);
         contact

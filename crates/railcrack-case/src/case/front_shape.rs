@@ -1,18 +1,11 @@
 //! Cracks of two points as semi-ellipses in space, those of three as folded cracks.
 
-use crate::schema::{SectionValues, Sections};
-use crate::tables::{CRACK, CRACK_LATERAL, STRIKE, SURFACE_HALF_LENGTH};
-use railcrack::crack::{Crack, CrackNetwork};
+use crate::schema::SectionValues;
+use crate::tables::{CRACK_LATERAL, STRIKE};
+use railcrack::crack::Crack;
 use railcrack::growth::{FrontShape, MouthStrip};
 use railcrack::math::Vec2;
 use std::f64::consts::PI;
-
-/// The first crack as it is given, in a form that may not be admissible; none where something is
-/// missing.
-pub(super) fn first_front(sections: &Sections, network: &CrackNetwork) -> Option<FrontShape> {
-    let section = sections.all(&CRACK).next()?;
-    front_shape(network.cracks().first()?, section.get(SURFACE_HALF_LENGTH)?, section)
-}
 
 /// The shape of a crack of two points, or of three from its mouth on, which may not be admissible.
 pub(super) fn front_shape(crack: &Crack, half_length: f64, section: &SectionValues) -> Option<FrontShape> {

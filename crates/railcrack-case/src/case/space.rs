@@ -2,21 +2,18 @@
 
 use super::cracks::PlacedCracks;
 use super::front_shape::front_shape;
-use super::rolling_patch::{placed_patches, rolling_patch};
 use super::space_case::SpaceCase;
-use super::wheel_table::WheelTable;
+use super::traffic_wheel::TrafficWheel;
 use crate::schema::{Fault, Report, Section, SectionValues, Sections};
 use crate::tables::{
-    CONTACT, CRACK, ContactOrigin, ContactSolver, FRICTION, FRONT, FRONT_HARMONICS, FrontForm, GROWTH,
-    GivenWheel, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH, LAW, MESH, MODE_3_WEIGHT, MeshSettings,
-    PLASTIC_STRESS, Rail, SOLVER, SOLVER_CONTACT, SPACE_SURFACE_ROWS, SPACING, STRIKE, SURFACE_HALF_LENGTH,
-    WHEEL, WHEEL_CONTACT,
+    CONTACT, CRACK, ContactOrigin, ContactSolver, FRONT, FRONT_HARMONICS, FrontForm, GROWTH, GivenContact,
+    GivenWheel, KIND, LATERAL_HALF_WIDTH, LAW, MESH, MODE_3_WEIGHT, MeshSettings, PLASTIC_STRESS, Rail,
+    SOLVER, SOLVER_CONTACT, SPACE_SURFACE_ROWS, SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL, WHEEL_CONTACT,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::Crack;
 use railcrack::growth::{FrontDeviation, FrontShape};
-use railcrack::load::HertzEllipse;
-use railcrack::space::{CloseCracks, EllipticWheel, LEAST_STRIP, SpaceCrack, SpaceResolution, WheelPatch};
+use railcrack::space::{CloseCracks, LEAST_STRIP, SpaceCrack, SpaceResolution};
 
 /// Sections that the engine does not support, with reasons.
 const REFUSED: [(Section, &str); 1] =
@@ -27,7 +24,7 @@ const REFUSED: [(Section, &str); 1] =
 pub(super) fn read_space(
     sections: &Sections,
     placed: Option<&PlacedCracks>,
-    (wheels, table): (Option<&[&GivenWheel]>, Option<&WheelTable>),
+    wheels: Option<&[TrafficWheel]>,
     rail: Option<&Rail>,
     report: &mut Report,
 ) -> Option<SpaceCase> {
@@ -81,12 +78,11 @@ pub(super) fn read_space(
     if contacts.is_empty() {
         contacts.extend(sections.one(&CONTACT));
     }
-    let read = |(section, wheel): (&&SectionValues, &&GivenWheel)| read_wheel(section, wheel, report);
-    let mut wheels: Vec<Option<WheelPatch>> = contacts.iter().zip(wheels?).map(read).collect();
     // Those of a table come last, and have no sections.
-    wheels.extend(table.iter().flat_map(|table| table.patches()));
-    let wheels = wheels.into_iter().collect::<Option<Vec<_>>>()?;
-    Some(SpaceCase { shapes: shapes?, wheels, mode_3_weight: growth.get(MODE_3_WEIGHT) })
+    for (section, wheel) in contacts.iter().zip(wheels.unwrap_or_default()) {
+        check_wheel(section, &wheel.wheel, report);
+    }
+    Some(SpaceCase { shapes: shapes?, mode_3_weight: growth.get(MODE_3_WEIGHT) })
 }
 
 /// The deviation, still none, of fronts that are free to leave their ellipses; errors are added to
@@ -258,38 +254,21 @@ fn accepts_fold(shape: &FrontShape, section: &SectionValues, report: &mut Report
 /// Semi-axes of a crack that its grid resolves.
 const LARGEST_ASPECT: f64 = 25.0;
 
-fn read_wheel(section: &SectionValues, wheel: &GivenWheel, report: &mut Report) -> Option<WheelPatch> {
-    if let ContactOrigin::Rolling { patch, lateral, travel } = &wheel.origin {
-        return Some(rolling_patch(patch, -lateral, *travel));
+/// Reports a contact that loads no part of the half-space.
+fn check_wheel(section: &SectionValues, wheel: &GivenWheel, report: &mut Report) {
+    let Some(GivenContact { contact, origin, .. }) = wheel.given() else { return };
+    if matches!(origin, ContactOrigin::Rolling { .. } | ContactOrigin::Profiles(_)) {
+        return;
     }
-    if let ContactOrigin::Profiles(own) = &wheel.origin {
-        return placed_patches(&own.placed, own.travel);
-    }
-    if wheel.contact().sliding().is_none() {
+    if contact.sliding().is_none() {
         let says = "the space engine computes the Hertz ellipse in full sliding only";
         report.add(section.fault(KIND, says).help("use kind = \"hertz\" or \"rolling\""));
-        return None;
+    } else if !matches!(origin, ContactOrigin::Ellipse { .. } | ContactOrigin::GivenEllipse { .. }) {
+        let key = section.dotted(LATERAL_HALF_WIDTH.key.name);
+        let message = format!(
+            "`{key}` is missing: the space engine needs the lateral semi-axis of the contact ellipse, in mm"
+        );
+        let help = "give it with peak_pressure_mpa and half_width_mm, or give wheel_load_kn with the radii of wheel and rail";
+        report.add(Fault::of(key, section.span.clone(), message).help(help));
     }
-    let (ellipse, lateral): (HertzEllipse, f64) = match &wheel.origin {
-        ContactOrigin::Ellipse { ellipse, lateral, .. }
-        | ContactOrigin::GivenEllipse { ellipse, lateral } => (*ellipse, *lateral),
-        _ => {
-            let key = section.dotted(LATERAL_HALF_WIDTH.key.name);
-            let message = format!(
-                "`{key}` is missing: the space engine needs the lateral semi-axis of the contact ellipse, in mm"
-            );
-            let help = "give it with peak_pressure_mpa and half_width_mm, or give wheel_load_kn with the radii of wheel and rail";
-            report.add(Fault::of(key, section.span.clone(), message).help(help));
-            return None;
-        }
-    };
-    let wheel = EllipticWheel {
-        peak_pressure: ellipse.peak_pressure,
-        half_width: ellipse.along,
-        lateral_half_width: ellipse.across,
-        lateral,
-        friction: section.get(FRICTION)?,
-        lateral_friction: section.get(LATERAL_FRICTION).unwrap_or(0.0),
-    };
-    Some(wheel.into())
 }

@@ -1,15 +1,13 @@
 //! The parts of a case that only the engine in space knows, and its size.
 
 use railcrack::growth::FrontShape;
-use railcrack::space::{FoldedResolution, SpaceResolution, WheelPatch};
+use railcrack::space::{FoldedResolution, SpaceResolution};
 
 /// The parts of a case that only the engine in space knows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpaceCase {
     /// The cracks at the beginning, in the order of those of the case.
     pub shapes: Vec<FrontShape>,
-    /// The wheels, of a mix in its order.
-    pub wheels: Vec<WheelPatch>,
     /// Weight of mode III in the range of Hourlier and Pineau, where it is given.
     pub mode_3_weight: Option<f64>,
 }

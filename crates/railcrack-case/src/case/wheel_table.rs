@@ -1,9 +1,9 @@
-//! A table of wheels as a case uses it.
+//! A table of wheels as a case uses it, and the groups of its wheels.
 
-use super::rolling_patch::placed_patches;
+use super::traffic_wheel::TrafficWheel;
 use crate::files::{TableWheel, WheelTableFile};
-use railcrack::load::{Contact, Travel};
-use railcrack::space::WheelPatch;
+use railcrack::load::Travel;
+use serde::{Deserialize, Serialize};
 
 /// A table of wheels as a case uses it.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,18 +18,27 @@ pub struct WheelTable {
     pub travel: Travel,
     /// The wheels that pass: all of the table, or those at one place.
     pub wheels: Vec<TabledWheel>,
-    /// Number in the mix, from 0, of its first wheel.
+    /// Number, from 0, of its first wheel among those of the case, of which its wheels are the last.
     pub first: usize,
-    /// Its wheels in the mix that load the cracks.
-    pub representatives: usize,
-    /// The wheels, indices of `wheels`, that are these representatives.
-    pub chosen: Vec<usize>,
-    /// Share of the axles whose patches miss the cracks.
-    pub missed: f64,
+    /// Largest number of its wheels that a run computes for those that load the cracks.
+    pub most: usize,
+    /// Error of the mean growth rate of the representatives that is accepted.
+    pub accepted: f64,
+    /// The groups whose representatives are the wheels of the case; none where all of its wheels
+    /// are.
+    pub groups: Option<WheelGroups>,
+}
+
+/// Wheels of a table in groups, each with a representative.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct WheelGroups {
+    /// The representatives, indices of the wheels of the table.
+    pub representatives: Vec<usize>,
+    /// The group of each wheel, an index of `representatives`; none of a wheel that misses the
+    /// cracks.
+    pub group_of: Vec<Option<usize>>,
     /// Error of the mean growth rate of the representatives by the surrogate, a coarse crack.
     pub error: f64,
-    /// The error that is accepted.
-    pub accepted: f64,
 }
 
 impl WheelTable {
@@ -39,10 +48,21 @@ impl WheelTable {
         if self.in_space { "the coarse crack" } else { "the open crack" }
     }
 
-    /// The whole patches of the representatives, in space.
-    pub(super) fn patches(&self) -> Vec<Option<WheelPatch>> {
-        let of = |wheel: &usize| placed_patches(&self.wheels[*wheel].wheel.over(0.0), self.travel);
-        self.chosen.iter().map(of).collect()
+    /// Share of the axles whose patches miss the cracks, in `groups` of its wheels.
+    #[must_use]
+    pub fn missed(&self, groups: &WheelGroups) -> f64 {
+        let all = self.wheels.iter().zip(&groups.group_of);
+        all.filter(|(_, group)| group.is_none()).map(|(wheel, _)| wheel.share).sum()
+    }
+
+    /// Number of wheels that a run computes, at most, of a case with `wheels`.
+    pub(super) fn computed_wheels(&self, wheels: &[TrafficWheel]) -> usize {
+        if self.groups.is_some() {
+            return wheels.len();
+        }
+        let own = wheels.len() - self.first;
+        let loading = wheels.iter().skip(self.first).filter(|wheel| wheel.wheel.contact().is_some()).count();
+        self.first + loading.min(self.most) + usize::from(loading < own)
     }
 }
 
@@ -53,9 +73,4 @@ pub struct TabledWheel {
     pub wheel: TableWheel,
     /// Share of the axles.
     pub share: f64,
-    /// Its load of the cracks; none where its patches miss them. In space, the middle strip of its
-    /// heaviest patch.
-    pub contact: Option<Contact>,
-    /// The wheel of the mix, from 0, that represents it.
-    pub represented_by: usize,
 }

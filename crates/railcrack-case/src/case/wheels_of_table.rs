@@ -1,90 +1,66 @@
-//! `[[wheel]] table`: the wheels of a table, grouped, as wheels of the mix.
+//! `[[wheel]] table`: the wheels of a table.
 
-use super::front_shape::first_front;
-use super::read_wheel::ReadWheel;
-use super::representatives::{FirstCrack, group};
+use super::traffic::TrafficContext;
+use super::traffic_wheel::TrafficWheel;
 use super::wheel_table::{TabledWheel, WheelTable};
 use crate::files::{TableWheel, WheelReading, WheelTableFile, read_wheel_table};
 use crate::schema::{Report, SectionValues, Sections};
 use crate::tables::{
-    CRACK, CRACK_FRICTION, CRACK_LATERAL, ContactExtent, ContactOrigin, GivenWheel, PLACE, PLACE_WINDOW,
-    REPRESENTATIVES, REPRESENTATIVES_ERROR, TABLE, TABLE_SIGN, TABLE_THEORY, TEMPERATURE, TRACK,
-    WHEEL_CONTACT, WHEEL_FLUID, WHEEL_TEMPERATURE, WHEEL_TRACK, read_temperature, read_track,
+    CRACK, CRACK_LATERAL, ContactExtent, ContactOrigin, GivenContact, GivenWheel, PASSAGE, PLACE,
+    PLACE_WINDOW, REPRESENTATIVES, REPRESENTATIVES_ERROR, TABLE, TABLE_SIGN, TABLE_THEORY, TEMPERATURE,
+    TRACK, WHEEL_CONTACT, WHEEL_TEMPERATURE, WHEEL_TRACK, WheelLoading, read_passages, read_temperature,
+    read_track,
 };
-use railcrack::crack::CrackNetwork;
-use railcrack::fatigue::GrowthLaw;
-use railcrack::load::{Contact, HertzianContact, Travel, WheelLoad};
-use railcrack::material::IsotropicElastic;
+use railcrack::contact::CrackFluid;
+use railcrack::load::{Contact, Travel};
 use railcrack::rolling::PlacedPatch;
-use std::path::Path;
-
-/// Peak pressure (MPa) of the wheel of the mix that stands for those that miss the crack: it loads
-/// the crack by nothing that counts, and keeps their share, their fluid and their bending.
-const NOTHING: f64 = 1e-3;
 
 /// Common properties of the wheels of a table.
 pub(super) struct TableContext<'a> {
-    pub sections: &'a Sections,
-    pub steel: &'a IsotropicElastic,
+    pub of_traffic: TrafficContext<'a>,
     pub travel: Travel,
-    pub network: &'a CrackNetwork,
-    pub law: &'a GrowthLaw,
     /// Share of the axles that the other wheels of the mix leave.
     pub share: f64,
     /// Load of an axle, t, where the table gives none.
     pub axle_load: Option<f64>,
-    /// Number of its first wheel in the mix.
+    /// Number of its first wheel in the case.
     pub first: usize,
-    pub folder: &'a Path,
-    /// The part of its patches that loads the cracks.
-    pub extent: ContactExtent,
+    pub fluid: Option<CrackFluid>,
 }
 
-/// The wheels of the mix for the table of `given`, and the table; none if something is wrong;
-/// errors are added to `report`.
+/// The wheels for the table of `given`, and the table; none if something is wrong; errors are added
+/// to `report`.
 pub(super) fn read_wheels_of_table(
     given: &SectionValues,
-    context: &TableContext<'_>,
+    context: TableContext<'_>,
     report: &mut Report,
-) -> Option<(Vec<ReadWheel>, WheelTable)> {
-    let TableContext { sections, steel, travel, network, law, folder, first, .. } = *context;
+) -> Option<(Vec<TrafficWheel>, WheelTable)> {
+    let TableContext { of_traffic, travel, first, .. } = context;
+    let TrafficContext { sections, steel, network, extent, folder } = of_traffic;
     if let Some(contact) = sections.part(given, &WHEEL_CONTACT) {
         let says = "says the same thing as `table`, whose rows are the contacts: give one or the other";
         report.add(contact.fault_of_all(says));
         return None;
     }
-    let in_space = context.extent == ContactExtent::Ellipse;
+    let in_space = extent == ContactExtent::Ellipse;
     // Cracks in space each lie at their own place.
     let lateral = match in_space {
         true => sections.all(&CRACK).next()?.get(CRACK_LATERAL).unwrap_or(0.0),
         false => lateral_place(sections, report)?,
     };
-    let front = if in_space { Some(first_front(sections, network)?) } else { None };
     let (sign, theory) = (given.get(TABLE_SIGN)?, given.get(TABLE_THEORY)?);
-    let reading = WheelReading { steel, sign, theory };
+    let reading = WheelReading { steel: steel?, sign, theory };
     let file = read_wheel_table(given, TABLE, reading, folder, report)?;
-    let mut wheels = passing(&file, given, context, lateral, report)?;
-    let loaded: Vec<usize> = (0..wheels.len()).filter(|i| wheels[*i].contact.is_some()).collect();
-    if loaded.is_empty() {
+    let wheels = passing(&file, given, context.share, report)?;
+    let loadings: Vec<WheelLoading> =
+        wheels.iter().map(|wheel| loading(&wheel.wheel, lateral, (extent, travel))).collect();
+    if loadings.iter().all(|loading| matches!(loading, WheelLoading::Misses { .. })) {
         let says =
             format!("no patch of its {} wheels meets the crack at lateral_mm = {lateral}", wheels.len());
         let help = "lateral_mm of [[crack]] and y_rail_mm of the table are measured from the same origin";
         report.add(given.fault(TABLE, says).help(help));
         return None;
     }
-    let most = given.get(REPRESENTATIVES)?;
-    let friction = sections.all(&CRACK).next().and_then(|crack| crack.get(CRACK_FRICTION))?;
-    let crack = front.as_ref().map_or(FirstCrack::Plane(network), FirstCrack::Space);
-    let groups = group((&wheels, travel), &loaded, most, (crack, friction), (steel, law));
-    for (i, group) in loaded.iter().zip(&groups.group_of) {
-        wheels[*i].represented_by = first + group;
-    }
-    let count = groups.representatives.len();
-    let missed: f64 = wheels.iter().filter(|wheel| wheel.contact.is_none()).map(|wheel| wheel.share).sum();
-    wheels
-        .iter_mut()
-        .filter(|wheel| wheel.contact.is_none())
-        .for_each(|wheel| wheel.represented_by = first + count);
     let track = match sections.part(given, &WHEEL_TRACK).or_else(|| sections.one(&TRACK)) {
         Some(section) => Some(read_track(section, None, report)?),
         None => None,
@@ -93,64 +69,54 @@ pub(super) fn read_wheels_of_table(
         Some(section) => Some(read_temperature(section, report)?),
         None => None,
     };
-    let read = |name: String, share: f64, contact: Contact, origin: ContactOrigin, group: usize| ReadWheel {
-        name,
-        share,
-        axle_load: mean_axle_load(&wheels, first + group).or(context.axle_load),
-        wheel: GivenWheel {
-            load: WheelLoad { contact, track: track.clone(), temperature },
-            origin,
-            coupling: None,
-        },
-        travel,
-        fluid: sections.part(given, &WHEEL_FLUID).cloned(),
+    let (network, passage) = (network?, sections.one(&PASSAGE)?);
+    let read = |(wheel, loading): (&TabledWheel, WheelLoading)| {
+        let load = GivenWheel { loading, track: track.clone(), temperature };
+        Some(TrafficWheel {
+            name: format!("wheel {}", wheel.wheel.number),
+            share: wheel.share,
+            axle_load: wheel.wheel.axle_load.or(context.axle_load),
+            passages: read_passages(passage, load.half_width(), travel, network)?,
+            wheel: load,
+            fluid: context.fluid.clone(),
+        })
     };
-    let mut mix = Vec::with_capacity(count + 1);
-    for (group, (own, share)) in groups.representatives.iter().zip(&groups.shares).enumerate() {
-        let wheel = &wheels[loaded[*own]];
-        let alike = groups.group_of.iter().filter(|other| **other == group).count();
-        let name = match alike {
-            1 => format!("wheel {}", wheel.wheel.number),
-            _ => format!("wheel {} and {} like it", wheel.wheel.number, alike - 1),
-        };
-        let origin = match in_space {
-            true => {
-                let own = wheel.wheel.heaviest();
-                ContactOrigin::Rolling { patch: Box::new(own.patch), lateral: -own.y_rail, travel }
-            }
-            false => {
-                let patches = wheel.wheel.over(lateral);
-                let own = patches.iter().find(|own| own.patch.half_length(own.y) > 0.0)?;
-                ContactOrigin::Rolling { patch: Box::new(own.patch), lateral: own.y, travel }
-            }
-        };
-        mix.push(read(name, *share, wheel.contact.clone()?, origin, group));
-    }
-    if missed > 0.0 {
-        let half_width = mix[0].wheel.half_width();
-        let nothing = HertzianContact { peak_pressure: NOTHING, half_width, friction: 0.0 };
-        mix.push(read(
-            "wheels that miss the crack".into(),
-            missed,
-            nothing.into(),
-            ContactOrigin::Given,
-            count,
-        ));
-    }
+    let traffic: Option<Vec<TrafficWheel>> = wheels.iter().zip(loadings).map(read).collect();
     let table = WheelTable {
         file,
         lateral,
         in_space,
-        chosen: groups.representatives.iter().map(|own| loaded[*own]).collect(),
         travel,
         wheels,
         first,
-        representatives: count,
-        missed,
-        error: groups.error,
+        most: given.get(REPRESENTATIVES)?,
         accepted: given.get(REPRESENTATIVES_ERROR)?,
+        groups: None,
     };
-    Some((mix, table))
+    Some((traffic?, table))
+}
+
+/// What a wheel of a table that runs towards `travel` does over cracks at `lateral` (mm).
+fn loading(wheel: &TableWheel, lateral: f64, (extent, travel): (ContactExtent, Travel)) -> WheelLoading {
+    let of_patch = |contact: Contact, own: PlacedPatch| {
+        let origin = ContactOrigin::Rolling { patch: Box::new(own.patch), lateral: own.y, travel };
+        WheelLoading::Contact(Box::new(GivenContact { contact, origin, coupling: None }))
+    };
+    let heaviest = wheel.heaviest();
+    let met = match extent {
+        ContactExtent::Ellipse => {
+            let own = PlacedPatch { patch: heaviest.patch, y: -heaviest.y_rail, x: heaviest.x };
+            heaviest.patch.plane_contact(0.0, travel).ok().map(|contact| of_patch(contact, own))
+        }
+        ContactExtent::Strip => {
+            let patches = wheel.over(lateral);
+            let over = patches.iter().find(|own| own.patch.half_length(own.y) > 0.0).copied();
+            PlacedPatch::plane_contact(&patches, travel)
+                .zip(over)
+                .map(|(contact, own)| of_patch(contact, own))
+        }
+    };
+    met.unwrap_or(WheelLoading::Misses { half_width: heaviest.patch.ellipse.along })
 }
 
 /// The lateral place of the cracks, which is the same for all of them.
@@ -167,12 +133,12 @@ fn lateral_place(sections: &Sections, report: &mut Report) -> Option<f64> {
     Some(place)
 }
 
-/// The wheels of the table at the place of the section, with their shares and loads.
+/// The wheels of the table at the place of the section, with their shares of the `whole` table's
+/// share of the axles.
 fn passing(
     file: &WheelTableFile,
     given: &SectionValues,
-    context: &TableContext<'_>,
-    lateral: f64,
+    whole: f64,
     report: &mut Report,
 ) -> Option<Vec<TabledWheel>> {
     let (place, window) = (given.get(PLACE), given.get(PLACE_WINDOW)?);
@@ -187,24 +153,9 @@ fn passing(
         return None;
     }
     let sum: f64 = here.iter().map(|wheel| wheel.share.unwrap_or(1.0)).sum();
-    let contact = |wheel: &TableWheel| match context.extent {
-        ContactExtent::Ellipse => wheel.heaviest().patch.plane_contact(0.0, context.travel).ok(),
-        ContactExtent::Strip => PlacedPatch::plane_contact(&wheel.over(lateral), context.travel),
-    };
     let of = |wheel: &&TableWheel| TabledWheel {
         wheel: (*wheel).clone(),
-        share: context.share * (wheel.share.unwrap_or(1.0) / sum),
-        contact: contact(wheel),
-        represented_by: 0,
+        share: whole * (wheel.share.unwrap_or(1.0) / sum),
     };
     Some(here.iter().map(of).collect())
-}
-
-/// The mean load of the axles that the wheel `group` of the mix represents; none where it is not
-/// known of all of them.
-fn mean_axle_load(wheels: &[TabledWheel], group: usize) -> Option<f64> {
-    let own = || wheels.iter().filter(|wheel| wheel.represented_by == group);
-    let tonnes: Option<f64> = own().map(|wheel| Some(wheel.share * wheel.wheel.axle_load?)).sum();
-    let share: f64 = own().map(|wheel| wheel.share).sum();
-    tonnes.filter(|_| share > 0.0).map(|tonnes| tonnes / share)
 }

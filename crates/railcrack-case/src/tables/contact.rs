@@ -133,6 +133,8 @@ pub enum ContactOrigin {
         ellipse: HertzEllipse,
         /// Offset of the strip from its middle, mm.
         lateral: f64,
+        /// Ratio of lateral shear to pressure, > 0 towards +z; no strip carries it.
+        lateral_friction: f64,
     },
     /// A line load on cylinders.
     LineLoad {
@@ -147,6 +149,8 @@ pub enum ContactOrigin {
         ellipse: HertzEllipse,
         /// Offset of the strip from its middle, mm.
         lateral: f64,
+        /// Ratio of lateral shear to pressure, > 0 towards +z; no strip carries it.
+        lateral_friction: f64,
     },
     /// A table.
     Table(ContactFile),
@@ -312,7 +316,8 @@ fn read_given(
     };
     let ellipse = HertzEllipse { peak_pressure, along: half_width, across };
     let strip = strip(section, &ellipse, extent.offset(lateral), friction, report)?;
-    Some((strip, ContactOrigin::GivenEllipse { ellipse, lateral }))
+    let lateral_friction = section.get(LATERAL_FRICTION).unwrap_or(0.0);
+    Some((strip, ContactOrigin::GivenEllipse { ellipse, lateral, lateral_friction }))
 }
 
 /// A line contact is the same at all lateral positions.
@@ -379,7 +384,8 @@ fn read_ellipse(
         report.add(section.fault(WHEEL_LOAD, says).help(help));
         return None;
     }
-    Some((contact, ContactOrigin::Ellipse { wheel, ellipse, lateral }))
+    let lateral_friction = section.get(LATERAL_FRICTION).unwrap_or(0.0);
+    Some((contact, ContactOrigin::Ellipse { wheel, ellipse, lateral, lateral_friction }))
 }
 
 /// Reason why a derived value is outside the range of its key.

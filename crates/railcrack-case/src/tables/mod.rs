@@ -40,12 +40,10 @@ pub use shakedown::ShakedownSettings;
 pub use solver::{ContactSolver, Engine, EngineDomain};
 pub use stress::PlasticSource;
 pub use study::{Combine, STUDY, Sampling};
-pub use wheel_load::GivenWheel;
+pub use wheel_load::{GivenContact, GivenWheel, WheelLoading};
 
 pub(crate) use calibration::{CALIBRATION, read_calibration};
-pub(crate) use contact::{
-    CONTACT, COUPLED, ContactExtent, FRICTION, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH,
-};
+pub(crate) use contact::{CONTACT, COUPLED, ContactExtent, KIND, LATERAL_HALF_WIDTH};
 pub(crate) use crack::{
     ANGLE, ANGLE_SD, ANGLES, COUNT, CRACK, CRACK_FRICTION, CRACK_LATERAL, LENGTH, LENGTH_SD, MOUTH, POINTS,
     ROW_SEED, SPACING, SPACING_SD, STRIKE, SURFACE_HALF_LENGTH,
@@ -63,7 +61,7 @@ pub(crate) use mesh::{
     ELEMENT_SIZE, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH, SPACE_CELLS, SPACE_SURFACE_ROWS,
 };
 pub(crate) use output::{EXPLORER, OF_STUDY, OUTPUT, RUN_FOLDERS};
-pub(crate) use passage::{FROM, PASSAGE, POSITIONS, TO, read_passage, read_passages, read_travel};
+pub(crate) use passage::{FROM, PASSAGE, POSITIONS, TO, check_passage, read_passages, read_travel};
 pub(crate) use rail::{CENTRE, CRACKED_SECTION, RAIL, WIDTH, read_steel};
 pub(crate) use shakedown::{SHAKEDOWN, YIELD_STRESS};
 pub(crate) use solver::{ENGINE, NETWORK, SOLVER, SOLVER_CONTACT};

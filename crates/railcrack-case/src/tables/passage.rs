@@ -32,25 +32,28 @@ pub(crate) fn read_travel(section: &SectionValues) -> Option<Travel> {
     Some(if section.get(TO)? < section.get(FROM)? { Travel::Backward } else { Travel::Forward })
 }
 
-/// The positions of a wheel with the half-width a = `half_width` (mm) that runs towards `travel`,
-/// from the mouths of `cracks`; one that runs against the direction of the section has its passage
-/// mirrored.
-pub(crate) fn read_passage(
-    section: &SectionValues,
-    half_width: Option<f64>,
-    travel: Option<Travel>,
-    cracks: Option<&CrackNetwork>,
-    report: &mut Report,
-) -> Option<Passage> {
-    let (from, to) = (section.get(FROM)?, section.get(TO)?);
+/// Reports a passage in which the wheel does not move; whether it moves.
+pub(crate) fn check_passage(section: &SectionValues, report: &mut Report) -> bool {
+    let (Some(from), Some(to)) = (section.get(FROM), section.get(TO)) else { return false };
     if from == to {
         let help = "the wheel must move; from > to makes it run towards -x";
         let says = format!("must differ from {}", FROM.key.name);
         report.add(section.fault(TO, says).help(help));
-        return None;
     }
-    let (half_width, cracks) = (half_width?, cracks?);
-    let (from, to) = if travel == read_travel(section) { (from, to) } else { (-from, -to) };
+    from != to
+}
+
+/// The passages of a wheel with the half-width a = `half_width` (mm) that runs towards `travel`,
+/// from the mouths of `cracks`; one that runs against the direction of the section has its passage
+/// mirrored.
+pub(crate) fn read_passages(
+    section: &SectionValues,
+    half_width: f64,
+    travel: Travel,
+    cracks: &CrackNetwork,
+) -> Option<PassageSettings> {
+    let (from, to) = (section.get(FROM)?, section.get(TO)?);
+    let (from, to) = if Some(travel) == read_travel(section) { (from, to) } else { (-from, -to) };
     // The wheel meets the cracks one after the other: it starts before the first mouth that it
     // meets and ends behind the last one.
     let (first, last) = if from < to {
@@ -58,15 +61,11 @@ pub(crate) fn read_passage(
     } else {
         (cracks.rightmost_mouth(), cracks.leftmost_mouth())
     };
-    Some(Passage {
+    let passage = Passage {
         from: first + from * half_width,
         to: last + to * half_width,
         positions: section.get(POSITIONS)?,
-    })
-}
-
-/// Repetition and resolution of `passage`.
-pub(crate) fn read_passages(section: &SectionValues, passage: Passage) -> Option<PassageSettings> {
+    };
     Some(PassageSettings {
         passage,
         max_passages: section.get(MAX_PASSAGES)?,

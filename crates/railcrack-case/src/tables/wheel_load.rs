@@ -7,19 +7,41 @@ use super::track::{read_temperature, read_track};
 use crate::files::Companion;
 use crate::schema::{Report, SectionValues};
 use railcrack::coupling::WheelCoupling;
-use railcrack::field::{Uniform, Wheel, wheel_under};
+use railcrack::field::Uniform;
 use railcrack::growth::output_positions;
-use railcrack::load::{Bending, Contact, ContactKind, Passage, Travel, WheelLoad};
+use railcrack::load::{Bending, Contact, ContactKind, Passage, Temperature, Track, Travel};
 use railcrack::material::IsotropicElastic;
-use railcrack::math::OutOfRange;
 use std::path::Path;
 
 /// The load of one wheel as a case gives it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GivenWheel {
-    /// Contact, bending, temperature.
-    pub load: WheelLoad,
-    /// Origin of the contact.
+    /// What it does to the running surface over the cracks.
+    pub loading: WheelLoading,
+    /// The rail as a beam; none where it does not bend.
+    pub track: Option<Track>,
+    /// Temperature of the rail, where it is given.
+    pub temperature: Option<Temperature>,
+}
+
+/// What a wheel does to the running surface over the cracks.
+#[derive(Debug, Clone, PartialEq)]
+pub enum WheelLoading {
+    /// Its contact passes over them.
+    Contact(Box<GivenContact>),
+    /// Its patches miss them: only bending, temperature and fluid load them.
+    Misses {
+        /// Half-width (mm) in which the positions of its passage are measured.
+        half_width: f64,
+    },
+}
+
+/// The contact of a wheel over the cracks.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GivenContact {
+    /// Pressure and shear; of a whole patch, those of its middle strip.
+    pub contact: Contact,
+    /// Origin of their numbers.
     pub origin: ContactOrigin,
     /// How the wheel feels the cracks; `None` for the contact on the uncracked rail.
     pub coupling: Option<WheelCoupling>,
@@ -54,39 +76,51 @@ impl GivenWheel {
         let temperature = sections.temperature.map(|s| read_temperature(s, report));
         let (contact, origin) = contact?;
         let coupling = read_coupling(sections.contact, &contact, steel, report)?;
+        let loading = WheelLoading::Contact(Box::new(GivenContact { contact, origin, coupling }));
         // A section that is present but cannot be read must not count as absent.
-        let load = WheelLoad { contact, track: all_or_none(track)?, temperature: all_or_none(temperature)? };
-        Some(Self { load, origin, coupling })
+        Some(Self { loading, track: all_or_none(track)?, temperature: all_or_none(temperature)? })
     }
 
-    /// The contact.
+    /// Its contact over the cracks; none where it misses them.
     #[must_use]
-    pub fn contact(&self) -> &Contact {
-        &self.load.contact
+    pub fn given(&self) -> Option<&GivenContact> {
+        match &self.loading {
+            WheelLoading::Contact(given) => Some(given),
+            WheelLoading::Misses { .. } => None,
+        }
     }
 
-    /// a, mm.
+    /// Pressure and shear over the cracks; none where it misses them.
+    #[must_use]
+    pub fn contact(&self) -> Option<&Contact> {
+        self.given().map(|given| &given.contact)
+    }
+
+    /// How the wheel feels the cracks, if it does.
+    #[must_use]
+    pub fn coupling(&self) -> Option<&WheelCoupling> {
+        self.given()?.coupling.as_ref()
+    }
+
+    /// a, mm: the unit of its positions.
     #[must_use]
     pub fn half_width(&self) -> f64 {
-        self.load.contact.half_width()
-    }
-
-    /// The field that moves with the wheel on a rail of `steel`. Errors: [`wheel_under`]; a checked
-    /// case has none.
-    pub fn field(&self, steel: &IsotropicElastic) -> Result<Box<dyn Wheel>, OutOfRange> {
-        wheel_under(&self.load, steel)
+        match &self.loading {
+            WheelLoading::Contact(given) => given.contact.half_width(),
+            WheelLoading::Misses { half_width } => *half_width,
+        }
     }
 
     /// The thermal stress in a rail of `steel`, which stays between passages.
     #[must_use]
     pub fn thermal_stress(&self, steel: &IsotropicElastic) -> Option<Uniform> {
-        self.load.temperature.map(|temperature| Uniform::along_rail(temperature.stress(steel)))
+        self.temperature.map(|temperature| Uniform::along_rail(temperature.stress(steel)))
     }
 
     /// The bending of a rail of `steel`; none where there is no track.
     #[must_use]
     pub fn bending(&self, steel: &IsotropicElastic) -> Option<Bending> {
-        self.load.track.as_ref()?.bending(steel).ok()
+        self.track.as_ref()?.bending(steel).ok()
     }
 
     /// The positions of `passage` that are written, over cracks with mouths at `places` (mm), in
@@ -98,9 +132,9 @@ impl GivenWheel {
 
     /// The files, stored with a case, from which its contact is read.
     pub(crate) fn companions(&self) -> Vec<Companion<'_>> {
-        match &self.origin {
-            ContactOrigin::Table(file) => vec![file.companion()],
-            ContactOrigin::Profiles(own) => vec![own.rail.companion(), own.wheel.companion()],
+        match self.given().map(|given| &given.origin) {
+            Some(ContactOrigin::Table(file)) => vec![file.companion()],
+            Some(ContactOrigin::Profiles(own)) => vec![own.rail.companion(), own.wheel.companion()],
             _ => Vec::new(),
         }
     }

@@ -55,12 +55,12 @@ fn defaults_are_the_reference_case() {
     assert_eq!(short.growth, chosen);
     assert_eq!(short.growth.law, GrowthLaw::RAIL_STEEL);
     assert_eq!((short.steel.young(), short.steel.poisson()), (210e3, 0.3));
-    assert_eq!(short.passages, PassageSettings::default());
+    assert_eq!(short.first_wheel().passages, PassageSettings::default());
     assert_eq!(short.rail.extent, RailBox::default());
     assert_eq!((short.engine, short.contact_solver), (Engine::Xfem, ContactSolver::Newton));
     assert_eq!(
-        (long.cracks.clone(), long.passages.passage, long.rail),
-        (short.cracks, short.passages.passage, short.rail)
+        (long.cracks.clone(), long.first_wheel().passages.passage, long.rail),
+        (short.cracks.clone(), short.first_wheel().passages.passage, short.rail)
     );
 }
 
@@ -100,13 +100,19 @@ fn the_reference_case_is_what_init_writes_with_the_path_of_the_paper() {
     assert_eq!(std::fs::read_to_string(shipped("reference.toml")).unwrap(), text);
 }
 
+/// First and last position of the passage, mm.
+fn ends(case: &Case) -> (f64, f64) {
+    let passage = case.first_wheel().passages.passage;
+    (passage.from, passage.to)
+}
+
 #[test]
 fn nine_cracks() {
     let case = Case::read(&shipped("network-nine.toml")).unwrap();
     let mouths: Vec<f64> = case.cracks.cracks().iter().map(|c| c.points()[0].x).collect();
     assert_eq!(mouths, (0..9).map(|i| 3.375 * f64::from(i)).collect::<Vec<_>>());
     assert_eq!(case.crack_friction, vec![0.5; 9]);
-    assert_eq!((case.passages.passage.from, case.passages.passage.to), (-40.5, 67.5));
+    assert_eq!(ends(&case), (-40.5, 67.5));
     assert_eq!(case.rail.extent.centre, 13.5);
     assert!(case.to_toml().contains("\ncentre_mm = 13.5\n"), "defaults are filled in");
     assert_eq!(case.growth.steps, 5);
@@ -116,9 +122,9 @@ fn nine_cracks() {
 fn passage_towards_minus_x_exchanges_the_mouths() {
     let crack = "mouth_mm = 10\nlength_mm = 6\nangle_deg = 165\ncount = 2\nspacing_mm = 20";
     let case = reference_with(crack, "[passage]\nfrom_over_a = 6\nto_over_a = -5");
-    assert_eq!((case.passages.passage.from, case.passages.passage.to), (30.0 + 40.5, 10.0 - 33.75));
+    assert_eq!(ends(&case), (30.0 + 40.5, 10.0 - 33.75));
     let case = reference_with(crack, "[passage]\nfrom_over_a = -6\nto_over_a = 5");
-    assert_eq!((case.passages.passage.from, case.passages.passage.to), (10.0 - 40.5, 30.0 + 33.75));
+    assert_eq!(ends(&case), (10.0 - 40.5, 30.0 + 33.75));
 }
 
 #[test]
@@ -127,7 +133,7 @@ fn contact_from_line_load() {
         "[contact]\nline_load_n_per_mm = 8959.4\nwheel_radius_mm = 460.9\nrail_radius_mm = inf\nfriction = 0\n\
          [[crack]]\npoints_mm = [[0, -1], [5, -2]]\nfriction = 0\n",
     );
-    assert!((case.wheel.contact().peak_pressure() - 845.0).abs() < 0.05);
+    assert!((case.first_wheel().wheel.contact().unwrap().peak_pressure() - 845.0).abs() < 0.05);
     assert!((case.half_width() - 6.75).abs() < 5e-4);
     assert_eq!(case.cracks.cracks()[0].tips().len(), 2);
     assert!(case.to_toml().contains("rail_radius_mm = inf\n"));
@@ -360,11 +366,14 @@ fn a_mix_of_wheels_is_read_and_written() {
          [wheel.temperature]\nrail_c = -10\nneutral_c = 25\n\
          [inspection]\ndetectable_depth_mm = 2.0\n[scatter]\nsamples = 1000\n",
     );
-    assert_eq!((case.mix.len(), &case.mix[0].name[..], &case.mix[1].name[..]), (2, "freight", "wheel 2"));
+    assert_eq!(
+        (case.wheels.len(), &case.wheels[0].name[..], &case.wheels[1].name[..]),
+        (2, "freight", "wheel 2")
+    );
     assert_eq!(case.axle_load, Some(0.7 * 22.5 + 0.3 * 15.0));
     // Positions count in the half-width of each wheel.
-    assert_eq!([0, 1].map(|i| case.mix[i].passages.passage.to), [42.0, 30.0]);
-    let rail = |i: usize| case.mix[i].wheel.load.temperature.unwrap().rail;
+    assert_eq!([0, 1].map(|i| case.wheels[i].passages.passage.to), [42.0, 30.0]);
+    let rail = |i: usize| case.wheels[i].wheel.temperature.unwrap().rail;
     assert_eq!([rail(0), rail(1)], [5.0, -10.0]);
     assert_eq!((case.half_width(), case.scatter.unwrap().c_log_std), (7.0, 0.3));
     let again = parse(&case.to_toml());
@@ -387,15 +396,14 @@ fn a_wheel_of_a_mix_has_its_own_direction_and_fluid() {
          [[wheel]]\nshare = 0.2\ndirection = \"+x\"\nfluid = {{ model = \"mouth\", pressure_cap_mpa = 100 }}\n{contact}"
     );
     let case = parse(&text(&wheels));
-    let passages = [0, 1, 2].map(|i| case.mix[i].passages.passage);
+    let passages = [0, 1, 2].map(|i| case.wheels[i].passages.passage);
     assert_eq!(passages.map(|passage| passage.from), [20.0 + 40.0, -40.0, -40.0]);
     assert_eq!(passages.map(|passage| passage.to), [-25.0, 20.0 + 25.0, 20.0 + 25.0]);
-    assert_eq!(case.passages.passage, passages[0], "that of the first wheel");
-    let fluids = [0, 1, 2].map(|i| case.mix[i].fluid.as_ref().map(|fluid| fluid.model));
+    let fluids = [0, 1, 2].map(|i| case.wheels[i].fluid.as_ref().map(|fluid| fluid.model));
     assert_eq!(fluids[0], None);
     assert!(matches!(fluids[1], Some(FluidModel::Trapped { .. })));
     assert_eq!(fluids[2], Some(FluidModel::Mouth { cap: 100.0 }));
-    assert!(case.fluid.is_none() && case.has_fluid());
+    assert!(case.first_wheel().fluid.is_none() && case.has_fluid());
     assert_eq!(parse(&case.to_toml()), case, "{}", case.to_toml());
 }
 

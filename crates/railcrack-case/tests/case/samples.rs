@@ -39,7 +39,7 @@ fn samples_are_runs_with_values_of_their_distributions() {
     let keys: Vec<&str> = study.axes[0].variations.iter().map(|v| v.key.as_str()).collect();
     assert_eq!(keys, ["contact.friction", "crack[1].angle_deg", "crack[1].friction", "solver.engine"]);
     let mut frictions: Vec<f64> =
-        study.runs.iter().map(|run| run.case.wheel.load.contact.adhesion()).collect();
+        study.runs.iter().map(|run| run.case.first_wheel().wheel.contact().unwrap().adhesion()).collect();
     frictions.sort_by(f64::total_cmp);
     // One in each sixteenth of the range.
     for (i, friction) in frictions.iter().enumerate() {
@@ -68,7 +68,10 @@ fn the_seed_gives_the_samples_and_lists_go_with_each() {
     }
     // The values of one seed, for other machines and versions to compare with.
     let study = read(&seeded("5", "sobol")).unwrap();
-    let first: Vec<f64> = study.runs[..3].iter().map(|run| run.case.wheel.load.contact.adhesion()).collect();
+    let first: Vec<f64> = study.runs[..3]
+        .iter()
+        .map(|run| run.case.first_wheel().wheel.contact().unwrap().adhesion())
+        .collect();
     assert_eq!(first.len(), 3);
     let with_list = STUDY.replace("length_mm = 6.0", "length_mm = [5.0, 6.0]");
     let study = read(&with_list).unwrap();
@@ -114,7 +117,10 @@ fn a_table_of_samples_is_a_run_for_each_row() {
     let study = with_table(&case, table).unwrap();
     assert_eq!(study.runs.len(), 2);
     let second = &study.runs[1].case;
-    assert_eq!((second.wheel.load.contact.adhesion(), second.axle_load), (0.2, Some(22.5)));
+    assert_eq!(
+        (second.first_wheel().wheel.contact().unwrap().adhesion(), second.axle_load),
+        (0.2, Some(22.5))
+    );
     for (table, says) in [
         ("", "there is no header"),
         ("contact.friction\n", "there is no row"),

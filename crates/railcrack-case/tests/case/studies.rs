@@ -41,8 +41,12 @@ fn values(study: &Study) -> Vec<[f64; 3]> {
     let of = |case: &Case| {
         let crack = &case.cracks.cracks()[0];
         let (first, next) = crack.segment(0);
-        [case.wheel.contact().adhesion(), crack.length(), -(next - first).angle().to_degrees()]
-            .map(|value| (value * 1e9).round() / 1e9)
+        [
+            case.first_wheel().wheel.contact().unwrap().adhesion(),
+            crack.length(),
+            -(next - first).angle().to_degrees(),
+        ]
+        .map(|value| (value * 1e9).round() / 1e9)
     };
     study.runs.iter().map(|run| of(&run.case)).collect()
 }
@@ -136,7 +140,10 @@ fn words_and_counts_vary_too() {
     assert_eq!(study.runs.len(), 24);
     assert_eq!(study.runs[0].case.engine, Engine::Xfem);
     let last = &study.runs[23];
-    assert_eq!((last.case.engine, last.case.passages.passage.positions), (Engine::Dislocation, 41));
+    assert_eq!(
+        (last.case.engine, last.case.first_wheel().passages.passage.positions),
+        (Engine::Dislocation, 41)
+    );
     assert!(last.label.ends_with("positions = 41, engine = dislocation"), "{}", last.label);
 }
 
@@ -168,7 +175,7 @@ friction = 0.3
 #[test]
 fn keys_within_a_wheel_vary() {
     let of_runs = |study: &Study| -> Vec<[f64; 2]> {
-        let shear = |case: &Case| [0, 1].map(|i| case.mix[i].wheel.contact().adhesion());
+        let shear = |case: &Case| [0, 1].map(|i| case.wheels[i].wheel.contact().unwrap().adhesion());
         study.runs.iter().map(|run| shear(&run.case)).collect()
     };
     let listed = study(MIX);
@@ -305,8 +312,10 @@ fn keys_of_one_word_of_a_list_are_for_its_runs() {
         format!("{GOOD}[fluid]\nmodel = [{models}]\npressure_cap_mpa = 100.0\nbulk_modulus_mpa = 2200.0\n")
     };
     let listed = study(&fluid("\"none\", \"mouth\", \"trapped\""));
-    let models: Vec<Option<FluidModel>> =
-        listed.runs[..3].iter().map(|run| run.case.fluid.as_ref().map(|fluid| fluid.model)).collect();
+    let models: Vec<Option<FluidModel>> = listed.runs[..3]
+        .iter()
+        .map(|run| run.case.first_wheel().fluid.as_ref().map(|fluid| fluid.model))
+        .collect();
     let trapped = FluidModel::Trapped { bulk_modulus: 2200.0, leak: true };
     assert_eq!(models, [None, Some(FluidModel::Mouth { cap: 100.0 }), Some(trapped)]);
     // Where no run has the word, the key is as wrong as in a case.

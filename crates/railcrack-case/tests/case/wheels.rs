@@ -30,11 +30,21 @@ fn rolling(lateral: f64, across: f64, spin: f64) -> Case {
     Case::parse(&text, "case.toml", Path::new(".")).unwrap_or_else(|errors| panic!("{errors}"))
 }
 
+/// The contact of the first wheel.
+fn contact(case: &Case) -> &Contact {
+    case.first_wheel().wheel.contact().unwrap()
+}
+
+/// Its origin.
+fn origin(case: &Case) -> &ContactOrigin {
+    &case.first_wheel().wheel.given().unwrap().origin
+}
+
 #[test]
 fn the_mirrored_rail_has_the_same_history() {
     let (left, right) = (rolling(1.5, -4e-4, 2e-4), rolling(-1.5, 4e-4, -2e-4));
-    assert_eq!(left.wheel.contact(), right.wheel.contact());
-    assert_ne!(left.wheel.contact(), rolling(-1.5, -4e-4, 2e-4).wheel.contact());
+    assert_eq!(contact(&left), contact(&right));
+    assert_ne!(contact(&left), contact(&rolling(-1.5, -4e-4, 2e-4)));
 }
 
 #[test]
@@ -45,7 +55,13 @@ fn driving_and_braking_wheels_shear_the_rail_in_opposite_directions() {
              creepage_x = 8e-4\ncreepage_sign = \"{sign}\"\nfriction = 0.3\n"
         );
         let text = text.replace("[passage]\n", &format!("[passage]\n{travel}"));
-        Case::parse(&text, "case.toml", Path::new(".")).unwrap().wheel.contact().adhesion()
+        Case::parse(&text, "case.toml", Path::new("."))
+            .unwrap()
+            .first_wheel()
+            .wheel
+            .contact()
+            .unwrap()
+            .adhesion()
     };
     let driving = shear("contact", "");
     assert!(driving < 0.0, "{driving}");
@@ -60,8 +76,8 @@ fn two_patches_over_one_crack_are_one_history() {
     let both = tabled("both", &header, rows, "");
     let first = tabled("first", &header, "1,60,4.5,8e-4,0,0,0.3,6,5,0\n", "");
     let second = tabled("second", &header, "1,40,7.0,8e-4,0,1e-4,0.3,4,3,-9\n", "");
-    assert_eq!(both.mix.len(), 1);
-    let (sum, a, b) = (both.wheel.contact(), first.wheel.contact(), second.wheel.contact());
+    assert_eq!(both.wheels.len(), 1);
+    let (sum, a, b) = (contact(&both), contact(&first), contact(&second));
     let load = a.line_load() + b.line_load();
     assert!((sum.line_load() / load - 1.0).abs() < 5e-4, "{} {load}", sum.line_load());
     let shear = a.line_load() * a.adhesion() + b.line_load() * b.adhesion();
@@ -93,9 +109,9 @@ fn a_place_along_the_curve_selects_its_wheels() {
     let header = format!("{HEADER},place_m,share");
     let rows = "1,85,4.5,8e-4,0,0,0.3,6,5,100,0.5\n1,60,4.5,8e-4,0,0,0.3,6,5,200,0.5\n2,70,5,0,0,0,0.3,6,5,200,0.25\n";
     let here = tabled("place", &header, rows, "place_m = 200.2\n");
-    assert_eq!(here.mix.iter().map(|wheel| wheel.share).collect::<Vec<_>>(), [0.5 / 0.75, 0.25 / 0.75]);
+    assert_eq!(here.wheels.iter().map(|wheel| wheel.share).collect::<Vec<_>>(), [0.5 / 0.75, 0.25 / 0.75]);
     let all = tabled("all-places", &header, rows, "");
-    assert_eq!(all.mix.len(), 3);
+    assert_eq!(all.wheels.len(), 3);
 }
 
 #[test]
@@ -148,11 +164,11 @@ fn profiled(keys: &str) -> Result<Case, String> {
 #[test]
 fn profiles_load_the_crack_where_they_touch() {
     let case = profiled("shift_mm = -8.5\n").unwrap();
-    let ContactOrigin::Profiles(own) = &case.wheel.origin else { panic!("{:?}", case.wheel.origin) };
+    let ContactOrigin::Profiles(own) = origin(&case) else { panic!("{:?}", case.wheels) };
     let [one] = own.contacts[..] else { panic!("{} patches", own.contacts.len()) };
     assert!((one.normal_force / 80e3 - 1.0).abs() < 1e-9 && own.lateral == one.y);
     // The middle strip has the pressure of the patch, and the wheel drives.
-    let contact = case.wheel.contact();
+    let contact = contact(&case);
     assert!((contact.peak_pressure() / one.ellipse.peak_pressure - 1.0).abs() < 0.02);
     assert!(contact.adhesion() < 0.0);
     let again = Case::parse(&case.to_toml(), "case.toml", &kept(&case, "profiles-kept")).unwrap();
@@ -168,7 +184,7 @@ fn profiles_load_the_crack_where_they_touch() {
 fn spreading_patches_of_profiles_carry_the_normal_force() {
     for shift in [-6.0, -5.8, -5.6, -5.55, -5.5, -5.4, -5.3, -5.2, -5.0] {
         let case = profiled(&format!("shift_mm = {shift}\nyaw_deg = 0.34\n")).unwrap();
-        let ContactOrigin::Profiles(own) = &case.wheel.origin else { panic!("{:?}", case.wheel.origin) };
+        let ContactOrigin::Profiles(own) = origin(&case) else { panic!("{:?}", case.wheels) };
         let told: f64 = own.contacts.iter().map(|own| own.normal_force).sum();
         let carried: f64 = own.placed.iter().map(|own| own.patch.normal_force()).sum();
         assert!((told / 80e3 - 1.0).abs() < 1e-6 && (carried / told - 1.0).abs() < 1e-6, "{shift}: {told}");

@@ -10,17 +10,20 @@ use railcrack::contact::{CrackFluid, FluidModel, StepControl};
 use railcrack::crack::Crack;
 use railcrack::fatigue::{ACCEPTANCE_RANGES, ACCEPTED_GROWTH, DirectionCriterion, RailSteel, RateLaw};
 use railcrack::growth::{Grinding, Turning};
-use railcrack::load::{Contact, HertzEllipse, Passage};
+use railcrack::load::{Contact, HertzEllipse};
 use railcrack::rolling::{Creepage, RollingPatch};
 use railcrack::shakedown::DepthBounds;
 use railcrack::space::CellDivision;
 use railcrack::words::Choice;
 use railcrack_case::{
-    Case, ContactOrigin, GivenWheel, Input, MixedWheel, Overrides, PlasticSource, ProfileOrigin,
+    Case, ContactOrigin, GivenContact, GivenWheel, Input, Overrides, PlasticSource, ProfileOrigin,
+    TrafficWheel,
 };
 use railcrack_report::{PageEngine, formula, short};
 use railcrack_run::machine::{Budget, Needs, long_step, mb, step_seconds};
-use railcrack_run::setup::{EffectInPlane, HeaviestWheel, RunSize, contact_bounds};
+use railcrack_run::setup::{
+    EffectInPlane, HeaviestWheel, RunSize, contact_bounds, represented, wheel_patches,
+};
 use railcrack_run::simulation::{RunError, plastic_stress_left_out, rolled_by};
 use railcrack_run::summary::validity::of_case;
 use serde_json::{Map, Value, json};
@@ -51,6 +54,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
                 if case.output.explorer {
                     PageEngine::find().map_err(RunError::from)?;
                 }
+                let case = represented(&case);
                 let text = || wrapped(&summary(&case, &folder), stdout_columns());
                 arguments.json.print(text, || case_json(&case, &folder))?
             }
@@ -85,7 +89,7 @@ fn case_json(case: &Case, folder: &Path) -> Value {
         "tips": size.tips,
         "face_points": size.face_points,
         "displacements": size.displacements,
-        "positions": case.passages.passage.positions,
+        "positions": case.first_wheel().passages.passage.positions,
         "increments": case.growth.steps,
         "memory_bytes": needs.memory,
         "disk_bytes": needs.disk,
@@ -116,13 +120,14 @@ pub fn summary(case: &Case, folder: &Path) -> String {
 /// The parts of the summary: of a mix, one for each wheel.
 fn parts(case: &Case, folder: &Path) -> Vec<(String, Vec<CheckLine>)> {
     let mut parts = vec![("rail".to_owned(), rail(case))];
-    if case.mix.is_empty() {
-        parts.push(("contact".to_owned(), contact(case, &case.wheel)));
-        parts.push(("track".to_owned(), track(case, &case.wheel, &case.passages.passage)));
-        parts.push(("temperature".to_owned(), temperature(case, &case.wheel)));
+    if !case.is_mix() && case.wheel_table.is_none() {
+        let first = case.first_wheel();
+        parts.push(("contact".to_owned(), contact(case, &first.wheel)));
+        parts.push(("track".to_owned(), track(case, first)));
+        parts.push(("temperature".to_owned(), temperature(case, &first.wheel)));
     } else {
         parts.push(("mix".to_owned(), mix(case)));
-        let wheels = case.mix.iter().enumerate();
+        let wheels = case.wheels.iter().enumerate();
         parts.extend(
             wheels.map(|(i, wheel)| (format!("wheel {}, {}", i + 1, wheel.name), of_mix(case, wheel))),
         );
@@ -166,8 +171,10 @@ fn rail(case: &Case) -> Vec<CheckLine> {
 }
 
 fn contact(case: &Case, wheel: &GivenWheel) -> Vec<CheckLine> {
-    let contact = wheel.contact();
-    let mut rows = origin(case, wheel);
+    let Some(GivenContact { contact, origin, .. }) = wheel.given() else {
+        return vec![("contact", "misses the cracks".to_owned())];
+    };
+    let mut rows = from_origin(case, origin);
     rows.extend([
         ("peak pressure p0", format!("{} MPa", short(contact.peak_pressure()))),
         ("half width a", format!("{} mm", short(contact.half_width()))),
@@ -186,7 +193,7 @@ fn contact(case: &Case, wheel: &GivenWheel) -> Vec<CheckLine> {
                     short(2.0 * stick)
                 ),
             ));
-            if let Some(radius) = wheel.origin.radius() {
+            if let Some(radius) = origin.radius() {
                 rows.push(("creepage", format!("{} %", short(100.0 * carter.creepage(radius)))));
             }
         }
@@ -204,15 +211,15 @@ fn contact(case: &Case, wheel: &GivenWheel) -> Vec<CheckLine> {
 }
 
 /// Origin of the contact data.
-fn origin(case: &Case, wheel: &GivenWheel) -> Vec<CheckLine> {
-    match &wheel.origin {
+fn from_origin(case: &Case, origin: &ContactOrigin) -> Vec<CheckLine> {
+    match origin {
         ContactOrigin::Given | ContactOrigin::LineLoad { .. } => Vec::new(),
-        ContactOrigin::Ellipse { wheel, ellipse, lateral } => vec![
+        ContactOrigin::Ellipse { wheel, ellipse, lateral, .. } => vec![
             ("wheel load", format!("{} kN", short(1e-3 * wheel.wheel_load))),
             hertz_ellipse(ellipse),
             offset(case, *lateral),
         ],
-        ContactOrigin::GivenEllipse { ellipse, lateral } => {
+        ContactOrigin::GivenEllipse { ellipse, lateral, .. } => {
             vec![hertz_ellipse(ellipse), offset(case, *lateral)]
         }
         ContactOrigin::Table(file) => vec![("table", file.given_name().into())],
@@ -325,7 +332,8 @@ fn in_space(case: &Case) -> Vec<CheckLine> {
             format!("{columns} on each side of the middle{rows_of_block}, {ring} to the front"),
         ));
     }
-    let lateral: Vec<f64> = space.wheels.iter().map(|wheel| wheel.outline().lateral_friction).collect();
+    let lateral: Vec<f64> =
+        wheel_patches(case).iter().map(|wheel| wheel.outline().lateral_friction).collect();
     if lateral.iter().any(|friction| *friction != 0.0) {
         rows.push((
             "lateral friction",
@@ -337,35 +345,37 @@ fn in_space(case: &Case) -> Vec<CheckLine> {
 
 /// The wheels of a mix, a line for each.
 fn mix(case: &Case) -> Vec<CheckLine> {
-    let line = |wheel: &MixedWheel| {
-        let contact = wheel.wheel.contact();
+    let line = |wheel: &TrafficWheel| {
         let load = wheel.axle_load.map_or_else(String::new, |load| format!(", {} t", short(load)));
-        format!(
-            "{}: {} % of the axles{load}, p0 = {} MPa, a = {} mm, shear Q/P = {}",
-            wheel.name,
-            short(100.0 * wheel.share),
-            short(contact.peak_pressure()),
-            short(contact.half_width()),
-            short(contact.adhesion())
-        )
+        let contact = wheel.wheel.contact().map_or_else(String::new, |contact| {
+            format!(
+                ", p0 = {} MPa, a = {} mm, shear Q/P = {}",
+                short(contact.peak_pressure()),
+                short(contact.half_width()),
+                short(contact.adhesion())
+            )
+        });
+        format!("{}: {} % of the axles{load}{contact}", wheel.name, short(100.0 * wheel.share))
     };
-    let mut rows: Vec<CheckLine> = case.mix.iter().map(|wheel| ("wheel", line(wheel))).collect();
-    if let Some(table) = &case.wheel_table {
+    let mut rows: Vec<CheckLine> = case.wheels.iter().map(|wheel| ("wheel", line(wheel))).collect();
+    if let Some(table) = &case.wheel_table
+        && let Some(groups) = &table.groups
+    {
         rows.push((
             "table",
             format!(
                 "{}: {} wheels, {} representatives, mean rate off by {} % by the coarse crack",
                 table.file.given_name(),
                 table.wheels.len(),
-                table.representatives,
-                short(100.0 * table.error)
+                groups.representatives.len(),
+                short(100.0 * groups.error)
             ),
         ));
         let missed = (
             "missed",
             format!(
                 "{} % of the axles have no patch over the crack at lateral_mm = {}",
-                short(100.0 * table.missed),
+                short(100.0 * table.missed(groups)),
                 short(table.lateral)
             ),
         );
@@ -386,8 +396,8 @@ fn mix(case: &Case) -> Vec<CheckLine> {
 
 /// A wheel of a mix: its share, passage and fluid, its contact, track and temperature, and the
 /// pressure at which the rail yields under it.
-fn of_mix(case: &Case, mixed: &MixedWheel) -> Vec<CheckLine> {
-    let (wheel, passage) = (&mixed.wheel, &mixed.passages.passage);
+fn of_mix(case: &Case, mixed: &TrafficWheel) -> Vec<CheckLine> {
+    let (wheel, passage) = (&mixed.wheel, mixed.passages.passage);
     let mut rows = vec![
         ("share of the axles", format!("{} %", short(100.0 * mixed.share))),
         ("runs towards", passage.travel().word().into()),
@@ -396,15 +406,15 @@ fn of_mix(case: &Case, mixed: &MixedWheel) -> Vec<CheckLine> {
     ];
     rows.extend(mixed.axle_load.map(|load| ("axle load", format!("{} t", short(load)))));
     rows.extend(contact(case, wheel));
-    rows.extend(track(case, wheel, passage));
+    rows.extend(track(case, mixed));
     rows.extend(temperature(case, wheel));
-    if let (Some(fracture), Some(at)) = (&case.fracture, wheel.load.temperature) {
+    if let (Some(fracture), Some(at)) = (&case.fracture, wheel.temperature) {
         rows.push(("breaks at k1", format!("{} MPa sqrt(m)", short(fracture.toughness.at(at.rail)))));
     }
     let shear_yield = case.shakedown.hardening.shear_yield_stress();
-    let ratio = wheel.contact().peak_pressure() / shear_yield;
     let all = contact_bounds(wheel, &case.steel, |bounds| (bounds.first_yield(), bounds.shakedown_limit()));
-    rows.extend(all.map(|(first_yield, limit)| {
+    rows.extend(wheel.contact().zip(all).map(|(contact, (first_yield, limit))| {
+        let ratio = contact.peak_pressure() / shear_yield;
         let state = yielding(ratio, first_yield.ratio, limit.ratio);
         let says = format!(
             "{}; first yield at {:.4}, shakedown limit {:.4}: {state}",
@@ -428,8 +438,8 @@ fn yielding(ratio: f64, first_yield: f64, limit: f64) -> &'static str {
     }
 }
 
-fn track(case: &Case, wheel: &GivenWheel, passage: &Passage) -> Vec<CheckLine> {
-    let (Some(track), Some(bending)) = (&wheel.load.track, wheel.bending(&case.steel)) else {
+fn track(case: &Case, wheel: &TrafficWheel) -> Vec<CheckLine> {
+    let (Some(track), Some(bending)) = (&wheel.wheel.track, wheel.wheel.bending(&case.steel)) else {
         return Vec::new();
     };
     let axles: Vec<String> = track
@@ -438,7 +448,7 @@ fn track(case: &Case, wheel: &GivenWheel, passage: &Passage) -> Vec<CheckLine> {
         .map(|axle| format!("{} kN at {} mm", short(1e-3 * axle.wheel_load), short(axle.at)))
         .collect();
     let length = bending.length();
-    let positions = case.positions_under(wheel, passage);
+    let positions = case.positions(wheel);
     let (first, last) = (positions.first().copied().unwrap_or(0.0), positions.last().copied().unwrap_or(0.0));
     vec![
         ("axles", axles.join(", ")),
@@ -473,7 +483,7 @@ fn track(case: &Case, wheel: &GivenWheel, passage: &Passage) -> Vec<CheckLine> {
 }
 
 fn temperature(case: &Case, wheel: &GivenWheel) -> Vec<CheckLine> {
-    let Some(temperature) = wheel.load.temperature else { return Vec::new() };
+    let Some(temperature) = wheel.temperature else { return Vec::new() };
     vec![
         (
             "rail, neutral",
@@ -484,11 +494,12 @@ fn temperature(case: &Case, wheel: &GivenWheel) -> Vec<CheckLine> {
 }
 
 fn passage(case: &Case) -> Vec<CheckLine> {
-    let (passage, settings) = (&case.passages.passage, &case.passages);
+    let settings = &case.first_wheel().passages;
+    let passage = &settings.passage;
     let first_mouth = case.cracks.cracks().first().map_or(0.0, |c| c.points()[0].x);
     let over_a = |x: f64| short((x - first_mouth) / case.half_width());
     let mut rows = Vec::new();
-    if case.mix.is_empty() {
+    if !case.is_mix() {
         rows.extend([
             ("wheel runs towards", passage.travel().word().into()),
             ("from, to", format!("x = {} to {} mm", short(passage.from), short(passage.to))),
@@ -647,7 +658,7 @@ fn growth(case: &Case) -> Vec<CheckLine> {
     if let Some(cycles) = growth.stop_after_cycles {
         rows.push(("stops after", format!("{} cycles", crate::progress::cycles(cycles))));
     }
-    if let Some(fluid) = case.fluid.as_ref().filter(|_| case.mix.is_empty()) {
+    if let Some(fluid) = case.first_wheel().fluid.as_ref().filter(|_| !case.is_mix()) {
         rows.push(("fluid", fluid_text(fluid)));
     }
     if let Some(fracture) = &case.fracture {
@@ -798,9 +809,11 @@ const BOUND_DEPTHS: [f64; 8] = [0.0, 0.125, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0];
 /// Peak pressure compared with first yield and the shakedown limit.
 fn bounds(case: &Case) -> Vec<CheckLine> {
     let shear_yield = case.shakedown.hardening.shear_yield_stress();
-    let heaviest = case.mix.get(HeaviestWheel::of_case(case).wheel);
-    let wheel = heaviest.map_or(&case.wheel, |mixed| &mixed.wheel);
-    let ratio = wheel.contact().peak_pressure() / shear_yield;
+    let HeaviestWheel { wheel: number, of_limit } = HeaviestWheel::of_case(case);
+    let heaviest = &case.wheels[number];
+    let wheel = &heaviest.wheel;
+    let Some(contact) = wheel.contact() else { return Vec::new() };
+    let ratio = contact.peak_pressure() / shear_yield;
     let all = contact_bounds(wheel, &case.steel, |bounds| {
         (bounds.first_yield(), bounds.shakedown_limit(), bounds.by_depth(&BOUND_DEPTHS))
     });
@@ -825,10 +838,9 @@ fn bounds(case: &Case) -> Vec<CheckLine> {
     };
     let at = |depth_over_a: f64| format!("depth {} mm", short(depth_over_a * a));
     let mut rows = Vec::new();
-    rows.extend(heaviest.map(|mixed| {
-        let of_limit = HeaviestWheel::of_case(case).of_limit;
-        ("heaviest wheel", format!("{}: {of_limit:.2} of its shakedown limit", mixed.name))
-    }));
+    if case.is_mix() {
+        rows.push(("heaviest wheel", format!("{}: {of_limit:.2} of its shakedown limit", heaviest.name)));
+    }
     rows.extend([
         ("shear yield stress k", format!("{} MPa", short(shear_yield))),
         ("p0 / k", format!("{}: {state}", short(ratio))),

@@ -147,10 +147,8 @@ fn run_coupled(
     (name, coupled): (&str, &str),
     out: &Path,
 ) -> RunArguments {
-    let set = match case.mix.len() {
-        0 => vec![format!("contact.coupled={coupled}")],
-        wheels => (1..=wheels).map(|wheel| format!("wheel[{wheel}].contact.coupled={coupled}")).collect(),
-    };
+    let of_contact = |section: String| format!("{section}.coupled={coupled}");
+    let set = case.contact_sections().into_iter().map(of_contact).collect();
     let plain = run_named(arguments, name, out);
     let execution = Execution { set: Set { set }, ..plain.execution };
     RunArguments { execution, ..plain }

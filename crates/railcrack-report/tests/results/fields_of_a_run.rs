@@ -37,7 +37,7 @@ fn meshio_reads_the_fields_of_a_run() {
         output: case.output,
         ..RunInfo::idle(case.half_width())
     };
-    let files = CaseFiles { toml: case.to_toml(), companions: Vec::new() };
+    let files = CaseFiles { toml: case.to_toml(), ..CaseFiles::default() };
     let mut recorder = Recorder::start(&folder, files, info, Existing::Refuse, &Pages).unwrap();
     let mut growth = PreparedRun::new(&case, None).unwrap().growth(None);
     let record = growth.next_step(&Unobserved).unwrap().unwrap();

@@ -14,7 +14,7 @@ use railcrack::growth::{
     Warning, WarningKind, WheelShares,
 };
 use railcrack::math::{Stress, Vec2};
-use railcrack_run::{CaseFiles, MixInfo, OutputError, Recorder, RunInfo};
+use railcrack_run::{CaseFiles, OutputError, Recorder, RunInfo, WheelInfo};
 use std::path::{Path, PathBuf};
 
 /// Half-width of the contact, mm.
@@ -69,7 +69,8 @@ pub fn case() -> CaseFiles {
 /// A case with the text `toml`, and the file that it names.
 pub fn case_of(toml: &str) -> CaseFiles {
     let table = "depth_mm,sxx_mpa\n0,-100\n5,0\n".to_owned();
-    CaseFiles { toml: toml.to_owned(), companions: vec![("inputs/residual-stress.csv".to_owned(), table)] }
+    let companions = vec![("inputs/residual-stress.csv".to_owned(), table)];
+    CaseFiles { toml: toml.to_owned(), companions, wheel_groups: None }
 }
 
 /// The text of a case of one crack in four increments, with `more` sections at its end.
@@ -85,13 +86,13 @@ pub fn case_text(more: &str) -> String {
 
 /// The facts of a run under two wheels.
 pub fn mixed_info() -> RunInfo {
-    let wheel = |name: &str, share: f64, half_width: f64| MixInfo {
+    let wheel = |name: &str, share: f64, half_width: f64| WheelInfo {
         name: name.to_owned(),
         share,
         axle_load: Some(17.0),
         half_width,
     };
-    RunInfo { mix: vec![wheel("heavy", 0.25, HALF_WIDTH), wheel("light", 0.75, 5.0)], ..info() }
+    RunInfo { wheels: vec![wheel("heavy", 0.25, HALF_WIDTH), wheel("light", 0.75, 5.0)], ..info() }
 }
 
 /// Their case.

@@ -4,7 +4,7 @@ use super::events::{Fate, Limits};
 use super::failure::Question;
 use super::family::Family;
 use super::walk::{SampledRates, SampledShares, Track, Walk};
-use crate::log::{MixInfo, RunInfo};
+use crate::log::{RunInfo, WheelInfo};
 use railcrack::growth::{MOST_WHEELS, SurfaceRemoval};
 use railcrack_case::{Scatter, normal};
 use rand_pcg::Pcg64Mcg;
@@ -22,7 +22,7 @@ pub(crate) struct Sampling<'a> {
     /// Standard deviations.
     pub scatter: &'a Scatter,
     /// The wheels of a mix.
-    pub mix: &'a [MixInfo],
+    pub mix: &'a [WheelInfo],
     /// Rate (mm per axle) below which growth stops; zero where it is not looked at.
     pub arrest_rate: f64,
     /// Whether the samples break where k1 reaches their own toughness; otherwise where the run
@@ -37,7 +37,7 @@ impl<'a> Sampling<'a> {
             family,
             question,
             scatter,
-            mix: &info.mix,
+            mix: info.mix(),
             arrest_rate: if info.maintenance.is_some() { 0.0 } else { info.arrest_rate },
             has_own_toughness: scatter.toughness_std > 0.0,
         }
@@ -120,7 +120,7 @@ pub(crate) struct Draws {
 
 impl Draws {
     /// Draws of the quantities that `scatter`, with the wheels of `mix`.
-    pub fn of(scatter: &Scatter, mix: &[MixInfo]) -> Self {
+    pub fn of(scatter: &Scatter, mix: &[WheelInfo]) -> Self {
         Self {
             even: EvenDeviates::new(scatter.seed as u64),
             first: Deviates::new(scatter.seed as u64),
@@ -170,7 +170,7 @@ pub(crate) struct Sample {
 pub(crate) struct Sampler<'a> {
     of: Sampling<'a>,
     /// The wheels of a mix whose shares scatter.
-    mix: &'a [MixInfo],
+    mix: &'a [WheelInfo],
     limits: Limits,
     walk: Walk<'a>,
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::decision::{Course, Family, GrowthPath, InspectionSummary, Nominal, PathPoint, Question};
-use crate::log::MixInfo;
+use crate::log::WheelInfo;
 use railcrack::growth::SurfaceRemoval;
 use railcrack_case::Inspection;
 
@@ -50,7 +50,7 @@ fn scatter() -> Scatter {
 struct Asked<'a> {
     path: &'a GrowthPath,
     scatter: &'a Scatter,
-    mix: &'a [MixInfo],
+    mix: &'a [WheelInfo],
 }
 
 /// What is asked of each path.
@@ -147,7 +147,7 @@ fn shares_of_a_mix_scatter() {
     let mut path = path();
     let shares = railcrack::growth::WheelShares::from_values(&[0.8, 0.2]);
     path.points.iter_mut().for_each(|point| point.shares = shares);
-    let wheel = |share: f64, load: f64| MixInfo {
+    let wheel = |share: f64, load: f64| WheelInfo {
         name: String::new(),
         share,
         axle_load: Some(load),

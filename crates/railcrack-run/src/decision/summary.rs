@@ -112,7 +112,7 @@ impl Decision {
             frictions: companions.frictions(),
             part_of_row: RowPartSummary::of(info, log),
             maintenance: info.maintenance.map(|removal| MaintenanceSummary::of(&removal, &rows, &path)),
-            wheels: WheelSummary::of(&info.mix, &path),
+            wheels: WheelSummary::of(info.mix(), &path),
             verdict,
             failure: nominal.failure,
             second: nominal.second,

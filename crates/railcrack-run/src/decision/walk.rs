@@ -4,7 +4,7 @@ use super::course::CourseEnd;
 use super::events::{Fate, Limits, Part};
 use super::family::{CracksAt, EVENTS, Family, Spot, State};
 use super::risk::interpolated;
-use crate::log::MixInfo;
+use crate::log::WheelInfo;
 use railcrack::growth::{Axles, Grinding, MOST_WHEELS, Mgt, SurfaceRemoval, WheelShares};
 use std::ops::ControlFlow;
 
@@ -58,7 +58,7 @@ pub(super) struct SampledShares {
 impl SampledShares {
     /// The shares of `mix`, each multiplied by its member of `factors` and then normalised to a sum
     /// of 1; `tonnes` is the mean load of an axle in the case.
-    pub fn of(mix: &[MixInfo], factors: [f64; MOST_WHEELS], tonnes: f64) -> Self {
+    pub fn of(mix: &[WheelInfo], factors: [f64; MOST_WHEELS], tonnes: f64) -> Self {
         let sum: f64 = mix.iter().zip(factors).map(|(wheel, factor)| wheel.share * factor).sum();
         let factors = factors.map(|factor| if sum > 0.0 { factor / sum } else { 1.0 });
         let loads: Option<f64> = mix

@@ -1,7 +1,7 @@
 //! Share of each wheel of a mix in the growth.
 
 use super::path::{GrowthPath, PathPoint};
-use crate::log::MixInfo;
+use crate::log::WheelInfo;
 use serde::{Deserialize, Serialize};
 
 /// A wheel of a mix over the whole run.
@@ -20,13 +20,11 @@ pub struct WheelSummary {
 
 impl WheelSummary {
     /// The wheels of `mix` at the tip of `path`.
-    pub(crate) fn of(mix: &[MixInfo], path: &GrowthPath) -> Vec<Self> {
+    pub(crate) fn of(mix: &[WheelInfo], path: &GrowthPath) -> Vec<Self> {
         let points = &path.points;
-        // A single wheel has the whole growth.
-        let alone = if mix.len() == 1 { 1.0 } else { 0.0 };
         let grown: f64 = points.iter().map(|point| point.increment.max(0.0)).sum();
-        let of = |(i, wheel): (usize, &MixInfo)| {
-            let share = |point: &PathPoint| point.shares.values().get(i).copied().unwrap_or(alone);
+        let of = |(i, wheel): (usize, &WheelInfo)| {
+            let share = |point: &PathPoint| point.shares.values().get(i).copied().unwrap_or(0.0);
             let weighted: f64 = points.iter().map(|point| point.increment.max(0.0) * share(point)).sum();
             // Without any increment, the initial crack.
             let first = points.first().map_or(0.0, share);

@@ -27,6 +27,8 @@ pub const PLASTIC_FILE: &str = "plastic.vtu";
 pub const CYCLE_FILE: &str = "cycle.vtu";
 /// Folder of the stabilised plastic state that a run computed first.
 pub const ROLLED_FOLDER: &str = "shakedown";
+/// Groups of the wheels of a table, as the run made them.
+pub(crate) const WHEEL_GROUPS_FILE: &str = "inputs/wheel-groups.json";
 /// Folder of the files that `case.toml` names.
 pub(crate) const INPUTS_FOLDER: &str = "inputs";
 /// The page in a folder.
@@ -85,7 +87,7 @@ pub(crate) const PLOT_FILES: [&str; 18] = [
 
 /// Files of a run other than `case.toml`, in the order in which a replaced run is removed: a run
 /// without its checkpoint counts as not started.
-pub(crate) const RUN_FILES: [&str; 27] = [
+pub(crate) const RUN_FILES: [&str; 31] = [
     CHECKPOINT_FILE,
     RUN_LOG_FILE,
     OUTCOME_FILE,
@@ -113,4 +115,8 @@ pub(crate) const RUN_FILES: [&str; 27] = [
     "inputs/toughness.csv",
     "inputs/rates.csv",
     "inputs/pod.csv",
+    "inputs/wheels",
+    "inputs/rail-profile",
+    "inputs/wheel-profile",
+    WHEEL_GROUPS_FILE,
 ];

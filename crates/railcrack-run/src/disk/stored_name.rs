@@ -6,8 +6,11 @@ use std::path::Path;
 use toml::de::{DeTable, DeValue};
 
 /// The keys of `case.toml` that name a file, with the section or table that they stand in.
-const FILE_KEYS: [(&str, &str); 7] = [
+const FILE_KEYS: [(&str, &str); 10] = [
     ("contact", "profile"),
+    ("contact", "rail_profile"),
+    ("contact", "wheel_profile"),
+    ("wheel", "table"),
     ("fracture", "profile"),
     ("growth", "table_profile"),
     ("residual_stress", "profile"),

@@ -5,9 +5,9 @@ use railcrack::fatigue::RailSteel;
 use railcrack::growth::{Mgt, SurfaceRemoval, Warning};
 use railcrack_case::{ContactSolver, Engine, Inspection, InspectionRisk, Output, Scatter};
 
-/// A wheel of a mix.
+/// A wheel of a run.
 #[derive(Debug, Clone, PartialEq)]
-pub struct MixInfo {
+pub struct WheelInfo {
     /// Its name.
     pub name: String,
     /// Share of the axles.
@@ -29,8 +29,6 @@ pub struct RunInfo {
     pub contact: ContactSolver,
     /// Boundary of the rail.
     pub boundary: Boundary,
-    /// Half-width a of the wheel contact, mm: the unit of `xc_over_a`.
-    pub half_width: f64,
     /// First and last position of `[passage]`, mm: a rail that bends has output positions beyond.
     pub passage: [f64; 2],
     /// Whether a rail bends on its track that is cracked as a half-plane.
@@ -49,8 +47,8 @@ pub struct RunInfo {
     pub coupled: bool,
     /// Mean axle load in tonnes, for million gross tonnes.
     pub axle_load: Option<f64>,
-    /// The wheels of a mix; empty for one wheel.
-    pub mix: Vec<MixInfo>,
+    /// The wheels, at least one; positions are measured in the half-width of the first.
+    pub wheels: Vec<WheelInfo>,
     /// Wear and grinding, where the case has them.
     pub maintenance: Option<SurfaceRemoval<Mgt>>,
     /// The inspection, where the case has one.
@@ -84,7 +82,7 @@ impl RunInfo {
             engine: Engine::Dislocation,
             contact: ContactSolver::Newton,
             boundary: Boundary::HalfPlane,
-            half_width,
+            wheels: vec![WheelInfo { name: "wheel 1".to_owned(), share: 1.0, axle_load: None, half_width }],
             passage: [-1e9, 1e9],
             bends: false,
             toughness: None,
@@ -94,7 +92,6 @@ impl RunInfo {
             fluid: false,
             coupled: false,
             axle_load: None,
-            mix: Vec::new(),
             maintenance: None,
             inspection: None,
             inspection_risk: None,
@@ -108,13 +105,22 @@ impl RunInfo {
         }
     }
 
+    /// The wheels where there are several, which results then tell apart; none for one wheel.
+    #[must_use]
+    pub fn mix(&self) -> &[WheelInfo] {
+        if self.wheels.len() > 1 { &self.wheels } else { &[] }
+    }
+
+    /// Half-width a of the contact of the first wheel, mm: the unit of its `xc_over_a`.
+    #[must_use]
+    pub fn half_width(&self) -> f64 {
+        self.wheels.first().map_or(0.0, |wheel| wheel.half_width)
+    }
+
     /// Half-widths of the contacts of all wheels, mm.
     #[must_use]
     pub fn half_widths(&self) -> Vec<f64> {
-        if self.mix.is_empty() {
-            return vec![self.half_width];
-        }
-        self.mix.iter().map(|wheel| wheel.half_width).collect()
+        self.wheels.iter().map(|wheel| wheel.half_width).collect()
     }
 
     /// The sections of the case that bring columns of their own: `wheel` once for each wheel of a
@@ -123,7 +129,7 @@ impl RunInfo {
         let traffic = self.axle_load.map(|_| "traffic");
         let maintenance = self.maintenance.map(|_| "maintenance");
         let fluid = self.fluid.then_some("fluid");
-        let wheels = self.mix.iter().map(|_| "wheel");
+        let wheels = self.mix().iter().map(|_| "wheel");
         let space = self.engine.is_in_space().then_some("space");
         let coupled = self.coupled.then_some("coupled");
         let all = traffic.into_iter().chain(wheels).chain(maintenance).chain(fluid).chain(space);

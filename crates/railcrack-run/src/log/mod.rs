@@ -8,6 +8,6 @@ mod steps;
 
 pub(crate) use companion::{Companion, CompanionKind};
 pub(crate) use digest::StepDigest;
-pub use info::{MixInfo, RunInfo};
+pub use info::{RunInfo, WheelInfo};
 pub use residual::{PlasticOrigin, ProjectionSummary, ReleaseSummary, ResidualSummary, RolledSummary};
 pub(crate) use steps::{Present, RunLog};

@@ -30,8 +30,8 @@ pub fn step_seconds(case: &Case, size: &RunSize) -> f64 {
         NetworkContact::Whole => (unknowns, 1.0),
         NetworkContact::Groups => (unknowns.min(OF_GROUP), SWEEPS),
     };
-    let wheels = case.mix.len().max(1) as f64;
-    let load_steps = case.positions().len() as f64 * PASSAGES * wheels * sweeps;
+    let wheels = case.computed_wheels() as f64;
+    let load_steps = case.positions(case.first_wheel()).len() as f64 * PASSAGES * wheels * sweeps;
     let plane = unknowns * coupled * (PER_CUBE * coupled + PER_SQUARE * load_steps)
         + PER_DISPLACEMENT * (size.displacements as f64).powf(1.25);
     if case.engine == Engine::Space { IN_SPACE * plane } else { plane }

@@ -2,7 +2,7 @@
 
 use super::case_files::CaseFiles;
 use super::clear::{clear_results, clear_rolled, run_file_in};
-use crate::disk::files::{CASE_FILE, CHECKPOINT_FILE, SUMMARY_FILE};
+use crate::disk::files::{CASE_FILE, CHECKPOINT_FILE, SUMMARY_FILE, WHEEL_GROUPS_FILE};
 use crate::disk::{Durability, inner_folder, remove, replace_file};
 use crate::error::OutputError;
 use std::fs;
@@ -53,11 +53,15 @@ pub(crate) fn restore_case(folder: &Path, case: &CaseFiles) -> Result<(), Output
 }
 
 fn write_companions(folder: &Path, case: &CaseFiles) -> Result<(), OutputError> {
+    // The groups are those of a companion, in the same folder.
     for (name, text) in &case.companions {
         if let Some((inner, _)) = name.rsplit_once('/') {
             inner_folder(folder, inner)?;
         }
         replace_file(&folder.join(name), text.as_bytes(), Durability::Cached)?;
     }
-    Ok(())
+    match &case.wheel_groups {
+        Some(groups) => replace_file(&folder.join(WHEEL_GROUPS_FILE), groups.as_bytes(), Durability::Cached),
+        None => Ok(()),
+    }
 }

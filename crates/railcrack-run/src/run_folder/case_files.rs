@@ -1,6 +1,6 @@
 //! The case of a run as files, and whether two runs have the same.
 
-use crate::disk::files::{CASE_FILE, FIELDS_FILE, INPUTS_FOLDER, RUN_FILES};
+use crate::disk::files::{CASE_FILE, FIELDS_FILE, INPUTS_FOLDER, RUN_FILES, WHEEL_GROUPS_FILE};
 use crate::disk::{Checksum, checksums, read_if_there};
 use crate::error::OutputError;
 use serde::{Deserialize, Serialize};
@@ -15,11 +15,14 @@ pub struct CaseFiles {
     /// Name in the run folder (`inputs/residual-stress.csv`) and text of each file that the case
     /// names.
     pub companions: Vec<(String, String)>,
+    /// The groups of the wheels of its table, as the run made them: no part of the case, and the
+    /// same for everything that reads the run.
+    pub wheel_groups: Option<String>,
 }
 
 /// The names of the files that a case may name, in a run folder.
 pub(crate) fn input_files() -> impl Iterator<Item = &'static str> {
-    RUN_FILES.into_iter().filter(|file| file.starts_with(INPUTS_FOLDER))
+    RUN_FILES.into_iter().filter(|file| file.starts_with(INPUTS_FOLDER) && *file != WHEEL_GROUPS_FILE)
 }
 
 impl CaseFiles {
@@ -37,7 +40,7 @@ impl CaseFiles {
         for name in input_files() {
             companions.extend(text(name)?.map(|text| (name.to_owned(), text)));
         }
-        Ok(Some(Self { toml, companions }))
+        Ok(Some(Self { toml, companions, wheel_groups: text(WHEEL_GROUPS_FILE)? }))
     }
 
     /// The case among the `files` of a packed run.
@@ -46,10 +49,12 @@ impl CaseFiles {
         Self {
             toml: text(CASE_FILE).unwrap_or_default(),
             companions: input_files().filter_map(|name| Some((name.to_owned(), text(name)?))).collect(),
+            wheel_groups: text(WHEEL_GROUPS_FILE),
         }
     }
 
-    /// The checksum of the case and of the files that it names, in any order.
+    /// The checksum of the case and of the files that it names, in any order, without the groups of
+    /// wheels.
     pub(crate) fn checksum(&self) -> Checksum {
         let mut companions: Vec<_> = self.companions.iter().collect();
         companions.sort();
@@ -64,7 +69,7 @@ impl CaseFiles {
 ///
 /// Errors: the system refuses.
 pub(crate) fn case_checksums(folder: &Path) -> Result<BTreeMap<String, String>, OutputError> {
-    let all = [CASE_FILE, FIELDS_FILE].into_iter().chain(input_files());
+    let all = [CASE_FILE, FIELDS_FILE, WHEEL_GROUPS_FILE].into_iter().chain(input_files());
     checksums(folder, all.filter(|file| folder.join(file).is_file()))
 }
 
@@ -77,7 +82,10 @@ pub(crate) fn same_case(folder: &Path, stored: &CaseFiles, given: &CaseFiles) ->
         let before = stored.companions.iter().find(|companion| companion.0 == *name);
         same_text(folder, name, before.map_or("", |companion| companion.1.as_str()), text)?;
     }
-    Ok(())
+    match (&stored.wheel_groups, &given.wheel_groups) {
+        (Some(stored), Some(given)) => same_text(folder, WHEEL_GROUPS_FILE, stored, given),
+        _ => Ok(()),
+    }
 }
 
 /// The same for one file.

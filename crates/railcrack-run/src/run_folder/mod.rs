@@ -23,6 +23,6 @@ pub use history::History;
 pub(crate) use read::RunFiles;
 pub use read::RunFolder;
 pub use representative::{RepresentativeTip, cycles_to, representative_tip};
-pub(crate) use stored_case::{check_case, read_case, stored_case, was_about_to_begin};
+pub(crate) use stored_case::{check_case, read_case, stored_case, was_about_to_begin, wheel_groups};
 pub use verification::Verification;
 pub(crate) use verification::{Extent, check_numbers, same_bytes};

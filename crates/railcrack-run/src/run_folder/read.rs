@@ -106,7 +106,7 @@ impl RunFolder {
         }
     }
 
-    /// The case.
+    /// The case, with the representatives of its table of wheels that the run has computed.
     ///
     /// Errors: there is none, or this version does not accept it.
     pub fn case(&self) -> Result<Case, OutputError> {

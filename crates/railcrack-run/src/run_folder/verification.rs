@@ -5,7 +5,7 @@ use super::checkpoint::{Checkpoint, LogFile};
 use crate::csv::{ContactRow, FaceRow, ResidualRow, Table, check_sealed};
 use crate::disk::files::{
     CASE_FILE, FIELDS_FILE, FIELDS_FOLDER, OUTCOME_FILE, ROLLED_FOLDER, RUN_FILES, SHAKEDOWN_FILE,
-    SUMMARY_FILE, SUMS_FILE,
+    SUMMARY_FILE, SUMS_FILE, WHEEL_GROUPS_FILE,
 };
 use crate::disk::{Seal, check_stored_name, is_signed, read_file, read_if_there, sums_text};
 use crate::error::OutputError;
@@ -209,7 +209,10 @@ impl Verification {
         for (name, text) in &case.companions {
             self.answer(same_bytes(&folder.join(name), text.as_bytes()))?;
         }
-        Ok(())
+        match &case.wheel_groups {
+            Some(groups) => self.answer(same_bytes(&folder.join(WHEEL_GROUPS_FILE), groups.as_bytes())),
+            None => Ok(()),
+        }
     }
 
     fn whole(&mut self, path: &Path, seal: Seal) -> Result<(), OutputError> {

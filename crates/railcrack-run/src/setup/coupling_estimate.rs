@@ -1,5 +1,7 @@
 //! Estimate of how much a wheel that feels the cracks would change their growth.
 
+use super::coarse_front::CoarseFront;
+use super::wheel_patch::wheel_patch;
 use railcrack::bulk::Boundary;
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::coupling::{CoupledContact, WheelCoupling, gap_in_plane};
@@ -10,7 +12,7 @@ use railcrack::field::wheel_under;
 use railcrack::growth::{PassageSettings, StabilisedPassage, Unobserved};
 use railcrack::load::{Passage, WheelLoad};
 use railcrack::plane::{RailLoad, stabilised_passage};
-use railcrack_case::{Case, CoarseFront, ContactOrigin};
+use railcrack_case::{Case, ContactOrigin, GivenContact};
 
 /// Extent of the passage over a, and number of its positions.
 const REACH: f64 = 4.0;
@@ -56,9 +58,10 @@ pub struct EffectInPlane {
 pub fn unfelt_gap(case: &Case) -> Option<f64> {
     let space = case.space.as_ref()?;
     let shape = space.shapes.first().filter(|shape| shape.buried.is_none())?;
-    let wheel = space.wheels.first()?.outline();
+    let patch = wheel_patch(case, 0)?;
+    let wheel = patch.outline();
     let front = CoarseFront::new(shape, *case.crack_friction.first()?, &case.steel)?;
-    let gap = front.gap_under(wheel, case.passages.passage.travel());
+    let gap = front.gap_under(wheel, case.first_wheel().passages.passage.travel());
     Some(gap / wheel.ellipse().depth_along(&case.steel))
 }
 
@@ -69,14 +72,15 @@ impl EffectInPlane {
     /// is very flat, short, long or bent, and for one that does not grow.
     #[must_use]
     pub fn of_case(case: &Case) -> Option<Self> {
-        let measured = matches!(case.wheel.origin, ContactOrigin::Table(_));
+        let first = case.first_wheel();
+        let GivenContact { contact, origin, .. } = first.wheel.given()?;
+        let measured = matches!(origin, ContactOrigin::Table(_));
         let in_half_plane = case.rail.boundary == Boundary::HalfPlane || case.engine.is_in_space();
         if case.has_coupled_wheel() || measured || !in_half_plane {
             return None;
         }
         let place = case.cracks.cracks().iter().position(|crack| crack.is_surface_breaking())?;
         let crack = case.cracks.cracks()[place].clone();
-        let contact = case.wheel.contact();
         if !is_ordinary(&crack, contact.half_width()) {
             return None;
         }
@@ -88,7 +92,7 @@ impl EffectInPlane {
             nodes_per_half_width: NODES,
             within: WheelCoupling::WITHIN,
         };
-        let travel = case.passages.passage.travel().sign();
+        let travel = first.passages.passage.travel().sign();
         let reach = REACH * contact.half_width() * travel;
         let passage = Passage { from: mouth - reach, to: mouth + reach, positions: POSITIONS };
         let load = WheelLoad { contact: contact.clone(), track: None, temperature: None };

@@ -44,8 +44,7 @@ pub(super) fn engine_with(case: &Case, finite_elements: XfemEngine) -> Option<Bo
         Engine::Space => return None,
     };
     let Some(layers) = case.rail.section.and_then(SectionLayers::of) else { return Some(engine) };
-    let mut wheels = std::iter::once(&case.wheel).chain(case.mix.iter().map(|mixed| &mixed.wheel));
-    let foundation = wheels.find_map(|wheel| Some(wheel.load.track.as_ref()?.foundation));
+    let foundation = case.wheels.iter().find_map(|wheel| Some(wheel.wheel.track.as_ref()?.foundation));
     let in_section = SectionEngine::new(engine, case.steel, layers, foundation.unwrap_or(0.0));
     in_section.ok().map(|engine| Box::new(engine) as Box<dyn BodyEngine + Send>)
 }

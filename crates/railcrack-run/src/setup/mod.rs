@@ -2,13 +2,17 @@
 //! of the mechanics. The only room that knows the engines in the plane and that in space.
 
 mod carried;
+mod coarse_crack;
+mod coarse_front;
 mod coupling_estimate;
 mod demand;
 mod engine;
 mod fields;
+mod grouping;
 mod plane;
 mod prepared;
 mod rates_across;
+mod represented;
 mod rolled;
 mod shared;
 mod size;
@@ -16,6 +20,7 @@ mod space;
 mod space_demands;
 mod wheel;
 mod wheel_demands;
+mod wheel_patch;
 
 pub use carried::{CarriedStress, CarriedStressError, Projection, Release, plastic_field};
 pub use coupling_estimate::{EffectInPlane, unfelt_gap};
@@ -23,7 +28,10 @@ pub use demand::{DemandError, WheelDemand};
 pub use engine::{body_engine, finite_elements};
 pub use prepared::PreparedRun;
 pub use rates_across::rates_across;
+pub use represented::{represented, represented_in};
 pub use rolled::{HeaviestWheel, contact_bounds, rolled_rail, stabilisation};
 pub use shared::{RailKey, SharedRail, SharedRailError};
 pub use size::RunSize;
+pub use wheel::wheel_field;
 pub use wheel_demands::wheel_demands;
+pub use wheel_patch::wheel_patches;

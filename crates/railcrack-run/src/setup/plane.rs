@@ -1,7 +1,7 @@
 //! The rail with cracks in the plane.
 
 use super::fields::field_settings;
-use super::wheel::{toughness_under, with_temperature};
+use super::wheel::{toughness_under, wheel_field, with_temperature};
 use railcrack::body::BodyEngine;
 use railcrack::contact::{self, Latin, Newton};
 use railcrack::fatigue::RailSteel;
@@ -9,7 +9,7 @@ use railcrack::field::StressField;
 use railcrack::growth::GrowthSettings;
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::plane::{PlaneRail, PlaneWheel};
-use railcrack_case::{Case, ContactSolver, MixedWheel};
+use railcrack_case::{Case, ContactSolver, TrafficWheel};
 use std::sync::Arc;
 
 /// The rail of `case`, whose cracks the `engine` makes bodies of, with the `residual` stress.
@@ -24,16 +24,7 @@ pub(super) fn plane_rail(
         ContactSolver::Newton => (newton, latin),
         ContactSolver::Latin => (latin, newton),
     };
-    let first = PlaneWheel {
-        share: case.mix.first().map_or(1.0, |first| first.share),
-        fluid: case.fluid.clone(),
-        coupling: case.wheel.coupling.clone(),
-        residual: with_temperature(case, &case.wheel, residual),
-        passages: case.passages,
-        ..PlaneWheel::new(case.wheel.field(&case.steel).expect("the case is checked"))
-    };
-    let others = case.mix.iter().skip(1).map(|other| other_wheel(case, other, residual));
-    let wheels = std::iter::once(first).chain(others).collect();
+    let wheels = case.wheels.iter().map(|wheel| plane_wheel(case, wheel, residual)).collect();
     let usual = MPA_SQRT_MM * case.growth_steel.unwrap_or(RailSteel::USUAL).mean_toughness;
     PlaneRail {
         solver,
@@ -46,15 +37,14 @@ pub(super) fn plane_rail(
     }
 }
 
-/// A wheel of a mix other than the first one, in the plane.
-fn other_wheel(case: &Case, other: &MixedWheel, residual: Option<&Arc<dyn StressField>>) -> PlaneWheel {
+fn plane_wheel(case: &Case, wheel: &TrafficWheel, residual: Option<&Arc<dyn StressField>>) -> PlaneWheel {
     PlaneWheel {
-        share: other.share,
-        fluid: other.fluid.clone(),
-        coupling: other.wheel.coupling.clone(),
-        residual: with_temperature(case, &other.wheel, residual),
-        passages: other.passages,
-        toughness: toughness_under(case, &other.wheel),
-        ..PlaneWheel::new(other.wheel.field(&case.steel).expect("the case is checked"))
+        share: wheel.share,
+        fluid: wheel.fluid.clone(),
+        coupling: wheel.wheel.coupling().cloned(),
+        residual: with_temperature(case, &wheel.wheel, residual),
+        passages: wheel.passages,
+        toughness: toughness_under(case, &wheel.wheel),
+        ..PlaneWheel::new(wheel_field(&wheel.wheel, &case.steel).expect("the case is checked"))
     }
 }

@@ -1,8 +1,10 @@
 //! Growth by the lateral place of the crack.
 
+use super::coarse_front::CoarseFront;
+use super::grouping::open_crack;
 use railcrack::load::Contact;
 use railcrack::rolling::PlacedPatch;
-use railcrack_case::{Case, CoarseFront, TabledWheel, WheelTable, open_crack};
+use railcrack_case::{Case, TabledWheel, WheelTable};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// Passages of the coarse crack in space over all places, at most about so many: of a longer table

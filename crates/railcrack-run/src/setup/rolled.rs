@@ -5,7 +5,7 @@ use railcrack::field::wheel_under;
 use railcrack::load::WheelLoad;
 use railcrack::material::IsotropicElastic;
 use railcrack::shakedown::{ContactBounds, RolledRail, Stabilisation};
-use railcrack_case::{Case, GivenWheel, ShakedownSettings};
+use railcrack_case::{Case, GivenWheel, ShakedownSettings, TrafficWheel};
 
 /// The wheel of a mix that comes nearest to its limit of elastic shakedown, or exceeds it most.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -26,19 +26,15 @@ impl HeaviestWheel {
     #[must_use]
     pub fn of_case(case: &Case) -> Self {
         let shear_yield = case.shakedown.hardening.shear_yield_stress();
-        let of = |(i, wheel): (usize, &GivenWheel)| {
-            let limit = contact_bounds(wheel, &case.steel, |bounds| bounds.shakedown_limit().ratio);
-            let ratio = wheel.contact().peak_pressure() / shear_yield;
-            Self { wheel: i, of_limit: limit.map_or(0.0, |limit| ratio / limit) }
-        };
-        let wheels: Vec<&GivenWheel> = match case.mix.len() {
-            0 => vec![&case.wheel],
-            _ => case.mix.iter().map(|mixed| &mixed.wheel).collect(),
+        let of = |(wheel, given): (usize, &TrafficWheel)| {
+            let peak = given.wheel.contact()?.peak_pressure();
+            let limit = contact_bounds(&given.wheel, &case.steel, |bounds| bounds.shakedown_limit().ratio);
+            Some(Self { wheel, of_limit: limit.map_or(0.0, |limit| peak / shear_yield / limit) })
         };
         let heavier = |most: Self, next: Self| {
             if next.of_limit > most.of_limit { next } else { most }
         };
-        wheels.into_iter().enumerate().map(of).reduce(heavier).unwrap_or_default()
+        case.wheels.iter().enumerate().filter_map(of).reduce(heavier).unwrap_or_default()
     }
 }
 
@@ -47,15 +43,12 @@ impl HeaviestWheel {
 /// added to the plastic stress that it leaves.
 #[must_use]
 pub fn rolled_rail(case: &Case) -> RolledRail {
-    let (wheel, passages) = match case.mix.get(HeaviestWheel::of_case(case).wheel) {
-        Some(mixed) => (&mixed.wheel, &mixed.passages),
-        None => (&case.wheel, &case.passages),
-    };
+    let wheel = &case.wheels[HeaviestWheel::of_case(case).wheel];
     RolledRail {
         steel: case.steel,
         hardening: case.shakedown.hardening,
-        contact: wheel.contact().clone(),
-        travel: passages.passage.travel(),
+        contact: wheel.wheel.contact().expect("not all wheels miss the cracks").clone(),
+        travel: wheel.passages.passage.travel(),
         initial: case.shakedown.initial_residual.as_ref().map(|file| file.content().clone()),
     }
 }
@@ -68,14 +61,14 @@ pub fn stabilisation(case: &Case) -> Stabilisation {
 }
 
 /// First yield and shakedown of a rail of `steel` under the contact of `wheel` alone, as `of` asks
-/// for them.
+/// for them; none where it misses the cracks.
 #[must_use]
 pub fn contact_bounds<T>(
     wheel: &GivenWheel,
     steel: &IsotropicElastic,
     of: impl FnOnce(&ContactBounds) -> T,
 ) -> Option<T> {
-    let contact = wheel.contact();
+    let contact = wheel.contact()?;
     let load = WheelLoad { contact: contact.clone(), track: None, temperature: None };
     let wheel = wheel_under(&load, steel).ok()?;
     Some(of(&ContactBounds::new(contact, wheel.as_ref())))

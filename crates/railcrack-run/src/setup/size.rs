@@ -111,7 +111,7 @@ impl RunSize {
         };
         let matrices = columns * unknowns + 2 * tips * unknowns;
         // Face record of one passage: four numbers and a status per position and point.
-        let records = case.positions().len() * (5 * face_points + 2 * tips);
+        let records = case.positions(case.first_wheel()).len() * (5 * face_points + 2 * tips);
         let memory_bytes = BASE + number * (matrices + records + 2 * factor);
         Self { face_points, tips, displacements, unknowns, memory_bytes }
     }

@@ -2,6 +2,7 @@
 
 use super::fields::field_settings;
 use super::wheel::{toughness_under, with_temperature};
+use super::wheel_patch::wheel_patches;
 use railcrack::field::StressField;
 use railcrack::space::{SpaceRail, SpaceWheel};
 use railcrack_case::{Case, SpaceCase};
@@ -13,28 +14,20 @@ pub(super) fn space_rail(
     space: &SpaceCase,
     residual: Option<&Arc<dyn StressField>>,
 ) -> SpaceRail {
-    let first = space.wheels.iter().take(1).map(|wheel| SpaceWheel {
-        wheel: wheel.clone(),
-        share: case.mix.first().map_or(1.0, |first| first.share),
-        bending: case.wheel.bending(&case.steel),
-        residual: with_temperature(case, &case.wheel, residual),
-        fluid: case.fluid.clone(),
-        passages: case.passages,
-        toughness: case.growth.toughness,
-    });
-    let others = case.mix.iter().zip(&space.wheels).skip(1).map(|(mixed, wheel)| SpaceWheel {
-        wheel: wheel.clone(),
-        share: mixed.share,
-        bending: mixed.wheel.bending(&case.steel),
-        residual: with_temperature(case, &mixed.wheel, residual),
-        fluid: mixed.fluid.clone(),
-        passages: mixed.passages,
-        toughness: toughness_under(case, &mixed.wheel),
+    let patches = wheel_patches(case);
+    let wheels = case.wheels.iter().zip(patches).map(|(wheel, patch)| SpaceWheel {
+        wheel: patch,
+        share: wheel.share,
+        bending: wheel.wheel.bending(&case.steel),
+        residual: with_temperature(case, &wheel.wheel, residual),
+        fluid: wheel.fluid.clone(),
+        passages: wheel.passages,
+        toughness: toughness_under(case, &wheel.wheel),
     });
     SpaceRail {
         network: case.network,
         steel: case.steel,
-        wheels: first.chain(others).collect(),
+        wheels: wheels.collect(),
         friction: case.crack_friction.clone(),
         resolution: case.mesh.space,
         growth: case.growth.clone(),

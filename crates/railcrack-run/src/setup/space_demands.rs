@@ -1,5 +1,6 @@
 //! The loading of cracks in space at the beginning by each wheel.
 
+use super::coarse_front::CoarseFront;
 use super::demand::{DemandError, WheelDemand};
 use super::space::space_rail;
 use railcrack::fatigue::GrowthLaw;
@@ -8,7 +9,7 @@ use railcrack::growth::{CrackedRail, GrowthState, StepStart, TipRecord, Unobserv
 use railcrack::interruption::Interruption;
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::space::{CracksInSpace, SpaceRail};
-use railcrack_case::{Case, CoarseFront, SpaceCase, TabledWheel, WheelTable};
+use railcrack_case::{Case, SpaceCase, TabledWheel, WheelGroups, WheelTable};
 use std::sync::Arc;
 
 /// The largest ΔK_eq along the fronts and the mean rate of their points, by which their area
@@ -21,14 +22,19 @@ pub(super) fn demands_in_space(
 ) -> Result<Vec<WheelDemand>, DemandError> {
     let space = case.space.as_ref().ok_or(DemandError::NoFront)?;
     let computed = passages_in_space(space, space_rail(case, space, residual))?;
-    let Some(table) = &case.wheel_table else { return Ok(computed) };
-    let computed = &computed[table.first..table.first + table.representatives];
-    if table.chosen.len() == table.wheels.len() {
+    let Some((table, groups)) =
+        case.wheel_table.as_ref().and_then(|table| Some((table, table.groups.as_ref()?)))
+    else {
+        return Ok(computed);
+    };
+    let chosen = &groups.representatives;
+    let computed = &computed[table.first..table.first + chosen.len()];
+    if chosen.len() == table.wheels.len() {
         let mut own = vec![WheelDemand::default(); table.wheels.len()];
-        table.chosen.iter().zip(computed).for_each(|(wheel, demand)| own[*wheel] = *demand);
+        chosen.iter().zip(computed).for_each(|(wheel, demand)| own[*wheel] = *demand);
         return Ok(own);
     }
-    scaled(case, space, table, computed).ok_or(DemandError::NoFront)
+    scaled(case, (table, groups), computed).ok_or(DemandError::NoFront)
 }
 
 /// The loading by every wheel of the mix, or by the only one.
@@ -47,10 +53,10 @@ fn passages_in_space(space: &SpaceCase, mut rail: SpaceRail) -> Result<Vec<Wheel
 /// representative is of that of the coarse crack.
 fn scaled(
     case: &Case,
-    space: &SpaceCase,
-    table: &WheelTable,
+    (table, groups): (&WheelTable, &WheelGroups),
     computed: &[WheelDemand],
 ) -> Option<Vec<WheelDemand>> {
+    let space = case.space.as_ref()?;
     let front = CoarseFront::new(space.shapes.first()?, *case.crack_friction.first()?, &case.steel)?;
     let wheels: Vec<&TabledWheel> = table.wheels.iter().collect();
     let law: &GrowthLaw = &case.growth.law;
@@ -63,15 +69,15 @@ fn scaled(
         })
         .collect();
     let over = |a: f64, b: f64| if b > 0.0 { a / b } else { 1.0 };
-    let of = |(wheel, own): (&TabledWheel, &WheelDemand)| {
-        let group = wheel.represented_by - table.first;
-        let (fine, coarse) = (computed[group], coarse[table.chosen[group]]);
+    let of = |(group, own): (&Option<usize>, &WheelDemand)| {
+        let Some(group) = *group else { return WheelDemand::default() };
+        let (fine, coarse) = (computed[group], coarse[groups.representatives[group]]);
         WheelDemand {
             delta_keq: own.delta_keq * over(fine.delta_keq, coarse.delta_keq),
             rate: own.rate * over(fine.rate, coarse.rate),
         }
     };
-    Some(table.wheels.iter().zip(&coarse).map(of).collect())
+    Some(groups.group_of.iter().zip(&coarse).map(of).collect())
 }
 
 /// The loading by the only wheel of `rail`.

@@ -1,9 +1,31 @@
-//! What a wheel of a case does to the rail, apart from its contact.
+//! What a wheel of a case does to the rail.
 
-use railcrack::field::{StressField, Sum};
-use railcrack::math::MPA_SQRT_MM;
-use railcrack_case::{Case, GivenWheel};
+use railcrack::field::{StressField, Sum, Wheel, wheel_under};
+use railcrack::load::{Contact, HertzianContact, WheelLoad};
+use railcrack::material::IsotropicElastic;
+use railcrack::math::{MPA_SQRT_MM, OutOfRange};
+use railcrack_case::{Case, GivenWheel, WheelLoading};
 use std::sync::Arc;
+
+/// Peak pressure (MPa) that stands for no contact: the mechanics measure positions and load steps
+/// in the half-width of a contact, and this one loads the cracks by nothing that counts.
+const NO_PRESSURE: f64 = 1e-3;
+
+/// The field that moves with `wheel` on a rail of `steel`: contact and bending.
+///
+/// Errors: [`wheel_under`]; the wheel of a checked case has none.
+pub fn wheel_field(wheel: &GivenWheel, steel: &IsotropicElastic) -> Result<Box<dyn Wheel>, OutOfRange> {
+    let contact = match &wheel.loading {
+        WheelLoading::Contact(given) => given.contact.clone(),
+        WheelLoading::Misses { half_width } => Contact::Hertz(HertzianContact {
+            peak_pressure: NO_PRESSURE,
+            half_width: *half_width,
+            friction: 0.0,
+        }),
+    };
+    let load = WheelLoad { contact, track: wheel.track.clone(), temperature: wheel.temperature };
+    wheel_under(&load, steel)
+}
 
 /// The stress that stays between passages of `wheel`: `residual` and that of temperature.
 pub(super) fn with_temperature(
@@ -23,12 +45,14 @@ pub(super) fn with_temperature(
 /// Where that under the first wheel differs from the one that the case gives, that under the others
 /// differs by as much.
 pub(super) fn toughness_under(case: &Case, wheel: &GivenWheel) -> Option<f64> {
-    let rail =
-        |wheel: &GivenWheel| wheel.load.temperature.map_or(ROOM_TEMPERATURE, |temperature| temperature.rail);
     let fracture = case.fracture.as_ref()?;
-    let at = |rail: f64| MPA_SQRT_MM * fracture.toughness.at(rail);
+    let rail = wheel.temperature.map_or(ROOM_TEMPERATURE, |temperature| temperature.rail);
+    let at = fracture.toughness.at(rail);
+    if at == fracture.at_rail {
+        return case.growth.toughness;
+    }
     let raised = case.growth.toughness.map_or(0.0, |toughness| toughness - MPA_SQRT_MM * fracture.at_rail);
-    Some(at(rail(wheel)) + raised)
+    Some(MPA_SQRT_MM * at + raised)
 }
 
 /// Temperature (°C) of a rail if none is given.

@@ -255,7 +255,7 @@ fn deviation(case: &Case, scatter: &Scatter, course: &Course) -> f64 {
         .filter(|point| point.delta_keq > 0.0)
         .map(|point| (scatter.m_std * (point.delta_keq / 10.0).ln()).abs())
         .fold(0.0, f64::max);
-    let shares = if case.mix.len() > 1 { scatter.share_log_std } else { 0.0 };
+    let shares = if case.is_mix() { scatter.share_log_std } else { 0.0 };
     [scatter.c_log_std, wear, steeper, shares].iter().map(|part| part * part).sum::<f64>().sqrt()
 }
 

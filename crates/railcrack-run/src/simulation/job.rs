@@ -1,13 +1,13 @@
 //! A run before its first step: its case, and what it starts from.
 
 use super::observer::RunObserver;
-use crate::log::{MixInfo, RunInfo};
+use crate::log::{RunInfo, WheelInfo};
 use crate::presentation::Presentation;
 use crate::run_folder::CaseFiles;
 use crate::setup::SharedRail;
 use crate::summary::validity;
 use railcrack::growth::GrowthState;
-use railcrack_case::{Case, MixedWheel};
+use railcrack_case::{Case, TrafficWheel};
 use std::path::Path;
 
 /// The start of a run.
@@ -36,6 +36,7 @@ pub struct Job {
 impl Job {
     /// The run of `case`.
     pub fn of(case: &Case) -> Self {
+        let passage = case.first_wheel().passages.passage;
         Self {
             case: case_files(case),
             info: RunInfo {
@@ -43,11 +44,9 @@ impl Job {
                 engine: case.engine,
                 contact: case.contact_solver,
                 boundary: case.rail.boundary,
-                half_width: case.half_width(),
-                passage: [case.passages.passage.from, case.passages.passage.to],
-                bends: case.rail.section.is_none()
-                    && (case.wheel.load.track.is_some()
-                        || case.mix.iter().any(|mixed| mixed.wheel.load.track.is_some())),
+                wheels: case.wheels.iter().map(of_wheel).collect(),
+                passage: [passage.from, passage.to],
+                bends: case.rail.section.is_none() && case.has_track(),
                 toughness: case.fracture.as_ref().map(|fracture| fracture.at_rail),
                 steel: case.growth_steel,
                 calibrated_sites: case.calibration.sites,
@@ -56,7 +55,6 @@ impl Job {
                 coupled: case.has_coupled_wheel(),
                 axle_load: case.axle_load,
                 output: case.output,
-                mix: case.mix.iter().map(of_wheel).collect(),
                 maintenance: case.maintenance,
                 inspection: case.inspection,
                 inspection_risk: case.inspection_risk.clone(),
@@ -71,8 +69,8 @@ impl Job {
     }
 }
 
-fn of_wheel(wheel: &MixedWheel) -> MixInfo {
-    MixInfo {
+fn of_wheel(wheel: &TrafficWheel) -> WheelInfo {
+    WheelInfo {
         name: wheel.name.clone(),
         share: wheel.share,
         axle_load: wheel.axle_load,
@@ -83,5 +81,8 @@ fn of_wheel(wheel: &MixedWheel) -> MixInfo {
 /// `case.toml` and the files that it names.
 pub fn case_files(case: &Case) -> CaseFiles {
     let companions = case.companions().into_iter().map(|file| (file.name.into(), file.text.into())).collect();
-    CaseFiles { toml: case.to_toml(), companions }
+    let groups = case.wheel_table.as_ref().and_then(|table| table.groups.as_ref());
+    // Numbers alone can always be written.
+    let wheel_groups = groups.and_then(|groups| serde_json::to_string(groups).ok());
+    CaseFiles { toml: case.to_toml(), companions, wheel_groups }
 }

@@ -15,6 +15,7 @@ use crate::log::{Companion, RunInfo, RunLog};
 use crate::machine::peak_memory_mb;
 use crate::presentation::Presentation;
 use crate::run_folder::Existing;
+use crate::setup::represented;
 use crate::summary::Summary;
 use railcrack::growth::{GrowthState, StepRecord, StepSource};
 use railcrack::stopwatch::Stopwatch;
@@ -47,8 +48,10 @@ impl Simulation<'_> {
         before: Option<RunInMemory>,
     ) -> (RunInMemory, Result<Ending, RunError>) {
         let started = Stopwatch::start();
-        let mut run = before.unwrap_or_else(|| RunInMemory::begun(self.job()));
-        let ending = self.go_on(&mut run, scratch);
+        let case = represented(self.case);
+        let simulation = Simulation { case: &case, ..*self };
+        let mut run = before.unwrap_or_else(|| RunInMemory::begun(simulation.job()));
+        let ending = simulation.go_on(&mut run, scratch);
         self.observer.close();
         run.wall_s += started.seconds();
         (run, ending)
@@ -63,8 +66,14 @@ impl Simulation<'_> {
         state: Option<GrowthState>,
     ) -> Result<Option<StepRecord>, RunError> {
         let Self { observer, presentation, shared, .. } = *self;
-        let (mut growth, _) =
-            self.growth(Stage { folder: scratch, observer, presentation, shared, state })?;
+        let case = represented(self.case);
+        let (mut growth, _) = Simulation { case: &case, ..*self }.growth(Stage {
+            folder: scratch,
+            observer,
+            presentation,
+            shared,
+            state,
+        })?;
         Ok(growth.next_step(&OfSteps(observer))?)
     }
 
@@ -250,8 +259,10 @@ impl Simulation<'_> {
     pub fn begin_by_step(&self, scratch: &Path) -> Result<RunByStep, RunError> {
         let Self { observer, presentation, shared, .. } = *self;
         let stage = Stage { folder: scratch, observer, presentation, shared, state: None };
-        let (growth, residual) = self.growth(stage)?;
-        let mut run = RunInMemory::begun(self.job());
+        let case = represented(self.case);
+        let simulation = Simulation { case: &case, ..*self };
+        let (growth, residual) = simulation.growth(stage)?;
+        let mut run = RunInMemory::begun(simulation.job());
         run.residual = residual;
         Ok(RunByStep { run, growth })
     }
@@ -260,7 +271,8 @@ impl Simulation<'_> {
     ///
     /// Errors: an interruption.
     pub fn accompany_by_step(&self, by_step: &mut RunByStep, scratch: &Path) -> Result<(), RunError> {
-        self.accompany(&mut by_step.run, scratch)
+        let case = represented(self.case);
+        Simulation { case: &case, ..*self }.accompany(&mut by_step.run, scratch)
     }
 
     /// Computes the next step of `by_step`; none where the run has ended.

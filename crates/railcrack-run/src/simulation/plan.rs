@@ -11,6 +11,7 @@ use crate::error::OutputError;
 use crate::log::{Companion, RunInfo, RunLog};
 use crate::planner::{PlanSummary, write_plan};
 use crate::run_folder::{Existing, begin};
+use crate::setup::represented;
 use railcrack::growth::{Axles, Grinding, GrowthState, Mgt, SurfaceRemoval};
 use railcrack_case::{Case, Engine};
 use rayon::prelude::*;
@@ -53,7 +54,8 @@ impl Simulation<'_> {
         existing: Existing,
         request: &PlanRequest,
     ) -> Result<PlanSummary, RunError> {
-        let Some(tonnes) = self.case.axle_load else {
+        let case = represented(self.case);
+        let Some(tonnes) = case.axle_load else {
             return Err(RunError::Plan(
                 "plans count in million gross tonnes, and the case gives no axle load: add a [traffic] section with axle_load_t, or axle_load_t to every [[wheel]]".to_owned(),
             ));
@@ -69,9 +71,9 @@ impl Simulation<'_> {
             std::fs::create_dir_all(folder).map_err(OutputError::io("create the folder", folder))?;
         }
         let _lock = folder.is_dir().then(|| FolderLock::take(folder)).transpose()?;
-        let files = case_files(self.case);
-        begin(folder, &files, existing)?;
-        let planning = Planning { simulation: *self, folder, tonnes, info: Job::of(self.case).info };
+        begin(folder, &case_files(&case), existing)?;
+        let simulation = Simulation { case: &case, ..*self };
+        let planning = Planning { simulation, folder, tonnes, info: Job::of(&case).info };
         let summary = write_plan(folder, planning.computed(request, started)?)?;
         self.presentation.plan(folder)?;
         self.observer.close();

@@ -59,7 +59,7 @@ impl Planning<'_> {
 
     fn draws(&self) -> Vec<Draw> {
         let Some(scatter) = &self.simulation.case.scatter else { return Vec::new() };
-        let mut draws = Draws::of(scatter, &self.info.mix);
+        let mut draws = Draws::of(scatter, self.info.mix());
         (0..scatter.samples.min(MOST_SAMPLES)).map(|_| draws.next()).collect()
     }
 
@@ -150,7 +150,7 @@ impl Planning<'_> {
                     |year| format!(", {year} million gross tonnes in a year")
                 )
             ),
-            match case.mix.len() {
+            match case.wheels.len() {
                 0 | 1 => "One wheel stands for all traffic.".to_owned(),
                 wheels => format!("{wheels} wheels of given shares stand for all traffic."),
             },

@@ -156,7 +156,7 @@ fn rolled_summary(case: &Case, summary: &ShakedownSummary, notes: &mut Vec<Strin
         state: summary.state,
         passes: summary.passes,
         p0_over_k: summary.p0_over_k,
-        wheel: case.mix.get(HeaviestWheel::of_case(case).wheel).map(|wheel| wheel.name.clone()),
+        wheel: case.is_mix().then(|| case.wheels[HeaviestWheel::of_case(case).wheel].name.clone()),
     }
 }
 
@@ -193,11 +193,13 @@ pub fn plastic_stress_left_out(case: &Case) -> Option<String> {
     if case.plastic_stress.is_some() || case.residual_stress.is_some() {
         return None;
     }
-    let mixed = case.mix.get(HeaviestWheel::of_case(case).wheel);
-    let wheel = mixed.map_or(&case.wheel, |mixed| &mixed.wheel);
-    let ratio = wheel.contact().peak_pressure() / case.shakedown.hardening.shear_yield_stress();
-    let first = contact_bounds(wheel, &case.steel, |bounds| bounds.first_yield())?.ratio;
-    let under = mixed.map_or_else(String::new, |mixed| format!(" under the wheel \"{}\"", mixed.name));
+    let heaviest = &case.wheels[HeaviestWheel::of_case(case).wheel];
+    let ratio = heaviest.wheel.contact()?.peak_pressure() / case.shakedown.hardening.shear_yield_stress();
+    let first = contact_bounds(&heaviest.wheel, &case.steel, |bounds| bounds.first_yield())?.ratio;
+    let under = match case.is_mix() {
+        true => format!(" under the wheel \"{}\"", heaviest.name),
+        false => String::new(),
+    };
     (ratio > first).then(|| {
         format!(
             "p0 / k = {ratio:.3}{under} is beyond first yield at {first:.3}, but the run ignores the plastic stress: add an empty [plastic_stress] section to compute it first"

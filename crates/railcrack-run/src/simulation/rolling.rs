@@ -6,7 +6,7 @@ use crate::disk::FolderLock;
 use crate::error::OutputError;
 use crate::presentation::Presentation;
 use crate::run_folder::Existing;
-use crate::setup::{HeaviestWheel, rolled_rail, stabilisation};
+use crate::setup::{HeaviestWheel, represented, rolled_rail, stabilisation};
 use crate::shakedown::{ShakedownRecorder, ShakedownResults, ShakedownSummary};
 use railcrack::fatigue::Initiation;
 use railcrack::interruption::Interruption;
@@ -38,6 +38,7 @@ pub fn roll(
     interruption: Interruption<'_>,
     mut observe: impl FnMut(&PassRecord),
 ) -> Result<ShakedownSummary, RunError> {
+    let case = &represented(case);
     let (rail, settings) = (rolled_rail(case), stabilisation(case));
     check_rail(&rail)?;
     let started = Instant::now();
@@ -147,16 +148,14 @@ pub fn pass_text(pass: &PassRecord) -> String {
 pub fn rolled_by(case: &Case) -> Option<String> {
     let heaviest = HeaviestWheel::of_case(case);
     let mut parts = Vec::new();
-    if case.mix.len() > 1 {
+    if case.is_mix() {
         parts.push(format!(
             "under the wheel \"{}\" alone, whose pressure is largest relative to its limit of elastic shakedown ({:.2} of it)",
-            case.mix[heaviest.wheel].name, heaviest.of_limit
+            case.wheels[heaviest.wheel].name, heaviest.of_limit
         ));
     }
-    let wheels = || case.mix.iter().map(|mixed| &mixed.wheel).chain([&case.wheel]);
-    let bends = wheels().any(|wheel| wheel.load.track.is_some());
-    let is_heated = wheels().any(|wheel| wheel.load.temperature.is_some());
-    let added = match (bends, is_heated) {
+    let is_heated = case.wheels.iter().any(|wheel| wheel.wheel.temperature.is_some());
+    let added = match (case.has_track(), is_heated) {
         (true, true) => Some("bending and thermal stress are"),
         (true, false) => Some("bending stress is"),
         (false, true) => Some("thermal stress is"),

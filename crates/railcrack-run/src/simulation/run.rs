@@ -9,11 +9,12 @@ use super::residual_stress::{Residual, prepare};
 use crate::disk::FolderLock;
 use crate::error::OutputError;
 use crate::presentation::{Presentation, TablesOnly};
-use crate::run_folder::Existing;
-use crate::setup::SharedRail;
+use crate::run_folder::{Existing, wheel_groups};
+use crate::setup::{SharedRail, represented, represented_in};
 use crate::summary::Summary;
 use railcrack::growth::{GrowthState, StepSource, TipJudge};
 use railcrack_case::Case;
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -100,6 +101,17 @@ impl<'a> Simulation<'a> {
     /// Errors: the folder may not be written, holds another run or is damaged; the plastic state or
     /// a step cannot be computed (the steps before it are kept).
     pub fn run_in(&self, folder: &Path, entry: RunEntry) -> Result<Finished, RunError> {
+        let goes_on = matches!(entry, RunEntry::Resume | RunEntry::ResumeOrBegin);
+        let stored = if goes_on { wheel_groups(folder)? } else { None };
+        // A run that goes on keeps its representatives.
+        let case = match stored.and_then(|groups| represented_in(self.case, groups)) {
+            Some(case) => Cow::Owned(case),
+            None => represented(self.case),
+        };
+        Simulation { case: &case, ..*self }.represented_run_in(folder, entry)
+    }
+
+    fn represented_run_in(&self, folder: &Path, entry: RunEntry) -> Result<Finished, RunError> {
         let start = |stage: Stage| {
             let stage = Stage { shared: self.shared, ..stage };
             self.growth(stage)

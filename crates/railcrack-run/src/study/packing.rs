@@ -7,6 +7,7 @@ use super::plan::PlannedRun;
 use crate::csv::{SifRow, Table};
 use crate::disk::files::{
     CASE_FILE, CHECKPOINT_FILE, REPORT_FILE, RUN_FILES, RUN_LOG_FILE, RUNS_FOLDER, SUMMARY_FILE,
+    WHEEL_GROUPS_FILE,
 };
 use crate::disk::{Checksum, check_stored_name, json_text, read_if_there, read_json};
 use crate::error::OutputError;
@@ -72,7 +73,7 @@ impl StudyFolder {
         let folder = self.run_folder(run);
         let mut files = RunFiles::new();
         let tables = RUN_FILES.into_iter().filter(|file| file.ends_with(".csv") && !file.contains('/'));
-        for file in [CASE_FILE].into_iter().chain(tables).chain(input_files()) {
+        for file in [CASE_FILE].into_iter().chain(tables).chain(input_files()).chain([WHEEL_GROUPS_FILE]) {
             let Some(bytes) = read_if_there(&folder.join(file))? else { continue };
             let text = String::from_utf8(bytes)
                 .map_err(|_| OutputError::damaged(&folder.join(file), "is not UTF-8 text"))?;

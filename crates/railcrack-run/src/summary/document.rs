@@ -139,7 +139,7 @@ impl Summary {
             engine: info.engine,
             contact: info.contact,
             boundary: info.boundary,
-            half_width_mm: info.half_width,
+            half_width_mm: info.half_width(),
             passage_mm: Some(info.passage),
             complete: stop.is_some(),
             stop,

@@ -31,17 +31,13 @@ pub fn of_case(case: &Case) -> Vec<Warning> {
         );
         warnings.push(Warning { step: 0, kind: WarningKind::Validity, text, severity: None });
     }
-    if case.mix.is_empty() {
-        warnings.extend(of_wheel(case, &case.wheel));
-    }
-    let of_table = case.wheel_table.as_ref().map_or(case.mix.len(), |table| table.first);
-    for mixed in &case.mix[..of_table] {
-        let of_one = of_wheel(case, &mixed.wheel);
-        warnings.extend(
-            of_one
-                .into_iter()
-                .map(|warning| Warning { text: format!("{}: {}", mixed.name, warning.text), ..warning }),
-        );
+    let of_table = case.wheel_table.as_ref().map_or(case.wheels.len(), |table| table.first);
+    for wheel in &case.wheels[..of_table] {
+        let named = |warning: Warning| match case.is_mix() {
+            true => Warning { text: format!("{}: {}", wheel.name, warning.text), ..warning },
+            false => warning,
+        };
+        warnings.extend(of_wheel(case, &wheel.wheel).into_iter().map(named));
     }
     warnings.extend(of_wheel_table(case));
     warnings.extend(unfelt_gap(case));
@@ -82,7 +78,8 @@ fn unfelt_gap(case: &Case) -> Option<Warning> {
 /// their mean rate.
 fn of_wheel_table(case: &Case) -> Vec<Warning> {
     let Some(table) = &case.wheel_table else { return Vec::new() };
-    let representatives = case.mix.iter().skip(table.first).take(table.representatives);
+    let Some(groups) = &table.groups else { return Vec::new() };
+    let representatives = case.wheels.iter().skip(table.first).take(groups.representatives.len());
     let mut kinds: Vec<(String, Warning, usize)> = Vec::new();
     for mixed in representatives {
         for warning in of_wheel(case, &mixed.wheel) {
@@ -99,16 +96,16 @@ fn of_wheel_table(case: &Case) -> Vec<Warning> {
     let of = |(_, warning, count): (String, Warning, usize)| match count {
         1 => warning,
         _ => {
-            let text =
-                format!("{count} of {} representatives, such as {}", table.representatives, warning.text);
+            let all = groups.representatives.len();
+            let text = format!("{count} of {all} representatives, such as {}", warning.text);
             Warning { text, ..warning }
         }
     };
     let mut warnings: Vec<Warning> = kinds.into_iter().map(of).collect();
-    if table.error.abs() > table.accepted {
+    if groups.error.abs() > table.accepted {
         let text = format!(
             "the mean growth rate of the representatives is off by {:.2} % of that of all wheels by the coarse crack, more than representatives_error",
-            100.0 * table.error
+            100.0 * groups.error
         );
         warnings.push(Warning { step: 0, kind: WarningKind::Validity, text, severity: None });
     }
@@ -135,7 +132,7 @@ pub fn pattern(text: &str) -> String {
 
 /// Warnings that follow from the load of one wheel.
 fn of_wheel(case: &Case, wheel: &GivenWheel) -> Vec<Warning> {
-    let contact = wheel.contact();
+    let Some(contact) = wheel.contact() else { return Vec::new() };
     let is_given = case.residual_stress.is_some() || case.plastic_stress.is_some();
     let residual = if is_given { ResidualStress::Given } else { ResidualStress::Absent };
     let yield_stress = case.shakedown.hardening.yield_stress();
@@ -144,7 +141,7 @@ fn of_wheel(case: &Case, wheel: &GivenWheel) -> Vec<Warning> {
         validity::half_width(contact.half_width()),
         contact_bounds(wheel, &case.steel, of_bounds).flatten(),
         validity::shear(contact),
-        wheel.load.track.as_ref().and_then(validity::axles),
+        wheel.track.as_ref().and_then(validity::axles),
     ];
     all.into_iter().flatten().map(|warning| at_step(0, &warning)).collect()
 }
@@ -155,7 +152,7 @@ pub(crate) fn flowing(case: &Case) -> Option<[f64; 2]> {
     let shear_yield = case.shakedown.hardening.yield_stress() / 3f64.sqrt();
     let depths: Vec<f64> = (0..=FLOW_DEPTHS).map(|i| i as f64 * DEEPEST_FLOW / FLOW_DEPTHS as f64).collect();
     let of_wheel = |wheel: &GivenWheel| {
-        let (peak, half_width) = (wheel.contact().peak_pressure(), wheel.half_width());
+        let (peak, half_width) = (wheel.contact()?.peak_pressure(), wheel.half_width());
         contact_bounds(wheel, &case.steel, |bounds: &ContactBounds| {
             if peak <= shear_yield * bounds.shakedown_limit().ratio {
                 return None;
@@ -168,8 +165,7 @@ pub(crate) fn flowing(case: &Case) -> Option<[f64; 2]> {
             })
         })
     };
-    let wheels = case.mix.iter().map(|mixed| &mixed.wheel).chain([&case.wheel]);
-    let ranges = wheels.filter_map(|wheel| of_wheel(wheel).flatten());
+    let ranges = case.wheels.iter().filter_map(|wheel| of_wheel(&wheel.wheel).flatten());
     ranges.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
 }
 

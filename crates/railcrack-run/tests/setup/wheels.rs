@@ -1,9 +1,10 @@
 //! Tables of wheels: their representatives, and patches over cracks in space.
 
 use railcrack::growth::{StepRecord, Unobserved};
+use railcrack::load::Contact;
 use railcrack::space::WheelPatch;
-use railcrack_case::{Case, ContactOrigin};
-use railcrack_run::setup::{PreparedRun, wheel_demands};
+use railcrack_case::{Case, ContactOrigin, WheelGroups};
+use railcrack_run::setup::{PreparedRun, represented, represented_in, wheel_demands, wheel_patches};
 use std::path::{Path, PathBuf};
 
 const CRACK: &str = "[[crack]]\nmouth_mm = 0\nlength_mm = 5\nangle_deg = 25\nfriction = 0.2\nlateral_mm = 6.0\n\
@@ -25,8 +26,18 @@ fn tabled(name: &str, header: &str, rows: &str, keys: &str) -> Case {
 }
 
 fn first_step(case: &Case) -> StepRecord {
-    let mut growth = PreparedRun::new(case, None).unwrap().growth(None);
+    let mut growth = PreparedRun::new(&represented(case), None).unwrap().growth(None);
     growth.next_step(&Unobserved).unwrap().unwrap()
+}
+
+/// The contact of the first wheel.
+fn contact(case: &Case) -> &Contact {
+    case.first_wheel().wheel.contact().unwrap()
+}
+
+/// Its origin.
+fn origin(case: &Case) -> &ContactOrigin {
+    &case.first_wheel().wheel.given().unwrap().origin
 }
 
 fn rolling(lateral: f64, across: f64, spin: f64) -> Case {
@@ -41,8 +52,8 @@ fn rolling(lateral: f64, across: f64, spin: f64) -> Case {
 fn a_table_of_one_row_is_the_wheel_itself_bit_for_bit() {
     let single = rolling(1.5, -4e-4, 2e-4);
     let one = tabled("one", HEADER, "7,85,4.5,8e-4,-4e-4,2e-4,0.3,6,5\n", "");
-    assert_eq!(one.mix.len(), 1);
-    assert_eq!((one.wheel.contact(), one.half_width()), (single.wheel.contact(), single.half_width()));
+    assert_eq!(one.wheels.len(), 1);
+    assert_eq!((contact(&one), one.half_width()), (contact(&single), single.half_width()));
     let (a, b) = (first_step(&single), first_step(&one));
     let of = |step: &StepRecord| {
         let tip = &step.tips[0];
@@ -70,31 +81,37 @@ fn many(count: usize) -> String {
 
 #[test]
 fn representatives_have_the_mean_rate_of_all_wheels() {
-    let case = tabled("many", HEADER, &many(200), "representatives = 20\n");
+    let all_wheels = tabled("many", HEADER, &many(200), "representatives = 20\n");
+    let case = represented(&all_wheels);
     let table = case.wheel_table.as_ref().unwrap();
-    assert_eq!((table.wheels.len(), table.representatives), (200, 20));
-    let share: f64 = case.mix.iter().map(|wheel| wheel.share).sum();
-    assert!((share - 1.0).abs() < 1e-12, "{share}");
-    assert!(table.missed > 0.0 && table.missed < 0.6 && case.mix.len() == 21, "{}", table.missed);
-    assert!(table.error.abs() < 0.02, "{}", table.error);
+    let groups = table.groups.as_ref().unwrap();
+    assert_eq!((table.wheels.len(), all_wheels.wheels.len(), groups.representatives.len()), (200, 200, 20));
+    for wheels in [&all_wheels.wheels, &case.wheels] {
+        let share: f64 = wheels.iter().map(|wheel| wheel.share).sum();
+        assert!((share - 1.0).abs() < 1e-12, "{share}");
+    }
+    let missed = table.missed(groups);
+    assert!(missed > 0.0 && missed < 0.6 && case.wheels.len() == 21, "{missed}");
+    assert!(case.wheels[20].wheel.contact().is_none() && case.wheels[20].share == missed);
+    assert_eq!(all_wheels.computed_wheels(), 21);
+    assert!(groups.error.abs() < 0.02, "{}", groups.error);
     // Every wheel computed by itself.
-    let demands = wheel_demands(&case).unwrap();
+    let demands = wheel_demands(&all_wheels, &case).unwrap();
     let rate = |of: &dyn Fn(usize) -> f64| (0..200).map(|i| table.wheels[i].share * of(i)).sum::<f64>();
     let all = rate(&|i| demands[i].rate);
-    let own = |mixed: usize| {
-        let contact = case.mix[mixed].wheel.contact();
-        table.wheels.iter().position(|wheel| wheel.contact.as_ref() == Some(contact))
-    };
-    let by = rate(&|i| own(table.wheels[i].represented_by).map_or(0.0, |other| demands[other].rate));
+    let by = rate(&|i| groups.group_of[i].map_or(0.0, |group| demands[groups.representatives[group]].rate));
     println!("representatives: {:+.4} of the mean rate", by / all - 1.0);
     // Twenty of some hundred loaded wheels: rates of the coarse crack scatter by 1 % from wheel to
     // wheel.
     assert!((by / all - 1.0).abs() < 0.02, "{}", by / all - 1.0);
     // The run adds the same rates.
-    let step = first_step(&case);
+    let step = first_step(&all_wheels);
     assert!((step.tips[0].rate / by - 1.0).abs() < 1e-3, "{} {by}", step.tips[0].rate);
     let again = Case::parse(&case.to_toml(), "case.toml", &kept(&case, "many-kept")).unwrap();
-    assert_eq!(again, case);
+    assert_eq!(again, all_wheels);
+    assert_eq!(represented_in(&again, groups.clone()).unwrap(), *case);
+    let damaged = WheelGroups { group_of: groups.group_of[1..].to_vec(), ..groups.clone() };
+    assert!(represented_in(&again, damaged).is_none(), "the groups of another table");
 }
 
 /// A folder with the files of a stored case.
@@ -128,9 +145,9 @@ fn two_patches_of_profiles_load_the_half_space() {
         friction = 0.3\n[[crack]]\nmouth_mm = 0\nlength_mm = 5\nangle_deg = 25\nfriction = 0.2\n\
         surface_half_length_mm = 5\n[solver]\nengine = \"space\"\n";
     let case = Case::parse(text, "case.toml", &folder).unwrap_or_else(|errors| panic!("{errors}"));
-    let ContactOrigin::Profiles(own) = &case.wheel.origin else { panic!("{:?}", case.wheel.origin) };
+    let ContactOrigin::Profiles(own) = origin(&case) else { panic!("{:?}", case.wheels) };
     assert_eq!(own.contacts.len(), 2);
-    let wheel = &case.space.as_ref().unwrap().wheels[0];
+    let [wheel] = &wheel_patches(&case)[..] else { panic!("one wheel") };
     let WheelPatch::Several(patches) = wheel else { panic!("{wheel:?}") };
     // The crack lies 10 mm to the right of the middle of the head.
     let places: Vec<f64> = patches.iter().map(|(_, own)| own.outline().lateral).collect();
@@ -143,7 +160,7 @@ fn two_patches_of_profiles_load_the_half_space() {
     assert_eq!(wheel.pressure(1.5, [1.5, -10.0]), 0.0);
     // The middle strip of the heavier one stands for the wheel where one strip is needed.
     let most = own.contacts.iter().map(|own| own.ellipse.peak_pressure).fold(0.0, f64::max);
-    assert!((case.wheel.contact().peak_pressure() / most - 1.0).abs() < 0.02);
+    assert!((contact(&case).peak_pressure() / most - 1.0).abs() < 0.02);
 }
 
 #[test]
@@ -153,10 +170,11 @@ fn a_rolling_patch_loads_the_half_space() {
         [[crack]]\nmouth_mm = 0\nlength_mm = 5\nangle_deg = 25\nfriction = 0.2\nsurface_half_length_mm = 5\n\
         [solver]\nengine = \"space\"\n";
     let case = Case::parse(text, "case.toml", Path::new(".")).unwrap_or_else(|errors| panic!("{errors}"));
-    let wheel = case.space.as_ref().unwrap().wheels[0].outline();
+    let patches = wheel_patches(&case);
+    let wheel = patches[0].outline();
     assert_eq!((wheel.half_width, wheel.lateral_half_width, wheel.lateral), (6.0, 5.0, -1.5));
     // Mean shear over mean pressure, the force of the patch over its load.
-    let ContactOrigin::Rolling { patch, .. } = &case.wheel.origin else { panic!("{:?}", case.wheel.origin) };
+    let ContactOrigin::Rolling { patch, .. } = origin(&case) else { panic!("{:?}", case.wheels) };
     let want = patch.forces().force[0] / patch.normal_force();
     assert!((wheel.friction / want - 1.0).abs() < 5e-3, "{} {want}", wheel.friction);
 }

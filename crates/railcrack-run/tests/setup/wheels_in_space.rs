@@ -2,7 +2,7 @@
 
 use railcrack::growth::{StepRecord, TipRecord, Unobserved};
 use railcrack_case::Case;
-use railcrack_run::setup::{PreparedRun, wheel_demands};
+use railcrack_run::setup::{PreparedRun, represented, wheel_demands, wheel_patches};
 use std::path::{Path, PathBuf};
 
 const HEADER: &str = "wheel,normal_kn,y_rail_mm,creepage_x,creepage_y,spin_per_mm,mu,a_mm,b_mm";
@@ -36,7 +36,7 @@ fn tabled(name: &str, lateral: f64, (header, rows): (&str, &str), keys: &str) ->
 }
 
 fn tips(case: &Case) -> Vec<TipRecord> {
-    let mut growth = PreparedRun::new(case, None).unwrap().growth(None);
+    let mut growth = PreparedRun::new(&represented(case), None).unwrap().growth(None);
     let step: StepRecord = growth.next_step(&Unobserved).unwrap().unwrap();
     step.tips
 }
@@ -54,8 +54,8 @@ fn a_table_of_one_row_is_the_wheel_itself_bit_for_bit() {
     );
     let single = parsed(&single, Path::new("."));
     let one = tabled("one", 0.0, (HEADER, "7,85,1.5,8e-4,-4e-4,2e-4,0.3,6,5\n"), "");
-    assert_eq!((one.mix.len(), one.half_width()), (1, single.half_width()));
-    assert_eq!(one.space.as_ref().unwrap().wheels, single.space.as_ref().unwrap().wheels);
+    assert_eq!((one.wheels.len(), one.half_width()), (1, single.half_width()));
+    assert_eq!(wheel_patches(&one), wheel_patches(&single));
     let (a, b) = (tips(&single), tips(&one));
     assert_eq!(a.iter().map(modes).collect::<Vec<_>>(), b.iter().map(modes).collect::<Vec<_>>());
     assert!(a.iter().any(|tip| tip.delta_kii > 0.0));
@@ -123,9 +123,11 @@ fn representatives_keep_the_growth_of_the_front() {
     let rows = many(16);
     let all = tabled("all", 0.0, (HEADER, &rows), "");
     let few = tabled("few", 0.0, (HEADER, &rows), "representatives = 8\n");
+    let few = represented(&few);
     let table = few.wheel_table.as_ref().unwrap();
-    assert_eq!((table.representatives, few.mix.len(), table.missed), (8, 8, 0.0));
-    let share: f64 = few.mix.iter().map(|wheel| wheel.share).sum();
+    let groups = table.groups.as_ref().unwrap();
+    assert_eq!((groups.representatives.len(), few.wheels.len(), table.missed(groups)), (8, 8, 0.0));
+    let share: f64 = few.wheels.iter().map(|wheel| wheel.share).sum();
     assert!((share - 1.0).abs() < 1e-12, "{share}");
     let (a, b) = (tips(&all), tips(&few));
     let counted = |tips: &[TipRecord]| -> Vec<f64> {
@@ -133,10 +135,10 @@ fn representatives_keep_the_growth_of_the_front() {
     };
     let (a, b) = (counted(&a), counted(&b));
     let mean = |rates: &[f64]| rates.iter().sum::<f64>() / rates.len() as f64;
-    println!("mean rate {:+.4} ({:+.4} by the coarse crack)", mean(&b) / mean(&a) - 1.0, table.error);
+    println!("mean rate {:+.4} ({:+.4} by the coarse crack)", mean(&b) / mean(&a) - 1.0, groups.error);
     assert!((mean(&b) / mean(&a) - 1.0).abs() < REPRESENTED, "{} {}", mean(&b), mean(&a));
     // Wheels by themselves add up to the rates of the run.
-    let demands = wheel_demands(&all).unwrap();
+    let demands = wheel_demands(&all, &represented(&all)).unwrap();
     let table = all.wheel_table.as_ref().unwrap();
     let sum: f64 = table.wheels.iter().zip(&demands).map(|(wheel, own)| wheel.share * own.rate).sum();
     assert!((sum / mean(&a) - 1.0).abs() < 1e-9, "{sum} {}", mean(&a));

@@ -15,7 +15,7 @@ use clap::Args;
 use railcrack_case::{Case, Overrides};
 use railcrack_report::put;
 use railcrack_run::Existing;
-use railcrack_run::setup::wheel_demands;
+use railcrack_run::setup::{represented, wheel_demands};
 use railcrack_run::simulation::RunError;
 use rows::WheelRow;
 use said::sentences;
@@ -60,9 +60,11 @@ pub fn contact(arguments: &ContactArguments) -> Result<Exit, Failure> {
     let case = input::case(&arguments.case, &overrides)?;
     let folder = arguments.out.clone().unwrap_or_else(|| beside(&arguments.case));
     clear(&folder, if arguments.force { Existing::Replace } else { Existing::Refuse })?;
-    let demands = wheel_demands(&case).map_err(|error| Failure::Calibration { reason: error.to_string() })?;
-    let rows = WheelRow::of_case(&case, &demands);
-    let across = Across::of(&case);
+    let run = represented(&case);
+    let demands =
+        wheel_demands(&case, &run).map_err(|error| Failure::Calibration { reason: error.to_string() })?;
+    let rows = WheelRow::of_case(&run, &demands);
+    let across = Across::of(&run);
     let plots = folder.join("plots");
     std::fs::create_dir_all(&plots).map_err(|source| Failure::CannotWrite { path: plots.clone(), source })?;
     let drawn = drawn(&rows);
@@ -80,12 +82,12 @@ pub fn contact(arguments: &ContactArguments) -> Result<Exit, Failure> {
     if arguments.patches {
         write_patches(&folder.join(PATCHES), &rows)?;
     }
-    let page = page::page(&case, &rows, &drawn, across.as_ref());
+    let page = page::page(&run, &rows, &drawn, across.as_ref());
     write(&folder.join("contact.html"), &page.html())?;
     if arguments.quiet {
         return Ok(Exit::Done);
     }
-    print::stdout(&told(&case, &rows, across.as_ref()))?;
+    print::stdout(&told(&run, &rows, across.as_ref()))?;
     print::stdout(&format!("results in {}\n", folder.display()))?;
     Ok(Exit::Done)
 }

@@ -2,7 +2,7 @@
 
 use railcrack::load::Contact;
 use railcrack::rolling::{PatchForces, PlacedPatch};
-use railcrack_case::{Case, ContactOrigin, GivenWheel};
+use railcrack_case::{Case, ContactOrigin, GivenContact, TrafficWheel};
 use railcrack_run::setup::WheelDemand;
 
 /// A wheel with its patches and what it makes of the cracks.
@@ -42,10 +42,14 @@ impl WheelRow {
     pub fn of_case(case: &Case, demands: &[WheelDemand]) -> Vec<Self> {
         let mut rows: Vec<Self> = match &case.wheel_table {
             Some(table) => {
-                let rows: Vec<Self> = table
+                let representatives = table.groups.iter().flat_map(|groups| {
+                    groups.group_of.iter().map(|group| groups.representatives.get((*group)?).copied())
+                });
+                table
                     .wheels
                     .iter()
-                    .map(|wheel| {
+                    .zip(representatives)
+                    .map(|(wheel, represented_by)| {
                         let patches = wheel.wheel.over(table.lateral);
                         let over = patches.iter().position(|own| own.patch.half_length(own.y) > 0.0);
                         let main = wheel.wheel.patches[over.unwrap_or(0)].y_rail;
@@ -53,20 +57,14 @@ impl WheelRow {
                             wheel.wheel.patches.iter().map(|own| own.angle).collect();
                         let identity = (wheel.wheel.number, wheel.share);
                         let row = Self::rolling(identity, patches, over.unwrap_or(0), angles);
-                        Self { y_rail: Some(main), place: wheel.wheel.place, ..row }
-                    })
-                    .collect();
-                rows.into_iter()
-                    .zip(&table.wheels)
-                    .map(|(row, wheel)| {
-                        let represented_by = table.chosen.get(wheel.represented_by - table.first).copied();
-                        Self { represented_by, ..row }
+                        Self { y_rail: Some(main), place: wheel.wheel.place, represented_by, ..row }
                     })
                     .collect()
             }
-            None if case.mix.is_empty() => vec![Self::given(0, 1.0, &case.wheel)],
             None => {
-                case.mix.iter().enumerate().map(|(i, own)| Self::given(i, own.share, &own.wheel)).collect()
+                let given =
+                    |(i, own): (usize, &TrafficWheel)| Some(Self::given(i, own.share, own.wheel.given()?));
+                case.wheels.iter().enumerate().filter_map(given).collect()
             }
         };
         let total: f64 = rows.iter().zip(demands).map(|(row, demand)| row.share * demand.rate).sum();
@@ -77,10 +75,9 @@ impl WheelRow {
         rows
     }
 
-    fn given(index: usize, share: f64, wheel: &GivenWheel) -> Self {
-        let contact = wheel.contact();
+    fn given(index: usize, share: f64, GivenContact { contact, origin, .. }: &GivenContact) -> Self {
         let number = index as u64 + 1;
-        let row = match &wheel.origin {
+        let row = match origin {
             ContactOrigin::Profiles(own) => {
                 let over = own.placed.iter().position(|own| own.patch.half_length(own.y) > 0.0).unwrap_or(0);
                 let angles: Vec<f64> = own.contacts.iter().map(|contact| contact.angle).collect();

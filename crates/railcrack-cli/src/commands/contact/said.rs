@@ -2,7 +2,7 @@
 
 use super::across::Across;
 use super::rows::WheelRow;
-use railcrack_case::{Case, WheelTable};
+use railcrack_case::{Case, WheelGroups, WheelTable};
 
 /// Conclusions from the rows: who grows the cracks, the error of the representatives, the worst
 /// place.
@@ -18,24 +18,27 @@ pub(super) fn sentences(case: &Case, rows: &[WheelRow], across: Option<&Across>)
     if rows.len() > 1 && sum > 0.0 {
         said.push(format!("{count} of {} wheels cause half of the growth", rows.len()));
     }
-    if let Some(table) = &case.wheel_table {
-        if table.missed > 0.0 {
+    if let Some(table) = &case.wheel_table
+        && let Some(groups) = &table.groups
+    {
+        let missed = table.missed(groups);
+        if missed > 0.0 {
             said.push(format!(
                 "the patches of {:.1} % of the axles miss the crack at {} mm",
-                100.0 * table.missed,
+                100.0 * missed,
                 table.lateral
             ));
         }
         if table.in_space {
-            said.push(in_space(case, table));
+            said.push(in_space(case, table, groups));
             return with_worst_place(said, across);
         }
         let error = representatives_error(rows);
         said.push(format!(
             "{} representatives: mean growth rate off by {:+.2} % of that of all wheels, computed one by one ({:+.2} % by the coarse crack){}",
-            table.representatives,
+            groups.representatives.len(),
             100.0 * error,
-            100.0 * table.error,
+            100.0 * groups.error,
             if error.abs() > table.accepted { "; more than representatives_error" } else { "" }
         ));
     }
@@ -55,20 +58,20 @@ fn with_worst_place(mut said: Vec<String>, across: Option<&Across>) -> Vec<Strin
 }
 
 /// Where the patches of a table lie in space, and the error of its representatives.
-fn in_space(case: &Case, table: &WheelTable) -> String {
+fn in_space(case: &Case, table: &WheelTable, groups: &WheelGroups) -> String {
     let aside: f64 = table
         .wheels
         .iter()
         .filter(|wheel| !wheel.wheel.over(table.lateral).iter().any(|own| own.patch.half_length(own.y) > 0.0))
         .map(|wheel| wheel.share)
         .sum();
-    let error = match table.wheels.len() > table.representatives {
+    let error = match table.wheels.len() > groups.representatives.len() {
         true => format!(
             "{} representatives, whose mean growth rate is off by {:+.2} % of that of all wheels by the coarse crack{}; the other wheels are \
              those of the coarse crack times what it misses of their representative",
-            table.representatives,
-            100.0 * table.error,
-            if table.error.abs() > table.accepted { ", more than representatives_error" } else { "" }
+            groups.representatives.len(),
+            100.0 * groups.error,
+            if groups.error.abs() > table.accepted { ", more than representatives_error" } else { "" }
         ),
         false => format!("all {} wheels are computed", table.wheels.len()),
     };

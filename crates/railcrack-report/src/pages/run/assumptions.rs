@@ -3,14 +3,14 @@
 use super::stored::RunFolder;
 use crate::numbers::{fixed, formula, given, grouped, rounded, significant};
 use railcrack::bulk::Boundary;
-use railcrack::contact::{CrackFluid, FluidModel, StepControl};
+use railcrack::contact::{FluidModel, StepControl};
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::growth::Turning;
-use railcrack::load::{Contact, Passage};
+use railcrack::load::Contact;
 use railcrack::math::RailBox;
 use railcrack::profiles::ProfileContact;
 use railcrack::words::Choice;
-use railcrack_case::{Case, ContactOrigin, ContactSolver, GivenWheel, MixedWheel};
+use railcrack_case::{Case, ContactOrigin, ContactSolver, GivenContact, GivenWheel, TrafficWheel};
 
 /// The assumptions, one paragraph each.
 pub(super) fn assumptions(run: &RunFolder) -> Vec<String> {
@@ -31,29 +31,27 @@ pub(super) fn assumptions(run: &RunFolder) -> Vec<String> {
 
 /// The wheel, or every wheel of a mix.
 fn wheels(case: &Case) -> Vec<String> {
-    if case.mix.is_empty() {
-        let passage = &case.passages.passage;
-        let text = wheel("Wheel", &case.wheel, passage);
+    if !case.is_mix() {
+        let text = wheel("Wheel", case.first_wheel());
         return vec![format!(
             "{text} It is the same in every load cycle.{}",
-            long_rail(case) + &fluid(case.fluid.as_ref(), &case.wheel)
+            long_rail(case) + &fluid(case.first_wheel())
         )];
     }
-    let of = |mixed: &MixedWheel| {
+    let of = |mixed: &TrafficWheel| {
         let load = mixed.axle_load.map_or_else(String::new, |load| format!(", {} t", given(load)));
         let name = format!(
             "Wheel \u{201c}{}\u{201d} ({} % of the axles{load})",
             mixed.name,
             given(rounded(100.0 * mixed.share, 3))
         );
-        let text = wheel(&name, &mixed.wheel, &mixed.passages.passage);
-        text + &long_rail_under(&mixed.wheel, case) + &fluid(mixed.fluid.as_ref(), &mixed.wheel)
+        wheel(&name, mixed) + &long_rail_under(&mixed.wheel, case) + &fluid(mixed)
     };
-    let mut all: Vec<String> = case.mix.iter().map(of).collect();
+    let mut all: Vec<String> = case.wheels.iter().map(of).collect();
     if let Some(last) = all.last_mut() {
         last.push_str(&format!(
             " The rate of a tip is the mean of those under the {} wheels, weighted with their shares.",
-            case.mix.len()
+            case.wheels.len()
         ));
     }
     all
@@ -92,9 +90,12 @@ fn rail(case: &Case) -> String {
     format!("Rail: linear elastic, plane strain, E = {} MPa, ν = {poisson}; {boundary}.", grouped(young))
 }
 
-/// A wheel called `name`, with its `passage`.
-fn wheel(name: &str, wheel: &GivenWheel, passage: &Passage) -> String {
-    let contact = wheel.contact();
+/// A wheel called `name`.
+fn wheel(name: &str, wheel: &TrafficWheel) -> String {
+    let passage = wheel.passages.passage;
+    let Some(GivenContact { contact, origin, coupling }) = wheel.wheel.given() else {
+        return format!("{name}: its contact misses the cracks.");
+    };
     let drags = match contact.adhesion() {
         0.0 => "no friction",
         f if f > 0.0 => "drags the rail along +x",
@@ -111,8 +112,8 @@ fn wheel(name: &str, wheel: &GivenWheel, passage: &Passage) -> String {
         Contact::Table(_) => format!("Q/P = {} ({drags})", given(contact.adhesion())),
     };
     let pressure = contact.kind().described();
-    let strip = match &wheel.origin {
-        ContactOrigin::Ellipse { wheel, ellipse, lateral } => format!(
+    let strip = match origin {
+        ContactOrigin::Ellipse { wheel, ellipse, lateral, .. } => format!(
             " The plane of the model is {} mm off the centre of the Hertz ellipse of a wheel load of {} kN, with semi-axes {} mm along and {} mm \
              across the rail.",
             given(*lateral),
@@ -120,7 +121,7 @@ fn wheel(name: &str, wheel: &GivenWheel, passage: &Passage) -> String {
             fixed(ellipse.along, 2),
             fixed(ellipse.across, 2)
         ),
-        ContactOrigin::GivenEllipse { ellipse, lateral } => format!(
+        ContactOrigin::GivenEllipse { ellipse, lateral, .. } => format!(
             " The plane of the model is {} mm off the centre of a Hertz ellipse with semi-axes {} mm along and {} mm across the rail.",
             given(*lateral),
             fixed(ellipse.along, 2),
@@ -158,7 +159,7 @@ fn wheel(name: &str, wheel: &GivenWheel, passage: &Passage) -> String {
         }
         _ => String::new(),
     };
-    let felt = match &wheel.coupling {
+    let felt = match coupling {
         Some(coupling) => format!(
             "Within {} a of a mouth the contact is that of a smooth elastic wheel on the rail with its cracks.",
             given(coupling.within)
@@ -173,11 +174,11 @@ fn wheel(name: &str, wheel: &GivenWheel, passage: &Passage) -> String {
 }
 
 /// Fluid in the cracks under `wheel`.
-fn fluid(fluid: Option<&CrackFluid>, wheel: &GivenWheel) -> String {
-    match fluid.map(|fluid| fluid.model) {
+fn fluid(wheel: &TrafficWheel) -> String {
+    match wheel.fluid.as_ref().map(|fluid| fluid.model) {
         None => String::new(),
         Some(FluidModel::Mouth { cap }) => {
-            if wheel.coupling.is_some() {
+            if wheel.wheel.coupling().is_some() {
                 let text = " The fluid pressure in a crack equals the mean contact pressure within 0.1 a of its mouth.";
                 return text.to_owned();
             }
@@ -201,13 +202,13 @@ fn fluid(fluid: Option<&CrackFluid>, wheel: &GivenWheel) -> String {
 
 /// Bending and temperature of the rail under the first wheel.
 pub(super) fn long_rail(case: &Case) -> String {
-    long_rail_under(&case.wheel, case)
+    long_rail_under(&case.first_wheel().wheel, case)
 }
 
 /// Bending and temperature of the rail under `wheel`.
 fn long_rail_under(wheel: &GivenWheel, case: &Case) -> String {
     let mut text = String::new();
-    if let (Some(track), Some(bending)) = (&wheel.load.track, wheel.bending(&case.steel)) {
+    if let (Some(track), Some(bending)) = (&wheel.track, wheel.bending(&case.steel)) {
         let axles = match track.axles.len() {
             1 => "the axle".to_owned(),
             count => format!("{count} axles"),
@@ -220,7 +221,7 @@ fn long_rail_under(wheel: &GivenWheel, case: &Case) -> String {
             fixed(bending.length(), 0)
         ));
     }
-    if let Some(temperature) = wheel.load.temperature {
+    if let Some(temperature) = wheel.temperature {
         text.push_str(&format!(
             " The rail is at {} °C, neutral at {} °C: σ_{{xx}} = {} MPa at all times.",
             given(temperature.rail),
@@ -232,7 +233,7 @@ fn long_rail_under(wheel: &GivenWheel, case: &Case) -> String {
 }
 
 fn passage(run: &RunFolder) -> String {
-    let settings = &run.case.passages;
+    let settings = &run.case.first_wheel().passages;
     let steps = match settings.step_control {
         StepControl::Adaptive => {
             let percent = given(100.0 * settings.step_tolerance);
@@ -243,7 +244,7 @@ fn passage(run: &RunFolder) -> String {
     format!(
         "Passage: {} output positions, {steps}. The passage is repeated on fixed cracks until K repeats, after \
          {} of at most {} passages.",
-        run.case.positions().len(),
+        run.case.positions(run.case.first_wheel()).len(),
         run.summary.passages,
         settings.max_passages
     )
@@ -281,7 +282,7 @@ fn residual(run: &RunFolder) -> String {
         (_, Some(rolled)) => text.push_str(&format!(
             " Its plastic part was computed from repeated passages of the {} over this rail ({}, {} passages, in {}) \
              and balanced on the mesh of the cracks.",
-            if run.case.mix.is_empty() { "same wheel" } else { "heaviest wheel" },
+            if run.case.is_mix() { "heaviest wheel" } else { "same wheel" },
             rolled.state.word(),
             rolled.passes,
             rolled.folder

@@ -47,7 +47,7 @@ pub(super) fn section(run: &RunFolder, page_data: &PageData) -> Option<Section> 
         )
     };
     if let (true, Some(mouth)) = (is_single, mouth(first)) {
-        let p0 = run.case.wheel.contact().peak_pressure();
+        let p0 = run.case.first_wheel().wheel.contact().map_or(0.0, |contact| contact.peak_pressure());
         let over_mouth = 2.0 * NEAR_MOUTH * a * p0;
         let hertz = first.xc_over_a.iter().map(|&x| [x, over_mouth * mean_of_half_ellipse(mouth - x)]);
         let hertz = hertz.filter(|point| (point[0] - mouth).abs() < 2.0).collect();

@@ -41,7 +41,7 @@ fn aired(values: impl IntoIterator<Item = f64>) -> ChartRange {
 /// The charts of the explorer. Their axes hold for all steps, cracks, wheels and positions.
 fn charts(run: &RunFolder, space: &SpaceCase, page_data: &PageData) -> Vec<Chart> {
     let rows = &run.growth;
-    let wheels = || space.wheels.iter().map(WheelPatch::outline);
+    let wheels = || run.patches.iter().map(WheelPatch::outline);
     let widest = wheels().map(|wheel| wheel.half_width).fold(0.0, f64::max);
     let [left, right] = ends(rows.iter().map(|row| row.place[0]));
     let along_rail = || ChartAxis::linear("x", "mm").over(aired([left - widest, right + widest]));
@@ -144,7 +144,7 @@ fn data(run: &RunFolder, space: &SpaceCase, page_data: &PageData) -> Value {
     let wheel =
         |(i, ((passage, histories), patch)): (usize, ((&WheelPassage, &Vec<History>), &WheelPatch))| {
             let wheel = patch.outline();
-            let mixed = run.case.mix.get(i);
+            let mixed = run.case.wheels.get(i).filter(|_| run.case.is_mix());
             let xc_over_a: &[f64] = histories.first().map_or(&[], |history| &history.xc_over_a);
             json!({
                 "name": mixed.map(|mixed| &mixed.name),
@@ -156,7 +156,7 @@ fn data(run: &RunFolder, space: &SpaceCase, page_data: &PageData) -> Value {
                 "xc_over_a": numbers(xc_over_a[passage.near(xc_over_a)].iter().copied()),
             })
         };
-    let wheels = passages.iter().zip(histories).zip(&space.wheels).enumerate().map(wheel);
+    let wheels = passages.iter().zip(histories).zip(&run.patches).enumerate().map(wheel);
     json!({
         "wheels": wheels.collect::<Vec<_>>(),
         "origin": origin,

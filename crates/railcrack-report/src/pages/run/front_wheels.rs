@@ -5,7 +5,6 @@ use crate::figures::{Plot, charts, has_closed_front};
 use crate::numbers::fixed;
 use crate::page::Block;
 use crate::table::Table;
-use railcrack_case::SpaceCase;
 use railcrack_run::csv::TipRow;
 
 /// A part of a front, by the parametric angle (degrees) of its points.
@@ -43,10 +42,10 @@ struct PartGrowth {
 
 /// The table of wheels and parts of the fronts, and a sentence for each front; none of a run with a
 /// single wheel.
-pub(super) fn wheels(run: &RunFolder, space: &SpaceCase) -> Vec<Block> {
-    let mix = &run.case.mix;
+pub(super) fn wheels(run: &RunFolder) -> Vec<Block> {
+    let (mix, patches) = (&run.case.wheels, &run.patches);
     let count = run.growth.first().map_or(0, |row| row.shares.values().len());
-    if mix.len() < 2 || count != mix.len() || space.wheels.len() != count {
+    if mix.len() < 2 || count != mix.len() || patches.len() != count {
         return Vec::new();
     }
     let parts = if has_closed_front(run.growth.iter()) { &CLOSED[..] } else { &OPEN[..] };
@@ -59,7 +58,7 @@ pub(super) fn wheels(run: &RunFolder, space: &SpaceCase) -> Vec<Block> {
     let mut lines = Vec::new();
     for crack in 1..=run.summary.cracks.len() {
         let grown: Vec<PartGrowth> = parts.iter().map(|part| grown(&run.growth, crack, part)).collect();
-        for (number, (mixed, wheel)) in mix.iter().zip(&space.wheels).enumerate() {
+        for (number, (mixed, wheel)) in mix.iter().zip(patches).enumerate() {
             let share = |of: &PartGrowth| fixed(100.0 * of.shares.get(number).copied().unwrap_or(0.0), 1);
             let axles = fixed(100.0 * mixed.share, 1);
             let start = [crack.to_string(), mixed.name.clone(), fixed(wheel.outline().lateral, 2), axles];
@@ -68,7 +67,7 @@ pub(super) fn wheels(run: &RunFolder, space: &SpaceCase) -> Vec<Block> {
         let most = |of: &PartGrowth| {
             let ahead = |a: &(usize, &f64), b: &(usize, &f64)| a.1.total_cmp(b.1).then(b.0.cmp(&a.0));
             let (number, share) = of.shares.iter().enumerate().max_by(ahead)?;
-            let (mixed, wheel) = (mix.get(number)?, space.wheels.get(number)?);
+            let (mixed, wheel) = (mix.get(number)?, patches.get(number)?);
             Some(format!(
                 "around z = {} mm by {} at z = {} mm ({} % of the growth)",
                 fixed(of.lateral, 1),

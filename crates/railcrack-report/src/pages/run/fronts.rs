@@ -22,7 +22,7 @@ pub(super) fn parts(run: &RunFolder, space: &SpaceCase, page_data: &PageData, pl
     if run.summary.steps_recorded > 0 {
         growth.push(charts(plots, &["length-cycles", "along-front"]));
         growth.push(front_table(run));
-        growth.extend(front_wheels::wheels(run, space));
+        growth.extend(front_wheels::wheels(run));
         growth.extend(front_wheels::drawn(run, plots));
         sections.push(front_data::explorer(run, space, page_data));
         sections.extend(whole_passage(run, plots));
@@ -217,7 +217,7 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
         grouped(case.steel.young()),
         given(case.steel.poisson())
     )];
-    lines.extend(space.wheels.iter().enumerate().map(|(i, wheel)| wheel_line(case, i, wheel)));
+    lines.extend(run.patches.iter().enumerate().map(|(i, wheel)| wheel_line(case, i, wheel)));
     lines.extend(fluid_line(case));
     if case.growth.maintenance.is_some() {
         lines.push(format!(
@@ -233,7 +233,7 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
             "Crack faces: unilateral contact with Coulomb friction {} in two directions; slip by second-order backward differences, with load steps refined until K \
              changes by less than {} of its peak.",
             frictions(&case.crack_friction),
-            given(case.passages.step_tolerance)
+            given(case.first_wheel().passages.step_tolerance)
         ),
         format!(
             "Growth: {} mm per cycle at each point of the front, with K_{{III}} in the equivalent range. {} Points within {}° of the \
@@ -272,7 +272,7 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
 
 /// The fluid in the cracks; none of dry ones.
 fn fluid_line(case: &Case) -> Option<String> {
-    let model = match case.fluid.as_ref()?.model {
+    let model = match case.first_wheel().fluid.as_ref()?.model {
         FluidModel::Mouth { cap } if cap.is_finite() => {
             format!("the contact pressure over the mouth, at most {} MPa, acts down the dip", grouped(cap))
         }
@@ -305,7 +305,7 @@ fn rate_text(law: &GrowthLaw) -> String {
 /// The contact of wheel `i` (from 0), with its share where there are several.
 fn wheel_line(case: &Case, i: usize, patch: &WheelPatch) -> String {
     let wheel = patch.outline();
-    let name = match case.mix.get(i) {
+    let name = match case.wheels.get(i).filter(|_| case.is_mix()) {
         Some(mixed) => {
             format!("Wheel {} ({}, {} % of the axles)", i + 1, mixed.name, fixed(100.0 * mixed.share, 1))
         }
@@ -339,7 +339,7 @@ fn frictions(of_cracks: &[f64]) -> String {
 
 /// K over the whole passage; none for a rail without bending.
 fn whole_passage(run: &RunFolder, plots: &[Plot]) -> Option<Section> {
-    run.case.wheel.load.track.as_ref()?;
+    run.case.first_wheel().wheel.track.as_ref()?;
     let text = "The rail bends over several metres, and the passage covers this length. Bending is the same at all lateral positions.";
     Some(Section {
         id: "far".to_owned(),

@@ -122,7 +122,7 @@ fn scene(run: &RunFolder, wheels: &[PassedWheel], named: Option<&[NamedCrack]>, 
         "Cracks and wheel, to scale. Thick: the cracks in this growth step. Above the surface: the Hertzian \
                        pressure; the arrow shows the direction of the shear traction on the rail."
             .to_owned();
-    if run.case.fluid.is_some() || run.case.mix.iter().any(|mixed| mixed.fluid.is_some()) {
+    if run.case.has_fluid() {
         caption.push_str(" Blue bands: fluid in the cracks, wider at higher pressure.");
     }
     let curves = chart(plots, "paths").filter(|_| !is_row).map_or_else(Vec::new, |paths| paths.curves);
@@ -187,11 +187,11 @@ fn face_maps(run: &RunFolder, over_a: &ChartAxis) -> [Chart; 2] {
 
 /// Contact pressure over the mouth; none of wheels that are not coupled to the cracks.
 fn contact(run: &RunFolder, wheels: &[PassedWheel]) -> Option<Chart> {
-    let coupled = || wheels.iter().filter(|wheel| wheel.wheel.coupling.is_some());
+    let coupled = || wheels.iter().filter(|wheel| wheel.wheel.wheel.coupling().is_some());
     coupled().next()?;
     let reach = CONTACT_REACH * coupled().map(|wheel| wheel.half_width).fold(0.0, f64::max);
-    let peaks = coupled().map(|wheel| wheel.wheel.contact().peak_pressure());
-    let whose = if run.case.mix.is_empty() { "the wheel" } else { "a wheel that feels the cracks" };
+    let peaks = coupled().filter_map(|wheel| Some(wheel.wheel.wheel.contact()?.peak_pressure()));
+    let whose = if run.case.is_mix() { "a wheel that feels the cracks" } else { "the wheel" };
     Some(Chart {
         id: "contact".to_owned(),
         caption: format!("Contact pressure of {whose} over the mouth."),

@@ -13,11 +13,11 @@ use railcrack::math::{MPA_SQRT_MM, Stress};
 /// K over the whole passage, and the stress due to bending and temperature only; none for a rail
 /// without bending.
 pub(super) fn section(run: &RunFolder, plots: &[Plot]) -> Option<Section> {
-    let bending = run.case.wheel.bending(&run.case.steel)?;
-    let thermal =
-        run.case.wheel.load.temperature.map_or(0.0, |temperature| temperature.stress(&run.case.steel));
+    let first = run.case.first_wheel();
+    let bending = first.wheel.bending(&run.case.steel)?;
+    let thermal = first.wheel.temperature.map_or(0.0, |temperature| temperature.stress(&run.case.steel));
     let mouth = crate::figures::origin(&run.summary);
-    let positions = run.case.positions();
+    let positions = run.case.positions(first);
     let stress = |xc: &f64| bending.stress(mouth - xc, 0.0) + thermal;
     let points: Vec<[f64; 2]> = positions.iter().map(|xc| [1e-3 * xc, stress(xc)]).collect();
     let most = points.iter().copied().reduce(|most, next| if next[1] > most[1] { next } else { most })?;
@@ -55,10 +55,11 @@ pub(super) fn section(run: &RunFolder, plots: &[Plot]) -> Option<Section> {
 /// with the wheel at each of `positions` (mm), by metres; none where the cracks make no body.
 fn k_alone(run: &RunFolder, positions: &[f64]) -> Vec<Vec<[f64; 2]>> {
     let case = &run.case;
-    let Some(track) = &case.wheel.load.track else { return Vec::new() };
+    let first = &case.first_wheel().wheel;
+    let Some(track) = &first.track else { return Vec::new() };
     let body = DislocationEngine::new(case.steel).body(&case.cracks);
     let (Ok(body), Ok(wheel)) = (body, BendingWheel::new(track, &case.steel)) else { return Vec::new() };
-    let thermal = case.wheel.thermal_stress(&case.steel);
+    let thermal = first.thermal_stress(&case.steel);
     let of = |xc: &f64| {
         let stress = |point| {
             let constant = thermal.as_ref().map_or(Stress::ZERO, |field| field.stress(point));

@@ -1,9 +1,11 @@
 //! A run as its folder has it.
 
 use crate::direction::{Heading, heading};
+use railcrack::space::WheelPatch;
 use railcrack_case::Case;
 use railcrack_run::csv::TipRow;
 use railcrack_run::decision::Decision;
+use railcrack_run::setup::wheel_patches;
 use railcrack_run::{OutputError, Summary};
 use std::path::{Path, PathBuf};
 
@@ -14,6 +16,8 @@ pub(crate) struct RunFolder {
     /// Text of `case.toml`.
     pub(crate) text: String,
     pub(crate) case: Case,
+    /// The patches of its wheels in space; none in the plane.
+    pub(crate) patches: Vec<WheelPatch>,
     pub(crate) summary: Summary,
     /// In the order of the table: by step, crack, tip.
     pub(crate) growth: Vec<TipRow>,
@@ -25,8 +29,10 @@ impl RunFolder {
     /// Errors: no run in the folder; a file of it is damaged; the system refuses.
     pub(crate) fn read(folder: &Path) -> Result<Self, OutputError> {
         let run = railcrack_run::RunFolder::open(folder)?;
+        let case = run.case()?;
         Ok(Self {
-            case: run.case()?,
+            patches: wheel_patches(&case),
+            case,
             growth: run.growth()?,
             residual: run.residual()?.iter().map(|row| [row.depth, row.stress.xx]).collect(),
             path: run.path,
@@ -50,10 +56,7 @@ impl RunFolder {
 
     /// Half-widths of the contacts of the wheels, mm.
     pub(crate) fn half_widths(&self) -> Vec<f64> {
-        match &self.case.mix[..] {
-            [] => vec![self.summary.half_width_mm],
-            mix => mix.iter().map(|mixed| mixed.wheel.half_width()).collect(),
-        }
+        self.case.wheels.iter().map(|wheel| wheel.wheel.half_width()).collect()
     }
 
     /// The tips, as (crack, tip).

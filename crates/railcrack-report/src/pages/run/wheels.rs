@@ -6,16 +6,16 @@ use crate::numbers::{number, numbers};
 use crate::page_data::{CrackWindows, PageData};
 use crate::row::NamedCrack;
 use railcrack::contact::{CrackFluid, FluidModel, PressureProfile};
-use railcrack_case::{GivenWheel, MixedWheel};
+use railcrack_case::TrafficWheel;
 use railcrack_run::run_folder::History;
 use serde_json::{Value, json};
 use std::ops::Range;
 
 /// A wheel and its positions.
 pub(super) struct PassedWheel<'a> {
-    /// Its name and share of a mix; none of a single wheel.
-    mixed: Option<&'a MixedWheel>,
-    pub(super) wheel: &'a GivenWheel,
+    pub(super) wheel: &'a TrafficWheel,
+    /// Whether it is one of several.
+    is_mixed: bool,
     /// Half-width a of its contact, mm.
     pub(super) half_width: f64,
     pub(super) xc_over_a: &'a [f64],
@@ -35,28 +35,27 @@ pub(super) fn wheels<'a>(
     named: Option<&[NamedCrack]>,
 ) -> Vec<PassedWheel<'a>> {
     let of_wheel = |(number, histories): (usize, &'a Vec<History>)| {
-        let mixed = run.case.mix.get(number);
+        let wheel = run.case.wheels.get(number)?;
         let passage = passage_of(run, number);
         let xc_over_a: &[f64] = histories.first().map_or(&[], |history| &history.xc_over_a);
         let cracks = 1..=run.summary.cracks.len();
-        PassedWheel {
-            mixed,
-            wheel: mixed.map_or(&run.case.wheel, |mixed| &mixed.wheel),
+        Some(PassedWheel {
+            wheel,
+            is_mixed: run.case.is_mix(),
             half_width: passage.half_width(),
             xc_over_a,
             near: passage.near(xc_over_a),
             windows: named.map(|_| cracks.map(|crack| passage.window(crack, xc_over_a)).collect()),
-            fluid_falls: falls(mixed.map_or(run.case.fluid.as_ref(), |mixed| mixed.fluid.as_ref()))
-                && run.summary.junctions.is_empty(),
-        }
+            fluid_falls: falls(wheel.fluid.as_ref()) && run.summary.junctions.is_empty(),
+        })
     };
-    page_data.by_wheel(0).iter().enumerate().map(of_wheel).collect()
+    page_data.by_wheel(0).iter().enumerate().filter_map(of_wheel).collect()
 }
 
 /// The passage of wheel `number`, from 0.
 pub(super) fn passage_of(run: &RunFolder, number: usize) -> WheelPassage<'_> {
-    match run.case.mix.get(number).filter(|_| number > 0) {
-        Some(MixedWheel { wheel, passages, .. }) => {
+    match run.case.wheels.get(number).filter(|_| number > 0) {
+        Some(TrafficWheel { wheel, passages, .. }) => {
             let ends = [passages.passage.from, passages.passage.to];
             WheelPassage::other(&run.summary, wheel.half_width(), ends)
         }
@@ -74,14 +73,14 @@ impl PassedWheel<'_> {
     /// The wheel as the page has it, with every `stride`-th position of its faces.
     pub(super) fn page_data(&self, stride: usize) -> Value {
         let last_of = |window: &Range<usize>| json!([window.start, window.end.saturating_sub(1)]);
-        let contact = self.wheel.contact();
+        let contact = self.wheel.wheel.contact();
         json!({
-            "name": self.mixed.map(|mixed| &mixed.name),
-            "share": self.mixed.map(|mixed| number(mixed.share)),
+            "name": self.is_mixed.then_some(&self.wheel.name),
+            "share": self.is_mixed.then(|| number(self.wheel.share)),
             "half_width": self.half_width,
-            "is_coupled": self.wheel.coupling.is_some(),
-            "peak_pressure": number(contact.peak_pressure()),
-            "friction": contact.adhesion(),
+            "is_coupled": self.wheel.wheel.coupling().is_some(),
+            "peak_pressure": number(contact.map_or(0.0, |contact| contact.peak_pressure())),
+            "friction": contact.map_or(0.0, |contact| contact.adhesion()),
             "fluid_falls": self.fluid_falls,
             "near": last_of(&self.near),
             "windows": self.windows.as_ref().map(|all| all.iter().map(last_of).collect::<Vec<_>>()),

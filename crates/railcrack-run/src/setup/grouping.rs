@@ -1,8 +1,7 @@
 //! Representatives of the wheels of a table: groups by their passages over a coarse crack.
 
 use super::coarse_crack::{coarse_histories, coarse_rate};
-use super::coarse_front::CoarseFront;
-use super::wheel_table::TabledWheel;
+use super::coarse_front::{CoarseFront, FrontHistory};
 use railcrack::body::BodyEngine;
 use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::dislocation::DislocationEngine;
@@ -12,50 +11,49 @@ use railcrack::growth::FrontShape;
 use railcrack::load::{Contact, Travel};
 use railcrack::material::IsotropicElastic;
 use railcrack::traffic::{Grouped, Groups, OpenCrack};
+use railcrack_case::{Case, TabledWheel, WheelGroups, WheelTable};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
-/// The first crack: in the plane, all of them are given.
-#[derive(Clone, Copy)]
-pub(super) enum FirstCrack<'a> {
-    Plane(&'a CrackNetwork),
-    Space(&'a FrontShape),
-}
-
-/// Groups of the wheels `loaded` that run towards `travel`, at most `most`, by their passages over
-/// the first crack; `friction` is that of its faces. Where a coarse passage does not converge, the
-/// open crack takes its place.
-pub(super) fn group(
-    (wheels, travel): (&[TabledWheel], Travel),
-    loaded: &[usize],
-    most: usize,
-    (crack, friction): (FirstCrack<'_>, f64),
-    (steel, law): (&IsotropicElastic, &GrowthLaw),
-) -> Groups {
-    let alone = |i: &usize| Grouped { share: wheels[*i].share, effect: vec![*i as f64], rate: 1.0 };
-    if loaded.len() <= most {
-        return Groups::of(&loaded.iter().map(alone).collect::<Vec<_>>(), most);
-    }
-    let effects = match crack {
-        FirstCrack::Plane(network) => {
-            let contacts: Vec<&Contact> = loaded.iter().filter_map(|i| wheels[*i].contact.as_ref()).collect();
-            by_coarse_crack(&contacts, (network, friction), steel, travel, law)
-                .or_else(|| by_open_crack(&contacts, (network, friction), steel, law))
-        }
-        FirstCrack::Space(shape) => {
-            let loaded: Vec<&TabledWheel> = loaded.iter().map(|i| &wheels[*i]).collect();
-            by_coarse_front(&loaded, (shape, friction), steel, travel, law)
-        }
-    };
-    let Some(effects) = effects else {
-        return Groups::of(&loaded.iter().map(alone).collect::<Vec<_>>(), most);
-    };
+/// The wheels of `table` in `case` in groups, at most as many as it accepts, by their passages over
+/// the first crack. Where a coarse passage does not converge, the open crack takes its place.
+pub(super) fn grouped(case: &Case, table: &WheelTable) -> WheelGroups {
+    let contact = |i: usize| case.wheels.get(table.first + i)?.wheel.contact();
+    let loaded: Vec<usize> = (0..table.wheels.len()).filter(|i| contact(*i).is_some()).collect();
+    let share = |i: usize| table.wheels[i].share;
+    let alone = |i: &usize| Grouped { share: share(*i), effect: vec![*i as f64], rate: 1.0 };
+    let effects = (loaded.len() > table.most).then(|| effects(case, table, &loaded)).flatten();
     let grouped = |(i, (effect, rate)): (&usize, (Vec<f64>, f64))| Grouped {
-        share: wheels[*i].share,
+        share: share(*i),
         effect,
         rate: if rate.is_finite() { rate } else { f64::MAX.sqrt() },
     };
-    let all: Vec<Grouped> = loaded.iter().zip(effects).map(grouped).collect();
-    Groups::of(&all, most)
+    let all: Vec<Grouped> = match effects {
+        Some(effects) => loaded.iter().zip(effects).map(grouped).collect(),
+        None => loaded.iter().map(alone).collect(),
+    };
+    let groups = Groups::of(&all, table.most);
+    let mut group_of = vec![None; table.wheels.len()];
+    loaded.iter().zip(&groups.group_of).for_each(|(wheel, group)| group_of[*wheel] = Some(*group));
+    WheelGroups {
+        representatives: groups.representatives.iter().map(|own| loaded[*own]).collect(),
+        group_of,
+        error: groups.error,
+    }
+}
+
+/// What the wheels `loaded` of `table` do to the first crack; none where it has no body.
+fn effects(case: &Case, table: &WheelTable, loaded: &[usize]) -> Option<Effects> {
+    let friction = *case.crack_friction.first()?;
+    let (steel, law, travel) = (&case.steel, &case.growth.law, table.travel);
+    if let Some(space) = &case.space {
+        let shape = FrontShape { deviation: None, ..*space.shapes.first()? };
+        let wheels: Vec<&TabledWheel> = loaded.iter().map(|i| &table.wheels[*i]).collect();
+        return by_coarse_front(&wheels, (&shape, friction), steel, travel, law);
+    }
+    let contact = |i: &usize| case.wheels[table.first + i].wheel.contact();
+    let contacts: Vec<&Contact> = loaded.iter().filter_map(contact).collect();
+    by_coarse_crack(&contacts, (&case.cracks, friction), steel, travel, law)
+        .or_else(|| by_open_crack(&contacts, (&case.cracks, friction), steel, law))
 }
 
 /// History of K and rate of each wheel.
@@ -95,7 +93,7 @@ fn by_coarse_front(
     let front = CoarseFront::new(shape, friction, steel)?;
     let histories = front.histories(wheels, travel, 0.0);
     let rated = rates(&histories, law, |own, law| front.rate(own, law));
-    Some(histories.iter().map(super::coarse_front::FrontHistory::flat).zip(rated).collect())
+    Some(histories.iter().map(FrontHistory::flat).zip(rated).collect())
 }
 
 fn by_open_crack(
@@ -117,7 +115,7 @@ const SHORTEST: f64 = 0.05;
 
 /// The first crack, open, under contacts of the half-widths `widths` (mm); `friction` is that of
 /// its faces.
-pub fn open_crack(
+pub(super) fn open_crack(
     widths: &[f64],
     network: &CrackNetwork,
     friction: f64,

@@ -1,6 +1,5 @@
 //! A coarse crack in space under many wheels, as a surrogate for the fine one.
 
-use super::wheel_table::TabledWheel;
 use railcrack::crack::Crack;
 use railcrack::fatigue::{GrowthLaw, LoadRange};
 use railcrack::growth::FrontShape;
@@ -11,6 +10,7 @@ use railcrack::space::{
     EllipticWheel, FrontSif, SpaceBody, SpaceContact, SpaceFaces, SpaceKernel, SpaceResolution, Symmetric,
     UnfeltWheel, body_of,
 };
+use railcrack_case::{TablePatch, TabledWheel};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// Cells of the coarse crack: the first of these whose stiffness is positive definite. A flap that
@@ -28,7 +28,7 @@ const STRIPS: [usize; 2] = [15, 20];
 
 /// The first crack on few cells, with contact and friction of its faces. Every patch is an ellipse
 /// with its own mean shear, and the stress is taken at one point per node.
-pub struct CoarseFront {
+pub(super) struct CoarseFront {
     body: SpaceBody,
     /// Point (x, lateral, depth, mm) and area (mm²) of each node.
     nodes: Vec<([f64; 3], f64)>,
@@ -39,7 +39,7 @@ pub struct CoarseFront {
 }
 
 /// K at the front points during a passage, position by position.
-pub struct FrontHistory(Vec<Vec<FrontSif>>);
+pub(super) struct FrontHistory(Vec<Vec<FrontSif>>);
 
 impl CoarseFront {
     /// The crack of `shape`, whose faces have the `friction` μ_c; none where no body can be made.
@@ -197,7 +197,7 @@ impl FrontHistory {
 /// shear of each, and the x of each from the wheel's centre; the rail is moved by −`aside` (mm).
 fn ellipses(wheel: &TabledWheel, travel: Travel, aside: f64) -> Vec<(f64, EllipticWheel)> {
     let sign = if travel == Travel::Forward { 1.0 } else { -1.0 };
-    let of = |own: &crate::files::TablePatch| {
+    let of = |own: &TablePatch| {
         let ellipse = own.patch.ellipse;
         let [along, across] = own.patch.mean_shear(STRIPS);
         let wheel = EllipticWheel {
