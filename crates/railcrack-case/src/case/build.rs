@@ -3,28 +3,30 @@
 use super::by_geometry::ByGeometry;
 use super::case::Case;
 use super::coupled::check_coupled;
-use super::cracks::{Meetings, check_fit, place_cracks};
+use super::cracks::{Meetings, PlacedCracks, check_fit, place_cracks};
 use super::finite_section::check_section;
 use super::in_page::check_explorer;
 use super::limits::{WantedSize, check_size};
 use super::space::{read_space, refuse_free_front, refuse_strike};
+use super::space_case::SpaceCase;
 use super::traffic::{Traffic, TrafficContext, read_traffic, require_axle_load};
 use super::traffic_wheel::{TrafficWheel, mean_axle_load};
-use crate::files::read_profile;
+use crate::files::{ProfileFile, read_profile};
 use crate::schema::{KeyRow, Report, SectionValues, Sections, Value, Written, short};
 use crate::tables::{
     CALIBRATION, CENTRE, CRACK, CalibrationPrior, ContactExtent, ContactSolver, ENGINE, Engine, EngineDomain,
-    FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture, GROWTH, INSPECTION, MAINTENANCE, MESH, MGT_PER_YEAR,
-    MeshSettings, NETWORK, OUTPUT, Output, PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL,
-    RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scattering,
-    ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL_TEMPERATURE, WHEEL_TRACK, WIDTH,
-    YIELD_STRESS, is_of_the_steel, read_calibration, read_growth, read_inspection, read_maintenance,
-    read_risk, read_scatter, read_steel,
+    FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture, GROWTH, Growing, INSPECTION, Inspection,
+    InspectionRisk, MAINTENANCE, MESH, MGT_PER_YEAR, MeshSettings, NETWORK, OUTPUT, Output, PASSAGE,
+    PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER,
+    SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scatter, Scattering, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP,
+    TRACK, TRAFFIC, WHEEL_TEMPERATURE, WHEEL_TRACK, WIDTH, YIELD_STRESS, is_of_the_steel, read_calibration,
+    read_growth, read_inspection, read_maintenance, read_risk, read_scatter, read_steel,
 };
 use railcrack::bulk::Boundary;
 use railcrack::contact::{CrackFluid, FluidModel};
-use railcrack::growth::{GrowthSettings, NetworkContact};
-use railcrack::load::Temperature;
+use railcrack::fatigue::RailSteel;
+use railcrack::growth::{GrowthSettings, Mgt, NetworkContact, SurfaceRemoval};
+use railcrack::material::IsotropicElastic;
 use railcrack::math::MPA_SQRT_MM;
 use std::path::Path;
 
@@ -39,153 +41,226 @@ pub(crate) fn build(
     sizes: &ByGeometry<WantedSize>,
     report: &mut Report,
 ) -> Option<Case> {
-    let rail_section = sections.one(&RAIL);
-    let steel = rail_section.and_then(|s| read_steel(s, report));
-    let crack_sections: Vec<&SectionValues> = sections.all(&CRACK).collect();
-    let meetings = if is_in_space(&sections) { Meetings::InSpace } else { Meetings::InThePlane };
-    let placed = place_cracks(&crack_sections, meetings, report);
-    let network = placed.as_ref().map(|placed| &placed.network);
-    let growth = sections.one(&GROWTH).and_then(|s| read_growth(s, folder, report));
-    let context = TrafficContext {
-        sections: &sections,
-        steel: steel.as_ref(),
-        network,
-        extent: contact_extent(&sections),
-        folder,
-    };
-    let traffic = read_traffic(context, report);
-    let wheels = traffic.as_ref().map(|traffic| traffic.wheels.as_slice());
-    let rail = rail_section.and_then(|s| Rail::read(s, network));
-    if let (Some(rail), Some(placed)) = (&rail, &placed) {
-        check_fit(placed, rail, &crack_sections, report);
-    }
-    if let Some(rail) = rail.filter(|rail| rail.boundary != Boundary::HalfPlane) {
-        check_block(&rail, &sections, wheels.unwrap_or_default(), report);
-    }
-    let of_wheels = || wheels.into_iter().flatten();
-    let fluids = || of_wheels().filter_map(|wheel| wheel.fluid.as_ref());
-    check_coupled(&sections, rail.as_ref().map(|rail| rail.boundary), fluids(), report);
-    let tracks = of_wheels().filter_map(|wheel| wheel.wheel.track.as_ref());
-    check_section(&sections, rail.as_ref(), tracks, report);
-    let residual_section = sections.one(&RESIDUAL_STRESS);
-    let residual_stress = residual_section.and_then(|s| read_profile(s, PROFILE, folder, report));
-    let plastic_section = sections.one(&PLASTIC_STRESS);
-    let plastic_stress = plastic_section.and_then(|s| PlasticSource::read(s, folder, report));
-    if let (Some(PlasticSource::Rolled), Some(section), Some(_)) =
-        (&plastic_stress, plastic_section, residual_section)
-    {
-        refuse_counting_twice(section, report);
-    }
-    if let Some(steel) = growth.as_ref().and_then(|growth| growth.steel)
-        && let Some(section) = sections.one(&GROWTH).cloned()
-    {
-        sections.leave_out(&GROWTH, |key| is_of_the_steel(&section, steel, key));
-    }
-    let of_law = growth.as_ref().and_then(|growth| growth.steel);
-    let shakedown = sections.one(&SHAKEDOWN).and_then(|s| ShakedownSettings::read(s, of_law, folder, report));
-    if shakedown.as_ref().is_some_and(|shakedown| shakedown.steel.is_some()) {
-        // A stored case takes the yield stress from the steel again.
-        sections.leave_out(&SHAKEDOWN, |key| key.name == YIELD_STRESS.key.name);
-    }
-    let temperature = wheels.and_then(|wheels| wheels.first()?.wheel.temperature);
-    let fracture = read_fracture(&sections, temperature, folder, report);
-    let axle_load = wheels.and_then(mean_axle_load);
-    if let (Some(section), Some(_), None) = (sections.one(&TRAFFIC), wheels, axle_load) {
-        require_axle_load(section, report);
-    }
-    // A missing axle load is one error.
-    let counts_tonnes = axle_load.is_some() || sections.one(&TRAFFIC).is_some();
-    let maintenance = sections.one(&MAINTENANCE);
-    let maintenance = maintenance.map(|s| read_maintenance(s, counts_tonnes, report));
-    let inspection = sections.one(&INSPECTION);
-    let risk = inspection.map(|s| read_risk(s, folder, report));
-    let inspection = inspection.map(|s| read_inspection(s, counts_tonnes, report));
-    let toughness = fracture.as_ref().and_then(|fracture| Some(fracture.as_ref()?.at_rail));
-    let steel_of_law = growth.as_ref().and_then(|growth| growth.steel);
-    let scatter = sections.one(&SCATTER);
-    let scattering = Scattering {
-        toughness,
-        steel: steel_of_law,
-        has_tonnes: counts_tonnes,
-        is_maintained: maintenance.is_some(),
-        is_mix: wheels.is_none_or(|wheels| wheels.len() > 1),
-    };
-    let scatter = scatter.map(|s| read_scatter(s, scattering, report));
-    let space = match is_in_space(&sections) {
-        true => read_space(&sections, placed.as_ref(), wheels, rail.as_ref(), report).map(Some),
-        false => {
-            refuse_strike(&sections, report);
-            refuse_free_front(&sections, report);
-            Some(None)
-        }
-    };
-    let maintenance = match maintenance {
-        Some(read) => Some(read?),
-        None => None,
-    };
-    let is_block = rail.is_some_and(|rail| matches!(rail.boundary, Boundary::Block { .. }));
-    let traps = |fluid: &CrackFluid| matches!(fluid.model, FluidModel::Trapped { .. });
-    let is_trapped = fluids().any(traps);
-    check_network(&sections, (is_trapped, is_block), report);
-    let (Traffic { wheels, table: wheel_table }, placed, rail) = (traffic?, placed?, rail?);
-    // A stored case records the middle of the rail, and how far it reaches.
-    sections.settle(&RAIL, CENTRE, Value::Number(rail.extent.centre));
-    sections.settle(&RAIL, WIDTH, Value::Number(rail.extent.width));
-    let solver = sections.one(&SOLVER)?;
-    let case = Case {
-        title: sections.one(&TOP)?.get(TITLE)?,
-        steel: steel?,
-        rail,
-        wheels,
-        wheel_table,
-        cracks: placed.network,
-        crack_friction: placed.friction,
-        residual_stress,
-        plastic_stress,
-        shakedown: shakedown?,
-        growth: GrowthSettings {
-            toughness: fracture.as_ref()?.as_ref().map(|fracture| MPA_SQRT_MM * fracture.at_rail),
-            pop_in: fracture
-                .as_ref()?
-                .as_ref()
-                .filter(|_| space.as_ref().is_some_and(Option::is_none))
-                .and_then(|fracture| fracture.pop_in),
-            maintenance: maintenance.zip(axle_load).map(|(removal, tonnes)| removal.over_axles(tonnes)),
-            ..growth.as_ref()?.settings.clone()
-        },
-        growth_steel: growth.as_ref()?.steel,
-        growth_rates: growth?.rates,
-        fracture: fracture?,
-        space: space?,
-        mesh: MeshSettings::read(sections.one(&MESH)?),
-        engine: solver.get(ENGINE)?,
-        contact_solver: solver.get(SOLVER_CONTACT)?,
-        network: solver.get(NETWORK)?,
-        fields: FieldOutput::read(sections.one(&OUTPUT)?)?,
-        output: Output::read(sections.one(&OUTPUT)?)?,
-        axle_load,
-        maintenance,
-        inspection: match inspection {
-            Some(read) => Some(read?),
-            None => None,
-        },
-        inspection_risk: match risk {
-            Some(read) => Some(read?),
-            None => None,
-        },
-        mgt_per_year: sections.one(&TRAFFIC).and_then(|s| s.get(MGT_PER_YEAR)),
-        scatter: match scatter {
-            Some(read) => Some(read?),
-            None => None,
-        },
-        calibration: calibration(&sections),
-        written: Written::of(&sections),
-    };
+    let parts = Parts::read(&sections, folder, report);
+    parts.check(&sections, report);
+    let upkeep = Upkeep::read(&parts, &sections, folder, report);
+    parts.settle(&mut sections);
+    let case = case_of(parts, upkeep, &sections)?;
     let is_possible = check_size(&case, &sections, sizes, report);
     if is_possible {
         check_explorer(&case, &sections, report);
     }
     is_possible.then_some(case)
+}
+
+/// Something is wrong, as the report says.
+struct Refused;
+
+/// What a section that may be left out gives: none without it.
+///
+/// Errors: the section has errors.
+fn optional<T>(
+    section: Option<&SectionValues>,
+    read: impl FnOnce(&SectionValues) -> Option<T>,
+) -> Result<Option<T>, Refused> {
+    section.map(|section| read(section).ok_or(Refused)).transpose()
+}
+
+/// Rail, cracks, wheels, stresses and growth of a case, each none where something is wrong with it.
+struct Parts {
+    steel: Option<IsotropicElastic>,
+    placed: Option<PlacedCracks>,
+    rail: Option<Rail>,
+    traffic: Option<Traffic>,
+    residual_stress: Result<Option<ProfileFile>, Refused>,
+    plastic_stress: Result<Option<PlasticSource>, Refused>,
+    growth: Option<Growing>,
+    shakedown: Option<ShakedownSettings>,
+    fracture: Result<Option<Fracture>, Refused>,
+    space: Result<Option<SpaceCase>, Refused>,
+}
+
+impl Parts {
+    fn read(sections: &Sections, folder: &Path, report: &mut Report) -> Self {
+        let rail = sections.one(&RAIL);
+        let steel = rail.and_then(|section| read_steel(section, report));
+        let cracks: Vec<&SectionValues> = sections.all(&CRACK).collect();
+        let meetings = if is_in_space(sections) { Meetings::InSpace } else { Meetings::InThePlane };
+        let placed = place_cracks(&cracks, meetings, report);
+        let network = placed.as_ref().map(|placed| &placed.network);
+        let growth = sections.one(&GROWTH).and_then(|section| read_growth(section, folder, report));
+        let extent = contact_extent(sections);
+        let context = TrafficContext { sections, steel: steel.as_ref(), network, extent, folder };
+        let traffic = read_traffic(context, report);
+        let wheels = traffic.as_ref().map(|traffic| traffic.wheels.as_slice());
+        let rail = rail.and_then(|section| Rail::read(section, network));
+        let of_law = growth.as_ref().and_then(|growth| growth.steel);
+        let shakedown = sections.one(&SHAKEDOWN);
+        let temperature = wheels.and_then(|wheels| wheels.first()?.wheel.temperature);
+        let space = match is_in_space(sections) {
+            true => {
+                read_space(sections, placed.as_ref(), wheels, rail.as_ref(), report).map(Some).ok_or(Refused)
+            }
+            false => {
+                refuse_strike(sections, report);
+                refuse_free_front(sections, report);
+                Ok(None)
+            }
+        };
+        Self {
+            residual_stress: optional(sections.one(&RESIDUAL_STRESS), |section| {
+                read_profile(section, PROFILE, folder, report)
+            }),
+            plastic_stress: optional(sections.one(&PLASTIC_STRESS), |section| {
+                PlasticSource::read(section, folder, report)
+            }),
+            shakedown: shakedown.and_then(|section| ShakedownSettings::read(section, of_law, folder, report)),
+            fracture: optional(sections.one(&FRACTURE), |section| {
+                // A temperature with errors is not an absent one.
+                let is_known = temperature.is_some() || sections.one(&TEMPERATURE).is_none();
+                is_known.then(|| Fracture::read(section, temperature.as_ref(), folder, report)).flatten()
+            }),
+            steel,
+            rail,
+            placed,
+            traffic,
+            growth,
+            space,
+        }
+    }
+
+    fn wheels(&self) -> Option<&[TrafficWheel]> {
+        self.traffic.as_ref().map(|traffic| traffic.wheels.as_slice())
+    }
+
+    /// The steel of the growth law, where it has a name.
+    fn steel_of_law(&self) -> Option<&'static RailSteel> {
+        self.growth.as_ref().and_then(|growth| growth.steel)
+    }
+
+    /// Reports sections that exclude one another.
+    fn check(&self, sections: &Sections, report: &mut Report) {
+        let wheels = self.wheels().unwrap_or_default();
+        if let (Some(rail), Some(placed)) = (&self.rail, &self.placed) {
+            check_fit(placed, rail, &sections.all(&CRACK).collect::<Vec<_>>(), report);
+        }
+        let boundary = self.rail.map(|rail| rail.boundary);
+        let block = self.rail.filter(|rail| rail.boundary != Boundary::HalfPlane);
+        if let Some(rail) = &block {
+            check_block(rail, sections, wheels, report);
+        }
+        let fluids = || wheels.iter().filter_map(|wheel| wheel.fluid.as_ref());
+        check_coupled(sections, boundary, fluids(), report);
+        let tracks = wheels.iter().filter_map(|wheel| wheel.wheel.track.as_ref());
+        check_section(sections, self.rail.as_ref(), tracks, report);
+        let plastic = sections.one(&PLASTIC_STRESS).zip(sections.one(&RESIDUAL_STRESS));
+        if let (Ok(Some(PlasticSource::Rolled)), Some((section, _))) = (&self.plastic_stress, plastic) {
+            refuse_counting_twice(section, report);
+        }
+        let traps = |fluid: &CrackFluid| matches!(fluid.model, FluidModel::Trapped { .. });
+        check_network(sections, (fluids().any(traps), block.is_some()), report);
+    }
+
+    /// Makes the text of the case say what follows from its other keys.
+    fn settle(&self, sections: &mut Sections) {
+        if let (Some(steel), Some(section)) = (self.steel_of_law(), sections.one(&GROWTH).cloned()) {
+            sections.leave_out(&GROWTH, |key| is_of_the_steel(&section, steel, key));
+        }
+        if self.shakedown.as_ref().is_some_and(|shakedown| shakedown.steel.is_some()) {
+            // A stored case takes the yield stress from the steel again.
+            sections.leave_out(&SHAKEDOWN, |key| key.name == YIELD_STRESS.key.name);
+        }
+        // A stored case records the middle of the rail, and how far it reaches.
+        if let Some(rail) = self.rail {
+            sections.settle(&RAIL, CENTRE, Value::Number(rail.extent.centre));
+            sections.settle(&RAIL, WIDTH, Value::Number(rail.extent.width));
+        }
+    }
+}
+
+/// Traffic in tonnes, and the sections that count in them.
+struct Upkeep {
+    axle_load: Option<f64>,
+    maintenance: Result<Option<SurfaceRemoval<Mgt>>, Refused>,
+    inspection: Result<Option<Inspection>, Refused>,
+    inspection_risk: Result<Option<InspectionRisk>, Refused>,
+    scatter: Result<Option<Scatter>, Refused>,
+}
+
+impl Upkeep {
+    fn read(parts: &Parts, sections: &Sections, folder: &Path, report: &mut Report) -> Self {
+        let axle_load = parts.wheels().and_then(mean_axle_load);
+        if let (Some(section), Some(_), None) = (sections.one(&TRAFFIC), parts.wheels(), axle_load) {
+            require_axle_load(section, report);
+        }
+        // A missing axle load is one error.
+        let has_tonnes = axle_load.is_some() || sections.one(&TRAFFIC).is_some();
+        let fracture = parts.fracture.as_ref().ok().and_then(Option::as_ref);
+        let scattering = Scattering {
+            toughness: fracture.map(|fracture| fracture.at_rail),
+            steel: parts.steel_of_law(),
+            has_tonnes,
+            is_maintained: sections.one(&MAINTENANCE).is_some(),
+            is_mix: parts.wheels().is_none_or(|wheels| wheels.len() > 1),
+        };
+        let inspection = sections.one(&INSPECTION);
+        Self {
+            axle_load,
+            maintenance: optional(sections.one(&MAINTENANCE), |section| {
+                read_maintenance(section, has_tonnes, report)
+            }),
+            inspection_risk: optional(inspection, |section| read_risk(section, folder, report)),
+            inspection: optional(inspection, |section| read_inspection(section, has_tonnes, report)),
+            scatter: optional(sections.one(&SCATTER), |section| read_scatter(section, scattering, report)),
+        }
+    }
+}
+
+/// The case of parts without errors.
+fn case_of(parts: Parts, upkeep: Upkeep, sections: &Sections) -> Option<Case> {
+    let Traffic { wheels, table: wheel_table } = parts.traffic?;
+    let (placed, growth, fracture, space) =
+        (parts.placed?, parts.growth?, parts.fracture.ok()?, parts.space.ok()?);
+    let (maintenance, axle_load) = (upkeep.maintenance.ok()?, upkeep.axle_load);
+    let (solver, output) = (sections.one(&SOLVER)?, sections.one(&OUTPUT)?);
+    // A crack in space has no kink to test.
+    let arresting = fracture.as_ref().filter(|_| space.is_none());
+    Some(Case {
+        title: sections.one(&TOP)?.get(TITLE)?,
+        steel: parts.steel?,
+        rail: parts.rail?,
+        wheels,
+        wheel_table,
+        cracks: placed.network,
+        crack_friction: placed.friction,
+        residual_stress: parts.residual_stress.ok()?,
+        plastic_stress: parts.plastic_stress.ok()?,
+        shakedown: parts.shakedown?,
+        growth: GrowthSettings {
+            toughness: fracture.as_ref().map(|fracture| MPA_SQRT_MM * fracture.at_rail),
+            pop_in: arresting.and_then(|fracture| fracture.pop_in),
+            maintenance: maintenance.zip(axle_load).map(|(removal, tonnes)| removal.over_axles(tonnes)),
+            ..growth.settings
+        },
+        growth_steel: growth.steel,
+        growth_rates: growth.rates,
+        fracture,
+        space,
+        mesh: MeshSettings::read(sections.one(&MESH)?),
+        engine: solver.get(ENGINE)?,
+        contact_solver: solver.get(SOLVER_CONTACT)?,
+        network: solver.get(NETWORK)?,
+        fields: FieldOutput::read(output)?,
+        output: Output::read(output)?,
+        axle_load,
+        maintenance,
+        inspection: upkeep.inspection.ok()?,
+        inspection_risk: upkeep.inspection_risk.ok()?,
+        mgt_per_year: sections.one(&TRAFFIC).and_then(|section| section.get(MGT_PER_YEAR)),
+        scatter: upkeep.scatter.ok()?,
+        calibration: calibration(sections),
+        written: Written::of(sections),
+    })
 }
 
 /// Whether the engine is that in space.
@@ -203,23 +278,6 @@ fn calibration(sections: &Sections) -> CalibrationPrior {
 /// The part of the contacts that the engine needs.
 fn contact_extent(sections: &Sections) -> ContactExtent {
     if is_in_space(sections) { ContactExtent::Ellipse } else { ContactExtent::Strip }
-}
-
-/// Fracture where it is given; none where it cannot be read.
-#[expect(clippy::option_option, reason = "a case without it, and a section with errors")]
-fn read_fracture(
-    sections: &Sections,
-    temperature: Option<Temperature>,
-    folder: &Path,
-    report: &mut Report,
-) -> Option<Option<Fracture>> {
-    if sections.one(&TEMPERATURE).is_some() && temperature.is_none() {
-        return None;
-    }
-    match sections.one(&FRACTURE) {
-        Some(section) => Fracture::read(section, temperature.as_ref(), folder, report).map(Some),
-        None => Some(None),
-    }
 }
 
 /// Smallest gap between the contact and the side of a block, over the half-width: if it is closer,

@@ -51,7 +51,7 @@ pub(crate) use crack::{
 pub(crate) use file::CASE_FILE;
 pub(crate) use fluid::{FLUID, read_fluid};
 pub(crate) use fracture::FRACTURE;
-pub(crate) use growing::read_growth;
+pub(crate) use growing::{Growing, read_growth};
 pub(crate) use growth::{
     FRONT, FRONT_HARMONICS, FrontForm, GROWTH, LAW, MODE_3_WEIGHT, STEPS, is_of_the_steel,
 };
