@@ -104,6 +104,17 @@ pub enum ContactSolver {
     Latin,
 }
 
+impl ContactSolver {
+    /// Its method, as a phrase of a sentence.
+    #[must_use]
+    pub fn method(self) -> &'static str {
+        match self {
+            Self::Newton => "Newton's method",
+            Self::Latin => "the LATIN method",
+        }
+    }
+}
+
 impl Choice for ContactSolver {
     const WORDS: &'static [(Self, Word)] = &[
         (Self::Newton, Word::now("newton", "active sets, exact complementarity")),

@@ -12,6 +12,23 @@ use railcrack::validity::{self, ResidualStress, Steel, SteelOrigin, ValidityWarn
 use railcrack_case::{Case, GivenWheel};
 use std::f64::consts::FRAC_PI_2;
 
+/// Change of the growth rate from which on a wheel should feel the cracks.
+const LARGE_EFFECT: f64 = 0.05;
+
+/// The warning about a wheel that does not feel the cracks, where that changes their growth.
+pub fn uncoupled_wheel(case: &Case) -> Option<String> {
+    let rate = EffectInPlane::of_case(case).map(|effect| effect.rate)?;
+    let remedy = match case.engine.is_in_space() {
+        true => "the space engine has no such wheel, the plane engines do",
+        false => "set contact.coupled = true",
+    };
+    ((rate - 1.0).abs() > LARGE_EFFECT).then(|| {
+        format!(
+            "under a wheel that feels the crack, the first crack, alone and dry in the plane, would grow at {rate:.2} times the rate: {remedy}"
+        )
+    })
+}
+
 /// Warnings that follow from the case alone.
 pub fn of_case(case: &Case) -> Vec<Warning> {
     let shortest = case.cracks.cracks().iter().map(|crack| crack.length()).fold(f64::INFINITY, f64::min);

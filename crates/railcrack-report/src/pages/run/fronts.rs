@@ -1,6 +1,6 @@
 //! Cracks in space on the page of a run: fronts, tables, assumptions.
 
-use super::assumptions::long_rail;
+use super::assumptions::assumptions;
 use super::facts::{ending, stop_of, stop_sentence};
 use super::stored::RunFolder;
 use super::{RunParts, front_data, front_wheels, steps_section, warnings};
@@ -42,7 +42,7 @@ pub(super) fn parts(run: &RunFolder, space: &SpaceCase, page_data: &PageData, pl
         facts: facts(run, warnings::count(run)),
         growth,
         tables: Vec::new(),
-        assumptions: assumptions(run, space),
+        assumptions: assumptions(run),
         sections,
     }
 }
@@ -201,140 +201,6 @@ fn front_table(run: &RunFolder) -> Block {
     }
     let heading = format!("Points of the {} fronts in the last step, {} rows", cracks(run), table.rows.len());
     Block::Folded { heading, blocks: vec![Block::Table(table)] }
-}
-
-fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
-    let case = &run.case;
-    let free = space.shapes.first().and_then(|shape| shape.deviation);
-    let other = long_rail(case);
-    let stays = match (case.residual_stress.is_some(), other.is_empty()) {
-        (false, true) => " The rail carries no other stress.",
-        (true, _) => " The rail carries the residual stress of the case, the same at all lateral positions.",
-        (false, false) => "",
-    };
-    let mut lines = vec![format!(
-        "Rail: linear elastic half-space, E = {} MPa, ν = {}; no curvature of the rail head and no gauge corner.{stays}{other}",
-        grouped(case.steel.young()),
-        given(case.steel.poisson())
-    )];
-    lines.extend(run.patches.iter().enumerate().map(|(i, wheel)| wheel_line(case, i, wheel)));
-    lines.extend(fluid_line(case));
-    if case.growth.maintenance.is_some() {
-        lines.push(format!(
-            "Wear and grinding: the running surface is removed, and with it the mouths of the cracks. The remaining part of a front {}.",
-            match free {
-                Some(_) => "grows on",
-                None => "is replaced by the half ellipse with the same deepest point and the same chord",
-            }
-        ));
-    }
-    lines.extend([
-        format!(
-            "Crack faces: unilateral contact with Coulomb friction {} in two directions; slip by second-order backward differences, with load steps refined until K \
-             changes by less than {} of its peak.",
-            frictions(&case.crack_friction),
-            given(case.first_wheel().passages.step_tolerance)
-        ),
-        format!(
-            "Growth: {} mm per cycle at each point of the front, with K_{{III}} in the equivalent range. {} Points within {}° of the \
-             surface{} are excluded from the fit, because the cells do not resolve the layer of K there.",
-            powers(&formula(&rate_text(&case.growth.law))),
-            free.map_or_else(
-                || "The front remains an ellipse in its plane, fitted to the local growth rates.".to_owned(),
-                |own| format!(
-                    "The front is free in its plane: {} harmonics, fitted to the local growth rates.",
-                    own.harmonics()
-                )
-            ),
-            given((100.0 * front_data::layer(case).to_degrees()).round() / 100.0),
-            if is_folded(run) { " or of the fold, and as much of either end of the strip," } else { "" }
-        ),
-        format!(
-            "Solution: Galerkin boundary elements, {} face points; contact solved {} times, with a relative violation of its \
-             conditions of at most {:.0e}.",
-            run.summary.face_points,
-            grouped(run.summary.contact_solves as f64),
-            run.summary.complementarity_max
-        ),
-        format!(
-            "Limits: {}; cracks stop before they meet. Small-scale yielding, no fluid except as given in the case. Load cycles are uncertain \
-             by a factor of several, the scatter of the growth law.",
-            if is_folded(run) {
-                "a straight fold as long as the mouth, without twist, and one branch; strip and branch grow in their planes, the sides of \
-                 the strip with the ends of the branch"
-            } else {
-                "plane cracks, growth in their planes"
-            }
-        ),
-    ]);
-    lines
-}
-
-/// The fluid in the cracks; none of dry ones.
-fn fluid_line(case: &Case) -> Option<String> {
-    let model = match case.first_wheel().fluid.as_ref()?.model {
-        FluidModel::Mouth { cap } if cap.is_finite() => {
-            format!("the contact pressure over the mouth, at most {} MPa, acts down the dip", grouped(cap))
-        }
-        FluidModel::Mouth { .. } => "the contact pressure over the mouth acts down the dip".to_owned(),
-        FluidModel::Trapped { .. } => {
-            "the fluid keeps its volume while the contact covers all open points of the mouth, at one pressure in each crack".to_owned()
-        }
-    };
-    Some(format!("Fluid: {model}. The contact is not affected by the fluid."))
-}
-
-/// A formula with its powers of numbers raised: `ΔK^3.33` as `ΔK^{3.33}`.
-fn powers(formula: &str) -> String {
-    let mut parts = formula.split('^');
-    let mut text = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let end = part.find(|letter: char| !(letter.is_ascii_digit() || letter == '.')).unwrap_or(part.len());
-        let (power, rest) = part.split_at(end);
-        text.push_str(&if power.is_empty() { format!("^{rest}") } else { format!("^{{{power}}}{rest}") });
-    }
-    text
-}
-
-/// The rate of `law`, and the threshold of shear if it has one.
-fn rate_text(law: &GrowthLaw) -> String {
-    let held = law.shear_threshold().map_or(String::new(), |text| format!(" ({text})"));
-    format!("{}{held}", law.rate.formula())
-}
-
-/// The contact of wheel `i` (from 0), with its share where there are several.
-fn wheel_line(case: &Case, i: usize, patch: &WheelPatch) -> String {
-    let wheel = patch.outline();
-    let name = match case.wheels.get(i).filter(|_| case.is_mix()) {
-        Some(mixed) => {
-            format!("Wheel {} ({}, {} % of the axles)", i + 1, mixed.name, fixed(100.0 * mixed.share, 1))
-        }
-        None => "Wheel".to_owned(),
-    };
-    let kind = match patch {
-        WheelPatch::Ellipse(_) => "elliptical Hertzian contact in full sliding",
-        WheelPatch::Bilinear(_) => "patch in rolling contact, its tractions bilinear on a grid",
-        WheelPatch::Several(_) => {
-            "patches in rolling contact, the heaviest told, their tractions bilinear on grids"
-        }
-    };
-    format!(
-        "{name}: {kind}, p_{{0}} = {} MPa, semi-axes {} mm along and {} mm across the rail, centre \
-         at z = {} mm, ratio of shear to pressure {} along x and {} along z. The contact is not affected by the crack.",
-        fixed(wheel.peak_pressure, 0),
-        fixed(wheel.half_width, 2),
-        fixed(wheel.lateral_half_width, 2),
-        fixed(wheel.lateral, 2),
-        given(wheel.friction),
-        given(wheel.lateral_friction)
-    )
-}
-
-/// The friction coefficients of the cracks; a single one if all are equal.
-fn frictions(of_cracks: &[f64]) -> String {
-    let mut different = of_cracks.to_vec();
-    different.dedup();
-    different.iter().copied().map(given).collect::<Vec<_>>().join(", ")
 }
 
 /// K over the whole passage; none for a rail without bending.

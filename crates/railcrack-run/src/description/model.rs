@@ -1,0 +1,56 @@
+//! The rail of a case, and the limits of its model.
+
+use super::row::Row;
+use railcrack::bulk::Boundary;
+use railcrack::words::Choice;
+use railcrack_case::Case;
+
+pub(super) fn rail(case: &Case) -> Vec<Row> {
+    let rail = &case.rail;
+    let (left, right) = rail.extent.ends();
+    let body = match (case.engine.is_in_space(), rail.boundary) {
+        (true, _) => "half-space, without curvature of the head and gauge corner".to_owned(),
+        (false, Boundary::HalfPlane) => rail.section.map_or_else(
+            || rail.boundary.word().to_owned(),
+            |section| format!("{}, cracked with the section {}", rail.boundary.word(), section.name),
+        ),
+        (false, Boundary::Block { bottom, sides }) => {
+            format!("{}, bottom {}, sides {}", rail.boundary.word(), bottom.word(), sides.word())
+        }
+    };
+    vec![
+        Row::with(
+            "elasticity",
+            "E = {E}, nu = {nu}",
+            [("E", case.steel.young(), "MPa"), ("nu", case.steel.poisson(), "")],
+        ),
+        Row::text("boundary", body),
+        Row::with(
+            "cracks stay within",
+            "x = {left} to {right}, depth {depth}",
+            [("left", left, "mm"), ("right", right, "mm"), ("depth", rail.extent.depth, "mm")],
+        ),
+    ]
+}
+
+/// What the model leaves out.
+pub(super) fn limits(case: &Case) -> Vec<Row> {
+    let cracks = match &case.space {
+        None => "plane strain: cracks that are wide across the rail",
+        Some(space) if space.shapes.iter().any(|shape| shape.strip.is_some()) => {
+            "a straight fold as long as the mouth, without twist, and one branch; strip and branch grow in their planes"
+        }
+        Some(_) => "plane cracks that grow in their planes and stop before they meet",
+    };
+    let mut rows = vec![
+        Row::text("cracks", cracks),
+        Row::text("tips", "small-scale yielding; the residual stress does not relax as the cracks grow"),
+    ];
+    if !case.has_fluid() {
+        rows.push(Row::text("fluid", "none"));
+    }
+    if case.maintenance.is_none() {
+        rows.push(Row::text("wear", "none"));
+    }
+    rows
+}
