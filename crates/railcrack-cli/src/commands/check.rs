@@ -43,7 +43,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
                 }
                 let case = represented(&case);
                 let text = || wrapped(&summary(&case, &folder), stdout_columns());
-                arguments.json.print(text, || case_json(&case, &folder))?
+                arguments.json.print(text, || case_json(&case))?
             }
             Input::Study(study) => {
                 let text = || wrapped(&study_summary(&study, &folder), stdout_columns());
@@ -55,7 +55,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
 }
 
 /// The case as one object; its description by heading and name, numbers with their units.
-fn case_json(case: &Case, folder: &Path) -> Value {
+fn case_json(case: &Case) -> Value {
     let size = RunSize::estimate(case);
     let needs = Needs::with(case, &size);
     let warnings: Vec<String> = describe_warnings(case).rows.into_iter().map(|row| row.text).collect();

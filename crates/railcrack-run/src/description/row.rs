@@ -8,6 +8,7 @@ use serde_json::{Map, Value, json};
 pub struct Part {
     /// In lower case.
     pub heading: String,
+    /// In the order in which they are read.
     pub rows: Vec<Row>,
 }
 
@@ -27,6 +28,7 @@ pub struct Row {
 pub struct Number {
     /// Empty for the only number of a row.
     pub key: &'static str,
+    /// In `unit`.
     pub value: f64,
     /// Empty for a number without a unit.
     pub unit: &'static str,

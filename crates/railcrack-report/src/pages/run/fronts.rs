@@ -5,15 +5,12 @@ use super::facts::{ending, stop_of, stop_sentence};
 use super::stored::RunFolder;
 use super::{RunParts, front_data, front_wheels, steps_section, warnings};
 use crate::figures::{Plot, charts};
-use crate::numbers::{fixed, formula, given, grouped, significant, tonnage};
+use crate::numbers::{fixed, given, grouped, significant, tonnage};
 use crate::page::{Block, Fact, Section};
 use crate::page_data::PageData;
 use crate::table::Table;
-use railcrack::contact::FluidModel;
-use railcrack::fatigue::GrowthLaw;
 use railcrack::growth::{RunStop, TipStop};
-use railcrack::space::WheelPatch;
-use railcrack_case::{Case, SpaceCase};
+use railcrack_case::SpaceCase;
 use railcrack_run::csv::TipRow;
 
 /// What the page of `run` says of cracks in space.
