@@ -193,8 +193,147 @@ fn check_shares(wheels: &[TableWheel], read: &Columned) -> Result<(), Box<Fault>
     ))
 }
 
+/// Semi-axes of a patch, mm.
+const SEMI_AXES: RangeInclusive<f64> = 0.01..=100.0;
 /// Peak pressures of a patch, MPa, as of `[contact]`.
 const PRESSURES: RangeInclusive<f64> = 1e-3..=1e4;
+
+/// A row of the table; NaN where a field is missing or blank.
+#[derive(Debug, Clone, Copy)]
+struct WheelRow {
+    wheel: f64,
+    patch: f64,
+    /// kN.
+    normal: f64,
+    y_rail: f64,
+    x: f64,
+    creepage: Creepage,
+    friction: f64,
+    place: f64,
+    share: f64,
+    axle_load: f64,
+    angle: f64,
+    semi_axes: [f64; 2],
+    rail_radius: f64,
+    wheel_radius: f64,
+    profile_radius: f64,
+}
+
+impl WheelRow {
+    /// The values of the columns of [`COLUMNS`]; none of another number of them.
+    fn of(row: &[f64]) -> Option<Self> {
+        let &[wheel, normal, y_rail, longitudinal, lateral, spin, friction, ref rest @ ..] = row else {
+            return None;
+        };
+        let &[place, patch, share, axle_load, angle, x, a, b, rail_radius, wheel_radius, profile_radius] =
+            rest
+        else {
+            return None;
+        };
+        let creepage = Creepage { longitudinal, lateral, spin };
+        let semi_axes = [a, b];
+        Some(Self {
+            wheel,
+            patch,
+            normal,
+            y_rail,
+            x,
+            creepage,
+            friction,
+            place,
+            share,
+            axle_load,
+            angle,
+            semi_axes,
+            rail_radius,
+            wheel_radius,
+            profile_radius,
+        })
+    }
+
+    /// Whether each number is one that is accepted; if not, which is and what is accepted.
+    fn check(&self) -> Result<(), String> {
+        let whole = |value: f64| value >= 0.0 && value.fract() == 0.0;
+        let blank_or = |value: f64, fine: bool| value.is_nan() || fine;
+        let Creepage { longitudinal, lateral, spin } = self.creepage;
+        let moves = [longitudinal, lateral, spin].iter().any(|creepage| *creepage != 0.0);
+        let (wheel, patch, share) = (self.wheel, self.patch, self.share);
+        within("wheel", wheel, whole(wheel), "a whole number, zero or more")?;
+        within("patch", patch, blank_or(patch, whole(patch)), "a whole number, zero or more")?;
+        let accepted = "a number in [0.001, 1e4] kN: a wheel without load has no row";
+        within("normal_kn", self.normal, self.normal >= 1e-3, accepted)?;
+        within("normal_kn", self.normal, self.normal <= 1e4, "a number in [0.001, 1e4] kN")?;
+        let on_rail = "in [-50, 50] mm: the patch lies off the rail head";
+        within("y_rail_mm", self.y_rail, self.y_rail.abs() <= RAIL_HEAD, on_rail)?;
+        for (name, value) in [("creepage_x", longitudinal), ("creepage_y", lateral), ("spin_per_mm", spin)] {
+            within(name, value, value.abs() <= 1.0, "a number in [-1, 1]")?;
+        }
+        within("mu", self.friction, (0.0..=1.0).contains(&self.friction), "a number in [0, 1]")?;
+        let grips = self.friction > 0.0 || !moves;
+        within("mu", self.friction, grips, "positive where there is creepage or spin")?;
+        within("share", share, blank_or(share, share > 0.0 && share <= 1.0), "in (0, 1]")?;
+        let loaded = blank_or(self.axle_load, (1e-3..=100.0).contains(&self.axle_load));
+        within("axle_load_t", self.axle_load, loaded, "a number in [0.001, 100] t")?;
+        let steep = blank_or(self.angle, self.angle.abs() <= 90.0);
+        within("angle_deg", self.angle, steep, "in [-90, 90] degrees")?;
+        within("x_mm", self.x, blank_or(self.x, self.x.abs() <= 200.0), "in [-200, 200] mm")
+    }
+
+    /// The ellipse of its patch, by its semi-axes or by the radii of wheel and rail.
+    fn ellipse(&self, steel: &IsotropicElastic) -> Result<HertzEllipse, String> {
+        let [a, b] = self.semi_axes;
+        both(("a_mm", a), ("b_mm", b))?;
+        both(("rail_radius_mm", self.rail_radius), ("wheel_radius_mm", self.wheel_radius))?;
+        let force = 1e3 * self.normal;
+        let ellipse = match (a.is_nan(), self.rail_radius.is_nan()) {
+            (false, true) => {
+                within("a_mm", a, SEMI_AXES.contains(&a), "a number in [0.01, 100] mm")?;
+                within("b_mm", b, SEMI_AXES.contains(&b), "a number in [0.01, 100] mm")?;
+                HertzEllipse { peak_pressure: 1.5 * force / (PI * a * b), along: a, across: b }
+            }
+            (true, false) => self.hertz(force, steel)?,
+            (true, true) => {
+                return Err(
+                    "`a_mm` and `b_mm`, or `rail_radius_mm` and `wheel_radius_mm`, are missing".into()
+                );
+            }
+            (false, false) => {
+                return Err("`a_mm` says the same thing as `rail_radius_mm`: give one or the other".into());
+            }
+        };
+        let HertzEllipse { peak_pressure, along, across } = ellipse;
+        let is_sized = SEMI_AXES.contains(&along) && SEMI_AXES.contains(&across);
+        if is_sized && PRESSURES.contains(&peak_pressure) {
+            return Ok(ellipse);
+        }
+        Err(format!(
+            "`normal_kn = {}`: gives a patch with a = {along:.4} mm, b = {across:.4} mm and a peak pressure of \
+             {peak_pressure:.4e} MPa, which must be in [0.01, 100] mm and [0.001, 1e4] MPa",
+            self.normal
+        ))
+    }
+
+    /// The ellipse under `force` (N) by the radii.
+    fn hertz(&self, force: f64, steel: &IsotropicElastic) -> Result<HertzEllipse, String> {
+        let profile = self.profile_radius;
+        within("rail_radius_mm", self.rail_radius, self.rail_radius > 0.0, "positive")?;
+        within("wheel_radius_mm", self.wheel_radius, self.wheel_radius > 0.0, "positive")?;
+        within("wheel_profile_radius_mm", profile, profile != 0.0, "other than 0; blank: straight")?;
+        let on_rail = WheelOnRail {
+            wheel_load: force,
+            wheel_radius: self.wheel_radius,
+            rail_head_radius: self.rail_radius,
+            wheel_profile_radius: if profile.is_nan() { f64::INFINITY } else { profile },
+        };
+        HertzEllipse::new(&on_rail, steel)
+            .map_err(|error| format!("`wheel_profile_radius_mm = {profile}`: {error}"))
+    }
+}
+
+/// An error unless the value of the column `name` is `fine`.
+fn within(name: &str, value: f64, fine: bool, accepted: &str) -> Result<(), String> {
+    if fine { Ok(()) } else { Err(format!("`{name} = {value}`: must be {accepted}")) }
+}
 
 /// Two columns that are given together or not at all.
 fn both(one: (&str, f64), other: (&str, f64)) -> Result<(), String> {
@@ -207,116 +346,27 @@ fn both(one: (&str, f64), other: (&str, f64)) -> Result<(), String> {
 
 /// The wheel and the patch of a row; or what is wrong with which column.
 fn wheel_of(row: &[f64], reading: WheelReading<'_>) -> Result<(TableWheel, TablePatch), String> {
-    let &[
-        wheel,
-        normal,
-        y_rail,
-        along,
-        across,
-        spin,
-        friction,
-        place,
-        number,
-        share,
-        axle_load,
-        angle,
-        x,
-        a,
-        b,
-        head,
-        radius,
-        profile,
-    ] = row
-    else {
-        return Err("its columns are not those of a table of wheels".into());
-    };
-    let within = |name: &str, value: f64, fine: bool, accepted: &str| match fine {
-        true => Ok(()),
-        false => Err(format!("`{name} = {value}`: must be {accepted}")),
-    };
-    let whole = |value: f64| value >= 0.0 && value.fract() == 0.0;
-    within("wheel", wheel, whole(wheel), "a whole number, zero or more")?;
-    within("patch", number, number.is_nan() || whole(number), "a whole number, zero or more")?;
-    within(
-        "normal_kn",
-        normal,
-        normal >= 1e-3,
-        "a number in [0.001, 1e4] kN: a wheel without load has no row",
-    )?;
-    within("normal_kn", normal, normal <= 1e4, "a number in [0.001, 1e4] kN")?;
-    let on_rail = "in [-50, 50] mm: the patch lies off the rail head";
-    within("y_rail_mm", y_rail, y_rail.abs() <= RAIL_HEAD, on_rail)?;
-    for (name, value) in [("creepage_x", along), ("creepage_y", across), ("spin_per_mm", spin)] {
-        within(name, value, value.abs() <= 1.0, "a number in [-1, 1]")?;
-    }
-    within("mu", friction, (0.0..=1.0).contains(&friction), "a number in [0, 1]")?;
-    let moves = along != 0.0 || across != 0.0 || spin != 0.0;
-    within("mu", friction, friction > 0.0 || !moves, "positive where there is creepage or spin")?;
-    within("share", share, share.is_nan() || (share > 0.0 && share <= 1.0), "in (0, 1]")?;
-    let loaded = axle_load.is_nan() || (1e-3..=100.0).contains(&axle_load);
-    within("axle_load_t", axle_load, loaded, "a number in [0.001, 100] t")?;
-    within("angle_deg", angle, angle.is_nan() || angle.abs() <= 90.0, "in [-90, 90] degrees")?;
-    within("x_mm", x, x.is_nan() || x.abs() <= 200.0, "in [-200, 200] mm")?;
-    both(("a_mm", a), ("b_mm", b))?;
-    both(("rail_radius_mm", head), ("wheel_radius_mm", radius))?;
-    let kilonewtons = normal;
-    let normal = 1e3 * normal;
-    let ellipse = match (a.is_nan() && b.is_nan(), head.is_nan() && radius.is_nan()) {
-        (false, true) => {
-            within("a_mm", a, (0.01..=100.0).contains(&a), "a number in [0.01, 100] mm")?;
-            within("b_mm", b, (0.01..=100.0).contains(&b), "a number in [0.01, 100] mm")?;
-            HertzEllipse { peak_pressure: 1.5 * normal / (PI * a * b), along: a, across: b }
-        }
-        (true, false) => {
-            within("rail_radius_mm", head, head > 0.0, "positive")?;
-            within("wheel_radius_mm", radius, radius > 0.0, "positive")?;
-            within("wheel_profile_radius_mm", profile, profile != 0.0, "other than 0; blank: straight")?;
-            let on_rail = WheelOnRail {
-                wheel_load: normal,
-                wheel_radius: radius,
-                rail_head_radius: head,
-                wheel_profile_radius: if profile.is_nan() { f64::INFINITY } else { profile },
-            };
-            HertzEllipse::new(&on_rail, reading.steel)
-                .map_err(|error| format!("`wheel_profile_radius_mm = {profile}`: {error}"))?
-        }
-        (true, true) => {
-            return Err("`a_mm` and `b_mm`, or `rail_radius_mm` and `wheel_radius_mm`, are missing".into());
-        }
-        (false, false) => {
-            return Err("`a_mm` says the same thing as `rail_radius_mm`: give one or the other".into());
-        }
-    };
-    let sizes = [ellipse.along, ellipse.across].map(|axis| (0.01..=100.0).contains(&axis));
-    if sizes != [true; 2] || !PRESSURES.contains(&ellipse.peak_pressure) {
-        let HertzEllipse { peak_pressure, along, across } = ellipse;
-        return Err(format!(
-            "`normal_kn = {kilonewtons}`: gives a patch with a = {along:.4} mm, b = {across:.4} mm and a peak \
-             pressure of {peak_pressure:.4e} MPa, which must be in [0.01, 100] mm and [0.001, 1e4] MPa"
-        ));
-    }
-    let creepage = reading.sign.read(Creepage { longitudinal: along, lateral: across, spin });
+    let row = WheelRow::of(row).ok_or("its columns are not those of a table of wheels")?;
+    row.check()?;
     let patch = RollingPatch {
-        ellipse,
+        ellipse: row.ellipse(reading.steel)?,
         outline: None,
-        friction,
-        creepage,
+        friction: row.friction,
+        creepage: reading.sign.read(row.creepage),
         steel: *reading.steel,
         theory: reading.theory,
     };
     patch.check().map_err(|error| error.to_string())?;
     let given = |value: f64| (!value.is_nan()).then_some(value);
     let wheel = TableWheel {
-        number: wheel as u64,
-        place: given(place),
-        share: given(share),
-        axle_load: given(axle_load),
+        number: row.wheel as u64,
+        place: given(row.place),
+        share: given(row.share),
+        axle_load: given(row.axle_load),
         patches: Vec::new(),
     };
-    Ok((
-        wheel,
-        TablePatch { patch, y_rail, x: given(x).unwrap_or(0.0), angle: given(angle).map(f64::to_radians) },
-    ))
+    let (x, angle) = (given(row.x).unwrap_or(0.0), given(row.angle).map(f64::to_radians));
+    Ok((wheel, TablePatch { patch, y_rail: row.y_rail, x, angle }))
 }
 
 #[cfg(test)]

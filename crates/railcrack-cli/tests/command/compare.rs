@@ -5,7 +5,8 @@ use super::common::{QUICK_CASE, names, numbers as column, railcrack, stderr, std
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const FILES: [&str; 7] = [
+const FILES: [&str; 8] = [
+    "SHA256SUMS",
     "compare-paths.svg",
     "compare-positions.csv",
     "compare-sif-first.svg",

@@ -199,7 +199,7 @@ fn a_run_writes_what_its_case_asks_for() {
             "output.report=false",
         ],
     );
-    let written = ["case.toml", "checkpoint.bin", "growth.csv", "run-log.bin", "summary.json"];
+    let written = ["SHA256SUMS", "case.toml", "checkpoint.bin", "growth.csv", "run-log.bin", "summary.json"];
     assert_eq!(names(&folder.join("least")), written);
     assert_eq!(read(&folder.join("least/growth.csv")), read(&folder.join("whole/growth.csv")));
     run(

@@ -66,15 +66,22 @@ fn a_turned_bit_is_found() {
     done(&folder, &["run", "case.toml", "--out", "run", "--quiet"]);
     let told = done(&folder, &["verify", "run"]);
     assert!(told.ends_with("files are intact\n") && !told.contains("damaged"), "{told}");
-    for file in
-        ["sif.csv", "growth.csv", "faces.csv", "case.toml", "summary.json", "run-log.bin", "checkpoint.bin"]
-    {
+    for file in [
+        "sif.csv",
+        "growth.csv",
+        "faces.csv",
+        "case.toml",
+        "summary.json",
+        "SHA256SUMS",
+        "run-log.bin",
+        "checkpoint.bin",
+    ] {
         let path = folder.join("run").join(file);
         let before = turn_a_bit(&path);
         let output = ends(&folder, &["verify", "run"], 4);
         assert!(stdout(&output).contains(&format!("damaged: run/{file}: ")), "{file}: {}", stdout(&output));
         // What is written anew by it is no damage to a run that goes on.
-        if !["case.toml", "summary.json"].contains(&file) {
+        if !["case.toml", "summary.json", "SHA256SUMS"].contains(&file) {
             let said = stderr(&ends(&folder, &["run", "case.toml", "--out", "run", "--resume"], 4));
             assert!(said.contains(file), "{said}");
         }
@@ -83,6 +90,45 @@ fn a_turned_bit_is_found() {
     done(&folder, &["verify", "run"]);
     assert!(stderr(&ends(&folder, &["verify", "nope"], 2)).contains("there is no such folder"));
     ends(&folder, &["verify", "."], 2);
+}
+
+/// Without railcrack: the checksums are those of coreutils, in their format.
+#[cfg(target_os = "linux")]
+#[test]
+fn sha256sum_checks_the_folder_of_a_run() {
+    let folder = workplace("sha256sum");
+    let check = |of: &str| {
+        let mut program = std::process::Command::new("sha256sum");
+        let output = program.args(["--check", "--strict", "SHA256SUMS"]).current_dir(folder.join(of));
+        let output = output.output().unwrap();
+        (output.status.success(), stdout(&output))
+    };
+    done(&folder, &["run", "case.toml", "--out", "run", "--steps", "1", "--quiet"]);
+    done(&folder, &["shakedown", "case.toml", "--out", "rolled", "--quiet"]);
+    for (of, files) in [
+        ("run", &["case.toml", "sif.csv", "growth.csv", "faces.csv"][..]),
+        ("rolled", &["case.toml", "profile.csv", "passes.csv", "plastic.vtu", "cycle.vtu"]),
+    ] {
+        let (fine, told) = check(of);
+        assert!(fine && told.lines().count() == files.len(), "{told}");
+        assert!(files.iter().all(|file| told.contains(&format!("{file}: OK"))), "{told}");
+    }
+    turn_a_bit(&folder.join("run/growth.csv"));
+    let (fine, told) = check("run");
+    assert!(!fine && told.contains("growth.csv: FAILED"), "{told}");
+}
+
+/// A folder with checksums of another kind is neither intact nor damaged.
+#[test]
+fn older_checksums_are_named_and_not_compared() {
+    let folder = workplace("older");
+    done(&folder, &["shakedown", "case.toml", "--out", "rolled", "--quiet"]);
+    let path = folder.join("rolled/shakedown.json");
+    let mut document: serde_json::Value = serde_json::from_str(&read(&path)).unwrap();
+    document["checksum"] = "cbf29ce484222325".into();
+    fs::write(&path, document.to_string()).unwrap();
+    let told = done(&folder, &["verify", "rolled"]);
+    assert!(told.contains("shakedown.json: has no SHA-256 checksum (an older version wrote it)"), "{told}");
 }
 
 #[test]
@@ -94,8 +140,11 @@ fn other_folders_are_verified_too() {
     done(&folder, &["compare", "a", "b", "--out", "difference"]);
     done(&folder, &["shakedown", "case.toml", "--out", "rolled", "--quiet"]);
     for (of, files) in [
-        ("difference", &["compare.csv", "compare.json"][..]),
-        ("rolled", &["case.toml", "profile.csv", "passes.csv", "plastic.vtu", "shakedown.json"]),
+        ("difference", &["compare.csv", "compare.json", "SHA256SUMS"][..]),
+        (
+            "rolled",
+            &["case.toml", "profile.csv", "passes.csv", "plastic.vtu", "shakedown.json", "SHA256SUMS"],
+        ),
     ] {
         done(&folder, &["verify", of]);
         for file in files {
