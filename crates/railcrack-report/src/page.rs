@@ -182,7 +182,7 @@ impl Page {
         }
         page.push_str("</main>\n");
         for script in std::iter::once(COMMON).chain(scripts) {
-            let _ = writeln!(page, "<script>\n{script}</script>");
+            let _ = writeln!(page, "<script>\n{}</script>", without_comments(script));
         }
         page.push_str("</body>\n</html>\n");
     }
@@ -194,6 +194,15 @@ impl Page {
         }
         page.push_str("</ul></nav>\n");
     }
+}
+
+/// A script of this crate without lines that are comments, and without indentation.
+fn without_comments(script: &str) -> String {
+    let is_code = |line: &&str| {
+        let opens = line.starts_with("/*") && (line.ends_with("*/") || !line.contains("*/"));
+        !(line.is_empty() || opens || ["//", "* ", "*/"].iter().any(|start| line.starts_with(start)))
+    };
+    script.lines().map(str::trim).filter(is_code).flat_map(|line| [line, "\n"]).collect()
 }
 
 fn write_blocks(page: &mut String, blocks: &[Block], scripts: &mut Vec<&'static str>) {

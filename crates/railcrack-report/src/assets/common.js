@@ -129,20 +129,20 @@ const railcrack = (() => {
   const singles = async (text) => new Float32Array((await unpack(text)).buffer);
 
   /**
-   * Whole numbers in rows of `row`: differences from one to the next, first low bytes, then high ones.
+   * Whole numbers in rows of `row`: differences from the number above, in the first row from the one
+   * before; first low bytes, then high ones.
    * @param {Packed} text
    * @param {number} [row]
    */
   async function levels(text, row = Number.POSITIVE_INFINITY) {
     const bytes = await unpack(text);
-    const count = bytes.length / 2;
-    let level = 0;
-    return Uint16Array.from({ length: count }, (_, i) => {
-      const folded = bytes[i] | (bytes[count + i] << 8);
-      const difference = (folded >> 1) ^ -(folded & 1);
-      level = i % row === 0 ? difference & 0xffff : (level + difference) & 0xffff;
-      return level;
-    });
+    const made = new Uint16Array(bytes.length / 2);
+    for (let i = 0; i < made.length; i++) {
+      const folded = bytes[i] | (bytes[made.length + i] << 8);
+      const near = made[i - (i < row ? 1 : row)] ?? 0;
+      made[i] = near + ((folded >> 1) ^ -(folded & 1));
+    }
+    return made;
   }
 
   /** Quantised numbers: low + step × level. @param {PackedLevels} packed @param {number} [row] */
@@ -260,14 +260,10 @@ const railcrack = (() => {
       y,
       pointer,
       /** A line through points. @param {Pair[]} points @param {Attributes} style */
-      line: (points, style) =>
-        shape("polyline", {
-          points: pixels(points),
-          fill: "none",
-          "stroke-width": 2,
-          "stroke-linejoin": "round",
-          ...style,
-        }),
+      line: (points, style) => {
+        const look = { fill: "none", "stroke-width": 2, "stroke-linejoin": "round", ...style };
+        return shape("polyline", { points: pixels(points), ...look });
+      },
       /** A line that has a name under the pointer. @param {string} name @param {Pair[]} points @param {Attributes} style */
       curve: (name, points, style) =>
         shape("g", { class: "curve", "data-name": name }, self.line(points, style)),
@@ -284,19 +280,10 @@ const railcrack = (() => {
         return shape("line", { x1: at, x2: at, ...ends, "data-x": value, "stroke-width": 1.5, ...style });
       },
       /** Words at a place. @param {Pair} at @param {string} text @param {Attributes} style */
-      words: ([px, py], text, style) =>
-        shape(
-          "text",
-          {
-            x: x.at(px),
-            y: y.at(py),
-            "font-size": 12,
-            "text-anchor": "middle",
-            fill: "var(--ink)",
-            ...style,
-          },
-          plain(text),
-        ),
+      words: ([px, py], text, style) => {
+        const look = { "font-size": 12, "text-anchor": "middle", fill: "var(--ink)", ...style };
+        return shape("text", { x: x.at(px), y: y.at(py), ...look }, plain(text));
+      },
       /** Shows `shapes` in the place of those that the layer had. @param {string} name @param {Element[]} shapes */
       show(name, shapes) {
         const layer = layers.get(name) ?? shape("g", { class: name });

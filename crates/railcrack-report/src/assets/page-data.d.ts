@@ -91,10 +91,10 @@ interface TipData {
 
 /** Histories of a tip over the positions of a wheel; of many cracks over its window. */
 interface HistoryData {
-  ki: Packed | PackedLevels | null;
-  kii: Packed | PackedLevels | null;
+  ki: PackedLevels | null;
+  kii: PackedLevels | null;
   /** Pressure and volume. */
-  fluid: [Packed | PackedLevels, Packed | PackedLevels] | null;
+  fluid: [PackedLevels, PackedLevels] | null;
 }
 
 /** Faces of a crack by face point and stored position. */

@@ -15,16 +15,15 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   /** Positions of a wheel near a crack: of a row, those that the page has of it. @param {WheelData} wheel @param {number} crack */
   const windowUnder = (wheel, crack) => wheel.windows?.[crack - 1] ?? wheel.near;
 
-  /** Values over all positions of a wheel; of one crack of a row they are those near it. @param {Packed | PackedLevels} packed @param {WheelData} wheel @param {number} crack */
+  /** Values over all positions of a wheel; of one crack of a row they are those near it. @param {PackedLevels} packed @param {WheelData} wheel @param {number} crack */
   async function overPassage(packed, wheel, crack) {
-    if (typeof packed === "string") return singles(packed);
     const whole = new Float64Array(wheel.xc_over_a.length).fill(Number.NaN);
-    whole.set(await quantised(packed), windowUnder(wheel, crack)[0]);
+    whole.set(await quantised(packed), wheel.windows?.[crack - 1][0] ?? 0);
     return whole;
   }
   /** The histories of a tip of `crack` under a wheel. @param {HistoryData} history @param {WheelData} wheel @param {number} crack */
   async function decodeHistory({ ki, kii, fluid }, wheel, crack) {
-    /** @param {Packed | PackedLevels | null} packed */
+    /** @param {PackedLevels | null} packed */
     const over = (packed) => (packed ? overPassage(packed, wheel, crack) : new Float64Array());
     const wet = fluid && { pressure: await over(fluid[0]), volume: await over(fluid[1]) };
     return { ki: await over(ki), kii: await over(kii), fluid: wet };
@@ -456,8 +455,10 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
 
   // ---- Maps of the faces ------------------------------------------------------------------------
 
-  const faceValue = element("face-value");
   const MAPS = [chart("face-status"), chart("face-pressure")];
+  const faceValue = MAPS[0].figure.appendChild(document.createElement("p"));
+  Object.assign(faceValue, { className: "value screen", id: "face-value" });
+  faceValue.textContent = "Point at a map for its values; click to move the wheel there.";
   /** Rows of an image of the faces, even in arc length. */
   const ROWS = 240;
 

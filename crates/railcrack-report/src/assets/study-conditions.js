@@ -29,16 +29,14 @@ const studyConditions = (() => {
     }
     const word = value.replace(/^["']|["']$/g, "");
     if (/[<>]/.test(sign)) return `${column.name} has words, which only = and != compare`;
-    const isKnown = column.words.includes(word);
-    if (!isKnown)
-      return `\u201c${word}\u201d is no value of ${column.name}; there are ${column.words.join(", ")}`;
-    return (i) => compare(column.text(i), word);
+    if (column.words.includes(word)) return (i) => compare(column.text(i), word);
+    return `\u201c${word}\u201d is no value of ${column.name}; there are ${column.words.join(", ")}`;
   }
 
   /** The conditions in `text`, separated by commas, semicolons or "and", and what of it is not understood. @param {string} text @param {SelectedColumn[]} columns */
   function read(text, columns) {
-    const parts = text.split(/\s*(?:[,;]|\band\b)\s*/i).filter((part) => part.trim());
-    const all = parts.map((part) => condition(part.trim(), columns));
+    const parts = text.split(/[,;]|\band\b/i).map((part) => part.trim());
+    const all = parts.filter((part) => part).map((part) => condition(part, columns));
     const conditions = all.flatMap((one) => (typeof one === "string" ? [] : [one]));
     return { conditions, faults: all.filter((one) => typeof one === "string") };
   }

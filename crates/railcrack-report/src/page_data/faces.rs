@@ -14,10 +14,12 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Maximum number of face states shown (points × positions × steps), of about two bytes each in a
-/// page.
-const STATES: usize = 1_000_000;
-/// Minimum number of positions kept before steps are omitted.
+/// Maximum number of face states shown (points × positions × steps), of about half a byte each in a page:
+/// of more, positions are omitted, and of still more, steps.
+const STATES: [usize; 2] = [150_000, 1_000_000];
+/// Highest level of a number of the faces: they are drawn, or said with three digits.
+const LEVELS: u16 = 1023;
+/// Minimum number of positions kept.
 const POSITIONS: usize = 61;
 
 /// Cracks by number, each with the wheel positions near it.
@@ -149,7 +151,7 @@ fn is_none(first: &usize) -> bool {
 impl PackedCrack {
     fn of(faces: &CrackFaces, stride: usize) -> Self {
         let (points, positions) = (faces.s.len(), faces.positions());
-        let along = |values: &[f64]| Quantised::every(stride, &by_point(values, points), positions);
+        let along = |values: &[f64]| Quantised::rounded(LEVELS, stride, &by_point(values, points), positions);
         let status: Vec<u8> = every(stride, &by_point(&faces.status, points), positions).map(code).collect();
         Self {
             crack: faces.crack,
@@ -300,7 +302,8 @@ pub(crate) struct FacesData {
     pub ends: Vec<(usize, StepFaces)>,
     /// The same under the other wheels of a mix, at all positions.
     others: Vec<(usize, Vec<PackedFaces>)>,
-    most: usize,
+    /// Most states before positions, and before steps are omitted.
+    most: [usize; 2],
 }
 
 impl Default for FacesData {
@@ -340,7 +343,7 @@ impl FacesData {
         let most_positions = |others: &OtherFaces| {
             others.steps.iter().flat_map(|(_, wheels)| wheels).map(PackedFaces::positions).max()
         };
-        while others.states() > self.most && most_positions(&others).is_some_and(|count| count > 2) {
+        while others.states() > self.most[0] && most_positions(&others).is_some_and(|count| count > 2) {
             others.stride *= 2;
             others.steps.iter_mut().flat_map(|(_, wheels)| wheels).for_each(PackedFaces::halve);
         }
@@ -390,8 +393,8 @@ impl StepTable for FacesData {
         }
         self.ends.truncate(1);
         self.ends.push((step, if faces.is_many() { faces } else { faces.drawn() }));
-        while self.steps.weight(PackedFaces::states) > self.most && self.halve() {}
-        self.steps.thin_to(self.most, PackedFaces::states);
+        while self.steps.weight(PackedFaces::states) > self.most[0] && self.halve() {}
+        self.steps.thin_to(self.most[1], PackedFaces::states);
     }
 }
 
@@ -419,7 +422,7 @@ mod tests {
     }
 
     fn shown(steps: usize, positions: usize, most: usize) -> FacesData {
-        let mut shown = FacesData { most, ..FacesData::default() };
+        let mut shown = FacesData { most: [most; 2], ..FacesData::default() };
         for step in 0..steps {
             let part = shown.packed(vec![faces(step, positions)]);
             shown.push(step, part);
@@ -479,7 +482,7 @@ mod tests {
         assert_eq!((&cut.s, &cut.status), (&packed.0[0].s, &packed.0[0].status));
         assert_eq!(near.under(2, 0), Some(&PackedFaces(Vec::new())));
         // Fewer positions where there is no room: those of wheel 3 with the last one.
-        shown.most = 2 * (61 + 121) * 7;
+        shown.most = [2 * (61 + 121) * 7; 2];
         let others = shown.others(None);
         assert_eq!(others.stride, 2);
         assert_eq!(others.under(2, 4), Some(&PackedFaces::of(&faces(24, 241), 2)));

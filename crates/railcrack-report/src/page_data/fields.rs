@@ -1,6 +1,7 @@
 //! The deformed neighbourhood of the cracks: the fields of the first and the last step with fields.
 
 use super::pack::{Deflated, Quantised};
+use crate::svg::ends;
 use railcrack::growth::StepRecord;
 use railcrack::math::Vec2;
 use railcrack::mesh::{CellShape, UnstructuredGrid};
@@ -10,9 +11,11 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// Maximum number of cells of a grid in the page, of about eight bytes each, plus as many for each
-/// wheel position.
+/// Maximum number of cells of a grid in the page, of about eight bytes each, plus half as many for
+/// each wheel position.
 const CELLS: usize = 20_000;
+/// Highest level of a value in a cell: it is drawn.
+const LEVELS: u16 = 255;
 /// Maximum number of wheel positions of a step.
 const POSITIONS: usize = 5;
 
@@ -117,6 +120,7 @@ fn packed_fields(
     grids: impl Iterator<Item = Result<(usize, PathBuf, UnstructuredGrid), OutputError>>,
 ) -> Result<PackedFields, OutputError> {
     let mut first: Option<(Grid, [Quantised; 2])> = None;
+    let mut extent = [[0.0; 2]; 2];
     let mut snapshots = Vec::new();
     for grid in grids.take(POSITIONS) {
         let (position, path, grid) = grid?;
@@ -124,10 +128,12 @@ fn packed_fields(
             Some(first) => first,
             None => {
                 let Some(cells) = cells(&grid) else {
-                    return Ok(PackedFields { step, positions, cells: None, extent: [[0.0; 2]; 2] });
+                    return Ok(PackedFields { step, positions, cells: None, extent });
                 };
                 let along = |value: fn(Vec2) -> f64| packed(&cells, |point| value(grid.points[point]));
                 let places = [along(|p| p.x), along(|p| p.y)];
+                let used = || cells.used.iter().map(|&point| grid.points[point]);
+                extent = [ends(used().map(|p| p.x)), ends(used().map(|p| p.y))];
                 first.insert((cells, places))
             }
         };
@@ -150,7 +156,6 @@ fn packed_fields(
             "stress": packed(cells, von_mises),
         }));
     }
-    let extent = first.as_ref().map_or([[0.0; 2]; 2], |(_, [x, y])| [x.ends(), y.ends()]);
     let cells = first.map(|(cells, [x, y])| {
         json!({
             "step": step,
@@ -166,7 +171,7 @@ fn packed_fields(
 /// A value of every point that the page has.
 fn packed(cells: &Grid, value: impl Fn(usize) -> f64) -> Quantised {
     let values: Vec<f64> = cells.used.iter().map(|&point| value(point)).collect();
-    Quantised::of(&values, values.len())
+    Quantised::rounded(LEVELS, 1, &values, values.len())
 }
 
 /// The triangles and quadrilaterals of `grid`; none where there are none or too many.

@@ -10,7 +10,7 @@ use std::ops::Range;
 /// Effort of the compression, 0 to 10: beyond it, size falls by per cents and time doubles.
 const EFFORT: u8 = 6;
 /// Levels of a quantised number.
-const LEVELS: f64 = 65535.0;
+const LEVELS: u16 = u16::MAX;
 
 /// Bytes, deflated; base64 in a page.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,21 +29,17 @@ impl Deflated {
         Self::of(&bytes)
     }
 
-    /// Whole numbers as differences from one to the next in rows of `row` (each begins anew). First
-    /// the low bytes, then the high ones: the latter are mostly zero.
+    /// Whole numbers in rows of `row`, as differences from the number above; those of the first row
+    /// from the number before. First the low bytes, then the high ones: the latter are mostly zero.
     pub(crate) fn levels(levels: &[u16], row: usize) -> Self {
         let mut lows = Vec::with_capacity(2 * levels.len());
         let mut highs = Vec::with_capacity(levels.len());
-        for row in levels.chunks(row.max(1)) {
-            let mut before = 0u16;
-            for &now in row {
-                // Small differences of either sign become small numbers: 0, −1, 1, −2, …
-                let difference = now.wrapping_sub(before) as i16;
-                let folded = ((difference << 1) ^ (difference >> 15)) as u16;
-                lows.push(folded as u8);
-                highs.push((folded >> 8) as u8);
-                before = now;
-            }
+        for (i, &level) in levels.iter().enumerate() {
+            // Small differences of either sign become small numbers: 0, −1, 1, −2, …
+            let difference = level.wrapping_sub(near(levels, i, row)) as i16;
+            let folded = ((difference << 1) ^ (difference >> 15)) as u16;
+            lows.push(folded as u8);
+            highs.push((folded >> 8) as u8);
         }
         lows.append(&mut highs);
         Self::of(&lows)
@@ -59,17 +55,19 @@ impl Deflated {
     fn inflated_levels(&self, row: usize) -> Vec<u16> {
         let bytes = self.inflated();
         let (lows, highs) = bytes.split_at(bytes.len() / 2);
-        let mut before = 0u16;
-        let folded = lows.iter().zip(highs).map(|(&low, &high)| u16::from_le_bytes([low, high]));
-        folded
-            .enumerate()
-            .map(|(i, folded)| {
-                let difference = (folded >> 1) ^ (folded & 1).wrapping_neg();
-                before = if i.is_multiple_of(row) { difference } else { before.wrapping_add(difference) };
-                before
-            })
-            .collect()
+        let mut levels = Vec::with_capacity(lows.len());
+        for (i, (&low, &high)) in lows.iter().zip(highs).enumerate() {
+            let folded = u16::from_le_bytes([low, high]);
+            let difference = (folded >> 1) ^ (folded & 1).wrapping_neg();
+            levels.push(near(&levels, i, row).wrapping_add(difference));
+        }
+        levels
     }
+}
+
+/// The level above the one with number `i` in rows of `row`; in the first row, the one before.
+fn near(levels: &[u16], i: usize, row: usize) -> u16 {
+    i.checked_sub(if i < row { 1 } else { row.max(1) }).map_or(0, |place| levels[place])
 }
 
 impl Serialize for Deflated {
@@ -78,7 +76,7 @@ impl Serialize for Deflated {
     }
 }
 
-/// Numbers in 65536 levels between their extremes, in rows: value = low + step × level.
+/// Numbers in levels between their extremes, in rows: value = low + step × level.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct Quantised {
     low: f64,
@@ -89,25 +87,20 @@ pub(crate) struct Quantised {
 }
 
 impl Quantised {
-    /// `values` in rows of `row`.
+    /// `values` in rows of `row`, in 65536 levels.
     pub(crate) fn of(values: &[f64], row: usize) -> Self {
-        Self::every(1, values, row)
+        Self::rounded(LEVELS, 1, values, row)
     }
 
-    /// Of `values` in rows of `row`, in each every `stride`-th and the last. The levels are those
-    /// of all values.
-    pub(crate) fn every(stride: usize, values: &[f64], row: usize) -> Self {
+    /// Of `values` in rows of `row`, in each every `stride`-th and the last, in levels from 0 to
+    /// `highest`. These are those of all values.
+    pub(crate) fn rounded(highest: u16, stride: usize, values: &[f64], row: usize) -> Self {
         let [low, high] = ends(values.iter().copied());
-        let step = (high - low) / LEVELS;
+        let step = (high - low) / f64::from(highest);
         let level = |value: f64| if step > 0.0 { ((value - low) / step).round() as u16 } else { 0 };
         let levels: Vec<u16> = every(stride, values, row).map(level).collect();
         let row = every_count(stride, row);
         Self { low, step, data: Deflated::levels(&levels, row), row }
-    }
-
-    /// The smallest and the largest number.
-    pub(crate) fn ends(&self) -> [f64; 2] {
-        [self.low, self.low + LEVELS * self.step]
     }
 
     /// Of each row every other number and the last.
@@ -156,7 +149,7 @@ mod tests {
         let values = waves(600);
         let packed = Quantised::of(&values, 50);
         let levels = packed.data.inflated_levels(50);
-        assert!((packed.step - 2.0 * 845.0 / LEVELS).abs() < 1e-3);
+        assert!((packed.step - 2.0 * 845.0 / f64::from(LEVELS)).abs() < 1e-3);
         for (&value, level) in values.iter().zip(levels) {
             // Half a level and round-off.
             assert!(
@@ -178,8 +171,8 @@ mod tests {
     fn to_halve_twice_is_to_keep_every_fourth() {
         for row in [1, 2, 4, 5, 6, 7, 8, 9, 241] {
             let values = waves(3 * row);
-            let [twice, fourth] = [2, 4].map(|stride| Quantised::every(stride, &values, row));
-            assert_eq!(Quantised::of(&values, row).halved(), twice, "rows of {row}");
+            let [twice, fourth] = [2, 4].map(|stride| Quantised::rounded(LEVELS, stride, &values, row));
+            assert_eq!(Quantised::rounded(LEVELS, 1, &values, row).halved(), twice, "rows of {row}");
             assert_eq!(twice.halved(), fourth, "rows of {row}");
             assert_eq!(fourth.data.inflated().len(), 2 * 3 * fourth.row, "rows of {row}");
             let last = every(4, &values, row).skip(fourth.row - 1).step_by(fourth.row);

@@ -62,13 +62,21 @@ impl Axis {
     }
 
     /// Exactly between two positive values by their logarithm, with ticks at powers of ten, over
-    /// less than three decades also at 2 and 5 times these.
+    /// less than three decades also at 2 and 5 times these; with fewer than two of them between the
+    /// values, from the one below to the one above.
     pub(crate) fn logarithmic(from: f64, to: f64) -> Self {
         let (from, to) = if from < to { (from, to) } else { (0.5 * from, 2.0 * to) };
         let digits: &[f64] = if to < 1e3 * from { &[1.0, 2.0, 5.0] } else { &[1.0] };
         let decades = from.log10().floor() as i32..=to.log10().ceil() as i32;
-        let all = decades.flat_map(|decade| digits.iter().map(move |digit| digit * 10f64.powi(decade)));
-        let ticks = all.filter(|tick| (from..=to).contains(tick)).collect();
+        let round = decades.flat_map(|decade| digits.iter().map(move |digit| digit * 10f64.powi(decade)));
+        let round: Vec<f64> = round.collect();
+        let between =
+            |from: f64, to: f64| round.iter().copied().filter(move |tick| (from..=to).contains(tick));
+        let (from, to) = match between(from, to).count() {
+            0 | 1 => (between(0.0, from).last().unwrap_or(from), between(to, f64::MAX).next().unwrap_or(to)),
+            _ => (from, to),
+        };
+        let ticks = between(from, to).collect();
         Self { from, to, layout: Layout::Logarithmic, ticks, step: 0.0, exponent: 0 }
     }
 

@@ -5,7 +5,7 @@ use super::stored::RunFolder;
 use super::wheels::{PassedWheel, wheels};
 use crate::figures::origin;
 use crate::numbers::{number, numbers};
-use crate::page_data::{CrackWindows, Deflated, PageData, Quantised};
+use crate::page_data::{CrackWindows, PageData, Quantised};
 use crate::row::NamedCrack;
 use railcrack::growth::{RunStop, TipStop};
 use railcrack::words::Choice;
@@ -216,10 +216,8 @@ fn histories(
         let window = wheel.window(row.crack);
         let packed = |k: fn(&History) -> &[f64]| {
             let values = k(history?);
-            Some(match window.and_then(|window| values.get(window.clone())) {
-                Some(near) => json!(Quantised::of(near, near.len())),
-                None => json!(Deflated::singles(values)),
-            })
+            let near = window.and_then(|window| values.get(window.clone())).unwrap_or(values);
+            Some(Quantised::of(near, near.len()))
         };
         let is_wet = history.is_some_and(|history| !history.pressure.is_empty());
         json!({
