@@ -172,11 +172,12 @@ mod tests {
             crack: 1,
             points: points.clone(),
         };
-        let mut curves = vec![(Quantity::Ki, vec![]), (Quantity::Kii, vec![ours("a, b"), ours("c")])];
+        let mut curves =
+            vec![(Quantity::Ki, vec![]), (Quantity::Kii, vec![ours("half-plane, along"), ours("c")])];
         let overlay = read("curve,xc_over_a,kii_mpa_sqrt_m\nfig13,0.5,2.0\nfig13,2.0,5.5\n", &[13]).unwrap();
         let rows = overlay.add_to(figure, &mut curves).unwrap();
         let row = |setup: &str| format!("13,fig13,1,kii_mpa_sqrt_m,\"{setup}\",2,0.5,0.5\n");
-        assert_eq!(rows, row("a, b") + &row("c"));
+        assert_eq!(rows, row("half-plane, along") + &row("c"));
         assert_eq!(curves[1].1.len(), 3);
         assert!(crate::charts::sheet(&paper, figure, &curves).svg().contains("digitised"));
 
