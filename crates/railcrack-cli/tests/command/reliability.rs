@@ -98,7 +98,7 @@ fn a_turned_bit_is_found() {
 fn sha256sum_checks_the_folder_of_a_run() {
     let folder = workplace("sha256sum");
     let check = |of: &str| {
-        let mut program = std::process::Command::new("sha256sum");
+        let mut program = Command::new("sha256sum");
         let output = program.args(["--check", "--strict", "SHA256SUMS"]).current_dir(folder.join(of));
         let output = output.output().unwrap();
         (output.status.success(), stdout(&output))
