@@ -1,6 +1,8 @@
 //! The law of Bold, Brown and Allen.
 
-use super::rate_law::{COEFFICIENTS, CheckValue, Constant, LawConstants, LawDeclaration, LawInput, OwnRange, RATE_UNIT, Law};
+use super::rate_law::{
+    COEFFICIENTS, CheckValue, Constant, Law, LawConstants, LawDeclaration, LawInput, OwnRange, RATE_UNIT,
+};
 use crate::fatigue::EquivalentRange;
 use crate::words::Word;
 

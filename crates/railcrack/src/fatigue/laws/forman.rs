@@ -1,6 +1,8 @@
 //! Forman's law.
 
-use super::rate_law::{CheckValue, Constant, EXPONENTS, K_UNIT, LawConstants, LawDeclaration, LawInput, RATE_UNIT, Law, above};
+use super::rate_law::{
+    CheckValue, Constant, EXPONENTS, K_UNIT, Law, LawConstants, LawDeclaration, LawInput, RATE_UNIT, above,
+};
 use crate::words::Word;
 
 /// da/dN = C ΔK^m/((1−R) K_c − ΔK) above a threshold of ΔK: the crack runs away as K_max = ΔK/(1−R)

@@ -1,6 +1,9 @@
 //! The law of NASGRO.
 
-use super::rate_law::{COEFFICIENTS, CheckValue, Constant, EXPONENTS, K_UNIT, LawConstants, LawDeclaration, LawInput, RATE_UNIT, Law};
+use super::rate_law::{
+    COEFFICIENTS, CheckValue, Constant, EXPONENTS, K_UNIT, Law, LawConstants, LawDeclaration, LawInput,
+    RATE_UNIT,
+};
 use crate::words::Word;
 use std::f64::consts::PI;
 

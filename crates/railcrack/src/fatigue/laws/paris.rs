@@ -1,6 +1,9 @@
 //! Paris' law.
 
-use super::rate_law::{COEFFICIENTS, CheckValue, Constant, EXPONENTS, LawConstants, LawDeclaration, LawInput, RATE_UNIT, Law, above};
+use super::rate_law::{
+    COEFFICIENTS, CheckValue, Constant, EXPONENTS, Law, LawConstants, LawDeclaration, LawInput, RATE_UNIT,
+    above,
+};
 use crate::words::Word;
 
 /// da/dN = C ΔK^m above a threshold, zero at or below it: the rate jumps there.

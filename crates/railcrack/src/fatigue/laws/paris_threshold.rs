@@ -1,7 +1,7 @@
 //! Paris' law with the threshold inside.
 
-use super::rate_law::{CheckValue, Constant, LawConstants, LawDeclaration, LawInput, Law};
 use super::paris::{C, M};
+use super::rate_law::{CheckValue, Constant, Law, LawConstants, LawDeclaration, LawInput};
 use crate::words::Word;
 
 /// da/dN = C (ΔK^m − ΔK_th^m): the rate falls to zero at the threshold and does not jump there.

@@ -1,6 +1,6 @@
 //! Measured growth rates as a table.
 
-use super::rate_law::{LawDeclaration, LawInput, Law};
+use super::rate_law::{Law, LawDeclaration, LawInput};
 use crate::math::OutOfRange;
 use crate::words::Word;
 use std::sync::Arc;

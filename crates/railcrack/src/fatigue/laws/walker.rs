@@ -1,6 +1,9 @@
 //! Walker's law.
 
-use super::rate_law::{COEFFICIENTS, CheckValue, Constant, EXPONENTS, LawConstants, LawDeclaration, LawInput, RATE_UNIT, Law, above};
+use super::rate_law::{
+    COEFFICIENTS, CheckValue, Constant, EXPONENTS, Law, LawConstants, LawDeclaration, LawInput, RATE_UNIT,
+    above,
+};
 use crate::words::Word;
 
 /// da/dN = C [ΔK/(1−R)^(1−γ)]^m above a threshold of ΔK: γ = 1 is Paris' law.
