@@ -3,7 +3,7 @@
 use super::*;
 use crate::decision::{Course, Family, GrowthPath, InspectionSummary, Nominal, PathPoint, Question};
 use crate::log::WheelInfo;
-use railcrack::growth::SurfaceRemoval;
+use railcrack::growth::{Grinding, Mgt, SurfaceRemoval};
 use railcrack_case::Inspection;
 
 /// A crack under Paris' law with ΔK = 4 √length, from 4 to 16 mm.
@@ -46,8 +46,9 @@ fn scatter() -> Scatter {
     }
 }
 
-/// Samples of a crack on `path`.
+/// Samples of a crack on `path`, of which `question` is asked.
 struct Asked<'a> {
+    question: Question,
     path: &'a GrowthPath,
     scatter: &'a Scatter,
     mix: &'a [WheelInfo],
@@ -63,7 +64,7 @@ impl Asked<'_> {
         let family = Family::alone(&course);
         let of = Sampling {
             family: &family,
-            question: QUESTION,
+            question: self.question,
             scatter: self.scatter,
             mix: self.mix,
             arrest_rate: 0.0,
@@ -76,7 +77,7 @@ impl Asked<'_> {
 
 /// Samples of an inspected path under one wheel.
 fn idle<'a>(path: &'a GrowthPath, scatter: &'a Scatter) -> Asked<'a> {
-    Asked { path, scatter, mix: &[] }
+    Asked { question: QUESTION, path, scatter, mix: &[] }
 }
 
 /// The inspection of the run.
@@ -140,6 +141,19 @@ fn a_brittle_rail_breaks_before_the_critical_depth() {
     let late = sample(&path(), &Scatter { toughness: None, ..brittle });
     assert!(early.mgt_to_critical.p50 < late.mgt_to_critical.p50);
     assert!(early.sensitivities.iter().any(|s| s.key == "toughness_std" && s.share > 0.01));
+}
+
+/// A grinding before any traffic leaves open whether the crack grows at first.
+#[test]
+fn a_crack_that_is_ground_at_once_grows_after_it() {
+    let (path, few) = (path(), Scatter { samples: 20, ..scatter() });
+    let growing = |first: f64| {
+        let grinding = Grinding { depth: 1e-3, interval: Mgt(1e4), first: Some(Mgt(first)) };
+        let removal = SurfaceRemoval { grinding: Some(grinding), ..SurfaceRemoval::NONE };
+        let question = Question { removal, ..QUESTION };
+        Asked { question, ..idle(&path, &few) }.sampled().probability_growing
+    };
+    assert_eq!((growing(0.0), growing(1.0)), (Some(1.0), Some(1.0)));
 }
 
 #[test]
