@@ -45,7 +45,7 @@ OVERLAPS = """
 BEYOND = """
 [...document.body.querySelectorAll('*')].filter((e) => {
   const box = e.getBoundingClientRect();
-  const scrolled = e.parentElement?.closest('.wide, pre, select');
+  const scrolled = e.parentElement?.closest('.wide, .long .drawing, pre, select');
   return box.width > 0 && !scrolled && (box.right > innerWidth + 1 || box.left < -1) && !e.closest('[aria-label="tip"], [clip-path]');
 }).map((e) => `${e.tagName} ${e.id || e.className.baseVal || e.className || ''} "${e.textContent.trim().slice(0, 30)}"`)
 """
@@ -560,12 +560,14 @@ def hover(browser, checks, name):
 def check_faces(browser, checks, name, folder, step, position, crack, wheel=1):
     """The map under the pointer, and the deformed crack, against faces.csv."""
     last = {}
-    rows = []
+    steepest = 0.0
     with open(folder / "faces.csv", newline="") as file:
         for row in csv.DictReader(line for line in file if line.startswith((f"{step},", "step,"))):
             if row["crack"] == str(crack) and int(row["position"]) == position and row.get("wheel", "1") == str(wheel):
                 last.setdefault(row["passage"], []).append(row)
+            steepest = max(steepest, abs(float(row["s22_mpa"]))) if row["crack"] == str(crack) else steepest
     rows = list(last.values())[-1]
+    slack = max(1.0, steepest / 400)
     shown = browser.run(f"(({{ wheels }}) => wheels[{wheel - 1}])(JSON.parse(document.getElementById('run-data').textContent))")
     stride = shown["face_stride"]
     if (position - 1) % stride:
@@ -582,13 +584,13 @@ def check_faces(browser, checks, name, folder, step, position, crack, wheel=1):
         neighbours = [other for other in rows if abs(float(other["s_mm"]) - float(row["s_mm"])) < 0.02 * float(rows[-1]["s_mm"])]
         pressures = [-float(other["s22_mpa"]) for other in neighbours]
         found = float(text.split("pressure ")[1].split(" MPa")[0].replace("\u00a0", ""))
-        # A pixel holds one of the points near it.
+        # A pixel holds one of the points near it; the page has 256 levels of pressure.
         checks.that(any(other["status"] in text for other in neighbours), f"{what}: status", text)
-        checks.that(min(pressures) - 1 <= found <= max(pressures) + 1, f"{what}: pressure", text, pressures)
+        checks.that(min(pressures) - slack <= found <= max(pressures) + slack, f"{what}: pressure", text, pressures)
     largest = 1e3 * max(float(row["opening_mm"]) for row in rows)
     caption = browser.run("document.querySelector('#deformed figcaption').textContent")
     opening = float(caption.split("largest opening is ")[1].split(" ")[0].replace("\u2212", "-").replace("\u00a0", ""))
-    checks.that(abs(opening - largest) <= 2e-3 * largest + 2e-2, f"{name}: opening of the deformed crack", caption, largest)
+    checks.that(abs(opening - largest) <= 5e-3 * largest + 2e-2, f"{name}: opening of the deformed crack", caption, largest)
 
 
 def check_row(browser, checks, name, folder):
@@ -605,6 +607,7 @@ def check_row(browser, checks, name, folder):
     readout = lambda: browser.run("document.getElementById('row-readout').textContent")
 
     def check_chosen(crack, step, what):
+        browser.settle()
         text = readout()
         checks.that(text.startswith(f"Crack {crack} "), f"{name}: {what} chooses crack {crack}", text)
         checks.that(value("row-crack") == str(crack) and value("crack") == str(crack), f"{name}: {what}, the whole page follows", value("row-crack"), value("crack"))

@@ -102,12 +102,11 @@ interface FacesData {
   crack: number;
   /** The first stored position. */
   first?: number;
-  s: Packed;
+  s: PackedLevels;
   status: Packed;
   opening: PackedLevels;
   slip: PackedLevels;
   pressure: PackedLevels;
-  shear: PackedLevels;
 }
 
 /** Pressures of a wheel that feels the cracks, by surface node and position. */

@@ -192,8 +192,10 @@ railcrack.viewer("row-map", "The map", "plots/row.svg has a picture", async () =
     const label = "Map of the cracks: left and right arrows choose one, up and down the growth step";
     for (const [key, value] of Object.entries({ tabindex: "0", role: "group", "aria-label": label }))
       drawing.setAttribute(key, value);
-    /** The crack under the pointer: nearest along the rail, then in height. @param {Event} event */
+    /** The crack under the pointer, or the nearest along the rail, then in height. @param {Event} event */
     const under = (event) => {
+      const mark = event.target instanceof SVGElement && event.target.closest("g[data-crack]");
+      if (mark instanceof SVGElement) return Number(mark.dataset.crack) - 1;
       const [px, py] = pointer(event);
       return leastIndex(places.map(([x, y]) => Math.abs(x - px) + 0.15 * Math.abs(y - py)));
     };
@@ -203,6 +205,8 @@ railcrack.viewer("row-map", "The map", "plots/row.svg has a picture", async () =
     svg.addEventListener("click", (event) => crack.choose(under(event) + 1));
     drawing.addEventListener("keydown", onKey);
   }
+  // Below the maps, which its length must not move.
+  element("row-map").append(element("row-value"));
   crack.followers.push(show);
   crack.choose(data.named[0]?.[0] ?? 1);
 });

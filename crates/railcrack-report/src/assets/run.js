@@ -39,13 +39,11 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   /** Faces of a crack: values by face point and stored position. @typedef {Awaited<ReturnType<typeof decodeFaces>>} Faces */
   /** @param {FacesData} faces */
   async function decodeFaces(faces) {
-    const [s, status] = [await singles(faces.s), await unpack(faces.status)];
+    const [s, status] = [await quantised(faces.s), await unpack(faces.status)];
     const row = status.length / s.length;
-    const packed = [faces.opening, faces.slip, faces.pressure, faces.shear];
-    const [opening, slip, pressure, shear] = await Promise.all(
-      packed.map((values) => quantised(values, row)),
-    );
-    return { crack: faces.crack, first: faces.first ?? 0, s, row, status, opening, slip, pressure, shear };
+    const packed = [faces.opening, faces.slip, faces.pressure];
+    const [opening, slip, pressure] = await Promise.all(packed.map((values) => quantised(values, row)));
+    return { crack: faces.crack, first: faces.first ?? 0, s, row, status, opening, slip, pressure };
   }
   /** The pressure of a coupled wheel, by surface node and position. @typedef {Awaited<ReturnType<typeof decodeContact>>} Contact */
   /** @param {ContactData} contact */
@@ -349,7 +347,8 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const [x, xcOverA] = [place(state.position), positions()[state.position]];
     for (const mode of MODES) {
       const figure = chart(mode);
-      const rings = shownTips().map(({ history, colour }) => {
+      const known = shownTips().filter(({ history }) => Number.isFinite(history[mode][state.position]));
+      const rings = known.map(({ history, colour }) => {
         const ring = { r: 5, fill: "var(--ground)", stroke: colour, "stroke-width": 2.5, "data-x": xcOverA };
         return figure.dot([x, history[mode][state.position]], ring);
       });
@@ -544,7 +543,8 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
       if (!faces) return null;
       const [px, py] = map.pointer(event);
       const [x, s] = [map.x.value(px), map.y.value(py)];
-      if (s < 0 || s > lengthOf(pathOf(faces.crack))) return null;
+      const slack = 0.01 * lengthOf(pathOf(faces.crack));
+      if (s < -slack || s > lengthOf(pathOf(faces.crack)) + slack) return null;
       return {
         position: leastIndex(positions().map((_, i) => Math.abs(place(i) - x))),
         point: nearestPoint(faces, s),
@@ -566,7 +566,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const at = point * faces.row + faceColumn(faces, position);
     return (
       `x_{c}/a = ${signed(positions()[position], 3)}, s = ${words(faces.s[point])} mm: ${STATUS[faces.status[at]]}, ` +
-      `pressure ${words(faces.pressure[at])} MPa, shear ${words(faces.shear[at])} MPa, ` +
+      `pressure ${words(faces.pressure[at])} MPa, ` +
       `opening ${microns(faces.opening[at])}, slip ${microns(faces.slip[at])}`
     );
   }

@@ -17,8 +17,8 @@ use std::ops::Range;
 /// Maximum number of face states shown (points × positions × steps), of about half a byte each in a page:
 /// of more, positions are omitted, and of still more, steps.
 const STATES: [usize; 2] = [150_000, 1_000_000];
-/// Highest level of a number of the faces: they are drawn, or said with three digits.
-const LEVELS: u16 = 1023;
+/// Highest level of a number of the faces: they are drawn, and said for a place on a map.
+const LEVELS: u16 = 255;
 /// Minimum number of positions kept.
 const POSITIONS: usize = 61;
 
@@ -36,7 +36,6 @@ pub(crate) struct CrackFaces {
     slip: Vec<f64>,
     /// −s22, MPa.
     pressure: Vec<f64>,
-    shear: Vec<f64>,
     status: Vec<FaceStatus>,
 }
 
@@ -67,7 +66,6 @@ impl CrackFaces {
             opening: of(&self.opening),
             slip: of(&self.slip),
             pressure: of(&self.pressure),
-            shear: of(&self.shear),
             status: status.map_or_else(Vec::new, <[FaceStatus]>::to_vec),
         }
     }
@@ -99,7 +97,6 @@ impl StepFaces {
             faces.opening.push(row.opening);
             faces.slip.push(row.slip);
             faces.pressure.push(-row.s22);
-            faces.shear.push(row.s12);
             faces.status.push(row.status);
         }
         let of_wheel = |cracks: BTreeMap<usize, CrackFaces>| Self {
@@ -115,12 +112,7 @@ impl StepFaces {
 
     /// Its status and pressure alone, for a face map.
     fn drawn(self) -> Self {
-        let drawn = |faces: CrackFaces| CrackFaces {
-            opening: Vec::new(),
-            slip: Vec::new(),
-            shear: Vec::new(),
-            ..faces
-        };
+        let drawn = |faces: CrackFaces| CrackFaces { opening: Vec::new(), slip: Vec::new(), ..faces };
         Self { cracks: self.cracks.into_iter().map(drawn).collect() }
     }
 }
@@ -132,11 +124,10 @@ struct PackedCrack {
     /// The first position, from 0.
     #[serde(skip_serializing_if = "is_none")]
     first: usize,
-    s: Deflated,
+    s: Quantised,
     opening: Quantised,
     slip: Quantised,
     pressure: Quantised,
-    shear: Quantised,
     status: Deflated,
     #[serde(skip)]
     points: usize,
@@ -156,11 +147,10 @@ impl PackedCrack {
         Self {
             crack: faces.crack,
             first: 0,
-            s: Deflated::singles(&faces.s),
+            s: Quantised::of(&faces.s, faces.s.len()),
             opening: along(&faces.opening),
             slip: along(&faces.slip),
             pressure: along(&faces.pressure),
-            shear: along(&faces.shear),
             status: Deflated::of(&status),
             points,
             positions: every_count(stride, positions),
@@ -177,7 +167,6 @@ impl PackedCrack {
             opening: self.opening.within(positions),
             slip: self.slip.within(positions),
             pressure: self.pressure.within(positions),
-            shear: self.shear.within(positions),
             status: Deflated::of(&status),
             points: self.points,
             positions: positions.len(),
@@ -194,7 +183,6 @@ impl PackedCrack {
             opening: self.opening.halved(),
             slip: self.slip.halved(),
             pressure: self.pressure.halved(),
-            shear: self.shear.halved(),
             status: Deflated::of(&status),
             points: self.points,
             positions: every_count(2, self.positions),
@@ -414,7 +402,6 @@ mod tests {
                 opening: values.clone(),
                 slip: values.iter().map(|value| -2.0 * value).collect(),
                 pressure: values.iter().map(|value| value * value).collect(),
-                shear: vec![0.5; values.len()],
                 status: (0..values.len()).map(|i| statuses[i * i % 3]).collect(),
             }
         };
