@@ -1,22 +1,19 @@
 //! The wheels that pass: the one of `[contact]`, or those of `[[wheel]]` with their shares of the
 //! axles.
 
-use super::traffic_wheel::TrafficWheel;
+use super::traffic_wheel::{TrafficContext, TrafficWheel};
 use super::wheel_table::WheelTable;
 use super::wheels_of_table::{TableContext, read_wheels_of_table};
 use crate::files::Companion;
 use crate::schema::{Fault, Report, SectionValues, Sections};
 use crate::tables::{
-    AXLE_LOAD, CONTACT, ContactExtent, DIRECTION, FLUID, GivenWheel, PASSAGE, SHARE, TABLE, TEMPERATURE,
-    TRACK, TRAFFIC, WHEEL, WHEEL_AXLE_LOAD, WHEEL_CONTACT, WHEEL_FLUID, WHEEL_NAME, WHEEL_TEMPERATURE,
-    WHEEL_TRACK, WheelSections, check_passage, read_fluid, read_passages, read_travel,
+    AXLE_LOAD, CONTACT, DIRECTION, FLUID, GivenWheel, PASSAGE, SHARE, TABLE, TEMPERATURE, TRACK, TRAFFIC,
+    WHEEL, WHEEL_AXLE_LOAD, WHEEL_CONTACT, WHEEL_FLUID, WHEEL_NAME, WHEEL_TEMPERATURE, WHEEL_TRACK,
+    WheelSections, check_passage, read_passages, read_travel,
 };
 use railcrack::contact::CrackFluid;
-use railcrack::crack::CrackNetwork;
 use railcrack::growth::MOST_WHEELS;
 use railcrack::load::Travel;
-use railcrack::material::IsotropicElastic;
-use std::path::Path;
 
 /// The wheels of a case, at least one.
 pub(super) struct Traffic {
@@ -24,17 +21,6 @@ pub(super) struct Traffic {
     pub wheels: Vec<TrafficWheel>,
     /// The table, where there is one.
     pub table: Option<WheelTable>,
-}
-
-/// What the wheels need of the rest of the case.
-#[derive(Clone, Copy)]
-pub(super) struct TrafficContext<'a> {
-    pub sections: &'a Sections,
-    pub steel: Option<&'a IsotropicElastic>,
-    pub network: Option<&'a CrackNetwork>,
-    /// The part of the contacts that is read.
-    pub extent: ContactExtent,
-    pub folder: &'a Path,
 }
 
 /// The wheels; none if there is an error, which is added to `report`. Track, temperature, fluid and
@@ -48,21 +34,6 @@ pub(super) fn read_traffic(context: TrafficContext<'_>, report: &mut Report) -> 
     };
     let moves = sections.one(&PASSAGE).is_some_and(|passage| check_passage(passage, report));
     traffic.filter(|_| moves)
-}
-
-impl TrafficContext<'_> {
-    /// The fluid of `section`, dry cracks without it; none where it cannot be read.
-    #[expect(clippy::option_option, reason = "dry cracks, and a section with errors")]
-    pub(super) fn fluid(
-        self,
-        section: Option<&SectionValues>,
-        report: &mut Report,
-    ) -> Option<Option<CrackFluid>> {
-        match section {
-            Some(section) => read_fluid(section, self.network?, report),
-            None => Some(None),
-        }
-    }
 }
 
 /// The wheel of `[contact]`.

@@ -1,8 +1,12 @@
 //! A wheel of the traffic.
 
-use crate::tables::GivenWheel;
+use crate::schema::{Report, SectionValues, Sections};
+use crate::tables::{ContactExtent, GivenWheel, read_fluid};
 use railcrack::contact::CrackFluid;
+use railcrack::crack::CrackNetwork;
 use railcrack::growth::PassageSettings;
+use railcrack::material::IsotropicElastic;
+use std::path::Path;
 
 /// A wheel of the traffic.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,4 +28,30 @@ pub struct TrafficWheel {
 /// Mean load (t) of an axle of `wheels`; none where the load of one of them is not known.
 pub(super) fn mean_axle_load(wheels: &[TrafficWheel]) -> Option<f64> {
     wheels.iter().map(|wheel| Some(wheel.share * wheel.axle_load?)).sum()
+}
+
+/// The parts of the case that its wheels depend on.
+#[derive(Clone, Copy)]
+pub(super) struct TrafficContext<'a> {
+    pub sections: &'a Sections,
+    pub steel: Option<&'a IsotropicElastic>,
+    pub network: Option<&'a CrackNetwork>,
+    /// The part of the contacts that is read.
+    pub extent: ContactExtent,
+    pub folder: &'a Path,
+}
+
+impl TrafficContext<'_> {
+    /// The fluid of `section`, dry cracks without it; none where it cannot be read.
+    #[expect(clippy::option_option, reason = "dry cracks, and a section with errors")]
+    pub(super) fn fluid(
+        self,
+        section: Option<&SectionValues>,
+        report: &mut Report,
+    ) -> Option<Option<CrackFluid>> {
+        match section {
+            Some(section) => read_fluid(section, self.network?, report),
+            None => Some(None),
+        }
+    }
 }

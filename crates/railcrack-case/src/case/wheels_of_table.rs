@@ -1,7 +1,6 @@
 //! `[[wheel]] table`: the wheels of a table.
 
-use super::traffic::TrafficContext;
-use super::traffic_wheel::TrafficWheel;
+use super::traffic_wheel::{TrafficContext, TrafficWheel};
 use super::wheel_table::{TabledWheel, WheelTable};
 use crate::files::{TableWheel, WheelReading, WheelTableFile, read_wheel_table};
 use crate::schema::{Report, SectionValues, Sections};

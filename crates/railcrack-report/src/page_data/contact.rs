@@ -2,7 +2,7 @@
 
 use super::faces::by_point;
 use super::pack::{Deflated, Quantised};
-use super::run::StepTable;
+use super::step_table::StepTable;
 use super::thinned::Thinned;
 use railcrack::growth::StepRecord;
 use railcrack_run::OutputError;

@@ -3,7 +3,7 @@
 //! of a mix, too, there are these two.
 
 use super::pack::{Deflated, Quantised, every, every_count, within};
-use super::run::StepTable;
+use super::step_table::StepTable;
 use super::thinned::Thinned;
 use crate::row::is_many;
 use railcrack::contact::FaceStatus;

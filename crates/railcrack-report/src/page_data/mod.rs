@@ -8,6 +8,7 @@ mod faces;
 mod fields;
 mod pack;
 mod run;
+mod step_table;
 mod thinned;
 
 pub(crate) use faces::{CrackFaces, CrackWindows, StepFaces};

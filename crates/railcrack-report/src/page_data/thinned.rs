@@ -1,6 +1,6 @@
 //! Steps of a run in progress, thinned out to a limited number; K over the stabilised passages.
 
-use super::run::StepTable;
+use super::step_table::StepTable;
 use crate::chart::CATEGORIES;
 use railcrack_run::OutputError;
 use railcrack_run::csv::{SifRow, StepBlock};

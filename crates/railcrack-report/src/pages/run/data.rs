@@ -1,6 +1,5 @@
 //! Data of the passage explorer.
 
-use super::passage::mouth;
 use super::stored::RunFolder;
 use super::wheels::{PassedWheel, wheels};
 use crate::figures::origin;
@@ -66,6 +65,11 @@ pub(super) fn explorer(run: &RunFolder, page_data: &PageData, named: Option<&[Na
         "junctions": junctions(run),
         "steps": steps,
     })
+}
+
+/// Where a crack begins along the rail, mm.
+pub(super) fn mouth(run: &RunFolder, crack: usize) -> f64 {
+    crate::figures::mouth(&run.summary, crack).unwrap_or(0.0)
 }
 
 /// The steps of the explorer: those `shown`, or as many of them as fit for many cracks.

@@ -1,6 +1,5 @@
 //! Charts and data of the explorer of cracks in space.
 
-use super::fronts::cracks;
 use super::stored::RunFolder;
 use super::wheels::passage_of;
 use crate::chart::{Chart, ChartAspect, ChartAxis, ChartRange};
@@ -17,6 +16,11 @@ use railcrack_run::run_folder::History;
 use serde_json::{Value, json};
 
 const EXPLORER_SCRIPT: &str = include_str!("../../assets/space.js");
+
+/// Number of cracks.
+pub(super) fn cracks(run: &RunFolder) -> usize {
+    run.summary.cracks.len()
+}
 
 /// The passage of every wheel over the fronts.
 pub(super) fn explorer(run: &RunFolder, space: &SpaceCase, page_data: &PageData) -> Section {

@@ -2,6 +2,7 @@
 
 use super::assumptions::assumptions;
 use super::facts::{ending, stop_of, stop_sentence};
+use super::front_data::cracks;
 use super::stored::RunFolder;
 use super::{RunParts, front_data, front_wheels, steps_section, warnings};
 use crate::figures::{Plot, charts};
@@ -64,11 +65,6 @@ fn deepest(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
 /// Whether the crack has a fold.
 fn is_folded(run: &RunFolder) -> bool {
     run.case.space.as_ref().is_some_and(|space| space.shapes.iter().any(|shape| shape.strip.is_some()))
-}
-
-/// Number of cracks.
-pub(super) fn cracks(run: &RunFolder) -> usize {
-    run.summary.cracks.len()
 }
 
 fn verdict(run: &RunFolder) -> String {

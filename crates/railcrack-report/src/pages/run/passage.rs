@@ -1,7 +1,7 @@
 //! The charts of the passage explorer in the plane. Their axes hold for all steps, wheels and wheel
 //! positions, so that the script of the page only moves curves on them.
 
-use super::data::explored_steps;
+use super::data::{explored_steps, mouth};
 use super::stored::RunFolder;
 use super::wheels::{PassedWheel, wheels};
 use crate::chart::{Chart, ChartAspect, ChartAxis, ChartRange, Curve};
@@ -99,11 +99,6 @@ fn places(run: &RunFolder, from: impl Fn(usize) -> f64) -> Vec<[f64; 2]> {
         whole.map(move |[x, y]| [x - from, *y]).collect::<Vec<_>>()
     });
     points.collect()
-}
-
-/// Where a crack begins along the rail, mm.
-pub(super) fn mouth(run: &RunFolder, crack: usize) -> f64 {
-    crate::figures::mouth(&run.summary, crack).unwrap_or(0.0)
 }
 
 /// The cracks to scale below the wheel; of many cracks the surroundings of one.
