@@ -2,9 +2,10 @@
 //! mechanics.
 //!
 //! [`Case::read`] takes the file of a user as well as `case.toml` of a run folder. It computes
-//! nothing: the crate of runs makes rails and traffic of a case. `tables` declares every section and key once, and `schema`,
-//! which does not depend on rails, derives from it the reader, the defaults, the JSON Schema, the
-//! commented first file, the page of documentation and the stored case.
+//! nothing: the crate of runs makes rails and traffic of a case. `tables` declares every section
+//! and key once, and `schema`, which does not depend on rails, derives from it the reader, the
+//! defaults, the JSON Schema, the commented first file, the page of documentation and the stored
+//! case.
 
 mod case;
 mod entries;

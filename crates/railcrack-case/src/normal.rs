@@ -17,7 +17,8 @@ pub fn log_density(x: f64, mean: f64, variance: f64) -> f64 {
     -0.5 * ((x - mean).powi(2) / variance + (2.0 * PI * variance).ln())
 }
 
-/// The standard normal distribution function Φ(z), either tail to 1e-13 of its value down to 1e-300.
+/// The standard normal distribution function Φ(z), either tail to 1e-13 of its value down to
+/// 1e-300.
 #[must_use]
 pub fn distribution(z: f64) -> f64 {
     0.5 * libm::erfc(-z * FRAC_1_SQRT_2)

@@ -65,7 +65,7 @@ pub enum Block {
         id: &'static str,
         /// Its controls.
         html: &'static str,
-        /// What the script moves; charts without curves are seen only while it does.
+        /// The blocks that the script moves; charts without curves are seen only while it does.
         blocks: Vec<Block>,
         /// Name of the element that holds the data.
         data_id: &'static str,

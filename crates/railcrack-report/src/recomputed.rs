@@ -17,7 +17,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// Subfolder of the run folder in which its steps are computed again.
 const SCRATCH: &str = "again.partial";
 
-/// What the page of `run` shows, computed again, with the decision block of its summary.
+/// The data of the page of `run`, computed again, with the decision block of its summary.
 ///
 /// Errors: it has not ended; what is computed is not what the folder has; it cannot be computed;
 /// the system refuses.
@@ -35,8 +35,8 @@ pub(crate) fn recomputed(run: &RunFolder) -> Result<(PageData, Option<Decision>)
     Ok(again)
 }
 
-/// What the page shows and the decision block of the run of `case`, computed in `scratch`; `growth` is
-/// what it must come to.
+/// The data of the page and the decision block of the run of `case`, computed in `scratch`;
+/// `growth` is what it must come to.
 fn computed(case: &Case, scratch: &Path, growth: &[TipRow]) -> Result<(PageData, Option<Decision>), String> {
     let mut case = case.clone();
     case.output = Output { report: true, ..Output::LEAST };
@@ -88,7 +88,7 @@ impl Presentation for Collecting {
     }
 }
 
-/// What becomes of the collected data when a run has ended.
+/// Use of the collected data when a run has ended.
 #[derive(Debug, Clone)]
 pub(crate) enum AtEnd {
     /// Plots and page are written, as selected.

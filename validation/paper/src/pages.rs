@@ -13,7 +13,7 @@ use railcrack_run::OutputError;
 /// The page with every statement.
 pub const STATEMENTS: &str = "statements.md";
 
-/// What the pages are written from.
+/// Contents from which the pages are written.
 pub struct Contents<'a> {
     /// The tables of the paper.
     pub paper: &'a Paper,

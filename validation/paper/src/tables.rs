@@ -171,7 +171,7 @@ pub struct SetupRow {
     /// Whether K of an initial crack without stress is that of the set-up that it varies.
     #[serde(default)]
     pub same_k: bool,
-    /// Its stress in place of Fig. 21.
+    /// Its stress instead of Fig. 21.
     pub stress: Option<OtherStress>,
 }
 

@@ -9,7 +9,8 @@ use super::in_page::check_explorer;
 use super::limits::{WantedSize, check_size};
 use super::space::{read_space, refuse_free_front, refuse_strike};
 use super::space_case::SpaceCase;
-use super::traffic::{Traffic, TrafficContext, read_traffic, require_axle_load};
+use super::traffic::{Traffic, read_traffic, require_axle_load};
+use super::traffic_wheel::TrafficContext;
 use super::traffic_wheel::{TrafficWheel, mean_axle_load};
 use crate::files::{ProfileFile, read_profile};
 use crate::schema::{KeyRow, Report, SectionValues, Sections, Value, Written, short};
@@ -56,7 +57,7 @@ pub(crate) fn build(
 /// Something is wrong, as the report says.
 struct Refused;
 
-/// What a section that may be left out gives: none without it.
+/// The value of a section that may be left out: none without it.
 ///
 /// Errors: the section has errors.
 fn optional<T>(

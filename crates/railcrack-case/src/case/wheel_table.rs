@@ -18,7 +18,8 @@ pub struct WheelTable {
     pub travel: Travel,
     /// The wheels that pass: all of the table, or those at one place.
     pub wheels: Vec<TabledWheel>,
-    /// Number, from 0, of its first wheel among those of the case, of which its wheels are the last.
+    /// Number, from 0, of its first wheel among those of the case, of which its wheels are the
+    /// last.
     pub first: usize,
     /// Largest number of its wheels that a run computes for those that load the cracks.
     pub most: usize,

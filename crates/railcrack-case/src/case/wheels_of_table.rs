@@ -95,7 +95,8 @@ pub(super) fn read_wheels_of_table(
     Some((traffic?, table))
 }
 
-/// What a wheel of a table that runs towards `travel` does over cracks at `lateral` (mm).
+/// Load of a wheel of a table, which runs towards `travel`, on the running surface over cracks at
+/// `lateral` (mm).
 fn loading(wheel: &TableWheel, lateral: f64, (extent, travel): (ContactExtent, Travel)) -> WheelLoading {
     let of_patch = |contact: Contact, own: PlacedPatch| {
         let origin = ContactOrigin::Rolling { patch: Box::new(own.patch), lateral: own.y, travel };

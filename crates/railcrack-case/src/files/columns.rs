@@ -10,8 +10,8 @@ use std::path::Path;
 pub enum Column {
     /// Required.
     Needed(&'static str),
-    /// One of all alternatives is required, unless a column of [`Column::Blank`] is there: then each
-    /// field may be blank.
+    /// One of all alternatives is required, unless a column of [`Column::Blank`] is there: then
+    /// each field may be blank.
     Alternative(&'static str),
     /// Optional; its values are 0 if it is missing.
     Optional(&'static str),
@@ -79,8 +79,8 @@ impl Columns {
         report.into_errors()
     }
 
-    /// The table in the file `path`; lines that begin with # and empty lines are ignored, and so are
-    /// columns that are none of the table.
+    /// The table in the file `path`; lines that begin with # and empty lines are ignored, and so
+    /// are columns that are none of the table.
     ///
     /// Errors: the file cannot be read; a column is missing, misspelt or given twice; a row has a
     /// different number of fields; a field is not a number.
@@ -201,7 +201,8 @@ impl Columns {
         self.columns.iter().position(|column| column.name() == name)
     }
 
-    /// What a file with the columns `names` lacks.
+    /// The fault in the columns `names` of a file: one is missing, or more than one alternative is
+    /// given; none if they are complete.
     fn missing(&self, names: &[&str]) -> Option<String> {
         let is_there = |column: &&Column| names.contains(&column.name());
         let needed = |column: &&Column| matches!(column, Column::Needed(_));

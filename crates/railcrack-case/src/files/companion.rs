@@ -94,8 +94,8 @@ impl<T> CaseFile<T> {
 /// Help where a file cannot be found.
 pub(super) const RELATIVE: &str = "file names are relative to the folder of the case file";
 
-/// The table in the file that a key names, relative to `folder`, with what `parse` makes of it; none
-/// if no file is named or it is refused; errors are added to `report`.
+/// The table in the file that a key names, relative to `folder`, with what `parse` makes of it;
+/// none if no file is named or it is refused; errors are added to `report`.
 pub(super) fn read_named<T>(
     section: &SectionValues,
     row: KeyRow<String>,

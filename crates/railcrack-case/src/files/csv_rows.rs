@@ -28,7 +28,7 @@ impl CsvRow {
         self.record.len()
     }
 
-    /// What is wrong with a row of so many fields in a table of `columns`.
+    /// The fault of a row with this number of fields in a table of `columns`.
     pub fn wrong_length(&self, columns: usize) -> String {
         let count = self.len();
         let hint = if self.fields().any(|field| field.contains('\n')) {

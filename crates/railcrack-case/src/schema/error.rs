@@ -58,8 +58,8 @@ impl CaseError {
         &self.text
     }
 
-    /// The places in [`CaseError::text`] that the error is about, each with its label: first its own
-    /// place, if it has one.
+    /// The places in [`CaseError::text`] that the error is about, each with its label: first its
+    /// own place, if it has one.
     #[must_use]
     pub fn labels(&self) -> &[(Range<usize>, &'static str)] {
         &self.labels

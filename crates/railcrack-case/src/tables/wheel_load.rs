@@ -16,7 +16,7 @@ use std::path::Path;
 /// The load of one wheel as a case gives it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GivenWheel {
-    /// What it does to the running surface over the cracks.
+    /// Its load on the running surface over the cracks.
     pub loading: WheelLoading,
     /// The rail as a beam; none where it does not bend.
     pub track: Option<Track>,
@@ -24,7 +24,7 @@ pub struct GivenWheel {
     pub temperature: Option<Temperature>,
 }
 
-/// What a wheel does to the running surface over the cracks.
+/// Load of a wheel on the running surface over the cracks.
 #[derive(Debug, Clone, PartialEq)]
 pub enum WheelLoading {
     /// Its contact passes over them.

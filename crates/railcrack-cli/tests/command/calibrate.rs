@@ -53,9 +53,9 @@ fn the_fitted_case_has_the_coefficient_of_the_measurements() {
     }
 }
 
-/// Two narrow classes of one rail at the same tonnage, a quarter of a millimetre apart with an error
-/// of reading of a hundredth: the coefficient lies between them, known to 4 %. By a Φ without a lower
-/// tail it would be off by a quarter.
+/// Two narrow classes of one rail at the same tonnage, a quarter of a millimetre apart with an
+/// error of reading of a hundredth: the coefficient lies between them, known to 4 %. By a Φ without
+/// a lower tail it would be off by a quarter.
 #[test]
 fn sharp_readings_that_contradict_each_other_meet_between() {
     let folder = common::folder("calibrate", "contradiction");

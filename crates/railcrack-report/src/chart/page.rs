@@ -1,5 +1,5 @@
-//! A chart on a page: the same picture in the colours of the page, with what its script must know to
-//! say values under the pointer, to hide curves and to move others.
+//! A chart on a page: the same picture in the colours of the page, with what its script must know
+//! to say values under the pointer, to hide curves and to move others.
 
 use super::sheet::{Ground, draw, scales, stroke};
 use super::types::{Chart, ChartAspect, ChartLegend};

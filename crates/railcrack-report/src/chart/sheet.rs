@@ -168,8 +168,8 @@ pub(super) fn scales(chart: &Chart, charts: &[&Chart], size: [f64; 2], most: f64
     (axis(&chart.x, x, width), axis(&chart.y, y, height), height)
 }
 
-/// Scales over `x` and `y` with the same unit both ways: the height that they need on `width` pixels,
-/// at most `most`, for which x is widened.
+/// Scales over `x` and `y` with the same unit both ways: the height that they need on `width`
+/// pixels, at most `most`, for which x is widened.
 fn exact(chart: &Chart, [x, y]: [[f64; 2]; 2], width: f64, most: f64) -> (Axis, Axis, f64) {
     let (across, up) = ((x[1] - x[0]).max(1e-6), (y[1] - y[0]).max(1e-6));
     let scale = (width / across).min(most / up);
@@ -281,7 +281,7 @@ fn draw_curve(svg: &mut Svg, axes: &Axes, chart: &Chart, (place, curve): (usize,
     }
 }
 
-/// What the script of a page must know of a curve.
+/// Attributes of a curve that the script of a page reads.
 fn names(curve: &Curve) -> String {
     let mut names = format!(r#" class="curve" data-name="{}""#, escaped(&plain(&curve.name)));
     if !curve.note.is_empty() {

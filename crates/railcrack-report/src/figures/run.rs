@@ -17,8 +17,8 @@ use railcrack_run::run_folder::History;
 const DRAWN_STEPS: usize = 5;
 
 /// The plots of a run from its `summary`, the rows of `growth.csv`, what a page shows of the other
-/// tables, and the half-widths of the contacts of its wheels (mm). A run without a finished step has
-/// none.
+/// tables, and the half-widths of the contacts of its wheels (mm). A run without a finished step
+/// has none.
 pub(crate) fn run_plots(
     summary: &Summary,
     growth: &[TipRow],

@@ -1,4 +1,5 @@
-//! K_I and K_II against the wheel position, under every wheel of a mix, and the fluid in the cracks.
+//! K_I and K_II against the wheel position, under every wheel of a mix, and the fluid in the
+//! cracks.
 
 use super::near::{WheelPassage, mouth, mouth_over_a, near, origin};
 use super::plot::Plot;
@@ -169,8 +170,8 @@ fn many(summary: &Summary, model: &str, histories: &[&History], named: &[NamedCr
 /// How far from the mouth of the crack wheels are drawn, over the half-width of the first contact.
 const REACH: f64 = 8.0;
 
-/// The plot of the fastest tip in the last step under every wheel of a mix, whose contacts have these
-/// `half_widths` (mm); none for one wheel.
+/// The plot of the fastest tip in the last step under every wheel of a mix, whose contacts have
+/// these `half_widths` (mm); none for one wheel.
 pub(super) fn under_wheels(
     summary: &Summary,
     model: &str,

@@ -14,8 +14,8 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Maximum number of face states shown (points × positions × steps), of about half a byte each in a page:
-/// of more, positions are omitted, and of still more, steps.
+/// Maximum number of face states shown (points × positions × steps), of about half a byte each in a
+/// page: of more, positions are omitted, and of still more, steps.
 const STATES: [usize; 2] = [150_000, 1_000_000];
 /// Highest level of a number of the faces: they are drawn, and said for a place on a map.
 const LEVELS: u16 = 255;

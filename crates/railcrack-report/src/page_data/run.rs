@@ -1,13 +1,13 @@
-//! What a page shows of a run, and of its tables step by step.
+//! The data that a page shows of a run, and of its tables step by step.
 
 use super::contact::{ContactData, ContactOfStep, PackedContact};
 use super::faces::{CrackWindows, FacesData, FacesOfStep, OtherFaces, PackedFaces, StepFaces};
 use super::fields::{FieldData, PackedFields};
-use super::step_table::read_table;
+use super::step_table::{StepTable, read_table};
 use super::thinned::HistoryData;
 use railcrack::growth::StepRecord;
 use railcrack_run::OutputError;
-use railcrack_run::csv::{ContactRow, SifRow, SifScale};
+use railcrack_run::csv::{ContactRow, SifRow, SifScale, Table};
 use railcrack_run::run_folder::History;
 use std::ops::Range;
 use std::path::Path;

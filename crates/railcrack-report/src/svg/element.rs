@@ -209,8 +209,8 @@ impl Svg {
         }
     }
 
-    /// Begins a group that is clipped to the rectangle, which [`Svg::end`] ends; `of` makes the name
-    /// of the clip unique on a page.
+    /// Begins a group that is clipped to the rectangle, which [`Svg::end`] ends; `of` makes the
+    /// name of the clip unique on a page.
     pub(crate) fn clip(&mut self, of: &str, [x, y, width, height]: [f64; 4]) {
         self.clips += 1;
         let [x, y, width, height] = [x, y, width, height].map(coordinate);

@@ -34,7 +34,7 @@ pub struct FrictionLife {
 /// The courses of the companions of a run.
 pub(crate) struct Companions<'a> {
     pub all: &'a [Companion],
-    /// What is asked of the run.
+    /// The question asked of the run.
     pub question: Question,
     /// The crack (from 0) that an inspection looks for.
     pub found: usize,

@@ -192,7 +192,7 @@ fn failure_of(course: &Course, fate: Fate, question: &Question) -> FailureSummar
 /// The run of a decision, with its failures.
 #[derive(Debug, Clone)]
 pub(crate) struct NominalRun {
-    /// What is asked of it.
+    /// The question asked of it.
     pub question: Question,
     /// All its cracks over traffic.
     pub course: Course,

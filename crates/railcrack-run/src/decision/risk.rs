@@ -57,7 +57,8 @@ impl DetectionCurve {
     }
 }
 
-/// The value of `rows` at `x`: linear between them, constant beyond the last; none before the first.
+/// The value of `rows` at `x`: linear between them, constant beyond the last; none before the
+/// first.
 pub(super) fn interpolated(rows: &[(f64, f64)], x: f64) -> Option<f64> {
     let next = rows.partition_point(|row| row.0 <= x);
     let from = rows.get(next.checked_sub(1)?)?;

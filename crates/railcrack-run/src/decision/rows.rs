@@ -1,4 +1,5 @@
-//! The crack that is followed, from step to step, and its growth against the removal of the surface.
+//! The crack that is followed, from step to step, and its growth against the removal of the
+//! surface.
 
 use super::failure::Nominal;
 use super::path::{GrowthPath, PathPoint};

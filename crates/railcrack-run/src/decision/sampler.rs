@@ -187,7 +187,7 @@ impl<'a> Sampler<'a> {
         Self { limits: of.question.limits(), mix, walk, of }
     }
 
-    /// What `of` makes of each sample of `draws`, and of its depths over traffic.
+    /// The results of `of` for each sample of `draws` and its depths over traffic.
     pub fn each<T: Send>(&self, draws: &[Draw], of: impl Fn(Sample, &Track) -> T + Sync) -> Vec<T> {
         let of_chunk = |draws: &[Draw]| {
             let mut track = Track::default();

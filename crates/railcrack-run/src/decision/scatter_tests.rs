@@ -54,7 +54,7 @@ struct Asked<'a> {
     mix: &'a [WheelInfo],
 }
 
-/// What is asked of each path.
+/// The question asked of each path.
 const QUESTION: Question =
     Question { inspection: INSPECTION, critical_length: None, tonnes: 20.0, removal: SurfaceRemoval::NONE };
 

@@ -38,7 +38,7 @@ pub fn describe(case: &Case) -> Vec<Part> {
     parts
 }
 
-/// What a run of the case needs of the machine, with results below `folder`.
+/// Demands of a run of the case on the machine, with results below `folder`.
 #[must_use]
 pub fn describe_needs(case: &Case, folder: &Path) -> Part {
     let (size, budget) = (RunSize::estimate(case), Budget::of(folder));

@@ -33,7 +33,7 @@ pub(super) fn rail(case: &Case) -> Vec<Row> {
     ]
 }
 
-/// What the model leaves out.
+/// Limits of the model: the effects that it leaves out.
 pub(super) fn limits(case: &Case) -> Vec<Row> {
     let cracks = match &case.space {
         None => "plane strain: cracks that are wide across the rail",

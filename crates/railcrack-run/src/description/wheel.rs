@@ -87,7 +87,7 @@ fn partial_slip(carter: &CarterContact, origin: &ContactOrigin) -> Vec<Row> {
     rows
 }
 
-/// What the contact is computed from.
+/// The data from which the contact is computed.
 fn from_origin(case: &Case, origin: &ContactOrigin) -> Vec<Row> {
     match origin {
         ContactOrigin::Given | ContactOrigin::LineLoad { .. } => Vec::new(),

@@ -23,8 +23,8 @@ pub(crate) fn stored_case(folder: &Path) -> Result<Option<String>, OutputError> 
         .transpose()
 }
 
-/// The case of the run in `folder`, with the representatives of its table of wheels that the run has
-/// computed.
+/// The case of the run in `folder`, with the representatives of its table of wheels that the run
+/// has computed.
 ///
 /// Errors: there is none, or this version does not accept it.
 pub(crate) fn read_case(folder: &Path) -> Result<Case, OutputError> {

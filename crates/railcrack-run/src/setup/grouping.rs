@@ -41,7 +41,7 @@ pub(super) fn grouped(case: &Case, table: &WheelTable) -> WheelGroups {
     }
 }
 
-/// What the wheels `loaded` of `table` do to the first crack; none where it has no body.
+/// Effects of the wheels `loaded` of `table` on the first crack; none where it has no body.
 fn effects(case: &Case, table: &WheelTable, loaded: &[usize]) -> Option<Effects> {
     let friction = *case.crack_friction.first()?;
     let (steel, law, travel) = (&case.steel, &case.growth.law, table.travel);

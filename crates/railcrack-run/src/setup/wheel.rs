@@ -1,4 +1,4 @@
-//! What a wheel of a case does to the rail.
+//! Stress in the rail from a wheel of a case.
 
 use railcrack::field::{StressField, Sum, Wheel, wheel_under};
 use railcrack::load::{Contact, HertzianContact, WheelLoad};

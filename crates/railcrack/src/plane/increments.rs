@@ -60,7 +60,8 @@ pub(super) struct PlaneAdvance {
 /// The increments from one step to the next.
 ///
 /// Meanwhile, wear and grinding remove the running surface and with it the mouths of the cracks.
-/// Where they remove more of a crack than its tip adds, they set the pace ([`super::SurfaceRemoval`]).
+/// Where they remove more of a crack than its tip adds, they set the pace
+/// ([`super::SurfaceRemoval`]).
 ///
 /// Δa_i = Δa_max rate_i / rate_max with Δa_max = increment × length of the fastest tip's crack,
 /// where the rates are those at the start of the step. The load cycles follow from the rates of the

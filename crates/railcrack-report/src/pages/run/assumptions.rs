@@ -27,7 +27,7 @@ fn paragraph(part: &Part) -> Option<String> {
     (!rows.is_empty()).then(|| typeset(&format!("{first}{}: {}.", letters.as_str(), rows.join("; "))))
 }
 
-/// What the terminal writes in ASCII, and what a page writes instead.
+/// Symbols as the terminal writes them in ASCII, each with the form that a page has instead.
 const TYPESET: [(&str, &str); 12] = [
     ("p0 / k", "p_{0}/k"),
     ("p0", "p_{0}"),

@@ -14,7 +14,7 @@ use railcrack::growth::{RunStop, TipStop};
 use railcrack_case::SpaceCase;
 use railcrack_run::csv::TipRow;
 
-/// What the page of `run` says of cracks in space.
+/// The parts of the page of `run` about cracks in space.
 pub(super) fn parts(run: &RunFolder, space: &SpaceCase, page_data: &PageData, plots: &[Plot]) -> RunParts {
     let (mut growth, mut sections) = (Vec::new(), Vec::new());
     if run.summary.steps_recorded > 0 {

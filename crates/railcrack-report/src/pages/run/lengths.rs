@@ -14,8 +14,8 @@ const LENGTHS: usize = 8;
 const LENGTH_CRACKS: usize = 9;
 
 /// Growth as a table with the tonnage: for a single crack, load cycles to round lengths; for
-/// several cracks, lengths after round numbers of load cycles; for many, only the `named` ones. None
-/// without growth.
+/// several cracks, lengths after round numbers of load cycles; for many, only the `named` ones.
+/// None without growth.
 pub(super) fn lengths(run: &RunFolder, named: Option<&[NamedCrack]>) -> Option<Table> {
     let is_named = |crack: usize| named.is_none_or(|named| named.iter().any(|named| named.crack == crack));
     let tips: Vec<(usize, usize)> = run

@@ -36,7 +36,7 @@ const WHAT_IF: &str = "Recomputed here and now, in this browser, from the case o
 /// Maximum number of rows of the table of steps; `growth.csv` has all.
 const TABLE_ROWS: usize = 500;
 
-/// What the page says of the cracks of a run, in the plane or in space.
+/// The parts of the page about the cracks of a run, in the plane or in space.
 struct RunParts {
     kind: &'static str,
     /// The main result in one or two sentences.

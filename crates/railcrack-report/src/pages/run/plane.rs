@@ -18,7 +18,7 @@ const EXPLORER_SCRIPT: &str = include_str!("../../assets/run.js");
 /// Maximum number of columns of a table with a chart to its right, also in print.
 const BESIDE_COLUMNS: usize = 5;
 
-/// What the page of `run` says of cracks in the plane.
+/// The parts of the page of `run` about cracks in the plane.
 pub(super) fn parts(run: &RunFolder, page_data: &PageData, plots: &[Plot]) -> RunParts {
     let row =
         is_many(run.summary.cracks.len()).then(|| CrackRow::of(&run.summary.cracks, &run.growth)).flatten();

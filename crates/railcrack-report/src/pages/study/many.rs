@@ -117,7 +117,7 @@ fn is_result(column: &Column) -> bool {
     !column.is_key && column.words.is_empty() && column.name != "run"
 }
 
-/// What each result depends on: estimates for each key, with their intervals.
+/// Dependence of each result on the keys: estimates for each key, with their intervals.
 fn dependence(columns: &[Column]) -> Table {
     let mut table =
         Table::new(["Result", "Key", "Rank correlation", "95 %", "First-order Sobol index", "95 %"])
