@@ -20,7 +20,7 @@ impl Json {
     }
 
     /// Executes `work`; a failure is printed as an object too if JSON is requested.
-    pub fn told(self, work: impl FnOnce() -> Result<Exit, Failure>) -> Result<Exit, Failure> {
+    pub fn with_failures(self, work: impl FnOnce() -> Result<Exit, Failure>) -> Result<Exit, Failure> {
         let failure = match work() {
             Err(failure) if self.json => failure,
             other => return other,

@@ -11,7 +11,7 @@ mod drawing;
 mod exports;
 mod refusal;
 mod session;
-mod shown;
+mod step_json;
 
 pub use refusal::Refusal;
 pub use session::Session;

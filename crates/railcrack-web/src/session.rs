@@ -1,7 +1,7 @@
 //! A run whose page asks for one growth step after another.
 
 use crate::refusal::Refusal;
-use crate::shown;
+use crate::step_json;
 use railcrack_case::Case;
 use railcrack_run::setup::RunSize;
 use railcrack_run::simulation::{RunByStep, Simulation};
@@ -57,7 +57,7 @@ impl Session {
     pub fn step(&mut self) -> Result<Value, Refusal> {
         let simulation = Simulation::new(&self.case);
         let record = simulation.next_of(&mut self.by_step).map_err(|error| Refusal::of_run(&error))?;
-        Ok(record.map_or(Value::Null, |record| shown::step(record, &self.case)))
+        Ok(record.map_or(Value::Null, |record| step_json::step(record, &self.case)))
     }
 
     /// Whether no step follows.

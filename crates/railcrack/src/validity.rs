@@ -251,7 +251,7 @@ pub(crate) const SHORTEST_HALF_WIDTH: f64 = 0.1;
 pub(crate) const SHORTEST_CRACK: f64 = 0.05;
 /// Opening (mm) of a crack under a wheel up to which the contact is not affected; larger openings
 /// exceed the indentation of the wheel.
-pub const UNFELT_OPENING: f64 = 0.05;
+pub const UNCOUPLED_OPENING: f64 = 0.05;
 /// Growth into the depth (mm per million gross tonnes) that is ten times that of head checks in
 /// track: 0.4 to 1.1 mm per 10 million gross tonnes at depths of 0.3 to 2.3 mm.
 pub const TEN_TIMES_HEAD_CHECKS: f64 = 0.3;
@@ -321,7 +321,7 @@ pub fn depth_in_bending(depth: f64) -> Option<ValidityWarning> {
 /// Compares the largest `opening` (mm) of faces with fluid with 0.05 mm, which has no influence on
 /// the contact.
 pub fn flap(opening: f64) -> Option<ValidityWarning> {
-    let limit = UNFELT_OPENING;
+    let limit = UNCOUPLED_OPENING;
     (opening > limit).then_some(ValidityWarning::LiftedFlap { opening, limit })
 }
 

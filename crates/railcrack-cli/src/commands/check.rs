@@ -33,7 +33,7 @@ pub struct CheckArguments {
 
 /// Validates the case or study and prints what would be computed.
 pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
-    arguments.json.told(|| {
+    arguments.json.with_failures(|| {
         let folder = default_folder(&arguments.case);
         let overrides = Overrides { settings: arguments.set.set.clone(), ..Overrides::default() };
         match input::either(&arguments.case, &overrides)? {

@@ -73,7 +73,7 @@ pub fn compare(arguments: &CompareArguments) -> Result<Exit, Failure> {
         Some(folder) => folder.clone(),
         None => beside(&arguments.first),
     };
-    arguments.json.told(|| match &arguments.second {
+    arguments.json.with_failures(|| match &arguments.second {
         Some(second) => compare_folders(arguments, [&arguments.first, second], &out),
         None => compare_computed(arguments, &out),
     })

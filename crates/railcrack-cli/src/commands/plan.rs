@@ -63,7 +63,7 @@ const SHORT: f64 = 10.0;
 
 /// Computes the plans and prints a summary.
 pub fn plan(arguments: &PlanArguments) -> Result<Exit, Failure> {
-    arguments.json.told(|| {
+    arguments.json.with_failures(|| {
         use_threads(arguments.execution.threads)?;
         let settings = arguments.execution.set.set.clone();
         let overrides = Overrides { settings, ..Overrides::default() };

@@ -80,7 +80,7 @@ impl Execution {
 
 /// Runs the case and prints a summary.
 pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
-    arguments.json.told(|| {
+    arguments.json.with_failures(|| {
         use_threads(arguments.execution.threads)?;
         let finished = compute(arguments, &listen()?)?;
         let exit = match finished.ending {

@@ -1,9 +1,9 @@
 //! Two runs: K of both and its difference, crack paths, lengths.
 
-use super::near::ROUND_OFF;
 use super::paths;
 use super::plot::Plot;
 use super::sif::{self, Mode};
+use super::wheel_passage::ROUND_OFF;
 use crate::chart::{
     Chart, ChartSheet, Curve, CurveColour, CurveDots, CurveLook, CurveWidth, LegendEntry, SheetLegend,
 };

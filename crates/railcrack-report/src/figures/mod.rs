@@ -3,7 +3,6 @@
 mod cells;
 mod compare;
 mod faces;
-mod near;
 mod paths;
 mod plan;
 mod plot;
@@ -13,9 +12,9 @@ mod shakedown;
 mod sif;
 mod space;
 mod study;
+mod wheel_passage;
 
 pub(crate) use compare::{comparison_plots, lengths_of_both, steps_of_both};
-pub(crate) use near::{WheelPassage, mouth, mouth_over_a, origin};
 pub(crate) use plan::plan_plots;
 pub(crate) use plot::{Plot, chart, charts};
 pub(crate) use row::bundle;
@@ -24,3 +23,4 @@ pub(crate) use shakedown::shakedown_plots;
 pub(crate) use sif::far_chart;
 pub(crate) use space::{has_closed_front, space_plots};
 pub(crate) use study::{MANY, StudyRun, Styles, band_charts, stratified, study_charts, study_plots, values};
+pub(crate) use wheel_passage::{WheelPassage, mouth, mouth_over_a, origin};

@@ -1,9 +1,9 @@
 //! The plots of a run.
 
 use super::faces::{CrackMap, FaceMap, face_map};
-use super::near::near;
 use super::plot::Plot;
 use super::sif::Mode;
+use super::wheel_passage::near;
 use super::{paths, row, sif};
 use crate::page_data::{CrackFaces, PageData, StepFaces};
 use crate::row::{CrackRow, NamedCrack, is_many, named};

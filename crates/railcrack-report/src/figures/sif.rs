@@ -1,9 +1,9 @@
 //! K_I and K_II against the wheel position, under every wheel of a mix, and the fluid in the
 //! cracks.
 
-use super::near::{WheelPassage, mouth, mouth_over_a, near, origin};
 use super::plot::Plot;
 use super::row::bundle;
+use super::wheel_passage::{WheelPassage, mouth, mouth_over_a, near, origin};
 use crate::chart::{Chart, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour, CurveLook, SheetLegend};
 use crate::page_data::PageData;
 use crate::row::NamedCrack;

@@ -1,9 +1,9 @@
 //! Plots of a run in space: K over the passage, ranges along the fronts, fronts from above and
 //! along the rail, semi-axes against load cycles.
 
-use super::near::{near, origin};
 use super::plot::Plot;
 use super::sif::far_chart;
+use super::wheel_passage::{near, origin};
 use crate::chart::{
     Chart, ChartAspect, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour, CurveDots, CurveLook,
     CurveWidth, SheetLegend,

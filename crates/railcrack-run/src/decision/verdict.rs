@@ -7,7 +7,7 @@ use crate::log::{RunInfo, RunLog, StepDigest};
 use railcrack::fatigue::RailSteel;
 use railcrack::growth::{RunStop, TipRecord, TipStop};
 use railcrack::math::MPA_SQRT_MM;
-use railcrack::validity::{self, UNFELT_OPENING};
+use railcrack::validity::{self, UNCOUPLED_OPENING};
 use railcrack::words::{Choice, Word};
 use serde::{Deserialize, Serialize};
 
@@ -285,7 +285,7 @@ fn flap(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
         "fluid lifts the flap above a crack by {opening:.3} mm, which the wheel would press shut: {wheel}limit the pressure ([fluid] pressure_cap_mpa)"
     );
     let reason = Reason { step: Some(step.step), ..Reason::new(ReasonKind::LiftedFlap, text) };
-    Some(Reason { value: Some(opening), limit: Some(UNFELT_OPENING), ..reason })
+    Some(Reason { value: Some(opening), limit: Some(UNCOUPLED_OPENING), ..reason })
 }
 
 /// Growth of each tip into the depth, from its rate and from its depths.

@@ -8,7 +8,7 @@ use railcrack::load::{SurfacePart, Travel};
 use railcrack::material::IsotropicElastic;
 use railcrack::space::{
     EllipticWheel, FrontSif, SpaceBody, SpaceContact, SpaceFaces, SpaceKernel, SpaceResolution, Symmetric,
-    UnfeltWheel, body_of,
+    UncoupledWheel, body_of,
 };
 use railcrack_case::{TablePatch, TabledWheel};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -90,7 +90,7 @@ impl CoarseFront {
     /// feel the crack.
     pub fn gap_under(&self, wheel: &EllipticWheel, travel: Travel) -> f64 {
         let a = wheel.half_width;
-        let mut unfelt = UnfeltWheel::new(&self.body, wheel, self.poisson);
+        let mut unfelt = UncoupledWheel::new(&self.body, wheel, self.poisson);
         let mut most = 0.0f64;
         // Successive positions share parts of the running surface.
         let spacing = SurfacePart::SPACING * a;

@@ -55,7 +55,7 @@ pub struct EffectInPlane {
 /// in space, dry and on few cells, since the contact of that engine does not feel the cracks;
 /// `None` in the plane and for a buried crack.
 #[must_use]
-pub fn unfelt_gap(case: &Case) -> Option<f64> {
+pub fn uncoupled_gap(case: &Case) -> Option<f64> {
     let space = case.space.as_ref()?;
     let shape = space.shapes.first().filter(|shape| shape.buried.is_none())?;
     let patch = wheel_patch(case, 0)?;

@@ -23,7 +23,7 @@ mod wheel_demands;
 mod wheel_patch;
 
 pub use carried::{CarriedStress, CarriedStressError, Projection, Release, plastic_field};
-pub use coupling_estimate::{EffectInPlane, unfelt_gap};
+pub use coupling_estimate::{EffectInPlane, uncoupled_gap};
 pub use demand::{DemandError, WheelDemand};
 pub use engine::{body_engine, finite_elements};
 pub use prepared::PreparedRun;

@@ -57,7 +57,7 @@ pub fn of_case(case: &Case) -> Vec<Warning> {
         warnings.extend(of_wheel(case, &wheel.wheel).into_iter().map(named));
     }
     warnings.extend(of_wheel_table(case));
-    warnings.extend(unfelt_gap(case));
+    warnings.extend(uncoupled_gap(case));
     warnings.extend(case.companions().iter().filter_map(|file| {
         let text = unused_columns(file.given, file.unused)?;
         Some(Warning { step: 0, kind: WarningKind::Validity, text, severity: None })
@@ -75,8 +75,8 @@ pub fn unused_columns(name: &str, unused: &[String]) -> Option<String> {
 const FELT_GAP: f64 = 0.05;
 
 /// A warning where a wheel over a crack in space would feel it.
-fn unfelt_gap(case: &Case) -> Option<Warning> {
-    let gap = setup::unfelt_gap(case).filter(|gap| *gap > FELT_GAP)?;
+fn uncoupled_gap(case: &Case) -> Option<Warning> {
+    let gap = setup::uncoupled_gap(case).filter(|gap| *gap > FELT_GAP)?;
     let in_plane = EffectInPlane::of_case(case).map_or_else(String::new, |plane| {
         format!(
             "; in the plane, where it is {:.0} %, the coupled wheel of the plane engines makes the rate {:.2} times",

@@ -5,7 +5,7 @@ use super::grid::{NodeSpacing, SurfaceGrid};
 use crate::body::FaceMesh;
 use crate::contact::{SurfaceNode, UnevenShear, WheelSurface, ratio_at};
 use crate::field::{HertzWheel, SegmentEnd, SegmentStress, Wheel};
-use crate::load::{CarterContact, Contact, HertzianContact, SurfacePart, unfelt_gap};
+use crate::load::{CarterContact, Contact, HertzianContact, SurfacePart, uncoupled_gap};
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, OutOfRange, Stress, Vec2, dot};
 use std::f64::consts::PI;
@@ -211,7 +211,7 @@ pub fn gap_in_plane(
     };
     let a = contact.half_width;
     let (whole, part) = (measure(a)?, measure(SurfacePart::SHARE * a)?);
-    Ok(unfelt_gap(|of: SurfacePart| {
+    Ok(uncoupled_gap(|of: SurfacePart| {
         let (wheel, load) = if of == SurfacePart::WHOLE { &whole } else { &part };
         let forces = faces.nodal_forces(|point| wheel.stress(point, xc + of.ahead * a));
         dot(&forces, jumps) / load

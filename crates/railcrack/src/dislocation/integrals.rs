@@ -1,6 +1,8 @@
 //! Double integrals of the dislocation interaction over pairs of straight pieces.
 
-use super::far::{Interaction, Split, collinear_constant, split_image_interaction, split_interaction};
+use super::interaction::{
+    Interaction, Split, collinear_constant, split_image_interaction, split_interaction,
+};
 use crate::body::FacePiece as Piece;
 use crate::crack::{CrackCurve, End, from_nearest};
 use crate::math::{Vec2, gauss_legendre};

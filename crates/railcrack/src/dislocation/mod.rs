@@ -1,8 +1,8 @@
 //! Semi-analytical engine: continuous distributions of edge dislocations in a half-plane.
 
 mod engine;
-mod far;
 mod integrals;
+mod interaction;
 mod junctions;
 mod nodes;
 mod row;

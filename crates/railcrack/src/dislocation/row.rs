@@ -1,7 +1,7 @@
 //! A of cracks by pairs of elements: of all together, and of a long row in blocks between units.
 
-use super::far::{FarRow, Interaction, Source, Units};
 use super::integrals::{PairRules, pair_integral};
+use super::interaction::{FarRow, Interaction, Source, Units};
 use super::junctions::Ties;
 use crate::body::{BlockStiffness, FaceElement, FaceMesh};
 use crate::crack::{CrackCurve, CrackNetwork};

@@ -153,7 +153,7 @@ impl CrackedRail for Rule {
         let moving = Moving { all: movers, growing: movers, some_are_left: true, wearing: &wearing };
         let broken = self.hazard(geometry, &tips[0]) >= 1.0;
         let stop = run_stop(&self.settings, at, broken, tips[0].length);
-        let pace = Pace::of(&moving, at, &self.settings, 1.0);
+        let pace = StepSize::of(&moving, at, &self.settings, 1.0);
         let increment = pace.increment(&movers[0]);
         let mut next = geometry.clone();
         if stop.is_none() {

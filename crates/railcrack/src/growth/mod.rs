@@ -12,7 +12,6 @@ mod history;
 #[cfg(test)]
 mod loop_tests;
 mod mix;
-mod pace;
 mod positions;
 mod rail;
 mod record;
@@ -20,6 +19,7 @@ mod removal;
 mod settings;
 mod stabilised;
 mod state;
+mod step_size;
 mod step_source;
 mod step_start;
 mod stop;
@@ -61,9 +61,9 @@ pub use warnings::NEAR_TIE;
 pub use wheel_shares::{MOST_WHEELS, WheelShares};
 
 pub(crate) use mix::{MixedTip, WheelDemand, WithoutProgress, under_each_wheel};
-pub(crate) use pace::{Event, LEAST_PART, Moving, Pace, WearingCrack, is_worth_a_step};
 pub(crate) use removal::Uncovered;
 pub(crate) use stabilised::{Memory, Repeated, Repeats, until_repeated};
+pub(crate) use step_size::{Event, LEAST_PART, Moving, StepSize, WearingCrack, is_worth_a_step};
 pub(crate) use stops::{
     ChangingCrack, TipDemand, least_length, nothing_grows, run_stop, spent_ligament, standstill,
 };

@@ -152,7 +152,7 @@ const PARTS: usize = 7;
 /// the mean over a part). The wheel follows its mean under the contact pressure, since the approach
 /// is the derivative of the energy with respect to the load. A part of the surface that sinks
 /// farther leaves the wheel by the difference, as long as the pressure stays as it is.
-pub fn unfelt_gap(sinking: impl Fn(SurfacePart) -> f64) -> f64 {
+pub fn uncoupled_gap(sinking: impl Fn(SurfacePart) -> f64) -> f64 {
     let followed = sinking(SurfacePart::WHOLE);
     let part = |ahead: f64| sinking(SurfacePart { ahead, share: SurfacePart::SHARE }) - followed;
     SurfacePart::all_ahead().map(part).fold(0.0, f64::max)
@@ -192,8 +192,8 @@ mod tests {
 
     #[test]
     fn a_surface_that_sinks_evenly_is_followed() {
-        assert_eq!(unfelt_gap(|_| 0.3), 0.0);
+        assert_eq!(uncoupled_gap(|_| 0.3), 0.0);
         // A sinking in proportion to the abscissa has no mean under a symmetric pressure.
-        assert!((unfelt_gap(|part| 0.1 * part.ahead) - 0.075).abs() < 1e-15);
+        assert!((uncoupled_gap(|part| 0.1 * part.ahead) - 0.075).abs() < 1e-15);
     }
 }

@@ -9,7 +9,7 @@ mod table;
 mod track;
 
 pub use carter::CarterContact;
-pub use contact::{Contact, SurfacePart, WheelLoad, unfelt_gap};
+pub use contact::{Contact, SurfacePart, WheelLoad, uncoupled_gap};
 pub use contact_kind::ContactKind;
 pub use hertz::{HertzEllipse, HertzianContact, WheelOnRail};
 pub use passage::{Passage, Travel};

@@ -10,7 +10,7 @@ use super::turned::Turned;
 use crate::crack::{Crack, End, Junction, point_to_segment};
 use crate::growth::{
     BreakOut, ChangingCrack, DeferredGrowth, Event, GrowthSettings, Jump, LEAST_PART, LOCATED, Mover, Moving,
-    Pace, Piece, RunStop, StepProgress, TipCourse, TipStop, WearingCrack, is_worth_a_step, least_length,
+    Piece, RunStop, StepProgress, StepSize, TipCourse, TipStop, WearingCrack, is_worth_a_step, least_length,
     nothing_grows, run_stop,
 };
 use crate::math::Vec2;
@@ -133,7 +133,7 @@ pub(super) fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Plane
 
 /// The increments of a step, with the stops and pieces that they cause.
 struct Drawn {
-    pace: Pace,
+    pace: StepSize,
     plans: Vec<Option<PlannedAdvance>>,
     met: Vec<Option<Coalescence>>,
     outcome: Outcome,
@@ -228,7 +228,7 @@ pub(super) fn kinked(
 }
 
 /// The pace of the tips that have not stopped, and of the removal of the surface.
-fn pace(state: &StepState<'_>, settings: &GrowthSettings, stops: &[Option<TipStop>], part: f64) -> Pace {
+fn pace(state: &StepState<'_>, settings: &GrowthSettings, stops: &[Option<TipStop>], part: f64) -> StepSize {
     let all: Vec<Mover> = state.tips.iter().map(|tip| state.mover(tip)).collect();
     let left = || state.tips.iter().zip(&all).zip(stops).filter(|(_, stop)| stop.is_none());
     let growing = left().filter(|((tip, _), _)| grows(tip, settings)).map(|((_, mover), _)| *mover);
@@ -242,7 +242,7 @@ fn pace(state: &StepState<'_>, settings: &GrowthSettings, stops: &[Option<TipSto
         some_are_left: left().next().is_some(),
         wearing: &wearing.collect::<Vec<_>>(),
     };
-    Pace::of(&moving, &state.at, settings, part)
+    StepSize::of(&moving, &state.at, settings, part)
 }
 
 /// Removes `removal` (mm) from the surface above `cracks`: tips of cracks that are worn away, and
@@ -341,7 +341,7 @@ fn first_event(
     state: &StepState<'_>,
     plans: &[Option<PlannedAdvance>],
     met: &[Option<Coalescence>],
-    pace: &Pace,
+    pace: &StepSize,
     settings: &GrowthSettings,
 ) -> Option<Event> {
     let mut events: Vec<Event> = Vec::new();
@@ -441,7 +441,7 @@ impl PlannedAdvance {
 /// The plan of every tip that grows.
 fn planned(
     state: &StepState<'_>,
-    pace: &Pace,
+    pace: &StepSize,
     settings: &GrowthSettings,
     stops: &[Option<TipStop>],
 ) -> Vec<Option<PlannedAdvance>> {

@@ -4,8 +4,8 @@ use super::front_motion::FrontSpeeds;
 use super::shape::{CloseCracks, LEAST_DISTANCE, SpaceCrack};
 use super::worn::{Worn, worn};
 use crate::growth::{
-    ChangingCrack, Event, FrontShape, GrowthSettings, LEAST_PART, Mover, Moving, Pace, RunStop, StepStart,
-    TipStop, WearingCrack, is_worth_a_step, least_length, nothing_grows, run_stop, spent_ligament,
+    ChangingCrack, Event, FrontShape, GrowthSettings, LEAST_PART, Mover, Moving, RunStop, StepSize,
+    StepStart, TipStop, WearingCrack, is_worth_a_step, least_length, nothing_grows, run_stop, spent_ligament,
     standstill,
 };
 use crate::math::RailBox;
@@ -32,7 +32,7 @@ impl Start<'_> {
     }
 
     /// The increments (mm) of all fronts at `pace`; zero of cracks that have `stopped`.
-    fn increments(&self, pace: &Pace, stopped: &[Option<TipStop>]) -> Vec<FrontSpeeds> {
+    fn increments(&self, pace: &StepSize, stopped: &[Option<TipStop>]) -> Vec<FrontSpeeds> {
         let of = |crack: usize| {
             self.speeds(crack).map(|index, rate| {
                 let length = self.shapes[crack].length;
@@ -53,8 +53,8 @@ pub(super) struct FrontAdvance {
     pub stopped: Vec<Option<TipStop>>,
     /// The increment of each motion of each front, mm.
     pub increments: Vec<FrontSpeeds>,
-    /// Pace of the step; `None` where the run ends with it.
-    pub pace: Option<Pace>,
+    /// StepSize of the step; `None` where the run ends with it.
+    pub pace: Option<StepSize>,
     pub stop: Option<RunStop>,
     /// Cracks that would have met each other.
     pub meetings: Vec<CloseCracks>,
@@ -157,7 +157,7 @@ fn first_event(
 }
 
 /// The pace of the cracks that have not stopped, and of the removal of the surface.
-fn pace(start: &Start, growth: &GrowthSettings, stopped: &[Option<TipStop>], part: f64) -> Pace {
+fn pace(start: &Start, growth: &GrowthSettings, stopped: &[Option<TipStop>], part: f64) -> StepSize {
     let growing = start.movers.iter().filter(|mover| stopped[mover.crack].is_none() && mover.rate > 0.0);
     let there = (0..start.shapes.len()).filter(|&crack| stopped[crack] != Some(TipStop::WornAway));
     let wearing = there.map(|crack| {
@@ -171,7 +171,7 @@ fn pace(start: &Start, growth: &GrowthSettings, stopped: &[Option<TipStop>], par
         some_are_left: stopped.iter().any(Option::is_none),
         wearing: &wearing.collect::<Vec<_>>(),
     };
-    Pace::of(&moving, &start.at, growth, part)
+    StepSize::of(&moving, &start.at, growth, part)
 }
 
 /// Removes `removal` (mm) from the surface above cracks of `shapes`: those that are worn away or

@@ -38,7 +38,7 @@ mod stiffness;
 mod sweeps;
 mod tips;
 mod trapped;
-mod unfelt_gap;
+mod uncoupled_gap;
 mod wheel;
 mod worn;
 
@@ -56,6 +56,6 @@ pub use shape::{CloseCracks, Extent, ShapeError, SpaceCrack, SpaceError};
 pub use shapes::{ShapesError, body_of};
 pub use states::{SpaceFaces, SpaceHistory, SpacePassageSettings, SpaceStatus};
 pub use stiffness::SpaceKernel;
-pub use unfelt_gap::UnfeltWheel;
+pub use uncoupled_gap::UncoupledWheel;
 pub use wheel::EllipticWheel;
 pub use worn::LEAST_STRIP;

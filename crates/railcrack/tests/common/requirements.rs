@@ -815,7 +815,7 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Fluid: with an incompressible fluid K and pressure do not depend on E.",
     ),
     requirement(
-        "space::unfelt_gap::wide_cracks_have_that_of_the_plane",
+        "space::uncoupled_gap::wide_cracks_have_that_of_the_plane",
         "",
         "Coupled wheel: the gap that the contact of the space engine leaves over a wide crack tends to that in the plane.",
     ),

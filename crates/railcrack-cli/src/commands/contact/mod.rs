@@ -1,10 +1,10 @@
 //! `railcrack contact`: the patches of the wheels, and the growth that each wheel causes.
 
 mod across;
+mod conclusions;
 mod page;
 mod patches;
 mod rows;
-mod said;
 mod table;
 
 use crate::exit::{Exit, Failure};
@@ -12,13 +12,13 @@ use crate::input::{self, Set, default_folder};
 use crate::print;
 use across::Across;
 use clap::Args;
+use conclusions::sentences;
 use railcrack_case::{Case, Overrides};
 use railcrack_report::put;
 use railcrack_run::Existing;
 use railcrack_run::setup::{represented, wheel_demands};
 use railcrack_run::simulation::RunError;
 use rows::WheelRow;
-use said::sentences;
 use std::fs::DirEntry;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};

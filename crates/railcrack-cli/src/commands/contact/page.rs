@@ -1,9 +1,9 @@
 //! `contact.html`.
 
 use super::across::Across;
+use super::conclusions::sentences;
 use super::patches;
 use super::rows::WheelRow;
-use super::said::sentences;
 use railcrack_case::Case;
 use railcrack_report::{
     Block, Chart, ChartAxis, Curve, CurveLook, Fact, MISSING, Page, Section, Table, fixed, significant,

@@ -95,7 +95,7 @@ impl SweepArguments {
 
 /// Computes the study or a part of it, and collects the results.
 pub fn sweep(arguments: &SweepArguments) -> Result<Exit, Failure> {
-    arguments.json.told(|| compute(arguments))
+    arguments.json.with_failures(|| compute(arguments))
 }
 
 fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {

@@ -12,7 +12,7 @@ mod several;
 mod stiffness;
 mod strike;
 mod track;
-mod unfelt_gap;
+mod uncoupled_gap;
 mod vertex;
 mod wheel;
 mod wide;

@@ -9,7 +9,7 @@ use railcrack::load::{HertzianContact, Passage};
 use railcrack::math::Vec2;
 use railcrack::plane::{RailLoad, stabilised_passage};
 use railcrack::space::{
-    EllipticWheel, SpaceBody, SpaceContact, SpaceCrack, SpaceResolution, Surroundings, UnfeltWheel,
+    EllipticWheel, SpaceBody, SpaceContact, SpaceCrack, SpaceResolution, Surroundings, UncoupledWheel,
 };
 
 const LINE: HertzianContact = HertzianContact { peak_pressure: 845.0, half_width: 6.0, friction: 0.0 };
@@ -37,7 +37,7 @@ fn in_space(degrees: f64, xc: f64, width: f64, cells: usize) -> f64 {
         friction: 0.0,
         lateral_friction: 0.0,
     };
-    UnfeltWheel::new(&body, &wheel, steel().poisson()).gap(xc, &faces.jumps)
+    UncoupledWheel::new(&body, &wheel, steel().poisson()).gap(xc, &faces.jumps)
 }
 
 fn in_the_plane(degrees: f64, xc: f64) -> f64 {

@@ -2,7 +2,7 @@
 
 use super::body::SpaceBody;
 use super::wheel::EllipticWheel;
-use crate::load::{SurfacePart, unfelt_gap};
+use crate::load::{SurfacePart, uncoupled_gap};
 use crate::math::dot;
 
 /// Places of the running surface are within this distance of it, mm.
@@ -10,7 +10,7 @@ const AT_SURFACE: f64 = 1e-9;
 
 /// A wheel over a body whose cracks it does not feel, and the nodal forces of unit loads on parts
 /// of the running surface.
-pub struct UnfeltWheel<'a> {
+pub struct UncoupledWheel<'a> {
     body: &'a SpaceBody,
     wheel: EllipticWheel,
     poisson: f64,
@@ -23,7 +23,7 @@ pub struct UnfeltWheel<'a> {
 /// Difference of the places of two parts, over a, below which they are the same.
 const SAME_PLACE: f64 = 1e-9;
 
-impl<'a> UnfeltWheel<'a> {
+impl<'a> UncoupledWheel<'a> {
     /// `wheel` over `body`, of a steel with this Poisson's ratio.
     #[must_use]
     pub fn new(body: &'a SpaceBody, wheel: &EllipticWheel, poisson: f64) -> Self {
@@ -41,7 +41,7 @@ impl<'a> UnfeltWheel<'a> {
     }
 
     /// The largest gap (mm) that opens between the rail and the wheel at `position` (mm) by `jumps`
-    /// (mm, 3p) of the faces, with the contact on the uncracked rail: [`unfelt_gap`], along the
+    /// (mm, 3p) of the faces, with the contact on the uncracked rail: [`uncoupled_gap`], along the
     /// rail through the place of the contact that is nearest to the mouth. Positions that are
     /// multiples of `SurfacePart::SPACING` a apart share their parts.
     pub fn gap(&mut self, position: f64, jumps: &[f64]) -> f64 {
@@ -61,7 +61,7 @@ impl<'a> UnfeltWheel<'a> {
                 self.parts.push((place, forces));
             }
         }
-        unfelt_gap(|part| match part {
+        uncoupled_gap(|part| match part {
             SurfacePart::WHOLE => whole,
             part => self.part_at(position + part.ahead * a).map_or(0.0, |forces| dot(forces, jumps)),
         })

@@ -7,7 +7,7 @@ use railcrack_case::{Case, WheelGroups, WheelTable};
 /// Conclusions from the rows: who grows the cracks, the error of the representatives, the worst
 /// place.
 pub(super) fn sentences(case: &Case, rows: &[WheelRow], across: Option<&Across>) -> Vec<String> {
-    let mut said = Vec::new();
+    let mut all = Vec::new();
     let mut shares: Vec<f64> = rows.iter().map(|row| row.growth_share).collect();
     shares.sort_by(|a, b| b.total_cmp(a));
     let (mut sum, mut count) = (0.0, 0);
@@ -16,25 +16,25 @@ pub(super) fn sentences(case: &Case, rows: &[WheelRow], across: Option<&Across>)
         count += 1;
     }
     if rows.len() > 1 && sum > 0.0 {
-        said.push(format!("{count} of {} wheels cause half of the growth", rows.len()));
+        all.push(format!("{count} of {} wheels cause half of the growth", rows.len()));
     }
     if let Some(table) = &case.wheel_table
         && let Some(groups) = &table.groups
     {
         let missed = table.missed(groups);
         if missed > 0.0 {
-            said.push(format!(
+            all.push(format!(
                 "the patches of {:.1} % of the axles miss the crack at {} mm",
                 100.0 * missed,
                 table.lateral
             ));
         }
         if table.in_space {
-            said.push(in_space(case, table, groups));
-            return with_worst_place(said, across);
+            all.push(in_space(case, table, groups));
+            return with_worst_place(all, across);
         }
         let error = representatives_error(rows);
-        said.push(format!(
+        all.push(format!(
             "{} representatives: mean growth rate off by {:+.2} % of that of all wheels, computed one by one ({:+.2} % by the coarse crack){}",
             groups.representatives.len(),
             100.0 * error,
@@ -42,19 +42,19 @@ pub(super) fn sentences(case: &Case, rows: &[WheelRow], across: Option<&Across>)
             if error.abs() > table.accepted { "; more than representatives_error" } else { "" }
         ));
     }
-    with_worst_place(said, across)
+    with_worst_place(all, across)
 }
 
-/// `said` with the place where the crack would grow fastest.
-fn with_worst_place(mut said: Vec<String>, across: Option<&Across>) -> Vec<String> {
+/// `all` with the place where the crack would grow fastest.
+fn with_worst_place(mut all: Vec<String>, across: Option<&Across>) -> Vec<String> {
     if let Some(across) = across {
         let (place, rate) = across.worst();
-        said.push(format!(
+        all.push(format!(
             "the crack would grow fastest at lateral_mm = {place:.1}, {rate:.2} times as fast as here, by {}",
             across.by
         ));
     }
-    said
+    all
 }
 
 /// Where the patches of a table lie in space, and the error of its representatives.

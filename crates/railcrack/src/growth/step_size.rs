@@ -8,7 +8,7 @@ use super::{Axles, EarlierStep, GrowthSettings, Interval, Mover, StepProgress, S
 /// The pace of a step. It is set by the fastest-growing mover, or by the removal of the surface
 /// where that takes more of a crack.
 #[derive(Debug, Clone)]
-pub(crate) struct Pace {
+pub(crate) struct StepSize {
     history: History,
     /// The mover whose rate determines the cycles; `None` where nothing grows.
     mover: Option<Mover>,
@@ -56,7 +56,7 @@ const LEAST_DRAWN: f64 = 0.1;
 /// Cycles before a grinding, relative to its interval, that are attributed to rounding.
 const DUE: f64 = 1e-9;
 
-impl Pace {
+impl StepSize {
     /// The pace of `moving`. It is shortened to the fraction `part` of the full step, so that the
     /// step ends at an event.
     pub fn of(moving: &Moving<'_>, at: &StepStart<'_>, settings: &GrowthSettings, part: f64) -> Self {
@@ -221,7 +221,7 @@ impl Event {
 /// cycles would pass after it.
 pub(crate) fn is_worth_a_step(
     event: Event,
-    pace: &Pace,
+    pace: &StepSize,
     at: &StepStart<'_>,
     settings: &GrowthSettings,
 ) -> bool {
