@@ -8,7 +8,7 @@ use serde::{Serialize, Serializer};
 use std::ops::Range;
 
 /// Effort of the compression, 0 to 10: beyond it, size falls by per cents and time doubles.
-const EFFORT: u8 = 6;
+const EFFORT: u8 = 9;
 /// Levels of a quantised number.
 const LEVELS: u16 = u16::MAX;
 
