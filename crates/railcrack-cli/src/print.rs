@@ -90,7 +90,7 @@ mod tests {
             assert!(shown.contains(error.message()), "{shown}");
             assert!(error.help().is_none_or(|help| shown.contains(help)), "{shown}");
         }
-        let marked = "8 │ fricton = 0.5\n  ╰╴━━━━━━━ here";
+        let marked = "8 │ fricton = 0.5\n  │ ━━━━━━━ here";
         for part in [" ╭▸ case.toml:8:1\n", marked, " ╭▸ case.toml:10:13\n", "━━━━━━ here"]
         {
             assert!(shown.contains(part), "{part} in\n{shown}");
@@ -101,9 +101,12 @@ mod tests {
 
     #[test]
     fn a_second_place_has_its_own_label() {
-        let errors = errors("friction = 0.5\nfriction = 0.4\n", "case.toml");
-        let shown = all(&errors, Renderer::plain());
-        assert!(shown.contains("friction = 0.5") && shown.contains("friction = 0.4"), "{shown}");
+        let crossing =
+            "friction = 0.5\n[[crack]]\nmouth_mm = 0.0\nlength_mm = 1.0\nangle_deg = 15.0\nfriction = 0.5\n";
+        let shown = all(&errors(crossing, "case.toml"), Renderer::plain());
+        for part in ["4 │ [[crack]]", "9 │ [[crack]]", "here", "the other crack"] {
+            assert!(shown.contains(part), "{part} in\n{shown}");
+        }
     }
 
     #[test]

@@ -68,7 +68,10 @@ fn a_plan_is_the_run_with_its_grinding() {
             "--quiet",
         ],
     );
-    assert_eq!(names(&place.join("plan")), ["case.toml", "plan.csv", "plan.json", "plots", "report.html"]);
+    assert_eq!(
+        names(&place.join("plan")),
+        ["SHA256SUMS", "case.toml", "plan.csv", "plan.json", "plots", "report.html"]
+    );
     let plan = json(&place.join("plan/plan.json"));
     let plans = plan["plans"].as_array().unwrap();
     let order: Vec<(f64, f64)> = plans

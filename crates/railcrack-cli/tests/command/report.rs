@@ -140,7 +140,7 @@ fn a_direct_state_shows_what_passages_lead_to() {
     done(&folder, &["shakedown", "case.toml", "--out", "state", "--quiet"]);
     again(&folder, "state", "plastic state");
     let page = fs::read_to_string(folder.join("state/report.html")).unwrap();
-    assert!(page.contains("\"name\":\"σ_{xx}, pass by pass\""));
+    assert!(page.contains("class=\"curve\" data-name=\"σxx, pass by pass\""));
     assert!(page.contains("by the direct method, which does not follow the passages"));
 }
 

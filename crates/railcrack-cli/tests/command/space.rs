@@ -128,7 +128,7 @@ fn a_turned_crack_on_a_rail_that_bends() {
     let (least, most) = xc.iter().fold((0.0f64, 0.0f64), |(a, b), x| (a.min(*x), b.max(*x)));
     assert!(least < -5000.0 && most > 5000.0, "{least} {most}");
     let page = read(&run.join("report.html"));
-    assert!(page.contains("The rail bends under the axle") && page.contains("The whole passage, in metres"));
+    assert!(page.contains("Track: axles 100 kN") && page.contains("The whole passage, in metres"));
     assert!(read(&run.join("plots/ki.svg")).contains("metres"));
     let plane = ["run", "case.toml", "--engine", "dislocation", "--out", "plane"];
     let refused = common::stderr(&common::ends(&folder, &plane, 2));

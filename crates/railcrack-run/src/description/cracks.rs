@@ -14,18 +14,17 @@ pub(super) fn cracks(case: &Case) -> Vec<Row> {
     different.dedup();
     let different: Vec<String> = different.into_iter().map(short).collect();
     let columns = "   #   x mm        y mm        length mm   angle deg   friction   tips mm";
-    let mut rows = vec![
-        Row::number("number", case.cracks.cracks().len() as f64, ""),
+    let mut rows = vec![Row::number("number", case.cracks.cracks().len() as f64, ""), Row::line(columns)];
+    for (i, (crack, friction)) in case.cracks.cracks().iter().zip(&case.crack_friction).enumerate() {
+        rows.push(Row::line(crack_line(i + 1, crack, *friction)));
+    }
+    rows.extend([
         Row::text(
             "faces",
             "no initial gap, unilateral contact, Coulomb friction; stick and slip are reset at the start of each growth step",
         ),
         Row::text("friction", different.join(", ")),
-        Row::line(columns),
-    ];
-    for (i, (crack, friction)) in case.cracks.cracks().iter().zip(&case.crack_friction).enumerate() {
-        rows.push(Row::line(crack_line(i + 1, crack, *friction)));
-    }
+    ]);
     rows
 }
 

@@ -1,6 +1,7 @@
 //! The rail of a case, and the limits of its model.
 
 use super::row::Row;
+use crate::numbers::short;
 use railcrack::bulk::Boundary;
 use railcrack::words::Choice;
 use railcrack_case::Case;
@@ -15,7 +16,8 @@ pub(super) fn rail(case: &Case) -> Vec<Row> {
             |section| format!("{}, cracked with the section {}", rail.boundary.word(), section.name),
         ),
         (false, Boundary::Block { bottom, sides }) => {
-            format!("{}, bottom {}, sides {}", rail.boundary.word(), bottom.word(), sides.word())
+            let [width, depth] = [rail.extent.width, rail.extent.depth].map(short);
+            format!("block of {width} by {depth} mm, bottom {}, sides {}", bottom.word(), sides.word())
         }
     };
     vec![
@@ -27,7 +29,7 @@ pub(super) fn rail(case: &Case) -> Vec<Row> {
         Row::text("boundary", body),
         Row::with(
             "cracks stay within",
-            "x = {left} to {right}, depth {depth}",
+            "x = {left:} to {right}, depth {depth}",
             [("left", left, "mm"), ("right", right, "mm"), ("depth", rail.extent.depth, "mm")],
         ),
     ]

@@ -73,7 +73,8 @@ impl Row {
         Self { name, text: number.written(), numbers: vec![number] }
     }
 
-    /// A row whose `text` has a place `{key}` for each of `numbers`: key, value and unit.
+    /// A row whose `text` has a place `{key}` for each of `numbers`: key, value and unit. At a place
+    /// `{key:}` the unit is left out.
     pub(super) fn with<const N: usize>(
         name: &'static str,
         text: &str,
@@ -82,6 +83,7 @@ impl Row {
         let mut text = text.to_owned();
         let number = |(key, value, unit): (&'static str, f64, &'static str)| {
             let number = Number { key, value, unit };
+            text = text.replace(&format!("{{{key}:}}"), &short(value));
             text = text.replace(&format!("{{{key}}}"), &number.written());
             number
         };
@@ -126,8 +128,8 @@ mod tests {
 
     #[test]
     fn numbers_are_in_the_text_and_in_the_object() {
-        let row = Row::with("ellipse", "a = {a}, ratio {b/a}", [("a", 6.75, "mm"), ("b/a", 1.5, "")]);
-        assert_eq!(row.text, "a = 6.75 mm, ratio 1.5");
+        let row = Row::with("ellipse", "a = {a:} to {a}, ratio {b/a}", [("a", 6.75, "mm"), ("b/a", 1.5, "")]);
+        assert_eq!(row.text, "a = 6.75 to 6.75 mm, ratio 1.5");
         let part = Part::new("contact", vec![row, Row::number("p0", 845.0, "MPa"), Row::line("a remark")]);
         let want = json!({ "contact": {
             "ellipse": { "a": { "value": 6.75, "unit": "mm" }, "b/a": 1.5 },

@@ -23,7 +23,7 @@ pub(super) fn residual(case: &Case) -> Vec<Row> {
         ),
         Row::with(
             "sigma_xx",
-            "{least} to {most}",
+            "{least:} to {most}",
             [("least", extreme(f64::min), "MPa"), ("most", extreme(f64::max), "MPa")],
         ),
     ]
@@ -38,7 +38,7 @@ pub(super) fn plastic(case: &Case) -> Vec<Row> {
                 Row::text("field", file.given_name()),
                 Row::with(
                     "extent",
-                    "x = {left} to {right}, to depth {depth}",
+                    "x = {left:} to {right}, to depth {depth}",
                     [("left", left, "mm"), ("right", right, "mm"), ("depth", depth, "mm")],
                 ),
             ]

@@ -34,7 +34,6 @@ fn contact(case: &Case, wheel: &GivenWheel) -> Vec<Row> {
     };
     let mut rows = from_origin(case, origin);
     rows.extend([
-        Row::text("pressure", contact.kind().described()),
         Row::number("peak pressure p0", contact.peak_pressure(), "MPa"),
         Row::number("half width a", contact.half_width(), "mm"),
         Row::number("line load", contact.line_load(), "N/mm"),
@@ -47,7 +46,7 @@ fn contact(case: &Case, wheel: &GivenWheel) -> Vec<Row> {
             let (from, to) = (table.rows()[0].u, table.rows()[last].u);
             rows.push(Row::with(
                 "extent",
-                "u = {from} to {to}, {rows} rows",
+                "u = {from:} to {to}, {rows} rows",
                 [("from", from, "mm"), ("to", to, "mm"), ("rows", (last + 1) as f64, "")],
             ));
             rows.push(Row::number("largest |q| / p", table.largest_friction(), ""));
@@ -61,7 +60,7 @@ fn contact(case: &Case, wheel: &GivenWheel) -> Vec<Row> {
         shear if shear > 0.0 => "drags the rail along +x",
         _ => "drags the rail along -x",
     };
-    rows.push(Row::text("shear", drags));
+    rows.extend([Row::text("pressure", contact.kind().described()), Row::text("shear", drags)]);
     rows.push(match coupling {
         Some(coupling) => Row::with(
             "cracks",
@@ -240,7 +239,7 @@ fn table_of_wheels(case: &Case) -> Vec<Row> {
             let (from, to) = (ys().fold(f64::INFINITY, f64::min), ys().fold(f64::NEG_INFINITY, f64::max));
             Row::with(
                 "places",
-                "patches with their middles from z = {from} to {to}",
+                "patches with their middles from z = {from:} to {to}",
                 [("from", from, "mm"), ("to", to, "mm")],
             )
         }
@@ -286,11 +285,9 @@ fn wheel_of_mix(case: &Case, mixed: &TrafficWheel) -> Vec<Row> {
     rows
 }
 
+/// Both ends of a passage, mm.
 fn between(name: &'static str, from: f64, to: f64) -> Row {
-    let text = format!("x = {} to {{to}}", short(from));
-    let mut row = Row::with(name, &text, [("to", to, "mm")]);
-    row.numbers.insert(0, super::row::Number { key: "from", value: from, unit: "mm" });
-    row
+    Row::with(name, "x = {from:} to {to}", [("from", from, "mm"), ("to", to, "mm")])
 }
 
 /// Bending of the rail under the axles.
@@ -321,7 +318,7 @@ fn track(case: &Case, wheel: &TrafficWheel) -> Vec<Row> {
         ),
         Row::with(
             "passage of the beam",
-            "x = {from} to {to}, {positions} output positions in all",
+            "x = {from:} to {to}, {positions} output positions in all",
             [
                 ("from", 1e-3 * first, "m"),
                 ("to", 1e-3 * last, "m"),
@@ -336,7 +333,7 @@ fn temperature(case: &Case, wheel: &GivenWheel) -> Vec<Row> {
     vec![
         Row::with(
             "rail, neutral",
-            "{rail} and {neutral}",
+            "{rail:} and {neutral}",
             [("rail", temperature.rail, "degrees C"), ("neutral", temperature.neutral, "degrees C")],
         ),
         Row::number("sigma_xx", temperature.stress(&case.steel), "MPa"),

@@ -94,8 +94,6 @@ impl Recorder {
             begin(folder, &case, Existing::Replace)?;
             return Ok((Self::from_the_beginning(folder, &case, info, presentation)?, None));
         }
-        // It is of the steps so far.
-        remove(&folder.join(SUMS_FILE))?;
         restore_case(folder, &case)?;
         if log.fields().next().is_some() {
             // A list that is gone, or that has fields of a step that a kill has cut.
@@ -119,6 +117,8 @@ impl Recorder {
             synced: Instant::now(),
             rows: Rows::with_sections(&sections),
         };
+        // They are of the steps so far; with a damaged table, the run does not go on and keeps them.
+        remove(&folder.join(SUMS_FILE))?;
         Ok((recorder, Some(checkpoint.state)))
     }
 
