@@ -75,8 +75,8 @@ pub fn singles(value: &Value) -> Vec<f64> {
     bytes.chunks_exact(4).map(|b| f64::from(f32::from_le_bytes(b.try_into().unwrap()))).collect()
 }
 
-/// Quantised values in rows of `row`, kept as differences from the level above (in the first row from
-/// the one before), and half a level.
+/// Quantised values in rows of `row`, kept as differences from the level above (in the first row
+/// from the one before), and half a level.
 pub fn quantised(value: &Value, row: usize) -> (Vec<f64>, f64) {
     let (low, step) = (value["low"].as_f64().unwrap(), value["step"].as_f64().unwrap());
     let bytes = unpacked(&value["data"]);

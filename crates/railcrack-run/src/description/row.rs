@@ -73,8 +73,8 @@ impl Row {
         Self { name, text: number.written(), numbers: vec![number] }
     }
 
-    /// A row whose `text` has a place `{key}` for each of `numbers`: key, value and unit. At a place
-    /// `{key:}` the unit is left out.
+    /// A row whose `text` has a place `{key}` for each of `numbers` (key, value and unit); a place
+    /// `{key:}` is without the unit.
     pub(super) fn with<const N: usize>(
         name: &'static str,
         text: &str,

@@ -117,7 +117,7 @@ impl Recorder {
             synced: Instant::now(),
             rows: Rows::with_sections(&sections),
         };
-        // They are of the steps so far; with a damaged table, the run does not go on and keeps them.
+        // They are of the steps so far; a run with a damaged table stays as it is.
         remove(&folder.join(SUMS_FILE))?;
         Ok((recorder, Some(checkpoint.state)))
     }

@@ -57,7 +57,7 @@ pub(super) fn typeset(text: &str) -> String {
     let mut rest = text.chars().peekable();
     while let Some(letter) = rest.next() {
         let is_sign = letter == '-'
-            && !before.is_alphabetic()
+            && !before.is_alphanumeric()
             && rest.peek().is_some_and(|next| next.is_ascii_digit() || *next == 'x')
             || letter == '-' && before == 'e' && rest.peek().is_some_and(char::is_ascii_digit);
         minus.push(if is_sign { '\u{2212}' } else { letter });
