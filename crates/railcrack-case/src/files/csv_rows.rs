@@ -58,7 +58,7 @@ pub(crate) fn csv_rows(source: &Source) -> impl Iterator<Item = CsvRow> {
     });
     rows.filter(|row| {
         let first = row.fields().next().unwrap_or_default();
-        !first.starts_with('#') && !(first.is_empty() && row.len() == 1)
+        !(first.starts_with('#') || first.is_empty() && row.len() == 1)
     })
 }
 

@@ -177,7 +177,7 @@ fn exact(chart: &Chart, [x, y]: [[f64; 2]; 2], width: f64, most: f64) -> (Axis, 
     let ticks = |length: f64| (length / 55.0) as usize + 1;
     let x = Axis::exact(middle - half, middle + half, ticks(width));
     let y = match chart.y.scale {
-        ChartScale::Depth => Axis::exact(y[1], y[0], 2 * ticks(height)).from_zero(),
+        ChartScale::Depth => Axis::exact(y[1], y[0], 2 * ticks(height)).starting_at_zero(),
         _ => Axis::exact(y[0], y[1], ticks(height)),
     };
     (x, y, height)

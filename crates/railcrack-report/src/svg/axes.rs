@@ -101,7 +101,7 @@ impl Axis {
     }
 
     /// The axis with ticks from zero on only: above the running surface there is no depth.
-    pub(crate) fn from_zero(mut self) -> Self {
+    pub(crate) fn starting_at_zero(mut self) -> Self {
         self.ticks.retain(|tick| *tick >= 0.0);
         self
     }
