@@ -73,7 +73,9 @@ impl Axis {
         let between =
             |from: f64, to: f64| round.iter().copied().filter(move |tick| (from..=to).contains(tick));
         let (from, to) = match between(from, to).count() {
-            0 | 1 => (between(0.0, from).last().unwrap_or(from), between(to, f64::MAX).next().unwrap_or(to)),
+            0 | 1 => {
+                (between(0.0, from).next_back().unwrap_or(from), between(to, f64::MAX).next().unwrap_or(to))
+            }
             _ => (from, to),
         };
         let ticks = between(from, to).collect();
