@@ -88,7 +88,7 @@ for (const file of cases) {
   const folder = join(scratch, `run-${cases.indexOf(file)}`);
   execFileSync(program, ["run", file, "--engine", "dislocation", "--out", folder, "--quiet"]);
   const text = readFileSync(join(folder, "case.toml"), "utf8");
-  const engine = openEngine(module);
+  const engine = openEngine(new WebAssembly.Instance(module, {}));
   const begun = engine.begin(text);
   if (begun.code === 2) {
     faults.push(`${file}: ${JSON.stringify(begun.value)}`);
