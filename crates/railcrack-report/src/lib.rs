@@ -64,7 +64,7 @@ pub use chart::{
 pub use choices::{AtFirst, Choice, ChoiceGroup, ChoiceMark, Choices};
 pub use engine::PageEngine;
 pub use live_page::{LivePage, live_page};
-pub use numbers::{fixed, formula, grouped, short, significant, tonnage};
+pub use numbers::{fixed, grouped, significant, tonnage};
 pub use page::{Banner, Block, Fact, Page, Section};
 pub use pages::explorer_page;
 pub use rebuild::{Pages, rebuild_report};

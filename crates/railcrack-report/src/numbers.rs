@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use railcrack_run::numbers::ROUND_OFF;
-pub use railcrack_run::numbers::{formula, rounded, short};
+pub(crate) use railcrack_run::numbers::{rounded, short};
 
 /// A number of a chart: six digits, more than any screen shows; null for what is not finite.
 pub fn number(value: f64) -> Value {

@@ -91,6 +91,12 @@ impl Row {
         Self { name, text, numbers }
     }
 
+    /// The row with the name of its `subject`, as a user wrote it, before its text.
+    pub(super) fn about(mut self, subject: &str) -> Self {
+        self.text = format!("{subject}: {}", self.text);
+        self
+    }
+
     fn to_json(&self) -> Value {
         match self.numbers.as_slice() {
             [] => self.text.as_str().into(),
@@ -130,6 +136,8 @@ mod tests {
     fn numbers_are_in_the_text_and_in_the_object() {
         let row = Row::with("ellipse", "a = {a:} to {a}, ratio {b/a}", [("a", 6.75, "mm"), ("b/a", 1.5, "")]);
         assert_eq!(row.text, "a = 6.75 to 6.75 mm, ratio 1.5");
+        let named = Row::with("wheel", "{share} of the axles", [("share", 70.0, "%")]).about("{share}");
+        assert_eq!(named.text, "{share}: 70 % of the axles", "a name is no place of a number");
         let part = Part::new("contact", vec![row, Row::number("p0", 845.0, "MPa"), Row::line("a remark")]);
         let want = json!({ "contact": {
             "ellipse": { "a": { "value": 6.75, "unit": "mm" }, "b/a": 1.5 },

@@ -201,8 +201,8 @@ fn mix(case: &Case) -> Vec<Row> {
                 short(contact.adhesion())
             )
         });
-        let text = format!("{}: {{share}} of the axles{load}{contact}", wheel.name);
-        Row::with("wheel", &text, [("share", 100.0 * wheel.share, "%")])
+        let text = format!("{{share}} of the axles{load}{contact}");
+        Row::with("wheel", &text, [("share", 100.0 * wheel.share, "%")]).about(&wheel.name)
     };
     let mut rows: Vec<Row> = case.wheels.iter().map(row).collect();
     rows.extend(table_of_wheels(case));
@@ -223,16 +223,14 @@ fn table_of_wheels(case: &Case) -> Vec<Row> {
     };
     let represented = Row::with(
         "table",
-        &format!(
-            "{}: {{wheels}} wheels, {{representatives}} representatives, mean rate off by {{error}} by the coarse crack",
-            table.file.given_name()
-        ),
+        "{wheels} wheels, {representatives} representatives, mean rate off by {error} by the coarse crack",
         [
             ("wheels", table.wheels.len() as f64, ""),
             ("representatives", groups.representatives.len() as f64, ""),
             ("error", 100.0 * groups.error, "%"),
         ],
-    );
+    )
+    .about(table.file.given_name());
     let places = match table.in_space {
         true => {
             let ys = || table.wheels.iter().flat_map(|wheel| &wheel.wheel.patches).map(|own| own.y_rail);

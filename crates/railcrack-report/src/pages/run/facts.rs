@@ -24,6 +24,13 @@ fn crack_name(run: &RunFolder, crack: usize) -> String {
     if run.summary.cracks.len() == 1 { "the crack".to_owned() } else { format!("crack {crack}") }
 }
 
+/// The tonnage of so many load cycles, in brackets; empty without an axle load.
+pub(super) fn tonnes_of(run: &RunFolder, load_cycles: f64) -> String {
+    run.case.axle_load.map_or_else(String::new, |load| {
+        format!(" ({} million gross tonnes at {} t per axle)", tonnage(load_cycles * load / 1e6), given(load))
+    })
+}
+
 /// The main result.
 pub(super) fn verdict(run: &RunFolder) -> String {
     let Some((first, last)) = representative_tip(run) else {
@@ -36,13 +43,7 @@ pub(super) fn verdict(run: &RunFolder) -> String {
         _ => format!("The fastest of {count} cracks, crack {},", first.crack),
     };
     let text = if last.length > first.length {
-        let tonnes = run.case.axle_load.map_or_else(String::new, |load| {
-            format!(
-                " ({} million gross tonnes at {} t per axle)",
-                tonnage(last.load_cycles * load / 1e6),
-                given(load)
-            )
-        });
+        let tonnes = tonnes_of(run, last.load_cycles);
         format!(
             "{name} grows from {} to {} mm in {} load cycles{}{tonnes}, {}.",
             fixed(first.length, 2),

@@ -1,7 +1,7 @@
 //! Cracks in space on the page of a run: fronts, tables, assumptions.
 
 use super::assumptions::assumptions;
-use super::facts::{ending, stop_of, stop_sentence};
+use super::facts::{ending, stop_of, stop_sentence, tonnes_of};
 use super::front_data::cracks;
 use super::stored::RunFolder;
 use super::{RunParts, front_data, front_wheels, steps_section, warnings};
@@ -78,13 +78,7 @@ fn verdict(run: &RunFolder) -> String {
         count => (format!("Crack {}", first.crack), format!(", the fastest of {count} cracks,")),
     };
     let text = if grown {
-        let tonnes = run.case.axle_load.map_or_else(String::new, |load| {
-            format!(
-                " ({} million gross tonnes at {} t per axle)",
-                tonnage(last.load_cycles * load / 1e6),
-                given(load)
-            )
-        });
+        let tonnes = tonnes_of(run, last.load_cycles);
         format!(
             "{which}{rank} grows from {sizes} of {} (down the dip, along the surface) to {} in {} load cycles{tonnes}.",
             axes(first),
