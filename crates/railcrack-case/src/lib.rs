@@ -33,8 +33,8 @@ pub use schema::{
 };
 pub use study::{Axis, Distribution, Input, Keeping, SampleTable, Study, StudyRun, Variation, study_schema};
 pub use tables::{
-    CalibrationPrior, Combine, ContactOrigin, ContactSolver, Detection, Engine, EngineDomain, FieldOutput,
-    Fracture, GivenContact, GivenWheel, Inspection, InspectionRisk, Kept, MeshSettings, Output,
+    CalibrationPrior, Combine, ContactExtent, ContactOrigin, ContactSolver, Detection, Engine, EngineDomain,
+    FieldOutput, Fracture, GivenContact, GivenWheel, Inspection, InspectionRisk, Kept, MeshSettings, Output,
     PlasticSource, ProfileOrigin, Rail, SECTIONS, STUDY, Scatter, ShakedownSettings, WheelLoading, init_text,
     json_schema, markdown,
 };

@@ -15,13 +15,13 @@ use super::traffic_wheel::{TrafficWheel, mean_axle_load};
 use crate::files::{ProfileFile, read_profile};
 use crate::schema::{KeyRow, Report, SectionValues, Sections, Value, Written, short};
 use crate::tables::{
-    CALIBRATION, CENTRE, CRACK, CalibrationPrior, ContactExtent, ContactSolver, ENGINE, Engine, EngineDomain,
-    FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture, GROWTH, Growing, INSPECTION, Inspection,
-    InspectionRisk, MAINTENANCE, MESH, MGT_PER_YEAR, MeshSettings, NETWORK, OUTPUT, Output, PASSAGE,
-    PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER,
+    BOUNDARY, BoundaryKind, CALIBRATION, CENTRE, CRACK, CalibrationPrior, ContactExtent, ContactSolver,
+    ENGINE, EngineDomain, FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture, GROWTH, Growing, INSPECTION,
+    Inspection, InspectionRisk, MAINTENANCE, MESH, MGT_PER_YEAR, MeshSettings, NETWORK, OUTPUT, Output,
+    PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER,
     SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scatter, Scattering, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP,
-    TRACK, TRAFFIC, WHEEL_TEMPERATURE, WHEEL_TRACK, WIDTH, YIELD_STRESS, is_of_the_steel, read_calibration,
-    read_growth, read_inspection, read_maintenance, read_risk, read_scatter, read_steel,
+    TRACK, TRAFFIC, WHEEL_TEMPERATURE, WHEEL_TRACK, WIDTH, YIELD_STRESS, is_in_space, is_of_the_steel,
+    read_calibration, read_growth, read_inspection, read_maintenance, read_risk, read_scatter, read_steel,
 };
 use railcrack::bulk::Boundary;
 use railcrack::contact::{CrackFluid, FluidModel};
@@ -264,21 +264,18 @@ fn case_of(parts: Parts, upkeep: Upkeep, sections: &Sections) -> Option<Case> {
     })
 }
 
-/// Whether the engine is that in space.
-fn is_in_space(sections: &Sections) -> bool {
-    let engine = sections.one(&SOLVER).and_then(|solver| solver.get(ENGINE));
-    engine.is_some_and(Engine::is_in_space)
-}
-
 /// The prior of a calibration, by default that of the validation suite in the geometry of the case.
 fn calibration(sections: &Sections) -> CalibrationPrior {
     let suite = if is_in_space(sections) { CalibrationPrior::SPACE } else { CalibrationPrior::PLANE };
     sections.one(&CALIBRATION).and_then(|section| read_calibration(section, suite)).unwrap_or(suite)
 }
 
-/// The part of the contacts that the engine needs.
+/// The part of the contacts that the case can take: the ends of a block cancel a field of the
+/// half-plane.
 fn contact_extent(sections: &Sections) -> ContactExtent {
-    if is_in_space(sections) { ContactExtent::Ellipse } else { ContactExtent::Strip }
+    let boundary = sections.one(&RAIL).and_then(|rail| rail.get(BOUNDARY));
+    let is_block = !is_in_space(sections) && boundary == Some(BoundaryKind::Block);
+    if is_block { ContactExtent::Strip } else { ContactExtent::Patch }
 }
 
 /// Smallest gap between the contact and the side of a block, over the half-width: if it is closer,

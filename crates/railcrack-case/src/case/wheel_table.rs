@@ -12,8 +12,8 @@ pub struct WheelTable {
     pub file: WheelTableFile,
     /// Lateral place of the cracks on the running surface, mm; in space, of the first one.
     pub lateral: f64,
-    /// Whether the whole patches load cracks in space.
-    pub in_space: bool,
+    /// Whether whole patches load the cracks, not their strips.
+    pub is_whole: bool,
     /// Direction of travel.
     pub travel: Travel,
     /// The wheels that pass: all of the table, or those at one place.
@@ -46,7 +46,7 @@ impl WheelTable {
     /// The words for the surrogate by which lateral places are compared.
     #[must_use]
     pub fn compared_by(&self) -> &'static str {
-        if self.in_space { "the coarse crack" } else { "the open crack" }
+        if self.is_whole { "the coarse crack" } else { "the open crack" }
     }
 
     /// Share of the axles whose patches miss the cracks, in `groups` of its wheels.

@@ -7,8 +7,8 @@ use crate::schema::{Report, SectionValues, Sections};
 use crate::tables::{
     CRACK, CRACK_LATERAL, ContactExtent, ContactOrigin, GivenContact, GivenWheel, PASSAGE, PLACE,
     PLACE_WINDOW, REPRESENTATIVES, REPRESENTATIVES_ERROR, TABLE, TABLE_SIGN, TABLE_THEORY, TEMPERATURE,
-    TRACK, WHEEL_CONTACT, WHEEL_TEMPERATURE, WHEEL_TRACK, WheelLoading, read_passages, read_temperature,
-    read_track,
+    TRACK, WHEEL_CONTACT, WHEEL_TEMPERATURE, WHEEL_TRACK, WheelLoading, is_in_space, read_passages,
+    read_temperature, read_track,
 };
 use railcrack::contact::CrackFluid;
 use railcrack::load::{Contact, Travel};
@@ -41,9 +41,9 @@ pub(super) fn read_wheels_of_table(
         report.add(contact.fault_of_all(says));
         return None;
     }
-    let in_space = extent == ContactExtent::Ellipse;
+    let is_whole = extent == ContactExtent::Patch;
     // Cracks in space each lie at their own place.
-    let lateral = match in_space {
+    let lateral = match is_in_space(sections) {
         true => sections.all(&CRACK).next()?.get(CRACK_LATERAL).unwrap_or(0.0),
         false => lateral_place(sections, report)?,
     };
@@ -84,7 +84,7 @@ pub(super) fn read_wheels_of_table(
     let table = WheelTable {
         file,
         lateral,
-        in_space,
+        is_whole,
         travel,
         wheels,
         first,
@@ -100,11 +100,11 @@ pub(super) fn read_wheels_of_table(
 fn loading(wheel: &TableWheel, lateral: f64, (extent, travel): (ContactExtent, Travel)) -> WheelLoading {
     let of_patch = |contact: Contact, own: PlacedPatch| {
         let origin = ContactOrigin::Rolling { patch: Box::new(own.patch), lateral: own.y, travel };
-        WheelLoading::Contact(Box::new(GivenContact { contact, origin, coupling: None }))
+        WheelLoading::Contact(Box::new(GivenContact { contact, extent, origin, coupling: None }))
     };
     let heaviest = wheel.heaviest();
     let met = match extent {
-        ContactExtent::Ellipse => {
+        ContactExtent::Patch => {
             let own = PlacedPatch { patch: heaviest.patch, y: -heaviest.y_rail, x: heaviest.x };
             heaviest.patch.plane_contact(0.0, travel).ok().map(|contact| of_patch(contact, own))
         }

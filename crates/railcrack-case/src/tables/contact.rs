@@ -2,8 +2,8 @@
 
 use crate::files::{ContactFile, ContactReading, PointFile, read_contact_table};
 use crate::schema::{
-    KeyRow, Kind, NumberRange, Preset, RangeEnd, Report, SectionValues, choice, closed, file, integer,
-    number, numbers, read_by_word, section, switch, within,
+    Choice, KeyRow, Kind, NumberRange, Preset, RangeEnd, Report, SectionValues, Word, choice, closed, file,
+    integer, number, numbers, read_by_word, section, switch, within,
 };
 use railcrack::load::{
     CarterContact, Contact, ContactKind, HertzEllipse, HertzianContact, Travel, WheelOnRail,
@@ -48,7 +48,7 @@ section! {
         "Radius of the rail in the plane of the model; inf for a flat rail.")
         .only_with_any(KIND, "hertz", &["carter"], SIZED);
     WHEEL_LOAD: f64 = number("wheel_load_kn", "kN", closed(1e-3, 1e4), 100.0,
-        "Wheel load. Together with the radii it defines the Hertz contact ellipse, of which the plane engines use a strip along the rail.")
+        "Wheel load. Together with the radii it defines the Hertz contact ellipse.")
         .required().only_with_any(KIND, "hertz", &["carter"], SIZED);
     RAIL_HEAD_RADIUS: f64 = number("rail_head_radius_mm", "mm", closed(0.01, f64::INFINITY), 300.0,
         "Transverse radius of the rail head; inf for a flat head.")
@@ -57,11 +57,14 @@ section! {
         "Transverse radius of the wheel profile; inf for a straight profile, negative for a concave one.")
         .only_with_any(KIND, "hertz", &["carter", ROLLING], HERTZIAN);
     LATERAL_HALF_WIDTH: f64 = number("lateral_half_width_mm", "mm", closed(0.1, 1e3), 6.0,
-        "Lateral semi-axis b of the contact ellipse; peak_pressure_mpa and half_width_mm then describe the ellipse. The space engine needs this key or the radii; the plane engines use the strip of the ellipse above the middle of the crack.")
+        "Lateral semi-axis b of the contact ellipse; peak_pressure_mpa and half_width_mm then describe the ellipse. The space engine needs this key or the radii; without either a contact is a line contact.")
         .only_with_any(KIND, "hertz", &["carter"], SIZED).optional();
     LATERAL: f64 = number("lateral_mm", "mm", within(100.0), 0.0,
-        "Lateral offset of the strip used by the plane engines from the middle of the ellipse; in the space engine, the lateral position of the ellipse. With rolling, y of the crack in the patch; in the space engine the patch lies so that this y is at z = 0. With profiles, y of the crack on that of the rail; the middle of the most loaded patch if not given. Otherwise 0 if not given.")
+        "Lateral position of the middle of the ellipse relative to the cracks. With rolling, y of the crack in the patch. With profiles, y of the crack on that of the rail; the middle of the most loaded patch if not given. Otherwise 0 if not given.")
         .only_with_any(KIND, "hertz", &["carter", ROLLING], HERTZIAN).optional();
+    LATERAL_EXTENT: ContactExtent = choice("lateral",
+        "What of an ellipse or a patch loads cracks in the plane; in space it is always the whole patch.")
+        .only_with_words(KIND, &["hertz", "carter", ROLLING], HERTZIAN).optional();
     CONTACT_PROFILE: String = file("profile", "inputs/contact-table", "contact.csv",
         "CSV file with the columns u_mm,p_mpa,q_mpa, where u is measured from the wheel centre along +x; interpolated linearly between rows, zero outside. Or a .mat file written by the rolling-contact program CONTACT.")
         .required().only_with(KIND, TABLE, "pressure and shear are computed");
@@ -74,8 +77,8 @@ section! {
         "Wheel-rail friction coefficient. With hertz it is signed: > 0 drags the rail along +x (a braking wheel running towards +x). With carter it is that of the slip zone and not negative. With rolling it is that of the slip zone and not negative. With table it is optional; if given, |q| <= friction p is required.")
         .required_but_with(KIND, TABLE, "a table defines its own shear");
     LATERAL_FRICTION: f64 = number("lateral_friction", "", closed(-1.0, 1.0), 0.0,
-        "Ratio of lateral shear to pressure, > 0 towards +z; space engine only, 0 if not given.")
-        .only_with(KIND, "hertz", "the strips of the plane engines carry no lateral shear").optional();
+        "Ratio of lateral shear to pressure, > 0 towards +z, 0 if not given; in the plane only its stress beside the middle of the ellipse loads the cracks.")
+        .only_with(KIND, "hertz", "no other contact has lateral shear of its own").optional();
     TRACTION: f64 = number("traction", "", closed(-1.0, 1.0), -0.5,
         "Traction ratio Q/(friction P), with the sign of the shear on the rail along +x: < 0 drives a wheel that runs towards +x; 1 and -1 are full sliding.")
         .required().only_with(KIND, "carter", "full sliding mobilises all friction, and a table defines its own shear");
@@ -120,7 +123,7 @@ section! {
         .only_with_words(KIND, &["hertz", "carter", "rolling"], "a wheel that feels the cracks needs a half-ellipse of pressure on the uncracked rail").optional();
 }
 
-read_by_word!(ContactKind, CreepageSign, RollingTheory);
+read_by_word!(ContactKind, CreepageSign, RollingTheory, ContactExtent);
 
 /// Origin of the numbers of a contact.
 #[derive(Debug, Clone, PartialEq)]
@@ -200,13 +203,20 @@ impl ContactOrigin {
     }
 }
 
-/// Part of a contact ellipse that an engine uses.
+/// Part of a contact patch that loads the cracks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum ContactExtent {
-    /// The strip above the middle of the crack, for the plane engines.
+pub enum ContactExtent {
+    /// The whole patch.
+    Patch,
+    /// The strip above the cracks, as a line contact.
     Strip,
-    /// The whole ellipse, for the space engine.
-    Ellipse,
+}
+
+impl Choice for ContactExtent {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Patch, Word::now("patch", "the whole patch, averaged along the crack front")),
+        (Self::Strip, Word::now("strip", "the strip at lateral_mm as a line contact, for comparison")),
+    ];
 }
 
 /// Contact, of a kind other than rolling, of a wheel that runs towards `travel` with a rail of
@@ -332,11 +342,18 @@ fn refuse_lateral(section: &SectionValues, report: &mut Report) -> Option<()> {
 }
 
 impl ContactExtent {
+    /// The part that loads the cracks of a case that can take `self`: a wheel that feels the cracks
+    /// is a line contact.
+    pub(crate) fn of_contact(self, section: &SectionValues) -> Self {
+        let is_line = section.get(LATERAL_EXTENT) == Some(Self::Strip) || section.get(COUPLED) == Some(true);
+        if is_line { Self::Strip } else { self }
+    }
+
     /// The offset of the strip that represents the contact.
     fn offset(self, lateral: f64) -> f64 {
         match self {
             Self::Strip => lateral,
-            Self::Ellipse => 0.0,
+            Self::Patch => 0.0,
         }
     }
 }
@@ -380,7 +397,7 @@ fn read_ellipse(
     let refusal = out_of_range(PEAK_PRESSURE, contact.peak_pressure)
         .or_else(|| out_of_range(HALF_WIDTH, contact.half_width));
     if let Some(says) = refusal {
-        let help = "wheel load and radii together define the ellipse, and lateral_mm its strip";
+        let help = "wheel load and radii together define the ellipse, and lateral_mm its place";
         report.add(section.fault(WHEEL_LOAD, says).help(help));
         return None;
     }

@@ -29,7 +29,7 @@ mod traffic;
 mod wheel_load;
 
 pub use calibration::CalibrationPrior;
-pub use contact::{ContactOrigin, ProfileOrigin};
+pub use contact::{ContactExtent, ContactOrigin, ProfileOrigin};
 pub use file::{SECTIONS, init_text, json_schema, markdown};
 pub use fracture::Fracture;
 pub use inspection::{Detection, Inspection, InspectionRisk, Scatter};
@@ -43,7 +43,7 @@ pub use study::{Combine, STUDY, Sampling};
 pub use wheel_load::{GivenContact, GivenWheel, WheelLoading};
 
 pub(crate) use calibration::{CALIBRATION, read_calibration};
-pub(crate) use contact::{CONTACT, COUPLED, ContactExtent, KIND, LATERAL_HALF_WIDTH};
+pub(crate) use contact::{CONTACT, COUPLED, KIND, LATERAL_HALF_WIDTH};
 pub(crate) use crack::{
     ANGLE, ANGLE_SD, ANGLES, COUNT, CRACK, CRACK_FRICTION, CRACK_LATERAL, LENGTH, LENGTH_SD, MOUTH, POINTS,
     ROW_SEED, SPACING, SPACING_SD, STRIKE, SURFACE_HALF_LENGTH,
@@ -62,9 +62,9 @@ pub(crate) use mesh::{
 };
 pub(crate) use output::{EXPLORER, OF_STUDY, OUTPUT, RUN_FOLDERS};
 pub(crate) use passage::{FROM, PASSAGE, POSITIONS, TO, check_passage, read_passages, read_travel};
-pub(crate) use rail::{CENTRE, CRACKED_SECTION, RAIL, WIDTH, read_steel};
+pub(crate) use rail::{BOUNDARY, BoundaryKind, CENTRE, CRACKED_SECTION, RAIL, WIDTH, read_steel};
 pub(crate) use shakedown::{SHAKEDOWN, YIELD_STRESS};
-pub(crate) use solver::{ENGINE, NETWORK, SOLVER, SOLVER_CONTACT};
+pub(crate) use solver::{ENGINE, NETWORK, SOLVER, SOLVER_CONTACT, is_in_space};
 pub(crate) use stress::{PLASTIC_STRESS, PROFILE, RESIDUAL_STRESS};
 pub(crate) use study::{COLOUR_BY, COMBINE, SAMPLES, SAMPLES_BY_DEFAULT, SAMPLING, SEED, TOGETHER};
 pub(crate) use title::{TITLE, TOP};

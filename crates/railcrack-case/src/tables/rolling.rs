@@ -50,7 +50,7 @@ pub(super) fn read_rolling(
     let ellipse = read_ellipse(section, steel, report)?;
     let patch = checked(section, rolling(ellipse, None), report)?;
     let lateral = section.get(LATERAL).unwrap_or(0.0);
-    let place = if extent == ContactExtent::Ellipse { 0.0 } else { lateral };
+    let place = if extent == ContactExtent::Patch { 0.0 } else { lateral };
     let Ok(contact) = patch.plane_contact(place, travel) else {
         let across = ellipse.across;
         let says = format!("is outside the patch, which reaches {across:.3} mm to either side");
@@ -138,7 +138,7 @@ fn read_profiles(
         });
     }
     let contact = match extent {
-        ContactExtent::Ellipse => placed[most].patch.plane_contact(0.0, travel).ok(),
+        ContactExtent::Patch => placed[most].patch.plane_contact(0.0, travel).ok(),
         ContactExtent::Strip => PlacedPatch::plane_contact(&placed, travel),
     };
     let Some(contact) = contact else {

@@ -1,6 +1,6 @@
 //! `[solver]`: the engine of the cracked rail and the solver of the contact conditions.
 
-use crate::schema::{Choice, Word, choice, read_by_word, section};
+use crate::schema::{Choice, Sections, Word, choice, read_by_word, section};
 use railcrack::growth::NetworkContact;
 
 section! {
@@ -11,6 +11,12 @@ section! {
 }
 
 read_by_word!(Engine, ContactSolver, NetworkContact);
+
+/// Whether the engine of `sections` is that in space.
+pub(crate) fn is_in_space(sections: &Sections) -> bool {
+    let engine = sections.one(&SOLVER).and_then(|solver| solver.get(ENGINE));
+    engine.is_some_and(Engine::is_in_space)
+}
 
 /// Engines that compute the cracked rail.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -41,6 +41,8 @@ pub enum WheelLoading {
 pub struct GivenContact {
     /// Pressure and shear; of a whole patch, those of its middle strip.
     pub contact: Contact,
+    /// The part of a patch that loads the cracks; a line contact has none but its strip.
+    pub extent: ContactExtent,
     /// Origin of their numbers.
     pub origin: ContactOrigin,
     /// How the wheel feels the cracks; `None` for the contact on the uncracked rail.
@@ -53,6 +55,7 @@ pub(crate) struct WheelSections<'a> {
     pub contact: &'a SectionValues,
     pub track: Option<&'a SectionValues>,
     pub temperature: Option<&'a SectionValues>,
+    /// The part of a patch that the engine and the boundary of the rail can take.
     pub extent: ContactExtent,
 }
 
@@ -66,17 +69,18 @@ impl GivenWheel {
         folder: &Path,
         report: &mut Report,
     ) -> Option<Self> {
+        let extent = sections.extent.of_contact(sections.contact);
         let contact = match sections.contact.get(KIND) {
             Some(ContactKind::Rolling) => {
-                read_rolling(sections.contact, steel, travel, sections.extent, folder, report)
+                read_rolling(sections.contact, steel, travel, extent, folder, report)
             }
-            _ => read_contact(sections.contact, steel, travel, sections.extent, folder, report),
+            _ => read_contact(sections.contact, steel, travel, extent, folder, report),
         };
         let track = sections.track.map(|s| read_track(s, Some(sections.contact), report));
         let temperature = sections.temperature.map(|s| read_temperature(s, report));
         let (contact, origin) = contact?;
         let coupling = read_coupling(sections.contact, &contact, steel, report)?;
-        let loading = WheelLoading::Contact(Box::new(GivenContact { contact, origin, coupling }));
+        let loading = WheelLoading::Contact(Box::new(GivenContact { contact, extent, origin, coupling }));
         // A section that is present but cannot be read must not count as absent.
         Some(Self { loading, track: all_or_none(track)?, temperature: all_or_none(temperature)? })
     }

@@ -29,7 +29,7 @@ pub(super) fn wheels(case: &Case) -> Vec<Part> {
 }
 
 fn contact(case: &Case, wheel: &GivenWheel) -> Vec<Row> {
-    let Some(GivenContact { contact, origin, coupling }) = wheel.given() else {
+    let Some(GivenContact { contact, origin, coupling, .. }) = wheel.given() else {
         return vec![Row::text("contact", "misses the cracks")];
     };
     let mut rows = from_origin(case, origin);
@@ -231,7 +231,7 @@ fn table_of_wheels(case: &Case) -> Vec<Row> {
         ],
     )
     .about(table.file.given_name());
-    let places = match table.in_space {
+    let places = match table.is_whole {
         true => {
             let ys = || table.wheels.iter().flat_map(|wheel| &wheel.wheel.patches).map(|own| own.y_rail);
             let (from, to) = (ys().fold(f64::INFINITY, f64::min), ys().fold(f64::NEG_INFINITY, f64::max));

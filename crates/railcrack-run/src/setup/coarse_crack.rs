@@ -5,7 +5,7 @@ use railcrack::contact::{FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::dislocation::{DislocationEngine, FaceResolution};
 use railcrack::fatigue::{GrowthLaw, LoadRange, SifRanges};
-use railcrack::field::wheel_under;
+use railcrack::field::{Wheel, wheel_under};
 use railcrack::fracture::SifHistory;
 use railcrack::growth::{PassageSettings, Unobserved};
 use railcrack::load::{Contact, Passage, TableContact, Travel, WheelLoad};
@@ -25,15 +25,15 @@ const PASSAGES: usize = 2;
 /// Every so many rows of a tabulated strip are used: 20 intervals of 160.
 const THINNED: usize = 8;
 
-/// The histories of the tips of the first crack of `network` during a passage of each of `contacts`
-/// towards `travel`: with contact and friction of its faces, on few elements and in long load
+/// The histories of the tips of the first crack of `network` during a passage of each of `wheels`, half-width
+/// (mm) and field, towards `travel`: with contact and friction of its faces, on few elements and in long load
 /// steps; at positions in half-widths of the wheel. Rates of the wheels of a curve by it are lower
 /// than those of the fine crack by 2 %, with a scatter of 1 % from wheel to wheel. Fluid,
 /// temperature and residual stress are absent.
 ///
 /// None where a passage does not converge.
 pub(super) fn coarse_histories(
-    contacts: &[&Contact],
+    wheels: &[(f64, &dyn Wheel)],
     (network, friction): (&CrackNetwork, f64),
     steel: &IsotropicElastic,
     travel: Travel,
@@ -43,10 +43,8 @@ pub(super) fn coarse_histories(
     let mut engine = DislocationEngine { steel: *steel, resolution: FaceResolution { elements: ELEMENTS } };
     let body = engine.body(&first.into()).ok()?;
     let faces = FaceProblem::new(&body, &[friction]).ok()?;
-    let of = |contact: &&Contact| {
-        let load = WheelLoad { contact: thinned(contact), track: None, temperature: None };
-        let wheel = wheel_under(&load, steel).ok()?;
-        let reach = REACH * contact.half_width();
+    let of = |&(half_width, wheel): &(f64, &dyn Wheel)| {
+        let reach = REACH * half_width;
         let reach = if travel == Travel::Forward { reach } else { -reach };
         let settings = PassageSettings {
             passage: Passage { from: mouth - reach, to: mouth + reach, positions: POSITIONS },
@@ -54,11 +52,17 @@ pub(super) fn coarse_histories(
             step_tolerance: STEPS,
             ..PassageSettings::default()
         };
-        let load = RailLoad { wheel: wheel.as_ref(), residual: None };
+        let load = RailLoad { wheel, residual: None };
         let passage = stabilised_passage(&faces, &Newton::default(), load, &settings, &Unobserved).ok()?;
         Some(passage.histories)
     };
-    contacts.par_iter().map(of).collect()
+    wheels.par_iter().map(of).collect()
+}
+
+/// Half-width (mm) and field of a line `contact` on few rows.
+pub(super) fn coarse_line(contact: &Contact, steel: &IsotropicElastic) -> Option<(f64, Box<dyn Wheel>)> {
+    let load = WheelLoad { contact: thinned(contact), track: None, temperature: None };
+    Some((contact.half_width(), wheel_under(&load, steel).ok()?))
 }
 
 /// The rate (mm per cycle) of the fastest tip with these `histories` by `law`.

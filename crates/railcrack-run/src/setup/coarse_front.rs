@@ -2,6 +2,7 @@
 
 use railcrack::crack::Crack;
 use railcrack::fatigue::{GrowthLaw, LoadRange};
+use railcrack::field::{PatchLoad, PatchWheel};
 use railcrack::growth::FrontShape;
 use railcrack::interruption::Interruption;
 use railcrack::load::{SurfacePart, Travel};
@@ -191,6 +192,21 @@ impl FrontHistory {
     pub fn flat(&self) -> Vec<f64> {
         self.0.iter().flatten().flat_map(|k| [k.ki, k.kii, k.kiii]).collect()
     }
+}
+
+/// Half-width (mm) of a wheel that runs towards `travel`, and its field over a crack in the plane at
+/// `lateral` (mm): its patches as ellipses.
+pub(super) fn coarse_wheel(
+    wheel: &TabledWheel,
+    travel: Travel,
+    lateral: f64,
+    steel: &IsotropicElastic,
+) -> (f64, PatchWheel) {
+    let patch = |(ahead, own): (f64, EllipticWheel)| {
+        PatchLoad::sliding(&own.ellipse(), [ahead, own.lateral], [own.friction, own.lateral_friction])
+    };
+    let patches: Vec<PatchLoad> = ellipses(wheel, travel, lateral).into_iter().map(patch).collect();
+    (wheel.wheel.heaviest().patch.ellipse.along, PatchWheel::new(&patches, steel))
 }
 
 /// The patches of a wheel that runs towards `travel` as ellipses in full sliding with the mean

@@ -1,11 +1,12 @@
 //! Representatives of the wheels of a table: groups by their passages over a coarse crack.
 
-use super::coarse_crack::{coarse_histories, coarse_rate};
-use super::coarse_front::{CoarseFront, FrontHistory};
+use super::coarse_crack::{coarse_histories, coarse_line, coarse_rate};
+use super::coarse_front::{CoarseFront, FrontHistory, coarse_wheel};
 use railcrack::body::BodyEngine;
 use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::dislocation::DislocationEngine;
 use railcrack::fatigue::GrowthLaw;
+use railcrack::field::{PatchWheel, Wheel};
 use railcrack::fracture::{Sif, SifHistory};
 use railcrack::growth::FrontShape;
 use railcrack::load::{Contact, Travel};
@@ -50,9 +51,20 @@ fn effects(case: &Case, table: &WheelTable, loaded: &[usize]) -> Option<Effects>
         let wheels: Vec<&TabledWheel> = loaded.iter().map(|i| &table.wheels[*i]).collect();
         return by_coarse_front(&wheels, (&shape, friction), steel, travel, law);
     }
+    if table.is_whole {
+        let wheels: Vec<(f64, PatchWheel)> =
+            loaded.iter().map(|i| coarse_wheel(&table.wheels[*i], travel, table.lateral, steel)).collect();
+        let loads: Vec<(f64, &dyn Wheel)> =
+            wheels.iter().map(|(a, wheel)| (*a, wheel as &dyn Wheel)).collect();
+        return by_coarse_crack(&loads, (&case.cracks, friction), steel, travel, law);
+    }
     let contact = |i: &usize| case.wheels[table.first + i].wheel.contact();
     let contacts: Vec<&Contact> = loaded.iter().filter_map(contact).collect();
-    by_coarse_crack(&contacts, (&case.cracks, friction), steel, travel, law)
+    let lines: Option<Vec<(f64, Box<dyn Wheel>)>> =
+        contacts.iter().map(|own| coarse_line(own, steel)).collect();
+    let lines = lines.unwrap_or_default();
+    let loads: Vec<(f64, &dyn Wheel)> = lines.iter().map(|(a, wheel)| (*a, wheel.as_ref())).collect();
+    by_coarse_crack(&loads, (&case.cracks, friction), steel, travel, law)
         .or_else(|| by_open_crack(&contacts, (&case.cracks, friction), steel, law))
 }
 
@@ -71,13 +83,13 @@ fn rates<H>(histories: &[H], law: &GrowthLaw, rate: impl Fn(&H, &GrowthLaw) -> f
 }
 
 fn by_coarse_crack(
-    contacts: &[&Contact],
+    wheels: &[(f64, &dyn Wheel)],
     crack: (&CrackNetwork, f64),
     steel: &IsotropicElastic,
     travel: Travel,
     law: &GrowthLaw,
 ) -> Option<Effects> {
-    let histories = coarse_histories(contacts, crack, steel, travel)?;
+    let histories = coarse_histories(wheels, crack, steel, travel)?;
     let rated = rates(&histories, law, |own, law| coarse_rate(own, law));
     let effect = |tips: &Vec<SifHistory>| flat(tips.iter().flat_map(|tip| &tip.samples));
     Some(histories.iter().map(effect).zip(rated).collect())

@@ -32,6 +32,6 @@ pub use represented::{represented, represented_in};
 pub use rolled::{HeaviestWheel, contact_bounds, rolled_rail, stabilisation};
 pub use shared::{RailKey, SharedRail, SharedRailError};
 pub use size::RunSize;
-pub use wheel::wheel_field;
+pub use wheel::{plane_field, wheel_field};
 pub use wheel_demands::wheel_demands;
 pub use wheel_patch::wheel_patches;

@@ -1,7 +1,7 @@
 //! The rail with cracks in the plane.
 
 use super::fields::field_settings;
-use super::wheel::{toughness_under, wheel_field, with_temperature};
+use super::wheel::{plane_field, toughness_under, with_temperature};
 use railcrack::body::BodyEngine;
 use railcrack::contact::{self, Latin, Newton};
 use railcrack::fatigue::RailSteel;
@@ -24,7 +24,8 @@ pub(super) fn plane_rail(
         ContactSolver::Newton => (newton, latin),
         ContactSolver::Latin => (latin, newton),
     };
-    let wheels = case.wheels.iter().map(|wheel| plane_wheel(case, wheel, residual)).collect();
+    let numbered = case.wheels.iter().enumerate();
+    let wheels = numbered.map(|(number, wheel)| plane_wheel(case, (number, wheel), residual)).collect();
     let usual = MPA_SQRT_MM * case.growth_steel.unwrap_or(RailSteel::USUAL).mean_toughness;
     PlaneRail {
         solver,
@@ -37,7 +38,11 @@ pub(super) fn plane_rail(
     }
 }
 
-fn plane_wheel(case: &Case, wheel: &TrafficWheel, residual: Option<&Arc<dyn StressField>>) -> PlaneWheel {
+fn plane_wheel(
+    case: &Case,
+    (number, wheel): (usize, &TrafficWheel),
+    residual: Option<&Arc<dyn StressField>>,
+) -> PlaneWheel {
     PlaneWheel {
         share: wheel.share,
         fluid: wheel.fluid.clone(),
@@ -45,6 +50,6 @@ fn plane_wheel(case: &Case, wheel: &TrafficWheel, residual: Option<&Arc<dyn Stre
         residual: with_temperature(case, &wheel.wheel, residual),
         passages: wheel.passages,
         toughness: toughness_under(case, &wheel.wheel),
-        ..PlaneWheel::new(wheel_field(&wheel.wheel, &case.steel).expect("the case is checked"))
+        ..PlaneWheel::new(plane_field(case, number).expect("the case is checked"))
     }
 }

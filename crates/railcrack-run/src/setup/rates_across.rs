@@ -1,7 +1,9 @@
 //! Growth by the lateral place of the crack.
 
-use super::coarse_front::CoarseFront;
+use super::coarse_crack::{coarse_histories, coarse_rate};
+use super::coarse_front::{CoarseFront, coarse_wheel};
 use super::grouping::open_crack;
+use railcrack::field::{PatchWheel, Wheel};
 use railcrack::load::Contact;
 use railcrack::rolling::PlacedPatch;
 use railcrack_case::{Case, TabledWheel, WheelTable};
@@ -17,8 +19,11 @@ const PASSAGES: usize = 4000;
 #[must_use]
 pub fn rates_across(case: &Case, places: &[f64]) -> Option<Vec<(f64, f64)>> {
     let table = case.wheel_table.as_ref()?;
-    if table.in_space {
+    if case.space.is_some() {
         return front_rates_across(case, table, places);
+    }
+    if table.is_whole {
+        return patch_rates_across(case, table, places);
     }
     let at = |place: &f64| -> Vec<(f64, Contact)> {
         let of = |own: &TabledWheel| {
@@ -37,24 +42,52 @@ pub fn rates_across(case: &Case, places: &[f64]) -> Option<Vec<(f64, f64)>> {
     Some(all.par_iter().map(mean).collect())
 }
 
-fn front_rates_across(case: &Case, table: &WheelTable, places: &[f64]) -> Option<Vec<(f64, f64)>> {
-    let shape = case.space.as_ref()?.shapes.first()?;
-    let front = CoarseFront::new(shape, *case.crack_friction.first()?, &case.steel)?;
+/// Mean rates of the coarse crack under the patches, and the share of the axles over it.
+fn patch_rates_across(case: &Case, table: &WheelTable, places: &[f64]) -> Option<Vec<(f64, f64)>> {
+    let crack = (&case.cracks, *case.crack_friction.first()?);
+    let (taken, scale) = every_so_many(table, places.len());
+    let mean = |place: &f64| {
+        let wheels: Vec<(f64, PatchWheel)> =
+            taken.iter().map(|own| coarse_wheel(own, table.travel, *place, &case.steel)).collect();
+        let loads: Vec<(f64, &dyn Wheel)> =
+            wheels.iter().map(|(a, wheel)| (*a, wheel as &dyn Wheel)).collect();
+        let histories = coarse_histories(&loads, crack, &case.steel, table.travel)?;
+        let rates = taken.iter().zip(&histories);
+        let rate = rates.map(|(own, tips)| own.share * coarse_rate(tips, &case.growth.law)).sum::<f64>();
+        Some((scale * rate, meeting(table, *place)))
+    };
+    places.iter().map(mean).collect()
+}
+
+/// Share of the axles with a patch over a crack at `place` (mm).
+fn meeting(table: &WheelTable, place: f64) -> f64 {
+    let meets =
+        |wheel: &&TabledWheel| wheel.wheel.over(place).iter().any(|own| own.patch.half_length(own.y) > 0.0);
+    table.wheels.iter().filter(meets).map(|wheel| wheel.share).sum()
+}
+
+/// Every so many wheels across the rail, for passages over all of so many `places`, and the share of
+/// all wheels over theirs.
+fn every_so_many(table: &WheelTable, places: usize) -> (Vec<&TabledWheel>, f64) {
     let mut wheels: Vec<&TabledWheel> = table.wheels.iter().collect();
     let y = |wheel: &TabledWheel| wheel.wheel.heaviest().y_rail;
     wheels.sort_by(|a, b| y(a).total_cmp(&y(b)));
-    let stride = (wheels.len() * places.len()).div_ceil(PASSAGES);
+    let stride = (wheels.len() * places).div_ceil(PASSAGES);
     let taken: Vec<&TabledWheel> = wheels.iter().copied().skip(stride / 2).step_by(stride.max(1)).collect();
     let whole = |wheels: &[&TabledWheel]| wheels.iter().map(|wheel| wheel.share).sum::<f64>();
     let scale = whole(&wheels) / whole(&taken);
+    (taken, scale)
+}
+
+fn front_rates_across(case: &Case, table: &WheelTable, places: &[f64]) -> Option<Vec<(f64, f64)>> {
+    let shape = case.space.as_ref()?.shapes.first()?;
+    let front = CoarseFront::new(shape, *case.crack_friction.first()?, &case.steel)?;
+    let (taken, scale) = every_so_many(table, places.len());
     let mean = |place: &f64| {
         let histories = front.histories(&taken, table.travel, place - table.lateral);
         let rates = taken.iter().zip(&histories);
         let rate = rates.map(|(wheel, own)| wheel.share * front.rate(own, &case.growth.law)).sum::<f64>();
-        let meets = |wheel: &&&TabledWheel| {
-            wheel.wheel.over(*place).iter().any(|own| own.patch.half_length(own.y) > 0.0)
-        };
-        (scale * rate, wheels.iter().filter(meets).map(|wheel| wheel.share).sum())
+        (scale * rate, meeting(table, *place))
     };
     Some(places.iter().map(mean).collect())
 }

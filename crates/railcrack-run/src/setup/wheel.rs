@@ -1,6 +1,7 @@
 //! Stress in the rail from a wheel of a case.
 
-use railcrack::field::{StressField, Sum, Wheel, wheel_under};
+use super::wheel_patch::patches_in_plane;
+use railcrack::field::{PatchWheel, StressField, Sum, Wheel, on_track, wheel_under};
 use railcrack::load::{Contact, HertzianContact, WheelLoad};
 use railcrack::material::IsotropicElastic;
 use railcrack::math::{MPA_SQRT_MM, OutOfRange};
@@ -11,7 +12,20 @@ use std::sync::Arc;
 /// in the half-width of a contact, and this one loads the cracks by nothing that counts.
 const NO_PRESSURE: f64 = 1e-3;
 
-/// The field that moves with `wheel` on a rail of `steel`: contact and bending.
+/// The field that moves with the wheel `number` (from 0) of `case`: its patches or its line contact,
+/// and bending.
+///
+/// Errors: [`wheel_under`]; the wheel of a checked case has none.
+pub fn plane_field(case: &Case, number: usize) -> Result<Box<dyn Wheel>, OutOfRange> {
+    let Some(wheel) = case.wheels.get(number) else {
+        return wheel_field(&case.first_wheel().wheel, &case.steel);
+    };
+    let Some(patches) = patches_in_plane(case, number) else { return wheel_field(&wheel.wheel, &case.steel) };
+    let contact = Box::new(PatchWheel::new(&patches, &case.steel));
+    on_track(contact, wheel.wheel.track.as_ref(), &case.steel)
+}
+
+/// The field of the line contact of `wheel` on a rail of `steel`, and of its bending.
 ///
 /// Errors: [`wheel_under`]; the wheel of a checked case has none.
 pub fn wheel_field(wheel: &GivenWheel, steel: &IsotropicElastic) -> Result<Box<dyn Wheel>, OutOfRange> {

@@ -4,7 +4,7 @@ use super::demand::{DemandError, WheelDemand};
 use super::engine::body_engine;
 use super::prepared::PreparedRun;
 use super::space_demands::demands_in_space;
-use super::wheel::{wheel_field, with_temperature};
+use super::wheel::{plane_field, with_temperature};
 use railcrack::contact::{FaceProblem, Latin, Newton};
 use railcrack::fatigue::{LoadRange, SifRanges};
 use railcrack::field::StressField;
@@ -29,13 +29,14 @@ pub fn wheel_demands(case: &Case, run: &Case) -> Result<Vec<WheelDemand>, Demand
         return demands_in_space(run, residual.as_ref());
     }
     let body = body_engine(case).ok_or(DemandError::NoFront)?.body(&case.cracks)?;
+    let first = case.wheel_table.as_ref().map_or(0, |table| table.first);
     let of = |(number, wheel): &(usize, &TrafficWheel)| {
         if wheel.wheel.contact().is_none() {
             return Ok(WheelDemand::default());
         }
         let fluid = wheel.fluid.as_ref().map(|fluid| fluid.on(&case.cracks, &body.faces));
         let faces = FaceProblem::new(&body, &case.crack_friction)?.with_fluid(fluid);
-        let field = wheel_field(&wheel.wheel, &case.steel).expect("the case is checked");
+        let field = plane_field(case, first + number).expect("the case is checked");
         let stays = with_temperature(case, &wheel.wheel, residual.as_ref());
         let load = RailLoad { wheel: field.as_ref(), residual: stays.as_deref() };
         let passage = stabilised_passage(&faces, &Newton::default(), load, &wheel.passages, &Unobserved)
@@ -52,6 +53,5 @@ pub fn wheel_demands(case: &Case, run: &Case) -> Result<Vec<WheelDemand>, Demand
         let faster = |a: WheelDemand, b: WheelDemand| if b.delta_keq > a.delta_keq { b } else { a };
         Ok(passage.histories.iter().map(demand).reduce(faster).unwrap_or_default())
     };
-    let first = case.wheel_table.as_ref().map_or(0, |table| table.first);
     case.wheels.iter().skip(first).enumerate().collect::<Vec<_>>().par_iter().map(of).collect()
 }

@@ -3,6 +3,7 @@
 use super::{FaceMesh, FacePoint, FaceSample};
 use crate::crack::CrackTip;
 use crate::math::{Matrix, axpy};
+use std::sync::Arc;
 
 /// A of many cracks. Cracks that have joined each other are one unit, every other crack is a unit
 /// of its own; units are ordered along the rail. Blocks of A between units that are near to each
@@ -149,6 +150,7 @@ impl BlockStiffness {
             points: points.iter().map(own_point).collect(),
             samples: faces.samples.iter().filter_map(own_sample).collect(),
             graded: Vec::new(),
+            lines: Arc::clone(&faces.lines),
         };
         let own_tips = tips.iter().zip(&self.tips).enumerate().filter_map(|(number, (tip, gain))| {
             let tip = CrackTip { crack: own_crack(tip.crack)?, ..*tip };

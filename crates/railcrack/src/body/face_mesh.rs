@@ -1,7 +1,9 @@
 //! Face points, the elements between them, and flaps that are too thin.
 
 use crate::crack::{Crack, CrackCurve, CrackNetwork, End};
+use crate::field::{CrackLine, PlaceOnCrack};
 use crate::math::{Stress, Vec2, gauss_legendre};
+use std::sync::Arc;
 
 /// A face point: where the contact conditions hold.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,6 +27,10 @@ pub struct FacePoint {
 pub struct FaceSample {
     /// Position, mm.
     pub point: Vec2,
+    /// Index of its crack in the network of the whole body, from 0.
+    pub crack: usize,
+    /// Arc length from the crack's first point, mm.
+    pub s: f64,
     /// x2 of the face at this point; the traction is σ·x2.
     pub normal: Vec2,
     /// Face points that share the traction, each with its share (mm of face length); 0 for a point
@@ -43,6 +49,16 @@ pub struct FaceMesh {
     /// shape functions, integrated over parts that are no longer than their depth. Empty in a body
     /// made by groups.
     pub graded: Vec<FaceSample>,
+    /// The cracks of the whole body.
+    pub lines: Arc<[CrackLine]>,
+}
+
+impl FaceSample {
+    /// Its place on its crack.
+    #[must_use]
+    pub fn place(&self) -> PlaceOnCrack {
+        PlaceOnCrack { point: self.point, crack: self.crack, s: self.s }
+    }
 }
 
 impl FaceMesh {
@@ -115,7 +131,11 @@ pub(crate) struct FaceElement {
 /// jump may change abruptly, with a face point on each side.
 pub(crate) fn discretise(curves: &[CrackCurve], nodes: &[Vec<f64>]) -> (Vec<FaceElement>, FaceMesh) {
     let mut elements = Vec::new();
-    let mut faces = FaceMesh::default();
+    let line = |curve: &CrackCurve| CrackLine {
+        points: curve.points().to_vec(),
+        tips: [End::First, End::Last].map(|end| curve.has_tip(end)),
+    };
+    let mut faces = FaceMesh { lines: curves.iter().map(line).collect(), ..FaceMesh::default() };
     for (crack, (curve, nodes)) in curves.iter().zip(nodes).enumerate() {
         let vertices = curve.vertices();
         let last = nodes.len() - 1;
@@ -243,7 +263,13 @@ fn samples<'a>(
         let shares = [(element.ends[0], 1.0 - towards_end), (element.ends[1], towards_end)];
         let shares = shares.map(|(point, share)| (point.unwrap_or(0), point.map_or(0.0, |_| share * length)));
         let normal = curve.tangent(piece.segment).left();
-        FaceSample { point: curve.position(piece.segment, g), normal, shares }
+        FaceSample {
+            point: curve.position(piece.segment, g),
+            crack: piece.crack,
+            s: curve.s(g),
+            normal,
+            shares,
+        }
     })
 }
 

@@ -11,6 +11,6 @@ pub(super) fn one_point(own: f64, between: f64) -> CrackedBody {
     let symmetric = |own, between| Matrix::from_fn(2, 2, |i, j| if i == j { own } else { between });
     let determinant = own * own - between * between;
     let stiffness = symmetric(own / determinant, -between / determinant);
-    let faces = FaceMesh { points: vec![point], samples: Vec::new(), graded: Vec::new() };
+    let faces = FaceMesh { points: vec![point], ..FaceMesh::default() };
     CrackedBody::new(faces, Vec::new(), [symmetric(own, between), stiffness, Matrix::zeros(0, 2)])
 }

@@ -72,6 +72,11 @@ impl CrackCurve {
         }
     }
 
+    /// Its points, mm.
+    pub(crate) fn points(&self) -> &[Vec2] {
+        &self.points
+    }
+
     /// The first point, mm.
     pub(crate) fn first_point(&self) -> Vec2 {
         self.points[0]

@@ -11,6 +11,7 @@
 
 use crate::body::{FaceElement, FaceMesh, FacePoint, FaceSample};
 use crate::crack::{CrackCurve, CrackNetwork, End};
+use std::sync::Arc;
 
 /// Fraction of the radius of a core over which the jumps of the arms are made compatible. The
 /// contact conditions at the edge of the core contain a sixth of this of the tractions of the other
@@ -169,7 +170,7 @@ impl Ties {
             points[own].weight += point.weight;
         }
         let (samples, graded) = (self.shared(&faces.samples), self.shared(&faces.graded));
-        FaceMesh { points, samples, graded }
+        FaceMesh { points, samples, graded, lines: Arc::clone(&faces.lines) }
     }
 
     /// `of_nodes` with the shares of face points instead of those of nodes.

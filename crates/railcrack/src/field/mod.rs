@@ -4,8 +4,13 @@ mod carter;
 mod depth_profile;
 #[cfg(test)]
 mod field_checks;
+mod front_spread;
 mod hertz_displacement;
 mod hertz_half_plane;
+mod patch_directions;
+#[cfg(test)]
+mod patch_tests;
+mod patch_wheel;
 mod table;
 mod table_potential;
 mod wheel;
@@ -14,15 +19,18 @@ mod wheel_under;
 pub use carter::CarterWheel;
 pub(crate) use carter::FlatPunch;
 pub use depth_profile::{DepthProfile, ProfileError};
+pub use front_spread::{CrackLine, PlaceOnCrack, StressesOnCracks};
 pub(crate) use hertz_displacement::HertzDisplacement;
 pub use hertz_half_plane::HertzField;
+pub use patch_directions::{PatchLoad, StripTraction};
+pub use patch_wheel::PatchWheel;
 pub use table::TableWheel;
 pub(crate) use table::{SegmentEnd, SegmentStress};
 pub use wheel::{
     BendingWheel, EndField, EndsError, HertzWheel, PlacedWheel, RailEnds, StressesUnderWheel, Wheel, Wheels,
     WheelsError,
 };
-pub use wheel_under::wheel_under;
+pub use wheel_under::{on_track, wheel_under};
 
 use crate::math::{Stress, Vec2};
 use std::sync::Arc;

@@ -1,6 +1,6 @@
 //! Wheels: fields of the half-plane that move along the rail, alone or with its bending.
 
-use super::{HertzDisplacement, HertzField};
+use super::{CrackLine, HertzDisplacement, HertzField, PlaceOnCrack, StressesOnCracks};
 use crate::load::{Bending, HertzianContact, Track};
 use crate::material::IsotropicElastic;
 use crate::math::{OutOfRange, Stress, Vec2};
@@ -43,6 +43,12 @@ pub trait Wheel: Send + Sync {
     /// over some metres and is not a field of the half-plane, so that the ends of a block cannot
     /// cancel it.
     fn bending(&self) -> Option<&Bending> {
+        None
+    }
+
+    /// What loads `cracks` where that differs from the stress at their faces: a load that varies
+    /// along their straight fronts. None for a load that is the same at every lateral place.
+    fn on_cracks<'a>(&'a self, _: &[CrackLine]) -> Option<Box<dyn StressesOnCracks + 'a>> {
         None
     }
 
@@ -232,10 +238,52 @@ impl Wheel for Wheels {
         self.parts.iter().find_map(|part| part.wheel.bending())
     }
 
+    fn on_cracks<'a>(&'a self, cracks: &[CrackLine]) -> Option<Box<dyn StressesOnCracks + 'a>> {
+        let parts: Vec<_> = self.parts.iter().map(|part| (part, part.wheel.on_cracks(cracks))).collect();
+        if parts.iter().all(|(_, on_cracks)| on_cracks.is_none()) {
+            return None;
+        }
+        let mouth = |line: &CrackLine| line.points.first().map_or(0.0, |point| point.x);
+        Some(Box::new(WheelsOnCracks { parts, mouths: cracks.iter().map(mouth).collect() }))
+    }
+
     /// The largest value of the parts, because the stress changes over the contact of one wheel and
     /// not over the distance between wheels.
     fn half_width(&self) -> f64 {
         self.parts.iter().map(|part| part.wheel.half_width()).fold(0.0, f64::max)
+    }
+}
+
+/// What several wheels do to cracks, of which some carry a load that varies along the fronts.
+struct WheelsOnCracks<'a> {
+    parts: Vec<(&'a PlacedWheel, Option<Box<dyn StressesOnCracks + 'a>>)>,
+    /// x of the first point of each crack, mm.
+    mouths: Vec<f64>,
+}
+
+impl StressesOnCracks for WheelsOnCracks<'_> {
+    fn stresses(&self, places: &[PlaceOnCrack], xc: f64) -> Vec<Stress> {
+        let mut sum = vec![Stress::ZERO; places.len()];
+        for (part, on_cracks) in &self.parts {
+            let stresses = match on_cracks {
+                Some(on_cracks) => on_cracks.stresses(places, xc + part.at),
+                None => {
+                    let points: Vec<Vec2> = places.iter().map(|place| place.point).collect();
+                    part.wheel.stresses(&points, xc + part.at)
+                }
+            };
+            sum.iter_mut().zip(stresses).for_each(|(sum, stress)| *sum = *sum + stress);
+        }
+        sum
+    }
+
+    fn over_mouth(&self, crack: usize, xc: f64) -> f64 {
+        let over =
+            |(part, on_cracks): &(&PlacedWheel, Option<Box<dyn StressesOnCracks + '_>>)| match on_cracks {
+                Some(on_cracks) => on_cracks.over_mouth(crack, xc + part.at),
+                None => part.wheel.pressure(self.mouths[crack], xc + part.at),
+            };
+        self.parts.iter().map(over).sum()
     }
 }
 

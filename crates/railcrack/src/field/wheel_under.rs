@@ -1,7 +1,7 @@
 //! The field of a wheel for any description of its load.
 
 use super::{BendingWheel, CarterWheel, HertzWheel, PlacedWheel, TableWheel, Wheel, Wheels};
-use crate::load::{Contact, WheelLoad};
+use crate::load::{Contact, Track, WheelLoad};
 use crate::material::IsotropicElastic;
 use crate::math::OutOfRange;
 
@@ -16,7 +16,18 @@ pub fn wheel_under(load: &WheelLoad, steel: &IsotropicElastic) -> Result<Box<dyn
         Contact::Carter(contact) => Box::new(CarterWheel::new(contact, steel)?),
         Contact::Table(contact) => Box::new(TableWheel::new(contact, steel)),
     };
-    let Some(track) = &load.track else { return Ok(contact) };
+    on_track(contact, load.track.as_ref(), steel)
+}
+
+/// The field of a `contact` and of the bending of a rail of `steel`, if it lies on a `track`.
+///
+/// Errors: [`crate::load::Track::check`].
+pub fn on_track(
+    contact: Box<dyn Wheel>,
+    track: Option<&Track>,
+    steel: &IsotropicElastic,
+) -> Result<Box<dyn Wheel>, OutOfRange> {
+    let Some(track) = track else { return Ok(contact) };
     let bending: Box<dyn Wheel> = Box::new(BendingWheel::new(track, steel)?);
     let parts = [contact, bending].map(|wheel| PlacedWheel { wheel, at: 0.0 });
     Ok(Box::new(Wheels::of_one_beam(parts.into())))

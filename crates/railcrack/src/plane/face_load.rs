@@ -1,8 +1,12 @@
 //! The load on the faces through residual stress, approach, passage and departure.
 
 use super::mouth_pressures::MouthPressures;
+use crate::body::FaceSample;
 use crate::contact::{FaceProblem, FluidModel, FluidState, LoadPath, Pocket};
-use crate::field::{EndField, EndsError, FlatPunch, RailEnds, StressField, StressesUnderWheel, Wheel};
+use crate::field::{
+    EndField, EndsError, FlatPunch, PlaceOnCrack, RailEnds, StressField, StressesOnCracks,
+    StressesUnderWheel, Wheel,
+};
 use crate::growth::PassageSettings;
 use crate::load::Passage;
 use crate::math::{Track, Vec2, axpy};
@@ -14,9 +18,14 @@ pub(super) struct FaceLoad<'a> {
     wheel: &'a dyn Wheel,
     /// Stress added by the ends of the rail at these points; `None` for a half-plane.
     ends: Option<StressesUnderWheel>,
-    /// The quadrature points of the faces, mm.
+    /// The quadrature points of the faces.
+    places: Vec<PlaceOnCrack>,
+    /// The same, mm.
     points: Vec<Vec2>,
-    /// Nodal forces due to the residual stress.
+    /// What loads the faces under a wheel whose load varies along the fronts; none for others.
+    on_cracks: Option<Arc<dyn StressesOnCracks + 'a>>,
+    /// The residual stress, and the nodal forces due to it.
+    stress_between: Option<&'a dyn StressField>,
     residual: Vec<f64>,
     /// The largest pressure (MPa) of fluid that takes the pressure over the mouth; `None` without
     /// such fluid.
@@ -72,17 +81,52 @@ impl<'a> FaceLoad<'a> {
         load: RailLoad<'a>,
         ends: Option<&dyn EndField>,
     ) -> Result<Self, EndsError> {
+        let on_cracks = load.wheel.on_cracks(&problem.body().faces.lines).map(Arc::from);
+        Self::with_cracks(problem, load, ends, on_cracks)
+    }
+
+    /// The same `load` on the faces of `problem`, which are some of the cracks of this one.
+    ///
+    /// Errors: a face outside the rail.
+    pub(super) fn of_part<'b>(&self, problem: &'b FaceProblem<'b>) -> Result<FaceLoad<'b>, EndsError>
+    where
+        'a: 'b,
+    {
+        let load = RailLoad { wheel: self.wheel, residual: self.stress_between };
+        let on_cracks = self.on_cracks.clone().map(|own| own as Arc<dyn StressesOnCracks + 'b>);
+        FaceLoad::with_cracks(problem, load, None, on_cracks)
+    }
+
+    fn with_cracks(
+        problem: &'a FaceProblem<'a>,
+        load: RailLoad<'a>,
+        ends: Option<&dyn EndField>,
+        on_cracks: Option<Arc<dyn StressesOnCracks + 'a>>,
+    ) -> Result<Self, EndsError> {
         let residual = match load.residual {
             Some(field) => problem.body().faces.nodal_forces(|point| field.stress(point)),
             None => vec![0.0; 2 * problem.points()],
         };
-        let points: Vec<Vec2> = problem.body().faces.samples.iter().map(|sample| sample.point).collect();
+        let places: Vec<PlaceOnCrack> = problem.body().faces.samples.iter().map(FaceSample::place).collect();
+        let points: Vec<Vec2> = places.iter().map(|place| place.point).collect();
         let ends = ends.map(|ends| ends.at(&points)).transpose()?;
         let cap = problem.fluid().and_then(|fluid| match fluid.model {
             FluidModel::Mouth { cap } => Some(cap),
             FluidModel::Trapped { .. } => None,
         });
-        Ok(Self { problem, wheel: load.wheel, ends, points, residual, cap, others: Vec::new() })
+        let RailLoad { wheel, residual: stress_between } = load;
+        Ok(Self {
+            problem,
+            wheel,
+            ends,
+            places,
+            points,
+            on_cracks,
+            stress_between,
+            residual,
+            cap,
+            others: Vec::new(),
+        })
     }
 
     /// The pressure (MPa) that the contact at `xc` (mm), with a share of its load, exerts over the
@@ -93,10 +137,21 @@ impl<'a> FaceLoad<'a> {
         let over = |pocket: &Pocket| {
             pocket.mouth.map_or(0.0, |mouth| match felt {
                 Some(wheel) => wheel.surface.hertz_mean(mouth.x, xc),
-                None => self.wheel.pressure(mouth.x, xc),
+                None => self.over_mouth(mouth.x, xc),
             })
         };
         pockets.iter().map(|pocket| share * over(pocket)).collect()
+    }
+
+    /// The pressure (MPa) of the contact at `xc` (mm) over a mouth at `x` (mm), as it counts for the
+    /// front of its crack.
+    fn over_mouth(&self, x: f64, xc: f64) -> f64 {
+        let lines = &self.problem.body().faces.lines;
+        let crack = lines.iter().position(|line| line.points.first().is_some_and(|mouth| mouth.x == x));
+        match (&self.on_cracks, crack) {
+            (Some(on_cracks), Some(crack)) => on_cracks.over_mouth(crack, xc),
+            _ => self.wheel.pressure(x, xc),
+        }
     }
 
     /// Adds the nodal forces of trapped fluid to `forces` (N/mm, 2p); `state` is the fluid in the
@@ -238,7 +293,7 @@ impl LoadPath for PartLoad<'_> {
 
 impl PartLoad<'_> {
     fn of_wheel(&self, at: f64) -> Vec<f64> {
-        let FaceLoad { problem, wheel, ends, points, residual, .. } = self.load;
+        let FaceLoad { problem, wheel, ends, places, points, on_cracks, residual, .. } = self.load;
         let (xc, share) = match self.part {
             LoadPhase::Ramp => return residual.iter().map(|f| f * at).collect(),
             LoadPhase::Far { .. } if at == 0.0 => return residual.clone(),
@@ -246,7 +301,10 @@ impl PartLoad<'_> {
             LoadPhase::Load { xc } => (xc, at),
             LoadPhase::Over | LoadPhase::Coupled => (at, 1.0),
         };
-        let mut stresses = wheel.stresses(points, xc);
+        let mut stresses = match on_cracks {
+            Some(on_cracks) => on_cracks.stresses(places, xc),
+            None => wheel.stresses(points, xc),
+        };
         if let Some(ends) = ends {
             stresses.iter_mut().zip(ends(xc)).for_each(|(stress, end)| *stress = *stress + end);
         }

@@ -45,6 +45,7 @@ pub(super) fn passages_by_groups(
         stations(&xc, &edges, group.extent, half_width)
     };
     let mut row = GroupRow {
+        face_load,
         blocks,
         load,
         solver,
@@ -109,6 +110,7 @@ struct LegOfGroup {
 
 /// All groups of a row, each followed event by event.
 struct GroupRow<'a> {
+    face_load: &'a FaceLoad<'a>,
     blocks: &'a BlockStiffness,
     load: RailLoad<'a>,
     solver: &'a dyn ContactSolver,
@@ -136,7 +138,7 @@ impl GroupRow<'_> {
     fn virgin(&self) -> Result<Vec<GroupState>, PassageError> {
         let state = |(group, (_, stations)): (&Group, &(Vec<f64>, Vec<f64>))| {
             let problem = problem(group)?;
-            let expected = FaceLoad::new(&problem, self.load, None)?.expected_slip(stations);
+            let expected = self.face_load.of_part(&problem)?.expected_slip(stations);
             let faces = FaceHistory::virgin(&problem, &expected);
             Ok(GroupState { faces, tips: TipSifs::virgin(&problem) })
         };
@@ -320,7 +322,7 @@ impl GroupRow<'_> {
         let group = &self.groups[k];
         let GroupState { faces, mut tips } = self.states[k].clone();
         let problem = problem(group)?;
-        let face_load = FaceLoad::new(&problem, self.load, None)?.with_others(forces);
+        let face_load = self.face_load.of_part(&problem)?.with_others(forces);
         let interrupted = || observer.interrupted();
         let stepper = Stepper::from_history(&problem, self.solver, self.settings.step_tolerance, faces)
             .with_control(self.settings.step_control)

@@ -16,6 +16,7 @@
 use super::duffy::Corners;
 use super::plane::Symmetric;
 use super::wheel::EllipticWheel;
+use crate::field::StripTraction;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -42,15 +43,6 @@ pub enum WheelPatch {
     Bilinear(Arc<BilinearPatch>),
     /// Several patches of one wheel, at least one, each with its x from the wheel's centre (mm).
     Several(Arc<[(f64, WheelPatch)]>),
-}
-
-/// Traction on the rail at x on a strip: pressure, shear along x and across, MPa.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StripTraction {
-    /// x from the middle of the patch, mm.
-    pub x: f64,
-    /// p, q_x, q_y.
-    pub traction: [f64; 3],
 }
 
 /// Intervals of the grid along and across: for points below the contact, near it, and farther away

@@ -42,7 +42,7 @@ mod uncoupled_gap;
 mod wheel;
 mod worn;
 
-pub use bilinear::{BilinearPatch, PatchOnRail, StripTraction, WheelPatch, WheelStress};
+pub use bilinear::{BilinearPatch, PatchOnRail, WheelPatch, WheelStress};
 pub use body::{CrackPart, FrontPoint, FrontSif, SpaceBody};
 pub use contact::{SpaceContact, SpaceContactError, StepReport};
 pub use division::{CellDivision, SpaceResolution, VERTEX_LAYER};

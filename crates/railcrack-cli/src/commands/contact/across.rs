@@ -30,7 +30,7 @@ impl Across {
         };
         let low = ends().map(|[low, _]| low).fold(f64::INFINITY, f64::min).min(table.lateral);
         let high = ends().map(|[_, high]| high).fold(f64::NEG_INFINITY, f64::max).max(table.lateral);
-        let count = if table.in_space { FRONT_PLACES } else { STRIP_PLACES };
+        let count = if table.is_whole { FRONT_PLACES } else { STRIP_PLACES };
         let place = |i: usize| low + (high - low) * i as f64 / (count - 1) as f64;
         let mut all: Vec<f64> = (0..count).map(place).collect();
         all.push(table.lateral);

@@ -29,7 +29,7 @@ pub(super) fn sentences(case: &Case, rows: &[WheelRow], across: Option<&Across>)
                 table.lateral
             ));
         }
-        if table.in_space {
+        if table.is_whole {
             all.push(in_space(case, table, groups));
             return with_worst_place(all, across);
         }

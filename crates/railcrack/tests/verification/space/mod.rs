@@ -8,6 +8,7 @@ mod fronts;
 mod groups;
 mod growth;
 mod kernel;
+mod patch;
 mod several;
 mod stiffness;
 mod strike;
