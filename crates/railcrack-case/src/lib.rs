@@ -17,8 +17,8 @@ mod study;
 mod tables;
 
 pub use case::{
-    ByGeometry, Case, Coefficient, NoCoefficient, NoNumber, NotInPage, Overrides, SpaceCase, TabledWheel,
-    TrafficWheel, WheelGroups, WheelTable,
+    ByGeometry, Case, Coefficient, Geometry, NoCoefficient, NoNumber, NotInPage, Overrides, PlaneCase,
+    SpaceCase, TabledWheel, TrafficWheel, WheelGroups, WheelTable,
 };
 pub use entries::{Comparison, Entry, EntryValue, Grade, HowRead, Quantity, entry_schema};
 pub use files::{
@@ -33,8 +33,8 @@ pub use schema::{
 };
 pub use study::{Axis, Distribution, Input, Keeping, SampleTable, Study, StudyRun, Variation, study_schema};
 pub use tables::{
-    CalibrationPrior, Combine, ContactExtent, ContactOrigin, ContactSolver, Detection, Engine, EngineDomain,
-    FieldOutput, Fracture, GivenContact, GivenWheel, Inspection, InspectionRisk, Kept, MeshSettings, Output,
-    PlasticSource, ProfileOrigin, Rail, SECTIONS, STUDY, Scatter, ShakedownSettings, WheelLoading, init_text,
+    CalibrationPrior, Combine, ContactExtent, ContactOrigin, ContactSolver, Detection, Engine, FieldOutput,
+    Fracture, GivenContact, GivenWheel, Inspection, InspectionRisk, Kept, MeshSettings, Output, PlaneEngine,
+    PlasticSource, ProfileOrigin, SECTIONS, STUDY, Scatter, ShakedownSettings, WheelLoading, init_text,
     json_schema, markdown,
 };

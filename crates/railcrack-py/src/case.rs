@@ -53,7 +53,7 @@ impl CaseCore {
 
     #[getter]
     fn engine(&self) -> &'static str {
-        self.case.engine.word()
+        self.case.engine().word()
     }
 
     /// Points (x, y) of each crack, mm.
@@ -122,7 +122,7 @@ impl CaseCore {
                 "law, direction: not supported for a mix of wheels, which has several histories",
             ));
         }
-        if direction.is_some() && self.case.engine.is_in_space() {
+        if direction.is_some() && self.case.space().is_some() {
             return Err(bad_input(
                 py,
                 "direction: not supported with engine = \"space\", where cracks grow in their plane",

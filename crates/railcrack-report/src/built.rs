@@ -65,12 +65,12 @@ impl Built {
     ///
     /// Errors: those of [`PageEngine::find`].
     pub(crate) fn of_run(run: &RunFolder, page_data: &PageData) -> Result<Self, OutputError> {
-        let plots = match &run.case.space {
+        let plots = match run.case.space() {
             Some(_) => space_plots(&run.summary, &run.growth, page_data),
             None => run_plots(&run.summary, &run.growth, page_data, &run.half_widths()),
         };
         // The engine computes in the plane.
-        let computes = run.case.output.explorer && run.case.space.is_none();
+        let computes = run.case.output.explorer && run.case.space().is_none();
         let engine = computes.then(PageEngine::find).transpose()?;
         let page = run_page(run, page_data, &plots, engine.as_ref());
         Ok(Self { plots, page })

@@ -31,7 +31,8 @@ fn read(case: &str) -> Case {
 }
 
 fn body(case: &Case) -> CrackedBody {
-    dislocation::cracked_body(&case.cracks, &case.steel, case.face_resolution()).unwrap()
+    dislocation::cracked_body(&case.cracks, &case.steel, case.plane().unwrap().face_resolution(&case.cracks))
+        .unwrap()
 }
 
 /// C and S: assembly of the energy of the jumps, and its inverse.

@@ -245,12 +245,12 @@ mod tests {
         let passage = of("block, against", "pair").first_wheel().passages.passage;
         assert!(passage.from > passage.to);
         let plastic = of("Fig. 21 plastic, along", "stress");
-        assert!(plastic.plastic_stress.is_some() && plastic.residual_stress.is_none());
+        assert!(plastic.plastic_stress().is_some() && plastic.residual_stress.is_none());
         let stress = of("half-plane, along", "stress").residual_stress.unwrap();
         assert_eq!(stress.given_name(), FIG_21);
         // What is compared with it has no stress at all.
         let reference = of("rolled 430 MPa, along", "reference");
-        assert!(reference.plastic_stress.is_none() && reference.residual_stress.is_none());
+        assert!(reference.plastic_stress().is_none() && reference.residual_stress.is_none());
         assert!(
             of("rolled 430 MPa, along", "stress")
                 .residual_stress

@@ -3,12 +3,13 @@
 use super::by_geometry::ByGeometry;
 use super::case::Case;
 use super::coupled::check_coupled;
-use super::cracks::{Meetings, PlacedCracks, check_fit, place_cracks};
+use super::cracks::{PlacedCracks, check_fit, place_cracks};
 use super::finite_section::check_section;
+use super::geometry::Geometry;
 use super::in_page::check_explorer;
 use super::limits::{WantedSize, check_size};
-use super::space::{read_space, refuse_free_front, refuse_strike};
-use super::space_case::SpaceCase;
+use super::plane::read_plane;
+use super::space::read_space;
 use super::traffic::{Traffic, read_traffic, require_axle_load};
 use super::traffic_wheel::TrafficContext;
 use super::traffic_wheel::{TrafficWheel, mean_axle_load};
@@ -16,12 +17,12 @@ use crate::files::{ProfileFile, read_profile};
 use crate::schema::{KeyRow, Report, SectionValues, Sections, Value, Written, short};
 use crate::tables::{
     BOUNDARY, BoundaryKind, CALIBRATION, CENTRE, CRACK, CalibrationPrior, ContactExtent, ContactSolver,
-    ENGINE, EngineDomain, FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture, GROWTH, Growing, INSPECTION,
-    Inspection, InspectionRisk, MAINTENANCE, MESH, MGT_PER_YEAR, MeshSettings, NETWORK, OUTPUT, Output,
-    PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER,
-    SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scatter, Scattering, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP,
-    TRACK, TRAFFIC, WHEEL_TEMPERATURE, WHEEL_TRACK, WIDTH, YIELD_STRESS, is_in_space, is_of_the_steel,
-    read_calibration, read_growth, read_inspection, read_maintenance, read_risk, read_scatter, read_steel,
+    ENGINE, Engine, FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture, GROWTH, Growing, INSPECTION,
+    Inspection, InspectionRisk, MAINTENANCE, MGT_PER_YEAR, NETWORK, OUTPUT, Output, PASSAGE, PROFILE,
+    PlaneEngine, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER, SOLVER_CONTACT,
+    Scatter, Scattering, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL_TEMPERATURE,
+    WHEEL_TRACK, WIDTH, YIELD_STRESS, engine_of, is_of_the_steel, read_calibration, read_growth,
+    read_inspection, read_maintenance, read_risk, read_scatter, read_steel,
 };
 use railcrack::bulk::Boundary;
 use railcrack::contact::{CrackFluid, FluidModel};
@@ -74,11 +75,10 @@ struct Parts {
     rail: Option<Rail>,
     traffic: Option<Traffic>,
     residual_stress: Result<Option<ProfileFile>, Refused>,
-    plastic_stress: Result<Option<PlasticSource>, Refused>,
     growth: Option<Growing>,
     shakedown: Option<ShakedownSettings>,
     fracture: Result<Option<Fracture>, Refused>,
-    space: Result<Option<SpaceCase>, Refused>,
+    geometry: Option<Geometry>,
 }
 
 impl Parts {
@@ -86,8 +86,8 @@ impl Parts {
         let rail = sections.one(&RAIL);
         let steel = rail.and_then(|section| read_steel(section, report));
         let cracks: Vec<&SectionValues> = sections.all(&CRACK).collect();
-        let meetings = if is_in_space(sections) { Meetings::InSpace } else { Meetings::InThePlane };
-        let placed = place_cracks(&cracks, meetings, report);
+        let engine = engine_of(sections);
+        let placed = place_cracks(&cracks, engine, report);
         let network = placed.as_ref().map(|placed| &placed.network);
         let growth = sections.one(&GROWTH).and_then(|section| read_growth(section, folder, report));
         let extent = contact_extent(sections);
@@ -98,22 +98,15 @@ impl Parts {
         let of_law = growth.as_ref().and_then(|growth| growth.steel);
         let shakedown = sections.one(&SHAKEDOWN);
         let temperature = wheels.and_then(|wheels| wheels.first()?.wheel.temperature);
-        let space = match is_in_space(sections) {
-            true => {
-                read_space(sections, placed.as_ref(), wheels, rail.as_ref(), report).map(Some).ok_or(Refused)
+        let geometry = match engine {
+            Some(Engine::Space) => {
+                read_space(sections, placed.as_ref(), wheels, rail.as_ref(), report).map(Geometry::Space)
             }
-            false => {
-                refuse_strike(sections, report);
-                refuse_free_front(sections, report);
-                Ok(None)
-            }
+            _ => read_plane(sections, rail.as_ref(), folder, report).map(Geometry::Plane),
         };
         Self {
             residual_stress: optional(sections.one(&RESIDUAL_STRESS), |section| {
                 read_profile(section, PROFILE, folder, report)
-            }),
-            plastic_stress: optional(sections.one(&PLASTIC_STRESS), |section| {
-                PlasticSource::read(section, folder, report)
             }),
             shakedown: shakedown.and_then(|section| ShakedownSettings::read(section, of_law, folder, report)),
             fracture: optional(sections.one(&FRACTURE), |section| {
@@ -126,7 +119,7 @@ impl Parts {
             placed,
             traffic,
             growth,
-            space,
+            geometry,
         }
     }
 
@@ -143,7 +136,7 @@ impl Parts {
     fn check(&self, sections: &Sections, report: &mut Report) {
         let wheels = self.wheels().unwrap_or_default();
         if let (Some(rail), Some(placed)) = (&self.rail, &self.placed) {
-            check_fit(placed, rail, &sections.all(&CRACK).collect::<Vec<_>>(), report);
+            check_fit(placed, rail.extent, &sections.all(&CRACK).collect::<Vec<_>>(), report);
         }
         let boundary = self.rail.map(|rail| rail.boundary);
         let block = self.rail.filter(|rail| rail.boundary != Boundary::HalfPlane);
@@ -154,10 +147,6 @@ impl Parts {
         check_coupled(sections, boundary, fluids(), report);
         let tracks = wheels.iter().filter_map(|wheel| wheel.wheel.track.as_ref());
         check_section(sections, self.rail.as_ref(), tracks, report);
-        let plastic = sections.one(&PLASTIC_STRESS).zip(sections.one(&RESIDUAL_STRESS));
-        if let (Ok(Some(PlasticSource::Rolled)), Some((section, _))) = (&self.plastic_stress, plastic) {
-            refuse_counting_twice(section, report);
-        }
         let traps = |fluid: &CrackFluid| matches!(fluid.model, FluidModel::Trapped { .. });
         check_network(sections, (fluids().any(traps), block.is_some()), report);
     }
@@ -220,22 +209,21 @@ impl Upkeep {
 /// The case of parts without errors.
 fn case_of(parts: Parts, upkeep: Upkeep, sections: &Sections) -> Option<Case> {
     let Traffic { wheels, table: wheel_table } = parts.traffic?;
-    let (placed, growth, fracture, space) =
-        (parts.placed?, parts.growth?, parts.fracture.ok()?, parts.space.ok()?);
+    let (placed, growth, fracture, geometry) =
+        (parts.placed?, parts.growth?, parts.fracture.ok()?, parts.geometry?);
     let (maintenance, axle_load) = (upkeep.maintenance.ok()?, upkeep.axle_load);
     let (solver, output) = (sections.one(&SOLVER)?, sections.one(&OUTPUT)?);
     // A crack in space has no kink to test.
-    let arresting = fracture.as_ref().filter(|_| space.is_none());
+    let arresting = fracture.as_ref().filter(|_| matches!(geometry, Geometry::Plane(_)));
     Some(Case {
         title: sections.one(&TOP)?.get(TITLE)?,
         steel: parts.steel?,
-        rail: parts.rail?,
+        rail: parts.rail?.extent,
         wheels,
         wheel_table,
         cracks: placed.network,
         crack_friction: placed.friction,
         residual_stress: parts.residual_stress.ok()?,
-        plastic_stress: parts.plastic_stress.ok()?,
         shakedown: parts.shakedown?,
         growth: GrowthSettings {
             toughness: fracture.as_ref().map(|fracture| MPA_SQRT_MM * fracture.at_rail),
@@ -246,10 +234,7 @@ fn case_of(parts: Parts, upkeep: Upkeep, sections: &Sections) -> Option<Case> {
         growth_steel: growth.steel,
         growth_rates: growth.rates,
         fracture,
-        space,
-        mesh: MeshSettings::read(sections.one(&MESH)?),
-        engine: solver.get(ENGINE)?,
-        contact_solver: solver.get(SOLVER_CONTACT)?,
+        geometry,
         network: solver.get(NETWORK)?,
         fields: FieldOutput::read(output)?,
         output: Output::read(output)?,
@@ -266,7 +251,10 @@ fn case_of(parts: Parts, upkeep: Upkeep, sections: &Sections) -> Option<Case> {
 
 /// The prior of a calibration, by default that of the validation suite in the geometry of the case.
 fn calibration(sections: &Sections) -> CalibrationPrior {
-    let suite = if is_in_space(sections) { CalibrationPrior::SPACE } else { CalibrationPrior::PLANE };
+    let suite = match engine_of(sections) {
+        Some(Engine::Space) => CalibrationPrior::SPACE,
+        _ => CalibrationPrior::PLANE,
+    };
     sections.one(&CALIBRATION).and_then(|section| read_calibration(section, suite)).unwrap_or(suite)
 }
 
@@ -274,7 +262,7 @@ fn calibration(sections: &Sections) -> CalibrationPrior {
 /// half-plane.
 fn contact_extent(sections: &Sections) -> ContactExtent {
     let boundary = sections.one(&RAIL).and_then(|rail| rail.get(BOUNDARY));
-    let is_block = !is_in_space(sections) && boundary == Some(BoundaryKind::Block);
+    let is_block = engine_of(sections) != Some(Engine::Space) && boundary == Some(BoundaryKind::Block);
     if is_block { ContactExtent::Strip } else { ContactExtent::Patch }
 }
 
@@ -293,7 +281,7 @@ fn check_network(sections: &Sections, (is_trapped, is_block): (bool, bool), repo
     let mut refuse = |says: &str, help: &str| report.add(solver.fault(NETWORK, says).help(help));
     if is_block {
         refuse("is \"groups\", which requires rail.boundary = \"half-plane\"", whole);
-    } else if solver.get(ENGINE).is_some_and(|engine| engine.domain() == EngineDomain::Rail) {
+    } else if solver.get(ENGINE) == Some(Engine::Plane(PlaneEngine::Xfem)) {
         let help = "engine = \"dislocation\" follows long rows of cracks in groups; network = \"whole\" solves all cracks together";
         refuse("is \"groups\", which finite elements do not support", help);
     }
@@ -308,7 +296,7 @@ fn check_network(sections: &Sections, (is_trapped, is_block): (bool, bool), repo
 /// A block needs the finite-element engine, and wheels that stay on its top.
 fn check_block(rail: &Rail, sections: &Sections, wheels: &[TrafficWheel], report: &mut Report) {
     if let Some(solver) = sections.one(&SOLVER)
-        && solver.get(ENGINE).is_some_and(|engine| engine.domain() == EngineDomain::HalfPlane)
+        && solver.get(ENGINE) == Some(Engine::Plane(PlaneEngine::Dislocation))
     {
         let says = "computes a half-plane only, and rail.boundary is \"block\"";
         let help = "engine = \"xfem\" computes a block; boundary = \"half-plane\" suits both engines";
@@ -347,13 +335,4 @@ fn check_block(rail: &Rail, sections: &Sections, wheels: &[TrafficWheel], report
             );
         }
     }
-}
-
-/// A residual stress is a total, and the computed state starts from a manufacturing stress of its
-/// own.
-fn refuse_counting_twice(plastic: &SectionValues, report: &mut Report) {
-    let says =
-        "without a field, this is the stress left by rolling, but `[residual_stress]` is already the total";
-    let help = "give a stress that was present before the first passage as `initial_residual` of [shakedown]";
-    report.add(plastic.fault_of_all(says).help(help));
 }

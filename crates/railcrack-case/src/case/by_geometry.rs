@@ -1,7 +1,6 @@
 //! Numbers that depend on the geometry of a case alone, each computed once for a study.
 
 use super::case::Case;
-use crate::tables::PlasticSource;
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::{Mutex, PoisonError};
@@ -35,24 +34,18 @@ impl<T: Copy> ByGeometry<T> {
 
 /// Everything that the sizes of a case depend on, bit for bit.
 fn geometry(case: &Case) -> String {
-    let text = |text: &str| {
+    let plastic = case.plastic_stress().map(|source| {
         let mut hasher = DefaultHasher::new();
-        text.hash(&mut hasher);
+        source.companion().map(|file| file.text).hash(&mut hasher);
         hasher.finish()
-    };
-    let plastic = match &case.plastic_stress {
-        Some(PlasticSource::Field(file)) => Some(text(file.text())),
-        Some(PlasticSource::Profile(file)) => Some(text(file.text())),
-        Some(PlasticSource::Rolled) => Some(0),
-        None => None,
-    };
-    let fronts = case.space.as_ref().map(|space| &space.shapes);
+    });
+    let plane = case.plane().map(|plane| (plane.engine, plane.boundary, plane.section, plane.mesh));
     let grows = case.outgrows_first_mesh();
     format!(
         "{:?}",
         (
-            (case.engine, case.network, &case.mesh, &case.rail, case.steel),
-            (grows, case.positions(case.first_wheel()).len(), &case.cracks, fronts, plastic),
+            (plane, case.space(), case.network, case.rail, case.steel),
+            (grows, case.positions(case.first_wheel()).len(), &case.cracks, plastic),
         )
     )
 }

@@ -1,20 +1,22 @@
 //! Checked case: everything that a run computes, in the types of the mechanics.
 
+use super::geometry::{Geometry, PlaneCase};
 use super::space_case::SpaceCase;
 use super::traffic_wheel::{TrafficWheel, mean_axle_load};
 use super::wheel_table::{WheelGroups, WheelTable};
-use crate::files::{CaseFile, Companion, DetectionFile, ProfileFile, RatesFile, ToughnessFile};
+use crate::files::{CaseFile, Companion, ProfileFile, RatesFile};
 use crate::schema::{Value, Written};
 use crate::tables::{
     CONTACT, CalibrationPrior, ContactSolver, Detection, Engine, FieldOutput, Fracture, Inspection,
-    InspectionRisk, KIND, MeshSettings, OUTPUT, Output, PlasticSource, RUN_FOLDERS, Rail, Scatter,
+    InspectionRisk, KIND, MeshSettings, OUTPUT, Output, PlaneEngine, PlasticSource, RUN_FOLDERS, Scatter,
     ShakedownSettings, TITLE, TOP, WHEEL_CONTACT,
 };
-use railcrack::contact::CrackFluid;
+use railcrack::bulk::Boundary;
 use railcrack::crack::CrackNetwork;
 use railcrack::fatigue::RailSteel;
 use railcrack::growth::{GrowthSettings, Mgt, NetworkContact, SurfaceRemoval};
 use railcrack::material::IsotropicElastic;
+use railcrack::math::RailBox;
 
 /// Everything in a case file, checked, in the types of the mechanics. Two are equal when their
 /// values and the contents of their files are.
@@ -24,8 +26,8 @@ pub struct Case {
     pub title: String,
     /// Steel of rail and wheel.
     pub steel: IsotropicElastic,
-    /// Extent and boundary of the rail.
-    pub rail: Rail,
+    /// Extent of the rail, within which the cracks stay.
+    pub rail: RailBox,
     /// The wheels that pass, at least one: all those that are given, or instead of the wheels of a
     /// table their representatives.
     pub wheels: Vec<TrafficWheel>,
@@ -38,8 +40,6 @@ pub struct Case {
     pub crack_friction: Vec<f64>,
     /// Balanced residual stress that adds to the wheel.
     pub residual_stress: Option<ProfileFile>,
-    /// Plastic stress, still to be balanced.
-    pub plastic_stress: Option<PlasticSource>,
     /// Plastic behaviour under the repeated passage.
     pub shakedown: ShakedownSettings,
     /// Rate and direction of growth, and the end of the run.
@@ -50,14 +50,8 @@ pub struct Case {
     pub growth_rates: Option<RatesFile>,
     /// Brittle fracture, where it is given.
     pub fracture: Option<Fracture>,
-    /// Crack and wheel in space, for that engine.
-    pub space: Option<SpaceCase>,
-    /// Discretisation.
-    pub mesh: MeshSettings,
-    /// Engine that computes the cracked rail.
-    pub engine: Engine,
-    /// Solver of the contact conditions on the crack faces.
-    pub contact_solver: ContactSolver,
+    /// What computes the cracks, in the plane or in space.
+    pub geometry: Geometry,
     /// How the contact conditions of many cracks are solved.
     pub network: NetworkContact,
     /// Fields that are written.
@@ -83,6 +77,44 @@ pub struct Case {
 }
 
 impl Case {
+    /// What only the engines in the plane know; none in space.
+    #[must_use]
+    pub fn plane(&self) -> Option<&PlaneCase> {
+        let Geometry::Plane(plane) = &self.geometry else { return None };
+        Some(plane)
+    }
+
+    /// What only the engine in space knows; none in the plane.
+    #[must_use]
+    pub fn space(&self) -> Option<&SpaceCase> {
+        let Geometry::Space(space) = &self.geometry else { return None };
+        Some(space)
+    }
+
+    /// Engine that computes the cracked rail.
+    #[must_use]
+    pub fn engine(&self) -> Engine {
+        self.plane().map_or(Engine::Space, |plane| Engine::Plane(plane.engine))
+    }
+
+    /// Solver of the contact conditions on the crack faces.
+    #[must_use]
+    pub fn contact_solver(&self) -> ContactSolver {
+        self.plane().map_or(ContactSolver::Newton, |plane| plane.contact_solver)
+    }
+
+    /// Boundary of the rail; a half-space has that of the half-plane.
+    #[must_use]
+    pub fn boundary(&self) -> Boundary {
+        self.plane().map_or(Boundary::HalfPlane, |plane| plane.boundary)
+    }
+
+    /// Plastic stress, still to be balanced, where it is given.
+    #[must_use]
+    pub fn plastic_stress(&self) -> Option<&PlasticSource> {
+        self.plane()?.plastic_stress.as_ref()
+    }
+
     /// The first wheel, by which positions are measured and whose faces and fields are written.
     #[must_use]
     pub fn first_wheel(&self) -> &TrafficWheel {
@@ -161,31 +193,22 @@ impl Case {
     /// case; none in space, and where no crack is kept. Its text is that of the whole case.
     #[must_use]
     pub fn with_cracks(&self, kept: &[usize]) -> Option<Self> {
-        let cracks = self.cracks.part(kept).ok().filter(|_| self.space.is_none())?;
-        let sizes = self.element_sizes();
-        let own = |fluid: &CrackFluid| {
-            let wet = fluid.cracks.as_ref()?;
-            Some((0..kept.len()).filter(|own| wet.contains(&kept[*own])).collect())
-        };
-        let filled = |fluid: Option<&CrackFluid>| {
-            fluid.map(|fluid| CrackFluid { cracks: own(fluid), ..fluid.clone() })
-        };
-        let friction = kept.iter().filter_map(|&crack| self.crack_friction.get(crack)).copied().collect();
+        let (plane, cracks) = (self.plane()?, self.cracks.part(kept).ok()?);
+        let sizes = plane.element_sizes(&self.cracks);
         let size = kept.iter().filter_map(|&crack| sizes.get(crack)).copied().reduce(f64::min);
         let mesh = MeshSettings {
-            element_size: size.filter(|_| self.engine == Engine::Xfem),
-            interface_elements: Some(self.face_resolution().elements),
-            ..self.mesh
+            element_size: size.filter(|_| plane.engine == PlaneEngine::Xfem),
+            interface_elements: Some(plane.face_resolution(&self.cracks).elements),
+            ..plane.mesh
         };
-        let wheel =
-            |wheel: &TrafficWheel| TrafficWheel { fluid: filled(wheel.fluid.as_ref()), ..wheel.clone() };
-        Some(Self {
-            mesh,
-            wheels: self.wheels.iter().map(wheel).collect(),
-            crack_friction: friction,
-            cracks,
-            ..self.clone()
-        })
+        let geometry = Geometry::Plane(PlaneCase { mesh, ..plane.clone() });
+        let friction = kept.iter().filter_map(|&crack| self.crack_friction.get(crack)).copied().collect();
+        let mut part = Self { geometry, cracks, crack_friction: friction, ..self.clone() };
+        let fluids = part.wheels.iter_mut().filter_map(|wheel| wheel.fluid.as_mut());
+        for wet in fluids.filter_map(|fluid| fluid.cracks.as_mut()) {
+            *wet = (0..kept.len()).filter(|own| wet.contains(&kept[*own])).collect();
+        }
+        Some(part)
     }
 
     /// The sections of the contacts that the text of the case gives, such as `contact`.
@@ -223,33 +246,23 @@ impl Case {
     /// is complete, and [`Case::read`] gives an equal case from it.
     #[must_use]
     pub fn companions(&self) -> Vec<Companion<'_>> {
-        let plastic = self.plastic_stress.as_ref().and_then(|source| match source {
-            PlasticSource::Field(file) => Some(file.companion()),
-            PlasticSource::Profile(file) => Some(file.companion()),
-            PlasticSource::Rolled => None,
-        });
-        let residual = self.residual_stress.as_ref().map(ProfileFile::companion);
-        let initial = self.shakedown.initial_residual.as_ref().map(ProfileFile::companion);
-        let toughness = self.fracture.as_ref().and_then(|fracture| fracture.file.as_ref());
-        let toughness = toughness.map(ToughnessFile::companion);
-        let rates = self.growth_rates.as_ref().map(RatesFile::companion);
-        let detection = self.inspection_risk.as_ref().and_then(|risk| risk.detection.as_ref());
-        let detection = detection.and_then(|detection| match detection {
-            Detection::Table(file) => Some(DetectionFile::companion(file)),
-            Detection::LogNormal { .. } => None,
-        });
         // The tables of a mix are one file, and its profiles one pair.
         let mut wheels = self.wheels.iter().map(|wheel| wheel.wheel.companions());
         let contact = wheels.find(|files| !files.is_empty()).unwrap_or_default();
-        let wheels = self.wheel_table.as_ref().map(|table| CaseFile::companion(&table.file));
-        let stresses = residual.into_iter().chain(plastic).chain(initial);
-        contact
-            .into_iter()
-            .chain(wheels)
-            .chain(stresses)
-            .chain(toughness)
-            .chain(rates)
-            .chain(detection)
-            .collect()
+        let toughness = self.fracture.as_ref().and_then(|fracture| fracture.file.as_ref());
+        let detection = self.inspection_risk.as_ref().and_then(|risk| match risk.detection.as_ref()? {
+            Detection::Table(file) => Some(file.companion()),
+            Detection::LogNormal { .. } => None,
+        });
+        let others = [
+            self.wheel_table.as_ref().map(|table| table.file.companion()),
+            self.residual_stress.as_ref().map(CaseFile::companion),
+            self.plastic_stress().and_then(PlasticSource::companion),
+            self.shakedown.initial_residual.as_ref().map(CaseFile::companion),
+            toughness.map(CaseFile::companion),
+            self.growth_rates.as_ref().map(CaseFile::companion),
+            detection,
+        ];
+        contact.into_iter().chain(others.into_iter().flatten()).collect()
     }
 }

@@ -3,9 +3,9 @@
 use super::limits::RESOLVED;
 use super::row_scatter::RowScatter;
 use crate::schema::{Fault, KeyRow, Report, SectionValues, short};
-use crate::tables::{ANGLE, ANGLES, COUNT, CRACK_FRICTION, LENGTH, MOUTH, POINTS, Rail, SPACING};
+use crate::tables::{ANGLE, ANGLES, COUNT, CRACK_FRICTION, Engine, LENGTH, MOUTH, POINTS, SPACING};
 use railcrack::crack::{Crack, CrackError, CrackNetwork, segment_distance};
-use railcrack::math::Vec2;
+use railcrack::math::{RailBox, Vec2};
 
 /// Maximum number of cracks of a case, copies included: in groups, the cost was measured up to half
 /// of it.
@@ -20,19 +20,11 @@ pub(super) struct PlacedCracks {
     pub owner: Vec<usize>,
 }
 
-/// Domain in which cracks are checked for meeting.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Meetings {
-    /// In the plane.
-    InThePlane,
-    /// In space, where they may be offset laterally: their own reader checks whether they meet.
-    InSpace,
-}
-
-/// Builds the cracks of all sections, and reports those that are impossible or meet.
+/// Builds the cracks of all sections for the `engine`, and reports those that are impossible or
+/// meet.
 pub(super) fn place_cracks(
     sections: &[&SectionValues],
-    meetings: Meetings,
+    engine: Option<Engine>,
     report: &mut Report,
 ) -> Option<PlacedCracks> {
     let mut cracks = Vec::new();
@@ -53,9 +45,10 @@ pub(super) fn place_cracks(
         owner.resize(owner.len() + row.len(), index);
         cracks.extend(row);
     }
-    let network = match meetings {
-        Meetings::InSpace => CrackNetwork::sections(cracks),
-        Meetings::InThePlane => {
+    let network = match engine {
+        // They may be offset laterally: their own reader checks whether they meet.
+        Some(Engine::Space) => CrackNetwork::sections(cracks),
+        _ => {
             if !report_meetings(&cracks, &owner, sections, report) {
                 return None;
             }
@@ -235,7 +228,7 @@ fn report_meetings(
 /// Reports, once for each section, cracks that are longer than the rail or leave it.
 pub(super) fn check_fit(
     placed: &PlacedCracks,
-    rail: &Rail,
+    rail: RailBox,
     sections: &[&SectionValues],
     report: &mut Report,
 ) {
@@ -257,20 +250,20 @@ pub(super) fn check_fit(
 }
 
 /// Why a crack does not fit, and the key to blame.
-fn misfit(crack: &Crack, rail: &Rail) -> Option<(String, KeyRow<f64>)> {
+fn misfit(crack: &Crack, rail: RailBox) -> Option<(String, KeyRow<f64>)> {
     let length = crack.length();
-    if length > rail.extent.width {
-        let [length, width] = [length, rail.extent.width].map(short);
+    if length > rail.width {
+        let [length, width] = [length, rail.width].map(short);
         let message = format!("a crack of {length} mm is longer than the rail, width_mm = {width}");
         return Some((message, LENGTH));
     }
-    let (left, right) = rail.extent.ends();
+    let (left, right) = rail.ends();
     for point in crack.points() {
-        if point.y <= -rail.extent.depth {
+        if point.y <= -rail.depth {
             let message = format!(
                 "the crack leaves the rail at depth {} mm, the rail ends at depth {} mm",
                 short(-point.y),
-                short(rail.extent.depth)
+                short(rail.depth)
             );
             return Some((message, LENGTH));
         }

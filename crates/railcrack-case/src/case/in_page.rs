@@ -1,8 +1,9 @@
 //! Limits of a web page: cases that it computes, and those that it leaves to the program.
 
 use super::case::Case;
+use super::geometry::PlaneCase;
 use crate::schema::{Choice, Report, Sections};
-use crate::tables::{EXPLORER, Engine, OUTPUT};
+use crate::tables::{EXPLORER, OUTPUT, PlaneEngine};
 use railcrack::dislocation::face_points;
 
 /// Unknowns of the contact problem at most: a page has 4 GB of addresses, and four dense matrices
@@ -25,18 +26,19 @@ impl Case {
     /// Empty where it does.
     #[must_use]
     pub fn not_in_page(&self) -> Vec<NotInPage> {
-        if self.engine != Engine::Dislocation {
+        let is_plain = |plane: &&PlaneCase| plane.engine == PlaneEngine::Dislocation;
+        let Some(plane) = self.plane().filter(is_plain) else {
             return vec![NotInPage {
                 key: "solver.engine",
                 message: format!(
                     "solver.engine = \"{}\": a page computes with \"dislocation\" only",
-                    self.engine.word()
+                    self.engine().word()
                 ),
                 help: "write engine = \"dislocation\" below [solver]",
             }];
-        }
+        };
         let mut all = Vec::new();
-        if self.plastic_stress.is_some() {
+        if plane.plastic_stress.is_some() {
             all.push(NotInPage {
                 key: "plastic_stress",
                 message: "[plastic_stress]: a page does not balance a plastic stress".into(),
@@ -53,7 +55,7 @@ impl Case {
                 help: "leave out what names a file",
             });
         }
-        let unknowns = 2 * face_points(&self.cracks, self.face_resolution());
+        let unknowns = 2 * face_points(&self.cracks, plane.face_resolution(&self.cracks));
         if unknowns > MOST_UNKNOWNS {
             all.push(NotInPage {
                 key: "crack",

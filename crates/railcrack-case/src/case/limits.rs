@@ -2,8 +2,9 @@
 
 use super::by_geometry::ByGeometry;
 use super::case::Case;
+use super::geometry::Geometry;
 use crate::schema::{Report, SectionValues, Sections};
-use crate::tables::{ELEMENT_SIZE, EngineDomain, INTERFACE_SPACING, MESH, PASSAGE, POSITIONS};
+use crate::tables::{ELEMENT_SIZE, INTERFACE_SPACING, MESH, PASSAGE, POSITIONS, PlaneEngine};
 use railcrack::xfem::MOST_MESH_UNKNOWNS;
 
 /// Maximum number of rows of `faces.csv`, one for each position, growth step and face point: a
@@ -22,17 +23,17 @@ const CLOSE_POINTS: f64 = 0.3;
 
 /// Reports face points that are closer than the elements can follow.
 fn check_face_points(case: &Case, mesh: &SectionValues, report: &mut Report) -> bool {
-    let spacing = case.mesh.interface_spacing.filter(|_| case.engine.domain() == EngineDomain::Rail);
-    let largest = case.element_sizes().into_iter().fold(0.0, f64::max);
-    let close = spacing.filter(|spacing| *spacing < CLOSE_POINTS * largest);
-    if close.is_some() {
+    let Some(plane) = case.plane().filter(|plane| plane.engine == PlaneEngine::Xfem) else { return true };
+    let largest = plane.element_sizes(&case.cracks).into_iter().fold(0.0, f64::max);
+    let is_close = plane.mesh.interface_spacing.is_some_and(|spacing| spacing < CLOSE_POINTS * largest);
+    if is_close {
         let says = format!(
             "must be at least {CLOSE_POINTS} of the element size at each crack, which is at most {largest} mm: the jump within an element cannot resolve closer face points"
         );
         let help = "reduce [mesh] element_size_mm, or leave both keys out: face points are then as close as the elements";
         report.add(mesh.fault(INTERFACE_SPACING, says).help(help));
     }
-    close.is_none()
+    !is_close
 }
 
 /// Size that a case requires, before anything is made.
@@ -53,9 +54,12 @@ pub(super) fn check_size(
     report: &mut Report,
 ) -> bool {
     let (Some(mesh), Some(passage)) = (sections.one(&MESH), sections.one(&PASSAGE)) else { return false };
-    let WantedSize { unknowns, points } = sizes.value(case, || WantedSize {
-        unknowns: case.wanted_mesh_unknowns(),
-        points: case.wanted_face_points(),
+    let WantedSize { unknowns, points } = sizes.value(case, || match &case.geometry {
+        Geometry::Plane(plane) => WantedSize {
+            unknowns: plane.wanted_mesh_unknowns(&case.cracks, case.rail),
+            points: plane.wanted_face_points(&case.cracks),
+        },
+        Geometry::Space(space) => WantedSize { unknowns: 0.0, points: space.face_points() as f64 },
     });
     if unknowns.is_nan() || unknowns > MOST_MESH_UNKNOWNS {
         let says = format!("{unknowns:.2e} displacement unknowns; the limit is {MOST_MESH_UNKNOWNS:e}");
@@ -63,10 +67,16 @@ pub(super) fn check_size(
         report.add(mesh.fault(ELEMENT_SIZE, says).help(help));
         return false;
     }
-    let finest = case.finest_grid();
-    if points.is_nan() || points > finest.most_points {
-        let says = (finest.says)(points, finest.most_points);
-        report.add(mesh.fault_of_name(finest.key, says).help(finest.help));
+    let most = case.geometry.most_face_points();
+    if points.is_nan() || points > most {
+        let says = match case.geometry {
+            Geometry::Plane(_) => format!("{points:.2e} face points; the limit is {most:e}"),
+            Geometry::Space(_) => {
+                format!("with space_rings, {points} face points; the limit in space is {most}")
+            }
+        };
+        let (key, help) = case.geometry.finest_key();
+        report.add(mesh.fault_of_name(key, says).help(help));
         return false;
     }
     if !check_face_points(case, mesh, report) {

@@ -4,20 +4,17 @@ use super::cracks::PlacedCracks;
 use super::front_shape::front_shape;
 use super::space_case::SpaceCase;
 use super::traffic_wheel::TrafficWheel;
-use crate::schema::{Fault, Report, Section, SectionValues, Sections};
+use crate::schema::{Fault, Report, SectionValues, Sections};
 use crate::tables::{
     CONTACT, CRACK, ContactOrigin, ContactSolver, FRONT, FRONT_HARMONICS, FrontForm, GROWTH, GivenContact,
-    GivenWheel, KIND, LATERAL_HALF_WIDTH, LAW, MESH, MODE_3_WEIGHT, MeshSettings, PLASTIC_STRESS, Rail,
-    SOLVER, SOLVER_CONTACT, SPACE_SURFACE_ROWS, SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL, WHEEL_CONTACT,
+    GivenWheel, KIND, LATERAL_HALF_WIDTH, LAW, MESH, MODE_3_WEIGHT, PLASTIC_STRESS, RAIL, Rail, SOLVER,
+    SOLVER_CONTACT, SPACE_SURFACE_ROWS, SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL, WHEEL_CONTACT,
+    read_resolution,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::Crack;
 use railcrack::growth::{FrontDeviation, FrontShape};
-use railcrack::space::{CloseCracks, LEAST_STRIP, SpaceCrack, SpaceResolution};
-
-/// Sections that the engine does not support, with reasons.
-const REFUSED: [(Section, &str); 1] =
-    [(PLASTIC_STRESS, "accepts residual stress only as a balanced profile ([residual_stress])")];
+use railcrack::space::{CellDivision, CloseCracks, LEAST_STRIP, SpaceCrack};
 
 /// The cracks, the wheel and the law of the engine in space; none if something is wrong or missing;
 /// errors are added to `report`.
@@ -28,15 +25,10 @@ pub(super) fn read_space(
     rail: Option<&Rail>,
     report: &mut Report,
 ) -> Option<SpaceCase> {
-    for (section, why) in &REFUSED {
-        if let Some(given) = sections.all(section).next() {
-            let says = format!("the space engine {why}");
-            report.add(
-                given
-                    .fault_of_all(says)
-                    .help("use engine = \"dislocation\" or \"xfem\", or leave the section out"),
-            );
-        }
+    if let Some(plastic) = sections.one(&PLASTIC_STRESS) {
+        let says = "the space engine accepts residual stress only as a balanced profile ([residual_stress])";
+        let help = "use engine = \"dislocation\" or \"xfem\", or leave the section out";
+        report.add(plastic.fault_of_all(says).help(help));
     }
     let solver = sections.one(&SOLVER)?;
     if solver.get(SOLVER_CONTACT) == Some(ContactSolver::Latin) {
@@ -45,7 +37,7 @@ pub(super) fn read_space(
     }
     if rail.is_some_and(|rail| rail.boundary != Boundary::HalfPlane) {
         let says = "the space engine computes a half-space only";
-        let rail = sections.one(&crate::tables::RAIL)?;
+        let rail = sections.one(&RAIL)?;
         report.add(rail.fault_of_name("boundary", says).help("use boundary = \"half-plane\""));
     }
     let growth = sections.one(&GROWTH)?;
@@ -65,13 +57,7 @@ pub(super) fn read_space(
     }
     let deviation = read_deviation(growth, report);
     let mesh = sections.one(&MESH)?;
-    let cells = MeshSettings::read(mesh).space;
-    let shapes = placed.and_then(|placed| read_shapes(placed, &given, report)).map(|mut shapes| {
-        shapes.iter_mut().for_each(|shape| shape.deviation = deviation);
-        judge_harmonics(&shapes, cells, growth, report);
-        judge_surface_rows(&shapes, cells, mesh, report);
-        shapes
-    });
+    let shapes = placed.and_then(|placed| read_shapes(placed, &given, report));
     // For a mix, the contact section of each wheel.
     let mut contacts: Vec<&SectionValues> =
         sections.all(&WHEEL).filter_map(|wheel| sections.part(wheel, &WHEEL_CONTACT)).collect();
@@ -82,7 +68,12 @@ pub(super) fn read_space(
     for (section, wheel) in contacts.iter().zip(wheels.unwrap_or_default()) {
         check_wheel(section, &wheel.wheel, report);
     }
-    Some(SpaceCase { shapes: shapes?, mode_3_weight: growth.get(MODE_3_WEIGHT) })
+    let shapes = shapes?.into_iter().map(|shape| FrontShape { deviation, ..shape }).collect();
+    let (resolution, mode_3_weight) = (read_resolution(mesh), growth.get(MODE_3_WEIGHT));
+    let space = SpaceCase { shapes, resolution, mode_3_weight };
+    judge_harmonics(&space, growth, report);
+    judge_surface_rows(&space, mesh, report);
+    Some(space)
 }
 
 /// The deviation, still none, of fronts that are free to leave their ellipses; errors are added to
@@ -100,36 +91,25 @@ fn read_deviation(growth: &SectionValues, report: &mut Report) -> Option<FrontDe
 }
 
 /// Adds an error to `report` where fronts have too few points for their harmonics.
-fn judge_harmonics(
-    shapes: &[FrontShape],
-    cells: SpaceResolution,
-    growth: &SectionValues,
-    report: &mut Report,
-) {
-    let Some(harmonics) = shapes.iter().find_map(|shape| Some(shape.deviation?.harmonics())) else { return };
+fn judge_harmonics(space: &SpaceCase, growth: &SectionValues, report: &mut Report) {
+    let harmonics = |shape: &FrontShape| Some(shape.deviation?.harmonics());
+    let Some(harmonics) = space.shapes.iter().find_map(harmonics) else { return };
     // Points in the layer at the surface do not count.
-    let counted = |shape: &FrontShape| {
-        let division = shape.division(cells);
-        division.front_angles().filter(|phi| division.counts(*phi)).count()
-    };
-    if shapes.iter().any(|shape| counted(shape) < harmonics + 2) {
+    let counted =
+        |division: CellDivision| division.front_angles().filter(|phi| division.counts(*phi)).count();
+    if space.divisions().any(|division| counted(division) < harmonics + 2) {
         let says = format!(
             "{harmonics} harmonics are determined by more points of the front than {} cells (mesh.space_cells) have",
-            cells.block
+            space.resolution.block
         );
         report.add(growth.fault(FRONT_HARMONICS, says).help("use front_harmonics = 4 or more space_cells"));
     }
 }
 
 /// Adds an error to `report` where no crack has the further rows next to the surface.
-fn judge_surface_rows(
-    shapes: &[FrontShape],
-    cells: SpaceResolution,
-    mesh: &SectionValues,
-    report: &mut Report,
-) {
+fn judge_surface_rows(space: &SpaceCase, mesh: &SectionValues, report: &mut Report) {
     let has_surface_rows = |shape: &FrontShape| shape.buried.is_none() && shape.strip.is_none();
-    if cells.surface > 0 && !shapes.iter().any(has_surface_rows) {
+    if space.resolution.surface > 0 && !space.shapes.iter().any(has_surface_rows) {
         let says = "has no effect: no crack is planar and breaks the surface";
         report.add(mesh.fault(SPACE_SURFACE_ROWS, says).help("leave it out"));
     }
@@ -169,24 +149,6 @@ fn read_shapes(
     };
     report.add(fault.help(help));
     None
-}
-
-/// Reports free fronts, which cracks in the plane do not have.
-pub(super) fn refuse_free_front(sections: &Sections, report: &mut Report) {
-    let free = sections.one(&GROWTH).filter(|growth| growth.get(FRONT) == Some(FrontForm::Free));
-    if let Some(growth) = free {
-        let says = "concerns fronts of cracks in space; in the plane a crack has tips";
-        report.add(growth.fault(FRONT, says).help("use engine = \"space\" or front = \"ellipse\""));
-    }
-}
-
-/// Reports rotated cracks, which the plane engines cannot compute.
-pub(super) fn refuse_strike(sections: &Sections, report: &mut Report) {
-    let turned = |section: &&SectionValues| section.get(STRIKE).is_some_and(|strike| strike != 0.0);
-    for section in sections.all(&CRACK).filter(turned) {
-        let says = "rotates the crack about the vertical, which requires the space engine; in the plane its mouth lies across the rail";
-        report.add(section.fault(STRIKE, says).help("use engine = \"space\" or strike_deg = 0"));
-    }
 }
 
 fn read_shape(

@@ -5,9 +5,9 @@ use super::wheel_table::{TabledWheel, WheelTable};
 use crate::files::{TableWheel, WheelReading, WheelTableFile, read_wheel_table};
 use crate::schema::{Report, SectionValues, Sections};
 use crate::tables::{
-    CRACK, CRACK_LATERAL, ContactExtent, ContactOrigin, GivenContact, GivenWheel, PASSAGE, PLACE,
+    CRACK, CRACK_LATERAL, ContactExtent, ContactOrigin, Engine, GivenContact, GivenWheel, PASSAGE, PLACE,
     PLACE_WINDOW, REPRESENTATIVES, REPRESENTATIVES_ERROR, TABLE, TABLE_SIGN, TABLE_THEORY, TEMPERATURE,
-    TRACK, WHEEL_CONTACT, WHEEL_TEMPERATURE, WHEEL_TRACK, WheelLoading, is_in_space, read_passages,
+    TRACK, WHEEL_CONTACT, WHEEL_TEMPERATURE, WHEEL_TRACK, WheelLoading, engine_of, read_passages,
     read_temperature, read_track,
 };
 use railcrack::contact::CrackFluid;
@@ -43,9 +43,9 @@ pub(super) fn read_wheels_of_table(
     }
     let is_whole = extent == ContactExtent::Patch;
     // Cracks in space each lie at their own place.
-    let lateral = match is_in_space(sections) {
-        true => sections.all(&CRACK).next()?.get(CRACK_LATERAL).unwrap_or(0.0),
-        false => lateral_place(sections, report)?,
+    let lateral = match engine_of(sections) {
+        Some(Engine::Space) => sections.all(&CRACK).next()?.get(CRACK_LATERAL).unwrap_or(0.0),
+        _ => lateral_place(sections, report)?,
     };
     let (sign, theory) = (given.get(TABLE_SIGN)?, given.get(TABLE_THEORY)?);
     let reading = WheelReading { steel: steel?, sign, theory };

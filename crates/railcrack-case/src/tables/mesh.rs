@@ -21,7 +21,7 @@ section! {
         "Further rows of cells next to the surface in the space engine, each half as wide as the next one below. They resolve K where the fronts meet the surface: K counts in growth outside 15 degrees of the front from the surface, and each row halves this layer. Only planar cracks that break the surface have them.").optional();
 }
 
-/// Discretisation; without a value, each engine chooses it from the cracks.
+/// Discretisation in the plane; without a value, each engine chooses it from the cracks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshSettings {
     /// Element size at the cracks in the finite-element engine, mm.
@@ -32,8 +32,6 @@ pub struct MeshSettings {
     pub interface_spacing: Option<f64>,
     /// Elements along each crack in the dislocation engine.
     pub interface_elements: Option<usize>,
-    /// Cells of a crack in space.
-    pub space: SpaceResolution,
 }
 
 impl MeshSettings {
@@ -43,11 +41,16 @@ impl MeshSettings {
             tip_enrichment_radius: section.get(TIP_ENRICHMENT_RADIUS),
             interface_spacing: section.get(INTERFACE_SPACING),
             interface_elements: section.get(INTERFACE_ELEMENTS),
-            space: SpaceResolution {
-                block: section.get(SPACE_CELLS).unwrap_or(SpaceResolution::default().block),
-                ring: section.get(SPACE_RINGS).unwrap_or(SpaceResolution::default().ring),
-                surface: section.get(SPACE_SURFACE_ROWS).unwrap_or(SpaceResolution::default().surface),
-            },
         }
+    }
+}
+
+/// Cells of a crack in space.
+pub(crate) fn read_resolution(section: &SectionValues) -> SpaceResolution {
+    let SpaceResolution { block, ring, surface } = SpaceResolution::default();
+    SpaceResolution {
+        block: section.get(SPACE_CELLS).unwrap_or(block),
+        ring: section.get(SPACE_RINGS).unwrap_or(ring),
+        surface: section.get(SPACE_SURFACE_ROWS).unwrap_or(surface),
     }
 }

@@ -35,9 +35,8 @@ pub use fracture::Fracture;
 pub use inspection::{Detection, Inspection, InspectionRisk, Scatter};
 pub use mesh::MeshSettings;
 pub use output::{FieldOutput, Kept, Output};
-pub use rail::Rail;
 pub use shakedown::ShakedownSettings;
-pub use solver::{ContactSolver, Engine, EngineDomain};
+pub use solver::{ContactSolver, Engine, PlaneEngine};
 pub use stress::PlasticSource;
 pub use study::{Combine, STUDY, Sampling};
 pub use wheel_load::{GivenContact, GivenWheel, WheelLoading};
@@ -59,12 +58,13 @@ pub(crate) use inspection::{INSPECTION, SCATTER, Scattering, read_inspection, re
 pub(crate) use maintenance::{MAINTENANCE, read_maintenance};
 pub(crate) use mesh::{
     ELEMENT_SIZE, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH, SPACE_CELLS, SPACE_SURFACE_ROWS,
+    read_resolution,
 };
 pub(crate) use output::{EXPLORER, OF_STUDY, OUTPUT, RUN_FOLDERS};
 pub(crate) use passage::{FROM, PASSAGE, POSITIONS, TO, check_passage, read_passages, read_travel};
-pub(crate) use rail::{BOUNDARY, BoundaryKind, CENTRE, CRACKED_SECTION, RAIL, WIDTH, read_steel};
+pub(crate) use rail::{BOUNDARY, BoundaryKind, CENTRE, CRACKED_SECTION, RAIL, Rail, WIDTH, read_steel};
 pub(crate) use shakedown::{SHAKEDOWN, YIELD_STRESS};
-pub(crate) use solver::{ENGINE, NETWORK, SOLVER, SOLVER_CONTACT, is_in_space};
+pub(crate) use solver::{ENGINE, NETWORK, SOLVER, SOLVER_CONTACT, engine_of};
 pub(crate) use stress::{PLASTIC_STRESS, PROFILE, RESIDUAL_STRESS};
 pub(crate) use study::{COLOUR_BY, COMBINE, SAMPLES, SAMPLES_BY_DEFAULT, SAMPLING, SEED, TOGETHER};
 pub(crate) use title::{TITLE, TOP};

@@ -61,9 +61,9 @@ impl Choice for BoundaryKind {
     const WORDS: &'static [(Self, Word)] = &[(Self::HalfPlane, HALF_PLANE), (Self::Block, BLOCK)];
 }
 
-/// Extent and boundary of the rail.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rail {
+/// Extent, boundary and section of the rail.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Rail {
     /// Cracks stay within it.
     pub extent: RailBox,
     /// Half-plane, or a block with its supports.

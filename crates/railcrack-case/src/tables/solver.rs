@@ -12,92 +12,55 @@ section! {
 
 read_by_word!(Engine, ContactSolver, NetworkContact);
 
-/// Whether the engine of `sections` is that in space.
-pub(crate) fn is_in_space(sections: &Sections) -> bool {
-    let engine = sections.one(&SOLVER).and_then(|solver| solver.get(ENGINE));
-    engine.is_some_and(Engine::is_in_space)
+/// The engine of `sections`; none where its key has an error.
+pub(crate) fn engine_of(sections: &Sections) -> Option<Engine> {
+    sections.one(&SOLVER)?.get(ENGINE)
 }
 
 /// Engines that compute the cracked rail.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Engine {
-    /// Extended finite elements.
-    Xfem,
-    /// Distributed dislocations in a half-plane.
-    Dislocation,
+    /// Cracks in the plane.
+    Plane(PlaneEngine),
     /// Planar cracks with curved fronts in the half-space.
     Space,
 }
 
-/// Domain of the cracks of an engine.
+/// Engines of cracks in the plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum EngineDomain {
-    /// A plane rail of whatever boundary, on a mesh.
-    Rail,
-    /// The half-plane.
-    HalfPlane,
-    /// The half-space.
-    HalfSpace,
-}
-
-/// Names and domain of an engine, for texts and checks; its computation is a file of
-/// `case/engines`.
-struct EngineDeclaration {
-    word: Word,
-    method: &'static str,
-    domain: EngineDomain,
+pub enum PlaneEngine {
+    /// Extended finite elements, on a mesh of the rail, whatever its boundary.
+    Xfem,
+    /// Distributed dislocations in a half-plane.
+    Dislocation,
 }
 
 impl Engine {
-    const fn declaration(self) -> EngineDeclaration {
-        match self {
-            Self::Xfem => EngineDeclaration {
-                word: Word::now("xfem", "extended finite elements"),
-                method: "extended finite elements",
-                domain: EngineDomain::Rail,
-            },
-            Self::Dislocation => EngineDeclaration {
-                word: Word::now("dislocation", "distributed dislocations in a half-plane"),
-                method: "distributed dislocations",
-                domain: EngineDomain::HalfPlane,
-            },
-            Self::Space => EngineDeclaration {
-                word: Word::now("space", "planar cracks with elliptical fronts in the half-space"),
-                method: "boundary elements in space",
-                domain: EngineDomain::HalfSpace,
-            },
-        }
-    }
-
     /// The method of computation, in words.
     #[must_use]
     pub fn method(self) -> &'static str {
-        self.declaration().method
-    }
-
-    /// The domain of the cracks.
-    #[must_use]
-    pub fn domain(self) -> EngineDomain {
-        self.declaration().domain
+        match self {
+            Self::Plane(PlaneEngine::Xfem) => "extended finite elements",
+            Self::Plane(PlaneEngine::Dislocation) => "distributed dislocations",
+            Self::Space => "boundary elements in space",
+        }
     }
 
     /// Whether its cracks are in space.
     #[must_use]
     pub fn is_in_space(self) -> bool {
-        self.domain() == EngineDomain::HalfSpace
-    }
-
-    /// The engines of cracks in the plane.
-    pub fn in_the_plane() -> impl Iterator<Item = Self> {
-        Self::WORDS.iter().map(|(engine, _)| *engine).filter(|engine| !engine.is_in_space())
+        self == Self::Space
     }
 }
 
 impl Choice for Engine {
     const WORDS: &'static [(Self, Word)] = &[
-        (Self::Xfem, Self::Xfem.declaration().word),
-        (Self::Dislocation, Self::Dislocation.declaration().word),
-        (Self::Space, Self::Space.declaration().word),
+        (Self::Plane(PlaneEngine::Xfem), Word::now("xfem", "extended finite elements")),
+        (
+            Self::Plane(PlaneEngine::Dislocation),
+            Word::now("dislocation", "distributed dislocations in a half-plane"),
+        ),
+        (Self::Space, Word::now("space", "planar cracks with elliptical fronts in the half-space")),
     ];
 }
 

@@ -1,6 +1,6 @@
 //! `[residual_stress]` and `[plastic_stress]`: stress that rolling or manufacture left in the rail.
 
-use crate::files::{FieldFile, ProfileFile, read_field, read_profile};
+use crate::files::{Companion, FieldFile, ProfileFile, read_field, read_profile};
 use crate::schema::{Report, SectionValues, file, section};
 use railcrack::residual::{PlasticField, PlasticFieldError};
 use std::path::Path;
@@ -64,6 +64,15 @@ impl PlasticSource {
             Self::Profile(file) => Some(PlasticField::layers(file.content())?),
             Self::Rolled => None,
         })
+    }
+
+    /// The file stored with a case; none where the run computes the stress.
+    pub(crate) fn companion(&self) -> Option<Companion<'_>> {
+        match self {
+            Self::Field(file) => Some(file.companion()),
+            Self::Profile(file) => Some(file.companion()),
+            Self::Rolled => None,
+        }
     }
 
     /// The name in results.

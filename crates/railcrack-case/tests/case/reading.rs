@@ -5,7 +5,7 @@ use railcrack::contact::FluidModel;
 use railcrack::fatigue::{GrowthLaw, RateLaw};
 use railcrack::growth::{GrowthSettings, PassageSettings};
 use railcrack::math::RailBox;
-use railcrack_case::{Case, ContactSolver, Engine, Input, Overrides, init_text};
+use railcrack_case::{Case, ContactSolver, Engine, Input, Overrides, PlaneEngine, init_text};
 use std::path::{Path, PathBuf};
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
@@ -56,8 +56,11 @@ fn defaults_are_the_reference_case() {
     assert_eq!(short.growth.law, GrowthLaw::RAIL_STEEL);
     assert_eq!((short.steel.young(), short.steel.poisson()), (210e3, 0.3));
     assert_eq!(short.first_wheel().passages, PassageSettings::default());
-    assert_eq!(short.rail.extent, RailBox::default());
-    assert_eq!((short.engine, short.contact_solver), (Engine::Xfem, ContactSolver::Newton));
+    assert_eq!(short.rail, RailBox::default());
+    assert_eq!(
+        (short.engine(), short.contact_solver()),
+        (Engine::Plane(PlaneEngine::Xfem), ContactSolver::Newton)
+    );
     assert_eq!(
         (long.cracks.clone(), long.first_wheel().passages.passage, long.rail),
         (short.cracks.clone(), short.first_wheel().passages.passage, short.rail)
@@ -113,7 +116,7 @@ fn nine_cracks() {
     assert_eq!(mouths, (0..9).map(|i| 3.375 * f64::from(i)).collect::<Vec<_>>());
     assert_eq!(case.crack_friction, vec![0.5; 9]);
     assert_eq!(ends(&case), (-40.5, 67.5));
-    assert_eq!(case.rail.extent.centre, 13.5);
+    assert_eq!(case.rail.centre, 13.5);
     assert!(case.to_toml().contains("\ncentre_mm = 13.5\n"), "defaults are filled in");
     assert_eq!(case.growth.steps, 5);
 }
@@ -149,8 +152,8 @@ fn the_command_line_takes_the_place_of_the_file() {
         ..Overrides::default()
     };
     let case = Case::parse_with(&text, "case.toml", Path::new(""), &overrides).unwrap();
-    assert_eq!((case.growth.steps, case.contact_solver), (3, ContactSolver::Latin));
-    assert_eq!(case.engine, Engine::Dislocation);
+    assert_eq!((case.growth.steps, case.contact_solver()), (3, ContactSolver::Latin));
+    assert_eq!(case.engine(), Engine::Plane(PlaneEngine::Dislocation));
     assert!(case.to_toml().contains("\nsteps = 3\n") && case.to_toml().contains("\ncontact = \"latin\"\n"));
 
     let wrong = Overrides {
@@ -463,7 +466,7 @@ fn a_free_front_needs_no_key_but_its_own() {
     let text = include_str!("bad_input/good/space.toml");
     let parsed = |keys: &str| parse(&format!("{text}\n[growth]\n{keys}"));
     let harmonics = |case: &Case| {
-        let shape = case.space.as_ref().unwrap().shapes[0];
+        let shape = case.space().unwrap().shapes[0];
         shape.deviation.map(|deviation| (deviation.harmonics(), deviation.largest()))
     };
     assert_eq!(harmonics(&parsed("front = \"free\"\n")), Some((6, 0.0)));

@@ -1,9 +1,11 @@
 //! Studies: which cases they make, and everything that is said of wrong ones.
 
 use railcrack::contact::FluidModel;
-use railcrack_case::{Case, CaseErrors, Combine, Engine, Input, Overrides, Study, study_schema};
+use railcrack_case::{Case, CaseErrors, Combine, Engine, Input, Overrides, PlaneEngine, Study, study_schema};
 use serde_json::json;
 use std::path::Path;
+
+const XFEM: Engine = Engine::Plane(PlaneEngine::Xfem);
 
 /// A good study of 6 runs in lines 1 to 14; what is appended to it begins on line 15.
 const GOOD: &str = "\
@@ -138,11 +140,11 @@ fn words_and_counts_vary_too() {
     let text = replaced("\"dislocation\"", "[\"xfem\", \"dislocation\"]").replace("= 61", "= [21, 41]");
     let study = study(&text);
     assert_eq!(study.runs.len(), 24);
-    assert_eq!(study.runs[0].case.engine, Engine::Xfem);
+    assert_eq!(study.runs[0].case.engine(), XFEM);
     let last = &study.runs[23];
     assert_eq!(
-        (last.case.engine, last.case.first_wheel().passages.passage.positions),
-        (Engine::Dislocation, 41)
+        (last.case.engine(), last.case.first_wheel().passages.passage.positions),
+        (Engine::Plane(PlaneEngine::Dislocation), 41)
     );
     assert!(last.label.ends_with("positions = 41, engine = dislocation"), "{}", last.label);
 }
@@ -151,7 +153,7 @@ fn words_and_counts_vary_too() {
 fn options_take_the_place_of_single_values() {
     let overrides = Overrides { steps: Some(3), engine: Some("xfem".into()), ..Overrides::default() };
     let study = parse_with(GOOD, &overrides).unwrap();
-    assert!(study.runs.iter().all(|run| run.case.growth.steps == 3 && run.case.engine == Engine::Xfem));
+    assert!(study.runs.iter().all(|run| run.case.growth.steps == 3 && run.case.engine() == XFEM));
 }
 
 /// Two wheels, with a list in the contact of the first and a distribution in that of the second.

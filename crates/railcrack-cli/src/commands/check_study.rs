@@ -84,7 +84,7 @@ pub fn study_summary(study: &Study, folder: &Path) -> String {
     text.push_str("\nruns\n");
     for run in study.runs.iter().take(MOST_LISTED) {
         let StudyRun { number, label, case, .. } = run;
-        let (engine, steps) = (case.engine.word(), case.growth.steps);
+        let (engine, steps) = (case.engine().word(), case.growth.steps);
         text.push_str(&format!("  {number:>5}   {label}   {engine}, {steps} increments\n"));
     }
     if count > MOST_LISTED {

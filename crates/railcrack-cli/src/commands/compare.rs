@@ -7,7 +7,7 @@ use crate::json::Json;
 use crate::print;
 use clap::{ArgGroup, Args};
 use railcrack::words::Choice;
-use railcrack_case::{Case, Engine};
+use railcrack_case::{Case, Engine, PlaneEngine};
 use railcrack_report::Pages;
 use railcrack_run::files::COMPARE_FILE;
 use railcrack_run::simulation::{Ending, RunError};
@@ -117,7 +117,8 @@ fn compare_computed(arguments: &CompareArguments, out: &Path) -> Result<Exit, Fa
     let interruption = run::listen()?;
     let mut folders = Vec::new();
     let runs: Vec<RunArguments> = if arguments.engines {
-        Engine::in_the_plane().map(|engine| run_with(arguments, engine, out)).collect()
+        let engines = [PlaneEngine::Xfem, PlaneEngine::Dislocation].map(Engine::Plane);
+        engines.map(|engine| run_with(arguments, engine, out)).into()
     } else {
         COUPLINGS.into_iter().map(|coupling| run_coupled(arguments, &case, coupling, out)).collect()
     };

@@ -31,9 +31,9 @@ fn meshio_reads_the_fields_of_a_run() {
     let case = Case::parse(CASE, "case.toml", Path::new("")).unwrap();
     let info = RunInfo {
         title: case.title.clone(),
-        engine: case.engine,
-        contact: case.contact_solver,
-        boundary: case.rail.boundary,
+        engine: case.engine(),
+        contact: case.contact_solver(),
+        boundary: case.boundary(),
         output: case.output,
         ..RunInfo::idle(case.half_width())
     };

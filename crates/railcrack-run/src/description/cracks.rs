@@ -50,10 +50,10 @@ fn crack_line(count: usize, crack: &Crack, friction: f64) -> String {
 
 /// The cracks of a case in space.
 pub(super) fn in_space(case: &Case) -> Vec<Row> {
-    let Some(space) = &case.space else { return Vec::new() };
+    let Some(space) = case.space() else { return Vec::new() };
     let mut rows: Vec<Row> = space.shapes.iter().flat_map(shape).collect();
     let mut divisions: Vec<CellDivision> = Vec::new();
-    for division in space.shapes.iter().map(|shape| shape.division(case.mesh.space)) {
+    for division in space.divisions() {
         if !divisions.contains(&division) {
             divisions.push(division);
         }

@@ -64,7 +64,7 @@ fn increments(case: &Case) -> String {
 
 fn path(case: &Case) -> String {
     match case.growth.turning {
-        _ if case.engine.is_in_space() => "the front stays in its plane".to_owned(),
+        _ if case.space().is_some() => "the front stays in its plane".to_owned(),
         Turning::Kink => "a whole kink in each increment: the path depends on the increment".to_owned(),
         Turning::Over(0.0) => "limit path: at each tip the best kink is zero".to_owned(),
         Turning::Over(f64::INFINITY) => "straight ahead".to_owned(),

@@ -65,7 +65,7 @@ pub fn describe_warnings(case: &Case) -> Part {
 fn solution(case: &Case) -> Vec<Row> {
     let size = RunSize::estimate(case);
     let mut rows =
-        vec![Row::text("engine", case.engine.word()), Row::text("contact", case.contact_solver.word())];
+        vec![Row::text("engine", case.engine().word()), Row::text("contact", case.contact_solver().word())];
     if size.displacements > 0 {
         rows.push(Row::text("displacements", format!("{} unknowns, factored once", size.displacements)));
     }

@@ -7,16 +7,16 @@ use railcrack::words::Choice;
 use railcrack_case::Case;
 
 pub(super) fn rail(case: &Case) -> Vec<Row> {
-    let rail = &case.rail;
-    let (left, right) = rail.extent.ends();
-    let body = match (case.engine.is_in_space(), rail.boundary) {
-        (true, _) => "half-space, without curvature of the head and gauge corner".to_owned(),
-        (false, Boundary::HalfPlane) => rail.section.map_or_else(
-            || rail.boundary.word().to_owned(),
-            |section| format!("{}, cracked with the section {}", rail.boundary.word(), section.name),
+    let (left, right) = case.rail.ends();
+    let boundary = case.boundary();
+    let body = match (case.plane(), boundary) {
+        (None, _) => "half-space, without curvature of the head and gauge corner".to_owned(),
+        (Some(plane), Boundary::HalfPlane) => plane.section.map_or_else(
+            || boundary.word().to_owned(),
+            |section| format!("{}, cracked with the section {}", boundary.word(), section.name),
         ),
-        (false, Boundary::Block { bottom, sides }) => {
-            let [width, depth] = [rail.extent.width, rail.extent.depth].map(short);
+        (Some(_), Boundary::Block { bottom, sides }) => {
+            let [width, depth] = [case.rail.width, case.rail.depth].map(short);
             format!("block of {width} by {depth} mm, bottom {}, sides {}", bottom.word(), sides.word())
         }
     };
@@ -30,14 +30,14 @@ pub(super) fn rail(case: &Case) -> Vec<Row> {
         Row::with(
             "cracks stay within",
             "x = {left:} to {right}, depth {depth}",
-            [("left", left, "mm"), ("right", right, "mm"), ("depth", rail.extent.depth, "mm")],
+            [("left", left, "mm"), ("right", right, "mm"), ("depth", case.rail.depth, "mm")],
         ),
     ]
 }
 
 /// Limits of the model: the effects that it leaves out.
 pub(super) fn limits(case: &Case) -> Vec<Row> {
-    let cracks = match &case.space {
+    let cracks = match case.space() {
         None => "plane strain: cracks that are wide across the rail",
         Some(space) if space.shapes.iter().any(|shape| shape.strip.is_some()) => {
             "a straight fold as long as the mouth, without twist, and one branch; strip and branch grow in their planes"

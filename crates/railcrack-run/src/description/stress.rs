@@ -31,7 +31,7 @@ pub(super) fn residual(case: &Case) -> Vec<Row> {
 
 /// The plastic stress, or why there is none.
 pub(super) fn plastic(case: &Case) -> Vec<Row> {
-    match &case.plastic_stress {
+    match case.plastic_stress() {
         Some(PlasticSource::Field(file)) => {
             let (left, right, depth) = file.content().extent();
             vec![

@@ -183,7 +183,7 @@ fn hertz_ellipse(ellipse: &HertzEllipse) -> Row {
 /// Strip of the ellipse in a plane case, lateral position of the ellipse in a space case.
 fn offset(case: &Case, lateral: f64) -> Row {
     let lateral = [("z", lateral, "mm")];
-    match case.engine.is_in_space() {
+    match case.space().is_some() {
         true => Row::with("lateral", "middle at z = {z}", lateral),
         false => Row::with("strip", "{z} to the side of its middle", lateral),
     }

@@ -3,7 +3,7 @@
 use railcrack::bulk::Boundary;
 use railcrack::fatigue::RailSteel;
 use railcrack::growth::{Mgt, SurfaceRemoval, Warning};
-use railcrack_case::{ContactSolver, Engine, Inspection, InspectionRisk, Output, Scatter};
+use railcrack_case::{ContactSolver, Engine, Inspection, InspectionRisk, Output, PlaneEngine, Scatter};
 
 /// A wheel of a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,7 +79,7 @@ impl RunInfo {
     pub fn idle(half_width: f64) -> Self {
         Self {
             title: String::new(),
-            engine: Engine::Dislocation,
+            engine: Engine::Plane(PlaneEngine::Dislocation),
             contact: ContactSolver::Newton,
             boundary: Boundary::HalfPlane,
             wheels: vec![WheelInfo { name: "wheel 1".to_owned(), share: 1.0, axle_load: None, half_width }],

@@ -2,7 +2,7 @@
 
 use crate::setup::RunSize;
 use railcrack::growth::NetworkContact;
-use railcrack_case::{Case, Engine};
+use railcrack_case::Case;
 
 /// Seconds per cube of the number of contact unknowns: inverse and factors of the body. This and
 /// the next one were measured on one core with single cracks at 0.5 to 2 degrees by dislocations,
@@ -34,7 +34,7 @@ pub fn step_seconds(case: &Case, size: &RunSize) -> f64 {
     let load_steps = case.positions(case.first_wheel()).len() as f64 * PASSAGES * wheels * sweeps;
     let plane = unknowns * coupled * (PER_CUBE * coupled + PER_SQUARE * load_steps)
         + PER_DISPLACEMENT * (size.displacements as f64).powf(1.25);
-    if case.engine == Engine::Space { IN_SPACE * plane } else { plane }
+    if case.space().is_some() { IN_SPACE * plane } else { plane }
 }
 
 /// Remark on a growth step that takes `seconds`; none where it is soon finished.

@@ -91,7 +91,7 @@ pub fn plastic_field(
     case: &Case,
     rolled: Option<&PlasticField>,
 ) -> Result<Option<PlasticField>, CarriedStressError> {
-    Ok(match &case.plastic_stress {
+    Ok(match case.plastic_stress() {
         None => None,
         Some(PlasticSource::Rolled) => Some(rolled.ok_or(CarriedStressError::NotRolled)?.clone()),
         Some(source) => source.given_field()?,
@@ -101,38 +101,38 @@ pub fn plastic_field(
 impl CarriedStress {
     /// The residual stress of a run of `case`: the stress given as balanced, and the balance of
     /// `plastic` on the mesh of `engine`, the finite-element engine of the case, whichever engine
-    /// computes the cracks.
+    /// computes the cracks; none in space.
     ///
     /// Errors: the plastic stress cannot be balanced.
     pub(super) fn balanced(
         case: &Case,
         plastic: Option<&PlasticField>,
-        engine: &mut XfemEngine,
+        mut engine: Option<&mut XfemEngine>,
     ) -> Result<Self, CarriedStressError> {
         let mut parts: Vec<Box<dyn StressField>> = Vec::new();
         let mut depths: Vec<f64> = Vec::new();
         let mut release = None;
-        let free_sides = matches!(case.rail.boundary, Boundary::Block { sides: SideSupport::Free, .. });
-        let initial = match case.plastic_stress {
+        let free_sides = matches!(case.boundary(), Boundary::Block { sides: SideSupport::Free, .. });
+        let initial = match case.plastic_stress() {
             Some(PlasticSource::Rolled) => case.shakedown.initial_residual.as_ref(),
             _ => None,
         };
         for file in case.residual_stress.iter().chain(initial) {
             let profile = file.content();
             depths.extend(profile.rows().iter().map(|row| row.0));
-            if free_sides {
+            if let Some(engine) = engine.as_mut().filter(|_| free_sides) {
                 release = Some(Release::of_profile(case, engine.background(&case.cracks)?, profile)?);
             }
             parts.push(Box::new(profile.clone()));
         }
         let mut projection = None;
-        if let Some(plastic) = plastic {
+        if let Some((plastic, engine)) = plastic.zip(engine) {
             let rail = Arc::clone(engine.background(&case.cracks)?);
             let balanced = BalancedStress::new(&rail, |point| plastic.plastic_stress(point))?;
-            depths.extend(balanced.depths().iter().filter(|depth| **depth <= case.rail.extent.depth));
+            depths.extend(balanced.depths().iter().filter(|depth| **depth <= case.rail.depth));
             projection = Some(Projection {
                 recovery: plastic.recovery_loss(),
-                loss: projection_loss(&rail, plastic, case.rail.extent),
+                loss: projection_loss(&rail, plastic, case.rail),
                 extent: plastic.extent(),
             });
             if free_sides {
@@ -158,8 +158,8 @@ impl Release {
         let points: Vec<Vec2> = profile
             .rows()
             .iter()
-            .map(|row| Vec2::new(case.rail.extent.centre, -row.0))
-            .filter(|p| -p.y <= case.rail.extent.depth)
+            .map(|row| Vec2::new(case.rail.centre, -row.0))
+            .filter(|p| -p.y <= case.rail.depth)
             .collect();
         let released = StressAtPoints::new(rail, &points)?.stress(&displacements[0]);
         let of = |(point, released): (&Vec2, &Stress)| {
@@ -176,7 +176,7 @@ impl Release {
         plastic: &PlasticField,
         balanced: &BalancedStress,
     ) -> Result<Self, BulkError> {
-        let bottom = match case.rail.boundary {
+        let bottom = match case.boundary() {
             Boundary::Block { bottom, .. } => bottom,
             Boundary::HalfPlane => BottomSupport::Clamped,
         };
@@ -184,7 +184,7 @@ impl Release {
         let rollers = BulkRail::new(rail.mesh().clone(), rail.steel(), boundary)?;
         let held = BalancedStress::new(&rollers, |point| plastic.plastic_stress(point))?;
         Ok(largest(balanced.depths().iter().map(|&depth| {
-            let point = Vec2::new(case.rail.extent.centre, -depth);
+            let point = Vec2::new(case.rail.centre, -depth);
             let (held, free) = (held.stress(point).xx, balanced.stress(point).xx);
             Release { depth, held, free, carried: true }
         })))

@@ -56,7 +56,7 @@ pub struct EffectInPlane {
 /// `None` in the plane and for a buried crack.
 #[must_use]
 pub fn uncoupled_gap(case: &Case) -> Option<f64> {
-    let space = case.space.as_ref()?;
+    let space = case.space()?;
     let shape = space.shapes.first().filter(|shape| shape.buried.is_none())?;
     let patch = wheel_patch(case, 0)?;
     let wheel = patch.outline();
@@ -75,8 +75,7 @@ impl EffectInPlane {
         let first = case.first_wheel();
         let GivenContact { contact, origin, .. } = first.wheel.given()?;
         let measured = matches!(origin, ContactOrigin::Table(_));
-        let in_half_plane = case.rail.boundary == Boundary::HalfPlane || case.engine.is_in_space();
-        if case.has_coupled_wheel() || measured || !in_half_plane {
+        if case.has_coupled_wheel() || measured || case.boundary() != Boundary::HalfPlane {
             return None;
         }
         let place = case.cracks.cracks().iter().position(|crack| crack.is_surface_breaking())?;

@@ -46,7 +46,7 @@ pub(super) fn grouped(case: &Case, table: &WheelTable) -> WheelGroups {
 fn effects(case: &Case, table: &WheelTable, loaded: &[usize]) -> Option<Effects> {
     let friction = *case.crack_friction.first()?;
     let (steel, law, travel) = (&case.steel, &case.growth.law, table.travel);
-    if let Some(space) = &case.space {
+    if let Some(space) = case.space() {
         let shape = FrontShape { deviation: None, ..*space.shapes.first()? };
         let wheels: Vec<&TabledWheel> = loaded.iter().map(|i| &table.wheels[*i]).collect();
         return by_coarse_front(&wheels, (&shape, friction), steel, travel, law);

@@ -9,18 +9,20 @@ use railcrack::field::StressField;
 use railcrack::growth::GrowthSettings;
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::plane::{PlaneRail, PlaneWheel};
-use railcrack_case::{Case, ContactSolver, TrafficWheel};
+use railcrack_case::{Case, ContactSolver, PlaneCase, TrafficWheel};
 use std::sync::Arc;
 
-/// The rail of `case`, whose cracks the `engine` makes bodies of, with the `residual` stress.
+/// The rail of `case`, which is `plane` and whose cracks the `engine` makes bodies of, with the
+/// `residual` stress.
 pub(super) fn plane_rail(
     case: &Case,
+    plane: &PlaneCase,
     engine: Box<dyn BodyEngine>,
     residual: Option<&Arc<dyn StressField>>,
 ) -> PlaneRail {
     let newton: Box<dyn contact::ContactSolver> = Box::new(Newton::default());
     let latin: Box<dyn contact::ContactSolver> = Box::new(Latin::default());
-    let (solver, fallback) = match case.contact_solver {
+    let (solver, fallback) = match plane.contact_solver {
         ContactSolver::Newton => (newton, latin),
         ContactSolver::Latin => (latin, newton),
     };
@@ -33,7 +35,7 @@ pub(super) fn plane_rail(
         network: case.network,
         fields: field_settings(case),
         growth: GrowthSettings { usual_toughness: Some(usual), ..case.growth.clone() },
-        rail: case.rail.extent,
+        rail: case.rail,
         ..PlaneRail::under(engine, wheels, case.crack_friction.clone())
     }
 }

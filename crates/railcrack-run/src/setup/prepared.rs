@@ -5,18 +5,19 @@ use super::engine::{engine_with, finite_elements};
 use super::plane::plane_rail;
 use super::shared::SharedRail;
 use super::space::space_rail;
-use railcrack::body::BodyEngine;
 use railcrack::field::StressField;
 use railcrack::growth::{CrackedRail, Growth, GrowthState, StepSource, TipJudge};
 use railcrack::residual::PlasticField;
-use railcrack_case::Case;
+use railcrack::xfem::XfemEngine;
+use railcrack_case::{Case, Geometry};
 use std::sync::Arc;
 
 /// A run before its first step.
 pub struct PreparedRun<'a> {
     case: &'a Case,
-    /// None for a run in space.
-    engine: Option<Box<dyn BodyEngine>>,
+    /// The finite elements that carry its stress, whichever engine computes the cracks; none for a
+    /// run in space.
+    meshed: Option<XfemEngine>,
     residual: CarriedStress,
 }
 
@@ -39,13 +40,12 @@ impl<'a> PreparedRun<'a> {
         shared: Option<&SharedRail>,
     ) -> Result<Self, CarriedStressError> {
         let plastic = plastic_field(case, rolled)?;
-        let mut finite_elements = finite_elements(case, plastic.as_ref());
-        if let Some(shared) = shared {
-            shared.give_to(&mut finite_elements);
+        let mut meshed = case.plane().map(|plane| finite_elements(case, plane, plastic.as_ref()));
+        if let Some((shared, meshed)) = shared.zip(meshed.as_mut()) {
+            shared.give_to(meshed);
         }
-        let residual = CarriedStress::balanced(case, plastic.as_ref(), &mut finite_elements)?;
-        let engine = engine_with(case, finite_elements).map(|engine| engine as Box<dyn BodyEngine>);
-        Ok(Self { case, engine, residual })
+        let residual = CarriedStress::balanced(case, plastic.as_ref(), meshed.as_mut())?;
+        Ok(Self { case, meshed, residual })
     }
 
     /// The residual stress that the rail carries.
@@ -73,16 +73,17 @@ impl<'a> PreparedRun<'a> {
         state: Option<GrowthState>,
         judge: Option<Arc<dyn TipJudge>>,
     ) -> Box<dyn StepSource> {
-        let Self { case, engine, residual } = self;
+        let Self { case, meshed, residual } = self;
         let residual: Option<Arc<dyn StressField>> = residual.field.map(Arc::from);
-        match (engine, &case.space) {
-            (None, Some(space)) => {
+        match &case.geometry {
+            Geometry::Space(space) => {
                 let initial =
                     || GrowthState::initial_in_space(space.shapes.clone()).expect("the case is checked");
                 boxed(space_rail(case, space, residual.as_ref()), state.unwrap_or_else(initial), judge)
             }
-            (engine, _) => {
-                let rail = plane_rail(case, engine.expect("cracks in the plane"), residual.as_ref());
+            Geometry::Plane(plane) => {
+                let engine = engine_with(case, plane, meshed.expect("cracks in the plane"));
+                let rail = plane_rail(case, plane, engine, residual.as_ref());
                 boxed(rail, state.unwrap_or_else(|| GrowthState::initial(&case.cracks)), judge)
             }
         }

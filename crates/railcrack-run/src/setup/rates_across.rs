@@ -19,7 +19,7 @@ const PASSAGES: usize = 4000;
 #[must_use]
 pub fn rates_across(case: &Case, places: &[f64]) -> Option<Vec<(f64, f64)>> {
     let table = case.wheel_table.as_ref()?;
-    if case.space.is_some() {
+    if case.space().is_some() {
         return front_rates_across(case, table, places);
     }
     if table.is_whole {
@@ -80,7 +80,7 @@ fn every_so_many(table: &WheelTable, places: usize) -> (Vec<&TabledWheel>, f64) 
 }
 
 fn front_rates_across(case: &Case, table: &WheelTable, places: &[f64]) -> Option<Vec<(f64, f64)>> {
-    let shape = case.space.as_ref()?.shapes.first()?;
+    let shape = case.space()?.shapes.first()?;
     let front = CoarseFront::new(shape, *case.crack_friction.first()?, &case.steel)?;
     let (taken, scale) = every_so_many(table, places.len());
     let mean = |place: &f64| {

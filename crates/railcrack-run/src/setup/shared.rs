@@ -4,7 +4,7 @@ use super::carried::{CarriedStressError, plastic_field};
 use super::engine::finite_elements;
 use railcrack::body::{BodyEngine, BodyError};
 use railcrack::xfem::{XfemEngine, XfemError};
-use railcrack_case::{Case, EngineDomain, PlasticSource};
+use railcrack_case::{Case, Engine, PlaneEngine, PlasticSource};
 use thiserror::Error;
 
 /// Mesh, factor and columns of a rail for several runs whose cracks begin the same.
@@ -35,11 +35,9 @@ impl SharedRail {
     /// Errors: the rail cannot be built.
     pub fn build(case: &Case) -> Result<Option<Self>, SharedRailError> {
         let Some(mut engine) = shareable_elements(case)? else { return Ok(None) };
-        match case.engine.domain() {
-            EngineDomain::Rail => drop(engine.body(&case.cracks)?),
-            EngineDomain::HalfPlane | EngineDomain::HalfSpace => {
-                drop(engine.background(&case.cracks)?.clone())
-            }
+        match case.engine() {
+            Engine::Plane(PlaneEngine::Xfem) => drop(engine.body(&case.cracks)?),
+            _ => drop(engine.background(&case.cracks)?.clone()),
         }
         Ok(Some(Self { engine }))
     }
@@ -66,9 +64,9 @@ impl RailKey {
 }
 
 fn shareable_elements(case: &Case) -> Result<Option<XfemEngine>, CarriedStressError> {
-    match (&case.plastic_stress, case.engine) {
-        (Some(PlasticSource::Rolled), _) => Ok(None),
-        (None, engine) if engine.domain() != EngineDomain::Rail => Ok(None),
-        _ => Ok(Some(finite_elements(case, plastic_field(case, None)?.as_ref()))),
+    let Some(plane) = case.plane() else { return Ok(None) };
+    match (&plane.plastic_stress, plane.engine) {
+        (Some(PlasticSource::Rolled), _) | (None, PlaneEngine::Dislocation) => Ok(None),
+        _ => Ok(Some(finite_elements(case, plane, plastic_field(case, None)?.as_ref()))),
     }
 }

@@ -3,9 +3,8 @@
 use super::engine::finite_elements;
 use railcrack::dislocation::face_points;
 use railcrack::growth::NetworkContact;
-use railcrack::space::SpaceResolution;
 use railcrack::xfem::XfemSize;
-use railcrack_case::{Case, Engine, SpaceCase};
+use railcrack_case::{Case, Geometry, PlaneCase, PlaneEngine};
 
 /// Size of the face problem of a case at its first step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,12 +52,13 @@ struct Faces {
 impl Faces {
     fn of_case(case: &Case) -> Self {
         let in_the_plane = Self { tips: case.cracks.tips().len(), unknowns_per_point: 2, ..Self::default() };
-        match case.engine {
-            Engine::Dislocation => {
-                Self { points: face_points(&case.cracks, case.face_resolution()), ..in_the_plane }
-            }
-            Engine::Xfem => {
-                let size = finite_element_size(case);
+        match &case.geometry {
+            Geometry::Plane(plane) if plane.engine == PlaneEngine::Dislocation => Self {
+                points: face_points(&case.cracks, plane.face_resolution(&case.cracks)),
+                ..in_the_plane
+            },
+            Geometry::Plane(plane) => {
+                let size = finite_element_size(case, plane);
                 Self {
                     points: size.face_points,
                     displacements: size.mesh_unknowns + size.enriched_unknowns,
@@ -66,26 +66,21 @@ impl Faces {
                     ..in_the_plane
                 }
             }
-            Engine::Space => {
-                let of = |points: fn(&SpaceCase, SpaceResolution) -> usize| {
-                    case.space.as_ref().map_or(0, |space| points(space, case.mesh.space))
-                };
-                Self {
-                    points: of(SpaceCase::face_points),
-                    tips: of(SpaceCase::front_points),
-                    unknowns_per_point: 3,
-                    ..Self::default()
-                }
-            }
+            Geometry::Space(space) => Self {
+                points: space.face_points(),
+                tips: space.front_points(),
+                unknowns_per_point: 3,
+                ..Self::default()
+            },
         }
     }
 }
 
 /// Size of the finite elements; zero where their mesh cannot be made, which the run reports.
-fn finite_element_size(case: &Case) -> XfemSize {
+fn finite_element_size(case: &Case, plane: &PlaneCase) -> XfemSize {
     // Errors of a plastic stress are reported by its reader; that of rolling is not yet available.
-    let plastic = case.plastic_stress.as_ref().and_then(|source| source.given_field().ok().flatten());
-    let engine = finite_elements(case, plastic.as_ref());
+    let plastic = plane.plastic_stress.as_ref().and_then(|source| source.given_field().ok().flatten());
+    let engine = finite_elements(case, plane, plastic.as_ref());
     // Displacements and memory of the largest mesh that the growth is expected to need.
     let size = match case.outgrows_first_mesh() {
         true => engine.largest_size(&case.cracks),
@@ -104,7 +99,7 @@ impl RunSize {
         let number = size_of::<f64>();
         let columns = match case.network {
             NetworkContact::Whole => MATRICES * unknowns,
-            NetworkContact::Groups if case.engine == Engine::Space => {
+            NetworkContact::Groups if case.space().is_some() => {
                 (unknowns + OF_GROUPS * unknowns / case.cracks.cracks().len().max(1)).min(MATRICES * unknowns)
             }
             NetworkContact::Groups => unknowns.min(COLUMNS),

@@ -29,11 +29,11 @@ pub(super) fn space_rail(
         steel: case.steel,
         wheels: wheels.collect(),
         friction: case.crack_friction.clone(),
-        resolution: case.mesh.space,
+        resolution: space.resolution,
         growth: case.growth.clone(),
         mode_3_weight: space.mode_3_weight,
         fields: field_settings(case),
-        rail: case.rail.extent,
+        rail: case.rail,
         kernel: None,
     }
 }

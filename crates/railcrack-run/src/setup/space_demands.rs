@@ -20,7 +20,7 @@ pub(super) fn demands_in_space(
     case: &Case,
     residual: Option<&Arc<dyn StressField>>,
 ) -> Result<Vec<WheelDemand>, DemandError> {
-    let space = case.space.as_ref().ok_or(DemandError::NoFront)?;
+    let space = case.space().ok_or(DemandError::NoFront)?;
     let computed = passages_in_space(space, space_rail(case, space, residual))?;
     let Some((table, groups)) =
         case.wheel_table.as_ref().and_then(|table| Some((table, table.groups.as_ref()?)))
@@ -56,7 +56,7 @@ fn scaled(
     (table, groups): (&WheelTable, &WheelGroups),
     computed: &[WheelDemand],
 ) -> Option<Vec<WheelDemand>> {
-    let space = case.space.as_ref()?;
+    let space = case.space()?;
     let front = CoarseFront::new(space.shapes.first()?, *case.crack_friction.first()?, &case.steel)?;
     let wheels: Vec<&TabledWheel> = table.wheels.iter().collect();
     let law: &GrowthLaw = &case.growth.law;

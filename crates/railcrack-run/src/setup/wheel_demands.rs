@@ -25,7 +25,7 @@ use std::sync::Arc;
 pub fn wheel_demands(case: &Case, run: &Case) -> Result<Vec<WheelDemand>, DemandError> {
     let prepared = PreparedRun::new(case, None)?;
     let residual: Option<Arc<dyn StressField>> = prepared.into_residual().map(Arc::from);
-    if case.engine.is_in_space() {
+    if case.space().is_some() {
         return demands_in_space(run, residual.as_ref());
     }
     let body = body_engine(case).ok_or(DemandError::NoFront)?.body(&case.cracks)?;

@@ -34,7 +34,7 @@ pub fn wheel_patches(case: &Case) -> Vec<WheelPatch> {
 
 /// The whole patch of the wheel `number` (from 0) of `case`; none in the plane.
 pub(super) fn wheel_patch(case: &Case, number: usize) -> Option<WheelPatch> {
-    case.space.as_ref()?;
+    case.space()?;
     let mut patches: Vec<(f64, WheelPatch)> =
         given_patches(case, number)?.into_iter().map(GivenPatch::in_space).collect();
     Some(match patches.len() {
@@ -59,7 +59,7 @@ fn given_patches(case: &Case, number: usize) -> Option<Vec<GivenPatch>> {
             Some(groups) => *groups.representatives.get(place)?,
             None => place,
         };
-        let lateral = if case.space.is_some() { 0.0 } else { table.lateral };
+        let lateral = if case.space().is_some() { 0.0 } else { table.lateral };
         placed_patches(&table.wheels.get(row)?.wheel.over(lateral), table.travel)
     };
     of_table().or_else(|| own_patches(case.wheels.get(number)?.wheel.given()?))

@@ -11,7 +11,7 @@ use crate::decision::{Course, NominalRun, Question, deciding, from_run};
 use crate::log::{Companion, CompanionKind, RunInfo, RunLog, StepDigest};
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::growth::{GrowthState, SurfaceRemoval, Turning};
-use railcrack_case::{Case, Engine, Scatter};
+use railcrack_case::{Case, Engine, PlaneEngine, Scatter};
 use rayon::prelude::*;
 use std::path::Path;
 
@@ -89,11 +89,12 @@ impl Simulation<'_> {
             },
         };
         // The finite elements of several bodies at once may not fit into the memory.
-        let all: Result<Vec<Companion>, RunError> = if self.case.engine == Engine::Dislocation {
-            kinds.par_iter().map(of).collect()
-        } else {
-            kinds.iter().map(of).collect()
-        };
+        let all: Result<Vec<Companion>, RunError> =
+            if self.case.engine() == Engine::Plane(PlaneEngine::Dislocation) {
+                kinds.par_iter().map(of).collect()
+            } else {
+                kinds.iter().map(of).collect()
+            };
         let mut all = all?;
         for _ in 0..MOST_BETWEEN {
             let Some(speed) = self.doubtful(info, &all, log) else { break };
@@ -150,7 +151,7 @@ impl Simulation<'_> {
                 kinds.extend(speeds(deviation).into_iter().map(CompanionKind::Speed));
             }
         }
-        if !self.has_variants || info.inspection.is_none() || case.space.is_some() {
+        if !self.has_variants || info.inspection.is_none() || case.space().is_some() {
             return kinds;
         }
         if nominal.failure.mode.is_some() {
@@ -319,7 +320,7 @@ impl Simulation<'_> {
         log: &RunLog,
         beside: &Beside,
     ) -> Result<Option<RowPart>, RunError> {
-        if self.case.space.is_some() {
+        if self.case.space().is_some() {
             return Ok(None);
         }
         let deciding = deciding(info, log);

@@ -13,7 +13,7 @@ use crate::planner::{PlanSummary, write_plan};
 use crate::run_folder::{Existing, begin};
 use crate::setup::represented;
 use railcrack::growth::{Axles, Grinding, GrowthState, Mgt, SurfaceRemoval};
-use railcrack_case::{Case, Engine};
+use railcrack_case::{Case, Engine, PlaneEngine};
 use rayon::prelude::*;
 use std::path::Path;
 use std::time::Instant;
@@ -150,11 +150,12 @@ impl Planning<'_> {
             .collect();
         self.simulation.observer.stage(&format!("{} grinding plans", wanted.len()));
         // The finite elements of several bodies at once may not fit into the memory.
-        let plans: Result<Vec<Followed>, RunError> = if case.engine == Engine::Dislocation {
-            wanted.par_iter().map(|(depth, interval)| plan(*depth, *interval)).collect()
-        } else {
-            wanted.iter().map(|(depth, interval)| plan(*depth, *interval)).collect()
-        };
+        let plans: Result<Vec<Followed>, RunError> =
+            if case.engine() == Engine::Plane(PlaneEngine::Dislocation) {
+                wanted.par_iter().map(|(depth, interval)| plan(*depth, *interval)).collect()
+            } else {
+                wanted.iter().map(|(depth, interval)| plan(*depth, *interval)).collect()
+            };
         Ok(AllFollowed { alone, depths, intervals, plans: plans?, horizon: Mgt(horizon) })
     }
 

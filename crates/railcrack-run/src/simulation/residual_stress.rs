@@ -58,11 +58,11 @@ pub(super) fn prepare<'a>(
     stage: &Stage,
 ) -> Result<(PreparedRun<'a>, Option<Residual>), RunError> {
     let started = Stopwatch::start();
-    let rolled = match case.plastic_stress {
+    let rolled = match case.plastic_stress() {
         Some(PlasticSource::Rolled) => Some(rolled_state(case, stage)?),
         _ => None,
     };
-    if case.plastic_stress.is_some() {
+    if case.plastic_stress().is_some() {
         stage.observer.stage("projecting and balancing the plastic stress");
     }
     let prepared = PreparedRun::sharing(case, rolled.as_ref().map(|(field, _)| field), stage.shared)?;
@@ -74,7 +74,7 @@ pub(super) fn prepare<'a>(
     notes.extend(carried.release.map(release_note));
     let summary = ResidualSummary {
         balanced_profile: case.residual_stress.as_ref().map(|file| file.given_name().into()),
-        plastic_source: case.plastic_stress.as_ref().map(origin),
+        plastic_source: case.plastic_stress().map(origin),
         rolled,
         projection: carried.projection.map(|projection| ProjectionSummary {
             nodes_norm_ratio: projection.recovery.map(|loss| loss.norm_ratio),
@@ -106,10 +106,7 @@ fn origin(source: &PlasticSource) -> PlasticOrigin {
 /// The stress on the middle line; none where the rail carries none.
 fn rows(case: &Case, carried: &CarriedStress) -> Option<Vec<ResidualRow>> {
     let field = carried.field.as_ref()?;
-    let at = |&depth: &f64| ResidualRow {
-        depth,
-        stress: field.stress(Vec2::new(case.rail.extent.centre, -depth)),
-    };
+    let at = |&depth: &f64| ResidualRow { depth, stress: field.stress(Vec2::new(case.rail.centre, -depth)) };
     Some(carried.depths.iter().map(at).collect())
 }
 
@@ -163,10 +160,10 @@ fn rolled_summary(case: &Case, summary: &ShakedownSummary, notes: &mut Vec<Strin
 /// A mesh that ends within the rail.
 fn narrow(case: &Case, projection: &Projection) -> Option<String> {
     let (left, right, depth) = projection.extent;
-    if !matches!(case.plastic_stress, Some(PlasticSource::Field(_))) {
+    if !matches!(case.plastic_stress(), Some(PlasticSource::Field(_))) {
         return None;
     }
-    let (from, to) = case.rail.extent.ends();
+    let (from, to) = case.rail.ends();
     (left > from || right < to).then(|| {
         format!(
             "the plastic stress is given from x = {left} to {right} mm and to a depth of {depth} mm: beyond these ends it is continued unchanged, below this depth it is zero"
@@ -190,7 +187,7 @@ fn release_note(release: Release) -> String {
 /// A wheel that causes yielding in a rail whose plastic stress the run ignores: of a mix the
 /// heaviest.
 pub fn plastic_stress_left_out(case: &Case) -> Option<String> {
-    if case.plastic_stress.is_some() || case.residual_stress.is_some() {
+    if case.plastic_stress().is_some() || case.residual_stress.is_some() {
         return None;
     }
     let heaviest = &case.wheels[HeaviestWheel::of_case(case).wheel];

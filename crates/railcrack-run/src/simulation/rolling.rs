@@ -93,7 +93,7 @@ fn results(
         limit: rail.shakedown_limit()?,
         bounds: rail.bounds_by_depth(&depths)?,
         map: shakedown_map((1.2 * friction.abs()).max(MAP_FRICTION), MAP, poisson),
-        extent: case.rail.extent,
+        extent: case.rail,
         warnings: rolled_by(case)
             .into_iter()
             .chain(warnings(&stabilised, pass_by_pass.as_ref(), settings))

@@ -18,7 +18,7 @@ const LARGE_EFFECT: f64 = 0.05;
 /// The warning about a wheel that does not feel the cracks, where that changes their growth.
 pub fn uncoupled_wheel(case: &Case) -> Option<String> {
     let rate = EffectInPlane::of_case(case).map(|effect| effect.rate)?;
-    let remedy = match case.engine.is_in_space() {
+    let remedy = match case.space().is_some() {
         true => "the space engine has no such wheel, the plane engines do",
         false => "set contact.coupled = true",
     };
@@ -150,7 +150,7 @@ pub fn pattern(text: &str) -> String {
 /// Warnings that follow from the load of one wheel.
 fn of_wheel(case: &Case, wheel: &GivenWheel) -> Vec<Warning> {
     let Some(contact) = wheel.contact() else { return Vec::new() };
-    let is_given = case.residual_stress.is_some() || case.plastic_stress.is_some();
+    let is_given = case.residual_stress.is_some() || case.plastic_stress().is_some();
     let residual = if is_given { ResidualStress::Given } else { ResidualStress::Absent };
     let yield_stress = case.shakedown.hardening.yield_stress();
     let of_bounds = |bounds: &ContactBounds| validity::pressure(contact, bounds, yield_stress, residual);

@@ -48,7 +48,8 @@ fn negative_k1_counts_where_the_case_says_so() {
 fn the_size_of_nine_cracks_is_that_of_their_body() {
     let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
     let case = Case::read(&cases.join("network-nine.toml")).unwrap();
-    let body = cracked_body(&case.cracks, &case.steel, case.face_resolution()).unwrap();
+    let body =
+        cracked_body(&case.cracks, &case.steel, case.plane().unwrap().face_resolution(&case.cracks)).unwrap();
     assert_eq!(RunSize::estimate(&case).unknowns, body.dofs);
 }
 

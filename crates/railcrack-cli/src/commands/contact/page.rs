@@ -56,7 +56,7 @@ pub(super) fn page(case: &Case, rows: &[WheelRow], drawn: &[usize], across: Opti
 }
 
 fn meaning(case: &Case) -> Vec<String> {
-    let [demand, places] = if case.space.is_some() { IN_SPACE } else { IN_THE_PLANE };
+    let [demand, places] = if case.space().is_some() { IN_SPACE } else { IN_THE_PLANE };
     ON_THE_RAIL.into_iter().chain([demand, places]).map(str::to_owned).collect()
 }
 

@@ -134,9 +134,9 @@ fn solution(run: &RunFolder) -> String {
     format!(
         "Solution: {} with {unknowns}{} face points; contact of the crack faces by {}, solved {} times, with a relative \
          violation of its conditions of at most {:.0e}. K repeated after {} of at most {} passages.",
-        run.case.engine.method(),
+        run.case.engine().method(),
         summary.face_points,
-        run.case.contact_solver.method(),
+        run.case.contact_solver().method(),
         grouped(summary.contact_solves as f64),
         summary.complementarity_max,
         summary.passages,

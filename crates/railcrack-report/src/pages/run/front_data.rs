@@ -178,8 +178,8 @@ fn data(run: &RunFolder, space: &SpaceCase, page_data: &PageData) -> Value {
 
 /// Half-width (radians of φ) of the layer next to the surface in which K does not count.
 pub(super) fn layer(case: &Case) -> f64 {
-    let shapes = case.space.iter().flat_map(|space| &space.shapes);
-    shapes.map(|shape| shape.division(case.mesh.space).layer()).fold(VERTEX_LAYER, f64::min)
+    let divisions = case.space().into_iter().flat_map(SpaceCase::divisions);
+    divisions.map(|division| division.layer()).fold(VERTEX_LAYER, f64::min)
 }
 
 /// The way down a crack in one step.

@@ -64,7 +64,7 @@ fn deepest(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
 
 /// Whether the crack has a fold.
 fn is_folded(run: &RunFolder) -> bool {
-    run.case.space.as_ref().is_some_and(|space| space.shapes.iter().any(|shape| shape.strip.is_some()))
+    run.case.space().is_some_and(|space| space.shapes.iter().any(|shape| shape.strip.is_some()))
 }
 
 fn verdict(run: &RunFolder) -> String {

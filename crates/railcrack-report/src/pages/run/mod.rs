@@ -58,7 +58,7 @@ pub(crate) fn run_page(
     plots: &[Plot],
     engine: Option<&PageEngine>,
 ) -> Page {
-    let parts = match &run.case.space {
+    let parts = match run.case.space() {
         Some(space) => fronts::parts(run, space, page_data, plots),
         None => plane::parts(run, page_data, plots),
     };

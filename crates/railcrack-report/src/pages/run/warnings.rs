@@ -20,7 +20,7 @@ pub(super) fn warnings(run: &RunFolder) -> Vec<String> {
     if !run.summary.complete {
         texts.push("The run has not ended; repeat its command with --resume to continue it.".to_owned());
     }
-    if run.case.rail.boundary != Boundary::HalfPlane {
+    if run.case.boundary() != Boundary::HalfPlane {
         texts.push(
             "Boundary: block on supports. Bending of the block opens cracks that stay closed in a half-plane; compare only with \
              results for the same boundary."
@@ -43,7 +43,7 @@ pub(super) fn warnings(run: &RunFolder) -> Vec<String> {
 
 /// Number of warnings, each counted, which [`warnings`] groups by kind.
 pub(super) fn count(run: &RunFolder) -> usize {
-    let notes = [!run.summary.complete, run.case.rail.boundary != Boundary::HalfPlane];
+    let notes = [!run.summary.complete, run.case.boundary() != Boundary::HalfPlane];
     run.summary.warnings.len() + notes.into_iter().filter(|is_so| *is_so).count()
 }
 

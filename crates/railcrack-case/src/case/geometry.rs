@@ -1,0 +1,32 @@
+//! Cracks in the plane or in space: the parts of a case that only the engines of either know.
+
+use super::space_case::SpaceCase;
+use crate::tables::{ContactSolver, MeshSettings, PlaneEngine, PlasticSource};
+use railcrack::bulk::Boundary;
+use railcrack::load::NamedSection;
+
+/// What computes the cracks of a case, with what only that knows.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Geometry {
+    /// Cracks in the plane.
+    Plane(PlaneCase),
+    /// Cracks with fronts in space.
+    Space(SpaceCase),
+}
+
+/// The parts of a case that only the engines in the plane know.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlaneCase {
+    /// Engine that computes the cracked rail.
+    pub engine: PlaneEngine,
+    /// Solver of the contact conditions on the crack faces.
+    pub contact_solver: ContactSolver,
+    /// Half-plane, or a block with its supports.
+    pub boundary: Boundary,
+    /// The section that makes the cracked rail more compliant than the half-plane.
+    pub section: Option<&'static NamedSection>,
+    /// Plastic stress, still to be balanced.
+    pub plastic_stress: Option<PlasticSource>,
+    /// Discretisation.
+    pub mesh: MeshSettings,
+}
