@@ -11,7 +11,7 @@ use railcrack_case::Overrides;
 use railcrack_report::Pages;
 use railcrack_run::csv::columns_of;
 use railcrack_run::simulation::{StudyComputation, case_files, study_plan};
-use railcrack_run::study::{Entry, StudyPlan, StudySummaryRow};
+use railcrack_run::study::{Entry, ExistingRuns, StudyPlan, StudySummaryRow};
 use railcrack_run::summary::RunEnd;
 use railcrack_run::{OutputError, Presentation, StudyFolder, TablesOnly};
 use std::path::{Path, PathBuf};
@@ -72,7 +72,7 @@ impl StudyCore {
     }
 
     /// Opens the folder `out` to compute the runs `own`; returns the numbers of the remaining runs
-    /// and of those that have failed permanently. `entry` is begin, join, resume or replace.
+    /// and of those that have failed permanently. `entry` is begin, of the whole study, or resume.
     fn enter(
         &self,
         py: Python<'_>,
@@ -81,14 +81,12 @@ impl StudyCore {
         entry: &str,
     ) -> PyResult<(Vec<usize>, Vec<Failed>)> {
         let entry = match entry {
-            "join" => Entry::Join,
-            "resume" => Entry::ResumePart,
-            "replace" => Entry::Replace,
-            _ => Entry::Begin,
+            "resume" => part(&own),
+            _ => Entry { part: None, existing: ExistingRuns::Refuse },
         };
         let entered = py.detach(|| {
             let plan = study_plan(&self.study, Vec::new());
-            let folder = folder_of(&self.study, plan, &out, &own, entry)?;
+            let folder = folder_of(&self.study, plan, &out, &entry)?;
             let (waiting, failed) = folder.left_to_do(&self.study, &own)?;
             Ok((waiting, failed, folder.damages().to_vec()))
         });
@@ -123,7 +121,7 @@ impl StudyCore {
         // The computation has its own threads, one pool for each run.
         let over = compute(py, Some(1), (watch, told), tell, move || {
             let presentation: &dyn Presentation = if pages { &Pages } else { &TablesOnly };
-            let folder = folder_of(&study, plan, &out, &own, Entry::ResumePart)?;
+            let folder = folder_of(&study, plan, &out, &part(&own))?;
             let (waiting, mut failed) = folder.left_to_do(&study, &own)?;
             let computation = StudyComputation {
                 study: &study,
@@ -217,9 +215,13 @@ fn folder_of(
     study: &railcrack_case::Study,
     plan: StudyPlan,
     out: &Path,
-    own: &[usize],
-    entry: Entry,
+    entry: &Entry,
 ) -> Result<StudyFolder, OutputError> {
     let cases: Vec<_> = study.runs.iter().map(|run| case_files(&run.case)).collect();
-    StudyFolder::enter(out, plan, &study.text, entry, own, &cases)
+    StudyFolder::enter(out, plan, &study.text, entry, &cases)
+}
+
+/// The part of a study with the runs `own`, which are resumed.
+fn part(own: &[usize]) -> Entry {
+    Entry { part: Some(own.iter().copied().collect()), existing: ExistingRuns::Resume }
 }

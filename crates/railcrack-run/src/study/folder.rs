@@ -21,20 +21,30 @@ use std::sync::{Arc, Mutex};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// How a process enters the folder of a study.
+#[derive(Debug, Clone)]
+pub struct Entry {
+    /// Numbers of the runs that it computes, where others may compute the rest; none where it
+    /// computes the whole study.
+    pub part: Option<HashSet<usize>>,
+    /// What it does with runs that the folder holds already.
+    pub existing: ExistingRuns,
+}
+
+/// What a process does with those runs in the folder of a study that it is to compute.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Entry {
-    /// It begins the study.
-    Begin,
-    /// It starts its part of a study that others may have started.
-    Join,
-    /// It resumes a study.
+pub enum ExistingRuns {
+    /// Keep them and return an error.
+    Refuse,
+    /// Resume them.
     Resume,
-    /// It resumes its part of a study, or starts it.
-    ResumePart,
-    /// It replaces a study.
+    /// Remove them.
     Replace,
-    /// It replaces its part of a study.
-    ReplacePart,
+}
+
+impl Entry {
+    fn replaces_study(&self) -> bool {
+        self.part.is_none() && self.existing == ExistingRuns::Replace
+    }
 }
 
 /// The folder of a study. Each run folder in it belongs to one process at a time; common files are
@@ -51,7 +61,7 @@ pub struct StudyFolder {
 
 impl StudyFolder {
     /// Enters `path`, which is created where it does not exist, with the study `plan` from the file
-    /// with `text`, to compute the runs with the numbers `own`; `cases` are those of all runs.
+    /// with `text`; `cases` are those of all runs.
     ///
     /// Errors: the folder holds another study, a single run, or runs of this one that `entry` does
     /// not allow to touch; one of the runs to go on with computes another case; the system refuses.
@@ -59,8 +69,7 @@ impl StudyFolder {
         path: &Path,
         plan: StudyPlan,
         text: &str,
-        entry: Entry,
-        own: &[usize],
+        entry: &Entry,
         cases: &[CaseFiles],
     ) -> Result<Self, OutputError> {
         let mut folder = Self { path: path.to_path_buf(), plan, pack: Arc::default(), damages: Vec::new() };
@@ -73,92 +82,98 @@ impl StudyFolder {
         let in_the_way = folder.file_in_the_way(text)?;
         let stored = match stored_plan(path) {
             // A damaged plan is replaced with all the rest.
-            Err(OutputError::Damaged { .. } | OutputError::OtherVersion { .. })
-                if entry == Entry::Replace =>
-            {
+            Err(OutputError::Damaged { .. } | OutputError::OtherVersion { .. }) if entry.replaces_study() => {
                 None
             }
             stored => stored?,
         };
         folder.may_enter(stored.as_ref(), entry)?;
-        if let (None, Some(file), false) =
-            (&stored, in_the_way, matches!(entry, Entry::Replace | Entry::ReplacePart))
+        if let (None, Some(file)) = (&stored, in_the_way)
+            && entry.existing != ExistingRuns::Replace
         {
             return Err(OutputError::InTheWay { folder: path.to_path_buf(), file });
         }
-        let numbers: HashSet<usize> = own.iter().copied().collect();
-        let own = || folder.plan.runs.iter().filter(|run| numbers.contains(&run.number));
-        let packed = if entry == Entry::Replace { PackedRuns::default() } else { folder.packed()? };
-        for run in own() {
-            if packed.has(run.number) {
-                if matches!(entry, Entry::Begin | Entry::Join) {
-                    return Err(folder.holds_study(format!("run {}, packed", run.number)));
-                }
-            } else if let (Some((file, files)), Some(case), false) =
-                (packed.read_foreign(run.number)?, cases.get(run.number - 1), entry == Entry::ReplacePart)
-            {
-                let is_this_study = stored.as_ref().is_none_or(|stored| stored.has_case_of(run));
-                return Err(other_case(file, run.number, &CaseFiles::packed(&files), case, is_this_study));
-            }
-        }
-        for run in own().filter(|run| !packed.has(run.number)) {
-            let of_run = folder.run_folder(run);
-            match entry {
-                Entry::Begin | Entry::Join => {
-                    if let Some(file) = run_file_in(&of_run) {
-                        return Err(folder.holds_study(format!("{RUNS_FOLDER}/{}/{file}", run.folder)));
-                    }
-                }
-                Entry::Resume | Entry::ResumePart => {
-                    if let Some(case) = cases.get(run.number - 1) {
-                        check_case(&of_run, case)?;
-                    }
-                }
-                Entry::Replace | Entry::ReplacePart => {}
-            }
-        }
-        if let (Some(stored), false) = (&stored, entry == Entry::Replace)
+        let packed = if entry.replaces_study() { PackedRuns::default() } else { folder.packed()? };
+        folder.may_compute(stored.as_ref(), &packed, entry, cases)?;
+        if let Some(stored) = stored.as_ref().filter(|_| !entry.replaces_study())
             && let Some(run) = folder.plan.runs.iter().find(|run| !stored.has_case_of(run))
         {
             let difference = other_text(run.number, &folder.study_text()?, text);
             return Err(OutputError::StudyChanged { folder: path.to_path_buf(), difference });
         }
         std::fs::create_dir_all(path).map_err(OutputError::io("create the folder of the study", path))?;
-        if matches!(entry, Entry::Resume | Entry::ResumePart) {
-            folder.damages = void_damages(path)?;
-        }
-        let own = || folder.plan.runs.iter().filter(|run| numbers.contains(&run.number));
-        let replaced: Vec<PathBuf> = match entry {
-            // A study with other runs leaves none of its own behind.
-            Entry::Replace => {
-                let runs = stored.iter().chain([&folder.plan]).flat_map(|plan| &plan.runs);
-                runs.map(|run| folder.own_run_folder(run)).collect::<Result<_, _>>()?
-            }
-            Entry::ReplacePart => own().map(|run| folder.own_run_folder(run)).collect::<Result<_, _>>()?,
-            _ => Vec::new(),
-        };
-        // Before anything is removed.
-        for run in replaced.iter().filter(|run| run.join(LOCK_FILE).exists()) {
-            drop(FolderLock::take(run)?);
-        }
-        if matches!(entry, Entry::Replace | Entry::ReplacePart) {
-            // Tables of runs that are about to go.
-            STUDY_TABLES.iter().try_for_each(|file| folder.take_away(file))?;
-        }
-        replaced.iter().try_for_each(|run| clear_run(run))?;
-        match entry {
-            Entry::Replace => packed_files(path)?.iter().try_for_each(|file| remove(file))?,
-            Entry::ReplacePart => {
-                for run in own().filter(|run| packed.has(run.number)) {
-                    folder.append(run.number, None)?;
-                }
-            }
-            _ => {}
+        match entry.existing {
+            ExistingRuns::Refuse => {}
+            ExistingRuns::Resume => folder.damages = void_damages(path)?,
+            ExistingRuns::Replace => folder.clear(stored.as_ref(), &packed, entry)?,
         }
         let plan = json_text(&path.join(PLAN_FILE), &folder.plan)?;
         folder.put(PLAN_FILE, plan.as_bytes())?;
         folder.put(STUDY_FILE, text.as_bytes())?;
         Ok(folder)
+    }
+
+    /// The runs that `entry` is to compute.
+    fn own<'a>(&'a self, entry: &'a Entry) -> impl Iterator<Item = &'a PlannedRun> {
+        let is_own = |run: &&PlannedRun| entry.part.as_ref().is_none_or(|part| part.contains(&run.number));
+        self.plan.runs.iter().filter(is_own)
+    }
+
+    /// Refuses runs, `packed` or in folders, that `entry` does not allow to touch, and those to go on
+    /// with that compute other `cases`.
+    fn may_compute(
+        &self,
+        stored: Option<&StudyPlan>,
+        packed: &PackedRuns,
+        entry: &Entry,
+        cases: &[CaseFiles],
+    ) -> Result<(), OutputError> {
+        if entry.existing == ExistingRuns::Replace {
+            return Ok(());
+        }
+        for run in self.own(entry) {
+            let (is_packed, of_run) = (packed.has(run.number), self.run_folder(run));
+            let held = match is_packed {
+                true => Some(format!("run {}, packed", run.number)),
+                false => run_file_in(&of_run).map(|file| format!("{RUNS_FOLDER}/{}/{file}", run.folder)),
+            };
+            if let Some(held) = held.filter(|_| entry.existing == ExistingRuns::Refuse) {
+                return Err(self.holds_study(held));
+            }
+            let Some(case) = cases.get(run.number - 1).filter(|_| !is_packed) else { continue };
+            if let Some((file, files)) = packed.read_foreign(run.number)? {
+                let is_this_study = stored.is_none_or(|stored| stored.has_case_of(run));
+                return Err(other_case(file, run.number, &CaseFiles::packed(&files), case, is_this_study));
+            }
+            check_case(&of_run, case)?;
+        }
+        Ok(())
+    }
+
+    /// Removes the runs that `entry` replaces, `packed` or in folders; with the whole study those of
+    /// the `stored` one.
+    fn clear(
+        &self,
+        stored: Option<&StudyPlan>,
+        packed: &PackedRuns,
+        entry: &Entry,
+    ) -> Result<(), OutputError> {
+        // A study with other runs leaves none of its own behind.
+        let stored = stored.filter(|_| entry.part.is_none()).into_iter().flat_map(|plan| &plan.runs);
+        let replaced = stored.chain(self.own(entry)).map(|run| self.own_run_folder(run));
+        let replaced = replaced.collect::<Result<Vec<PathBuf>, OutputError>>()?;
+        // Before anything is removed.
+        for run in replaced.iter().filter(|run| run.join(LOCK_FILE).exists()) {
+            drop(FolderLock::take(run)?);
+        }
+        // Tables of runs that are about to go.
+        STUDY_TABLES.iter().try_for_each(|file| self.take_away(file))?;
+        replaced.iter().try_for_each(|run| clear_run(run))?;
+        if entry.part.is_none() {
+            return packed_files(&self.path)?.iter().try_for_each(|file| remove(file));
+        }
+        let packed = self.own(entry).filter(|run| packed.has(run.number));
+        packed.map(|run| self.append(run.number, None)).collect()
     }
 
     /// A file in the folder that the study with this `text` would replace, where there is one.
@@ -176,27 +191,25 @@ impl StudyFolder {
         Ok(tables.chain(plots).filter(is_there).chain(packed).find(|file| !is_same(file)))
     }
 
-    fn may_enter(&self, stored: Option<&StudyPlan>, entry: Entry) -> Result<(), OutputError> {
+    fn may_enter(&self, stored: Option<&StudyPlan>, entry: &Entry) -> Result<(), OutputError> {
+        let folder = || self.path.clone();
         let of_run = if stored.is_some() { run_file_in_study(&self.path) } else { run_file_in(&self.path) };
-        if let (Some(file), false) = (of_run, entry == Entry::Replace) {
-            return Err(OutputError::HoldsRun { folder: self.path.clone(), file });
+        if let Some(file) = of_run.filter(|_| !entry.replaces_study()) {
+            return Err(OutputError::HoldsRun { folder: folder(), file });
         }
-        if let (Some(stored), false) = (stored, matches!(entry, Entry::Replace | Entry::Begin))
-            && stored.version != self.plan.version
-        {
-            let (written_by, this) = (stored.version.clone(), self.plan.version.clone());
-            return Err(OutputError::OtherVersion { folder: self.path.clone(), written_by, this });
-        }
-        match (stored, entry) {
-            (Some(_), Entry::Begin) => Err(self.holds_study(PLAN_FILE.into())),
-            (Some(stored), _) if entry != Entry::Replace && !stored.computes_what(&self.plan) => {
-                Err(OutputError::StudyChanged {
-                    folder: self.path.clone(),
-                    difference: stored.first_difference(&self.plan),
-                })
+        let goes_on = entry.part.is_some() || entry.existing == ExistingRuns::Resume;
+        match stored {
+            Some(stored) if goes_on && stored.version != self.plan.version => {
+                let (written_by, this) = (stored.version.clone(), self.plan.version.clone());
+                Err(OutputError::OtherVersion { folder: folder(), written_by, this })
             }
-            (None, Entry::Resume) if !self.path.join(RUNS_FOLDER).is_dir() => {
-                Err(OutputError::NoStudy { folder: self.path.clone() })
+            Some(stored) if goes_on && !stored.computes_what(&self.plan) => {
+                let difference = stored.first_difference(&self.plan);
+                Err(OutputError::StudyChanged { folder: folder(), difference })
+            }
+            Some(_) if !goes_on && !entry.replaces_study() => Err(self.holds_study(PLAN_FILE.into())),
+            None if goes_on && entry.part.is_none() && !self.path.join(RUNS_FOLDER).is_dir() => {
+                Err(OutputError::NoStudy { folder: folder() })
             }
             _ => Ok(()),
         }

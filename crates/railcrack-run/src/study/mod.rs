@@ -14,7 +14,7 @@ mod state;
 mod table;
 mod tables;
 
-pub use folder::{Entry, StudyFolder};
+pub use folder::{Entry, ExistingRuns, StudyFolder};
 #[cfg(fuzzing)]
 pub use packed::fuzz_packed;
 pub use plan::{PlannedRun, StudyAxis, StudyKey, StudyPlan};

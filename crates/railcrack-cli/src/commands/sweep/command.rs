@@ -15,7 +15,7 @@ use railcrack_run::StudyFolder;
 use railcrack_run::machine::{Budget, Needs, OverBudget};
 use railcrack_run::setup::RunSize;
 use railcrack_run::simulation::{Ending, FailedRun, RunError, StudyComputation, case_files, study_plan};
-use railcrack_run::study::Entry;
+use railcrack_run::study::{Entry, ExistingRuns};
 use railcrack_run::summary::RunEnd;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -72,15 +72,14 @@ pub struct SweepArguments {
 }
 
 impl SweepArguments {
-    fn entry(&self) -> Entry {
-        match (self.shard.is_some(), self.resume, self.force) {
-            (false, true, _) => Entry::Resume,
-            (true, true, _) => Entry::ResumePart,
-            (false, _, true) => Entry::Replace,
-            (true, _, true) => Entry::ReplacePart,
-            (false, ..) => Entry::Begin,
-            (true, ..) => Entry::Join,
-        }
+    /// How the runs `own` are entered.
+    fn entry(&self, own: &[usize]) -> Entry {
+        let existing = match (self.resume, self.force) {
+            (true, _) => ExistingRuns::Resume,
+            (false, true) => ExistingRuns::Replace,
+            (false, false) => ExistingRuns::Refuse,
+        };
+        Entry { part: self.shard.map(|_| own.iter().copied().collect()), existing }
     }
 
     /// The options that change what is computed.
@@ -122,7 +121,7 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
     }
     let cases: Vec<_> = study.runs.iter().map(|run| case_files(&run.case)).collect();
     let plan = study_plan(&study, arguments.options());
-    let folder = StudyFolder::enter(&path, plan, &study.text, arguments.entry(), &own, &cases)
+    let folder = StudyFolder::enter(&path, plan, &study.text, &arguments.entry(&own), &cases)
         .map_err(RunError::from)?;
     drop(cases);
     tell_damages(folder.damages());
