@@ -50,7 +50,7 @@ pub struct Case {
     pub growth_rates: Option<RatesFile>,
     /// Brittle fracture, where it is given.
     pub fracture: Option<Fracture>,
-    /// What computes the cracks, in the plane or in space.
+    /// Cracks in the plane or in space.
     pub geometry: Geometry,
     /// How the contact conditions of many cracks are solved.
     pub network: NetworkContact,
@@ -77,14 +77,14 @@ pub struct Case {
 }
 
 impl Case {
-    /// What only the engines in the plane know; none in space.
+    /// The parts that only the engines in the plane know; none in space.
     #[must_use]
     pub fn plane(&self) -> Option<&PlaneCase> {
         let Geometry::Plane(plane) = &self.geometry else { return None };
         Some(plane)
     }
 
-    /// What only the engine in space knows; none in the plane.
+    /// The parts that only the engine in space knows; none in the plane.
     #[must_use]
     pub fn space(&self) -> Option<&SpaceCase> {
         let Geometry::Space(space) = &self.geometry else { return None };

@@ -5,7 +5,7 @@ use crate::tables::{ContactSolver, MeshSettings, PlaneEngine, PlasticSource};
 use railcrack::bulk::Boundary;
 use railcrack::load::NamedSection;
 
-/// What computes the cracks of a case, with what only that knows.
+/// The geometry of the cracks of a case, with the parts that only its engines know.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Geometry {
     /// Cracks in the plane.

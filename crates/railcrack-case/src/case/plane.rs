@@ -1,4 +1,5 @@
-//! Cases for the engines in the plane: what only those know, and what only cracks in space have.
+//! Cases for the engines in the plane: the sections that only those know, and keys of cracks in
+//! space.
 
 use super::geometry::PlaneCase;
 use crate::schema::{Report, SectionValues, Sections};
@@ -8,8 +9,8 @@ use crate::tables::{
 };
 use std::path::Path;
 
-/// What only the engines in the plane know, files relative to `folder`; none if something is wrong
-/// or missing; errors are added to `report`.
+/// The parts that only the engines in the plane know, files relative to `folder`; none if something
+/// is wrong or missing; errors are added to `report`.
 pub(super) fn read_plane(
     sections: &Sections,
     rail: Option<&Rail>,
@@ -34,8 +35,8 @@ pub(super) fn read_plane(
     })
 }
 
-/// The plastic stress. A residual stress is a total, and the state that rolling leaves starts from a
-/// manufacturing stress of its own: both would be counted twice.
+/// The plastic stress. A residual stress is a total, and the state that rolling leaves starts from
+/// a manufacturing stress of its own: both would be counted twice.
 fn read_plastic_stress(
     section: &SectionValues,
     sections: &Sections,

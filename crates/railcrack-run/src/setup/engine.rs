@@ -33,9 +33,9 @@ pub fn body_engine(case: &Case) -> Option<Box<dyn BodyEngine + Send>> {
     Some(engine_with(case, plane, finite_elements(case, plane, None)))
 }
 
-/// The engine of `case`, which is `plane`, whose finite elements `meshed` resolve its plastic
-/// stress: in the section of the rail, where one is given, on the foundation of the first wheel with
-/// a track.
+/// The engine of `case`, which is `plane` and whose finite elements `meshed` resolve its plastic
+/// stress: in the section of the rail, where one is given, on the foundation of the first wheel
+/// with a track.
 pub(super) fn engine_with(case: &Case, plane: &PlaneCase, meshed: XfemEngine) -> Box<dyn BodyEngine + Send> {
     let engine: Box<dyn BodyEngine + Send> = match plane.engine {
         PlaneEngine::Xfem => Box::new(meshed),

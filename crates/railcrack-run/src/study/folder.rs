@@ -26,18 +26,18 @@ pub struct Entry {
     /// Numbers of the runs that it computes, where others may compute the rest; none where it
     /// computes the whole study.
     pub part: Option<HashSet<usize>>,
-    /// What it does with runs that the folder holds already.
+    /// The fate of runs that the folder holds already.
     pub existing: ExistingRuns,
 }
 
-/// What a process does with those runs in the folder of a study that it is to compute.
+/// The fate of those runs in the folder of a study that a process is to compute.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ExistingRuns {
-    /// Keep them and return an error.
+    /// They stay, and entering is an error.
     Refuse,
-    /// Resume them.
+    /// They are resumed.
     Resume,
-    /// Remove them.
+    /// They are removed.
     Replace,
 }
 
@@ -119,8 +119,8 @@ impl StudyFolder {
         self.plan.runs.iter().filter(is_own)
     }
 
-    /// Refuses runs, `packed` or in folders, that `entry` does not allow to touch, and those to go on
-    /// with that compute other `cases`.
+    /// Refuses runs, `packed` or in folders, that `entry` does not allow to touch, and runs to go
+    /// on with that compute other `cases`.
     fn may_compute(
         &self,
         stored: Option<&StudyPlan>,
@@ -150,8 +150,8 @@ impl StudyFolder {
         Ok(())
     }
 
-    /// Removes the runs that `entry` replaces, `packed` or in folders; with the whole study those of
-    /// the `stored` one.
+    /// Removes the runs that `entry` replaces, `packed` or in folders; with the whole study those
+    /// of the `stored` one.
     fn clear(
         &self,
         stored: Option<&StudyPlan>,

@@ -72,7 +72,7 @@ pub struct SweepArguments {
 }
 
 impl SweepArguments {
-    /// How the runs `own` are entered.
+    /// The entry of a process that computes the runs `own`.
     fn entry(&self, own: &[usize]) -> Entry {
         let existing = match (self.resume, self.force) {
             (true, _) => ExistingRuns::Resume,
