@@ -32,6 +32,14 @@ pub struct TipGain {
 }
 
 impl TipGain {
+    fn scaled(mut self, factor: f64) -> Self {
+        self.points
+            .iter_mut()
+            .flat_map(|(_, gains)| gains.iter_mut().flatten())
+            .for_each(|gain| *gain *= factor);
+        self
+    }
+
     /// K_I = `gain` × opening and K_II = `gain` × slip at the face point `point` next to the tip.
     pub(crate) fn at(point: usize, gain: f64) -> Self {
         Self { points: vec![(point, [[0.0, gain], [gain, 0.0]])] }
@@ -90,6 +98,13 @@ pub(crate) struct RowPart {
 }
 
 impl BlockStiffness {
+    /// The same with K of each tip times a factor.
+    pub(super) fn with_sif_factors(mut self, factors: &[f64]) -> Self {
+        let tips = self.tips.into_iter().zip(factors);
+        self.tips = tips.map(|(tip, factor)| tip.scaled(*factor)).collect();
+        self
+    }
+
     /// Number of components of unit `k`.
     pub(crate) fn components(&self, k: usize) -> usize {
         2 * self.units[k].len()

@@ -3,7 +3,7 @@
 
 use super::{BlockStiffness, FaceMesh};
 use crate::crack::{CrackNetwork, CrackTip};
-use crate::field::{RailEnds, Wheel};
+use crate::field::{CrackLine, RailEnds, Wheel};
 use crate::fracture::Sif;
 use crate::interruption::{Interrupted, Interruption};
 use crate::math::{Matrix, Stress, Vec2};
@@ -84,6 +84,30 @@ impl CrackedBody {
             times: BodyTimes::default(),
             remarks: Vec::new(),
         }
+    }
+
+    /// The body whose cracks have these `widths`: half their extent along the surface over their
+    /// length, infinite where none is given. K of all loads is that of the deepest point of such a
+    /// front; how loads along the front count is in the lines of the faces.
+    #[must_use]
+    pub fn with_widths(mut self, widths: &[f64]) -> Self {
+        if widths.iter().all(|width| width.is_infinite()) {
+            return self;
+        }
+        let with_width = |(crack, line): (usize, &CrackLine)| CrackLine {
+            width: widths.get(crack).copied().unwrap_or(f64::INFINITY),
+            ..line.clone()
+        };
+        self.faces.lines = self.faces.lines.iter().enumerate().map(with_width).collect();
+        let factors: Vec<f64> =
+            self.tips.iter().map(|tip| self.faces.lines[tip.crack].width_factor()).collect();
+        for (row, factor) in factors.iter().flat_map(|factor| [factor; 2]).enumerate() {
+            if row < self.sif_influence.rows() {
+                self.sif_influence.row_mut(row).iter_mut().for_each(|entry| *entry *= factor);
+            }
+        }
+        self.blocks = self.blocks.map(|blocks| Arc::new(blocks.as_ref().clone().with_sif_factors(&factors)));
+        self
     }
 
     /// The body in a half-plane with A in `blocks`.

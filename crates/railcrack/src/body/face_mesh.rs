@@ -134,6 +134,7 @@ pub(crate) fn discretise(curves: &[CrackCurve], nodes: &[Vec<f64>]) -> (Vec<Face
     let line = |curve: &CrackCurve| CrackLine {
         points: curve.points().to_vec(),
         tips: [End::First, End::Last].map(|end| curve.has_tip(end)),
+        width: f64::INFINITY,
     };
     let mut faces = FaceMesh { lines: curves.iter().map(line).collect(), ..FaceMesh::default() };
     for (crack, (curve, nodes)) in curves.iter().zip(nodes).enumerate() {

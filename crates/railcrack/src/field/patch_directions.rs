@@ -189,7 +189,7 @@ impl PatchDirections {
         for direction in &self.rules[self.rule(x, y, depth, spread)] {
             sum = sum + direction.stress([x, y], depth, spread, self.poisson);
         }
-        sum
+        sum * spread.share
     }
 
     /// The displacement along x and upwards (mm), times 2G, in the plane y = 0.
@@ -222,9 +222,11 @@ impl PatchDirections {
 /// Points are assumed to lie at least this share of a below the surface.
 const SHALLOWEST: f64 = 1e-6;
 
-/// How a load along the front counts: (1 + β q) e^(−q) with q = ρ |k|.
+/// How a load along the front counts: α (1 + β q) e^(−q) with q = ρ |k|.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Spread {
+    /// α.
+    pub share: f64,
     /// ρ, mm.
     pub reach: f64,
     /// β.
@@ -233,7 +235,7 @@ pub(super) struct Spread {
 
 impl Spread {
     /// The load at the place of the point alone.
-    pub const NONE: Self = Self { reach: 0.0, beta: 0.0 };
+    pub const NONE: Self = Self { share: 1.0, reach: 0.0, beta: 0.0 };
 }
 
 /// Directions of `patch` from −π/2 to π/2, `count` in each quarter turn.

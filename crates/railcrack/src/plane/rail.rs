@@ -32,6 +32,9 @@ pub struct PlaneRail {
     pub fallback: Box<dyn ContactSolver>,
     /// Treatment of the contact of many cracks.
     pub network: NetworkContact,
+    /// Half the extent along the surface over the length of each crack, which keeps its shape as it
+    /// grows; long cracks where none is given.
+    pub widths: Vec<f64>,
     /// Crack-face friction coefficient μ_c of each crack.
     pub crack_friction: Vec<f64>,
     /// The wheels, at least one; recorded faces and fields are those under the first one.
@@ -87,6 +90,7 @@ impl PlaneRail {
             solver: Box::new(Newton::default()),
             fallback: Box::new(Latin::default()),
             network: NetworkContact::Whole,
+            widths: Vec::new(),
             crack_friction,
             wheels,
             fields: None,
@@ -259,7 +263,7 @@ impl CrackedRail for PlaneRail {
             Some(body) => body,
             None => self.engine.body_unless(interruption, &network).map_err(failed)?,
         };
-        Ok(PlaneBody { geometry, network, body })
+        Ok(PlaneBody { geometry, network, body: body.with_widths(&self.widths) })
     }
 
     fn report(&self, PlaneBody { body, .. }: &PlaneBody) -> BodyReport {

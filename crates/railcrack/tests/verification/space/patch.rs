@@ -75,7 +75,11 @@ fn averaged(space: &WheelPatch, [x, depth]: [f64; 2], reach: f64) -> [f64; 6] {
 /// A crack of 6 mm at 30 degrees, at which c = 0.918 and β = 1.
 fn line() -> CrackLine {
     let (sin, cos) = 30f64.to_radians().sin_cos();
-    CrackLine { points: vec![Vec2::default(), Vec2::new(6.0 * cos, -6.0 * sin)], tips: [false, true] }
+    CrackLine {
+        points: vec![Vec2::default(), Vec2::new(6.0 * cos, -6.0 * sin)],
+        tips: [false, true],
+        width: f64::INFINITY,
+    }
 }
 
 #[test]
