@@ -102,7 +102,7 @@ impl Parts {
             Some(Engine::Space) => {
                 read_space(sections, placed.as_ref(), wheels, rail.as_ref(), report).map(Geometry::Space)
             }
-            _ => read_plane(sections, rail.as_ref(), folder, report).map(Geometry::Plane),
+            _ => read_plane(sections, placed.as_ref(), rail.as_ref(), folder, report).map(Geometry::Plane),
         };
         Self {
             residual_stress: optional(sections.one(&RESIDUAL_STRESS), |section| {

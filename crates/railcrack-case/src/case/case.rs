@@ -201,7 +201,8 @@ impl Case {
             interface_elements: Some(plane.face_resolution(&self.cracks).elements),
             ..plane.mesh
         };
-        let geometry = Geometry::Plane(PlaneCase { mesh, ..plane.clone() });
+        let widths = kept.iter().filter_map(|&crack| plane.widths.get(crack)).copied().collect();
+        let geometry = Geometry::Plane(PlaneCase { mesh, widths, ..plane.clone() });
         let friction = kept.iter().filter_map(|&crack| self.crack_friction.get(crack)).copied().collect();
         let mut part = Self { geometry, cracks, crack_friction: friction, ..self.clone() };
         let fluids = part.wheels.iter_mut().filter_map(|wheel| wheel.fluid.as_mut());

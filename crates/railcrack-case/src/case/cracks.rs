@@ -3,7 +3,9 @@
 use super::limits::RESOLVED;
 use super::row_scatter::RowScatter;
 use crate::schema::{Fault, KeyRow, Report, SectionValues, short};
-use crate::tables::{ANGLE, ANGLES, COUNT, CRACK_FRICTION, Engine, LENGTH, MOUTH, POINTS, SPACING};
+use crate::tables::{
+    ANGLE, ANGLES, COUNT, CRACK_FRICTION, Engine, LENGTH, MOUTH, POINTS, SPACING, SURFACE_HALF_LENGTH,
+};
 use railcrack::crack::{Crack, CrackError, CrackNetwork, segment_distance};
 use railcrack::math::{RailBox, Vec2};
 
@@ -18,6 +20,21 @@ pub(super) struct PlacedCracks {
     pub friction: Vec<f64>,
     /// For each crack the index of its section.
     pub owner: Vec<usize>,
+}
+
+impl PlacedCracks {
+    /// Half the extent along the surface over the length of each crack of `sections`, infinite where
+    /// it is not given; empty where it never is.
+    pub fn widths(&self, sections: &[&SectionValues]) -> Vec<f64> {
+        let half_length = |owner: &usize| sections.get(*owner)?.get(SURFACE_HALF_LENGTH);
+        if self.owner.iter().all(|owner| half_length(owner).is_none()) {
+            return Vec::new();
+        }
+        let width = |(crack, owner): (&Crack, &usize)| {
+            half_length(owner).map_or(f64::INFINITY, |half_length| half_length / crack.length())
+        };
+        self.network.cracks().iter().zip(&self.owner).map(width).collect()
+    }
 }
 
 /// Builds the cracks of all sections for the `engine`, and reports those that are impossible or

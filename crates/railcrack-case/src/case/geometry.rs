@@ -25,6 +25,9 @@ pub struct PlaneCase {
     pub boundary: Boundary,
     /// The section that makes the cracked rail more compliant than the half-plane.
     pub section: Option<&'static NamedSection>,
+    /// Half the extent along the surface over the length of each crack; long ones where none is
+    /// given.
+    pub widths: Vec<f64>,
     /// Plastic stress, still to be balanced.
     pub plastic_stress: Option<PlasticSource>,
     /// Discretisation.

@@ -1,6 +1,7 @@
 //! Cases for the engines in the plane: the sections that only those know, and keys of cracks in
 //! space.
 
+use super::cracks::PlacedCracks;
 use super::geometry::PlaneCase;
 use crate::schema::{Report, SectionValues, Sections};
 use crate::tables::{
@@ -13,6 +14,7 @@ use std::path::Path;
 /// is wrong or missing; errors are added to `report`.
 pub(super) fn read_plane(
     sections: &Sections,
+    placed: Option<&PlacedCracks>,
     rail: Option<&Rail>,
     folder: &Path,
     report: &mut Report,
@@ -25,7 +27,9 @@ pub(super) fn read_plane(
     };
     let (solver, rail) = (sections.one(&SOLVER)?, rail?);
     let Engine::Plane(engine) = solver.get(ENGINE)? else { return None };
+    let cracks: Vec<&SectionValues> = sections.all(&CRACK).collect();
     Some(PlaneCase {
+        widths: placed.map_or_else(Vec::new, |placed| placed.widths(&cracks)),
         engine,
         contact_solver: solver.get(SOLVER_CONTACT)?,
         boundary: rail.boundary,

@@ -19,7 +19,7 @@ section! {
     CRACK_FRICTION: f64 = number("friction", "", closed(0.0, 2.0), 0.5, "Crack-face friction coefficient.")
         .required();
     SURFACE_HALF_LENGTH: f64 = number("surface_half_length_mm", "mm", closed(1e-3, 1e4), 6.0,
-        "Semi-axis of the elliptical crack along the surface, for the space engine; length_mm is then the other semi-axis. The plane engines assume a crack that is long along the surface.").optional();
+        "Semi-axis of the semi-elliptical crack along the surface; length_mm is the other one. The space engine needs it. In the plane a crack that grows keeps its shape, K is that of its deepest point, and without it the crack is long along the surface.").optional();
     CRACK_LATERAL: f64 = number("lateral_mm", "mm", within(1e3), 0.0,
         "Lateral position of the centre of the crack and of its copies, for the space engine and for a table of wheels; 0 if not given. Cracks in space must be at least a twentieth of their smallest semi-axis apart.").optional();
     STRIKE: f64 = number("strike_deg", "degrees", closed(-180.0, 180.0), 0.0,

@@ -30,6 +30,7 @@ pub(super) fn plane_rail(
     let wheels = numbered.map(|(number, wheel)| plane_wheel(case, (number, wheel), residual)).collect();
     let usual = MPA_SQRT_MM * case.growth_steel.unwrap_or(RailSteel::USUAL).mean_toughness;
     PlaneRail {
+        widths: case.plane().map_or_else(Vec::new, |plane| plane.widths.clone()),
         solver,
         fallback,
         network: case.network,

@@ -29,6 +29,7 @@ pub fn wheel_demands(case: &Case, run: &Case) -> Result<Vec<WheelDemand>, Demand
         return demands_in_space(run, residual.as_ref());
     }
     let body = body_engine(case).ok_or(DemandError::NoFront)?.body(&case.cracks)?;
+    let body = body.with_widths(case.plane().map_or(&[], |plane| &plane.widths));
     let first = case.wheel_table.as_ref().map_or(0, |table| table.first);
     let of = |(number, wheel): &(usize, &TrafficWheel)| {
         if wheel.wheel.contact().is_none() {
