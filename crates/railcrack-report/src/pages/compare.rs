@@ -31,27 +31,21 @@ pub(crate) fn comparison_page(comparison: &Comparison, tolerance: Option<f64>, p
     });
     let mut sections = Vec::new();
     if comparison.common_steps > 0 {
-        sections.push(Section {
-            id: "k".to_owned(),
-            heading: "K over the stabilised passage".to_owned(),
-            blocks: k_blocks(comparison, plots),
-        });
-        sections.push(Section {
-            id: "paths".to_owned(),
-            heading: "Paths and growth".to_owned(),
-            blocks: vec![Block::charts(
-                chart(plots, "paths").into_iter().chain([lengths_of_both(comparison)]),
-            )],
-        });
+        sections.push(Section::new("k", "K over the stabilised passage", k_blocks(comparison, plots)));
+        sections.push(Section::new(
+            "paths",
+            "Paths and growth",
+            vec![Block::charts(chart(plots, "paths").into_iter().chain([lengths_of_both(comparison)]))],
+        ));
         let rows = comparison.tips.len().min(TABLE_ROWS);
-        sections.push(Section {
-            id: "steps".to_owned(),
-            heading: "All steps and tips".to_owned(),
-            blocks: vec![Block::Folded {
+        sections.push(Section::new(
+            "steps",
+            "All steps and tips",
+            vec![Block::Folded {
                 heading: format!("{rows} rows"),
                 blocks: vec![Block::Table(tips(comparison))],
             }],
-        });
+        ));
     }
     Page {
         title: format!("{} and {}", names[0], names[1]),
@@ -123,11 +117,10 @@ fn ratio([first, second]: [f64; 2]) -> String {
 }
 
 fn facts(comparison: &Comparison, tolerance: Option<f64>) -> Vec<Fact> {
-    let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
     let mut facts = Vec::new();
     if let Some(life) = comparison.life() {
         let of_both = |values: [String; 2]| values.join(" and ");
-        facts.push(fact(
+        facts.push(Fact::new(
             "Load cycles",
             of_both(life.load_cycles.map(grouped)),
             format!(
@@ -139,11 +132,11 @@ fn facts(comparison: &Comparison, tolerance: Option<f64>) -> Vec<Fact> {
         ));
         if let Some(mgt) = life.million_gross_tonnes {
             let to = format!("to {} mm of crack {}", fixed(life.length, 2), life.crack);
-            facts.push(fact("Million gross tonnes", of_both(mgt.map(tonnage)), to));
+            facts.push(Fact::new("Million gross tonnes", of_both(mgt.map(tonnage)), to));
         }
     }
     if let [Some(first), Some(second)] = comparison.runs.each_ref().map(|run| run.failure_mgt) {
-        facts.push(fact(
+        facts.push(Fact::new(
             "MGT to failure",
             format!("{} and {}", tonnage(first), tonnage(second)),
             format!("second: {}", ratio([first, second])),
@@ -154,7 +147,7 @@ fn facts(comparison: &Comparison, tolerance: Option<f64>) -> Vec<Fact> {
         ("Difference of K_{II}", comparison.largest(|sifs| sifs.kii)),
     ] {
         let Some((tip, difference)) = largest else { continue };
-        facts.push(fact(
+        facts.push(Fact::new(
             name,
             format!("{} %", significant(comparison.percent(difference.largest))),
             format!(
@@ -167,7 +160,7 @@ fn facts(comparison: &Comparison, tolerance: Option<f64>) -> Vec<Fact> {
         ));
     }
     if let Some(tip) = comparison.farthest() {
-        facts.push(fact(
+        facts.push(Fact::new(
             "Distance between tips",
             format!("{} mm", significant(tip.distance)),
             format!("step {}, crack {}", tip.step, tip.crack),
@@ -175,11 +168,11 @@ fn facts(comparison: &Comparison, tolerance: Option<f64>) -> Vec<Fact> {
     }
     if let Some(parting) = &comparison.parting {
         let how = format!("kinks {}° apart", fixed(parting.apart_deg, 1));
-        facts.push(fact("Paths diverge", format!("step {}", parting.step), how));
+        facts.push(Fact::new("Paths diverge", format!("step {}", parting.step), how));
     }
     if let Some(tolerance) = tolerance {
         let within = comparison.largest_percent().is_some_and(|largest| largest <= tolerance);
-        facts.push(fact(
+        facts.push(Fact::new(
             "Tolerance",
             format!("{} %", given(tolerance)),
             if within { "met".to_owned() } else { "not met".to_owned() },

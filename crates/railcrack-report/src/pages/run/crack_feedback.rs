@@ -73,11 +73,11 @@ pub(super) fn section(run: &RunFolder, page_data: &PageData) -> Option<Section> 
         "The wheel feels the cracks. Over {} mm, 0.2 a, the load on the lips is the mean pressure over the mouth, that of fluid from it.",
         crate::numbers::fixed(2.0 * NEAR_MOUTH * a, 2)
     );
-    Some(Section {
-        id: "coupled".to_owned(),
-        heading: "Contact over the mouth".to_owned(),
-        blocks: vec![Block::List(vec![lead]), Block::charts([load, approach])],
-    })
+    Some(Section::new(
+        "coupled",
+        "Contact over the mouth",
+        vec![Block::List(vec![lead]), Block::charts([load, approach])],
+    ))
 }
 
 /// The mean of √(1 − u²), zero beyond |u| = 1, over |u − `at`| ≤ 0.1.

@@ -85,17 +85,17 @@ pub(super) fn fact(run: &RunFolder) -> Option<Fact> {
     let enclosed = Enclosed::of(run, largest);
     let name = if largest.kind == PieceKind::Spall { "Spall" } else { "Detached piece" };
     let all = if pieces.len() > 1 { format!(", the largest of {}", pieces.len()) } else { String::new() };
-    Some(Fact {
-        name: name.to_owned(),
-        value: format!("{} mm²", significant(largest.area_mm2)),
-        note: format!(
+    Some(Fact::new(
+        name.to_owned(),
+        format!("{} mm²", significant(largest.area_mm2)),
+        format!(
             "{}, step {}; {} mm long, {} mm deep{all}",
             enclosed.by(),
             largest.step,
             fixed(enclosed.across, 2),
             fixed(enclosed.depth, 2)
         ),
-    })
+    ))
 }
 
 /// Table of all pieces and junctions; none without any.

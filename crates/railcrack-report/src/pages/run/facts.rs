@@ -145,9 +145,8 @@ fn error_of(row: &TipRow) -> Option<String> {
 /// The key figures.
 pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
     let Some((first, last)) = representative_tip(run) else { return Vec::new() };
-    let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
     let which = crack_name(run, last.crack);
-    let mut facts = vec![fact(
+    let mut facts = vec![Fact::new(
         "Load cycles",
         grouped(last.load_cycles),
         match error_of(last) {
@@ -158,24 +157,20 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
         },
     )];
     facts.push(match run.case.axle_load {
-        Some(load) => fact(
+        Some(load) => Fact::new(
             "Million gross tonnes",
             tonnage(last.load_cycles * load / 1e6),
             format!("at {} t per axle", given(load)),
         ),
-        None => fact(
-            "Million gross tonnes",
-            "not given".to_owned(),
-            "requires axle_load_t in [traffic]".to_owned(),
-        ),
+        None => Fact::new("Million gross tonnes", "not given", "requires axle_load_t in [traffic]"),
     });
-    facts.push(fact(
+    facts.push(Fact::new(
         "Crack length",
         format!("{} → {} mm", fixed(first.length, 2), fixed(last.length, 2)),
         format!("{which}; its tip is {} mm below the surface", fixed(-last.place[1], 2)),
     ));
     if let Some(heading) = run.heading(last) {
-        facts.push(fact("Direction", heading.course().word().to_owned(), heading.note()));
+        facts.push(Fact::new("Direction", heading.course().word().to_owned(), heading.note()));
     }
     facts.extend(events::fact(run));
     facts.extend(fracture(run));
@@ -187,16 +182,12 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
 pub(super) fn ending(run: &RunFolder, warnings: usize) -> [Fact; 2] {
     let stop = run.summary.stop.map_or("not ended", RunStop::word).replace('-', " ");
     [
-        Fact {
-            name: "Ended by".to_owned(),
-            value: stop,
-            note: format!("after step {} of {}", run.summary.steps, run.case.growth.steps),
-        },
-        Fact {
-            name: "Warnings".to_owned(),
-            value: if warnings == 0 { "none".to_owned() } else { warnings.to_string() },
-            note: if warnings == 0 { String::new() } else { "below, by kind".to_owned() },
-        },
+        Fact::new("Ended by", stop, format!("after step {} of {}", run.summary.steps, run.case.growth.steps)),
+        Fact::new(
+            "Warnings",
+            if warnings == 0 { "none".to_owned() } else { warnings.to_string() },
+            if warnings == 0 { String::new() } else { "below, by kind".to_owned() },
+        ),
     ]
 }
 
@@ -209,16 +200,16 @@ fn fracture(run: &RunFolder) -> Option<Fact> {
         Some(xc) => format!(", wheel at x = {} mm", fixed(xc, 0)),
         None => String::new(),
     };
-    Some(Fact {
-        name: "Fraction of the toughness".to_owned(),
-        value: format!("{} %", fixed(100.0 * share, 0)),
-        note: format!(
+    Some(Fact::new(
+        "Fraction of the toughness",
+        format!("{} %", fixed(100.0 * share, 0)),
+        format!(
             "largest k_{{1}} = {} MPa√m, toughness {} MPa√m, in step {}{at}",
             fixed(fracture.largest_k1_mpa_sqrt_m, 1),
             fixed(toughness, 1),
             fracture.step
         ),
-    })
+    ))
 }
 
 /// State of every tip in the last step; none for a single tip.

@@ -32,7 +32,7 @@ pub(super) fn explorer(run: &RunFolder, space: &SpaceCase, page_data: &PageData)
         data: data(run, space, page_data),
         script: EXPLORER_SCRIPT,
     };
-    Section { id: "passage".to_owned(), heading: "Passage of the wheel".to_owned(), blocks: vec![viewer] }
+    Section::new("passage", "Passage of the wheel", vec![viewer])
 }
 
 /// The range of `values` with a margin at both ends.

@@ -59,15 +59,15 @@ fn page(
         facts: facts::facts(plan, runs),
         lead,
         sections: vec![
-            Section { id: "runs".to_owned(), heading: "All runs".to_owned(), blocks: together },
-            Section {
-                id: "study".to_owned(),
-                heading: "Study".to_owned(),
-                blocks: vec![Block::Folded {
+            Section::new("runs", "All runs", together),
+            Section::new(
+                "study",
+                "Study",
+                vec![Block::Folded {
                     heading: "The study file".to_owned(),
                     blocks: vec![Block::Verbatim(study.to_owned())],
                 }],
-            },
+            ),
         ],
     }
 }

@@ -1,11 +1,12 @@
 //! Growth by the lateral place of the crack.
 
+use crate::setup::rates_across;
 use railcrack_case::Case;
-use railcrack_run::setup::rates_across;
 
 /// Mean growth rate by the lateral place of the crack, over that at its place in the case, by a
 /// surrogate.
-pub(super) struct Across {
+#[derive(Debug, Clone, PartialEq)]
+pub struct GrowthAcross {
     /// Lateral place (mm), rate over that of the case, share of the axles that meet the crack.
     pub places: Vec<[f64; 3]>,
     /// The place of the case, mm.
@@ -18,8 +19,9 @@ pub(super) struct Across {
 const STRIP_PLACES: usize = 61;
 const FRONT_PLACES: usize = 25;
 
-impl Across {
+impl GrowthAcross {
     /// For a case with a table of wheels; none without, and where nothing grows here.
+    #[must_use]
     pub fn of(case: &Case) -> Option<Self> {
         let table = case.wheel_table.as_ref()?;
         let ends = || {
@@ -46,6 +48,7 @@ impl Across {
     }
 
     /// The place where the crack would grow fastest, and how much faster than here.
+    #[must_use]
     pub fn worst(&self) -> (f64, f64) {
         let most = self.places.iter().copied().reduce(|a, b| if b[1] > a[1] { b } else { a });
         most.map_or((self.here, 1.0), |[place, rate, _]| (place, rate))

@@ -1,18 +1,20 @@
 //! The wheels of a case, a row each.
 
+use crate::setup::WheelDemand;
 use railcrack::load::Contact;
 use railcrack::rolling::{PatchForces, PlacedPatch};
 use railcrack_case::{Case, ContactOrigin, GivenContact, TrafficWheel};
-use railcrack_run::setup::WheelDemand;
 
 /// A wheel with its patches and what it makes of the cracks.
-pub(super) struct WheelRow {
+#[derive(Debug, Clone)]
+pub struct WheelRow {
     /// Its number: of the table, or from 1.
     pub number: u64,
     /// Its place along the track, m, in a table with places.
     pub place: Option<f64>,
     /// The row of the wheel that represents it; none of one that misses the crack.
     pub represented_by: Option<usize>,
+    /// Its share of the axles.
     pub share: f64,
     /// p0, MPa, of the patch over the crack, or of the first; of a line contact, of the strip.
     pub peak_pressure: f64,
@@ -24,14 +26,19 @@ pub(super) struct WheelRow {
     pub force: Option<[f64; 2]>,
     /// Forces on the rail downwards and towards +y, N, of all patches, where angles are known.
     pub upright_force: Option<[f64; 2]>,
+    /// The part of its patches that slips.
     pub slip_share: Option<f64>,
-    /// Tγ, N; without and with the work of the spin.
+    /// Tγ without the work of the spin, N.
     pub t_gamma: Option<f64>,
+    /// Tγ with it, N.
     pub t_gamma_with_spin: Option<f64>,
     /// Lateral place of the patch on the rail, mm, in a table.
     pub y_rail: Option<f64>,
+    /// ΔK_eq of its passage, MPa√m, the largest of all tips.
     pub delta_keq: f64,
+    /// Growth rate under this wheel alone, mm per axle.
     pub rate: f64,
+    /// Its share of the growth.
     pub growth_share: f64,
     /// Its patches with the place of the crack in them.
     pub patches: Vec<PlacedPatch>,
@@ -39,6 +46,7 @@ pub(super) struct WheelRow {
 
 impl WheelRow {
     /// The wheels of `case` with their `demands`.
+    #[must_use]
     pub fn of_case(case: &Case, demands: &[WheelDemand]) -> Vec<Self> {
         let mut rows: Vec<Self> = match &case.wheel_table {
             Some(table) => {
@@ -172,6 +180,14 @@ impl WheelRow {
             patches,
         }
     }
+}
+
+/// The wheels of `rows` that grow the cracks most, those first.
+#[must_use]
+pub fn by_growth(rows: &[WheelRow]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..rows.len()).collect();
+    order.sort_by(|a, b| rows[*b].growth_share.total_cmp(&rows[*a].growth_share).then(a.cmp(b)));
+    order
 }
 
 /// Forces on the rail downwards and towards +y (N) of patches whose planes fall towards +y by

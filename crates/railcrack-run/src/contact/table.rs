@@ -1,6 +1,6 @@
 //! `wheels.csv`, `patches.csv`, `strips.csv`, `across.csv`.
 
-use super::across::Across;
+use super::across::GrowthAcross;
 use super::rows::WheelRow;
 use railcrack::rolling::PlacedPatch;
 
@@ -11,8 +11,9 @@ fn or_blank(value: Option<f64>) -> String {
     value.map_or_else(String::new, |value| value.to_string())
 }
 
-/// A row per wheel.
-pub(super) fn wheels(rows: &[WheelRow]) -> String {
+/// `wheels.csv`: a row per wheel.
+#[must_use]
+pub fn wheels_table(rows: &[WheelRow]) -> String {
     let mut text = format!("{WHEELS}\n");
     for row in rows {
         let representative = row.represented_by.map(|other| rows[other].number);
@@ -41,35 +42,38 @@ pub(super) fn wheels(rows: &[WheelRow]) -> String {
     text
 }
 
-/// Strips across each patch, and intervals along them.
-pub(super) const STRIPS: usize = 31;
-pub(super) const INTERVALS: usize = 48;
+/// Strips across each patch.
+const STRIPS: usize = 31;
+/// Intervals along each strip.
+pub const PATCH_INTERVALS: usize = 48;
 
 /// y of the strips of a patch between its `ends`, mm.
-pub(super) fn places([from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
+pub fn patch_strips([from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     (0..STRIPS).map(move |i| middle + half * ((2 * i + 1) as f64 / STRIPS as f64 - 1.0))
 }
 
-/// Tractions of the whole patches of the wheels `drawn`.
-pub(super) fn patches(rows: &[WheelRow], drawn: &[usize]) -> String {
+/// `patches.csv`: tractions of the whole patches of the wheels `drawn`.
+#[must_use]
+pub fn patches_table(rows: &[WheelRow], drawn: &[usize]) -> String {
     let mut text = String::from("wheel,patch,x_mm,y_mm,p_mpa,qx_mpa,qy_mpa,slips\n");
     for (row, number, own) in placed(rows, drawn) {
-        for y in places(own.patch.ends()) {
-            push_strip(&mut text, row.number, number, own, y, INTERVALS, Some(y));
+        for y in patch_strips(own.patch.ends()) {
+            push_strip(&mut text, row.number, number, own, y, PATCH_INTERVALS, Some(y));
         }
     }
     text
 }
 
 /// Tractions of one patch.
-pub(super) fn patch(own: &PlacedPatch) -> String {
+#[must_use]
+pub fn patch_table(own: &PlacedPatch) -> String {
     let mut text = String::from(
         "# pressure and shear on the rail, x with the travel and y across from the middle of the patch\n\
          x_mm,y_mm,p_mpa,qx_mpa,qy_mpa,slips\n",
     );
-    for y in places(own.patch.ends()) {
-        let Ok(strip) = own.patch.strip(y, INTERVALS) else { continue };
+    for y in patch_strips(own.patch.ends()) {
+        let Ok(strip) = own.patch.strip(y, PATCH_INTERVALS) else { continue };
         for point in &strip.points {
             let ([along, over], slips) = (point.shear, u8::from(point.slips));
             text.push_str(&format!("{},{y},{},{along},{over},{slips}\n", point.x, point.pressure));
@@ -78,8 +82,9 @@ pub(super) fn patch(own: &PlacedPatch) -> String {
     text
 }
 
-/// Tractions of the strips above the crack.
-pub(super) fn strips(rows: &[WheelRow], drawn: &[usize]) -> String {
+/// `strips.csv`: tractions of the strips above the crack.
+#[must_use]
+pub fn strips_table(rows: &[WheelRow], drawn: &[usize]) -> String {
     let mut text = String::from("wheel,patch,x_mm,p_mpa,qx_mpa,qy_mpa,slips\n");
     for (row, number, own) in placed(rows, drawn) {
         push_strip(&mut text, row.number, number, own, own.y, 160, None);
@@ -118,8 +123,9 @@ fn push_strip(
     }
 }
 
-/// Growth by the lateral place of the crack.
-pub(super) fn across(across: &Across) -> String {
+/// `across.csv`: growth by the lateral place of the crack.
+#[must_use]
+pub fn across_table(across: &GrowthAcross) -> String {
     let mut text = format!(
         "# relative_rate: mean growth rate over that at lateral_mm of the case, by {}\nlateral_mm,relative_rate,share_over_crack\n",
         across.by
