@@ -16,7 +16,6 @@ pub struct CalibratedRun<'a> {
 }
 
 /// Measured and computed sizes over traffic with axles of `tonnes` t, a chart for each quantity.
-#[must_use]
 pub fn calibration_charts(tonnes: f64, sites: &[Site], runs: &[CalibratedRun]) -> Vec<Chart> {
     quantities(sites).into_iter().map(|measure| sizes(measure, tonnes, sites, runs)).collect()
 }

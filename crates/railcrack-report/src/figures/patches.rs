@@ -12,7 +12,6 @@ const OUTLINE: usize = 120;
 const LEGEND: f64 = 520.0;
 
 /// The patches of a wheel, from left to right; none of a line contact.
-#[must_use]
 pub fn patches_picture(row: &WheelRow) -> Option<String> {
     if row.patches.is_empty() {
         return None;

@@ -9,7 +9,6 @@ use railcrack_run::calibration::{
 };
 
 /// The page of `result` with the `charts` of sizes over traffic.
-#[must_use]
 pub fn calibration_page(result: &CalibrationResult, charts: Vec<Chart>) -> Page {
     let text = result.text();
     let mut lines = text.lines().map(str::to_owned);

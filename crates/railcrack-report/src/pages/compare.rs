@@ -8,7 +8,7 @@ use crate::table::{MISSING, Table};
 use railcrack::growth::RunStop;
 use railcrack::words::Choice;
 use railcrack_run::Comparison;
-use railcrack_run::compare::SameLength;
+use railcrack_run::compare::{SameLength, SifDifference, TipSifs};
 
 /// Maximum number of rows of the table of tips; `compare.csv` has all.
 const TABLE_ROWS: usize = 500;
@@ -117,48 +117,9 @@ fn ratio([first, second]: [f64; 2]) -> String {
 }
 
 fn facts(comparison: &Comparison, tolerance: Option<f64>) -> Vec<Fact> {
-    let mut facts = Vec::new();
-    if let Some(life) = comparison.life() {
-        let of_both = |values: [String; 2]| values.join(" and ");
-        facts.push(Fact::new(
-            "Load cycles",
-            of_both(life.load_cycles.map(grouped)),
-            format!(
-                "to {} mm of crack {}; second: {}",
-                fixed(life.length, 2),
-                life.crack,
-                ratio(life.load_cycles)
-            ),
-        ));
-        if let Some(mgt) = life.million_gross_tonnes {
-            let to = format!("to {} mm of crack {}", fixed(life.length, 2), life.crack);
-            facts.push(Fact::new("Million gross tonnes", of_both(mgt.map(tonnage)), to));
-        }
-    }
-    if let [Some(first), Some(second)] = comparison.runs.each_ref().map(|run| run.failure_mgt) {
-        facts.push(Fact::new(
-            "MGT to failure",
-            format!("{} and {}", tonnage(first), tonnage(second)),
-            format!("second: {}", ratio([first, second])),
-        ));
-    }
-    for (name, largest) in [
-        ("Difference of K_{I}", comparison.largest(|sifs| sifs.ki)),
-        ("Difference of K_{II}", comparison.largest(|sifs| sifs.kii)),
-    ] {
-        let Some((tip, difference)) = largest else { continue };
-        facts.push(Fact::new(
-            name,
-            format!("{} %", significant(comparison.percent(difference.largest))),
-            format!(
-                "{} MPa√m in step {}, crack {}, at x_{{c}}/a = {}",
-                significant(difference.largest),
-                tip.step,
-                tip.crack,
-                fixed(difference.xc_over_a, 2)
-            ),
-        ));
-    }
+    let mut facts = lives(comparison);
+    facts.extend(difference(comparison, "Difference of K_{I}", |sifs| sifs.ki));
+    facts.extend(difference(comparison, "Difference of K_{II}", |sifs| sifs.kii));
     if let Some(tip) = comparison.farthest() {
         facts.push(Fact::new(
             "Distance between tips",
@@ -172,13 +133,42 @@ fn facts(comparison: &Comparison, tolerance: Option<f64>) -> Vec<Fact> {
     }
     if let Some(tolerance) = tolerance {
         let within = comparison.largest_percent().is_some_and(|largest| largest <= tolerance);
-        facts.push(Fact::new(
-            "Tolerance",
-            format!("{} %", given(tolerance)),
-            if within { "met".to_owned() } else { "not met".to_owned() },
-        ));
+        let note = if within { "met" } else { "not met" };
+        facts.push(Fact::new("Tolerance", format!("{} %", given(tolerance)), note));
     }
     facts
+}
+
+/// The lives of both runs, to the same length and to failure.
+fn lives(comparison: &Comparison) -> Vec<Fact> {
+    let mut facts = Vec::new();
+    let of_both = |values: [String; 2]| values.join(" and ");
+    if let Some(life) = comparison.life() {
+        let to = format!("to {} mm of crack {}", fixed(life.length, 2), life.crack);
+        let note = format!("{to}; second: {}", ratio(life.load_cycles));
+        facts.push(Fact::new("Load cycles", of_both(life.load_cycles.map(grouped)), note));
+        let mgt = life.million_gross_tonnes;
+        facts.extend(mgt.map(|mgt| Fact::new("Million gross tonnes", of_both(mgt.map(tonnage)), to)));
+    }
+    if let [Some(first), Some(second)] = comparison.runs.each_ref().map(|run| run.failure_mgt) {
+        let note = format!("second: {}", ratio([first, second]));
+        facts.push(Fact::new("MGT to failure", of_both([first, second].map(tonnage)), note));
+    }
+    facts
+}
+
+/// The largest difference of a mode.
+fn difference(comparison: &Comparison, name: &str, mode: fn(TipSifs) -> SifDifference) -> Option<Fact> {
+    let (tip, difference) = comparison.largest(mode)?;
+    let note = format!(
+        "{} MPa√m in step {}, crack {}, at x_{{c}}/a = {}",
+        significant(difference.largest),
+        tip.step,
+        tip.crack,
+        fixed(difference.xc_over_a, 2)
+    );
+    let percent = comparison.percent(difference.largest);
+    Some(Fact::new(name, format!("{} %", significant(percent)), note))
 }
 
 fn runs(comparison: &Comparison) -> Table {
@@ -262,8 +252,8 @@ fn tips(comparison: &Comparison) -> Table {
         let mode = |largest: Option<f64>| {
             largest.map_or([String::new(), String::new()], |k| [significant(k), fixed(tip.percent(k), 3)])
         };
-        let [ki, ki_percent] = mode(tip.sifs.map(|sifs| sifs.ki.largest));
-        let [kii, kii_percent] = mode(tip.sifs.map(|sifs| sifs.kii.largest));
+        let [ki, ki_percent] = mode(tip.sifs().map(|sifs| sifs.ki.largest));
+        let [kii, kii_percent] = mode(tip.sifs().map(|sifs| sifs.kii.largest));
         table.row([
             tip.step.to_string(),
             tip.crack.to_string(),

@@ -18,7 +18,6 @@ const ASSUMED: [Subject; 6] =
     [Subject::Rail, Subject::Passage, Subject::Cracks, Subject::Fronts, Subject::Growth, Subject::Model];
 
 /// The page of the wheels, of which those in `drawn` have pictures.
-#[must_use]
 pub fn contact_page(case: &Case, rows: &[WheelRow], drawn: &[usize], across: Option<&GrowthAcross>) -> Page {
     let sentences = sentences(case, rows, across);
     let pictures: Vec<Block> = drawn

@@ -23,17 +23,11 @@ pub(super) fn described(case: &Case, subjects: &[Subject]) -> Vec<String> {
     Description::of(case).parts(subjects).iter().filter_map(paragraph).collect()
 }
 
-/// The text of `case.toml`, after what is `described` of it.
-pub(super) fn case_section(described: Vec<String>, text: &str) -> Section {
-    let mut blocks = Vec::new();
-    if !described.is_empty() {
-        blocks.push(Block::List(described));
-    }
-    blocks.push(Block::Folded {
-        heading: format!("{CASE_FILE}, defaults filled in"),
-        blocks: vec![Block::Verbatim(text.to_owned())],
-    });
-    Section::new("case", "Case", blocks)
+/// The text of `case.toml`.
+pub(super) fn case_section(text: &str) -> Section {
+    let heading = format!("{CASE_FILE}, defaults filled in");
+    let blocks = vec![Block::Verbatim(text.to_owned())];
+    Section::new("case", "Case", vec![Block::Folded { heading, blocks }])
 }
 
 /// A part of a description as a paragraph; none without rows. Lines of its tables are left out.

@@ -40,11 +40,20 @@ pub(crate) fn plan_page(plans: &PlanFolder, case: &Case, plots: &[Plot]) -> Page
                 "All plans",
                 vec![Block::Table(table(summary)), Block::Table(least(summary))],
             ),
-            Section::new("assumptions", "Assumptions", vec![Block::List(summary.assumptions.clone())]),
+            Section::new("assumptions", "Assumptions", assumptions(summary, case)),
             Section::new("approval", "Approval", vec![Block::Table(approval(summary))]),
-            case_section(described(case, &OF_GROWTH), &plans.case_text),
+            case_section(&plans.case_text),
         ],
     }
+}
+
+/// Those of the plans, and the case from which they begin.
+fn assumptions(summary: &PlanSummary, case: &Case) -> Vec<Block> {
+    vec![
+        Block::List(summary.assumptions.clone()),
+        Block::Heading("The cracks under traffic".to_owned()),
+        Block::List(described(case, &OF_GROWTH)),
+    ]
 }
 
 /// The verdict on the rail without grinding.

@@ -48,7 +48,7 @@ pub(crate) fn shakedown_page(state: &ShakedownFolder, case: &Case, plots: &[Plot
                     .collect(),
             ),
             Section::new("numbers", "Key figures", vec![Block::Table(numbers(summary))]),
-            case_section(Vec::new(), &state.case_text),
+            case_section(&state.case_text),
         ],
     }
 }
@@ -142,7 +142,7 @@ fn facts(summary: &ShakedownSummary) -> Vec<Fact> {
 }
 
 /// What the state is computed from.
-const ASSUMED: [Subject; 3] = [Subject::Rail, Subject::Wheels, Subject::PlasticState];
+const ASSUMED: [Subject; 2] = [Subject::Wheels, Subject::PlasticState];
 
 fn assumptions(summary: &ShakedownSummary, case: &Case) -> Vec<String> {
     let mut all = described(case, &ASSUMED);

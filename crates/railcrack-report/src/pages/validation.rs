@@ -24,7 +24,6 @@ const GRADES: [(Grade, &str); 3] =
 
 impl<'a> ValidationPage<'a> {
     /// Of the entries `validated` of `validation`.
-    #[must_use]
     pub fn of(validation: &Validation, validated: &'a [Validated], scores: &'a Scores) -> Self {
         let mut charts = Vec::new();
         for (grade, name) in GRADES {
@@ -52,7 +51,6 @@ impl<'a> ValidationPage<'a> {
     }
 
     /// Name and text of each plot.
-    #[must_use]
     pub fn plots(&self) -> Vec<(String, String)> {
         let svg = |(name, heading, chart): &(String, String, Chart)| {
             (name.clone(), ChartSheet::of("Predicted and measured", heading, chart.clone()).svg())
@@ -61,7 +59,6 @@ impl<'a> ValidationPage<'a> {
     }
 
     /// The page.
-    #[must_use]
     pub fn page(&self) -> Page {
         let facts = self.scores.by_grade().map(|(name, of)| {
             let note = format!("predicted over measured {}", significant(of.factor));

@@ -8,7 +8,6 @@ use serde_json::{Value, json};
 
 impl CalibrationResult<'_> {
     /// The text of `calibration.json`.
-    #[must_use]
     pub fn json(&self) -> String {
         let head = json!({ "key": self.key, "of_case": self.value, "prior_log_mean": self.prior.mean, "prior_log_std": self.prior.log_std });
         let fitted = match &self.fitted {

@@ -37,7 +37,6 @@ impl From<CalibrationPrior> for Prior {
 impl Prior {
     /// The setting of a calibrated case, to whose coefficient the mean would be relative; none
     /// where that changes nothing.
-    #[must_use]
     pub fn reset(self) -> Option<String> {
         (self.mean != 0.0).then(|| "calibration.prior_log_mean=0.0".to_owned())
     }

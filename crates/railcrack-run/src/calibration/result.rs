@@ -21,7 +21,6 @@ const USUAL: f64 = 0.3;
 
 impl NewRail {
     /// By the `posterior` of `sites` sites.
-    #[must_use]
     pub fn of(posterior: &Posterior, prior: Prior, sites: usize, case: &Case) -> Self {
         let usual = case.scatter.as_ref().map_or(USUAL, |scatter| scatter.c_log_std);
         let kept = posterior.std.hypot(usual);
@@ -36,14 +35,12 @@ impl NewRail {
     }
 
     /// The setting of the case that carries it.
-    #[must_use]
     pub fn setting(self) -> String {
         format!("scatter.paris_c_log_std={:?}", self.std)
     }
 }
 
 /// The setting of a calibrated case that names the number of its sites.
-#[must_use]
 pub fn calibrated_by(sites: &[Site]) -> String {
     format!("calibration.sites={}", sites.len())
 }

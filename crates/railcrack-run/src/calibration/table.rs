@@ -6,7 +6,6 @@ use super::observed::Observed;
 use super::parameter::Trial;
 
 /// The measured quantities of `sites`.
-#[must_use]
 pub fn quantities(sites: &[Site]) -> Vec<Measure> {
     [Measure::Depth, Measure::Length]
         .into_iter()
@@ -56,7 +55,6 @@ fn cell(value: Option<f64>) -> String {
 }
 
 /// `calibration.csv` of a coefficient `value`.
-#[must_use]
 pub fn coefficient_table(sites: &[Site], calibration: &Calibration, value: f64) -> String {
     table_of(sites, "computed_mgt,coefficient,ln_n_std", |j, i| {
         let observed = calibration.sites[j].observations[i].as_ref()?;
@@ -68,7 +66,6 @@ pub fn coefficient_table(sites: &[Site], calibration: &Calibration, value: f64) 
 }
 
 /// `calibration.csv` of the runs with several values of another number.
-#[must_use]
 pub fn trials_table(sites: &[Site], trials: &[Trial]) -> String {
     table_of(sites, "computed_mgt,value", |j, i| {
         let of = |trial: &Trial| {

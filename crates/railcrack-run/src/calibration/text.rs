@@ -8,7 +8,6 @@ use super::result::{CalibrationResult, Fitted, NewRail, interval_95};
 
 impl CalibrationResult<'_> {
     /// The result, a sentence in each line: the first one is the verdict.
-    #[must_use]
     pub fn text(&self) -> String {
         match &self.fitted {
             Fitted::Coefficient { calibration, new } => self.coefficient_text(calibration, *new),

@@ -2,7 +2,8 @@
 
 use super::comparison::Comparison;
 use super::parting::Parting;
-use super::tip::{SifDifference, TipComparison};
+use super::tables::TipComparison;
+use super::tip::SifDifference;
 use railcrack::growth::RunStop;
 use railcrack::words::Choice;
 use std::fmt::Write;
@@ -145,7 +146,7 @@ fn add(text: &mut String, line: std::fmt::Arguments) {
 
 /// Order of the tips of a step: by the largest difference of K.
 fn badness(tip: &TipComparison) -> f64 {
-    tip.sifs.map_or(tip.distance, |sifs| sifs.ki.largest.max(sifs.kii.largest))
+    tip.sifs().map_or(tip.distance, |sifs| sifs.ki.largest.max(sifs.kii.largest))
 }
 
 /// A difference: three decimals, or a power of ten where they would hide it.
@@ -171,8 +172,8 @@ fn row(tip: &TipComparison) -> String {
         "{:>4} {:<6} {} {} {:>14}  {:<19} {:<15} {:.0} | {:.0}",
         tip.step,
         format!("{}.{}", tip.crack, tip.tip),
-        mode(tip.sifs.map(|sifs| sifs.ki)),
-        mode(tip.sifs.map(|sifs| sifs.kii)),
+        mode(tip.sifs().map(|sifs| sifs.ki)),
+        mode(tip.sifs().map(|sifs| sifs.kii)),
         small(tip.distance),
         lengths,
         format!("{first} | {second}"),

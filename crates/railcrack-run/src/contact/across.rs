@@ -21,7 +21,6 @@ const FRONT_PLACES: usize = 25;
 
 impl GrowthAcross {
     /// For a case with a table of wheels; none without, and where nothing grows here.
-    #[must_use]
     pub fn of(case: &Case) -> Option<Self> {
         let table = case.wheel_table.as_ref()?;
         let ends = || {
@@ -48,7 +47,6 @@ impl GrowthAcross {
     }
 
     /// The place where the crack would grow fastest, and how much faster than here.
-    #[must_use]
     pub fn worst(&self) -> (f64, f64) {
         let most = self.places.iter().copied().reduce(|a, b| if b[1] > a[1] { b } else { a });
         most.map_or((self.here, 1.0), |[place, rate, _]| (place, rate))

@@ -6,7 +6,6 @@ use railcrack_case::{Case, WheelGroups, WheelTable};
 
 /// Conclusions from the rows: who grows the cracks, the error of the representatives, the worst
 /// place.
-#[must_use]
 pub fn sentences(case: &Case, rows: &[WheelRow], across: Option<&GrowthAcross>) -> Vec<String> {
     let mut all = Vec::new();
     let mut shares: Vec<f64> = rows.iter().map(|row| row.growth_share).collect();

@@ -46,7 +46,6 @@ pub struct WheelRow {
 
 impl WheelRow {
     /// The wheels of `case` with their `demands`.
-    #[must_use]
     pub fn of_case(case: &Case, demands: &[WheelDemand]) -> Vec<Self> {
         let mut rows: Vec<Self> = match &case.wheel_table {
             Some(table) => {
@@ -183,7 +182,6 @@ impl WheelRow {
 }
 
 /// The wheels of `rows` that grow the cracks most, those first.
-#[must_use]
 pub fn by_growth(rows: &[WheelRow]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..rows.len()).collect();
     order.sort_by(|a, b| rows[*b].growth_share.total_cmp(&rows[*a].growth_share).then(a.cmp(b)));

@@ -12,7 +12,6 @@ fn or_blank(value: Option<f64>) -> String {
 }
 
 /// `wheels.csv`: a row per wheel.
-#[must_use]
 pub fn wheels_table(rows: &[WheelRow]) -> String {
     let mut text = format!("{WHEELS}\n");
     for row in rows {
@@ -54,7 +53,6 @@ pub fn patch_strips([from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
 }
 
 /// `patches.csv`: tractions of the whole patches of the wheels `drawn`.
-#[must_use]
 pub fn patches_table(rows: &[WheelRow], drawn: &[usize]) -> String {
     let mut text = String::from("wheel,patch,x_mm,y_mm,p_mpa,qx_mpa,qy_mpa,slips\n");
     for (row, number, own) in placed(rows, drawn) {
@@ -66,7 +64,6 @@ pub fn patches_table(rows: &[WheelRow], drawn: &[usize]) -> String {
 }
 
 /// Tractions of one patch.
-#[must_use]
 pub fn patch_table(own: &PlacedPatch) -> String {
     let mut text = String::from(
         "# pressure and shear on the rail, x with the travel and y across from the middle of the patch\n\
@@ -83,7 +80,6 @@ pub fn patch_table(own: &PlacedPatch) -> String {
 }
 
 /// `strips.csv`: tractions of the strips above the crack.
-#[must_use]
 pub fn strips_table(rows: &[WheelRow], drawn: &[usize]) -> String {
     let mut text = String::from("wheel,patch,x_mm,p_mpa,qx_mpa,qy_mpa,slips\n");
     for (row, number, own) in placed(rows, drawn) {
@@ -124,7 +120,6 @@ fn push_strip(
 }
 
 /// `across.csv`: growth by the lateral place of the crack.
-#[must_use]
 pub fn across_table(across: &GrowthAcross) -> String {
     let mut text = format!(
         "# relative_rate: mean growth rate over that at lateral_mm of the case, by {}\nlateral_mm,relative_rate,share_over_crack\n",

@@ -77,7 +77,6 @@ pub struct Description<'a> {
 
 impl<'a> Description<'a> {
     /// The description of `case`.
-    #[must_use]
     pub fn of(case: &'a Case) -> Self {
         Self { case, size: OnceCell::new() }
     }
@@ -99,7 +98,6 @@ impl<'a> Description<'a> {
 
     /// The parts about `subjects`, in their order; parts that the case does not have are without
     /// rows.
-    #[must_use]
     pub fn parts(&self, subjects: &[Subject]) -> Vec<Part> {
         subjects.iter().flat_map(|subject| self.about(*subject)).collect()
     }
@@ -125,7 +123,6 @@ impl<'a> Description<'a> {
     }
 
     /// Demands of a run on the machine, with results below `folder`.
-    #[must_use]
     pub fn machine(&self, folder: &Path) -> Part {
         let (needs, budget) = (self.needs(), Budget::of(folder));
         let of = |has: Option<u64>| has.map_or_else(String::new, |has| format!(" of {} MB", mb(has)));
@@ -141,7 +138,6 @@ impl<'a> Description<'a> {
     }
 
     /// The warnings that a run would begin with, and whether its wheel should feel the cracks.
-    #[must_use]
     pub fn warnings(&self) -> Part {
         Part::new("warnings", before_a_run(self.case).into_iter().map(Row::line).collect())
     }

@@ -18,7 +18,6 @@ pub struct Scores {
 
 impl Scores {
     /// The scores of the entries in `validated` that are scored.
-    #[must_use]
     pub fn of(validated: &[Validated]) -> Self {
         let scored = || validated.iter().filter(|one| one.entry.is_scored());
         let grades = |of: &dyn Fn(&Validated) -> Option<Score>| {
@@ -48,7 +47,6 @@ impl Scores {
     }
 
     /// A line for each grade, prior and entry that is not compared, and the count of all.
-    #[must_use]
     pub fn text(&self, validated: &[Validated]) -> String {
         let mut text = String::new();
         for (name, of) in self.by_grade() {

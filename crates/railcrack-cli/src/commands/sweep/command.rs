@@ -7,6 +7,7 @@ use crate::commands::run::listen;
 use crate::display::Verbosity;
 use crate::exit::{Exit, Failure};
 use crate::input::{self, Set, default_folder};
+use crate::interruption::Interruption;
 use crate::json::Json;
 use clap::Args;
 use railcrack_case::{ByGeometry, Case, Overrides, SampleTable, Study};
@@ -127,7 +128,7 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
     drop(cases);
     tell_damages(folder.damages());
 
-    let (waiting, mut failed) = folder.left_to_do(&study, &own).map_err(RunError::from)?;
+    let (waiting, failed) = folder.left_to_do(&study, &own).map_err(RunError::from)?;
     let steps = waiting.iter().map(|&run| study.runs[run].case.growth.steps + 1).sum();
     let verbosity = if arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress };
     let progress = StudyProgress::new(verbosity, waiting.len(), steps, &interruption);
@@ -137,6 +138,19 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
     progress.close();
     interruption.acknowledge();
 
+    collect(arguments, &study, &folder, failed, computed, &interruption)
+}
+
+/// Collects the results of all runs: those that `failed` before and those that failed as they were
+/// `computed`.
+fn collect(
+    arguments: &SweepArguments,
+    study: &Study,
+    folder: &StudyFolder,
+    mut failed: Vec<FailedRun>,
+    computed: Vec<FailedRun>,
+    interruption: &Interruption,
+) -> Result<Exit, Failure> {
     let results = folder.write_results(&Pages).map_err(RunError::from)?;
     for (number, reason) in results.damaged() {
         if failed.iter().chain(&computed).all(|run| run.number != number) {
@@ -163,8 +177,8 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
         exit => exit,
     };
     arguments.json.print(
-        || result_text(&folder, &results, &failed, ending),
-        || result_json(&folder, &results, &failed, exit),
+        || result_text(folder, &results, &failed, ending),
+        || result_json(folder, &results, &failed, exit),
     )?;
     Ok(exit)
 }

@@ -71,7 +71,7 @@ pub(crate) fn run_page(
     lead.push(Block::List(parts.assumptions));
     let mut sections = parts.sections;
     sections.extend(engine.map(|engine| what_if::section(engine, &run.text, "this run", WHAT_IF)));
-    sections.push(case_section(Vec::new(), &run.text));
+    sections.push(case_section(&run.text));
     Page {
         title: run.summary.title.clone(),
         kind: parts.kind.to_owned(),
