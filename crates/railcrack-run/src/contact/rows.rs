@@ -6,7 +6,7 @@ use railcrack::rolling::{PatchForces, PlacedPatch};
 use railcrack_case::{Case, ContactOrigin, GivenContact, TrafficWheel};
 
 /// A wheel with its patches and what it makes of the cracks.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct WheelRow {
     /// Its number: of the table, or from 1.
     pub number: u64,
@@ -88,32 +88,21 @@ impl WheelRow {
             ContactOrigin::Profiles(own) => {
                 let over = own.placed.iter().position(|own| own.patch.half_length(own.y) > 0.0).unwrap_or(0);
                 let angles: Vec<f64> = own.contacts.iter().map(|contact| contact.angle).collect();
-                let rolling = Self::rolling((number, share), own.placed.clone(), over, Some(angles));
-                return Self {
-                    represented_by: Some(index),
-                    y_rail: own.contacts.get(over).map(|contact| contact.y),
-                    ..rolling
-                };
+                let y_rail = own.contacts.get(over).map(|contact| contact.y);
+                Self { y_rail, ..Self::rolling((number, share), own.placed.clone(), over, Some(angles)) }
             }
             ContactOrigin::Rolling { patch, lateral, .. } => {
                 let placed = PlacedPatch { patch: **patch, y: *lateral, x: 0.0 };
-                return Self {
-                    represented_by: Some(index),
-                    ..Self::rolling((number, share), vec![placed], 0, None)
-                };
+                Self::rolling((number, share), vec![placed], 0, None)
             }
-            ContactOrigin::Ellipse { ellipse, .. } | ContactOrigin::GivenEllipse { ellipse, .. } => {
-                let normal = ellipse.load();
-                let row = Self::of_line(number, share, contact);
-                Self {
-                    peak_pressure: ellipse.peak_pressure,
-                    along: ellipse.along,
-                    across: Some(ellipse.across),
-                    // Every strip has the same ratio of shear to pressure.
-                    force: Some([normal * contact.adhesion(), 0.0]),
-                    ..row
-                }
-            }
+            ContactOrigin::Ellipse { ellipse, .. } | ContactOrigin::GivenEllipse { ellipse, .. } => Self {
+                peak_pressure: ellipse.peak_pressure,
+                along: ellipse.along,
+                across: Some(ellipse.across),
+                // Every strip has the same ratio of shear to pressure.
+                force: Some([ellipse.load() * contact.adhesion(), 0.0]),
+                ..Self::of_line(number, share, contact)
+            },
             _ => Self::of_line(number, share, contact),
         };
         Self { represented_by: Some(index), ..row }
@@ -127,22 +116,11 @@ impl WheelRow {
         };
         Self {
             number,
-            place: None,
-            represented_by: None,
             share,
             peak_pressure: contact.peak_pressure(),
             along: contact.half_width(),
-            across: None,
-            force: None,
-            upright_force: None,
             slip_share,
-            t_gamma: None,
-            t_gamma_with_spin: None,
-            y_rail: None,
-            delta_keq: 0.0,
-            rate: 0.0,
-            growth_share: 0.0,
-            patches: Vec::new(),
+            ..Self::default()
         }
     }
 
@@ -161,8 +139,6 @@ impl WheelRow {
             forces.iter().zip(&patches).map(|(own, patch)| own.slip_share * area(patch)).sum();
         Self {
             number,
-            place: None,
-            represented_by: None,
             share,
             peak_pressure: ellipse.peak_pressure,
             along: ellipse.along,
@@ -172,11 +148,8 @@ impl WheelRow {
             slip_share: Some(slipping / areas),
             t_gamma: Some(sum(|own| own.t_gamma)),
             t_gamma_with_spin: Some(sum(|own| own.t_gamma_with_spin)),
-            y_rail: None,
-            delta_keq: 0.0,
-            rate: 0.0,
-            growth_share: 0.0,
             patches,
+            ..Self::default()
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Arguments and execution of `railcrack sweep`.
 
+use super::messages::{print_damages, print_failed, print_flaws, result_json, result_text};
 use super::progress::StudyProgress;
 use super::shard::Shard;
-use super::tell::{result_json, result_text, tell_damages, tell_failed, tell_flaws};
 use crate::commands::run::listen;
 use crate::display::Verbosity;
 use crate::exit::{Exit, Failure};
@@ -126,7 +126,7 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
     let folder = StudyFolder::enter(&path, plan, &study.text, arguments.entry(), &own, &cases)
         .map_err(RunError::from)?;
     drop(cases);
-    tell_damages(folder.damages());
+    print_damages(folder.damages());
 
     let (waiting, failed) = folder.left_to_do(&study, &own).map_err(RunError::from)?;
     let steps = waiting.iter().map(|&run| study.runs[run].case.growth.steps + 1).sum();
@@ -164,11 +164,11 @@ fn collect(
         }
     }
     // The other failures have been reported when they occurred.
-    tell_failed(&failed);
+    print_failed(&failed);
     if arguments.quiet {
-        tell_failed(&computed);
+        print_failed(&computed);
     }
-    tell_flaws(&results.flaws);
+    print_flaws(&results.flaws);
     failed.extend(computed);
     failed.sort_by_key(|run| run.number);
     let ending = if interruption.asked() { Ending::Interrupted } else { Ending::Ended };

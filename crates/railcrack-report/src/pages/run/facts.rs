@@ -59,15 +59,8 @@ pub(super) fn verdict(run: &RunFolder) -> String {
             fixed(last.length, 2),
             grouped(last.load_cycles),
         )
-    } else if last.stop == Some(RunStop::NoTipGrows(TipStop::Arrest)) || last.rate == 0.0 {
-        format!("{name} of {} mm does not grow.", fixed(first.length, 2))
     } else {
-        format!(
-            "{name} of {} mm has ΔK_{{eq}} = {} MPa√m and an initial growth rate of {} mm per load cycle; no increment was computed.",
-            fixed(first.length, 2),
-            significant(first.delta_keq),
-            significant(first.rate)
-        )
+        at_rest(&format!("{name} of {} mm", fixed(first.length, 2)), first, last, "")
     };
     // What has come loose counts more than what grows.
     let mut sentences = events::sentences(run);
@@ -75,6 +68,19 @@ pub(super) fn verdict(run: &RunFolder) -> String {
     sentences.extend(deepest_beside(run, last));
     sentences.push(stop_sentence(run));
     sentences.join(" ")
+}
+
+/// What is said of `crack` that has not grown, by its tip in the `first` and in the `last` step;
+/// `place` says where that tip is.
+pub(super) fn at_rest(crack: &str, first: &TipRow, last: &TipRow, place: &str) -> String {
+    if last.stop == Some(RunStop::NoTipGrows(TipStop::Arrest)) || last.rate == 0.0 {
+        return format!("{crack} does not grow.");
+    }
+    format!(
+        "{crack} has ΔK_{{eq}} = {} MPa√m and an initial growth rate of {} mm per load cycle{place}; no increment was computed.",
+        significant(first.delta_keq),
+        significant(first.rate)
+    )
 }
 
 /// The deepest tip, where it is not that of the representative crack.

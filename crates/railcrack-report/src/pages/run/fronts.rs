@@ -1,7 +1,7 @@
 //! Cracks in space on the page of a run: fronts, tables, assumptions.
 
 use super::assumptions::assumptions;
-use super::facts::{ending, stop_of, stop_sentence, tonnes_of};
+use super::facts::{at_rest, ending, stop_of, stop_sentence, tonnes_of};
 use super::front_data::cracks;
 use super::stored::RunFolder;
 use super::{RunParts, front_data, front_wheels, steps_section, warnings};
@@ -10,7 +10,6 @@ use crate::numbers::{fixed, given, grouped, significant, tonnage};
 use crate::page::{Block, Fact, Section};
 use crate::page_data::PageData;
 use crate::table::Table;
-use railcrack::growth::{RunStop, TipStop};
 use railcrack_case::SpaceCase;
 use railcrack_run::csv::TipRow;
 
@@ -82,16 +81,8 @@ fn verdict(run: &RunFolder) -> String {
             axes(last),
             grouped(last.load_cycles)
         )
-    } else if last.stop == Some(RunStop::NoTipGrows(TipStop::Arrest)) {
-        format!("{which} with {sizes} of {} does not grow.", axes(first))
     } else {
-        format!(
-            "{which} with {sizes} of {} has ΔK_{{eq}} = {} MPa√m and an initial growth rate of {} mm per load cycle at its \
-             deepest point; no increment was computed.",
-            axes(first),
-            significant(first.delta_keq),
-            significant(first.rate)
-        )
+        at_rest(&format!("{which} with {sizes} of {}", axes(first)), first, last, " at its deepest point")
     };
     format!("{text} {}", stop_sentence(run))
 }
