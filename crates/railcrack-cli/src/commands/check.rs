@@ -7,7 +7,7 @@ use crate::input::{self, Set, default_folder};
 use crate::json::Json;
 use clap::Args;
 use railcrack::words::Choice;
-use railcrack_case::{Case, Input, Overrides};
+use railcrack_case::{Case, Input};
 use railcrack_report::PageEngine;
 use railcrack_run::description::{Description, Part, Row, Subject, parts_json};
 use railcrack_run::setup::represented;
@@ -34,8 +34,7 @@ pub struct CheckArguments {
 pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
     arguments.json.with_failures(|| {
         let folder = default_folder(&arguments.case);
-        let overrides = Overrides { settings: arguments.set.set.clone(), ..Overrides::default() };
-        match input::either(&arguments.case, &overrides)? {
+        match input::either(&arguments.case, &arguments.set.overrides())? {
             Input::Case(case) => {
                 if case.output.explorer {
                     PageEngine::find().map_err(RunError::from)?;

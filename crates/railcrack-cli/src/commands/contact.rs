@@ -4,7 +4,7 @@ use crate::exit::{Exit, Failure};
 use crate::input::{self, Set, default_folder};
 use crate::print;
 use clap::Args;
-use railcrack_case::{Case, Overrides};
+use railcrack_case::Case;
 use railcrack_report::{contact_page, patches_picture, put};
 use railcrack_run::Existing;
 use railcrack_run::contact::{
@@ -50,8 +50,7 @@ const DRAWN: usize = 9;
 
 /// Computes the passages, writes the folder and prints the wheels that grow the cracks most.
 pub fn contact(arguments: &ContactArguments) -> Result<Exit, Failure> {
-    let overrides = Overrides { settings: arguments.set.set.clone(), ..Overrides::default() };
-    let case = input::case(&arguments.case, &overrides)?;
+    let case = input::case(&arguments.case, &arguments.set.overrides())?;
     let folder = arguments.out.clone().unwrap_or_else(|| beside(&arguments.case));
     clear(&folder, if arguments.force { Existing::Replace } else { Existing::Refuse })?;
     let run = represented(&case);

@@ -293,7 +293,7 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     Plot::sheet("paths.svg", sheet)
 }
 
-/// What becomes of the ends of closed fronts.
+/// The ends of closed fronts.
 #[derive(Clone, Copy, PartialEq)]
 enum FrontEnds {
     Joined,

@@ -39,7 +39,7 @@ pub fn calibration_page(result: &CalibrationResult, charts: Vec<Chart>) -> Page 
     }
 }
 
-/// What was known of the coefficient before.
+/// The prior of the coefficient.
 fn prior(result: &CalibrationResult) -> Fact {
     Fact::new(
         "ln(C/C_{0}) before the measurements",

@@ -13,7 +13,7 @@ use railcrack_run::description::Subject;
 /// Rows of the table of the page; wheels.csv has all.
 const SHOWN: usize = 40;
 
-/// What the growth under a wheel is computed from, besides the wheel.
+/// The subjects of the case from which growth is computed, besides the wheels.
 const ASSUMED: [Subject; 6] =
     [Subject::Rail, Subject::Passage, Subject::Cracks, Subject::Fronts, Subject::Growth, Subject::Model];
 

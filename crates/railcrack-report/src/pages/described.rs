@@ -5,8 +5,8 @@ use railcrack_case::Case;
 use railcrack_run::description::{Description, Part, Subject};
 use railcrack_run::files::CASE_FILE;
 
-/// What the growth of cracks is computed from. Residual stress and solution follow from the run,
-/// the plastic state from another command.
+/// The subjects of the case from which growth is computed. Residual stress and solution follow from
+/// the run, the plastic state from another command.
 pub(super) const OF_GROWTH: [Subject; 8] = [
     Subject::Rail,
     Subject::Wheels,
@@ -25,9 +25,13 @@ pub(super) fn described(case: &Case, subjects: &[Subject]) -> Vec<String> {
 
 /// The text of `case.toml`.
 pub(super) fn case_section(text: &str) -> Section {
-    let heading = format!("{CASE_FILE}, defaults filled in");
+    file_section("case", "Case", format!("{CASE_FILE}, defaults filled in"), text)
+}
+
+/// The section `heading` with the text of a file behind its `name`.
+pub(super) fn file_section(id: &str, heading: &str, name: String, text: &str) -> Section {
     let blocks = vec![Block::Verbatim(text.to_owned())];
-    Section::new("case", "Case", vec![Block::Folded { heading, blocks }])
+    Section::new(id, heading, vec![Block::Folded { heading: name, blocks }])
 }
 
 /// A part of a description as a paragraph; none without rows. Lines of its tables are left out.

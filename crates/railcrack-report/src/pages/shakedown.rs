@@ -141,7 +141,7 @@ fn facts(summary: &ShakedownSummary) -> Vec<Fact> {
     ]
 }
 
-/// What the state is computed from.
+/// The subjects of the case from which the state is computed.
 const ASSUMED: [Subject; 2] = [Subject::Wheels, Subject::PlasticState];
 
 fn assumptions(summary: &ShakedownSummary, case: &Case) -> Vec<String> {

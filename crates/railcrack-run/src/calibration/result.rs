@@ -45,7 +45,7 @@ pub fn calibrated_by(sites: &[Site]) -> String {
     format!("calibration.sites={}", sites.len())
 }
 
-/// What was fitted.
+/// The fit of a coefficient or of another number.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Fitted {
     /// The coefficient of the growth law, in closed form.
@@ -77,7 +77,7 @@ pub struct CalibrationResult<'a> {
     pub key: String,
     /// Its value in the case.
     pub value: f64,
-    /// What was known of the coefficient before.
+    /// The prior of the coefficient.
     pub prior: Prior,
     /// The measurements.
     pub sites: &'a [Site],

@@ -2,7 +2,7 @@
 
 use super::across::GrowthAcross;
 use super::rows::WheelRow;
-use railcrack::rolling::PlacedPatch;
+use railcrack::rolling::{PlacedPatch, StripPoint};
 
 const WHEELS: &str = "wheel,representative,share,p0_mpa,a_mm,b_mm,fx_kn,fy_kn,slip_share,tgamma_n,delta_keq_mpa_sqrt_m,growth_share,tgamma_with_spin_n,y_rail_mm,rate_mm_per_cycle,vertical_kn,lateral_kn";
 
@@ -45,6 +45,8 @@ pub fn wheels_table(rows: &[WheelRow]) -> String {
 const STRIPS: usize = 31;
 /// Intervals along each strip.
 pub const PATCH_INTERVALS: usize = 48;
+/// Intervals along the strip above the crack.
+const STRIP_INTERVALS: usize = 160;
 
 /// y of the strips of a patch between its `ends`, mm.
 pub fn patch_strips([from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
@@ -56,9 +58,8 @@ pub fn patch_strips([from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
 pub fn patches_table(rows: &[WheelRow], drawn: &[usize]) -> String {
     let mut text = String::from("wheel,patch,x_mm,y_mm,p_mpa,qx_mpa,qy_mpa,slips\n");
     for (row, number, own) in placed(rows, drawn) {
-        for y in patch_strips(own.patch.ends()) {
-            push_strip(&mut text, row.number, number, own, y, PATCH_INTERVALS, Some(y));
-        }
+        let wheel = format!("{},{number},", row.number);
+        patch_strips(own.patch.ends()).for_each(|y| push_strip(&mut text, &wheel, own, y));
     }
     text
 }
@@ -69,13 +70,7 @@ pub fn patch_table(own: &PlacedPatch) -> String {
         "# pressure and shear on the rail, x with the travel and y across from the middle of the patch\n\
          x_mm,y_mm,p_mpa,qx_mpa,qy_mpa,slips\n",
     );
-    for y in patch_strips(own.patch.ends()) {
-        let Ok(strip) = own.patch.strip(y, PATCH_INTERVALS) else { continue };
-        for point in &strip.points {
-            let ([along, over], slips) = (point.shear, u8::from(point.slips));
-            text.push_str(&format!("{},{y},{},{along},{over},{slips}\n", point.x, point.pressure));
-        }
-    }
+    patch_strips(own.patch.ends()).for_each(|y| push_strip(&mut text, "", own, y));
     text
 }
 
@@ -83,7 +78,11 @@ pub fn patch_table(own: &PlacedPatch) -> String {
 pub fn strips_table(rows: &[WheelRow], drawn: &[usize]) -> String {
     let mut text = String::from("wheel,patch,x_mm,p_mpa,qx_mpa,qy_mpa,slips\n");
     for (row, number, own) in placed(rows, drawn) {
-        push_strip(&mut text, row.number, number, own, own.y, 160, None);
+        let Ok(strip) = own.patch.strip(own.y, STRIP_INTERVALS) else { continue };
+        for StripPoint { x, pressure, shear: [along, over], slips } in strip.points {
+            let (wheel, slips) = (row.number, u8::from(slips));
+            text.push_str(&format!("{wheel},{number},{x},{pressure},{along},{over},{slips}\n"));
+        }
     }
     text
 }
@@ -98,24 +97,11 @@ fn placed<'a>(
     })
 }
 
-fn push_strip(
-    text: &mut String,
-    wheel: u64,
-    number: usize,
-    own: &PlacedPatch,
-    y: f64,
-    intervals: usize,
-    shown: Option<f64>,
-) {
-    let Ok(strip) = own.patch.strip(y, intervals) else { return };
-    let across = shown.map_or_else(String::new, |y| format!("{y},"));
-    for point in &strip.points {
-        let [along, over] = point.shear;
-        let slips = u8::from(point.slips);
-        text.push_str(&format!(
-            "{wheel},{number},{},{across}{},{along},{over},{slips}\n",
-            point.x, point.pressure
-        ));
+/// The strip of a patch at `y` (mm), after what says of which `wheel`.
+fn push_strip(text: &mut String, wheel: &str, own: &PlacedPatch, y: f64) {
+    let Ok(strip) = own.patch.strip(y, PATCH_INTERVALS) else { return };
+    for StripPoint { x, pressure, shear: [along, over], slips } in strip.points {
+        text.push_str(&format!("{wheel}{x},{y},{pressure},{along},{over},{}\n", u8::from(slips)));
     }
 }
 

@@ -17,7 +17,7 @@ use std::path::Path;
 
 pub use row::{Number, Part, Row, parts_json};
 
-/// What a description can be about.
+/// A subject of a description.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Subject {
     /// Elasticity and boundary of the rail.

@@ -9,14 +9,16 @@ use railcrack_case::{Distribution, Scatter};
 /// Maximum number of runs used for interpolation.
 pub(super) const MOST_RUNS: usize = 200;
 
+/// Runs with the index of their values of the drawn keys.
+pub(super) type IndexedRuns<'a> = Vec<(usize, &'a StudyRow)>;
+
 /// Runs of a study with the same values of the keys that are not drawn.
 pub(super) struct DrawnRuns<'a> {
     pub plan: &'a PopulationPlan,
     /// The keys that are drawn, and their distributions.
     pub axis: &'a StudyAxis,
     pub distributions: &'a [Distribution],
-    /// Each with the index of its values of these keys.
-    pub runs: Vec<(usize, &'a StudyRow)>,
+    pub runs: IndexedRuns<'a>,
 }
 
 impl<'a> DrawnRuns<'a> {

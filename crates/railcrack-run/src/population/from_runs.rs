@@ -1,6 +1,6 @@
 //! A population of cracks made from the runs of a study.
 
-use super::drawn::{DrawnRuns, MOST_RUNS};
+use super::drawn::{DrawnRuns, IndexedRuns, MOST_RUNS};
 use super::interpolation::Interpolation;
 use super::shape::{NUMBERS, numbers_of, path_of, path_of_tip};
 use crate::decision::{
@@ -40,7 +40,7 @@ impl Population {
         let Some(drawn) = plan.axes.iter().position(StudyAxis::is_drawn) else { return Vec::new() };
         let axis = &plan.axes[drawn];
         let distributions = distributions(axis.keys.iter().map(|key| key.distribution.as_deref()));
-        let mut groups: Vec<(Vec<usize>, Vec<(usize, &StudyRow)>)> = Vec::new();
+        let mut groups: Vec<(Vec<usize>, IndexedRuns)> = Vec::new();
         for (run, row) in plan.runs.iter().zip(&results.rows) {
             let mut choice = run.choice.clone();
             let index = std::mem::take(&mut choice[drawn]);
@@ -49,7 +49,7 @@ impl Population {
                 None => groups.push((choice, vec![(index, row)])),
             }
         }
-        let of_group = |(choice, runs): (Vec<usize>, Vec<(usize, &StudyRow)>)| {
+        let of_group = |(choice, runs): (Vec<usize>, IndexedRuns)| {
             let names = plan.axes.iter().zip(&choice).enumerate().filter(|(axis, _)| *axis != drawn);
             let choice: Vec<String> =
                 names.map(|(_, (axis, &index))| format!("{} = {}", axis.name(), axis.value(index))).collect();

@@ -70,8 +70,8 @@ pub(super) fn verdict(run: &RunFolder) -> String {
     sentences.join(" ")
 }
 
-/// What is said of `crack` that has not grown, by its tip in the `first` and in the `last` step;
-/// `place` says where that tip is.
+/// The sentence on a `crack` that has not grown, by its tip in the `first` and in the `last` step,
+/// which lies at `place`.
 pub(super) fn at_rest(crack: &str, first: &TipRow, last: &TipRow, place: &str) -> String {
     if last.stop == Some(RunStop::NoTipGrows(TipStop::Arrest)) || last.rate == 0.0 {
         return format!("{crack} does not grow.");

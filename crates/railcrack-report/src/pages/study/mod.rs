@@ -9,6 +9,7 @@ mod warnings;
 
 use crate::figures::{MANY, StudyRun, Styles};
 use crate::page::{Block, Page, Section};
+use crate::pages::described::file_section;
 use railcrack_run::study::{Population, StudyPlan};
 
 /// Maximum number of runs for which the table precedes the charts.
@@ -60,14 +61,7 @@ fn page(
         lead,
         sections: vec![
             Section::new("runs", "All runs", together),
-            Section::new(
-                "study",
-                "Study",
-                vec![Block::Folded {
-                    heading: "The study file".to_owned(),
-                    blocks: vec![Block::Verbatim(study.to_owned())],
-                }],
-            ),
+            file_section("study", "Study", "The study file".to_owned(), study),
         ],
     }
 }
