@@ -22,6 +22,13 @@ pub struct Set {
     pub set: Vec<String>,
 }
 
+impl Set {
+    /// These values, and nothing else that overrides the file.
+    pub fn overrides(&self) -> Overrides {
+        Overrides { settings: self.set.clone(), ..Overrides::default() }
+    }
+}
+
 /// Reads the case in the file `path` or from standard input.
 pub fn case(path: &Path, overrides: &Overrides) -> Result<Case, Failure> {
     read(path, || Case::read_with(path, overrides), |text| Case::parse_with(text, SHOWN, here(), overrides))

@@ -22,14 +22,14 @@ pub struct Progress<'a> {
     increments: usize,
     step: AtomicUsize,
     begun: Instant,
-    pace: Mutex<Pace>,
+    step_times: Mutex<StepTimes>,
     /// Million gross tonnes per load cycle, if the case has traffic.
     tonnes: Option<f64>,
 }
 
 /// Cost of the finished steps.
 #[derive(Debug)]
-struct Pace {
+struct StepTimes {
     /// Start of the current step.
     since: Instant,
     /// Wall times of the last steps, s.
@@ -41,21 +41,21 @@ struct Pace {
 }
 
 /// Number of recent steps from which the cost of the next ones is extrapolated.
-const JUDGED: usize = 5;
+const RECENT: usize = 5;
 
 impl<'a> Progress<'a> {
     /// A run of `increments` increments that `interruption` can stop.
     pub fn new(verbosity: Verbosity, increments: usize, interruption: &'a Interruption) -> Self {
         let display = Display::new(verbosity, || bar(increments));
         let now = Instant::now();
-        let pace = Mutex::new(Pace {
+        let step_times = Mutex::new(StepTimes {
             since: now,
             steps: VecDeque::new(),
             state: String::new(),
             left: SteadyTime::default(),
         });
         let step = AtomicUsize::new(0);
-        Self { display, interruption, increments, step, begun: now, pace, tonnes: None }
+        Self { display, interruption, increments, step, begun: now, step_times, tonnes: None }
     }
 
     /// Also shows million gross tonnes, for an axle load of `load` tonnes.
@@ -64,21 +64,21 @@ impl<'a> Progress<'a> {
         Self { tonnes: load.map(|load| load / 1e6), ..self }
     }
 
-    fn pace(&self) -> MutexGuard<'_, Pace> {
-        self.pace.lock().unwrap_or_else(PoisonError::into_inner)
+    fn step_times(&self) -> MutexGuard<'_, StepTimes> {
+        self.step_times.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// State and remaining time, shown after the bar.
-    fn tell(&self, bar: &ProgressBar, fraction: f64) {
-        let mut pace = self.pace();
+    fn show(&self, bar: &ProgressBar, fraction: f64) {
+        let mut step_times = self.step_times();
         let step = self.step.load(Ordering::Relaxed);
-        let left = match time_left(&pace.steps, (self.increments + 1).saturating_sub(step), fraction) {
+        let left = match time_left(&step_times.steps, (self.increments + 1).saturating_sub(step), fraction) {
             _ if step > self.increments => "writing".to_owned(),
-            Some(seconds) => format!("{} left", time_text(pace.left.left(seconds, Instant::now()))),
+            Some(seconds) => format!("{} left", time_text(step_times.left.left(seconds, Instant::now()))),
             None => String::new(),
         };
         let parts: Vec<&str> =
-            [left.as_str(), pace.state.as_str()].into_iter().filter(|part| !part.is_empty()).collect();
+            [left.as_str(), step_times.state.as_str()].into_iter().filter(|part| !part.is_empty()).collect();
         bar.set_message(parts.join("  "));
     }
 }
@@ -101,15 +101,15 @@ impl RunObserver for Progress<'_> {
             bar.set_position(first as u64 * PARTS);
             bar.set_prefix(format!("{first}/{}", self.increments));
         }
-        // The remaining time follows from the present pace, not from steps of an earlier run.
-        self.pace().since = Instant::now();
+        // The remaining time follows from steps of this run, not of an earlier one.
+        self.step_times().since = Instant::now();
     }
 
     fn fraction(&self, fraction: f64) {
         if let Some(bar) = self.display.bar() {
             let parts = (fraction.clamp(0.0, 1.0) * PARTS as f64) as u64;
             bar.set_position(self.step.load(Ordering::Relaxed) as u64 * PARTS + parts);
-            self.tell(bar, fraction);
+            self.show(bar, fraction);
         }
     }
 
@@ -117,14 +117,14 @@ impl RunObserver for Progress<'_> {
         self.step.store(record.step + 1, Ordering::Relaxed);
         let state = state_of(record, self.tonnes);
         {
-            let mut pace = self.pace();
-            let took = pace.since.elapsed().as_secs_f64();
-            pace.steps.push_back(took);
-            if pace.steps.len() > JUDGED {
-                pace.steps.pop_front();
+            let mut step_times = self.step_times();
+            let took = step_times.since.elapsed().as_secs_f64();
+            step_times.steps.push_back(took);
+            if step_times.steps.len() > RECENT {
+                step_times.steps.pop_front();
             }
-            pace.since = Instant::now();
-            pace.state.clone_from(&state);
+            step_times.since = Instant::now();
+            step_times.state.clone_from(&state);
         }
         for warning in &record.warnings {
             self.display.say(&format!(

@@ -51,7 +51,39 @@ pub fn passage<'py>(
     tell: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (watch, told) = Watch::new();
-    let wheel: Box<dyn Wheel> = match load {
+    let wheel = wheel(py, load, body, &watch)?;
+    let samples: Vec<Vec2> = body.faces.samples.iter().map(|sample| sample.point).collect();
+    let residual = residual.map(|stress| Tabulated::new(py, &stress, &samples)).transpose()?;
+    let solver: Box<dyn ContactSolver + Send> = match solver {
+        "newton" => Box::new(Newton::default()),
+        "latin" => Box::new(Latin::default()),
+        other => return Err(bad_input(py, format!("solver \"{other}\": must be newton or latin"))),
+    };
+    friction.iter().try_for_each(|one| limits::number(py, "friction", *one, ("crack", "friction")))?;
+    let settings = checked(py, settings)?;
+    let whole = body.whole(py)?;
+    FaceProblem::new(&whole, &friction).map_err(|error| bad_input(py, error))?;
+    let observer = Arc::clone(&watch);
+    let over = compute(py, threads, (watch, told), tell, move || {
+        let problem = FaceProblem::new(&whole, &friction).ok()?;
+        let residual = residual.as_ref().map(|field| field as &dyn StressField);
+        let load = RailLoad { wheel: wheel.as_ref(), residual };
+        Some(stabilised_passage(&problem, solver.as_ref(), load, &settings, observer.as_ref()))
+    })?;
+    match (over.result, over.signal) {
+        (_, Some(signal)) => Err(signal),
+        (Some(Ok(passage)), None) => arrays(py, &passage),
+        (Some(Err(error @ (PassageError::Settings(_) | PassageError::Ends(_)))), None) => {
+            Err(bad_input(py, error))
+        }
+        (Some(Err(error)), None) => Err(not_converged(py, error)),
+        (None, None) => Err(bad_input(py, "the friction must be one number, or one number per crack")),
+    }
+}
+
+/// The wheel of `load` over the cracks of `body`.
+fn wheel(py: Python<'_>, load: Load, body: &BodyCore, watch: &Arc<Watch>) -> PyResult<Box<dyn Wheel>> {
+    Ok(match load {
         Load::Hertz(peak_pressure, half_width, friction) => {
             limits::number(py, "peak_pressure_mpa", peak_pressure, ("contact", "peak_pressure_mpa"))?;
             limits::number(py, "half_width_mm", half_width, ("contact", "half_width_mm"))?;
@@ -72,22 +104,17 @@ pub fn passage<'py>(
         {
             return Err(bad_input(py, "edges_mm: must be increasing numbers"));
         }
-        Load::Own(stress, edges) => Box::new(OwnWheel { stress, edges, watch: Arc::clone(&watch) }),
-    };
-    let samples: Vec<Vec2> = body.faces.samples.iter().map(|sample| sample.point).collect();
-    let residual = residual.map(|stress| Tabulated::new(py, &stress, &samples)).transpose()?;
-    let solver: Box<dyn ContactSolver + Send> = match solver {
-        "newton" => Box::new(Newton::default()),
-        "latin" => Box::new(Latin::default()),
-        other => return Err(bad_input(py, format!("solver \"{other}\": must be newton or latin"))),
-    };
+        Load::Own(stress, edges) => Box::new(OwnWheel { stress, edges, watch: Arc::clone(watch) }),
+    })
+}
+
+fn checked(py: Python<'_>, settings: Settings) -> PyResult<PassageSettings> {
     let (from, to, positions, max_passages, passage_tolerance, step_tolerance) = settings;
     limits::finite(py, "from_mm, to_mm", [from, to])?;
     limits::integer(py, "positions", positions, ("passage", "positions"))?;
     limits::integer(py, "max_passages", max_passages, ("passage", "max_passages"))?;
     limits::number(py, "passage_tolerance", passage_tolerance, ("passage", "passage_tolerance"))?;
     limits::number(py, "step_tolerance", step_tolerance, ("passage", "step_tolerance"))?;
-    friction.iter().try_for_each(|one| limits::number(py, "friction", *one, ("crack", "friction")))?;
     let settings = PassageSettings {
         passage: Passage { from, to, positions },
         max_passages,
@@ -96,24 +123,7 @@ pub fn passage<'py>(
         ..PassageSettings::default()
     };
     settings.check().map_err(|error| bad_input(py, error))?;
-    let whole = body.whole(py)?;
-    FaceProblem::new(&whole, &friction).map_err(|error| bad_input(py, error))?;
-    let observer = Arc::clone(&watch);
-    let over = compute(py, threads, (watch, told), tell, move || {
-        let problem = FaceProblem::new(&whole, &friction).ok()?;
-        let residual = residual.as_ref().map(|field| field as &dyn StressField);
-        let load = RailLoad { wheel: wheel.as_ref(), residual };
-        Some(stabilised_passage(&problem, solver.as_ref(), load, &settings, observer.as_ref()))
-    })?;
-    match (over.result, over.signal) {
-        (_, Some(signal)) => Err(signal),
-        (Some(Ok(passage)), None) => arrays(py, &passage),
-        (Some(Err(error @ (PassageError::Settings(_) | PassageError::Ends(_)))), None) => {
-            Err(bad_input(py, error))
-        }
-        (Some(Err(error)), None) => Err(not_converged(py, error)),
-        (None, None) => Err(bad_input(py, "the friction must be one number, or one number per crack")),
-    }
+    Ok(settings)
 }
 
 fn arrays<'py>(py: Python<'py>, passage: &StabilisedPassage) -> PyResult<Bound<'py, PyDict>> {

@@ -91,19 +91,20 @@ impl Built {
 
     /// Those of a stabilised state, of grinding plans or of a comparison, which one file holds.
     ///
-    /// Errors: the file is damaged; the folder holds another kind.
+    /// Errors: the file is damaged; this version does not accept the case; the folder holds another
+    /// kind.
     pub(crate) fn of_file(folder: &Path, kind: FolderKind) -> Result<Self, OutputError> {
         let (plots, page) = match kind {
             FolderKind::Shakedown => {
                 let state = ShakedownFolder::open(folder)?;
                 let plots = shakedown_plots(&state);
-                let page = shakedown_page(&state, &plots);
+                let page = shakedown_page(&state, &state.case()?, &plots);
                 (plots, page)
             }
             FolderKind::Plan => {
                 let plans = PlanFolder::open(folder)?;
                 let plots = plan_plots(&plans.summary);
-                let page = plan_page(&plans, &plots);
+                let page = plan_page(&plans, &plans.case()?, &plots);
                 (plots, page)
             }
             FolderKind::Comparison => {

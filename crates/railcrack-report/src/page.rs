@@ -83,6 +83,13 @@ impl Block {
     }
 }
 
+impl Fact {
+    /// The figure `name`.
+    pub fn new(name: impl Into<String>, value: impl Into<String>, note: impl Into<String>) -> Self {
+        Self { name: name.into(), value: value.into(), note: note.into() }
+    }
+}
+
 /// A section with a heading.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Section {
@@ -92,6 +99,13 @@ pub struct Section {
     pub heading: String,
     /// Its parts.
     pub blocks: Vec<Block>,
+}
+
+impl Section {
+    /// The section `heading` of `blocks`, as the element `id`.
+    pub fn new(id: impl Into<String>, heading: impl Into<String>, blocks: Vec<Block>) -> Self {
+        Self { id: id.into(), heading: heading.into(), blocks }
+    }
 }
 
 /// One line in the colour of its level, first on its page.

@@ -6,6 +6,7 @@
 
 pub mod calibration;
 pub mod compare;
+pub mod contact;
 pub mod csv;
 pub mod decision;
 pub mod description;

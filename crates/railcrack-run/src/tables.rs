@@ -1,6 +1,6 @@
 //! Every table that the program writes, as `docs/file-formats.md` describes it.
 
-use crate::compare::{CompareRow, PositionRow};
+use crate::compare::{PositionRow, TipComparison};
 use crate::csv::{ContactRow, FaceRow, ResidualRow, SifRow, Table, TipRow, markdown};
 use crate::planner::PlanRow;
 use crate::shakedown::{LayerRow, PassRow};
@@ -17,7 +17,7 @@ pub fn table_descriptions() -> Vec<(&'static str, String)> {
         of::<FaceRow>(),
         of::<ContactRow>(),
         of::<ResidualRow>(),
-        of::<CompareRow>(),
+        of::<TipComparison>(),
         of::<PositionRow>(),
         of::<StudySummaryRow>(),
         of::<TimesRow>(),

@@ -31,25 +31,25 @@ fn with<T>(call: impl FnOnce(&mut Page) -> T) -> T {
 }
 
 impl Page {
-    fn says(&mut self, code: u32, value: &Value) -> u32 {
+    fn answer(&mut self, code: u32, value: &Value) -> u32 {
         self.output = value.to_string().into_bytes();
         code
     }
 
     fn refuses(&mut self, refusals: &[Refusal]) -> u32 {
         let all: Vec<Value> = refusals.iter().map(Refusal::to_json).collect();
-        self.says(REFUSED, &json!({ "errors": all }))
+        self.answer(REFUSED, &json!({ "errors": all }))
     }
 
     /// The answer of the session that was begun.
     fn asked(&mut self, of: impl FnOnce(&mut Session) -> Result<Value, Refusal>) -> u32 {
         let Some(session) = &mut self.session else {
-            return self.says(REFUSED, &json!({ "errors": [{ "message": "no run has begun" }] }));
+            return self.answer(REFUSED, &json!({ "errors": [{ "message": "no run has begun" }] }));
         };
         match of(session) {
             Ok(value) => {
                 let code = if session.has_ended() { ENDED } else { DONE };
-                self.says(code, &value)
+                self.answer(code, &value)
             }
             Err(refusal) => self.refuses(&[refusal]),
         }
@@ -91,7 +91,7 @@ pub extern "C" fn begin() -> u32 {
             Ok(session) => {
                 let case = session.case();
                 page.session = Some(session);
-                page.says(DONE, &case)
+                page.answer(DONE, &case)
             }
             Err(refusals) => page.refuses(&refusals),
         }
@@ -132,6 +132,6 @@ pub extern "C" fn tables() -> u32 {
 pub extern "C" fn draw() -> u32 {
     with(|page| {
         let figure = drawing::figure(&std::mem::take(&mut page.input));
-        page.says(DONE, &json!(figure))
+        page.answer(DONE, &json!(figure))
     })
 }

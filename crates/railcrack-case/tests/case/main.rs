@@ -10,3 +10,6 @@ mod samples;
 mod studies;
 mod table;
 mod wheels;
+
+#[path = "../common/wheels.rs"]
+mod cases;

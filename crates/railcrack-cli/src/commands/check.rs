@@ -7,11 +7,10 @@ use crate::input::{self, Set, default_folder};
 use crate::json::Json;
 use clap::Args;
 use railcrack::words::Choice;
-use railcrack_case::{Case, Input, Overrides};
+use railcrack_case::{Case, Input};
 use railcrack_report::PageEngine;
-use railcrack_run::description::{Part, Row, describe, describe_needs, describe_warnings, parts_json};
-use railcrack_run::machine::{Needs, step_seconds};
-use railcrack_run::setup::{RunSize, represented};
+use railcrack_run::description::{Description, Part, Row, Subject, parts_json};
+use railcrack_run::setup::represented;
 use railcrack_run::simulation::RunError;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -35,8 +34,7 @@ pub struct CheckArguments {
 pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
     arguments.json.with_failures(|| {
         let folder = default_folder(&arguments.case);
-        let overrides = Overrides { settings: arguments.set.set.clone(), ..Overrides::default() };
-        match input::either(&arguments.case, &overrides)? {
+        match input::either(&arguments.case, &arguments.set.overrides())? {
             Input::Case(case) => {
                 if case.output.explorer {
                     PageEngine::find().map_err(RunError::from)?;
@@ -56,9 +54,9 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
 
 /// The case as one object; its description by heading and name, numbers with their units.
 fn case_json(case: &Case) -> Value {
-    let size = RunSize::estimate(case);
-    let needs = Needs::with(case, &size);
-    let warnings: Vec<String> = describe_warnings(case).rows.into_iter().map(|row| row.text).collect();
+    let description = Description::of(case);
+    let (size, needs) = (description.size(), description.needs());
+    let warnings: Vec<String> = description.warnings().rows.into_iter().map(|row| row.text).collect();
     json!({
         "exit": Exit::Done.code(),
         "kind": "case",
@@ -73,16 +71,18 @@ fn case_json(case: &Case) -> Value {
         "increments": case.growth.steps,
         "memory_bytes": needs.memory,
         "disk_bytes": needs.disk,
-        "step_seconds": step_seconds(case, &size),
+        "step_seconds": description.step_seconds(),
         "warnings": warnings,
-        "summary": parts_json(&describe(case)),
+        "summary": parts_json(&description.parts(&Subject::ALL)),
     })
 }
 
 /// The summary of a case.
 pub fn summary(case: &Case, folder: &Path) -> String {
     let mut text = format!("{}\n", case.title);
-    let parts = describe(case).into_iter().chain([describe_needs(case, folder), describe_warnings(case)]);
+    let description = Description::of(case);
+    let mut parts = description.parts(&Subject::ALL);
+    parts.extend([description.machine(folder), description.warnings()]);
     for Part { heading, rows } in parts {
         if !rows.is_empty() {
             text.push_str(&format!("\n{heading}\n"));

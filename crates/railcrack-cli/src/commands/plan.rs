@@ -7,7 +7,6 @@ use crate::json::Json;
 use crate::print;
 use crate::progress::Progress;
 use clap::Args;
-use railcrack_case::Overrides;
 use railcrack_report::Pages;
 use railcrack_run::decision::VerdictLevel;
 use railcrack_run::simulation::{PlanRequest, Simulation};
@@ -65,9 +64,7 @@ const SHORT: f64 = 10.0;
 pub fn plan(arguments: &PlanArguments) -> Result<Exit, Failure> {
     arguments.json.with_failures(|| {
         use_threads(arguments.execution.threads)?;
-        let settings = arguments.execution.set.set.clone();
-        let overrides = Overrides { settings, ..Overrides::default() };
-        let case = input::case(&arguments.case, &overrides)?;
+        let case = input::case(&arguments.case, &arguments.execution.set.overrides())?;
         let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));
         if is_same_file(&arguments.case, &folder.join("case.toml")) {
             return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });

@@ -11,13 +11,13 @@ use clap::Args;
 use railcrack::words::Choice;
 use railcrack_case::Overrides;
 use railcrack_report::{PageEngine, Pages};
-use railcrack_run::Summary;
 use railcrack_run::decision::{
     Reason, StageSummary, StagesSummary, TonnageWords, Verdict, VerdictLevel, three_digits,
 };
 use railcrack_run::machine::{Budget, Needs, long_step, step_seconds};
 use railcrack_run::setup::RunSize;
 use railcrack_run::simulation::{Ending, Finished, RunEntry, RunError, Simulation};
+use railcrack_run::{FrontSummary, JunctionSummary, PieceSummary, Summary, TipSummary};
 use serde_json::{Value, json};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -306,8 +306,19 @@ pub fn result_text(finished: &Finished) -> String {
         text.push_str(&format!(", {tonnes:.3} million gross tonnes"));
     }
     text.push('\n');
+    text.push_str(&fronts(summary));
+    text.push_str(&tips(summary));
+    text.push_str(&events(summary));
+    text.push_str(&decision(summary));
+    text.push_str(&warnings(summary));
+    text.push_str(&where_and_on(finished));
+    text
+}
+
+/// One line for each crack in space.
+fn fronts(summary: &Summary) -> String {
     let all = if summary.fronts.is_empty() { summary.front.as_slice() } else { &summary.fronts };
-    for (k, front) in all.iter().enumerate() {
+    let line = |(k, front): (usize, &FrontSummary)| {
         let whose = if all.len() > 1 { format!("crack {}: ", k + 1) } else { String::new() };
         let (axes, fold) = match front.fold_mm {
             Some(fold) => ("length and half-length", format!("; fold at {fold:.3} mm")),
@@ -316,40 +327,41 @@ pub fn result_text(finished: &Finished) -> String {
         let free = front.front_deviation.map_or_else(String::new, |most| {
             format!("; free front within {:.1} % of its ellipse", 100.0 * most)
         });
-        text.push_str(&format!(
+        format!(
             "{whose}{axes} {:.3} mm down the dip and {:.3} mm along the surface, from {:.3} and {:.3} mm; {:.3} mm deep{fold}{free}\n",
             front.length_mm,
             front.surface_half_length_mm,
             front.initial_length_mm,
             front.initial_surface_half_length_mm,
             front.depth_mm
-        ));
-    }
-    // A front has many points and is summarised by its semi-axes.
-    for tip in summary.tips.iter().filter(|_| summary.front.is_none()) {
+        )
+    };
+    all.iter().enumerate().map(line).collect()
+}
+
+/// One line for each tip; a front has many points and is summarised by its semi-axes.
+fn tips(summary: &Summary) -> String {
+    let line = |tip: &TipSummary| {
         let stop = tip.stop.map_or_else(String::new, |stop| format!(", {}", stop.word()));
         let waits = tip.waiting_mm > 0.0;
         let waiting = if waits { format!(", {:.3} mm waiting", tip.waiting_mm) } else { String::new() };
-        text.push_str(&format!(
+        format!(
             "crack {} tip {}: at ({:.3}, {:.3}) mm, length {:.3} mm{waiting}{stop}\n",
             tip.crack, tip.tip, tip.x_mm, tip.y_mm, tip.length_mm
-        ));
+        )
+    };
+    summary.tips.iter().filter(|_| summary.front.is_none()).map(line).collect()
+}
+
+/// One line for each junction and enclosed piece, and one for the largest k1.
+fn events(summary: &Summary) -> String {
+    let mut text = String::new();
+    for JunctionSummary { crack, onto, x_mm, y_mm, .. } in &summary.junctions {
+        text.push_str(&format!("crack {crack} has joined crack {onto} at ({x_mm:.3}, {y_mm:.3}) mm\n"));
     }
-    for junction in &summary.junctions {
-        let (x, y) = (junction.x_mm, junction.y_mm);
-        text.push_str(&format!(
-            "crack {} has joined crack {} at ({x:.3}, {y:.3}) mm\n",
-            junction.crack, junction.onto
-        ));
-    }
-    for piece in &summary.pieces {
-        text.push_str(&format!(
-            "{} at crack {} in step {}: {:.3} mm\u{b2}\n",
-            piece.kind.word(),
-            piece.crack,
-            piece.step,
-            piece.area_mm2
-        ));
+    for PieceSummary { kind, crack, step, area_mm2, .. } in &summary.pieces {
+        let kind = kind.word();
+        text.push_str(&format!("{kind} at crack {crack} in step {step}: {area_mm2:.3} mm\u{b2}\n"));
     }
     if let Some(fracture) = &summary.fracture
         && let Some(share) = fracture.of_toughness
@@ -363,9 +375,6 @@ pub fn result_text(finished: &Finished) -> String {
             100.0 * share
         ));
     }
-    text.push_str(&decision(summary));
-    text.push_str(&warnings(summary));
-    text.push_str(&where_and_on(finished));
     text
 }
 

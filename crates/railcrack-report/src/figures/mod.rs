@@ -1,8 +1,10 @@
 //! Figures: charts and pictures, each built once from results for its SVG file and for the page.
 
+mod calibration;
 mod cells;
 mod compare;
 mod faces;
+mod patches;
 mod paths;
 mod plan;
 mod plot;
@@ -14,7 +16,9 @@ mod space;
 mod study;
 mod wheel_passage;
 
+pub use calibration::{CalibratedRun, calibration_charts};
 pub(crate) use compare::{comparison_plots, lengths_of_both, steps_of_both};
+pub use patches::patches_picture;
 pub(crate) use plan::plan_plots;
 pub(crate) use plot::{Plot, chart, charts};
 pub(crate) use row::bundle;

@@ -248,61 +248,41 @@ fn shares(growth: &[TipRow], ends: &[usize]) -> Option<Chart> {
 
 /// The fronts from above and from the side.
 fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
-    let last = summary.steps_recorded - 1;
-    let parts = last.clamp(1, FRONTS - 1);
-    let mut steps: Vec<usize> = (0..=parts).map(|part| (part * last + parts / 2) / parts).collect();
-    steps.dedup();
-    let is_closed = |crack: usize| has_closed_front(growth.iter().filter(|row| row.crack == crack));
-    let curves = |of: &dyn Fn(&TipRow) -> Option<[f64; 2]>, closes: bool| -> Vec<Curve> {
-        let curve = |place: usize, crack: usize| {
-            let step = steps[place];
-            let own = rows_of(growth, step).filter(|row| row.crack == crack);
-            let mut points: Vec<[f64; 2]> = own.filter_map(of).collect();
-            let first = points.first().copied().filter(|_| closes && is_closed(crack));
-            points.extend(first);
-            let (name, colour) = match step {
-                0 => ("initial front".to_owned(), CurveColour::Ink),
-                step => (format!("step {step}"), CurveColour::Along(place as f64 / steps.len() as f64)),
-            };
-            // One entry in the legend for all cracks.
-            let name = if crack == 1 { name } else { String::new() };
-            let curve = Curve::line(&name, points).with_colour(colour);
-            if step == 0 { curve.with_width(CurveWidth::Wide) } else { curve }
-        };
-        let of_step = |place: usize| (1..=cracks(growth)).map(move |crack| (place, crack));
-        (0..steps.len()).flat_map(of_step).map(|(place, crack)| curve(place, crack)).collect()
-    };
-    let above = Chart {
-        id: "from-above".to_owned(),
-        heading: "From above".to_owned(),
-        caption: "Crack fronts from above, to scale.".to_owned(),
-        x: ChartAxis::linear("z, across the rail", "mm"),
-        y: ChartAxis::linear("x, along the rail", "mm"),
-        curves: curves(&|row| Some([row.lateral?, row.place[0]]), true),
+    let view = |id: &str, heading: &str, caption: &str, [x, y]: [ChartAxis; 2], curves: Vec<Curve>| Chart {
+        id: id.to_owned(),
+        heading: heading.to_owned(),
+        caption: caption.to_owned(),
+        x,
+        y,
+        curves,
         aspect: ChartAspect::Equal,
         ..Chart::default()
     };
-    let side = Chart {
-        id: "from-the-front".to_owned(),
-        heading: "Along the rail".to_owned(),
-        caption: "Crack fronts viewed along the rail, to scale.".to_owned(),
-        x: ChartAxis::linear("z, across the rail", "mm"),
-        y: ChartAxis::depth(),
-        curves: curves(&|row| Some([row.lateral?, -row.place[1]]), true),
-        aspect: ChartAspect::Equal,
-        ..Chart::default()
-    };
-    let folded = growth.iter().filter_map(|row| row.phi_deg).any(is_on_strip).then(|| Chart {
-        id: "from-the-side".to_owned(),
-        heading: "From the side".to_owned(),
-        caption: "Fronts of the folded crack from the side, to scale: the sides of the strip from the mouth to the fold, and the \
-                  branch below it."
-            .to_owned(),
-        x: ChartAxis::linear("x, along the rail", "mm"),
-        y: ChartAxis::depth(),
-        curves: curves(&|row| Some([row.place[0], -row.place[1]]), false),
-        aspect: ChartAspect::Equal,
-        ..Chart::default()
+    let across = || ChartAxis::linear("z, across the rail", "mm");
+    let along = || ChartAxis::linear("x, along the rail", "mm");
+    let above = view(
+        "from-above",
+        "From above",
+        "Crack fronts from above, to scale.",
+        [across(), along()],
+        front_curves(summary, growth, FrontEnds::Joined, |row| Some([row.lateral?, row.place[0]])),
+    );
+    let side = view(
+        "from-the-front",
+        "Along the rail",
+        "Crack fronts viewed along the rail, to scale.",
+        [across(), ChartAxis::depth()],
+        front_curves(summary, growth, FrontEnds::Joined, |row| Some([row.lateral?, -row.place[1]])),
+    );
+    let folded = growth.iter().filter_map(|row| row.phi_deg).any(is_on_strip).then(|| {
+        view(
+            "from-the-side",
+            "From the side",
+            "Fronts of the folded crack from the side, to scale: the sides of the strip from the mouth to the fold, and the \
+             branch below it.",
+            [along(), ChartAxis::depth()],
+            front_curves(summary, growth, FrontEnds::Apart, |row| Some([row.place[0], -row.place[1]])),
+        )
     });
     let sheet = ChartSheet {
         title: summary.title.clone(),
@@ -311,6 +291,44 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
         legend: SheetLegend::default(),
     };
     Plot::sheet("paths.svg", sheet)
+}
+
+/// The ends of closed fronts.
+#[derive(Clone, Copy, PartialEq)]
+enum FrontEnds {
+    Joined,
+    Apart,
+}
+
+/// The fronts of all cracks in some of the steps, at the places `of` their points.
+fn front_curves(
+    summary: &Summary,
+    growth: &[TipRow],
+    ends: FrontEnds,
+    of: impl Fn(&TipRow) -> Option<[f64; 2]>,
+) -> Vec<Curve> {
+    let last = summary.steps_recorded - 1;
+    let parts = last.clamp(1, FRONTS - 1);
+    let mut steps: Vec<usize> = (0..=parts).map(|part| (part * last + parts / 2) / parts).collect();
+    steps.dedup();
+    let is_closed = |crack: usize| has_closed_front(growth.iter().filter(|row| row.crack == crack));
+    let curve = |place: usize, crack: usize| {
+        let step = steps[place];
+        let rows = rows_of(growth, step).filter(|row| row.crack == crack);
+        let mut points: Vec<[f64; 2]> = rows.filter_map(&of).collect();
+        let first = points.first().copied().filter(|_| ends == FrontEnds::Joined && is_closed(crack));
+        points.extend(first);
+        let (name, colour) = match step {
+            0 => ("initial front".to_owned(), CurveColour::Ink),
+            step => (format!("step {step}"), CurveColour::Along(place as f64 / steps.len() as f64)),
+        };
+        // One entry in the legend for all cracks.
+        let name = if crack == 1 { name } else { String::new() };
+        let curve = Curve::line(&name, points).with_colour(colour);
+        if step == 0 { curve.with_width(CurveWidth::Wide) } else { curve }
+    };
+    let of_step = |place: usize| (1..=cracks(growth)).map(move |crack| (place, crack));
+    (0..steps.len()).flat_map(of_step).map(|(place, crack)| curve(place, crack)).collect()
 }
 
 /// Whether the front point at φ (degrees) lies on the side of the strip of a folded crack where ζ

@@ -8,7 +8,7 @@ use crate::table::{MISSING, Table};
 use railcrack::growth::RunStop;
 use railcrack::words::Choice;
 use railcrack_run::Comparison;
-use railcrack_run::compare::SameLength;
+use railcrack_run::compare::{SameLength, SifDifference, TipSifs};
 
 /// Maximum number of rows of the table of tips; `compare.csv` has all.
 const TABLE_ROWS: usize = 500;
@@ -31,27 +31,21 @@ pub(crate) fn comparison_page(comparison: &Comparison, tolerance: Option<f64>, p
     });
     let mut sections = Vec::new();
     if comparison.common_steps > 0 {
-        sections.push(Section {
-            id: "k".to_owned(),
-            heading: "K over the stabilised passage".to_owned(),
-            blocks: k_blocks(comparison, plots),
-        });
-        sections.push(Section {
-            id: "paths".to_owned(),
-            heading: "Paths and growth".to_owned(),
-            blocks: vec![Block::charts(
-                chart(plots, "paths").into_iter().chain([lengths_of_both(comparison)]),
-            )],
-        });
+        sections.push(Section::new("k", "K over the stabilised passage", k_blocks(comparison, plots)));
+        sections.push(Section::new(
+            "paths",
+            "Paths and growth",
+            vec![Block::charts(chart(plots, "paths").into_iter().chain([lengths_of_both(comparison)]))],
+        ));
         let rows = comparison.tips.len().min(TABLE_ROWS);
-        sections.push(Section {
-            id: "steps".to_owned(),
-            heading: "All steps and tips".to_owned(),
-            blocks: vec![Block::Folded {
+        sections.push(Section::new(
+            "steps",
+            "All steps and tips",
+            vec![Block::Folded {
                 heading: format!("{rows} rows"),
                 blocks: vec![Block::Table(tips(comparison))],
             }],
-        });
+        ));
     }
     Page {
         title: format!("{} and {}", names[0], names[1]),
@@ -123,51 +117,11 @@ fn ratio([first, second]: [f64; 2]) -> String {
 }
 
 fn facts(comparison: &Comparison, tolerance: Option<f64>) -> Vec<Fact> {
-    let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
-    let mut facts = Vec::new();
-    if let Some(life) = comparison.life() {
-        let of_both = |values: [String; 2]| values.join(" and ");
-        facts.push(fact(
-            "Load cycles",
-            of_both(life.load_cycles.map(grouped)),
-            format!(
-                "to {} mm of crack {}; second: {}",
-                fixed(life.length, 2),
-                life.crack,
-                ratio(life.load_cycles)
-            ),
-        ));
-        if let Some(mgt) = life.million_gross_tonnes {
-            let to = format!("to {} mm of crack {}", fixed(life.length, 2), life.crack);
-            facts.push(fact("Million gross tonnes", of_both(mgt.map(tonnage)), to));
-        }
-    }
-    if let [Some(first), Some(second)] = comparison.runs.each_ref().map(|run| run.failure_mgt) {
-        facts.push(fact(
-            "MGT to failure",
-            format!("{} and {}", tonnage(first), tonnage(second)),
-            format!("second: {}", ratio([first, second])),
-        ));
-    }
-    for (name, largest) in [
-        ("Difference of K_{I}", comparison.largest(|sifs| sifs.ki)),
-        ("Difference of K_{II}", comparison.largest(|sifs| sifs.kii)),
-    ] {
-        let Some((tip, difference)) = largest else { continue };
-        facts.push(fact(
-            name,
-            format!("{} %", significant(comparison.percent(difference.largest))),
-            format!(
-                "{} MPa√m in step {}, crack {}, at x_{{c}}/a = {}",
-                significant(difference.largest),
-                tip.step,
-                tip.crack,
-                fixed(difference.xc_over_a, 2)
-            ),
-        ));
-    }
+    let mut facts = lives(comparison);
+    facts.extend(difference(comparison, "Difference of K_{I}", |sifs| sifs.ki));
+    facts.extend(difference(comparison, "Difference of K_{II}", |sifs| sifs.kii));
     if let Some(tip) = comparison.farthest() {
-        facts.push(fact(
+        facts.push(Fact::new(
             "Distance between tips",
             format!("{} mm", significant(tip.distance)),
             format!("step {}, crack {}", tip.step, tip.crack),
@@ -175,17 +129,46 @@ fn facts(comparison: &Comparison, tolerance: Option<f64>) -> Vec<Fact> {
     }
     if let Some(parting) = &comparison.parting {
         let how = format!("kinks {}° apart", fixed(parting.apart_deg, 1));
-        facts.push(fact("Paths diverge", format!("step {}", parting.step), how));
+        facts.push(Fact::new("Paths diverge", format!("step {}", parting.step), how));
     }
     if let Some(tolerance) = tolerance {
         let within = comparison.largest_percent().is_some_and(|largest| largest <= tolerance);
-        facts.push(fact(
-            "Tolerance",
-            format!("{} %", given(tolerance)),
-            if within { "met".to_owned() } else { "not met".to_owned() },
-        ));
+        let note = if within { "met" } else { "not met" };
+        facts.push(Fact::new("Tolerance", format!("{} %", given(tolerance)), note));
     }
     facts
+}
+
+/// The lives of both runs, to the same length and to failure.
+fn lives(comparison: &Comparison) -> Vec<Fact> {
+    let mut facts = Vec::new();
+    let of_both = |values: [String; 2]| values.join(" and ");
+    if let Some(life) = comparison.life() {
+        let to = format!("to {} mm of crack {}", fixed(life.length, 2), life.crack);
+        let note = format!("{to}; second: {}", ratio(life.load_cycles));
+        facts.push(Fact::new("Load cycles", of_both(life.load_cycles.map(grouped)), note));
+        let mgt = life.million_gross_tonnes;
+        facts.extend(mgt.map(|mgt| Fact::new("Million gross tonnes", of_both(mgt.map(tonnage)), to)));
+    }
+    if let [Some(first), Some(second)] = comparison.runs.each_ref().map(|run| run.failure_mgt) {
+        let note = format!("second: {}", ratio([first, second]));
+        facts.push(Fact::new("MGT to failure", of_both([first, second].map(tonnage)), note));
+    }
+    facts
+}
+
+/// The largest difference of a mode.
+fn difference(comparison: &Comparison, name: &str, mode: fn(TipSifs) -> SifDifference) -> Option<Fact> {
+    let (tip, difference) = comparison.largest(mode)?;
+    let note = format!(
+        "{} MPa√m in step {}, crack {}, at x_{{c}}/a = {}",
+        significant(difference.largest),
+        tip.step,
+        tip.crack,
+        fixed(difference.xc_over_a, 2)
+    );
+    let percent = comparison.percent(difference.largest);
+    Some(Fact::new(name, format!("{} %", significant(percent)), note))
 }
 
 fn runs(comparison: &Comparison) -> Table {
@@ -269,8 +252,8 @@ fn tips(comparison: &Comparison) -> Table {
         let mode = |largest: Option<f64>| {
             largest.map_or([String::new(), String::new()], |k| [significant(k), fixed(tip.percent(k), 3)])
         };
-        let [ki, ki_percent] = mode(tip.sifs.map(|sifs| sifs.ki.largest));
-        let [kii, kii_percent] = mode(tip.sifs.map(|sifs| sifs.kii.largest));
+        let [ki, ki_percent] = mode(tip.sifs().map(|sifs| sifs.ki.largest));
+        let [kii, kii_percent] = mode(tip.sifs().map(|sifs| sifs.kii.largest));
         table.row([
             tip.step.to_string(),
             tip.crack.to_string(),

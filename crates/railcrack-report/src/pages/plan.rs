@@ -3,15 +3,17 @@
 use crate::figures::Plot;
 use crate::numbers::{fixed, given, rounded, significant};
 use crate::page::{Banner, Block, Fact, Page, Section};
+use crate::pages::described::{OF_GROWTH, case_section, described};
 use crate::pages::phrases::calibration;
 use crate::table::{Cell, CellTone, MISSING, Table};
+use railcrack_case::Case;
 use railcrack_run::PlanFolder;
 use railcrack_run::decision::VerdictLevel;
 use railcrack_run::files::CASE_FILE;
 use railcrack_run::planner::{LeastGrinding, PlanSummary, PlannedGrinding};
 
-/// The page of `plans`, with their plots.
-pub(crate) fn plan_page(plans: &PlanFolder, plots: &[Plot]) -> Page {
+/// The page of `plans` for `case`, with their plots.
+pub(crate) fn plan_page(plans: &PlanFolder, case: &Case, plots: &[Plot]) -> Page {
     let summary = &plans.summary;
     let mut lead: Vec<Block> =
         calibration(&summary.calibration).map(|text| Block::List(vec![text])).into_iter().collect();
@@ -25,8 +27,6 @@ pub(crate) fn plan_page(plans: &PlanFolder, plots: &[Plot]) -> Page {
     if !summary.warnings.is_empty() {
         lead.push(Block::Warnings(summary.warnings.iter().map(|text| format!("{text}.")).collect()));
     }
-    let section =
-        |id: &str, heading: &str, blocks| Section { id: id.to_owned(), heading: heading.to_owned(), blocks };
     Page {
         title: summary.title.clone(),
         kind: "Grinding plan".to_owned(),
@@ -35,19 +35,25 @@ pub(crate) fn plan_page(plans: &PlanFolder, plots: &[Plot]) -> Page {
         facts: facts(summary),
         lead,
         sections: vec![
-            section("plans", "All plans", vec![Block::Table(table(summary)), Block::Table(least(summary))]),
-            section("assumptions", "Assumptions", vec![Block::List(summary.assumptions.clone())]),
-            section("approval", "Approval", vec![Block::Table(approval(summary))]),
-            section(
-                "case",
-                "Case",
-                vec![Block::Folded {
-                    heading: format!("{CASE_FILE}, defaults filled in"),
-                    blocks: vec![Block::Verbatim(plans.case_text.clone())],
-                }],
+            Section::new(
+                "plans",
+                "All plans",
+                vec![Block::Table(table(summary)), Block::Table(least(summary))],
             ),
+            Section::new("assumptions", "Assumptions", assumptions(summary, case)),
+            Section::new("approval", "Approval", vec![Block::Table(approval(summary))]),
+            case_section(&plans.case_text),
         ],
     }
+}
+
+/// Those of the plans, and the case from which they begin.
+fn assumptions(summary: &PlanSummary, case: &Case) -> Vec<Block> {
+    vec![
+        Block::List(summary.assumptions.clone()),
+        Block::Heading("The cracks under traffic".to_owned()),
+        Block::List(described(case, &OF_GROWTH)),
+    ]
 }
 
 /// The verdict on the rail without grinding.
@@ -94,16 +100,15 @@ fn traffic(mgt: f64, months: Option<f64>) -> String {
 }
 
 fn facts(summary: &PlanSummary) -> Vec<Fact> {
-    let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
     let without = &summary.without_grinding;
-    let mut facts = vec![fact(
+    let mut facts = vec![Fact::new(
         "Without grinding",
         without.outcome.words().to_owned(),
         format!("after {}", traffic(without.mgt, without.months)),
     )];
     if let Some(least) = &summary.least {
         let removal = format!("{} mm per MGT with the wear", significant(least.removal_mm_per_mgt));
-        facts.push(fact("Least grinding", shown(least), removal));
+        facts.push(Fact::new("Least grinding", shown(least), removal));
         if let Some(mgt) = least.mgt_to_wear_limit {
             let limit = summary.wear_limit_mm.map_or_else(String::new, |limit| {
                 format!("at a removal of {} mm, with the least grinding", fixed(limit, 1))
@@ -112,12 +117,12 @@ fn facts(summary: &PlanSummary) -> Vec<Fact> {
                 Some(date) => format!("{date}, after {}", traffic(mgt, least.months_to_wear_limit)),
                 None => format!("after {}", traffic(mgt, least.months_to_wear_limit)),
             };
-            facts.push(fact("Replacement", when, limit));
+            facts.push(Fact::new("Replacement", when, limit));
         }
     }
-    facts.push(fact("Horizon", format!("{} MGT", given(rounded(summary.horizon_mgt, 4))), String::new()));
-    facts.push(fact("Date", summary.date.clone(), format!("railcrack {}", summary.version)));
-    facts.push(fact(
+    facts.push(Fact::new("Horizon", format!("{} MGT", given(rounded(summary.horizon_mgt, 4))), ""));
+    facts.push(Fact::new("Date", summary.date.clone(), format!("railcrack {}", summary.version)));
+    facts.push(Fact::new(
         "Case",
         summary.case_checksum.clone(),
         format!("SHA-256 of {CASE_FILE}, as sha256sum prints it"),

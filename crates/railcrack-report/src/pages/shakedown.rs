@@ -3,27 +3,26 @@
 use crate::figures::{Plot, charts};
 use crate::numbers::{fixed, significant};
 use crate::page::{Block, Fact, Page, Section};
+use crate::pages::described::{case_section, described};
 use crate::pages::phrases::sentence;
 use crate::table::Table;
-use railcrack::load::ContactKind;
 use railcrack::shakedown::Method;
 use railcrack::words::Choice;
-use railcrack_run::files::CASE_FILE;
+use railcrack_case::Case;
+use railcrack_run::description::Subject;
 use railcrack_run::shakedown::{ShakedownFolder, ShakedownSummary};
 
-/// The page of `state`, with its plots.
-pub(crate) fn shakedown_page(state: &ShakedownFolder, plots: &[Plot]) -> Page {
+/// The page of `state` under the wheels of `case`, with its plots.
+pub(crate) fn shakedown_page(state: &ShakedownFolder, case: &Case, plots: &[Plot]) -> Page {
     let summary = &state.summary;
     let mut lead = Vec::new();
     if !summary.warnings.is_empty() {
         lead.push(Block::Warnings(summary.warnings.iter().map(|text| sentence(text)).collect()));
     }
     lead.push(Block::Heading("Assumptions".to_owned()));
-    lead.push(Block::List(assumptions(summary)));
+    lead.push(Block::List(assumptions(summary, case)));
     let charts = |ids: &[&str]| vec![charts(plots, ids)];
     let field = plots.iter().find(|plot| plot.file == "field.svg");
-    let section =
-        |id: &str, heading: &str, blocks| Section { id: id.to_owned(), heading: heading.to_owned(), blocks };
     Page {
         title: summary.title.clone(),
         kind: "Stabilised plastic state under repeated passages".to_owned(),
@@ -32,11 +31,11 @@ pub(crate) fn shakedown_page(state: &ShakedownFolder, plots: &[Plot]) -> Page {
         facts: facts(summary),
         lead,
         sections: vec![
-            section("depth", "Residual stress and plastic strain", charts(&["residual-stress", "plastic-strain"])),
-            section("initiation", "Crack initiation", charts(&["dang-van"])),
-            section("passages", "Evolution over the passages", charts(&["passes", "passes-change"])),
-            section("limits", "Shakedown limits", charts(&["bounds", "shakedown-map"])),
-            section(
+            Section::new("depth", "Residual stress and plastic strain", charts(&["residual-stress", "plastic-strain"])),
+            Section::new("initiation", "Crack initiation", charts(&["dang-van"])),
+            Section::new("passages", "Evolution over the passages", charts(&["passes", "passes-change"])),
+            Section::new("limits", "Shakedown limits", charts(&["bounds", "shakedown-map"])),
+            Section::new(
                 "around",
                 "Around the contact",
                 field
@@ -48,15 +47,8 @@ pub(crate) fn shakedown_page(state: &ShakedownFolder, plots: &[Plot]) -> Page {
                     .into_iter()
                     .collect(),
             ),
-            section("numbers", "Key figures", vec![Block::Table(numbers(summary))]),
-            section(
-                "case",
-                "Case",
-                vec![Block::Folded {
-                    heading: format!("{CASE_FILE}, defaults filled in"),
-                    blocks: vec![Block::Verbatim(state.case_text.clone())],
-                }],
-            ),
+            Section::new("numbers", "Key figures", vec![Block::Table(numbers(summary))]),
+            case_section(&state.case_text),
         ],
     }
 }
@@ -105,16 +97,15 @@ fn verdict(summary: &ShakedownSummary) -> String {
 }
 
 fn facts(summary: &ShakedownSummary) -> Vec<Fact> {
-    let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
     let peak = &summary.peak_residual_stress;
     let warnings = summary.warnings.len();
     vec![
-        fact(
+        Fact::new(
             "State",
             summary.state.word().to_owned(),
             format!("{}, {}", passages(summary.passes), summary.method.word()),
         ),
-        fact(
+        Fact::new(
             "Load p_{0}/k",
             fixed(summary.p0_over_k, 3),
             format!(
@@ -123,7 +114,7 @@ fn facts(summary: &ShakedownSummary) -> Vec<Fact> {
                 fixed(summary.shakedown_limit.p0_over_k, 3)
             ),
         ),
-        fact(
+        Fact::new(
             "Largest residual stress",
             format!("{} MPa", fixed(peak.stress_mpa, 1)),
             format!(
@@ -132,7 +123,7 @@ fn facts(summary: &ShakedownSummary) -> Vec<Fact> {
                 fixed(peak.depth_mm, 2)
             ),
         ),
-        fact(
+        Fact::new(
             "Dang Van margin",
             format!("{} MPa", fixed(summary.dang_van.margin_mpa, 1)),
             format!(
@@ -142,7 +133,7 @@ fn facts(summary: &ShakedownSummary) -> Vec<Fact> {
                 fixed(summary.dang_van.critical_depth_mm, 2)
             ),
         ),
-        fact(
+        Fact::new(
             "Warnings",
             if warnings == 0 { "none".to_owned() } else { warnings.to_string() },
             if warnings == 0 { String::new() } else { "below".to_owned() },
@@ -150,17 +141,15 @@ fn facts(summary: &ShakedownSummary) -> Vec<Fact> {
     ]
 }
 
-fn assumptions(summary: &ShakedownSummary) -> Vec<String> {
-    let kind = ContactKind::of_word(&summary.contact).unwrap_or(ContactKind::Hertz);
-    vec![
+/// The subjects of the case from which the state is computed.
+const ASSUMED: [Subject; 2] = [Subject::Wheels, Subject::PlasticState];
+
+fn assumptions(summary: &ShakedownSummary, case: &Case) -> Vec<String> {
+    let mut all = described(case, &ASSUMED);
+    all.extend([
         format!(
-            "Wheel: {}, p_{{0}} = {} MPa, half-width a = {} mm, {} {}; the same in every passage, on a rail without \
-             initial plastic strain.",
-            kind.described(),
-            fixed(summary.peak_pressure_mpa, 0),
-            fixed(summary.half_width_mm, 2),
-            if kind == ContactKind::Hertz { "wheel–rail friction" } else { "Q/P" },
-            summary.friction.to_string().replace('-', "\u{2212}")
+            "The {} passes again and again, over a rail without initial plastic strain.",
+            if case.is_mix() { "heaviest wheel" } else { "same wheel" }
         ),
         "Steel: unbounded linear kinematic hardening, which leads to elastic or plastic shakedown, never to \
          ratchetting. Plane strain, half-plane."
@@ -179,7 +168,8 @@ fn assumptions(summary: &ShakedownSummary) -> Vec<String> {
              number of cycles.",
             summary.dang_van.a, summary.dang_van.b_mpa
         ),
-    ]
+    ]);
+    all
 }
 
 fn numbers(summary: &ShakedownSummary) -> Table {

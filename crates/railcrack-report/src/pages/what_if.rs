@@ -11,10 +11,10 @@ const SCRIPT: &str = concat!(include_str!("../assets/engine.js"), include_str!("
 /// and `says` introduces it. The engine starts when the section is seen.
 pub(super) fn section(engine: &PageEngine, case: &str, first: &str, says: &str) -> Section {
     let data = engine.data(case, first);
-    Section {
-        id: "what-if".to_owned(),
-        heading: "What if".to_owned(),
-        blocks: vec![
+    Section::new(
+        "what-if",
+        "What if",
+        vec![
             Block::Text(says.to_owned()),
             Block::Viewer {
                 id: "what-if-engine",
@@ -25,7 +25,7 @@ pub(super) fn section(engine: &PageEngine, case: &str, first: &str, says: &str) 
                 script: SCRIPT,
             },
         ],
-    }
+    )
 }
 
 /// The explorer: a page that computes `case` and whatever is made of it.

@@ -50,7 +50,7 @@ fn a_known_difference_is_found_where_it_is() {
     edit(&second, "growth.csv", "tip_y_mm", ["4", "1", "1"], add(-0.4));
     let comparison = Comparison::of(&first, &second).unwrap();
     for tip in &comparison.tips {
-        let sifs = tip.sifs.unwrap();
+        let sifs = tip.sifs().unwrap();
         let (kii, apart) = (if tip.step == 3 { 0.25 } else { 0.0 }, if tip.step == 4 { 0.5 } else { 0.0 });
         // Both passages of the step were changed, of which the last one counts; round-off of the
         // sums.
@@ -150,7 +150,7 @@ fn what_only_one_run_has_is_left_out_and_said() {
     }
     // Every other position of the first is one of the second: interpolation there is exact up to
     // the round-off of x_c/a.
-    assert!(comparison.tips.iter().all(|tip| tip.sifs.unwrap().positions == 21));
+    assert!(comparison.tips.iter().all(|tip| tip.sifs().unwrap().positions == 21));
     assert!(comparison.largest_percent().unwrap() < 1e-9);
     // The other way round the same run is interpolated.
     let reversed = Comparison::of(&second, &first).unwrap();

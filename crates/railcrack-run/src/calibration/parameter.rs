@@ -59,6 +59,17 @@ pub enum BracketEnd {
     High,
 }
 
+impl BracketEnd {
+    /// The end at which the point `place` of `count` is.
+    fn at(place: usize, count: usize) -> Option<Self> {
+        match place {
+            0 => Some(Self::Low),
+            _ if place + 1 == count => Some(Self::High),
+            _ => None,
+        }
+    }
+}
+
 impl ParameterFit {
     /// Whether the measurements exclude no value that was tried.
     #[must_use]
@@ -107,6 +118,72 @@ impl Scale {
     }
 }
 
+/// The measurements along the values of the parameter.
+struct Along {
+    scale: Scale,
+    /// Place on the scale, and the measurements there.
+    points: Vec<(f64, Vec<Observations>)>,
+    /// Measurements that count.
+    used: usize,
+}
+
+impl Along {
+    /// Between two neighbouring trials every measurement is linear over the logarithm of the value.
+    /// Of these ranges, those with the same and most measurements within the sizes of both runs
+    /// count; `None` without any.
+    fn of(trials: &[Trial], coefficient: Coefficient) -> Option<Self> {
+        let mut trials: Vec<&Trial> = trials.iter().collect();
+        trials.sort_by(|a, b| a.value.total_cmp(&b.value));
+        let (first, last) = (trials.first()?, trials.last()?);
+        let scale = Scale::of(first.value, last.value);
+        let masks: Vec<Vec<bool>> = trials.windows(2).map(|pair| mask(pair[0], pair[1])).collect();
+        let count = |mask: &[bool]| mask.iter().filter(|both| **both).count();
+        let best = masks.iter().max_by_key(|mask| count(mask)).filter(|mask| count(mask) > 0)?;
+        let has_classes =
+            first.sites.iter().flatten().flatten().any(|observed| matches!(observed, Observed::Class(_)));
+        let parts = if has_classes && coefficient == Coefficient::Fitted { COARSE } else { FINE };
+        let mut points = Vec::new();
+        for (pair, _) in trials.windows(2).zip(&masks).filter(|(_, mask)| *mask == best) {
+            let (low, high) = (scale.to(pair[0].value), scale.to(pair[1].value));
+            for part in 0..=parts {
+                let share = part as f64 / parts as f64;
+                points.push((low + share * (high - low), between(pair[0], pair[1], share, best)));
+            }
+        }
+        Some(Self { scale, points, used: count(best) })
+    }
+
+    /// The deviance at each point, with `prior` for the coefficient.
+    fn deviances(&self, usual: UsualError, prior: Prior) -> Vec<f64> {
+        let deviance =
+            |sites: &[Observations]| -2.0 * posterior(&likelihoods(sites, usual), prior).log_evidence;
+        self.points.iter().map(|(_, sites)| deviance(sites)).collect()
+    }
+
+    /// The 95 % interval around the point `least`, by the deviances less the least one.
+    fn interval(&self, excess: &[(f64, f64)], least: usize) -> (Option<f64>, Option<f64>) {
+        let crossing = |from: &(f64, f64), to: &(f64, f64)| {
+            self.scale.back(from.0 + (EXCLUDED - from.1) / (to.1 - from.1) * (to.0 - from.0))
+        };
+        let low = excess[..=least].windows(2).rev().find(|pair| pair[0].1 > EXCLUDED);
+        let high = excess[least..].windows(2).find(|pair| pair[1].1 > EXCLUDED);
+        (low.map(|pair| crossing(&pair[1], &pair[0])), high.map(|pair| crossing(&pair[0], &pair[1])))
+    }
+
+    /// Mean and standard deviation of a fitted ln(C/C0) over all values.
+    fn over_all(&self, excess: &[(f64, f64)], usual: UsualError, prior: Prior) -> (f64, f64) {
+        // Values of negligible weight are left out: with classes each takes an integration.
+        let of = |((x, sites), (_, deviance)): (&(f64, Vec<Observations>), &(f64, f64))| {
+            (*deviance < NEGLIGIBLE).then(|| (*x, posterior(&likelihoods(sites, usual), prior), *deviance))
+        };
+        weighted(&self.points.iter().zip(excess).filter_map(of).collect::<Vec<_>>())
+    }
+}
+
+fn likelihoods(sites: &[Observations], usual: UsualError) -> Vec<SiteLikelihood> {
+    sites.iter().map(|site| SiteLikelihood::of(site, usual)).collect()
+}
+
 /// Fits a parameter, which errors call `key`, to runs with two values of it or more.
 ///
 /// The deviance −2 ln(evidence) is evaluated along the values, with every measurement linear
@@ -123,46 +200,20 @@ pub fn fit_parameter(
     prior: Prior,
     coefficient: Coefficient,
 ) -> Result<ParameterFit, CalibrationError> {
-    let mut trials: Vec<&Trial> = trials.iter().collect();
-    trials.sort_by(|a, b| a.value.total_cmp(&b.value));
-    let nothing = || CalibrationError::NothingToCompare { from: 0.0, to: 0.0 };
-    let (Some(first), Some(last)) = (trials.first(), trials.last()) else { return Err(nothing()) };
-    let scale = Scale::of(first.value, last.value);
-    let masks: Vec<Vec<bool>> = trials.windows(2).map(|pair| mask(pair[0], pair[1])).collect();
-    let count = |mask: &[bool]| mask.iter().filter(|both| **both).count();
-    let Some(best) = masks.iter().max_by_key(|mask| count(mask)).filter(|mask| count(mask) > 0) else {
-        return Err(nothing());
-    };
+    let along =
+        Along::of(trials, coefficient).ok_or(CalibrationError::NothingToCompare { from: 0.0, to: 0.0 })?;
+    let Along { scale, points, used } = &along;
+    if spread(points) < FLAT {
+        return Err(CalibrationError::NoInfluence { key: key.to_owned() });
+    }
     // What the measurements say of the parameter must not come from the prior of the coefficient.
     let fixed = Prior { mean: 0.0, log_std: 0.0, ..prior };
     let (of_result, vague) = match coefficient {
         Coefficient::OfCase | Coefficient::Searched(_) => (fixed, fixed),
         Coefficient::Fitted => (prior, Prior { log_std: VAGUE, ..prior }),
     };
-    let has_classes =
-        first.sites.iter().flatten().flatten().any(|observed| matches!(observed, Observed::Class(_)));
-    let parts = if has_classes && coefficient == Coefficient::Fitted { COARSE } else { FINE };
-    // Points along the values: x, and the measurements there.
-    let mut points: Vec<(f64, Vec<Observations>)> = Vec::new();
-    let mut is_beyond = [false; 2];
-    for (i, pair) in trials.windows(2).enumerate().filter(|(i, _)| masks[*i] == *best) {
-        is_beyond[0] |= points.is_empty() && i > 0;
-        is_beyond[1] = i + 2 < trials.len();
-        let (low, high) = (scale.to(pair[0].value), scale.to(pair[1].value));
-        for part in 0..=parts {
-            let share = part as f64 / parts as f64;
-            points.push((low + share * (high - low), between(pair[0], pair[1], share, best)));
-        }
-    }
-    if spread(&points) < FLAT {
-        return Err(CalibrationError::NoInfluence { key: key.to_owned() });
-    }
-    let usual = error_of_readings(&points, coefficient);
-    let likelihoods = |sites: &Vec<Observations>| -> Vec<SiteLikelihood> {
-        sites.iter().map(|site| SiteLikelihood::of(site, usual)).collect()
-    };
-    let measured: Vec<f64> =
-        points.iter().map(|(_, sites)| -2.0 * posterior(&likelihoods(sites), vague).log_evidence).collect();
+    let usual = error_of_readings(points, coefficient);
+    let measured = along.deviances(usual, vague);
     let before = |x: f64| match coefficient {
         Coefficient::Searched(of_case) => {
             (((scale.back(x) / of_case).ln() - prior.mean) / prior.log_std).powi(2)
@@ -174,40 +225,21 @@ pub fn fit_parameter(
     let least = (0..points.len()).fold(0, |least, i| if deviances[i] < deviances[least] { i } else { least });
     let excess: Vec<(f64, f64)> =
         points.iter().zip(&deviances).map(|((x, _), deviance)| (*x, deviance - deviances[least])).collect();
-    let end = match least {
-        0 => Some(BracketEnd::Low),
-        i if i + 1 == points.len() => Some(BracketEnd::High),
-        _ => None,
-    };
-    let crossing = |from: &(f64, f64), to: &(f64, f64)| {
-        scale.back(from.0 + (EXCLUDED - from.1) / (to.1 - from.1) * (to.0 - from.0))
-    };
-    let low = excess[..=least].windows(2).rev().find(|pair| pair[0].1 > EXCLUDED);
-    let high = excess[least..].windows(2).find(|pair| pair[1].1 > EXCLUDED);
-    let interval =
-        (low.map(|pair| crossing(&pair[1], &pair[0])), high.map(|pair| crossing(&pair[0], &pair[1])));
-    let sites = likelihoods(&points[least].1);
+    let interval = along.interval(&excess, least);
+    let sites = likelihoods(&points[least].1, usual);
     let mut found = posterior(&sites, of_result);
     if let (Coefficient::Searched(_), (Some(low), Some(high))) = (coefficient, interval) {
         found = found.known_to((high / low).ln().abs() / (2.0 * QUANTILE_97_5), &sites, prior);
     }
-    // Values of negligible weight are left out: with classes each takes an integration.
-    let all = points.iter().zip(&excess).filter(|(_, (_, deviance))| *deviance < NEGLIGIBLE);
-    let all: Vec<(f64, Posterior, f64)> = match coefficient {
-        Coefficient::Fitted => all
-            .map(|((x, sites), (_, deviance))| (*x, posterior(&likelihoods(sites), prior), *deviance))
-            .collect(),
-        Coefficient::OfCase | Coefficient::Searched(_) => Vec::new(),
-    };
     let (smallest, largest) =
         measured.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (x.min(low), x.max(high)));
     Ok(ParameterFit {
         value: scale.back(vertex(&excess, least)),
-        used: count(best),
+        used: *used,
         interval,
-        end,
+        end: BracketEnd::at(least, points.len()),
         posterior: found,
-        weighted: (!all.is_empty()).then(|| weighted(&all)),
+        weighted: (coefficient == Coefficient::Fitted).then(|| along.over_all(&excess, usual, prior)),
         contrast: largest - smallest,
         profile: excess.iter().map(|(x, deviance)| (scale.back(*x), *deviance)).collect(),
     })
@@ -238,8 +270,7 @@ fn vertex(points: &[(f64, f64)], least: usize) -> f64 {
 #[must_use]
 pub fn coefficient_at(trial: &Trial, prior: Prior) -> Posterior {
     let usual = usual_error(&trial.sites);
-    let sites: Vec<SiteLikelihood> = trial.sites.iter().map(|site| SiteLikelihood::of(site, usual)).collect();
-    posterior(&sites, prior)
+    posterior(&likelihoods(&trial.sites, usual), prior)
 }
 
 /// Mean and standard deviation of ln(C/C0) over points (x, posterior, deviance), by the trapezoidal

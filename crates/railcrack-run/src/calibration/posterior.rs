@@ -34,6 +34,14 @@ impl From<CalibrationPrior> for Prior {
     }
 }
 
+impl Prior {
+    /// The setting of a calibrated case, to whose coefficient the mean would be relative; none
+    /// where that changes nothing.
+    pub fn reset(self) -> Option<String> {
+        (self.mean != 0.0).then(|| "calibration.prior_log_mean=0.0".to_owned())
+    }
+}
+
 /// The likelihood of ln(C/C0) by the measurements at one site.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SiteLikelihood {

@@ -5,8 +5,7 @@ use super::case_keys::CaseDifference;
 use super::comparison::Comparison;
 use super::parting::Parting;
 use super::stored::{RunLabel, TipKey};
-use super::tables::{CompareRow, PositionRow};
-use super::tip::TipComparison;
+use super::tables::{PositionRow, TipComparison};
 use crate::csv::read_table;
 use crate::disk::files::COMPARE_FILE;
 use crate::disk::read_json;
@@ -34,8 +33,7 @@ struct Document {
 /// Errors: no comparison there; a file of it is damaged; the system refuses.
 pub fn stored_comparison(folder: &Path) -> Result<(Comparison, Option<f64>), OutputError> {
     let document: Document = read_json(folder, COMPARE_FILE)?;
-    let rows: Vec<CompareRow> = read_table(folder)?;
-    let tips: Vec<TipComparison> = rows.into_iter().map(Into::into).collect();
+    let tips: Vec<TipComparison> = read_table(folder)?;
     let mut positions = read_positions(folder)?;
     let of_tip = |tip: &TipComparison| positions.remove(&(tip.step, tip.crack, tip.tip)).unwrap_or_default();
     let comparison = Comparison {

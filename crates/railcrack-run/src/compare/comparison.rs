@@ -5,7 +5,8 @@ use super::case_keys::{CaseDifference, case_differences};
 use super::notes::notes;
 use super::parting::{Parting, parting};
 use super::stored::{RunLabel, StoredRun, TipKey};
-use super::tip::{SifDifference, TipComparison, TipSifs, percent};
+use super::tables::TipComparison;
+use super::tip::{SifDifference, percent};
 use crate::error::OutputError;
 use crate::summary::CrackSummary;
 use std::path::Path;
@@ -50,9 +51,10 @@ impl Comparison {
             tips.extend(tip_comparison(runs, key, &at_same_positions));
             aligned.push(at_same_positions);
         }
-        for tip in &mut tips {
-            tip.step_peak = step_peak(runs, tip.step);
-        }
+        let peaks: Vec<f64> = tips.iter().map(|tip: &TipComparison| step_peak(runs, tip.step)).collect();
+        let peak = peaks.iter().copied().fold(0.0, f64::max);
+        let tips: Vec<_> =
+            tips.into_iter().zip(peaks).map(|(tip, of_step)| tip.with_peaks(of_step, peak)).collect();
         Ok(Self {
             runs: runs.map(StoredRun::label),
             case_differences: case_differences(
@@ -60,7 +62,7 @@ impl Comparison {
             )?,
             notes: notes(runs, &tips, &aligned),
             common_steps: first.summary().steps_recorded.min(second.summary().steps_recorded),
-            peak: tips.iter().map(|tip| tip.step_peak).fold(0.0, f64::max),
+            peak,
             parting: parting(runs, &keys),
             tips,
             aligned,
@@ -82,7 +84,7 @@ impl Comparison {
     /// The largest difference of K_I or K_II, in per cent of the largest |K| of the case; none
     /// where the runs have nothing in common.
     pub fn largest_percent(&self) -> Option<f64> {
-        let all = self.tips.iter().filter_map(|tip| tip.sifs);
+        let all = self.tips.iter().filter_map(TipComparison::sifs);
         all.map(|sifs| self.percent(sifs.ki.largest.max(sifs.kii.largest))).reduce(f64::max)
     }
 }
@@ -97,20 +99,31 @@ fn step_peak(runs: [&StoredRun; 2], step: usize) -> f64 {
     runs.map(of_step).into_iter().fold(0.0, f64::max)
 }
 
-/// The tip `key` in both runs, without the peak of its step.
+/// The tip `key` in both runs, without the peaks.
 fn tip_comparison(runs: [&StoredRun; 2], key: TipKey, aligned: &Aligned) -> Option<TipComparison> {
     let (step, crack, tip) = key;
     let [first, second] = runs.map(|run| run.growth.get(&key));
     let rows = [first?, second?];
     let [[x1, y1], [x2, y2]] = rows.map(|row| row.place);
-    let sifs = difference(aligned, &aligned.ki).zip(difference(aligned, &aligned.kii));
+    let [ki, kii] = [&aligned.ki, &aligned.kii].map(|k| difference(aligned, k));
     Some(TipComparison {
         step,
         crack,
         tip,
-        sifs: sifs.map(|(ki, kii)| TipSifs { positions: aligned.xc_over_a.len(), ki, kii }),
+        positions: aligned.xc_over_a.len(),
+        dki: ki.map(|ki| ki.largest),
+        dki_of_step: None,
+        dki_of_case: None,
+        dki_xc_over_a: ki.map(|ki| ki.xc_over_a),
+        dki_rms: ki.map(|ki| ki.rms),
+        dkii: kii.map(|kii| kii.largest),
+        dkii_of_step: None,
+        dkii_of_case: None,
+        dkii_xc_over_a: kii.map(|kii| kii.xc_over_a),
+        dkii_rms: kii.map(|kii| kii.rms),
         step_peak: 0.0,
-        places: rows.map(|row| row.place),
+        first_place: rows[0].place,
+        second_place: rows[1].place,
         distance: (x2 - x1).hypot(y2 - y1),
         lengths: rows.map(|row| row.length),
         load_cycles: rows.map(|row| row.load_cycles),

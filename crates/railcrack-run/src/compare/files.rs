@@ -2,7 +2,7 @@
 
 use super::comparison::Comparison;
 use super::json::json_text;
-use super::tables::{CompareRow, PositionRow};
+use super::tables::{PositionRow, TipComparison};
 use crate::csv::{Table, whole};
 use crate::disk::files::{COMPARE_FILE, REPORT_FILE, SUMS_FILE};
 use crate::disk::{Durability, checksums, replace_file, write_sums};
@@ -18,8 +18,16 @@ pub const LAST_STEP: &str = "compare-sif-last.svg";
 /// Plot of the paths.
 pub const PATHS: &str = "compare-paths.svg";
 
-const FILES: [&str; 8] =
-    [CompareRow::FILE, PositionRow::FILE, COMPARE_FILE, SUMS_FILE, FIRST_STEP, LAST_STEP, PATHS, REPORT_FILE];
+const FILES: [&str; 8] = [
+    TipComparison::FILE,
+    PositionRow::FILE,
+    COMPARE_FILE,
+    SUMS_FILE,
+    FIRST_STEP,
+    LAST_STEP,
+    PATHS,
+    REPORT_FILE,
+];
 
 impl Comparison {
     /// Writes tables, `compare.json`, plots and report to `folder`, which is created where it does
@@ -40,9 +48,9 @@ impl Comparison {
         }
         std::fs::create_dir_all(folder).map_err(OutputError::io("create", folder))?;
         let put = |file: &str, content: &[u8]| replace_file(&folder.join(file), content, Durability::Cached);
-        put(CompareRow::FILE, &whole(self.tips.iter().map(|tip| CompareRow::of(self, tip)))?)?;
+        put(TipComparison::FILE, &whole(self.tips.iter().copied())?)?;
         put(PositionRow::FILE, &whole(self.tips.iter().zip(&self.aligned).flat_map(PositionRow::of_tip))?)?;
-        let checksums = checksums(folder, [CompareRow::FILE, PositionRow::FILE])?;
+        let checksums = checksums(folder, [TipComparison::FILE, PositionRow::FILE])?;
         write_sums(folder, &checksums)?;
         put(COMPARE_FILE, json_text(self, tolerance, &checksums).as_bytes())?;
         Ok(())

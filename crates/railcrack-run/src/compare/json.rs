@@ -1,7 +1,8 @@
 //! `compare.json`: the comparison in numbers.
 
 use super::comparison::Comparison;
-use super::tip::{SifDifference, TipComparison, TipSifs};
+use super::tables::TipComparison;
+use super::tip::{SifDifference, TipSifs};
 use crate::disk::{VERSION, sign};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -62,7 +63,7 @@ fn largest_of(comparison: &Comparison, mode: fn(TipSifs) -> SifDifference) -> Op
 impl Comparison {
     /// The tip and step with the largest difference of a mode; the first of several.
     pub fn largest(&self, mode: fn(TipSifs) -> SifDifference) -> Option<(&TipComparison, SifDifference)> {
-        let all = self.tips.iter().filter_map(|tip| tip.sifs.map(|sifs| (tip, mode(sifs))));
+        let all = self.tips.iter().filter_map(|tip| Some((tip, mode(tip.sifs()?))));
         all.reduce(|most, next| if next.1.largest > most.1.largest { next } else { most })
     }
 

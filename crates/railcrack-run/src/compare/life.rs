@@ -1,7 +1,7 @@
 //! Lives of two runs, to the same length of the same crack.
 
 use super::comparison::Comparison;
-use super::tip::TipComparison;
+use super::tables::TipComparison;
 
 /// Load cycles of both runs to the largest length that the crack has in both.
 #[derive(Debug, Clone, Copy, PartialEq)]

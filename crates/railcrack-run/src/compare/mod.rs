@@ -23,5 +23,5 @@ pub use files::{FIRST_STEP, LAST_STEP, PATHS};
 pub use life::SameLength;
 pub use parting::Parting;
 pub use stored::RunLabel;
-pub use tables::{CompareRow, PositionRow};
-pub use tip::{SifDifference, TipComparison, TipSifs};
+pub use tables::{PositionRow, TipComparison};
+pub use tip::{SifDifference, TipSifs};

@@ -2,7 +2,7 @@
 
 use super::align::Aligned;
 use super::stored::{StoredRun, TipKey};
-use super::tip::TipComparison;
+use super::tables::TipComparison;
 use std::collections::BTreeSet;
 
 const NAMES: [&str; 2] = ["first", "second"];
@@ -54,7 +54,7 @@ fn lone_tips(runs: [&StoredRun; 2]) -> Vec<String> {
 
 fn positions(runs: [&StoredRun; 2], tips: &[TipComparison], aligned: &[Aligned]) -> Vec<String> {
     let mut notes = Vec::new();
-    if tips.iter().any(|tip| tip.sifs.is_none()) {
+    if tips.iter().any(|tip| tip.sifs().is_none()) {
         notes.push("the passages have no wheel position in common: K is not compared".to_owned());
     }
     let Some((tip, aligned)) = tips.iter().zip(aligned).find(|(_, aligned)| aligned.interpolated.is_some())

@@ -1,15 +1,14 @@
 //! `compare.csv` and `compare-positions.csv`.
 
 use super::align::Aligned;
-use super::comparison::Comparison;
-use super::tip::{SifDifference, TipComparison, TipSifs};
+use super::tip::{SifDifference, TipSifs, percent};
 use crate::csv::table;
 use railcrack::growth::RunStop;
 
 table! {
     /// A tip at a growth step in two runs.
     #[derive(Debug, Clone, Copy, PartialEq)]
-    pub struct CompareRow in "compare.csv", [
+    pub struct TipComparison in "compare.csv", [
         "Comparison of two runs: a row per step and tip present in both; _1 and _2: first and second run",
         "dki, dkii: absolute difference of K over the stabilised passage, MPa sqrt(m): its maximum, the position of the maximum, and its root mean square",
         "percent_of_step, percent_of_case: of the largest |K_I| or |K_II| of both runs in the step, in all common steps",
@@ -68,68 +67,30 @@ table! {
     }
 }
 
-impl CompareRow {
-    pub(super) fn of(comparison: &Comparison, tip: &TipComparison) -> Self {
-        let TipComparison {
-            step, crack, tip: number, step_peak, places: [first_place, second_place], ..
-        } = *tip;
-        let (ki, kii) = (tip.sifs.map(|sifs| sifs.ki), tip.sifs.map(|sifs| sifs.kii));
-        let of_step = |mode: SifDifference| tip.percent(mode.largest);
-        let of_case = |mode: SifDifference| comparison.percent(mode.largest);
+impl TipComparison {
+    /// Differences of K; none where the passages have no position in common.
+    pub fn sifs(&self) -> Option<TipSifs> {
+        let ki = SifDifference { largest: self.dki?, xc_over_a: self.dki_xc_over_a?, rms: self.dki_rms? };
+        let kii = SifDifference { largest: self.dkii?, xc_over_a: self.dkii_xc_over_a?, rms: self.dkii_rms? };
+        Some(TipSifs { positions: self.positions, ki, kii })
+    }
+
+    /// The tip with the largest |K| of its step and of all steps.
+    pub(super) fn with_peaks(self, step_peak: f64, peak: f64) -> Self {
+        let of = |k: Option<f64>, peak| k.map(|k| percent(k, peak));
         Self {
-            step,
-            crack,
-            tip: number,
-            positions: tip.sifs.map_or(0, |sifs| sifs.positions),
-            dki: ki.map(|mode| mode.largest),
-            dki_of_step: ki.map(of_step),
-            dki_of_case: ki.map(of_case),
-            dki_xc_over_a: ki.map(|mode| mode.xc_over_a),
-            dki_rms: ki.map(|mode| mode.rms),
-            dkii: kii.map(|mode| mode.largest),
-            dkii_of_step: kii.map(of_step),
-            dkii_of_case: kii.map(of_case),
-            dkii_xc_over_a: kii.map(|mode| mode.xc_over_a),
-            dkii_rms: kii.map(|mode| mode.rms),
             step_peak,
-            first_place,
-            second_place,
-            distance: tip.distance,
-            lengths: tip.lengths,
-            load_cycles: tip.load_cycles,
-            kink_deg: tip.kink_deg,
-            rival_deg: tip.rival_deg,
-            rival_ratio: tip.rival_ratio,
-            stops: tip.stops,
+            dki_of_step: of(self.dki, step_peak),
+            dki_of_case: of(self.dki, peak),
+            dkii_of_step: of(self.dkii, step_peak),
+            dkii_of_case: of(self.dkii, peak),
+            ..self
         }
     }
-}
 
-impl From<CompareRow> for TipComparison {
-    fn from(row: CompareRow) -> Self {
-        let mode = |largest: Option<f64>, xc_over_a: Option<f64>, rms: Option<f64>| {
-            Some(SifDifference { largest: largest?, xc_over_a: xc_over_a?, rms: rms? })
-        };
-        let modes = mode(row.dki, row.dki_xc_over_a, row.dki_rms).zip(mode(
-            row.dkii,
-            row.dkii_xc_over_a,
-            row.dkii_rms,
-        ));
-        Self {
-            step: row.step,
-            crack: row.crack,
-            tip: row.tip,
-            sifs: modes.map(|(ki, kii)| TipSifs { positions: row.positions, ki, kii }),
-            step_peak: row.step_peak,
-            places: [row.first_place, row.second_place],
-            distance: row.distance,
-            lengths: row.lengths,
-            load_cycles: row.load_cycles,
-            kink_deg: row.kink_deg,
-            rival_deg: row.rival_deg,
-            rival_ratio: row.rival_ratio,
-            stops: row.stops,
-        }
+    /// `k` (MPa √m) in per cent of the largest |K| of the step.
+    pub fn percent(&self, k: f64) -> f64 {
+        percent(k, self.step_peak)
     }
 }
 

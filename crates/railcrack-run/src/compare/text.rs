@@ -1,151 +1,121 @@
 //! A comparison as text.
 
+use super::case_keys::CaseDifference;
 use super::comparison::Comparison;
+use super::life::SameLength;
 use super::parting::Parting;
-use super::tip::{SifDifference, TipComparison};
+use super::stored::RunLabel;
+use super::tables::TipComparison;
+use super::tip::{SifDifference, TipSifs};
 use railcrack::growth::RunStop;
 use railcrack::words::Choice;
-use std::fmt::Write;
 
 impl Comparison {
     /// The differences, for a terminal: runs, cases, a table with the tip that differs most in each
     /// step, where paths part, and, where there is a `tolerance` (per cent of the largest |K| of
     /// the case), whether K is within it.
     pub fn text(&self, tolerance: Option<f64>) -> String {
-        let mut text = self.runs_text();
-        self.add_cases(&mut text);
-        for note in &self.notes {
-            add(&mut text, format_args!("note: {note}"));
-        }
+        let mut lines = self.runs_text();
+        lines.extend(self.cases_text());
+        lines.extend(self.notes.iter().map(|note| format!("note: {note}")));
         if self.tips.is_empty() {
-            add(&mut text, format_args!("the runs have no step and tip in common"));
-            return text;
+            lines.push("the runs have no step and tip in common".to_owned());
+            return lines.join("\n") + "\n";
         }
-        self.add_life(&mut text);
-        self.add_table(&mut text);
-        self.add_largest(&mut text);
-        self.add_paths(&mut text);
+        lines.extend(self.life_text());
+        lines.extend(self.table_text());
+        lines.push(format!("\nlargest |K| of both runs: {:.4} MPa√m; in per cent of it:", self.peak));
+        lines.extend(self.largest_text("K_I ", |sifs| sifs.ki));
+        lines.extend(self.largest_text("K_II", |sifs| sifs.kii));
+        lines.extend(self.paths_text());
         if let (Some(tolerance), Some(largest)) = (tolerance, self.largest_percent()) {
             let how = if self.is_within(tolerance) { "within" } else { "NOT within" };
-            add(
-                &mut text,
-                format_args!("K is {how} the tolerance of {tolerance} %: it differs by {} %", small(largest)),
-            );
+            let largest = small(largest);
+            lines.push(format!("K is {how} the tolerance of {tolerance} %: it differs by {largest} %"));
         }
-        text
+        lines.join("\n") + "\n"
     }
 
-    fn runs_text(&self) -> String {
-        let mut text = String::new();
-        for (run, name) in self.runs.iter().zip(["first ", "second"]) {
+    fn runs_text(&self) -> Vec<String> {
+        let line = |(run, name): (&RunLabel, &str)| {
             let stop = run.stop.map_or("not ended", RunStop::word);
             let (folder, engine, contact) = (run.folder.display(), run.engine.word(), run.contact.word());
             let (boundary, steps) = (run.boundary.word(), run.steps_recorded);
-            add(
-                &mut text,
-                format_args!("{name}  {folder}: {engine}, {contact}, {boundary}; {steps} steps, {stop}"),
-            );
-        }
-        text
+            format!("{name}  {folder}: {engine}, {contact}, {boundary}; {steps} steps, {stop}")
+        };
+        self.runs.iter().zip(["first ", "second"]).map(line).collect()
     }
 
-    fn add_cases(&self, text: &mut String) {
+    fn cases_text(&self) -> Vec<String> {
         if self.case_differences.is_empty() {
-            add(text, format_args!("cases   equal"));
+            return vec!["cases   equal".to_owned()];
         }
-        for difference in &self.case_differences {
-            let [first, second] =
-                difference.values.each_ref().map(|value| value.as_deref().unwrap_or("(not there)"));
-            add(text, format_args!("case    {}: {first} | {second}", difference.key));
-        }
+        let line = |difference: &CaseDifference| {
+            let values = difference.values.each_ref();
+            let [first, second] = values.map(|value| value.as_deref().unwrap_or("(not there)"));
+            format!("case    {}: {first} | {second}", difference.key)
+        };
+        self.case_differences.iter().map(line).collect()
     }
 
-    fn add_life(&self, text: &mut String) {
-        let Some(life) = self.life() else { return };
-        let [first, second] = life.load_cycles;
-        let tonnes = life.million_gross_tonnes.map_or_else(String::new, |[first, second]| {
+    fn life_text(&self) -> Option<String> {
+        let SameLength { length, crack, load_cycles: [first, second], million_gross_tonnes } = self.life()?;
+        let tonnes = million_gross_tonnes.map_or_else(String::new, |[first, second]| {
             format!(", {first:.3} | {second:.3} million gross tonnes")
         });
-        add(
-            text,
-            format_args!(
-                "life    to {:.3} mm of crack {}: {first:.0} | {second:.0} load cycles{tonnes}; the second is {:.3} times the first",
-                life.length,
-                life.crack,
-                second / first
-            ),
-        );
+        Some(format!(
+            "life    to {length:.3} mm of crack {crack}: {first:.0} | {second:.0} load cycles{tonnes}; the second is {:.3} times the first",
+            second / first
+        ))
     }
 
-    fn add_table(&self, text: &mut String) {
+    fn table_text(&self) -> Vec<String> {
         let one_tip =
             self.tips.iter().all(|tip| (tip.crack, tip.tip) == (self.tips[0].crack, self.tips[0].tip));
         let which = if one_tip { "" } else { "; of each step the tip that differs most" };
-        add(text, format_args!("\nlargest differences over the passage, % of the step's largest |K|{which}"));
-        add(
-            text,
-            format_args!(
-                "step tip     |dK_I| MPa√m       % at x_c/a   |dK_II| MPa√m       % at x_c/a  tips apart mm  \
-                 length mm           kink deg        cycles"
-            ),
-        );
-        for step in 0..self.common_steps {
+        let worst = (0..self.common_steps).filter_map(|step| {
             let tips = self.tips.iter().filter(|tip| tip.step == step);
-            let worst = tips.reduce(|most, next| if badness(next) > badness(most) { next } else { most });
-            if let Some(tip) = worst {
-                add(text, format_args!("{}", row(tip)));
-            }
-        }
+            tips.reduce(|most, next| if badness(next) > badness(most) { next } else { most })
+        });
+        let head = [
+            format!("\nlargest differences over the passage, % of the step's largest |K|{which}"),
+            "step tip     |dK_I| MPa√m       % at x_c/a   |dK_II| MPa√m       % at x_c/a  tips apart mm  \
+             length mm           kink deg        cycles"
+                .to_owned(),
+        ];
+        head.into_iter().chain(worst.map(row)).collect()
     }
 
-    fn add_largest(&self, text: &mut String) {
-        let peak = self.peak;
-        add(text, format_args!("\nlargest |K| of both runs: {peak:.4} MPa√m; in per cent of it:"));
-        let modes = [("K_I ", self.largest(|sifs| sifs.ki)), ("K_II", self.largest(|sifs| sifs.kii))];
-        for (name, largest) in modes {
-            let Some((tip, difference)) = largest else { continue };
-            let SifDifference { largest, xc_over_a, rms } = difference;
-            let TipComparison { step, crack, tip, .. } = tip;
-            let [percent, k, rms] = [self.percent(largest), largest, rms].map(small);
-            add(
-                text,
-                format_args!(
-                    "  {name} differs by at most {percent} % ({k} MPa√m, rms {rms}) at step {step}, crack {crack}, tip \
-                     {tip}, x_c/a = {xc_over_a:.3}"
-                ),
-            );
-        }
+    fn largest_text(&self, name: &str, mode: fn(TipSifs) -> SifDifference) -> Option<String> {
+        let (TipComparison { step, crack, tip, .. }, difference) = self.largest(mode)?;
+        let SifDifference { largest, xc_over_a, rms } = difference;
+        let [percent, k, rms] = [self.percent(largest), largest, rms].map(small);
+        Some(format!(
+            "  {name} differs by at most {percent} % ({k} MPa√m, rms {rms}) at step {step}, crack {crack}, tip \
+             {tip}, x_c/a = {xc_over_a:.3}"
+        ))
     }
 
-    fn add_paths(&self, text: &mut String) {
+    fn paths_text(&self) -> Vec<String> {
+        let mut lines = Vec::new();
         if let Some(TipComparison { distance, step, crack, tip, .. }) = self.farthest() {
-            add(
-                text,
-                format_args!(
-                    "tips are at most {distance:.4} mm apart: step {step}, crack {crack}, tip {tip}"
-                ),
-            );
+            let place = format!("step {step}, crack {crack}, tip {tip}");
+            lines.push(format!("tips are at most {distance:.4} mm apart: {place}"));
         }
-        match &self.parting {
-            None => add(text, format_args!("the paths do not part: kinks differ by at most 5°")),
-            Some(parting) => add(text, format_args!("{}", parting_text(parting))),
-        }
+        let equal = || "the paths do not part: kinks differ by at most 5°".to_owned();
+        lines.push(self.parting.as_ref().map_or_else(equal, parting_text));
         for tip in self.tips.iter().filter(|tip| tip.stops[0] != tip.stops[1]) {
             let [first, second] = tip.stops.map(|stop| stop.map_or("goes on", RunStop::word));
             let TipComparison { step, crack, tip, .. } = tip;
-            add(text, format_args!("step {step}, crack {crack}, tip {tip}: {first} | {second}"));
+            lines.push(format!("step {step}, crack {crack}, tip {tip}: {first} | {second}"));
         }
+        lines
     }
-}
-
-fn add(text: &mut String, line: std::fmt::Arguments) {
-    // Writing to a string does not fail.
-    let _ = writeln!(text, "{line}");
 }
 
 /// Order of the tips of a step: by the largest difference of K.
 fn badness(tip: &TipComparison) -> f64 {
-    tip.sifs.map_or(tip.distance, |sifs| sifs.ki.largest.max(sifs.kii.largest))
+    tip.sifs().map_or(tip.distance, |sifs| sifs.ki.largest.max(sifs.kii.largest))
 }
 
 /// A difference: three decimals, or a power of ten where they would hide it.
@@ -171,8 +141,8 @@ fn row(tip: &TipComparison) -> String {
         "{:>4} {:<6} {} {} {:>14}  {:<19} {:<15} {:.0} | {:.0}",
         tip.step,
         format!("{}.{}", tip.crack, tip.tip),
-        mode(tip.sifs.map(|sifs| sifs.ki)),
-        mode(tip.sifs.map(|sifs| sifs.kii)),
+        mode(tip.sifs().map(|sifs| sifs.ki)),
+        mode(tip.sifs().map(|sifs| sifs.kii)),
         small(tip.distance),
         lengths,
         format!("{first} | {second}"),

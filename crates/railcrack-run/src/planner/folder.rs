@@ -6,7 +6,8 @@ use crate::csv::{Table, whole};
 use crate::disk::files::{CASE_FILE, PLANS_FILE};
 use crate::disk::{Durability, checksums, read_json, replace_file, write_json, write_sums};
 use crate::error::OutputError;
-use crate::run_folder::stored_case;
+use crate::run_folder::{read_case, stored_case};
+use railcrack_case::Case;
 use std::path::{Path, PathBuf};
 
 /// The results of `railcrack plan`, read back from their folder.
@@ -30,6 +31,13 @@ impl PlanFolder {
             case_text: stored_case(path)?.unwrap_or_default(),
             path: path.to_path_buf(),
         })
+    }
+
+    /// The case.
+    ///
+    /// Errors: there is none, or this version does not accept it.
+    pub fn case(&self) -> Result<Case, OutputError> {
+        read_case(&self.path)
     }
 }
 

@@ -1,5 +1,6 @@
 //! A population of cracks made from the runs of a study.
 
+use super::drawn::{DrawnRuns, IndexedRuns, MOST_RUNS};
 use super::interpolation::Interpolation;
 use super::shape::{NUMBERS, numbers_of, path_of, path_of_tip};
 use crate::decision::{
@@ -7,16 +8,14 @@ use crate::decision::{
     ScatterSummary, Track, tonnages,
 };
 use crate::study::{
-    Between, InterpolationError, Population, PopulationPlan, RunState, StudyAxis, StudyPlan, StudyResults,
-    StudyRow, distributions,
+    Between, InterpolationError, Population, PopulationPlan, StudyAxis, StudyPlan, StudyResults, StudyRow,
+    distributions,
 };
 use railcrack::growth::{Axles, RunStop, SurfaceRemoval};
 use railcrack::math::Matrix;
-use railcrack_case::{Distribution, Scatter};
+use railcrack_case::Scatter;
 use rayon::prelude::*;
 
-/// Maximum number of runs used for interpolation; further runs measure its error.
-const MOST_RUNS: usize = 200;
 /// Fraction of the runs that may be left out.
 const MOST_LEFT_OUT: f64 = 0.05;
 /// Fraction of the runs that may have no interval by their verdicts: more, and the population is
@@ -24,9 +23,6 @@ const MOST_LEFT_OUT: f64 = 0.05;
 const MOST_REFUSED: f64 = 0.2;
 /// Samples of a piece that one thread makes.
 const PIECE: usize = 1000;
-
-/// Runs with the index of their values of the drawn keys.
-type DrawnRuns<'a> = Vec<(usize, &'a StudyRow)>;
 
 /// A run as a point of the space of inputs.
 struct Point {
@@ -38,13 +34,13 @@ struct Point {
 
 impl Population {
     /// Populations from the finished runs of a study; empty where `plan` has no samples between
-    /// them.
+    /// them. Runs beyond the most between which is interpolated measure the error.
     pub fn of(plan: &StudyPlan, results: &StudyResults) -> Vec<Self> {
         let Some(population) = &plan.population else { return Vec::new() };
         let Some(drawn) = plan.axes.iter().position(StudyAxis::is_drawn) else { return Vec::new() };
-        let texts = plan.axes[drawn].keys.iter().map(|key| key.distribution.as_deref());
-        let distributions = distributions(texts);
-        let mut groups: Vec<(Vec<usize>, DrawnRuns)> = Vec::new();
+        let axis = &plan.axes[drawn];
+        let distributions = distributions(axis.keys.iter().map(|key| key.distribution.as_deref()));
+        let mut groups: Vec<(Vec<usize>, IndexedRuns)> = Vec::new();
         for (run, row) in plan.runs.iter().zip(&results.rows) {
             let mut choice = run.choice.clone();
             let index = std::mem::take(&mut choice[drawn]);
@@ -53,117 +49,83 @@ impl Population {
                 None => groups.push((choice, vec![(index, row)])),
             }
         }
-        let of_group = |(choice, runs): (Vec<usize>, DrawnRuns)| {
+        let of_group = |(choice, runs): (Vec<usize>, IndexedRuns)| {
             let names = plan.axes.iter().zip(&choice).enumerate().filter(|(axis, _)| *axis != drawn);
             let choice: Vec<String> =
                 names.map(|(_, (axis, &index))| format!("{} = {}", axis.name(), axis.value(index))).collect();
             let made = match &distributions {
-                Some(distributions) => Self::of_runs(population, &plan.axes[drawn], distributions, &runs),
+                Some(distributions) => of_runs(&DrawnRuns { plan: population, axis, distributions, runs }),
                 None => Err("one of the sampled keys is not a number".to_owned()),
             };
-            let made = made.unwrap_or_else(Self::none);
+            let made = made.unwrap_or_else(|reason| Self { reason: Some(reason), ..Self::default() });
             Self { choice: choice.join(", "), ..made }
         };
         groups.into_iter().map(of_group).collect()
     }
+}
 
-    fn none(reason: String) -> Self {
-        Self {
-            choice: String::new(),
-            runs: 0,
-            left_out: 0,
-            error: None,
-            interval_mgt: None,
-            scatter: None,
-            reason: Some(reason),
-        }
+/// The population of `drawn`.
+///
+/// Errors: why there are no samples.
+fn of_runs(drawn: &DrawnRuns) -> Result<Population, String> {
+    let (refused, finished) = refused(drawn);
+    if refused as f64 > MOST_REFUSED * finished as f64 {
+        return Err(format!(
+            "{refused} of {finished} runs are outside of what the model describes, or fail at once"
+        ));
     }
-
-    fn of_runs(
-        plan: &PopulationPlan,
-        axis: &StudyAxis,
-        distributions: &[Distribution],
-        runs: &[(usize, &StudyRow)],
-    ) -> Result<Self, String> {
-        let (refused, finished) = refused(runs);
-        if refused as f64 > MOST_REFUSED * finished as f64 {
-            return Err(format!(
-                "{refused} of {finished} runs are outside of what the model describes, or fail at once"
-            ));
-        }
-        if plan.between == Between::Lives {
-            return super::lives::population(plan, axis, distributions, runs);
-        }
-        let done: Vec<_> = runs.iter().filter(|(_, row)| row.state == RunState::Done).collect();
-        let points: Vec<Point> =
-            done.iter().filter_map(|(index, row)| Point::of(axis, *index, distributions, row)).collect();
-        let left_out = done.len() - points.len();
-        if left_out as f64 > MOST_LEFT_OUT * done.len() as f64 {
-            return Err(format!("{left_out} of {} cracks do not grow", done.len()));
-        }
-        let (base, beyond) = points.split_at(points.len().min(MOST_RUNS));
-        let inputs: Vec<Vec<f64>> = base.iter().map(|point| point.inputs.clone()).collect();
-        let numbers = Matrix::from_fn(base.len(), NUMBERS, |i, j| base[i].numbers[j]);
-        let interpolation = Interpolation::of(&inputs, &numbers)
-            .ok_or_else(|| format!("{} runs are too few for {} keys", base.len(), distributions.len()))?;
-        let breaks = !base.is_empty() && base.iter().all(|point| point.breaks);
-        let question = question(plan);
-        let way = |path: &GrowthPath| {
-            let nominal = Nominal::of(&Course::of_path(path), &question);
-            InspectionSummary::of(&nominal, &question.inspection, &[])
-        };
-        let known = |(point, numbers): (&Point, Vec<f64>)| {
-            let exact = way(&GrowthPath { breaks: point.breaks, ..point.path.clone() });
-            let found = way(&path_of(&numbers, point.breaks));
-            let pair = exact.mgt_detectable_to_critical.zip(found.mgt_detectable_to_critical);
-            pair.filter(|(exact, found)| *exact > 0.0 && *found > 0.0)
-        };
-        let ways: Vec<(f64, f64)> = if beyond.is_empty() {
-            base.iter()
-                .enumerate()
-                .map(|(i, point)| (point, interpolation.left_out(i)))
-                .filter_map(known)
-                .collect()
-        } else {
-            beyond.iter().map(|point| (point, interpolation.at(&point.inputs))).filter_map(known).collect()
-        };
-        let nominal = path_of(&interpolation.at(&vec![0.0; distributions.len()]), breaks);
-        let samples = Samples { question, scatter: plan.scatter(), interpolation, breaks };
-        let interval_mgt = way(&nominal).interval_mgt;
-        Ok(Self {
-            choice: String::new(),
-            runs: base.len(),
-            left_out,
-            error: InterpolationError::of(&ways),
-            interval_mgt,
-            scatter: Some(samples.made(axis, distributions, &points, interval_mgt)),
-            reason: None,
-        })
+    if drawn.plan.between == Between::Lives {
+        return super::lives::population(drawn);
     }
+    let points: Vec<Point> =
+        drawn.done().filter_map(|(index, row)| Point::of(drawn.inputs(index)?, row)).collect();
+    let left_out = finished - points.len();
+    if left_out as f64 > MOST_LEFT_OUT * finished as f64 {
+        return Err(format!("{left_out} of {finished} cracks do not grow"));
+    }
+    let (base, beyond) = points.split_at(points.len().min(MOST_RUNS));
+    let inputs: Vec<Vec<f64>> = base.iter().map(|point| point.inputs.clone()).collect();
+    let numbers = Matrix::from_fn(base.len(), NUMBERS, |i, j| base[i].numbers[j]);
+    let interpolation = drawn.interpolated(&inputs, &numbers)?;
+    let breaks = !base.is_empty() && base.iter().all(|point| point.breaks);
+    let samples = Samples { drawn, question: question(drawn.plan), interpolation, breaks };
+    let interpolation = &samples.interpolation;
+    let pairs: Vec<(f64, f64)> = if beyond.is_empty() {
+        let all = base.iter().enumerate().map(|(i, point)| (point, interpolation.left_out(i)));
+        all.filter_map(|found| samples.exact_and_found(found)).collect()
+    } else {
+        let all = beyond.iter().map(|point| (point, interpolation.at(&point.inputs)));
+        all.filter_map(|found| samples.exact_and_found(found)).collect()
+    };
+    let nominal = path_of(&interpolation.at(&vec![0.0; drawn.distributions.len()]), breaks);
+    let interval_mgt = samples.inspected(&nominal).interval_mgt;
+    Ok(Population {
+        runs: base.len(),
+        left_out,
+        error: InterpolationError::of(&pairs),
+        interval_mgt,
+        scatter: Some(samples.summary(&points, interval_mgt)),
+        ..Population::default()
+    })
 }
 
 impl Point {
-    /// The point of a finished run, which has the values at `index` of the drawn keys; none where
-    /// its crack does not grow.
-    fn of(axis: &StudyAxis, index: usize, distributions: &[Distribution], row: &StudyRow) -> Option<Self> {
-        let values = axis.keys.iter().zip(distributions);
-        let inputs: Option<Vec<f64>> =
-            values.map(|(key, distribution)| distribution.standardised(key.values.get(index)?)).collect();
+    /// The point of a finished run with these `inputs`; none where its crack does not grow.
+    fn of(inputs: Vec<f64>, row: &StudyRow) -> Option<Self> {
         let tip = row.representative.as_ref()?;
         let path = path_of_tip(tip)?;
         let numbers = numbers_of(&path)?;
-        Some(Self { inputs: inputs?, numbers, path, breaks: tip.last().stop == Some(RunStop::Fracture) })
+        Some(Self { inputs, numbers, path, breaks: tip.last().stop == Some(RunStop::Fracture) })
     }
 }
 
-/// How many of the finished `runs` have no interval by their verdicts, and how many have finished.
-fn refused(runs: &[(usize, &StudyRow)]) -> (usize, usize) {
-    let done: Vec<_> = runs.iter().filter(|(_, row)| row.state == RunState::Done).collect();
+/// How many of the finished runs have no interval by their verdicts, and how many have finished.
+fn refused(drawn: &DrawnRuns) -> (usize, usize) {
     let has_none = |row: &StudyRow| {
         let verdict = row.summary.as_ref().and_then(|summary| summary.verdict.as_ref());
         verdict.is_some_and(|verdict| !verdict.gives_intervals())
     };
-    (done.iter().filter(|(_, row)| has_none(row)).count(), done.len())
+    (drawn.done().filter(|(_, row)| has_none(row)).count(), drawn.done().count())
 }
 
 /// The question to each crack of a population.
@@ -197,39 +159,42 @@ impl InterpolationError {
 }
 
 /// How samples are made.
-struct Samples {
+struct Samples<'a> {
+    drawn: &'a DrawnRuns<'a>,
     question: Question,
-    scatter: Scatter,
     interpolation: Interpolation,
     breaks: bool,
 }
 
-impl Samples {
-    fn made(
-        &self,
-        axis: &StudyAxis,
-        distributions: &[Distribution],
-        points: &[Point],
-        interval: Option<f64>,
-    ) -> ScatterSummary {
-        let scatter = &self.scatter;
-        let longest = points.iter().map(|point| &point.path).max_by(|a, b| {
-            let end = |path: &GrowthPath| path.points.last().map_or(0.0, |point| point.axles);
-            end(a).total_cmp(&end(b))
-        });
-        let tonnages = longest.map_or_else(Vec::new, |path| {
-            let axles = path.points.last().map_or(0.0, |point| point.axles);
-            tonnages(Axles(axles).mgt(self.question.tonnes).0, scatter)
-        });
-        let mut gathered = Gathered::new(scatter, tonnages.clone());
-        let mut draws = Draws::of(scatter, &[]);
-        let mut inputs: Vec<Vec<f64>> = Vec::with_capacity(scatter.samples);
-        let mut deviates = Vec::with_capacity(scatter.samples);
-        for _ in 0..scatter.samples {
-            deviates.push(draws.next());
-            let drawn = |of: &Distribution| of.standardised(&of.value(draws.share())).unwrap_or(0.0);
-            inputs.push(distributions.iter().map(drawn).collect());
-        }
+impl Samples<'_> {
+    /// The intervals of a rail that grows along `path`.
+    fn inspected(&self, path: &GrowthPath) -> InspectionSummary {
+        let nominal = Nominal::of(&Course::of_path(path), &self.question);
+        InspectionSummary::of(&nominal, &self.question.inspection, &[])
+    }
+
+    /// The tonnage from detectable to critical of a run, and by the `numbers` interpolated there.
+    fn exact_and_found(&self, (point, numbers): (&Point, Vec<f64>)) -> Option<(f64, f64)> {
+        let exact = self.inspected(&GrowthPath { breaks: point.breaks, ..point.path.clone() });
+        let found = self.inspected(&path_of(&numbers, point.breaks));
+        let pair = exact.mgt_detectable_to_critical.zip(found.mgt_detectable_to_critical);
+        pair.filter(|(exact, found)| *exact > 0.0 && *found > 0.0)
+    }
+
+    /// Million gross tonnes at which depths are gathered: those of the longest of `points`.
+    fn tonnages(&self, points: &[Point], scatter: &Scatter) -> Vec<f64> {
+        let end = |point: &Point| point.path.points.last().map_or(0.0, |point| point.axles);
+        let longest = points.iter().map(end).max_by(f64::total_cmp);
+        longest.map_or_else(Vec::new, |axles| tonnages(Axles(axles).mgt(self.question.tonnes).0, scatter))
+    }
+
+    fn summary(&self, points: &[Point], interval: Option<f64>) -> ScatterSummary {
+        let scatter = self.drawn.plan.scatter();
+        let tonnages = self.tonnages(points, &scatter);
+        let mut gathered = Gathered::new(&scatter, tonnages.clone());
+        let mut draws = Draws::of(&scatter, &[]);
+        let both = (0..scatter.samples).map(|_| (draws.next(), self.drawn.draw(&mut draws)));
+        let (deviates, inputs): (Vec<_>, Vec<Vec<f64>>) = both.unzip();
         let made: Vec<_> = inputs
             .par_chunks(PIECE)
             .zip(deviates.par_chunks(PIECE))
@@ -241,7 +206,7 @@ impl Samples {
                     let sampler = Sampler::of(Sampling {
                         family: &family,
                         question: self.question,
-                        scatter,
+                        scatter: &scatter,
                         mix: &[],
                         arrest_rate: 0.0,
                         has_own_toughness: false,
@@ -256,8 +221,6 @@ impl Samples {
         for (sample, depths) in made {
             gathered.take(sample, depths);
         }
-        let names = axis.keys.iter().map(|key| key.name.as_str());
-        let sensitivities = gathered.sensitivities(scatter, names, &inputs);
-        gathered.summary(scatter, interval, false, sensitivities)
+        self.drawn.summary(gathered, &scatter, interval, &inputs)
     }
 }

@@ -6,15 +6,13 @@
 //! each of them 1/life, zero where the rail does not fail, and the fraction of the life from
 //! detectable to failure are interpolated over the inputs of the study.
 
+use super::drawn::{DrawnRuns, MOST_RUNS};
 use super::interpolation::Interpolation;
 use crate::decision::{Draw, Draws, FailureMode, Fate, FirstSample, Gathered, Sample, ScatterSummary};
-use crate::study::{InterpolationError, Population, PopulationPlan, RunState, StudyAxis, StudyRow};
+use crate::study::{InterpolationError, Population, StudyRow};
 use railcrack::math::Matrix;
-use railcrack_case::Distribution;
 use rayon::prelude::*;
 
-/// Maximum number of runs used for interpolation.
-const MOST_RUNS: usize = 200;
 /// 1/life over the smallest of all runs for the same sample, below which a rail does not fail:
 /// under grinding the lives end abruptly where it outpaces growth, between two runs, and none twice
 /// as long as the longest was computed.
@@ -29,14 +27,11 @@ struct Point<'a> {
 }
 
 impl<'a> Point<'a> {
-    fn of(axis: &StudyAxis, index: usize, distributions: &[Distribution], row: &'a StudyRow) -> Option<Self> {
-        let values = axis.keys.iter().zip(distributions);
-        let inputs: Option<Vec<f64>> =
-            values.map(|(key, distribution)| distribution.standardised(key.values.get(index)?)).collect();
+    fn of(inputs: Vec<f64>, row: &'a StudyRow) -> Option<Self> {
         let decision = row.summary.as_ref()?.decision.as_ref()?;
         let way = decision.inspection.as_ref().and_then(|of| of.mgt_detectable_to_critical);
         let first = &decision.scatter.as_ref()?.first;
-        Some(Self { inputs: inputs?, first, nominal: [decision.failure.mgt, way] })
+        Some(Self { inputs, first, nominal: [decision.failure.mgt, way] })
     }
 }
 
@@ -46,19 +41,13 @@ fn numbers(life: Option<f64>, way: Option<f64>) -> Option<[f64; 2]> {
     Some([life.recip(), (way.unwrap_or(0.0) / life).clamp(0.0, 1.0)])
 }
 
-/// The population of `runs`.
+/// The population of `drawn`.
 ///
 /// Errors: why there are no samples.
-pub(super) fn population(
-    plan: &PopulationPlan,
-    axis: &StudyAxis,
-    distributions: &[Distribution],
-    runs: &[(usize, &StudyRow)],
-) -> Result<Population, String> {
-    let done: Vec<_> = runs.iter().filter(|(_, row)| row.state == RunState::Done).collect();
+pub(super) fn population(drawn: &DrawnRuns) -> Result<Population, String> {
     let mut points: Vec<Point> =
-        done.iter().filter_map(|(index, row)| Point::of(axis, *index, distributions, row)).collect();
-    let left_out = done.len() - points.len();
+        drawn.done().filter_map(|(index, row)| Point::of(drawn.inputs(index)?, row)).collect();
+    let left_out = drawn.done().count() - points.len();
     points.truncate(MOST_RUNS);
     let count = points.iter().map(|point| point.first.len()).min().unwrap_or(0);
     if count == 0 {
@@ -81,8 +70,7 @@ pub(super) fn population(
         }
     }
     let inputs: Vec<Vec<f64>> = points.iter().map(|point| point.inputs.clone()).collect();
-    let interpolation = Interpolation::of(&inputs, &values)
-        .ok_or_else(|| format!("{} runs are too few for {} keys", points.len(), distributions.len()))?;
+    let interpolation = drawn.interpolated(&inputs, &values)?;
     let smallest = |k: usize| {
         let all = (0..points.len()).map(|i| values[(i, 2 * k)]).filter(|rate| *rate > 0.0);
         all.fold(f64::INFINITY, f64::min)
@@ -98,17 +86,16 @@ pub(super) fn population(
             way_of([found[2 * count], found[2 * count + 1]]).filter(|way| *way > 0.0).map(|way| (exact, way))
         })
         .collect();
-    let middle = vec![0.0; distributions.len()];
+    let middle = vec![0.0; drawn.distributions.len()];
     let nominal = [0, 1].map(|of| between.interpolation.one_at(&middle, 2 * count + of));
-    let interval = way_of(nominal).map(|way| way / plan.safety_factor);
+    let interval = way_of(nominal).map(|way| way / drawn.plan.safety_factor);
     Ok(Population {
-        choice: String::new(),
         runs: between.points.len(),
         left_out,
         error: InterpolationError::of(&pairs),
         interval_mgt: interval,
-        scatter: Some(between.made(plan, axis, distributions, interval)),
-        reason: None,
+        scatter: Some(between.summary(drawn, interval)),
+        ..Population::default()
     })
 }
 
@@ -146,31 +133,18 @@ impl LivesBetween<'_> {
         Sample { draw, grows: false, to_critical: life, way, outlives, found_from: None, fate }
     }
 
-    fn made(
-        &self,
-        plan: &PopulationPlan,
-        axis: &StudyAxis,
-        distributions: &[Distribution],
-        interval: Option<f64>,
-    ) -> ScatterSummary {
-        let scatter = plan.scatter();
+    fn summary(&self, drawn: &DrawnRuns, interval: Option<f64>) -> ScatterSummary {
+        let scatter = drawn.plan.scatter();
         let mut draws = Draws::of(&scatter, &[]);
         let of_runs: Vec<Draw> = (0..self.count).map(|_| draws.next()).collect();
-        let inputs: Vec<Vec<f64>> = (0..scatter.samples)
-            .map(|_| {
-                let drawn = |of: &Distribution| of.standardised(&of.value(draws.share())).unwrap_or(0.0);
-                distributions.iter().map(drawn).collect()
-            })
-            .collect();
-        let made: Vec<Sample> = inputs
-            .par_iter()
-            .enumerate()
-            .map(|(j, point)| self.sample(of_runs[j % self.count], j % self.count, point))
-            .collect();
+        let inputs: Vec<Vec<f64>> = (0..scatter.samples).map(|_| drawn.draw(&mut draws)).collect();
+        let sample = |(j, point): (usize, &Vec<f64>)| {
+            let k = j % self.count;
+            self.sample(of_runs[k], k, point)
+        };
+        let samples: Vec<Sample> = inputs.par_iter().enumerate().map(sample).collect();
         let mut gathered = Gathered::new(&scatter, Vec::new());
-        made.into_iter().for_each(|sample| gathered.take(sample, Vec::new()));
-        let names = axis.keys.iter().map(|key| key.name.as_str());
-        let sensitivities = gathered.sensitivities(&scatter, names, &inputs);
-        gathered.summary(&scatter, interval, false, sensitivities)
+        samples.into_iter().for_each(|sample| gathered.take(sample, Vec::new()));
+        drawn.summary(gathered, &scatter, interval, &inputs)
     }
 }

@@ -84,7 +84,7 @@ impl Simulation<'_> {
         let stage = Stage { folder: scratch, observer, presentation, shared, state };
         let (growth, residual) = self.growth(stage)?;
         if let Some(residual) = &residual {
-            residual.tell(observer);
+            residual.announce(observer);
         }
         run.residual = residual;
         run.rolled = Some(scratch.join(ROLLED_FOLDER)).filter(|folder| folder.is_dir());

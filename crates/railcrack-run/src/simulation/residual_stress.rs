@@ -36,12 +36,12 @@ impl Residual {
     ///
     /// Errors: a number that is not finite; the system refuses.
     pub fn record(self, recorder: &mut Recorder, observer: &dyn RunObserver) -> Result<(), OutputError> {
-        self.tell(observer);
+        self.announce(observer);
         recorder.residual(&self.rows, self.summary)
     }
 
     /// Reports its remarks.
-    pub(super) fn tell(&self, observer: &dyn RunObserver) {
+    pub(super) fn announce(&self, observer: &dyn RunObserver) {
         for note in &self.summary.notes {
             observer.note(note);
         }

@@ -17,7 +17,7 @@ pub struct InterpolationError {
 }
 
 /// Samples between the runs of a study that have the same values of the keys that are not drawn.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Population {
     /// These values: `friction = 0.1`; empty where all keys are drawn.
     pub choice: String,

@@ -127,7 +127,6 @@ impl Summary {
         let last = steps.last();
         let sum = |count: fn(&StepDigest) -> usize| steps.iter().map(count).sum::<usize>();
         let most = |count: fn(&StepDigest) -> usize| steps.iter().map(count).max().unwrap_or(0);
-        let seconds = |time: fn(&StepDigest) -> f64| steps.iter().map(time).sum::<f64>();
         let solves = sum(|step| step.counts.solves);
         let load_cycles = last.map_or(0.0, |step| step.load_cycles);
         let stop = last.and_then(|step| step.stop);
@@ -151,18 +150,7 @@ impl Summary {
             verdict: of_decision.or_else(|| Verdict::without_traffic(info, log)),
             decision,
             wall_s: log.now.wall_s,
-            phases_s: PhaseSeconds {
-                residual: log.now.residual.as_ref().map_or(0.0, |residual| residual.wall_s),
-                body: seconds(|step| step.times.body_s),
-                body_mesh: seconds(|step| step.times.parts.mesh_s),
-                body_enrichment: seconds(|step| step.times.parts.enrichment_s),
-                body_border: seconds(|step| step.times.parts.border_s),
-                body_sif: seconds(|step| step.times.parts.sif_s),
-                body_condensation: seconds(|step| step.times.parts.condensation_s),
-                contact: seconds(|step| step.times.contact_s),
-                growth: seconds(|step| step.times.growth_s),
-                output: log.now.output_s,
-            },
+            phases_s: phases(log),
             peak_memory_mb: log.now.peak_memory_mb,
             dofs: most(|step| step.dofs),
             face_points: most(|step| step.face_points),
@@ -174,24 +162,10 @@ impl Summary {
             passages: most(|step| step.counts.passages),
             passages_per_step: steps.iter().map(|step| step.counts.passages).collect(),
             residual_stress: log.now.residual.clone(),
-            warnings: info
-                .warnings
-                .iter()
-                .cloned()
-                .chain(of_residual(log))
-                .map(WarningSummary::of_case)
-                .chain(validity::of_steps(info, log))
-                .chain(condensed(log.warnings()))
-                .collect(),
+            warnings: warnings(info, log),
             fracture: fracture(info, log),
             tips: last.map_or_else(Vec::new, |step| step.tips.iter().map(tip_summary).collect()),
-            cracks: (log.now.initial_cracks.iter().zip(&log.now.cracks).enumerate())
-                .map(|(i, (initial, now))| CrackSummary {
-                    initial_points_mm: points(initial.points()),
-                    points_mm: points(now.points()),
-                    path_mm: log.now.paths.get(i).map(|path| points(path)),
-                })
-                .collect(),
+            cracks: cracks(log),
             front: front(steps, 0),
             fronts: Some(fronts(steps)).filter(|fronts| fronts.len() > 1).unwrap_or_default(),
             junctions: log.now.junctions.iter().map(|junction| junction_summary(junction, log)).collect(),
@@ -200,6 +174,39 @@ impl Summary {
             outcome: None,
         }
     }
+}
+
+fn phases(log: &RunLog) -> PhaseSeconds {
+    let seconds = |time: fn(&StepDigest) -> f64| log.steps.iter().map(time).sum::<f64>();
+    PhaseSeconds {
+        residual: log.now.residual.as_ref().map_or(0.0, |residual| residual.wall_s),
+        body: seconds(|step| step.times.body_s),
+        body_mesh: seconds(|step| step.times.parts.mesh_s),
+        body_enrichment: seconds(|step| step.times.parts.enrichment_s),
+        body_border: seconds(|step| step.times.parts.border_s),
+        body_sif: seconds(|step| step.times.parts.sif_s),
+        body_condensation: seconds(|step| step.times.parts.condensation_s),
+        contact: seconds(|step| step.times.contact_s),
+        growth: seconds(|step| step.times.growth_s),
+        output: log.now.output_s,
+    }
+}
+
+/// The warnings of the case, of its residual stress and of its steps.
+fn warnings(info: &RunInfo, log: &RunLog) -> Vec<WarningSummary> {
+    let of_case = info.warnings.iter().cloned().chain(of_residual(log)).map(WarningSummary::of_case);
+    of_case.chain(validity::of_steps(info, log)).chain(condensed(log.warnings())).collect()
+}
+
+/// The paths of the cracks, also of what is removed of them.
+fn cracks(log: &RunLog) -> Vec<CrackSummary> {
+    let both = log.now.initial_cracks.iter().zip(&log.now.cracks).enumerate();
+    both.map(|(i, (initial, now))| CrackSummary {
+        initial_points_mm: points(initial.points()),
+        points_mm: points(now.points()),
+        path_mm: log.now.paths.get(i).map(|path| points(path)),
+    })
+    .collect()
 }
 
 /// The cracks in space of a run there.

@@ -10,14 +10,22 @@ use railcrack::math::MPA_SQRT_MM;
 use railcrack::shakedown::ContactBounds;
 use railcrack::validity::{self, ResidualStress, Steel, SteelOrigin, ValidityWarning};
 use railcrack_case::{Case, GivenWheel};
+use std::cell::LazyCell;
 use std::f64::consts::FRAC_PI_2;
 
 /// Change of the growth rate from which on a wheel should feel the cracks.
 const LARGE_EFFECT: f64 = 0.05;
 
-/// The warning about a wheel that does not feel the cracks, where that changes their growth.
-pub fn uncoupled_wheel(case: &Case) -> Option<String> {
-    let rate = EffectInPlane::of_case(case).map(|effect| effect.rate)?;
+/// The texts of [`of_case`], and that about a wheel that does not feel the cracks, where that
+/// changes their growth.
+pub fn before_a_run(case: &Case) -> Vec<String> {
+    let effect = LazyCell::new(|| EffectInPlane::of_case(case));
+    let of_case = with_effect(case, || *effect).into_iter().map(|warning| warning.text);
+    of_case.chain(uncoupled_wheel(case, *effect)).collect()
+}
+
+fn uncoupled_wheel(case: &Case, effect: Option<EffectInPlane>) -> Option<String> {
+    let rate = effect?.rate;
     let remedy = match case.space().is_some() {
         true => "the space engine has no such wheel, the plane engines do",
         false => "set contact.coupled = true",
@@ -31,6 +39,11 @@ pub fn uncoupled_wheel(case: &Case) -> Option<String> {
 
 /// Warnings that follow from the case alone.
 pub fn of_case(case: &Case) -> Vec<Warning> {
+    with_effect(case, || EffectInPlane::of_case(case))
+}
+
+/// [`of_case`], with the effect of a wheel that feels the first crack where it is asked for.
+fn with_effect(case: &Case, effect: impl Fn() -> Option<EffectInPlane>) -> Vec<Warning> {
     let shortest = case.cracks.cracks().iter().map(|crack| crack.length()).fold(f64::INFINITY, f64::min);
     let angles = case.cracks.cracks().iter().map(|crack| {
         let (first, next) = crack.segment(0);
@@ -57,7 +70,7 @@ pub fn of_case(case: &Case) -> Vec<Warning> {
         warnings.extend(of_wheel(case, &wheel.wheel).into_iter().map(named));
     }
     warnings.extend(of_wheel_table(case));
-    warnings.extend(uncoupled_gap(case));
+    warnings.extend(uncoupled_gap(case, effect));
     warnings.extend(case.companions().iter().filter_map(|file| {
         let text = unused_columns(file.given, file.unused)?;
         Some(Warning { step: 0, kind: WarningKind::Validity, text, severity: None })
@@ -72,12 +85,12 @@ pub fn unused_columns(name: &str, unused: &[String]) -> Option<String> {
 }
 
 /// Gap over a²/2R from which on a wheel should feel the crack.
-const FELT_GAP: f64 = 0.05;
+const LARGE_GAP: f64 = 0.05;
 
 /// A warning where a wheel over a crack in space would feel it.
-fn uncoupled_gap(case: &Case) -> Option<Warning> {
-    let gap = setup::uncoupled_gap(case).filter(|gap| *gap > FELT_GAP)?;
-    let in_plane = EffectInPlane::of_case(case).map_or_else(String::new, |plane| {
+fn uncoupled_gap(case: &Case, effect: impl Fn() -> Option<EffectInPlane>) -> Option<Warning> {
+    let gap = setup::uncoupled_gap(case).filter(|gap| *gap > LARGE_GAP)?;
+    let in_plane = effect().map_or_else(String::new, |plane| {
         format!(
             "; in the plane, where it is {:.0} %, the coupled wheel of the plane engines makes the rate {:.2} times",
             100.0 * plane.gap,

@@ -1,7 +1,14 @@
 //! The command line of `railcrack calibrate`.
 
+use crate::commands::run::is_same_file;
+use crate::display::Verbosity;
 use crate::exit::Failure;
+use crate::input::default_folder;
+use crate::interruption::Interruption;
+use crate::progress::Progress;
 use clap::Args;
+use railcrack_case::Case;
+use railcrack_run::simulation::RunEntry;
 use std::path::PathBuf;
 
 /// Fit the growth law, or another number of the case, to measured depths or lengths over traffic
@@ -37,6 +44,30 @@ pub struct CalibrateArguments {
     /// Replace the run in the folder
     #[arg(long)]
     pub force: bool,
+}
+
+impl CalibrateArguments {
+    /// The run folder.
+    ///
+    /// Errors: its run would replace the case file.
+    pub(super) fn folder(&self) -> Result<PathBuf, Failure> {
+        let folder = self.out.clone().unwrap_or_else(|| default_folder(&self.case));
+        if is_same_file(&self.case, &folder.join("case.toml")) {
+            return Err(Failure::CaseInRunFolder { path: self.case.clone() });
+        }
+        Ok(folder)
+    }
+
+    /// How the run of the folder is entered.
+    pub(super) fn entry(&self) -> RunEntry {
+        if self.force { RunEntry::Replace } else { RunEntry::Begin }
+    }
+
+    /// The progress of the run of `case`.
+    pub(super) fn progress<'a>(&self, case: &Case, interruption: &'a Interruption) -> Progress<'a> {
+        let verbosity = if self.quiet { Verbosity::Quiet } else { Verbosity::Progress };
+        Progress::new(verbosity, case.growth.steps, interruption)
+    }
 }
 
 /// The refusal of a case, of measurements or of arguments.

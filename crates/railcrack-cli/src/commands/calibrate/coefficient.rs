@@ -2,21 +2,18 @@
 
 use super::arguments::{CalibrateArguments, refuse};
 use super::finish::{Written, finish};
-use super::found::{Fitted, Found, New, calibrated_by};
+use super::growth::deepest_tip;
 use super::parameter::calibrate_parameter;
-use super::plot::Drawn;
-use super::rows::deepest;
-use super::table::table;
-use crate::commands::run::{is_same_file, listen};
-use crate::display::Verbosity;
+use crate::commands::run::listen;
 use crate::exit::{Exit, Failure};
-use crate::input::default_folder;
 use crate::print;
-use crate::progress::Progress;
 use railcrack_case::{Case, CaseErrors};
-use railcrack_report::Pages;
-use railcrack_run::calibration::{Measure, Prior, Site, SizeCurve, calibrate as fit, read_measured};
-use railcrack_run::simulation::{Ending, RunEntry, Simulation};
+use railcrack_report::{CalibratedRun, Pages};
+use railcrack_run::calibration::{
+    CalibrationResult, Fitted, Measure, NewRail, Prior, Site, SizeCurve, calibrate as fit, calibrated_by,
+    coefficient_table, read_measured,
+};
+use railcrack_run::simulation::Simulation;
 use railcrack_run::summary::validity::unused_columns;
 
 /// Computes the case, fits, writes the folder and prints the result.
@@ -27,17 +24,7 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
         let reason = "a calibration over tonnes needs axle_load_t, in [traffic] or of every [[wheel]]";
         return Err(refuse_case(reason));
     };
-    let sites: Result<Vec<Site>, CaseErrors> =
-        arguments.measured.iter().map(|path| read_measured(path)).collect();
-    let sites = sites?;
-    for site in &sites {
-        unused_columns(&site.name, &site.unused).iter().for_each(|says| print::warning(says));
-    }
-    for (i, path) in arguments.measured.iter().enumerate() {
-        if arguments.measured[..i].contains(path) {
-            return Err(refuse(format!("--measured {}: given twice, each file is one site", path.display())));
-        }
-    }
+    let sites = read_sites(arguments)?;
     if !arguments.parameter.is_empty() {
         return calibrate_parameter(arguments, &case, &sites);
     }
@@ -48,42 +35,48 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
             coefficient.key
         )));
     }
-    let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));
-    if is_same_file(&arguments.case, &folder.join("case.toml")) {
-        return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
-    }
+    let folder = arguments.folder()?;
     let interruption = listen()?;
-    let verbosity = if arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress };
-    let progress = Progress::new(verbosity, case.growth.steps, &interruption);
-    let entry = if arguments.force { RunEntry::Replace } else { RunEntry::Begin };
-    let finished =
-        Simulation::new(&case).observed_by(&progress).presented_by(&Pages).run_in(&folder, entry)?;
-    if finished.ending == Ending::Interrupted {
+    let progress = arguments.progress(&case, &interruption);
+    let simulation = Simulation::new(&case).observed_by(&progress).presented_by(&Pages);
+    let Some(rows) = deepest_tip(&simulation, &folder, arguments.entry())? else {
         return Ok(Exit::Interrupted);
-    }
-    let rows = deepest(&folder)?;
+    };
     let prior = Prior::from(case.calibration);
     let of = |measure: Measure| SizeCurve::of(&rows, tonnes, measure);
     let calibration = fit(&sites, of, prior).map_err(|error| refuse(error.to_string()))?;
-    let new = New::of(&calibration.posterior, prior, sites.len(), &case);
+    let new = NewRail::of(&calibration.posterior, prior, sites.len(), &case);
     let factor = calibration.posterior.mean.exp();
-    let found = Found {
+    let mut overrides = coefficient.overrides(coefficient.value * factor);
+    overrides.settings.extend([new.setting(), calibrated_by(&sites)]);
+    overrides.settings.extend(prior.reset());
+    let fitted = Case::read_with(&arguments.case, &overrides)?;
+    let run = |name, speed| CalibratedRun { name, rows: &rows, speed };
+    let table = coefficient_table(&sites, &calibration, coefficient.value);
+    let written = Written { table, drawn: &[run("case", 1.0), run("fitted", factor)], tonnes, case: &fitted };
+    let result = CalibrationResult {
         title: &case.title,
         key: format!("growth.{}", coefficient.key),
         value: coefficient.value,
         prior,
         sites: &sites,
-        fitted: Fitted::Coefficient { calibration: &calibration, new },
+        fitted: Fitted::Coefficient { calibration, new },
     };
-    let drawn: [Drawn; 2] = [("case", &rows, 1.0), ("fitted", &rows, factor)];
-    let mut overrides = coefficient.overrides(coefficient.value * factor);
-    overrides.settings.push(new.setting());
-    overrides.settings.push(calibrated_by(&sites));
-    if prior.mean != 0.0 {
-        // The prior was relative to the coefficient of the case, which is now the fitted one.
-        overrides.settings.push("calibration.prior_log_mean=0.0".to_owned());
+    finish(&folder, &result, &written)
+}
+
+/// The measurements of all sites, each file once.
+fn read_sites(arguments: &CalibrateArguments) -> Result<Vec<Site>, Failure> {
+    let sites: Result<Vec<Site>, CaseErrors> =
+        arguments.measured.iter().map(|path| read_measured(path)).collect();
+    let sites = sites?;
+    for site in &sites {
+        unused_columns(&site.name, &site.unused).iter().for_each(|text| print::warning(text));
     }
-    let fitted = Case::read_with(&arguments.case, &overrides)?;
-    let table = table(&sites, &calibration, coefficient.value);
-    finish(&folder, &found, &Written { table, drawn: &drawn, tonnes, case: &fitted })
+    for (i, path) in arguments.measured.iter().enumerate() {
+        if arguments.measured[..i].contains(path) {
+            return Err(refuse(format!("--measured {}: given twice, each file is one site", path.display())));
+        }
+    }
+    Ok(sites)
 }

@@ -2,15 +2,9 @@
 
 mod arguments;
 mod coefficient;
-mod document;
 mod finish;
-mod found;
-mod page;
+mod growth;
 mod parameter;
-mod plot;
-mod rows;
-mod table;
-mod text;
 
 pub use arguments::CalibrateArguments;
 pub use coefficient::calibrate;

@@ -3,22 +3,15 @@
 
 use super::arguments::{CalibrateArguments, refuse};
 use super::finish::{Written, finish};
-use super::found::{Fitted, Found, New, calibrated_by};
-use super::plot::Drawn;
-use super::rows::deepest;
-use super::table::table_of_trials;
-use super::text::number;
-use crate::commands::run::{is_same_file, listen};
-use crate::display::Verbosity;
+use super::growth::deepest_tip;
+use crate::commands::run::listen;
 use crate::exit::{Exit, Failure};
-use crate::input::default_folder;
 use crate::interruption::Interruption;
-use crate::progress::Progress;
 use railcrack_case::{Case, NumberRange, Overrides, RangeEnd};
-use railcrack_report::Pages;
+use railcrack_report::{CalibratedRun, Pages};
 use railcrack_run::calibration::{
-    Bracket, CalibrationError, Coefficient, Next, ParameterFit, Prior, Site, SizeCurve, Trial,
-    coefficient_at, fit_parameter, observe,
+    Bracket, CalibrationError, CalibrationResult, Coefficient, Fitted, NewRail, Next, ParameterFit, Prior,
+    Site, SizeCurve, Trial, calibrated_by, coefficient_at, fit_parameter, number, observe, trials_table,
 };
 use railcrack_run::csv::TipRow;
 use railcrack_run::simulation::{Ending, RunEntry, Simulation};
@@ -30,117 +23,192 @@ pub(super) fn calibrate_parameter(
     case: &Case,
     sites: &[Site],
 ) -> Result<Exit, Failure> {
-    let (key, coefficient) = keys(arguments, case)?;
-    let value = case.number(&key).map_err(|error| refuse(format!("--parameter {error}")))?;
-    let mut bracket = bracket(arguments, case, &key, value)?;
-    let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));
-    if is_same_file(&arguments.case, &folder.join("case.toml")) {
-        return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
-    }
-    let prior = Prior::from(case.calibration);
-    let is_coefficient = case.coefficient().is_ok_and(|of| key == format!("growth.{}", of.key));
-    let with = match (&coefficient, is_coefficient) {
-        (Some(_), _) => Coefficient::Fitted,
-        (None, true) => Coefficient::Searched(value),
-        (None, false) => Coefficient::OfCase,
-    };
-    let runs = Runs {
-        arguments,
-        key: &key,
-        tonnes: case.axle_load.unwrap_or(1.0),
-        sites,
-        folder: &folder,
-        interruption: listen()?,
-    };
-    let entry = if arguments.force { RunEntry::Replace } else { RunEntry::Begin };
-    let mut trials: Vec<(Trial, Vec<TipRow>)> = Vec::new();
-    let mut waiting = bracket.values(value);
-    let mut fit = loop {
-        for value in std::mem::take(&mut waiting) {
-            match runs.trial(value, trials.len() + 1)? {
-                Some(trial) => trials.push(trial),
-                None => return Ok(Exit::Interrupted),
-            }
-        }
-        let known: Vec<Trial> = trials.iter().map(|(trial, _)| trial.clone()).collect();
-        let fit = fit_parameter(&key, &known, prior, with)
-            .map_err(|error| refuse(explained(&error, &key, &bracket)))?;
-        // Runs at more values would not help to tell it from the coefficient.
-        if coefficient.is_some() && fit.is_indistinct() {
-            break fit;
-        }
-        let tried: Vec<f64> = known.iter().map(|trial| trial.value).collect();
-        match bracket.next(&fit, &tried) {
-            Next::Try(value) => waiting.push(value),
-            // Its scatter follows from the interval.
-            Next::Settled if is_coefficient => match bracket.closing(&fit, &tried) {
-                Some(value) => waiting.push(value),
-                None => break fit,
-            },
-            Next::Settled => break fit,
-            Next::AtEnd(_) => return Err(refuse(at_end(&fit, &key, &bracket, tried.len()))),
-        }
-    };
-    if coefficient.is_some() && fit.is_indistinct() {
-        // The number stays that of the case: the coefficient is the one that belongs to it.
-        if !trials.iter().any(|(trial, _)| trial.value == value) {
-            match runs.trial(value, trials.len() + 1)? {
-                Some(trial) => trials.push(trial),
-                None => return Ok(Exit::Interrupted),
-            }
-        }
-        let own = trials
-            .iter()
-            .map(|(trial, _)| trial)
-            .find(|trial| trial.value == value && trial.sites.iter().flatten().any(Option::is_some));
-        let nothing = || {
-            refuse(format!(
-                "no measurement is within the sizes that the run of the case, with {key} = {}, reaches",
-                number(value)
-            ))
-        };
-        fit.posterior = coefficient_at(own.ok_or_else(nothing)?, prior);
-    }
-    let best = if fit.is_indistinct() { value } else { fit.value };
-    let mut overrides = Overrides::default();
-    if let Some((_, own)) = &coefficient {
-        let of = case.coefficient().map_err(|error| refuse(error.to_string()))?;
-        overrides = of.overrides(own * fit.posterior.mean.exp());
-    }
-    let is_known = !fit.is_indistinct() && matches!(fit.interval, (Some(_), Some(_)));
-    let new = (coefficient.is_some() || is_coefficient && is_known)
-        .then(|| New::of(&fit.posterior, prior, sites.len(), case));
-    overrides.settings.extend(new.map(New::setting));
-    if new.is_some() && prior.mean != 0.0 {
-        // The prior was relative to the coefficient of the case, which is now the fitted one.
-        overrides.settings.push("calibration.prior_log_mean=0.0".to_owned());
-    }
-    overrides.settings.push(format!("{key}={best:?}"));
-    if coefficient.is_some() || !fit.is_indistinct() {
-        overrides.settings.push(calibrated_by(sites));
-    }
-    let fitted = Case::read_with(&arguments.case, &overrides)?;
-    let progress = runs.progress(&fitted);
-    let finished =
-        Simulation::new(&fitted).observed_by(&progress).presented_by(&Pages).run_in(&folder, entry)?;
-    if finished.ending == Ending::Interrupted {
+    let mut search = Search::new(arguments, case, sites)?;
+    let Some(fit) = search.fit()? else { return Ok(Exit::Interrupted) };
+    let new = search.new_rail(&fit);
+    let fitted = Case::read_with(&arguments.case, &search.overrides(&fit, new)?)?;
+    let progress = arguments.progress(&fitted, &search.interruption);
+    let simulation = Simulation::new(&fitted).observed_by(&progress).presented_by(&Pages);
+    let Some(rows) = deepest_tip(&simulation, &search.folder, arguments.entry())? else {
         return Ok(Exit::Interrupted);
-    }
-    let rows = deepest(&folder)?;
-    let of_case = trials.iter().find(|(trial, _)| trial.value == value).map(|(_, rows)| &rows[..]);
-    let drawn: Vec<Drawn> =
-        of_case.map(|rows| ("case", rows, 1.0)).into_iter().chain([("fitted", &rows[..], 1.0)]).collect();
-    let known: Vec<Trial> = trials.iter().map(|(trial, _)| trial.clone()).collect();
-    let found = Found {
-        title: &case.title,
-        key: key.clone(),
-        value,
-        prior,
-        sites,
-        fitted: Fitted::Parameter { fit: &fit, runs: trials.len() + 1, coefficient, new },
     };
-    let table = table_of_trials(sites, &known);
-    finish(&folder, &found, &Written { table, drawn: &drawn, tonnes: runs.tonnes, case: &fitted })
+    search.finish(fit, new, &fitted, &rows)
+}
+
+/// A search for the value of a number, by runs.
+struct Search<'a> {
+    arguments: &'a CalibrateArguments,
+    case: &'a Case,
+    sites: &'a [Site],
+    /// Key of the number, and its value in the case.
+    key: String,
+    value: f64,
+    /// Key and value of the coefficient of the growth law, where it is fitted as well.
+    coefficient: Option<(String, f64)>,
+    /// Whether the number is that coefficient.
+    is_coefficient: bool,
+    prior: Prior,
+    /// Mean load of an axle, t.
+    tonnes: f64,
+    /// Of the run with the fitted value.
+    folder: PathBuf,
+    interruption: Interruption,
+    trials: Vec<Trial>,
+    /// The rows of each trial.
+    rows: Vec<Vec<TipRow>>,
+}
+
+impl<'a> Search<'a> {
+    fn new(arguments: &'a CalibrateArguments, case: &'a Case, sites: &'a [Site]) -> Result<Self, Failure> {
+        let (key, coefficient) = keys(arguments, case)?;
+        Ok(Self {
+            value: case.number(&key).map_err(|error| refuse(format!("--parameter {error}")))?,
+            is_coefficient: case.coefficient().is_ok_and(|of| key == format!("growth.{}", of.key)),
+            prior: Prior::from(case.calibration),
+            tonnes: case.axle_load.unwrap_or(1.0),
+            folder: arguments.folder()?,
+            interruption: listen()?,
+            trials: Vec::new(),
+            rows: Vec::new(),
+            arguments,
+            case,
+            sites,
+            key,
+            coefficient,
+        })
+    }
+
+    /// The best value; none where a run is interrupted.
+    fn fit(&mut self) -> Result<Option<ParameterFit>, Failure> {
+        let mut bracket = bracket(self.arguments, self.case, &self.key, self.value)?;
+        let mut waiting = bracket.values(self.value);
+        loop {
+            for value in std::mem::take(&mut waiting) {
+                if self.run(value)? == Ending::Interrupted {
+                    return Ok(None);
+                }
+            }
+            let fit = fit_parameter(&self.key, &self.trials, self.prior, self.role())
+                .map_err(|error| refuse(explained(&error, &self.key, &bracket)))?;
+            // Runs at more values would not help to tell it from the coefficient.
+            if self.coefficient.is_some() && fit.is_indistinct() {
+                return self.with_coefficient_of_case(fit);
+            }
+            match self.next(&mut bracket, &fit)? {
+                Some(value) => waiting.push(value),
+                None => return Ok(Some(fit)),
+            }
+        }
+    }
+
+    fn role(&self) -> Coefficient {
+        match (&self.coefficient, self.is_coefficient) {
+            (Some(_), _) => Coefficient::Fitted,
+            (None, true) => Coefficient::Searched(self.value),
+            (None, false) => Coefficient::OfCase,
+        }
+    }
+
+    /// The value that is tried next; none after the last one.
+    fn next(&self, bracket: &mut Bracket, fit: &ParameterFit) -> Result<Option<f64>, Failure> {
+        let tried: Vec<f64> = self.trials.iter().map(|trial| trial.value).collect();
+        match bracket.next(fit, &tried) {
+            Next::Try(value) => Ok(Some(value)),
+            // Its scatter follows from the interval.
+            Next::Settled if self.is_coefficient => Ok(bracket.closing(fit, &tried)),
+            Next::Settled => Ok(None),
+            Next::AtEnd(_) => Err(refuse(at_end(fit, &self.key, bracket, tried.len()))),
+        }
+    }
+
+    /// `fit` where the number stays that of the case: the coefficient is the one that belongs to
+    /// it.
+    fn with_coefficient_of_case(&mut self, mut fit: ParameterFit) -> Result<Option<ParameterFit>, Failure> {
+        let of_case = self.value;
+        if self.trials.iter().all(|trial| trial.value != of_case) && self.run(of_case)? == Ending::Interrupted
+        {
+            return Ok(None);
+        }
+        let reaches =
+            |trial: &&Trial| trial.value == of_case && trial.sites.iter().flatten().any(Option::is_some);
+        let Some(trial) = self.trials.iter().find(reaches) else {
+            return Err(refuse(format!(
+                "no measurement is within the sizes that the run of the case, with {} = {}, reaches",
+                self.key,
+                number(self.value)
+            )));
+        };
+        fit.posterior = coefficient_at(trial, self.prior);
+        Ok(Some(fit))
+    }
+
+    /// Runs the case with `value` and compares it with the measurements.
+    fn run(&mut self, value: f64) -> Result<Ending, Failure> {
+        let settings = vec![format!("{}={value:?}", self.key)];
+        let case = Case::read_with(&self.arguments.case, &Overrides { settings, ..Overrides::default() })?;
+        let folder = trial_folder(&self.folder, self.trials.len() + 1);
+        let progress = self.arguments.progress(&case, &self.interruption);
+        let simulation = Simulation::new(&case).observed_by(&progress);
+        let Some(rows) = deepest_tip(&simulation, &folder, RunEntry::Replace)? else {
+            return Ok(Ending::Interrupted);
+        };
+        let compared = |site: &Site| observe(site, &SizeCurve::of(&rows, self.tonnes, site.measure));
+        self.trials.push(Trial { value, sites: self.sites.iter().map(compared).collect() });
+        self.rows.push(rows);
+        Ok(Ending::Ended)
+    }
+
+    /// The scatter of the coefficient on a rail that was not measured, where it is fitted.
+    fn new_rail(&self, fit: &ParameterFit) -> Option<NewRail> {
+        let is_known = !fit.is_indistinct() && matches!(fit.interval, (Some(_), Some(_)));
+        (self.coefficient.is_some() || self.is_coefficient && is_known)
+            .then(|| NewRail::of(&fit.posterior, self.prior, self.sites.len(), self.case))
+    }
+
+    /// The settings of the calibrated case.
+    fn overrides(&self, fit: &ParameterFit, new: Option<NewRail>) -> Result<Overrides, Failure> {
+        let mut overrides = Overrides::default();
+        if let Some((_, value)) = &self.coefficient {
+            let of = self.case.coefficient().map_err(|error| refuse(error.to_string()))?;
+            overrides = of.overrides(value * fit.posterior.mean.exp());
+        }
+        if let Some(new) = new {
+            overrides.settings.push(new.setting());
+            overrides.settings.extend(self.prior.reset());
+        }
+        let best = if fit.is_indistinct() { self.value } else { fit.value };
+        overrides.settings.push(format!("{}={best:?}", self.key));
+        if self.coefficient.is_some() || !fit.is_indistinct() {
+            overrides.settings.push(calibrated_by(self.sites));
+        }
+        Ok(overrides)
+    }
+
+    /// Writes and prints the result with the `rows` of the `fitted` case.
+    fn finish(
+        self,
+        fit: ParameterFit,
+        new: Option<NewRail>,
+        fitted: &Case,
+        rows: &[TipRow],
+    ) -> Result<Exit, Failure> {
+        let run = |name, rows| CalibratedRun { name, rows, speed: 1.0 };
+        let of_case = self.trials.iter().position(|trial| trial.value == self.value);
+        let of_case = of_case.map(|place| run("case", &self.rows[place][..]));
+        let drawn: Vec<CalibratedRun> = of_case.into_iter().chain([run("fitted", rows)]).collect();
+        let table = trials_table(self.sites, &self.trials);
+        let runs = self.trials.len() + 1;
+        let result = CalibrationResult {
+            title: &self.case.title,
+            key: self.key,
+            value: self.value,
+            prior: self.prior,
+            sites: self.sites,
+            fitted: Fitted::Parameter { fit, runs, coefficient: self.coefficient, new },
+        };
+        let written = Written { table, drawn: &drawn, tonnes: self.tonnes, case: fitted };
+        finish(&self.folder, &result, &written)
+    }
 }
 
 /// The key that is searched, and the coefficient with its value where it is fitted as well.
@@ -195,45 +263,6 @@ fn bracket(arguments: &CalibrateArguments, case: &Case, key: &str, value: f64) -
         )));
     }
     Ok(bracket)
-}
-
-/// The runs of a calibration.
-struct Runs<'a> {
-    arguments: &'a CalibrateArguments,
-    key: &'a str,
-    tonnes: f64,
-    sites: &'a [Site],
-    folder: &'a Path,
-    interruption: Interruption,
-}
-
-impl Runs<'_> {
-    fn case(&self, value: f64) -> Result<Case, Failure> {
-        let settings = vec![format!("{}={value:?}", self.key)];
-        let overrides = Overrides { settings, ..Overrides::default() };
-        Ok(Case::read_with(&self.arguments.case, &overrides)?)
-    }
-
-    fn progress(&self, case: &Case) -> Progress<'_> {
-        let verbosity = if self.arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress };
-        Progress::new(verbosity, case.growth.steps, &self.interruption)
-    }
-
-    /// The run number `number` with `value`, beside the measurements, and its rows; none where it
-    /// is interrupted.
-    fn trial(&self, value: f64, number: usize) -> Result<Option<(Trial, Vec<TipRow>)>, Failure> {
-        let case = self.case(value)?;
-        let folder = trial_folder(self.folder, number);
-        let progress = self.progress(&case);
-        let finished = Simulation::new(&case).observed_by(&progress).run_in(&folder, RunEntry::Replace)?;
-        if finished.ending == Ending::Interrupted {
-            return Ok(None);
-        }
-        let rows = deepest(&folder)?;
-        let sites =
-            self.sites.iter().map(|site| observe(site, &SizeCurve::of(&rows, self.tonnes, site.measure)));
-        Ok(Some((Trial { value, sites: sites.collect() }, rows)))
-    }
 }
 
 /// Beside the run folder, which the fitted run takes.

@@ -1,12 +1,13 @@
 //! Arguments and execution of `railcrack sweep`.
 
+use super::messages::{print_damages, print_failed, print_flaws, result_json, result_text};
 use super::progress::StudyProgress;
 use super::shard::Shard;
-use super::tell::{result_json, result_text, tell_damages, tell_failed, tell_flaws};
 use crate::commands::run::listen;
 use crate::display::Verbosity;
 use crate::exit::{Exit, Failure};
 use crate::input::{self, Set, default_folder};
+use crate::interruption::Interruption;
 use crate::json::Json;
 use clap::Args;
 use railcrack_case::{ByGeometry, Case, Overrides, SampleTable, Study};
@@ -124,9 +125,9 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
     let folder = StudyFolder::enter(&path, plan, &study.text, &arguments.entry(&own), &cases)
         .map_err(RunError::from)?;
     drop(cases);
-    tell_damages(folder.damages());
+    print_damages(folder.damages());
 
-    let (waiting, mut failed) = folder.left_to_do(&study, &own).map_err(RunError::from)?;
+    let (waiting, failed) = folder.left_to_do(&study, &own).map_err(RunError::from)?;
     let steps = waiting.iter().map(|&run| study.runs[run].case.growth.steps + 1).sum();
     let verbosity = if arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress };
     let progress = StudyProgress::new(verbosity, waiting.len(), steps, &interruption);
@@ -136,6 +137,19 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
     progress.close();
     interruption.acknowledge();
 
+    collect(arguments, &study, &folder, failed, computed, &interruption)
+}
+
+/// Collects the results of all runs: those that `failed` before and those that failed as they were
+/// `computed`.
+fn collect(
+    arguments: &SweepArguments,
+    study: &Study,
+    folder: &StudyFolder,
+    mut failed: Vec<FailedRun>,
+    computed: Vec<FailedRun>,
+    interruption: &Interruption,
+) -> Result<Exit, Failure> {
     let results = folder.write_results(&Pages).map_err(RunError::from)?;
     for (number, reason) in results.damaged() {
         if failed.iter().chain(&computed).all(|run| run.number != number) {
@@ -149,11 +163,11 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
         }
     }
     // The other failures have been reported when they occurred.
-    tell_failed(&failed);
+    print_failed(&failed);
     if arguments.quiet {
-        tell_failed(&computed);
+        print_failed(&computed);
     }
-    tell_flaws(&results.flaws);
+    print_flaws(&results.flaws);
     failed.extend(computed);
     failed.sort_by_key(|run| run.number);
     let ending = if interruption.asked() { Ending::Interrupted } else { Ending::Ended };
@@ -162,8 +176,8 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
         exit => exit,
     };
     arguments.json.print(
-        || result_text(&folder, &results, &failed, ending),
-        || result_json(&folder, &results, &failed, exit),
+        || result_text(folder, &results, &failed, ending),
+        || result_json(folder, &results, &failed, exit),
     )?;
     Ok(exit)
 }

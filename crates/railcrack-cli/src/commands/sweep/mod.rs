@@ -1,8 +1,8 @@
 //! `railcrack sweep`: the runs of a study.
 
 mod command;
+mod messages;
 mod progress;
 mod shard;
-mod tell;
 
 pub use command::{SweepArguments, sweep};

@@ -42,7 +42,7 @@ impl<'a> StudyProgress<'a> {
     }
 
     /// The time left, from the share that is done of what was to do.
-    fn tell(&self, bar: &ProgressBar, done: i64) {
+    fn show(&self, bar: &ProgressBar, done: i64) {
         let elapsed = self.begun.elapsed().as_secs_f64();
         let whole = bar.length().unwrap_or(0) as f64;
         if elapsed < SETTLED || done <= 0 {
@@ -57,7 +57,7 @@ impl<'a> StudyProgress<'a> {
         let done = self.done.fetch_add(parts, Ordering::Relaxed) + parts;
         if let Some(bar) = self.display.bar() {
             bar.set_position(u64::try_from(done).unwrap_or(0));
-            self.tell(bar, done);
+            self.show(bar, done);
         }
     }
 }

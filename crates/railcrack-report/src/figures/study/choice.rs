@@ -14,7 +14,7 @@ pub(crate) fn stratified(runs: &[&PlannedRun], first: &[usize], most: usize) -> 
     if runs.len() <= most {
         return (0..runs.len()).collect();
     }
-    let mut shown = Shown::of(runs);
+    let mut shown = ShownRuns::of(runs);
     let mut taken = vec![false; runs.len()];
     let mut count = 0;
     for &place in first.iter().filter(|place| **place < runs.len()) {
@@ -38,14 +38,14 @@ pub(crate) fn stratified(runs: &[&PlannedRun], first: &[usize], most: usize) -> 
 }
 
 /// Number of times that each value of each axis is shown.
-struct Shown {
+struct ShownRuns {
     /// By axis and value: times shown.
     times: Vec<Vec<usize>>,
     /// Weight of an axis: its number of values, so that times shown compare as shares.
     weights: Vec<usize>,
 }
 
-impl Shown {
+impl ShownRuns {
     fn of(runs: &[&PlannedRun]) -> Self {
         let axes = runs.iter().map(|run| run.choice.len()).max().unwrap_or(0);
         let mut there: Vec<Vec<bool>> = vec![Vec::new(); axes];

@@ -2,86 +2,15 @@
 
 use super::stored::RunFolder;
 use crate::numbers::{fixed, grouped, significant};
+use crate::pages::described::{OF_GROWTH, described};
 use railcrack::words::Choice;
-use railcrack_run::description::{Part, describe};
-
-/// Parts of a description that the page tells by results of the run, or that do not concern it.
-const ELSEWHERE: [&str; 5] = ["residual stress", "plastic stress", "solution", "plastic state", "bounds"];
 
 /// The assumptions, one paragraph each.
 pub(super) fn assumptions(run: &RunFolder) -> Vec<String> {
-    let parts = describe(&run.case);
-    let described = parts.iter().filter(|part| !ELSEWHERE.contains(&part.heading.as_str()));
-    let mut all: Vec<String> = described.filter_map(paragraph).collect();
+    let mut all = described(&run.case, &OF_GROWTH);
     all.extend([residual(run), solution(run)]);
     all.push("Load cycles are uncertain by a factor of several, the scatter of the growth law.".to_owned());
     all
-}
-
-/// A part of a description as a paragraph; none without rows. Lines of its tables are left out.
-fn paragraph(part: &Part) -> Option<String> {
-    let named = part.rows.iter().filter(|row| !row.name.is_empty());
-    let rows: Vec<String> = named.map(|row| format!("{} {}", row.name, row.text)).collect();
-    let mut letters = part.heading.chars();
-    let first = letters.next()?.to_uppercase();
-    (!rows.is_empty()).then(|| typeset(&format!("{first}{}: {}.", letters.as_str(), rows.join("; "))))
-}
-
-/// Symbols as the terminal writes them in ASCII, each with the form that a page has instead.
-const TYPESET: [(&str, &str); 12] = [
-    ("p0 / k", "p_{0}/k"),
-    ("p0", "p_{0}"),
-    ("k1", "k_{1}"),
-    ("sigma_xx", "σ_{xx}"),
-    ("Tgamma", "Tγ"),
-    ("(mu P)", "(μP)"),
-    ("nu = ", "ν = "),
-    ("1 / beta", "1/β"),
-    (" sqrt(m)", "√m"),
-    (" degrees C", " °C"),
-    (" degrees", "°"),
-    ("+-", "±"),
-];
-
-/// `text` with the symbols, powers and minus signs of a page.
-pub(super) fn typeset(text: &str) -> String {
-    let mut text = raised(text);
-    for (ascii, symbol) in TYPESET {
-        text = text.replace(ascii, symbol);
-    }
-    // ΔK stands for ΔK_eq wherever it has no mode.
-    let modes = text.replace("ΔKII", "Δ\u{0}_{II}").replace("ΔKI", "Δ\u{0}_{I}");
-    let text = modes.replace("ΔK", "ΔK_{eq}").replace('\u{0}', "K").replace("Kmax", "K_{max}");
-    let mut minus = String::with_capacity(text.len());
-    let mut before = ' ';
-    let mut rest = text.chars().peekable();
-    while let Some(letter) = rest.next() {
-        let is_sign = letter == '-'
-            && !before.is_alphanumeric()
-            && rest.peek().is_some_and(|next| next.is_ascii_digit() || *next == 'x')
-            || letter == '-' && before == 'e' && rest.peek().is_some_and(char::is_ascii_digit);
-        minus.push(if is_sign { '\u{2212}' } else { letter });
-        before = letter;
-    }
-    minus
-}
-
-/// `text` with the numbers after `^` as powers.
-fn raised(text: &str) -> String {
-    let mut parts = text.split('^');
-    let mut raised = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let end = part.find(|letter: char| !letter.is_ascii_digit() && letter != '.').unwrap_or(part.len());
-        // A full stop after the number is punctuation.
-        let power = part[..end].trim_end_matches('.');
-        if power.is_empty() {
-            raised.push('^');
-        } else {
-            raised.push_str(&format!("^{{{power}}}"));
-        }
-        raised.push_str(&part[power.len()..]);
-    }
-    raised
 }
 
 /// The residual stress and its origin.

@@ -85,17 +85,17 @@ pub(super) fn fact(run: &RunFolder) -> Option<Fact> {
     let enclosed = Enclosed::of(run, largest);
     let name = if largest.kind == PieceKind::Spall { "Spall" } else { "Detached piece" };
     let all = if pieces.len() > 1 { format!(", the largest of {}", pieces.len()) } else { String::new() };
-    Some(Fact {
-        name: name.to_owned(),
-        value: format!("{} mm²", significant(largest.area_mm2)),
-        note: format!(
+    Some(Fact::new(
+        name.to_owned(),
+        format!("{} mm²", significant(largest.area_mm2)),
+        format!(
             "{}, step {}; {} mm long, {} mm deep{all}",
             enclosed.by(),
             largest.step,
             fixed(enclosed.across, 2),
             fixed(enclosed.depth, 2)
         ),
-    })
+    ))
 }
 
 /// Table of all pieces and junctions; none without any.
@@ -122,51 +122,59 @@ pub(super) fn table(run: &RunFolder) -> Option<Table> {
     table.caption =
         "Pieces of the rail enclosed by cracks, and coalescence of cracks; outlines in summary.json"
             .to_owned();
-    for piece in pieces {
-        let enclosed = Enclosed::of(run, piece);
-        let places = piece.outline_mm.iter().map(|corner| corner[0]);
-        let (left, right) =
-            places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
-        let mut cells = vec![
-            if piece.kind == PieceKind::Spall { "spall".to_owned() } else { "detached piece".to_owned() },
-            enclosed.by(),
-            piece.step.to_string(),
-            grouped(enclosed.cycles),
-            format!("{} to {}", fixed(left, 2), fixed(right, 2)),
-            format!("0 to {}", fixed(enclosed.depth, 2)),
-            significant(piece.area_mm2),
-            piece.outline_mm.len().to_string(),
-        ];
-        if piece.kind != PieceKind::Spall {
-            let top = piece.outline_mm.iter().map(|corner| -corner[1]).fold(f64::INFINITY, f64::min);
-            cells[5] = format!("{} to {}", fixed(top, 2), fixed(enclosed.depth, 2));
-        }
+    let rows = pieces.iter().map(|piece| piece_row(run, piece));
+    for (mut cells, cycles) in rows.chain(junctions.iter().map(|junction| junction_row(run, junction))) {
         if let Some(load) = load {
-            cells.insert(4, tonnage(enclosed.cycles * load / 1e6));
-        }
-        table.row(cells);
-    }
-    for junction in junctions {
-        let rows = run.growth.iter().filter(|row| {
-            row.crack == junction.crack && row.stop == Some(RunStop::NoTipGrows(TipStop::Coalescence))
-        });
-        let step = rows.map(|row| row.step).max();
-        let after = step.and_then(|step| run.growth.iter().find(|row| row.step == step + 1));
-        let cycles = after.map_or(run.summary.load_cycles, |row| row.load_cycles);
-        let mut cells = vec![
-            format!("joins crack {}", junction.onto),
-            format!("crack {}, {} end", junction.crack, junction.end.word()),
-            step.map_or_else(|| "from the start".to_owned(), |step| step.to_string()),
-            step.map_or_else(String::new, |_| grouped(cycles)),
-            fixed(junction.x_mm, 2),
-            fixed(-junction.y_mm, 2),
-            String::new(),
-            String::new(),
-        ];
-        if let Some(load) = load {
-            cells.insert(4, step.map_or_else(String::new, |_| tonnage(cycles * load / 1e6)));
+            cells.insert(4, cycles.map_or_else(String::new, |cycles| tonnage(cycles * load / 1e6)));
         }
         table.row(cells);
     }
     Some(table)
+}
+
+/// The cells of a piece, and its load cycles.
+fn piece_row(run: &RunFolder, piece: &PieceSummary) -> (Vec<String>, Option<f64>) {
+    let enclosed = Enclosed::of(run, piece);
+    let places = piece.outline_mm.iter().map(|corner| corner[0]);
+    let (left, right) =
+        places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+    let top = piece.outline_mm.iter().map(|corner| -corner[1]).fold(f64::INFINITY, f64::min);
+    let (name, top) = match piece.kind {
+        PieceKind::Spall => ("spall", "0".to_owned()),
+        _ => ("detached piece", fixed(top, 2)),
+    };
+    let cells = vec![
+        name.to_owned(),
+        enclosed.by(),
+        piece.step.to_string(),
+        grouped(enclosed.cycles),
+        format!("{} to {}", fixed(left, 2), fixed(right, 2)),
+        format!("{top} to {}", fixed(enclosed.depth, 2)),
+        significant(piece.area_mm2),
+        piece.outline_mm.len().to_string(),
+    ];
+    (cells, Some(enclosed.cycles))
+}
+
+/// The cells of a junction, and its load cycles; without these from the start.
+fn junction_row(run: &RunFolder, junction: &JunctionSummary) -> (Vec<String>, Option<f64>) {
+    let rows = run.growth.iter().filter(|row| {
+        row.crack == junction.crack && row.stop == Some(RunStop::NoTipGrows(TipStop::Coalescence))
+    });
+    let step = rows.map(|row| row.step).max();
+    let cycles = step.map(|step| {
+        let after = run.growth.iter().find(|row| row.step == step + 1);
+        after.map_or(run.summary.load_cycles, |row| row.load_cycles)
+    });
+    let cells = vec![
+        format!("joins crack {}", junction.onto),
+        format!("crack {}, {} end", junction.crack, junction.end.word()),
+        step.map_or_else(|| "from the start".to_owned(), |step| step.to_string()),
+        cycles.map_or_else(String::new, grouped),
+        fixed(junction.x_mm, 2),
+        fixed(-junction.y_mm, 2),
+        String::new(),
+        String::new(),
+    ];
+    (cells, cycles)
 }

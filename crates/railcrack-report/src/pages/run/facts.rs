@@ -59,15 +59,8 @@ pub(super) fn verdict(run: &RunFolder) -> String {
             fixed(last.length, 2),
             grouped(last.load_cycles),
         )
-    } else if last.stop == Some(RunStop::NoTipGrows(TipStop::Arrest)) || last.rate == 0.0 {
-        format!("{name} of {} mm does not grow.", fixed(first.length, 2))
     } else {
-        format!(
-            "{name} of {} mm has ΔK_{{eq}} = {} MPa√m and an initial growth rate of {} mm per load cycle; no increment was computed.",
-            fixed(first.length, 2),
-            significant(first.delta_keq),
-            significant(first.rate)
-        )
+        at_rest(&format!("{name} of {} mm", fixed(first.length, 2)), first, last, "")
     };
     // What has come loose counts more than what grows.
     let mut sentences = events::sentences(run);
@@ -75,6 +68,19 @@ pub(super) fn verdict(run: &RunFolder) -> String {
     sentences.extend(deepest_beside(run, last));
     sentences.push(stop_sentence(run));
     sentences.join(" ")
+}
+
+/// The sentence on a `crack` that has not grown, by its tip in the `first` and in the `last` step,
+/// which lies at `place`.
+pub(super) fn at_rest(crack: &str, first: &TipRow, last: &TipRow, place: &str) -> String {
+    if last.stop == Some(RunStop::NoTipGrows(TipStop::Arrest)) || last.rate == 0.0 {
+        return format!("{crack} does not grow.");
+    }
+    format!(
+        "{crack} has ΔK_{{eq}} = {} MPa√m and an initial growth rate of {} mm per load cycle{place}; no increment was computed.",
+        significant(first.delta_keq),
+        significant(first.rate)
+    )
 }
 
 /// The deepest tip, where it is not that of the representative crack.
@@ -145,9 +151,8 @@ fn error_of(row: &TipRow) -> Option<String> {
 /// The key figures.
 pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
     let Some((first, last)) = representative_tip(run) else { return Vec::new() };
-    let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
     let which = crack_name(run, last.crack);
-    let mut facts = vec![fact(
+    let mut facts = vec![Fact::new(
         "Load cycles",
         grouped(last.load_cycles),
         match error_of(last) {
@@ -158,24 +163,20 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
         },
     )];
     facts.push(match run.case.axle_load {
-        Some(load) => fact(
+        Some(load) => Fact::new(
             "Million gross tonnes",
             tonnage(last.load_cycles * load / 1e6),
             format!("at {} t per axle", given(load)),
         ),
-        None => fact(
-            "Million gross tonnes",
-            "not given".to_owned(),
-            "requires axle_load_t in [traffic]".to_owned(),
-        ),
+        None => Fact::new("Million gross tonnes", "not given", "requires axle_load_t in [traffic]"),
     });
-    facts.push(fact(
+    facts.push(Fact::new(
         "Crack length",
         format!("{} → {} mm", fixed(first.length, 2), fixed(last.length, 2)),
         format!("{which}; its tip is {} mm below the surface", fixed(-last.place[1], 2)),
     ));
     if let Some(heading) = run.heading(last) {
-        facts.push(fact("Direction", heading.course().word().to_owned(), heading.note()));
+        facts.push(Fact::new("Direction", heading.course().word().to_owned(), heading.note()));
     }
     facts.extend(events::fact(run));
     facts.extend(fracture(run));
@@ -187,16 +188,12 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
 pub(super) fn ending(run: &RunFolder, warnings: usize) -> [Fact; 2] {
     let stop = run.summary.stop.map_or("not ended", RunStop::word).replace('-', " ");
     [
-        Fact {
-            name: "Ended by".to_owned(),
-            value: stop,
-            note: format!("after step {} of {}", run.summary.steps, run.case.growth.steps),
-        },
-        Fact {
-            name: "Warnings".to_owned(),
-            value: if warnings == 0 { "none".to_owned() } else { warnings.to_string() },
-            note: if warnings == 0 { String::new() } else { "below, by kind".to_owned() },
-        },
+        Fact::new("Ended by", stop, format!("after step {} of {}", run.summary.steps, run.case.growth.steps)),
+        Fact::new(
+            "Warnings",
+            if warnings == 0 { "none".to_owned() } else { warnings.to_string() },
+            if warnings == 0 { String::new() } else { "below, by kind".to_owned() },
+        ),
     ]
 }
 
@@ -209,16 +206,16 @@ fn fracture(run: &RunFolder) -> Option<Fact> {
         Some(xc) => format!(", wheel at x = {} mm", fixed(xc, 0)),
         None => String::new(),
     };
-    Some(Fact {
-        name: "Fraction of the toughness".to_owned(),
-        value: format!("{} %", fixed(100.0 * share, 0)),
-        note: format!(
+    Some(Fact::new(
+        "Fraction of the toughness",
+        format!("{} %", fixed(100.0 * share, 0)),
+        format!(
             "largest k_{{1}} = {} MPa√m, toughness {} MPa√m, in step {}{at}",
             fixed(fracture.largest_k1_mpa_sqrt_m, 1),
             fixed(toughness, 1),
             fracture.step
         ),
-    })
+    ))
 }
 
 /// State of every tip in the last step; none for a single tip.

@@ -34,7 +34,7 @@ pub(super) fn section(page_data: &PageData) -> Option<Section> {
         },
     };
     let (id, heading) = ("around".to_owned(), "Deformation around the cracks".to_owned());
-    Some(Section { id, heading, blocks: vec![picture, Block::Table(files(page_data))] })
+    Some(Section::new(id, heading, vec![picture, Block::Table(files(page_data))]))
 }
 
 /// Room for the cells of all fields.

@@ -27,12 +27,12 @@ pub(super) fn explorer(run: &RunFolder, space: &SpaceCase, page_data: &PageData)
     let viewer = Block::Viewer {
         id: "explorer",
         html: super::EXPLORER,
-        blocks: vec![Block::charts(charts(run, space, page_data))],
+        blocks: vec![Block::charts(views(run, space).into_iter().chain(k_charts(run, page_data)))],
         data_id: "space-data",
         data: data(run, space, page_data),
         script: EXPLORER_SCRIPT,
     };
-    Section { id: "passage".to_owned(), heading: "Passage of the wheel".to_owned(), blocks: vec![viewer] }
+    Section::new("passage", "Passage of the wheel", vec![viewer])
 }
 
 /// The range of `values` with a margin at both ends.
@@ -42,8 +42,13 @@ fn aired(values: impl IntoIterator<Item = f64>) -> ChartRange {
     ChartRange::Exact([low - air, high + air])
 }
 
-/// The charts of the explorer. Their axes hold for all steps, cracks, wheels and positions.
-fn charts(run: &RunFolder, space: &SpaceCase, page_data: &PageData) -> Vec<Chart> {
+/// An empty chart, which the script fills.
+fn chart(id: &str, caption: &str, [x, y]: [ChartAxis; 2], aspect: ChartAspect) -> Chart {
+    Chart { id: id.to_owned(), caption: caption.to_owned(), x, y, aspect, ..Chart::default() }
+}
+
+/// The fronts in space: their axes hold for all steps, cracks, wheels and positions.
+fn views(run: &RunFolder, space: &SpaceCase) -> [Chart; 3] {
     let rows = &run.growth;
     let wheels = || run.patches.iter().map(WheelPatch::outline);
     let widest = wheels().map(|wheel| wheel.half_width).fold(0.0, f64::max);
@@ -55,17 +60,42 @@ fn charts(run: &RunFolder, space: &SpaceCase, page_data: &PageData) -> Vec<Chart
     let across = aired(rows.iter().filter_map(|row| row.lateral).chain(sides));
     let deepest = rows.iter().map(|row| -row.place[1]).fold(1e-6, f64::max);
     let load = 0.35 * deepest.max(0.5 * widest);
-    let (places, angles) = (plane_places(run, space), ends(rows.iter().filter_map(|row| row.phi_deg)));
-    let turn = [
-        if angles[0] < -0.5 { -90.0 } else { 0.0 },
-        if angles[0] < -0.5 {
-            270.0
-        } else if angles[1] > 180.5 {
-            360.0
-        } else {
-            180.0
-        },
-    ];
+    let places = plane_places(run, space);
+    let along_mouth = aired(places.iter().map(|place| place[0]));
+    let down_dip = aired(places.iter().map(|place| place[1]).chain([0.0]));
+    [
+        chart(
+            "above",
+            "Seen from above, to scale: fronts in this growth step (thick), in the first (dotted) and in the last (thin), crack \
+             mouths (dashed), and the contact ellipse. The dot is the selected point of the front.",
+            [along_rail(), ChartAxis::linear("z, across the rail", "mm").over(across)],
+            ChartAspect::Equal,
+        ),
+        chart(
+            "side",
+            "Seen from the side, to scale: the cracks projected onto a plane along the rail, below the pressure of the wheel.",
+            [along_rail(), ChartAxis::depth().over(aired([-1.2 * load, deepest]))],
+            ChartAspect::Equal,
+        ),
+        chart(
+            "plane",
+            "In the plane of the crack, to scale: the fronts of the growth steps on this page, from the surface down the dip.",
+            [
+                ChartAxis::linear("Along the mouth", "mm").over(along_mouth),
+                ChartAxis { label: "Down the dip".to_owned(), ..ChartAxis::depth() }.over(down_dip),
+            ],
+            ChartAspect::Equal,
+        ),
+    ]
+}
+
+/// K along the fronts, and at a point over the passage; their axes hold for all steps too.
+fn k_charts(run: &RunFolder, page_data: &PageData) -> [Chart; 2] {
+    let turn = match ends(run.growth.iter().filter_map(|row| row.phi_deg)) {
+        [first, _] if first < -0.5 => [-90.0, 270.0],
+        [_, last] if last > 180.5 => [0.0, 360.0],
+        _ => [0.0, 180.0],
+    };
     let steps = page_data.steps();
     let histories = || steps.iter().flat_map(|step| page_data.by_wheel(*step)).flatten();
     let k = |history: &History| [&history.ki, &history.kii, &history.kiii].map(Clone::clone).concat();
@@ -75,51 +105,19 @@ fn charts(run: &RunFolder, space: &SpaceCase, page_data: &PageData) -> Vec<Chart
         let xs: &[f64] = histories.first().map_or(&[], |history| &history.xc_over_a);
         xs[passage_of(run, wheel).near(xs)].to_vec()
     }));
-    let chart = |id: &str, caption: &str, [x, y]: [ChartAxis; 2], aspect: ChartAspect| Chart {
-        id: id.to_owned(),
-        caption: caption.to_owned(),
-        x,
-        y,
-        aspect,
-        ..Chart::default()
-    };
-    let (equal, free) = (ChartAspect::Equal, ChartAspect::Free);
-    vec![
-        chart(
-            "above",
-            "Seen from above, to scale: fronts in this growth step (thick), in the first (dotted) and in the last (thin), crack \
-             mouths (dashed), and the contact ellipse. The dot is the selected point of the front.",
-            [along_rail(), ChartAxis::linear("z, across the rail", "mm").over(across)],
-            equal,
-        ),
-        chart(
-            "side",
-            "Seen from the side, to scale: the cracks projected onto a plane along the rail, below the pressure of the wheel.",
-            [along_rail(), ChartAxis::depth().over(aired([-1.2 * load, deepest]))],
-            equal,
-        ),
-        chart(
-            "plane",
-            "In the plane of the crack, to scale: the fronts of the growth steps on this page, from the surface down the dip.",
-            [
-                ChartAxis::linear("Along the mouth", "mm").over(aired(places.iter().map(|place| place[0]))),
-                ChartAxis { label: "Down the dip".to_owned(), ..ChartAxis::depth() }
-                    .over(aired(places.iter().map(|place| place[1]).chain([0.0]))),
-            ],
-            equal,
-        ),
+    [
         chart(
             "along",
             "K along the front. Curves: K at the wheel position of the slider; bands: the range over the passage. Dotted lines \
              bound the surface layer that the cells do not resolve.",
             [ChartAxis::linear("φ along the front", "°").over(ChartRange::Exact(turn)), k_axis()],
-            free,
+            ChartAspect::Free,
         ),
         chart(
             "history",
             "K at the chosen point over the passage.",
             [ChartAxis::linear("Wheel position x_{c}/a", "").over(ChartRange::Exact(positions)), k_axis()],
-            free,
+            ChartAspect::Free,
         ),
     ]
 }

@@ -1,7 +1,7 @@
 //! Cracks in space on the page of a run: fronts, tables, assumptions.
 
 use super::assumptions::assumptions;
-use super::facts::{ending, stop_of, stop_sentence, tonnes_of};
+use super::facts::{at_rest, ending, stop_of, stop_sentence, tonnes_of};
 use super::front_data::cracks;
 use super::stored::RunFolder;
 use super::{RunParts, front_data, front_wheels, steps_section, warnings};
@@ -10,7 +10,6 @@ use crate::numbers::{fixed, given, grouped, significant, tonnage};
 use crate::page::{Block, Fact, Section};
 use crate::page_data::PageData;
 use crate::table::Table;
-use railcrack::growth::{RunStop, TipStop};
 use railcrack_case::SpaceCase;
 use railcrack_run::csv::TipRow;
 
@@ -24,14 +23,11 @@ pub(super) fn parts(run: &RunFolder, space: &SpaceCase, page_data: &PageData, pl
         growth.extend(front_wheels::drawn(run, plots));
         sections.push(front_data::explorer(run, space, page_data));
         sections.extend(whole_passage(run, plots));
-        sections.push(Section {
-            id: "fronts".to_owned(),
-            heading: "Fronts and K over the passage".to_owned(),
-            blocks: vec![charts(
-                plots,
-                &["from-above", "from-the-front", "from-the-side", "ki", "kii", "kiii"],
-            )],
-        });
+        sections.push(Section::new(
+            "fronts",
+            "Fronts and K over the passage",
+            vec![charts(plots, &["from-above", "from-the-front", "from-the-side", "ki", "kii", "kiii"])],
+        ));
         sections.push(steps(run));
     }
     RunParts {
@@ -85,32 +81,23 @@ fn verdict(run: &RunFolder) -> String {
             axes(last),
             grouped(last.load_cycles)
         )
-    } else if last.stop == Some(RunStop::NoTipGrows(TipStop::Arrest)) {
-        format!("{which} with {sizes} of {} does not grow.", axes(first))
     } else {
-        format!(
-            "{which} with {sizes} of {} has ΔK_{{eq}} = {} MPa√m and an initial growth rate of {} mm per load cycle at its \
-             deepest point; no increment was computed.",
-            axes(first),
-            significant(first.delta_keq),
-            significant(first.rate)
-        )
+        at_rest(&format!("{which} with {sizes} of {}", axes(first)), first, last, " at its deepest point")
     };
     format!("{text} {}", stop_sentence(run))
 }
 
 fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
     let Some((first, last)) = deepest(run) else { return Vec::new() };
-    let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
     let from_to = |a: f64, b: f64| format!("{} → {} mm", fixed(a, 2), fixed(b, 2));
     let sides = |row: &TipRow| row.half_length.unwrap_or(0.0);
-    let mut facts = vec![fact("Load cycles", grouped(last.load_cycles), "axles".to_owned())];
+    let mut facts = vec![Fact::new("Load cycles", grouped(last.load_cycles), "axles")];
     if let Some(load) = run.case.axle_load {
         let tonnes = tonnage(last.load_cycles * load / 1e6);
-        facts.push(fact("Million gross tonnes", tonnes, format!("at {} t per axle", given(load))));
+        facts.push(Fact::new("Million gross tonnes", tonnes, format!("at {} t per axle", given(load))));
     }
     let depth = from_to(-first.place[1], -last.place[1]);
-    facts.push(fact(
+    facts.push(Fact::new(
         "Depth",
         depth,
         format!(
@@ -119,12 +106,12 @@ fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
             from_to(first.length, last.length)
         ),
     ));
-    facts.push(fact(
+    facts.push(Fact::new(
         "On the surface",
         from_to(2.0 * sides(first), 2.0 * sides(last)),
-        "length of the mouth, or width of a buried crack".to_owned(),
+        "length of the mouth, or width of a buried crack",
     ));
-    facts.push(fact(
+    facts.push(Fact::new(
         "ΔK_{eq}",
         format!("{} MPa√m", significant(first.delta_keq)),
         match cracks(run) {
@@ -133,7 +120,7 @@ fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
         },
     ));
     if let Some((angle, ratio)) = first.wanted_kink_deg.zip(first.wanted_ratio) {
-        facts.push(fact(
+        facts.push(Fact::new(
             "Preferred kink",
             format!("{}°", fixed(angle, 0)),
             format!(
@@ -194,11 +181,11 @@ fn front_table(run: &RunFolder) -> Block {
 fn whole_passage(run: &RunFolder, plots: &[Plot]) -> Option<Section> {
     run.case.first_wheel().wheel.track.as_ref()?;
     let text = "The rail bends over several metres, and the passage covers this length. Bending is the same at all lateral positions.";
-    Some(Section {
-        id: "far".to_owned(),
-        heading: "The whole passage, in metres".to_owned(),
-        blocks: vec![Block::Text(text.to_owned()), charts(plots, &["ki-far", "kii-far", "kiii-far"])],
-    })
+    Some(Section::new(
+        "far",
+        "The whole passage, in metres",
+        vec![Block::Text(text.to_owned()), charts(plots, &["ki-far", "kii-far", "kiii-far"])],
+    ))
 }
 
 fn steps(run: &RunFolder) -> Section {

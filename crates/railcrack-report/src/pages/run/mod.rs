@@ -19,13 +19,13 @@ mod stored;
 mod warnings;
 mod wheels;
 
+use super::described::case_section;
 use super::what_if;
 use crate::engine::PageEngine;
 use crate::figures::Plot;
 use crate::page::{Block, Fact, Page, Section};
 use crate::page_data::PageData;
 use crate::table::Table;
-use railcrack_run::files::CASE_FILE;
 
 pub(crate) use stored::RunFolder;
 
@@ -71,7 +71,7 @@ pub(crate) fn run_page(
     lead.push(Block::List(parts.assumptions));
     let mut sections = parts.sections;
     sections.extend(engine.map(|engine| what_if::section(engine, &run.text, "this run", WHAT_IF)));
-    sections.push(case_section(run));
+    sections.push(case_section(&run.text));
     Page {
         title: run.summary.title.clone(),
         kind: parts.kind.to_owned(),
@@ -83,18 +83,6 @@ pub(crate) fn run_page(
     }
 }
 
-/// The case of the run.
-fn case_section(run: &RunFolder) -> Section {
-    Section {
-        id: "case".to_owned(),
-        heading: "Case".to_owned(),
-        blocks: vec![Block::Folded {
-            heading: format!("{CASE_FILE}, defaults filled in"),
-            blocks: vec![Block::Verbatim(run.text.clone())],
-        }],
-    }
-}
-
 /// The growth steps, of which `table` has the first rows.
 fn steps_section(run: &RunFolder, mut table: Table) -> Section {
     table.caption = "State at the start of each growth step; ranges over the stabilised passage".to_owned();
@@ -102,9 +90,9 @@ fn steps_section(run: &RunFolder, mut table: Table) -> Section {
         table.caption.push_str(&format!("; the first {TABLE_ROWS} rows of growth.csv"));
     }
     let heading = format!("{} rows", run.growth.len().min(TABLE_ROWS));
-    Section {
-        id: "steps".to_owned(),
-        heading: "All growth steps".to_owned(),
-        blocks: vec![Block::Folded { heading, blocks: vec![Block::Table(table)] }],
-    }
+    Section::new(
+        "steps",
+        "All growth steps",
+        vec![Block::Folded { heading, blocks: vec![Block::Table(table)] }],
+    )
 }

@@ -74,18 +74,14 @@ fn explorer(run: &RunFolder, page_data: &PageData, named: Option<&[NamedCrack]>,
         data: data::explorer(run, page_data, named),
         script: EXPLORER_SCRIPT,
     };
-    Section { id: "passage".to_owned(), heading: "Passage of the wheel".to_owned(), blocks: vec![viewer] }
+    Section::new("passage", "Passage of the wheel", vec![viewer])
 }
 
 /// Pressure and volume of the fluid in the cracks; none of dry ones.
 fn water(plots: &[Plot]) -> Option<Section> {
     let charts: Vec<Chart> =
         ["fluid-pressure", "fluid-volume"].into_iter().filter_map(|id| chart(plots, id)).collect();
-    (!charts.is_empty()).then(|| Section {
-        id: "water".to_owned(),
-        heading: "Fluid in the cracks".to_owned(),
-        blocks: vec![Block::charts(charts)],
-    })
+    (!charts.is_empty()).then(|| Section::new("water", "Fluid in the cracks", vec![Block::charts(charts)]))
 }
 
 fn growth(run: &RunFolder, named: Option<&[NamedCrack]>, remarks: Vec<String>) -> Section {
@@ -109,7 +105,7 @@ fn growth(run: &RunFolder, named: Option<&[NamedCrack]>, remarks: Vec<String>) -
     if !remarks.is_empty() {
         blocks.push(Block::List(remarks));
     }
-    Section { id: "growth".to_owned(), heading: "Growth".to_owned(), blocks }
+    Section::new("growth", "Growth", blocks)
 }
 
 /// Quantiles of the depth over traffic, where there is scatter.

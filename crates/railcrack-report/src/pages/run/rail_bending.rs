@@ -44,11 +44,7 @@ pub(super) fn section(run: &RunFolder, plots: &[Plot]) -> Option<Section> {
         fixed(most_k, 2)
     );
     let charts = k_charts.into_iter().chain([alone]);
-    Some(Section {
-        id: "far".to_owned(),
-        heading: "The whole passage, in metres".to_owned(),
-        blocks: vec![Block::Text(text), Block::charts(charts)],
-    })
+    Some(Section::new("far", "The whole passage, in metres", vec![Block::Text(text), Block::charts(charts)]))
 }
 
 /// K_I and K_II (MPa√m) of the first tip of the initial cracks under bending and temperature alone

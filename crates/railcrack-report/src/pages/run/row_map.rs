@@ -37,7 +37,7 @@ pub(super) fn section(run: &RunFolder, row: &CrackRow, named: &[NamedCrack], plo
         heading: format!("Table of the {} cracks", row.cracks.len()),
         blocks: vec![Block::Table(table.sortable())],
     }));
-    Section { id: "row".to_owned(), heading: "The row of cracks".to_owned(), blocks }
+    Section::new("row", "The row of cracks", blocks)
 }
 
 /// The charts of the map: the cracks along the rail by depth and by other quantities, over all

@@ -136,7 +136,6 @@ pub(super) fn verdict(plan: &StudyPlan, all: &[StudyRun]) -> String {
 
 /// The key figures.
 pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
-    let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
     let count = |is_in: fn(&RunState) -> bool| all.iter().filter(|run| is_in(&run.row.state)).count();
     let states = [
         ("done", count(|state| *state == RunState::Done)),
@@ -144,13 +143,13 @@ pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
         ("unfinished", count(|state| *state == RunState::Unfinished)),
         ("missing", count(|state| *state == RunState::Missing)),
     ];
-    let mut facts = vec![fact("Runs", all.len().to_string(), counted(&states))];
+    let mut facts = vec![Fact::new("Runs", all.len().to_string(), counted(&states))];
     let names: Vec<String> = plan.axes.iter().map(|axis| axis.name()).collect();
     let values: Vec<String> = plan.axes.iter().map(|axis| axis.len().to_string()).collect();
-    facts.push(fact("Parameters", names.join("; "), format!("{} values", values.join(" × "))));
+    facts.push(Fact::new("Parameters", names.join("; "), format!("{} values", values.join(" × "))));
     if let Some(Race { length, runs, cycles }) = Race::of(all) {
         let (range, which) = cycles.range(grouped);
-        facts.push(fact(
+        facts.push(Fact::new(
             &format!("Load cycles to {} mm", fixed(length, 2)),
             range,
             if runs == 1 { "in the one run that grows".to_owned() } else { which },
@@ -158,7 +157,7 @@ pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
     }
     if let Some(rates) = rates(all) {
         let (range, which) = rates.range(significant);
-        facts.push(fact("Rate of the initial crack", range, format!("mm per load cycle; {which}")));
+        facts.push(Fact::new("Rate of the initial crack", range, format!("mm per load cycle; {which}")));
     }
     let courses: Vec<Course> = all.iter().filter_map(|run| Some(run.heading()?.course())).collect();
     if !courses.is_empty() {
@@ -168,10 +167,10 @@ pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
             .filter(|(_, count)| *count > 0)
             .map(|(course, count)| format!("{count} {}", course.word()))
             .collect();
-        facts.push(fact(
+        facts.push(Fact::new(
             "Direction",
             of_each.join(", "),
-            "of the last segment at the representative tip".to_owned(),
+            "of the last segment at the representative tip",
         ));
     }
     let mut stops: BTreeMap<String, usize> = BTreeMap::new();
@@ -179,7 +178,7 @@ pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
         *stops.entry(summary.stop.map_or("not ended", RunStop::word).replace('-', " ")).or_default() += 1;
     }
     let stops: Vec<(&str, usize)> = stops.iter().map(|(stop, count)| (stop.as_str(), *count)).collect();
-    facts.push(fact("Ended by", counted(&stops), String::new()));
+    facts.push(Fact::new("Ended by", counted(&stops), ""));
     facts
 }
 

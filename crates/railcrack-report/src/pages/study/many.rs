@@ -149,31 +149,40 @@ fn estimate(estimate: Option<Estimate>) -> [String; 2] {
 
 fn columns(plan: &StudyPlan, runs: &[StudyRun]) -> Vec<Column> {
     let mut columns = vec![numbers("run", "Run", runs.iter().map(|run| run.number() as f64).collect())];
-    let keys: Vec<&str> = plan.axes.iter().flat_map(|axis| &axis.keys).map(|key| key.key.as_str()).collect();
-    for (place, key) in keys.into_iter().enumerate() {
-        let texts: Vec<&str> = runs
-            .iter()
-            .map(|run| plan.values_of(run.planned).nth(place).map_or("", |(_, value)| value))
-            .collect();
+    columns.extend(keys(plan, runs));
+    columns.extend(growth(runs));
+    columns.extend(traffic(runs));
+    columns.extend(ends(runs));
+    columns
+}
+
+/// The keys of the study.
+fn keys(plan: &StudyPlan, runs: &[StudyRun]) -> Vec<Column> {
+    let keys = plan.axes.iter().flat_map(|axis| &axis.keys).map(|key| key.key.as_str());
+    let column = |(place, key): (usize, &str)| {
+        let values = runs.iter().map(|run| plan.values_of(run.planned).nth(place));
+        let texts: Vec<&str> = values.map(|value| value.map_or("", |(_, value)| value)).collect();
         let parsed: Option<Vec<f64>> = texts.iter().map(|text| text.parse().ok()).collect();
-        columns.push(match parsed {
+        match parsed {
             Some(values) => Column { is_key: true, ..numbers(key, key, values) },
             None => Column { is_key: true, ..words(key, key, &texts) },
-        });
-    }
+        }
+    };
+    keys.enumerate().map(column).collect()
+}
+
+/// Growth at the representative tips.
+fn growth(runs: &[StudyRun]) -> Vec<Column> {
     let of_tip = |value: &dyn Fn(&RepresentativeTip) -> f64| -> Vec<f64> {
         runs.iter().map(|run| run.tip().map_or(f64::NAN, value)).collect()
     };
-    let of_summary = |value: &dyn Fn(&Summary) -> Option<f64>| -> Vec<f64> {
-        runs.iter().map(|run| run.row.summary.as_ref().and_then(value).unwrap_or(f64::NAN)).collect()
-    };
-    if let Some(length) = common_length(runs) {
+    let life = common_length(runs).map(|length| {
         let lives = of_tip(&|tip| cycles_to(&tip.rows, length).unwrap_or(f64::NAN));
         // Not the length of the first sentence, which all growing cracks reach.
         let reached = lives.iter().filter(|life| life.is_finite()).count();
-        let title = format!("Load cycles to {length:.2} mm (in {reached} runs)");
-        columns.push(Column { is_logarithmic: true, ..numbers("life", &title, lives) });
-    }
+        logarithmic("life", &format!("Load cycles to {length:.2} mm (in {reached} runs)"), lives)
+    });
+    let mut columns: Vec<Column> = life.into_iter().collect();
     columns.extend([
         logarithmic("rate_mm_per_cycle", "Initial rate (mm/cycle)", of_tip(&|tip| tip.first.rate)),
         numbers("delta_keq_mpa_sqrt_m", "Initial ΔK_{eq} (MPa√m)", of_tip(&|tip| tip.first.delta_keq)),
@@ -181,38 +190,43 @@ fn columns(plan: &StudyPlan, runs: &[StudyRun]) -> Vec<Column> {
         numbers("depth_mm", "Depth of the tip (mm)", of_tip(&|tip| -tip.last().place[1])),
         logarithmic("load_cycles", "Load cycles", of_tip(&|tip| tip.last().load_cycles)),
     ]);
-    let of_traffic = [
-        logarithmic("mgt", "Million gross tonnes", of_summary(&|summary| summary.million_gross_tonnes)),
-        logarithmic(
-            "failure_mgt",
-            "MGT to failure",
-            of_summary(&|summary| summary.decision.as_ref()?.failure.mgt),
-        ),
-        logarithmic(
-            "interval_mgt",
-            "Inspection interval (MGT)",
-            of_summary(&|summary| summary.decision.as_ref()?.inspection.as_ref()?.interval_mgt),
-        ),
-    ];
     columns
-        .extend(of_traffic.into_iter().filter(|column| column.values.iter().any(|value| value.is_finite())));
-    let state = |run: &StudyRun| -> String {
+}
+
+/// Million gross tonnes, as far as a run has them.
+fn traffic(runs: &[StudyRun]) -> impl Iterator<Item = Column> {
+    let of = |name: &str, title: &str, value: fn(&Summary) -> Option<f64>| {
+        let value = |run: &StudyRun| run.row.summary.as_ref().and_then(value).unwrap_or(f64::NAN);
+        logarithmic(name, title, runs.iter().map(value).collect())
+    };
+    let columns = [
+        of("mgt", "Million gross tonnes", |summary| summary.million_gross_tonnes),
+        of("failure_mgt", "MGT to failure", |summary| summary.decision.as_ref()?.failure.mgt),
+        of("interval_mgt", "Inspection interval (MGT)", |summary| {
+            summary.decision.as_ref()?.inspection.as_ref()?.interval_mgt
+        }),
+    ];
+    columns.into_iter().filter(|column| column.values.iter().any(|value| value.is_finite()))
+}
+
+/// The verdicts, where there are any, and how the runs ended.
+fn ends(runs: &[StudyRun]) -> Vec<Column> {
+    let of = |name, title, text: &dyn Fn(&StudyRun) -> String| {
+        let texts: Vec<String> = runs.iter().map(text).collect();
+        words(name, title, &texts.iter().map(String::as_str).collect::<Vec<_>>())
+    };
+    let of_verdict = |text: fn(&Verdict) -> String| {
+        move |run: &StudyRun| verdict(run).map_or_else(|| "none".to_owned(), text)
+    };
+    let mut columns = Vec::new();
+    if runs.iter().any(|run| verdict(run).is_some()) {
+        columns.push(of("verdict", "Verdict", &of_verdict(|verdict| verdict.level.word().to_owned())));
+        columns.push(of("reasons", "Reasons", &of_verdict(Verdict::kinds)));
+    }
+    columns.push(of("stop", "Ended by", &|run| {
         let stop = run.row.summary.as_ref().and_then(|summary| summary.stop);
         stop.map_or_else(|| run.row.state.name().to_owned(), |stop| stop.word().to_owned())
-    };
-    let stops: Vec<String> = runs.iter().map(state).collect();
-    let of_verdict = |of: &dyn Fn(&Verdict) -> String| -> Vec<String> {
-        runs.iter().map(|run| verdict(run).map_or_else(|| "none".to_owned(), of)).collect()
-    };
-    if runs.iter().any(|run| verdict(run).is_some()) {
-        let as_words = |name, title, texts: &[String]| {
-            words(name, title, &texts.iter().map(String::as_str).collect::<Vec<_>>())
-        };
-        let levels = of_verdict(&|verdict| verdict.level.word().to_owned());
-        columns.push(as_words("verdict", "Verdict", &levels));
-        columns.push(as_words("reasons", "Reasons", &of_verdict(&Verdict::kinds)));
-    }
-    columns.push(words("stop", "Ended by", &stops.iter().map(String::as_str).collect::<Vec<_>>()));
+    }));
     columns
 }
 

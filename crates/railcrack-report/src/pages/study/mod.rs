@@ -9,6 +9,7 @@ mod warnings;
 
 use crate::figures::{MANY, StudyRun, Styles};
 use crate::page::{Block, Page, Section};
+use crate::pages::described::file_section;
 use railcrack_run::study::{Population, StudyPlan};
 
 /// Maximum number of runs for which the table precedes the charts.
@@ -59,15 +60,8 @@ fn page(
         facts: facts::facts(plan, runs),
         lead,
         sections: vec![
-            Section { id: "runs".to_owned(), heading: "All runs".to_owned(), blocks: together },
-            Section {
-                id: "study".to_owned(),
-                heading: "Study".to_owned(),
-                blocks: vec![Block::Folded {
-                    heading: "The study file".to_owned(),
-                    blocks: vec![Block::Verbatim(study.to_owned())],
-                }],
-            },
+            Section::new("runs", "All runs", together),
+            file_section("study", "Study", "The study file".to_owned(), study),
         ],
     }
 }

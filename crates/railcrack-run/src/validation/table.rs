@@ -1,11 +1,11 @@
 //! `validation.csv`.
 
-use railcrack_run::validation::Validated;
+use super::folder::Validated;
 
 const HEADER: &str = "id,grade,scored,certainty,read,unit,measured,measured_low,measured_high,predicted,predicted_low,predicted_high,predicted_log_std,factor,pit,crps_ln,inside_95,within_factor_2,within_factor_5,without,quantity,space_predicted,space_predicted_low,space_predicted_high,space_predicted_log_std,space_factor,space_pit,space_crps_ln,space_inside_95,space_without";
 
-/// A row for each entry that is compared.
-pub(super) fn csv(validated: &[Validated]) -> String {
+/// `validation.csv`: a row for each entry that is compared.
+pub fn validation_table(validated: &[Validated]) -> String {
     let mut text = String::from(
         "# predicted: median, 95 % and sd of ln of the samples; factor: predicted over measured; pit, crps_ln: of the logarithm, with the error of measurement; without: share of samples that do not reach the depth; space_: the same conditions with an elliptical contact and a curved front, empty where they are not given\n",
     );

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use std::io::Write;
 
 /// Maximum number of failed runs listed individually.
-const MOST_TOLD: usize = 20;
+const MOST_LISTED: usize = 20;
 
 /// Summary of the result for standard output.
 pub fn result_text(
@@ -84,31 +84,31 @@ pub fn result_json(folder: &StudyFolder, results: &StudyResults, failed: &[Faile
 }
 
 /// Lists the failed runs on standard error, also with `--quiet` and `--json`.
-pub fn tell_failed(failed: &[FailedRun]) {
-    tell(failed_text(failed));
+pub fn print_failed(failed: &[FailedRun]) {
+    print(failed_text(failed));
 }
 
 /// Reports damage that a resumed study makes good.
-pub fn tell_damages(damages: &[String]) {
+pub fn print_damages(damages: &[String]) {
     let line = |damage: &String| format!("damaged: {damage}; what was lost is computed again\n");
-    tell(damages.iter().map(line).collect());
+    print(damages.iter().map(line).collect());
 }
 
 /// Reports files of packed runs that are damaged or of another study.
-pub fn tell_flaws(flaws: &[String]) {
-    tell(flaws.iter().map(|flaw| format!("damaged: {flaw}\n")).collect());
+pub fn print_flaws(flaws: &[String]) {
+    print(flaws.iter().map(|flaw| format!("damaged: {flaw}\n")).collect());
 }
 
-fn tell(text: String) {
+fn print(text: String) {
     // A failure to write to standard error cannot be reported.
     let _ = write!(std::io::stderr().lock(), "{text}");
 }
 
 fn failed_text(failed: &[FailedRun]) -> String {
     let line = |run: &FailedRun| format!("run {} ({}) failed: {}\n", run.number, run.label, run.reason);
-    let mut text: String = failed.iter().take(MOST_TOLD).map(line).collect();
-    if failed.len() > MOST_TOLD {
-        text.push_str(&format!("{} more failed, see summary.csv\n", failed.len() - MOST_TOLD));
+    let mut text: String = failed.iter().take(MOST_LISTED).map(line).collect();
+    if failed.len() > MOST_LISTED {
+        text.push_str(&format!("{} more failed, see summary.csv\n", failed.len() - MOST_LISTED));
     }
     text
 }

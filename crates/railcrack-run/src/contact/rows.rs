@@ -1,18 +1,20 @@
 //! The wheels of a case, a row each.
 
+use crate::setup::WheelDemand;
 use railcrack::load::Contact;
 use railcrack::rolling::{PatchForces, PlacedPatch};
 use railcrack_case::{Case, ContactOrigin, GivenContact, TrafficWheel};
-use railcrack_run::setup::WheelDemand;
 
 /// A wheel with its patches and what it makes of the cracks.
-pub(super) struct WheelRow {
+#[derive(Debug, Clone, Default)]
+pub struct WheelRow {
     /// Its number: of the table, or from 1.
     pub number: u64,
     /// Its place along the track, m, in a table with places.
     pub place: Option<f64>,
     /// The row of the wheel that represents it; none of one that misses the crack.
     pub represented_by: Option<usize>,
+    /// Its share of the axles.
     pub share: f64,
     /// p0, MPa, of the patch over the crack, or of the first; of a line contact, of the strip.
     pub peak_pressure: f64,
@@ -24,14 +26,19 @@ pub(super) struct WheelRow {
     pub force: Option<[f64; 2]>,
     /// Forces on the rail downwards and towards +y, N, of all patches, where angles are known.
     pub upright_force: Option<[f64; 2]>,
+    /// The part of its patches that slips.
     pub slip_share: Option<f64>,
-    /// Tγ, N; without and with the work of the spin.
+    /// Tγ without the work of the spin, N.
     pub t_gamma: Option<f64>,
+    /// Tγ with it, N.
     pub t_gamma_with_spin: Option<f64>,
     /// Lateral place of the patch on the rail, mm, in a table.
     pub y_rail: Option<f64>,
+    /// ΔK_eq of its passage, MPa√m, the largest of all tips.
     pub delta_keq: f64,
+    /// Growth rate under this wheel alone, mm per axle.
     pub rate: f64,
+    /// Its share of the growth.
     pub growth_share: f64,
     /// Its patches with the place of the crack in them.
     pub patches: Vec<PlacedPatch>,
@@ -81,32 +88,21 @@ impl WheelRow {
             ContactOrigin::Profiles(own) => {
                 let over = own.placed.iter().position(|own| own.patch.half_length(own.y) > 0.0).unwrap_or(0);
                 let angles: Vec<f64> = own.contacts.iter().map(|contact| contact.angle).collect();
-                let rolling = Self::rolling((number, share), own.placed.clone(), over, Some(angles));
-                return Self {
-                    represented_by: Some(index),
-                    y_rail: own.contacts.get(over).map(|contact| contact.y),
-                    ..rolling
-                };
+                let y_rail = own.contacts.get(over).map(|contact| contact.y);
+                Self { y_rail, ..Self::rolling((number, share), own.placed.clone(), over, Some(angles)) }
             }
             ContactOrigin::Rolling { patch, lateral, .. } => {
                 let placed = PlacedPatch { patch: **patch, y: *lateral, x: 0.0 };
-                return Self {
-                    represented_by: Some(index),
-                    ..Self::rolling((number, share), vec![placed], 0, None)
-                };
+                Self::rolling((number, share), vec![placed], 0, None)
             }
-            ContactOrigin::Ellipse { ellipse, .. } | ContactOrigin::GivenEllipse { ellipse, .. } => {
-                let normal = ellipse.load();
-                let row = Self::of_line(number, share, contact);
-                Self {
-                    peak_pressure: ellipse.peak_pressure,
-                    along: ellipse.along,
-                    across: Some(ellipse.across),
-                    // Every strip has the same ratio of shear to pressure.
-                    force: Some([normal * contact.adhesion(), 0.0]),
-                    ..row
-                }
-            }
+            ContactOrigin::Ellipse { ellipse, .. } | ContactOrigin::GivenEllipse { ellipse, .. } => Self {
+                peak_pressure: ellipse.peak_pressure,
+                along: ellipse.along,
+                across: Some(ellipse.across),
+                // Every strip has the same ratio of shear to pressure.
+                force: Some([ellipse.load() * contact.adhesion(), 0.0]),
+                ..Self::of_line(number, share, contact)
+            },
             _ => Self::of_line(number, share, contact),
         };
         Self { represented_by: Some(index), ..row }
@@ -120,22 +116,11 @@ impl WheelRow {
         };
         Self {
             number,
-            place: None,
-            represented_by: None,
             share,
             peak_pressure: contact.peak_pressure(),
             along: contact.half_width(),
-            across: None,
-            force: None,
-            upright_force: None,
             slip_share,
-            t_gamma: None,
-            t_gamma_with_spin: None,
-            y_rail: None,
-            delta_keq: 0.0,
-            rate: 0.0,
-            growth_share: 0.0,
-            patches: Vec::new(),
+            ..Self::default()
         }
     }
 
@@ -154,8 +139,6 @@ impl WheelRow {
             forces.iter().zip(&patches).map(|(own, patch)| own.slip_share * area(patch)).sum();
         Self {
             number,
-            place: None,
-            represented_by: None,
             share,
             peak_pressure: ellipse.peak_pressure,
             along: ellipse.along,
@@ -165,13 +148,17 @@ impl WheelRow {
             slip_share: Some(slipping / areas),
             t_gamma: Some(sum(|own| own.t_gamma)),
             t_gamma_with_spin: Some(sum(|own| own.t_gamma_with_spin)),
-            y_rail: None,
-            delta_keq: 0.0,
-            rate: 0.0,
-            growth_share: 0.0,
             patches,
+            ..Self::default()
         }
     }
+}
+
+/// The wheels of `rows` that grow the cracks most, those first.
+pub fn by_growth(rows: &[WheelRow]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..rows.len()).collect();
+    order.sort_by(|a, b| rows[*b].growth_share.total_cmp(&rows[*a].growth_share).then(a.cmp(b)));
+    order
 }
 
 /// Forces on the rail downwards and towards +y (N) of patches whose planes fall towards +y by

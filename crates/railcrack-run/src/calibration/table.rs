@@ -1,9 +1,12 @@
 //! `calibration.csv`.
 
-use railcrack_run::calibration::{Calibration, Finding, Measure, Observed, Site, Trial};
+use super::fit::Calibration;
+use super::measured::{Finding, Measure, Site};
+use super::observed::Observed;
+use super::parameter::Trial;
 
 /// The measured quantities of `sites`.
-pub(super) fn quantities(sites: &[Site]) -> Vec<Measure> {
+pub fn quantities(sites: &[Site]) -> Vec<Measure> {
     [Measure::Depth, Measure::Length]
         .into_iter()
         .filter(|measure| sites.iter().any(|site| site.measure == *measure))
@@ -51,8 +54,8 @@ fn cell(value: Option<f64>) -> String {
     value.map_or(String::new(), |value| value.to_string())
 }
 
-/// The table of a coefficient `value`.
-pub(super) fn table(sites: &[Site], calibration: &Calibration, value: f64) -> String {
+/// `calibration.csv` of a coefficient `value`.
+pub fn coefficient_table(sites: &[Site], calibration: &Calibration, value: f64) -> String {
     table_of(sites, "computed_mgt,coefficient,ln_n_std", |j, i| {
         let observed = calibration.sites[j].observations[i].as_ref()?;
         let reading = observed.reading(calibration.usual);
@@ -62,8 +65,8 @@ pub(super) fn table(sites: &[Site], calibration: &Calibration, value: f64) -> St
     })
 }
 
-/// The table of the runs with several values of another number.
-pub(super) fn table_of_trials(sites: &[Site], trials: &[Trial]) -> String {
+/// `calibration.csv` of the runs with several values of another number.
+pub fn trials_table(sites: &[Site], trials: &[Trial]) -> String {
     table_of(sites, "computed_mgt,value", |j, i| {
         let of = |trial: &Trial| {
             let computed = match trial.sites[j][i].as_ref()? {

@@ -1,22 +1,25 @@
 //! `contact.html`.
 
-use super::across::Across;
-use super::conclusions::sentences;
-use super::patches;
-use super::rows::WheelRow;
+use super::described::described;
+use crate::chart::{Chart, ChartAxis, Curve, CurveLook};
+use crate::figures::patches_picture;
+use crate::numbers::{fixed, significant};
+use crate::page::{Block, Fact, Page, Section};
+use crate::table::{MISSING, Table};
 use railcrack_case::Case;
-use railcrack_report::{
-    Block, Chart, ChartAxis, Curve, CurveLook, Fact, MISSING, Page, Section, Table, fixed, significant,
-};
+use railcrack_run::contact::{GrowthAcross, WheelRow, by_growth, sentences};
+use railcrack_run::description::Subject;
 
 /// Rows of the table of the page; wheels.csv has all.
 const SHOWN: usize = 40;
 
-/// The page of the wheels, of which those in `drawn` come first.
-pub(super) fn page(case: &Case, rows: &[WheelRow], drawn: &[usize], across: Option<&Across>) -> Page {
-    let said = sentences(case, rows, across);
-    let section =
-        |id: &str, heading: &str, blocks| Section { id: id.to_owned(), heading: heading.to_owned(), blocks };
+/// The subjects of the case from which growth is computed, besides the wheels.
+const ASSUMED: [Subject; 6] =
+    [Subject::Rail, Subject::Passage, Subject::Cracks, Subject::Fronts, Subject::Growth, Subject::Model];
+
+/// The page of the wheels, of which those in `drawn` have pictures.
+pub fn contact_page(case: &Case, rows: &[WheelRow], drawn: &[usize], across: Option<&GrowthAcross>) -> Page {
+    let sentences = sentences(case, rows, across);
     let pictures: Vec<Block> = drawn
         .iter()
         .filter_map(|wheel| {
@@ -27,30 +30,34 @@ pub(super) fn page(case: &Case, rows: &[WheelRow], drawn: &[usize], across: Opti
                 significant(100.0 * row.share),
                 significant(100.0 * row.growth_share)
             );
-            Some(Block::Picture { svg: patches::picture(row)?, caption })
+            Some(Block::Picture { svg: patches_picture(row)?, caption })
         })
         .collect();
-    let mut sections = vec![section("wheels", "Wheels", vec![Block::Table(table(rows))])];
+    let mut sections = vec![Section::new("wheels", "Wheels", vec![Block::Table(table(rows))])];
     if !pictures.is_empty() {
-        sections.push(section("patches", "Patches", pictures));
+        sections.push(Section::new("patches", "Patches", pictures));
     }
     let charts = charts(rows, across);
     if !charts.is_empty() {
-        sections.push(section("places", "Lateral places", charts.into_iter().map(Block::Chart).collect()));
+        sections.push(Section::new(
+            "places",
+            "Lateral places",
+            charts.into_iter().map(Block::Chart).collect(),
+        ));
     }
-    sections.push(section("meaning", "Meaning of the numbers", vec![Block::List(meaning(case))]));
+    sections.push(Section::new("meaning", "Meaning of the numbers", vec![Block::List(meaning(case))]));
+    sections.push(Section::new("assumptions", "Assumptions", vec![Block::List(described(case, &ASSUMED))]));
     let mean = rows.iter().map(|row| row.share * row.rate).sum::<f64>();
-    let fact = |name: &str, value: String, note: &str| Fact { name: name.into(), value, note: note.into() };
     Page {
         title: case.title.clone(),
         kind: "Contact".into(),
         decision: None,
-        verdict: said.first().map_or_else(String::new, |first| format!("{first}.")),
+        verdict: sentences.first().map_or_else(String::new, |first| format!("{first}.")),
         facts: vec![
-            fact("Wheels", rows.len().to_string(), ""),
-            fact("Mean rate", significant(mean), "mm per axle, of the cracks as they are"),
+            Fact::new("Wheels", rows.len().to_string(), ""),
+            Fact::new("Mean rate", significant(mean), "mm per axle, of the cracks as they are"),
         ],
-        lead: vec![Block::List(said.iter().skip(1).map(|text| format!("{text}.")).collect())],
+        lead: vec![Block::List(sentences.iter().skip(1).map(|text| format!("{text}.")).collect())],
         sections,
     }
 }
@@ -90,10 +97,8 @@ fn table(rows: &[WheelRow]) -> Table {
         "ΔKeq (MPa√m)",
         "Growth (%)",
     ]);
-    let mut order: Vec<usize> = (0..rows.len()).collect();
-    order.sort_by(|a, b| rows[*b].growth_share.total_cmp(&rows[*a].growth_share).then(a.cmp(b)));
     let or_missing = |value: Option<String>| value.unwrap_or_else(|| MISSING.to_owned());
-    for row in order.iter().take(SHOWN).map(|wheel| &rows[*wheel]) {
+    for row in by_growth(rows).iter().take(SHOWN).map(|wheel| &rows[*wheel]) {
         table.row([
             row.number.to_string(),
             significant(100.0 * row.share),
@@ -115,7 +120,7 @@ fn table(rows: &[WheelRow]) -> Table {
     table
 }
 
-fn charts(rows: &[WheelRow], across: Option<&Across>) -> Vec<Chart> {
+fn charts(rows: &[WheelRow], across: Option<&GrowthAcross>) -> Vec<Chart> {
     let mut charts = Vec::new();
     if let Some(across) = across {
         let points = across.places.iter().map(|[place, rate, _]| [*place, *rate]).collect();

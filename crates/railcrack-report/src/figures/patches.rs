@@ -1,8 +1,7 @@
 //! Pictures of patches: |q|/(μp), stick and slip.
 
-use super::rows::WheelRow;
-use super::table::{INTERVALS, places};
 use railcrack::rolling::{PlacedPatch, RollingPatch};
+use railcrack_run::contact::{PATCH_INTERVALS, WheelRow, patch_strips};
 
 /// Pixels per mm, and the margin around patches.
 const SCALE: f64 = 14.0;
@@ -13,7 +12,7 @@ const OUTLINE: usize = 120;
 const LEGEND: f64 = 520.0;
 
 /// The patches of a wheel, from left to right; none of a line contact.
-pub(super) fn picture(row: &WheelRow) -> Option<String> {
+pub fn patches_picture(row: &WheelRow) -> Option<String> {
     if row.patches.is_empty() {
         return None;
     }
@@ -51,9 +50,9 @@ pub(super) fn picture(row: &WheelRow) -> Option<String> {
 /// A cell for each point of each strip.
 fn cells(svg: &mut String, patch: &RollingPatch, [x0, y0]: [f64; 2]) {
     let [low, high] = patch.ends();
-    let tall = (high - low) * SCALE / places([low, high]).count() as f64;
-    for y in places([low, high]) {
-        let Ok(strip) = patch.strip(y, INTERVALS) else { continue };
+    let tall = (high - low) * SCALE / patch_strips([low, high]).count() as f64;
+    for y in patch_strips([low, high]) {
+        let Ok(strip) = patch.strip(y, PATCH_INTERVALS) else { continue };
         for pair in strip.points.windows(3) {
             let [before, point, after] = pair else { continue };
             let (from, to) = (0.5 * (before.x + point.x), 0.5 * (point.x + after.x));

@@ -1,8 +1,8 @@
 //! `wheels.csv`, `patches.csv`, `strips.csv`, `across.csv`.
 
-use super::across::Across;
+use super::across::GrowthAcross;
 use super::rows::WheelRow;
-use railcrack::rolling::PlacedPatch;
+use railcrack::rolling::{PlacedPatch, StripPoint};
 
 const WHEELS: &str = "wheel,representative,share,p0_mpa,a_mm,b_mm,fx_kn,fy_kn,slip_share,tgamma_n,delta_keq_mpa_sqrt_m,growth_share,tgamma_with_spin_n,y_rail_mm,rate_mm_per_cycle,vertical_kn,lateral_kn";
 
@@ -11,8 +11,8 @@ fn or_blank(value: Option<f64>) -> String {
     value.map_or_else(String::new, |value| value.to_string())
 }
 
-/// A row per wheel.
-pub(super) fn wheels(rows: &[WheelRow]) -> String {
+/// `wheels.csv`: a row per wheel.
+pub fn wheels_table(rows: &[WheelRow]) -> String {
     let mut text = format!("{WHEELS}\n");
     for row in rows {
         let representative = row.represented_by.map(|other| rows[other].number);
@@ -41,48 +41,48 @@ pub(super) fn wheels(rows: &[WheelRow]) -> String {
     text
 }
 
-/// Strips across each patch, and intervals along them.
-pub(super) const STRIPS: usize = 31;
-pub(super) const INTERVALS: usize = 48;
+/// Strips across each patch.
+const STRIPS: usize = 31;
+/// Intervals along each strip.
+pub const PATCH_INTERVALS: usize = 48;
+/// Intervals along the strip above the crack.
+const STRIP_INTERVALS: usize = 160;
 
 /// y of the strips of a patch between its `ends`, mm.
-pub(super) fn places([from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
+pub fn patch_strips([from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     (0..STRIPS).map(move |i| middle + half * ((2 * i + 1) as f64 / STRIPS as f64 - 1.0))
 }
 
-/// Tractions of the whole patches of the wheels `drawn`.
-pub(super) fn patches(rows: &[WheelRow], drawn: &[usize]) -> String {
+/// `patches.csv`: tractions of the whole patches of the wheels `drawn`.
+pub fn patches_table(rows: &[WheelRow], drawn: &[usize]) -> String {
     let mut text = String::from("wheel,patch,x_mm,y_mm,p_mpa,qx_mpa,qy_mpa,slips\n");
     for (row, number, own) in placed(rows, drawn) {
-        for y in places(own.patch.ends()) {
-            push_strip(&mut text, row.number, number, own, y, INTERVALS, Some(y));
-        }
+        let wheel = format!("{},{number},", row.number);
+        patch_strips(own.patch.ends()).for_each(|y| push_strip(&mut text, &wheel, own, y));
     }
     text
 }
 
 /// Tractions of one patch.
-pub(super) fn patch(own: &PlacedPatch) -> String {
+pub fn patch_table(own: &PlacedPatch) -> String {
     let mut text = String::from(
         "# pressure and shear on the rail, x with the travel and y across from the middle of the patch\n\
          x_mm,y_mm,p_mpa,qx_mpa,qy_mpa,slips\n",
     );
-    for y in places(own.patch.ends()) {
-        let Ok(strip) = own.patch.strip(y, INTERVALS) else { continue };
-        for point in &strip.points {
-            let ([along, over], slips) = (point.shear, u8::from(point.slips));
-            text.push_str(&format!("{},{y},{},{along},{over},{slips}\n", point.x, point.pressure));
-        }
-    }
+    patch_strips(own.patch.ends()).for_each(|y| push_strip(&mut text, "", own, y));
     text
 }
 
-/// Tractions of the strips above the crack.
-pub(super) fn strips(rows: &[WheelRow], drawn: &[usize]) -> String {
+/// `strips.csv`: tractions of the strips above the crack.
+pub fn strips_table(rows: &[WheelRow], drawn: &[usize]) -> String {
     let mut text = String::from("wheel,patch,x_mm,p_mpa,qx_mpa,qy_mpa,slips\n");
     for (row, number, own) in placed(rows, drawn) {
-        push_strip(&mut text, row.number, number, own, own.y, 160, None);
+        let Ok(strip) = own.patch.strip(own.y, STRIP_INTERVALS) else { continue };
+        for StripPoint { x, pressure, shear: [along, over], slips } in strip.points {
+            let (wheel, slips) = (row.number, u8::from(slips));
+            text.push_str(&format!("{wheel},{number},{x},{pressure},{along},{over},{slips}\n"));
+        }
     }
     text
 }
@@ -97,29 +97,16 @@ fn placed<'a>(
     })
 }
 
-fn push_strip(
-    text: &mut String,
-    wheel: u64,
-    number: usize,
-    own: &PlacedPatch,
-    y: f64,
-    intervals: usize,
-    shown: Option<f64>,
-) {
-    let Ok(strip) = own.patch.strip(y, intervals) else { return };
-    let across = shown.map_or_else(String::new, |y| format!("{y},"));
-    for point in &strip.points {
-        let [along, over] = point.shear;
-        let slips = u8::from(point.slips);
-        text.push_str(&format!(
-            "{wheel},{number},{},{across}{},{along},{over},{slips}\n",
-            point.x, point.pressure
-        ));
+/// The strip of a patch at `y` (mm), after what says of which `wheel`.
+fn push_strip(text: &mut String, wheel: &str, own: &PlacedPatch, y: f64) {
+    let Ok(strip) = own.patch.strip(y, PATCH_INTERVALS) else { return };
+    for StripPoint { x, pressure, shear: [along, over], slips } in strip.points {
+        text.push_str(&format!("{wheel}{x},{y},{pressure},{along},{over},{}\n", u8::from(slips)));
     }
 }
 
-/// Growth by the lateral place of the crack.
-pub(super) fn across(across: &Across) -> String {
+/// `across.csv`: growth by the lateral place of the crack.
+pub fn across_table(across: &GrowthAcross) -> String {
     let mut text = format!(
         "# relative_rate: mean growth rate over that at lateral_mm of the case, by {}\nlateral_mm,relative_rate,share_over_crack\n",
         across.by

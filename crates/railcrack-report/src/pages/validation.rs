@@ -1,15 +1,16 @@
 //! `validation.html` and its plots.
 
-use super::Scores;
-use railcrack_case::{Entry, Grade, Quantity};
-use railcrack_report::{
-    Block, Chart, ChartArea, ChartAxis, ChartSheet, Curve, CurveColour, CurveDots, CurveLook, CurveWidth,
-    Fact, Page, Section, Table, significant,
+use crate::chart::{
+    Chart, ChartArea, ChartAxis, ChartSheet, Curve, CurveColour, CurveDots, CurveLook, CurveWidth,
 };
-use railcrack_run::validation::{GradeScore, Score, Validated, Validation};
+use crate::numbers::significant;
+use crate::page::{Block, Fact, Page, Section};
+use crate::table::Table;
+use railcrack_case::{Entry, Grade, Quantity};
+use railcrack_run::validation::{GradeScore, Score, Scores, Validated, Validation};
 
 /// The charts and tables of a validation.
-pub(super) struct Drawn<'a> {
+pub struct ValidationPage<'a> {
     validated: &'a [Validated],
     scores: &'a Scores,
     /// Name of the file, heading, chart.
@@ -21,7 +22,8 @@ const DEPTHS: [f64; 12] = [0.35, 0.5, 0.8, 1.3, 1.8, 2.3, 3.2, 5.0, 6.5, 8.0, 10
 const GRADES: [(Grade, &str); 3] =
     [(Grade::Track, "Track"), (Grade::Rig, "Rigs"), (Grade::Law, "Growth laws")];
 
-impl<'a> Drawn<'a> {
+impl<'a> ValidationPage<'a> {
+    /// Of the entries `validated` of `validation`.
     pub fn of(validation: &Validation, validated: &'a [Validated], scores: &'a Scores) -> Self {
         let mut charts = Vec::new();
         for (grade, name) in GRADES {
@@ -56,72 +58,63 @@ impl<'a> Drawn<'a> {
         self.charts.iter().map(svg).collect()
     }
 
+    /// The page.
     pub fn page(&self) -> Page {
-        let track = |of: &[GradeScore]| of.iter().find(|of| of.grade == Grade::Track).copied();
-        let verdict = match track(&self.scores.plane) {
-            Some(plane) => {
-                let in_space = track(&self.scores.space).map_or_else(String::new, |space| {
-                    format!(
-                        " With an elliptical contact and a curved front it is {} of {}, {} within a factor of 5, and {} in the mean.",
-                        space.inside,
-                        space.entries,
-                        space.within_5,
-                        significant(space.factor)
-                    )
-                });
-                format!(
-                    "Of {} scored entries of rails in service, {} lie within the 95 % of the prediction in the plane, and {} medians within a factor of 5. Predicted over measured is {} in the mean.{in_space}",
-                    plane.entries,
-                    plane.inside,
-                    plane.within_5,
-                    significant(plane.factor)
-                )
-            }
-            None => "No entry of rails in service is scored.".to_owned(),
-        };
-        let facts = self.scores.all().map(|(name, of)| Fact {
-            name: format!("{name}: within 95 %"),
-            value: format!("{} of {}", of.inside, of.entries),
-            note: format!("predicted over measured {}", significant(of.factor)),
-        });
-        let mut sections = vec![Section {
-            id: "scores".into(),
-            heading: "Scores by grade".into(),
-            blocks: vec![Block::Table(self.by_grade()), Block::List(MEANING.map(str::to_owned).to_vec())],
-        }];
-        if !self.scores.residuals.is_empty() {
-            sections.push(Section {
-                id: "prior".into(),
-                heading: "Prior of the coefficient".into(),
-                blocks: vec![Block::Table(self.prior()), Block::List(vec![PRIOR.to_owned()])],
-            });
-        }
-        for (i, (_, heading, chart)) in self.charts.iter().enumerate() {
-            sections.push(Section {
-                id: format!("chart-{}", i + 1),
-                heading: heading.clone(),
-                blocks: vec![Block::Chart(chart.clone())],
-            });
-        }
-        sections.push(Section {
-            id: "compared".into(),
-            heading: "Compared entries".into(),
-            blocks: vec![Block::Table(self.compared())],
-        });
-        sections.push(Section {
-            id: "entries".into(),
-            heading: "All entries and their sources".into(),
-            blocks: vec![Block::Table(self.sources())],
+        let facts = self.scores.by_grade().map(|(name, of)| {
+            let note = format!("predicted over measured {}", significant(of.factor));
+            Fact::new(format!("{name}: within 95 %"), format!("{} of {}", of.inside, of.entries), note)
         });
         Page {
             title: "Measured numbers against the model".into(),
             kind: "Validation".into(),
             decision: None,
-            verdict,
+            verdict: self.verdict(),
             facts: facts.collect(),
             lead: Vec::new(),
-            sections,
+            sections: self.sections(),
         }
+    }
+
+    /// How well rails in service are predicted.
+    fn verdict(&self) -> String {
+        let track = |of: &[GradeScore]| of.iter().find(|of| of.grade == Grade::Track).copied();
+        let Some(plane) = track(&self.scores.plane) else {
+            return "No entry of rails in service is scored.".to_owned();
+        };
+        let in_space = track(&self.scores.space).map_or_else(String::new, |space| {
+            format!(
+                " With an elliptical contact and a curved front it is {} of {}, {} within a factor of 5, and {} in the mean.",
+                space.inside,
+                space.entries,
+                space.within_5,
+                significant(space.factor)
+            )
+        });
+        format!(
+            "Of {} scored entries of rails in service, {} lie within the 95 % of the prediction in the plane, and {} medians within a factor of 5. Predicted over measured is {} in the mean.{in_space}",
+            plane.entries,
+            plane.inside,
+            plane.within_5,
+            significant(plane.factor)
+        )
+    }
+
+    fn sections(&self) -> Vec<Section> {
+        let meaning = Block::List(MEANING.map(str::to_owned).to_vec());
+        let scores = vec![Block::Table(self.by_grade()), meaning];
+        let mut sections = vec![Section::new("scores", "Scores by grade", scores)];
+        if !self.scores.residuals.is_empty() {
+            let prior = vec![Block::Table(self.prior()), Block::List(vec![PRIOR.to_owned()])];
+            sections.push(Section::new("prior", "Prior of the coefficient", prior));
+        }
+        let numbered = self.charts.iter().enumerate();
+        sections.extend(numbered.map(|(i, (_, heading, chart))| {
+            Section::new(format!("chart-{}", i + 1), heading, vec![Block::Chart(chart.clone())])
+        }));
+        let (compared, sources) = (vec![Block::Table(self.compared())], vec![Block::Table(self.sources())]);
+        sections.push(Section::new("compared", "Compared entries", compared));
+        sections.push(Section::new("entries", "All entries and their sources", sources));
+        sections
     }
 
     fn by_grade(&self) -> Table {
@@ -134,7 +127,7 @@ impl<'a> Drawn<'a> {
             "predicted/measured",
             "CRPS of ln",
         ]);
-        for (name, of) in self.scores.all() {
+        for (name, of) in self.scores.by_grade() {
             table.row([
                 name,
                 of.entries.to_string(),

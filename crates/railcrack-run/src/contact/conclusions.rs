@@ -1,12 +1,12 @@
 //! Sentences about the wheels of a case.
 
-use super::across::Across;
+use super::across::GrowthAcross;
 use super::rows::WheelRow;
 use railcrack_case::{Case, WheelGroups, WheelTable};
 
 /// Conclusions from the rows: who grows the cracks, the error of the representatives, the worst
 /// place.
-pub(super) fn sentences(case: &Case, rows: &[WheelRow], across: Option<&Across>) -> Vec<String> {
+pub fn sentences(case: &Case, rows: &[WheelRow], across: Option<&GrowthAcross>) -> Vec<String> {
     let mut all = Vec::new();
     let mut shares: Vec<f64> = rows.iter().map(|row| row.growth_share).collect();
     shares.sort_by(|a, b| b.total_cmp(a));
@@ -46,7 +46,7 @@ pub(super) fn sentences(case: &Case, rows: &[WheelRow], across: Option<&Across>)
 }
 
 /// `all` with the place where the crack would grow fastest.
-fn with_worst_place(mut all: Vec<String>, across: Option<&Across>) -> Vec<String> {
+fn with_worst_place(mut all: Vec<String>, across: Option<&GrowthAcross>) -> Vec<String> {
     if let Some(across) = across {
         let (place, rate) = across.worst();
         all.push(format!(

@@ -1,24 +1,18 @@
 //! `railcrack contact`: the patches of the wheels, and the growth that each wheel causes.
 
-mod across;
-mod conclusions;
-mod page;
-mod patches;
-mod rows;
-mod table;
-
 use crate::exit::{Exit, Failure};
 use crate::input::{self, Set, default_folder};
 use crate::print;
-use across::Across;
 use clap::Args;
-use conclusions::sentences;
-use railcrack_case::{Case, Overrides};
-use railcrack_report::put;
+use railcrack_case::Case;
+use railcrack_report::{contact_page, patches_picture, put};
 use railcrack_run::Existing;
+use railcrack_run::contact::{
+    GrowthAcross, WheelRow, across_table, by_growth, patch_table, patches_table, sentences, strips_table,
+    wheels_table,
+};
 use railcrack_run::setup::{represented, wheel_demands};
 use railcrack_run::simulation::RunError;
-use rows::WheelRow;
 use std::fs::DirEntry;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -56,38 +50,38 @@ const DRAWN: usize = 9;
 
 /// Computes the passages, writes the folder and prints the wheels that grow the cracks most.
 pub fn contact(arguments: &ContactArguments) -> Result<Exit, Failure> {
-    let overrides = Overrides { settings: arguments.set.set.clone(), ..Overrides::default() };
-    let case = input::case(&arguments.case, &overrides)?;
+    let case = input::case(&arguments.case, &arguments.set.overrides())?;
     let folder = arguments.out.clone().unwrap_or_else(|| beside(&arguments.case));
     clear(&folder, if arguments.force { Existing::Replace } else { Existing::Refuse })?;
     let run = represented(&case);
     let demands =
         wheel_demands(&case, &run).map_err(|error| Failure::Calibration { reason: error.to_string() })?;
     let rows = WheelRow::of_case(&run, &demands);
-    let across = Across::of(&run);
+    let across = GrowthAcross::of(&run);
     let plots = folder.join("plots");
     std::fs::create_dir_all(&plots).map_err(|source| Failure::CannotWrite { path: plots.clone(), source })?;
-    let drawn = drawn(&rows);
-    write(&folder.join("wheels.csv"), &table::wheels(&rows))?;
-    write(&folder.join("patches.csv"), &table::patches(&rows, &drawn))?;
-    write(&folder.join("strips.csv"), &table::strips(&rows, &drawn))?;
+    let mut drawn = by_growth(&rows);
+    drawn.truncate(DRAWN);
+    write(&folder.join("wheels.csv"), &wheels_table(&rows))?;
+    write(&folder.join("patches.csv"), &patches_table(&rows, &drawn))?;
+    write(&folder.join("strips.csv"), &strips_table(&rows, &drawn))?;
     if let Some(across) = &across {
-        write(&folder.join("across.csv"), &table::across(across))?;
+        write(&folder.join("across.csv"), &across_table(across))?;
     }
     for &wheel in &drawn {
-        if let Some(svg) = patches::picture(&rows[wheel]) {
+        if let Some(svg) = patches_picture(&rows[wheel]) {
             write(&plots.join(format!("wheel-{}.svg", rows[wheel].number)), &svg)?;
         }
     }
     if arguments.patches {
         write_patches(&folder.join(PATCHES), &rows)?;
     }
-    let page = page::page(&run, &rows, &drawn, across.as_ref());
+    let page = contact_page(&run, &rows, &drawn, across.as_ref());
     write(&folder.join("contact.html"), &page.html())?;
     if arguments.quiet {
         return Ok(Exit::Done);
     }
-    print::stdout(&told(&run, &rows, across.as_ref()))?;
+    print::stdout(&summary(&run, &rows, across.as_ref()))?;
     print::stdout(&format!("results in {}\n", folder.display()))?;
     Ok(Exit::Done)
 }
@@ -130,7 +124,7 @@ fn write_patches(folder: &Path, rows: &[WheelRow]) -> Result<(), Failure> {
                 Some(place) => format!("{OF_A_WHEEL}{}-place-{place}-patch-{}.csv", row.number, i + 1),
                 None => format!("{OF_A_WHEEL}{}-patch-{}.csv", row.number, i + 1),
             };
-            write(&folder.join(name), &table::patch(own))?;
+            write(&folder.join(name), &patch_table(own))?;
         }
     }
     Ok(())
@@ -146,18 +140,10 @@ fn write(path: &Path, text: &str) -> Result<(), Failure> {
     Ok(put(path, text).map_err(RunError::from)?)
 }
 
-/// The wheels that grow the cracks most, those first.
-fn drawn(rows: &[WheelRow]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..rows.len()).collect();
-    order.sort_by(|a, b| rows[*b].growth_share.total_cmp(&rows[*a].growth_share).then(a.cmp(b)));
-    order.truncate(DRAWN);
-    order
-}
-
 /// The summary on the terminal.
-fn told(case: &Case, rows: &[WheelRow], across: Option<&Across>) -> String {
+fn summary(case: &Case, rows: &[WheelRow], across: Option<&GrowthAcross>) -> String {
     let mut text = String::new();
-    for &wheel in drawn(rows).iter().take(5) {
+    for &wheel in by_growth(rows).iter().take(5) {
         let row = &rows[wheel];
         text.push_str(&format!(
             "wheel {}: p0 {:.0} MPa, {} slips {:.0} %, Tgamma {:.1} N, dKeq {:.2} MPa sqrt(m), {:.1} % of the growth\n",

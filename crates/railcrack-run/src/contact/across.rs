@@ -1,11 +1,12 @@
 //! Growth by the lateral place of the crack.
 
+use crate::setup::rates_across;
 use railcrack_case::Case;
-use railcrack_run::setup::rates_across;
 
 /// Mean growth rate by the lateral place of the crack, over that at its place in the case, by a
 /// surrogate.
-pub(super) struct Across {
+#[derive(Debug, Clone, PartialEq)]
+pub struct GrowthAcross {
     /// Lateral place (mm), rate over that of the case, share of the axles that meet the crack.
     pub places: Vec<[f64; 3]>,
     /// The place of the case, mm.
@@ -18,7 +19,7 @@ pub(super) struct Across {
 const STRIP_PLACES: usize = 61;
 const FRONT_PLACES: usize = 25;
 
-impl Across {
+impl GrowthAcross {
     /// For a case with a table of wheels; none without, and where nothing grows here.
     pub fn of(case: &Case) -> Option<Self> {
         let table = case.wheel_table.as_ref()?;
