@@ -1,5 +1,7 @@
 //! Fixtures of the fuzz targets.
 
+pub mod case_files;
+
 use std::path::PathBuf;
 
 /// The folder of this process for files that a target reads, in memory where the system has such

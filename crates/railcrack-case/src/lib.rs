@@ -34,7 +34,7 @@ pub use schema::{
 pub use study::{Axis, Distribution, Input, Keeping, SampleTable, Study, StudyRun, Variation, study_schema};
 pub use tables::{
     CalibrationPrior, Combine, ContactExtent, ContactOrigin, ContactSolver, Detection, Engine, FieldOutput,
-    Fracture, GivenContact, GivenWheel, Inspection, InspectionRisk, Kept, MeshSettings, Output, PlaneEngine,
-    PlasticSource, ProfileOrigin, SECTIONS, STUDY, Scatter, ShakedownSettings, WheelLoading, init_text,
-    json_schema, markdown,
+    FileKey, Fracture, GivenContact, GivenWheel, Inspection, InspectionRisk, Kept, MeshSettings, Output,
+    PlaneEngine, PlasticSource, ProfileOrigin, SECTIONS, STUDY, Scatter, ShakedownSettings, WheelLoading,
+    file_keys, init_text, json_schema, markdown,
 };

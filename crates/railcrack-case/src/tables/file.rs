@@ -19,7 +19,7 @@ use super::study::STUDY;
 use super::title::TOP;
 use super::track::{TEMPERATURE, TRACK};
 use super::traffic::{TRAFFIC, WHEEL};
-use crate::schema::{FileSchema, Section, file_schema, first_file, page};
+use crate::schema::{FileSchema, Kind, Section, file_schema, first_file, page};
 
 /// The sections of a case, in the order in which they are written.
 pub const SECTIONS: &[Section] = &[
@@ -57,6 +57,33 @@ pub(crate) static CASE_FILE: FileSchema = FileSchema {
     start: "`railcrack init` writes a file to start from",
     list: "a list of values makes a study, which `railcrack sweep` computes",
 };
+
+/// A key of a case file that names another file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct FileKey {
+    /// The last part of the name of its section, such as `contact` of `wheel.contact`.
+    pub section: &'static str,
+    /// Its name.
+    pub key: &'static str,
+    /// Name of the copy beside a stored case, with `/`.
+    pub kept_as: &'static str,
+}
+
+/// Every key of a case file that names another file, each once.
+#[must_use]
+pub fn file_keys() -> Vec<FileKey> {
+    let sections = SECTIONS.iter().flat_map(|section| std::iter::once(section).chain(section.parts));
+    let of = |section: &'static Section| {
+        section.keys.iter().filter_map(|key| match key.kind {
+            Kind::Path { kept_as } => Some(FileKey { section: section.own_name(), key: key.name, kept_as }),
+            _ => None,
+        })
+    };
+    let mut keys: Vec<FileKey> = sections.flat_map(of).collect();
+    keys.sort_unstable();
+    keys.dedup();
+    keys
+}
 
 /// The JSON Schema (draft 2020-12) of a case file, for editors.
 #[must_use]

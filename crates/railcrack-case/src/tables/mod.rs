@@ -30,7 +30,7 @@ mod wheel_load;
 
 pub use calibration::CalibrationPrior;
 pub use contact::{ContactExtent, ContactOrigin, ProfileOrigin};
-pub use file::{SECTIONS, init_text, json_schema, markdown};
+pub use file::{FileKey, SECTIONS, file_keys, init_text, json_schema, markdown};
 pub use fracture::Fracture;
 pub use inspection::{Detection, Inspection, InspectionRisk, Scatter};
 pub use mesh::MeshSettings;

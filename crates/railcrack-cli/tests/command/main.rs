@@ -3,6 +3,7 @@
 mod book;
 mod calibrate;
 mod case;
+mod case_files;
 mod combinations;
 mod common;
 mod compare;

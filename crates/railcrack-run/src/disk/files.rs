@@ -1,5 +1,7 @@
 //! Names of the files and folders of results, and the version of the program that writes them.
 
+use railcrack_case::file_keys;
+
 /// Version of the program that writes the files.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
@@ -85,9 +87,9 @@ pub(crate) const PLOT_FILES: [&str; 18] = [
     "plan.svg",
 ];
 
-/// Files of a run other than `case.toml`, in the order in which a replaced run is removed: a run
-/// without its checkpoint counts as not started.
-pub(crate) const RUN_FILES: [&str; 31] = [
+/// Results of a run, in the order in which a replaced run is removed: a run without its checkpoint
+/// counts as not started.
+const RUN_RESULTS: [&str; 19] = [
     CHECKPOINT_FILE,
     RUN_LOG_FILE,
     OUTCOME_FILE,
@@ -107,16 +109,15 @@ pub(crate) const RUN_FILES: [&str; 31] = [
     "plan.csv",
     REPORT_FILE,
     FIELDS_FILE,
-    "inputs/residual-stress.csv",
-    "inputs/initial-residual.csv",
-    "inputs/plastic-stress.vtu",
-    "inputs/plastic-stress.csv",
-    "inputs/contact-table",
-    "inputs/toughness.csv",
-    "inputs/rates.csv",
-    "inputs/pod.csv",
-    "inputs/wheels",
-    "inputs/rail-profile",
-    "inputs/wheel-profile",
-    WHEEL_GROUPS_FILE,
 ];
+
+/// Names, in a run folder, of the files that a case may name, as the keys of a case declare them.
+pub(crate) fn input_files() -> impl Iterator<Item = &'static str> {
+    // Each file is the copy for one key.
+    file_keys().into_iter().map(|key| key.kept_as)
+}
+
+/// Files of a run other than `case.toml`: its results and the files that its case names.
+pub(crate) fn run_files() -> impl Iterator<Item = &'static str> {
+    RUN_RESULTS.into_iter().chain(input_files()).chain([WHEEL_GROUPS_FILE])
+}

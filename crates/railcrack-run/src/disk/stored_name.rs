@@ -2,22 +2,9 @@
 
 use super::files::{CASE_FILE, INPUTS_FOLDER};
 use crate::error::OutputError;
+use railcrack_case::{FileKey, file_keys};
 use std::path::Path;
 use toml::de::{DeTable, DeValue};
-
-/// The keys of `case.toml` that name a file, with the section or table that they stand in.
-const FILE_KEYS: [(&str, &str); 10] = [
-    ("contact", "profile"),
-    ("contact", "rail_profile"),
-    ("contact", "wheel_profile"),
-    ("wheel", "table"),
-    ("fracture", "profile"),
-    ("growth", "table_profile"),
-    ("residual_stress", "profile"),
-    ("plastic_stress", "field"),
-    ("plastic_stress", "profile"),
-    ("shakedown", "initial_residual"),
-];
 
 /// Checks a name that `file` holds: one plain name, of a file or folder directly in its place.
 ///
@@ -31,26 +18,40 @@ pub(crate) fn check_stored_name(file: &Path, name: &str) -> Result<(), OutputErr
 /// Errors: any other. A text that is not TOML has no names; its reader says so.
 pub(crate) fn check_inputs(folder: &Path, case: &str) -> Result<(), OutputError> {
     let Ok(case) = DeTable::parse(case) else { return Ok(()) };
-    check_table(folder, "", case.get_ref())
+    StoredCase { folder, keys: file_keys() }.check_table("", case.get_ref())
 }
 
-fn check_table(folder: &Path, section: &str, table: &DeTable) -> Result<(), OutputError> {
-    table.iter().try_for_each(|(key, value)| check_value(folder, [section, key.get_ref()], value.get_ref()))
+/// A stored case whose names are checked.
+struct StoredCase<'a> {
+    folder: &'a Path,
+    /// The keys that name a file.
+    keys: Vec<FileKey>,
 }
 
-/// Checks the value of a key in a section; in lists of tables, such as those of wheels, there are
-/// sections too.
-fn check_value(folder: &Path, [section, key]: [&str; 2], value: &DeValue) -> Result<(), OutputError> {
-    match value {
-        DeValue::Table(table) => check_table(folder, key, table),
-        DeValue::Array(values) => {
-            values.iter().try_for_each(|value| check_value(folder, [section, key], value.get_ref()))
+impl StoredCase<'_> {
+    fn check_table(&self, section: &str, table: &DeTable) -> Result<(), OutputError> {
+        table.iter().try_for_each(|(key, value)| self.check_value([section, key.get_ref()], value.get_ref()))
+    }
+
+    /// Checks the value of a key in a section; in lists of tables, such as those of wheels, there
+    /// are sections too.
+    fn check_value(&self, [section, key]: [&str; 2], value: &DeValue) -> Result<(), OutputError> {
+        match value {
+            DeValue::Table(table) => self.check_table(key, table),
+            DeValue::Array(values) => {
+                values.iter().try_for_each(|value| self.check_value([section, key], value.get_ref()))
+            }
+            DeValue::String(name) if self.names_a_file(section, key) => {
+                let within = name.strip_prefix(INPUTS_FOLDER).and_then(|name| name.strip_prefix('/'));
+                let is_within = within.is_some_and(is_plain);
+                if is_within { Ok(()) } else { Err(leaves(&self.folder.join(CASE_FILE), name)) }
+            }
+            _ => Ok(()),
         }
-        DeValue::String(name) if FILE_KEYS.contains(&(section, key)) => {
-            let within = name.strip_prefix(INPUTS_FOLDER).and_then(|name| name.strip_prefix('/'));
-            if within.is_some_and(is_plain) { Ok(()) } else { Err(leaves(&folder.join(CASE_FILE), name)) }
-        }
-        _ => Ok(()),
+    }
+
+    fn names_a_file(&self, section: &str, key: &str) -> bool {
+        self.keys.iter().any(|of| of.section == section && of.key == key)
     }
 }
 
@@ -101,6 +102,7 @@ mod tests {
             "[growth]\ntable_profile = \"../x.csv\"",
             "[[wheel]]\n[[wheel]]\ncontact = { profile = \"../x.csv\" }",
             "[[wheel]]\n[wheel.contact]\nprofile = \"/x.csv\"",
+            "[inspection]\npod = \"../x.csv\"",
         ] {
             assert!(of(bad).is_err(), "{bad}");
         }

@@ -1,6 +1,6 @@
 //! The case of a run as files, and whether two runs have the same.
 
-use crate::disk::files::{CASE_FILE, FIELDS_FILE, INPUTS_FOLDER, RUN_FILES, WHEEL_GROUPS_FILE};
+use crate::disk::files::{CASE_FILE, FIELDS_FILE, WHEEL_GROUPS_FILE, input_files};
 use crate::disk::{Checksum, checksums, read_if_there};
 use crate::error::OutputError;
 use serde::{Deserialize, Serialize};
@@ -18,11 +18,6 @@ pub struct CaseFiles {
     /// The groups of the wheels of its table, as the run made them: no part of the case, and the
     /// same for everything that reads the run.
     pub wheel_groups: Option<String>,
-}
-
-/// The names of the files that a case may name, in a run folder.
-pub(crate) fn input_files() -> impl Iterator<Item = &'static str> {
-    RUN_FILES.into_iter().filter(|file| file.starts_with(INPUTS_FOLDER) && *file != WHEEL_GROUPS_FILE)
 }
 
 impl CaseFiles {

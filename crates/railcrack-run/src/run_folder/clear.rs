@@ -2,7 +2,7 @@
 
 use crate::disk::files::{
     CASE_FILE, CHECKPOINT_FILE, FIELDS_FOLDER, INPUTS_FOLDER, PLOT_FILES, PLOTS_FOLDER, REPORT_FILE,
-    ROLLED_FOLDER, RUN_FILES, SUMMARY_FILE,
+    ROLLED_FOLDER, SUMMARY_FILE, run_files,
 };
 use crate::disk::{FolderLock, LOCK_FILE, PARTIAL, own_folder, partial_of, remove};
 use crate::error::OutputError;
@@ -17,7 +17,7 @@ pub(super) fn clear_results(folder: &Path) -> Result<(), OutputError> {
     let [plots, fields, inputs] =
         [PLOTS_FOLDER, FIELDS_FOLDER, INPUTS_FOLDER].map(|inner| own_folder(folder, inner));
     let (plots, fields, inputs) = (plots?, fields?, inputs?);
-    for file in RUN_FILES {
+    for file in run_files() {
         remove(&folder.join(file))?;
         remove(&partial_of(&folder.join(file)))?;
     }
@@ -89,12 +89,12 @@ pub(crate) fn clear_run(folder: &Path) -> Result<(), OutputError> {
 
 /// A file of a run that stands in `folder`, where one does.
 pub(crate) fn run_file_in(folder: &Path) -> Option<&'static str> {
-    std::iter::once(CASE_FILE).chain(RUN_FILES).find(|file| folder.join(file).exists())
+    std::iter::once(CASE_FILE).chain(run_files()).find(|file| folder.join(file).exists())
 }
 
 /// The same in the folder of a study, which has a report of its own.
 pub(crate) fn run_file_in_study(folder: &Path) -> Option<&'static str> {
-    let of_run = RUN_FILES.into_iter().filter(|file| *file != REPORT_FILE);
+    let of_run = run_files().filter(|file| *file != REPORT_FILE);
     std::iter::once(CASE_FILE).chain(of_run).find(|file| folder.join(file).exists())
 }
 

@@ -14,7 +14,7 @@ mod verification;
 pub use begin::Existing;
 pub(crate) use begin::{begin, restore_case};
 pub use case_files::CaseFiles;
-pub(crate) use case_files::{case_checksums, input_files, same_case, same_text};
+pub(crate) use case_files::{case_checksums, same_case, same_text};
 #[cfg(fuzzing)]
 pub use checkpoint::fuzz_checkpoint;
 pub(crate) use checkpoint::{Checkpoint, LogFile, Seals};

@@ -4,8 +4,8 @@ use super::case_files::{CaseFiles, case_checksums};
 use super::checkpoint::{Checkpoint, LogFile};
 use crate::csv::{ContactRow, FaceRow, ResidualRow, Table, check_sealed};
 use crate::disk::files::{
-    CASE_FILE, FIELDS_FILE, FIELDS_FOLDER, OUTCOME_FILE, ROLLED_FOLDER, RUN_FILES, SHAKEDOWN_FILE,
-    SUMMARY_FILE, SUMS_FILE, WHEEL_GROUPS_FILE,
+    CASE_FILE, FIELDS_FILE, FIELDS_FOLDER, OUTCOME_FILE, ROLLED_FOLDER, SHAKEDOWN_FILE, SUMMARY_FILE,
+    SUMS_FILE, WHEEL_GROUPS_FILE, run_files,
 };
 use crate::disk::{Seal, check_stored_name, is_signed, read_file, read_if_there, sums_text};
 use crate::error::OutputError;
@@ -192,7 +192,7 @@ impl Verification {
                 [FaceRow::FILE, ContactRow::FILE].contains(&name.as_str()) || name.starts_with(FIELDS_FOLDER);
             if extent == Extent::All || !is_large {
                 let file = folder.join(name);
-                if !RUN_FILES.contains(&name.as_str()) {
+                if !run_files().any(|file| file == name) {
                     let field = name.strip_prefix(FIELDS_FOLDER).and_then(|name| name.strip_prefix('/'));
                     check_stored_name(&path, field.unwrap_or(name))?;
                 }

@@ -6,12 +6,12 @@ use super::packed::{PackWriter, PackedRuns};
 use super::plan::PlannedRun;
 use crate::csv::{SifRow, Table};
 use crate::disk::files::{
-    CASE_FILE, CHECKPOINT_FILE, REPORT_FILE, RUN_FILES, RUN_LOG_FILE, RUNS_FOLDER, SUMMARY_FILE,
-    WHEEL_GROUPS_FILE,
+    CASE_FILE, CHECKPOINT_FILE, REPORT_FILE, RUN_LOG_FILE, RUNS_FOLDER, SUMMARY_FILE, WHEEL_GROUPS_FILE,
+    input_files, run_files,
 };
 use crate::disk::{Checksum, check_stored_name, json_text, read_if_there, read_json};
 use crate::error::OutputError;
-use crate::run_folder::{CaseFiles, RunFiles, RunFolder, clear_run, input_files};
+use crate::run_folder::{CaseFiles, RunFiles, RunFolder, clear_run};
 use crate::summary::{Outcome, Summary};
 use std::path::PathBuf;
 use std::sync::PoisonError;
@@ -24,7 +24,7 @@ impl StudyFolder {
         let folder = self.own_run_folder(run)?;
         let Some(files) = self.packed()?.read(run.number)? else { return Ok(folder) };
         for (name, text) in &files {
-            if !RUN_FILES.contains(&name.as_str()) {
+            if !run_files().any(|file| file == name) {
                 check_stored_name(self.path(), name)?;
             }
             self.put(&format!("{RUNS_FOLDER}/{}/{name}", run.folder), text.as_bytes())?;
@@ -72,7 +72,7 @@ impl StudyFolder {
     pub(super) fn pack(&self, run: &PlannedRun, outcome: &Outcome) -> Result<(), OutputError> {
         let folder = self.run_folder(run);
         let mut files = RunFiles::new();
-        let tables = RUN_FILES.into_iter().filter(|file| file.ends_with(".csv") && !file.contains('/'));
+        let tables = run_files().filter(|file| file.ends_with(".csv") && !file.contains('/'));
         for file in [CASE_FILE].into_iter().chain(tables).chain(input_files()).chain([WHEEL_GROUPS_FILE]) {
             let Some(bytes) = read_if_there(&folder.join(file))? else { continue };
             let text = String::from_utf8(bytes)
