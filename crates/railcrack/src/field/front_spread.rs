@@ -13,7 +13,8 @@
 //! distance from the front (Kassir and Sih 1975); a buried crack has that of its nearer tip.
 
 use super::patch_directions::Spread;
-use crate::math::Vec2;
+use crate::math::{Stress, Vec2};
+use std::sync::Arc;
 
 /// A crack as a line from its first point on, and which of its ends are tips.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,6 +32,12 @@ impl CrackLine {
     #[must_use]
     pub fn length(&self) -> f64 {
         self.points.windows(2).map(|pair| (pair[1] - pair[0]).length()).sum()
+    }
+
+    /// How a load along the front counts at the arc length `s` (mm).
+    #[must_use]
+    pub fn spread(&self, s: f64) -> Spread {
+        FrontSpread::of(self).at(s)
     }
 
     /// The angle of its chord below the surface, degrees up to 90.
@@ -60,11 +67,16 @@ pub struct PlaceOnCrack {
     pub s: f64,
 }
 
+/// Stresses (MPa) at fixed places as a function of the wheel position x_c (mm).
+pub type StressesByPosition<'a> = Box<dyn Fn(f64) -> Vec<Stress> + Send + Sync + 'a>;
+
 /// Stresses that load cracks as a wheel does whose load varies along their fronts.
 pub trait StressesOnCracks: Send + Sync {
-    /// The stress (MPa) at each of the `places` with the wheel at `xc` (mm), as it counts for the
-    /// front.
-    fn stresses(&self, places: &[PlaceOnCrack], xc: f64) -> Vec<crate::math::Stress>;
+    /// The stress (MPa) at each of the `places` as a function of the position x_c (mm) of the wheel,
+    /// as it counts for the front.
+    fn at<'a>(self: Arc<Self>, places: &[PlaceOnCrack]) -> StressesByPosition<'a>
+    where
+        Self: 'a;
 
     /// The pressure (MPa) over the mouth of a crack (index from 0) with the wheel at `xc` (mm), as
     /// it counts for the front.
@@ -77,8 +89,8 @@ const PLACES: [f64; 7] = [0.06, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9];
 type ByPlace = [f64; PLACES.len()];
 type ByAngle = [ByPlace; ANGLES.len()];
 
-/// What shear on closed faces contributes to K of the deepest point: α (1 + β q) e^(−q) times what it
-/// does in the plane, q = R k l.
+/// The contribution of shear on closed faces to K of the deepest point: α (1 + β q) e^(−q) times that
+/// in the plane, q = R k l.
 struct Weights {
     share: ByAngle,
     beta: ByAngle,

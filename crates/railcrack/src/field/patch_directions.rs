@@ -224,7 +224,7 @@ const SHALLOWEST: f64 = 1e-6;
 
 /// How a load along the front counts: α (1 + β q) e^(−q) with q = ρ |k|.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Spread {
+pub struct Spread {
     /// α.
     pub share: f64,
     /// ρ, mm.
@@ -235,7 +235,7 @@ pub(super) struct Spread {
 
 impl Spread {
     /// The load at the place of the point alone.
-    pub const NONE: Self = Self { share: 1.0, reach: 0.0, beta: 0.0 };
+    pub(super) const NONE: Self = Self { share: 1.0, reach: 0.0, beta: 0.0 };
 }
 
 /// Directions of `patch` from −π/2 to π/2, `count` in each quarter turn.
@@ -248,7 +248,7 @@ fn directions(patch: &PatchLoad, (count, crowded): (usize, Crowded)) -> Vec<Dire
     for (point, weight) in gauss_legendre(count) {
         let (point, weight) = match crowded {
             Crowded::Nowhere => (point, weight),
-            Crowded::AcrossTheRail => (1.0 - (1.0 - point).powi(2), 2.0 * (1.0 - point) * weight),
+            Crowded::AcrossTheRail => (1.0 - (1.0 - point).powi(3), 3.0 * (1.0 - point).powi(2) * weight),
         };
         let (sin_chi, cos_chi) = (FRAC_PI_2 * point).sin_cos();
         let length = cos_chi.hypot(ratio * sin_chi);

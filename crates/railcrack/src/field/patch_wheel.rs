@@ -1,10 +1,11 @@
 //! A wheel whose contact is a patch, not a line, over cracks with straight fronts.
 
 use super::Wheel;
-use super::front_spread::{CrackLine, FrontSpread, PlaceOnCrack, StressesOnCracks};
+use super::front_spread::{CrackLine, FrontSpread, PlaceOnCrack, StressesByPosition, StressesOnCracks};
 use super::patch_directions::{PatchDirections, PatchLoad, Spread};
 use crate::material::IsotropicElastic;
 use crate::math::{Stress, Vec2};
+use std::sync::Arc;
 
 /// A wheel on the half-space. Its stress and displacement are those in the plane y = 0 of the
 /// cracks; what loads them is the mean along their fronts ([`Wheel::on_cracks`]).
@@ -61,9 +62,9 @@ impl Wheel for PatchWheel {
         self.half_width
     }
 
-    fn on_cracks<'a>(&'a self, cracks: &[CrackLine]) -> Option<Box<dyn StressesOnCracks + 'a>> {
+    fn on_cracks<'a>(&'a self, cracks: &[CrackLine]) -> Option<Arc<dyn StressesOnCracks + 'a>> {
         let tables = cracks.iter().map(|line| CrackTable::new(self, line)).collect();
-        Some(Box::new(OnCracks { wheel: self, cracks: tables }))
+        Some(Arc::new(OnCracks { wheel: self, cracks: tables }))
     }
 }
 
@@ -74,13 +75,37 @@ struct OnCracks<'a> {
 }
 
 impl StressesOnCracks for OnCracks<'_> {
-    fn stresses(&self, places: &[PlaceOnCrack], xc: f64) -> Vec<Stress> {
-        let at = |crack: &CrackTable| crack.nodes_at(self.wheel, xc);
-        let used = |crack: usize| places.iter().any(|place| place.crack == crack);
-        let nodes: Vec<Vec<Stress>> = (self.cracks.iter().enumerate())
-            .map(|(k, crack)| if used(k) { at(crack) } else { Vec::new() })
+    fn at<'a>(self: Arc<Self>, places: &[PlaceOnCrack]) -> StressesByPosition<'a>
+    where
+        Self: 'a,
+    {
+        let mut first = 0;
+        let used: Vec<(usize, usize)> = (0..self.cracks.len())
+            .filter(|crack| places.iter().any(|place| place.crack == *crack))
+            .map(|crack| {
+                let own = (crack, first);
+                first += self.cracks[crack].nodes.len();
+                own
+            })
             .collect();
-        places.iter().map(|place| self.cracks[place.crack].between(&nodes[place.crack], place.s)).collect()
+        let between = |place: &PlaceOnCrack| {
+            let before = used.iter().find(|(crack, _)| *crack == place.crack).map_or(0, |own| own.1);
+            let (start, weights) = self.cracks[place.crack].between(place.s);
+            (before + start, weights)
+        };
+        let places: Vec<(usize, [f64; LEAST_NODES])> = places.iter().map(between).collect();
+        Box::new(move |xc| {
+            let nodes: Vec<Stress> = used
+                .iter()
+                .flat_map(|(crack, _)| &self.cracks[*crack].nodes)
+                .map(|node| node.at(self.wheel, xc))
+                .collect();
+            let of = |(start, weights): &(usize, [f64; LEAST_NODES])| {
+                let own = &nodes[*start..*start + LEAST_NODES];
+                own.iter().zip(weights).fold(Stress::ZERO, |sum, (node, weight)| sum + *node * *weight)
+            };
+            places.iter().map(of).collect()
+        })
     }
 
     fn over_mouth(&self, crack: usize, xc: f64) -> f64 {
@@ -90,7 +115,7 @@ impl StressesOnCracks for OnCracks<'_> {
 }
 
 /// Nodes within a quarter turn of the parameter of a crack, and the least of one of its legs.
-const NODES: usize = 20;
+const NODES: usize = 14;
 const LEAST_NODES: usize = 4;
 /// A vertex at which a crack turns by more (radians) is an end of a leg.
 const KINK: f64 = 0.05;
@@ -139,20 +164,15 @@ impl CrackTable {
         Self { spread, nodes, legs, mouth }
     }
 
-    fn nodes_at(&self, wheel: &PatchWheel, xc: f64) -> Vec<Stress> {
-        self.nodes.iter().map(|node| node.at(wheel, xc)).collect()
-    }
-
-    /// The stress at the arc length `s` (mm) between the stresses of all `nodes`.
-    fn between(&self, nodes: &[Stress], s: f64) -> Stress {
+    /// The first of the nodes between which the stress at the arc length `s` (mm) is interpolated,
+    /// and their weights.
+    fn between(&self, s: f64) -> (usize, [f64; LEAST_NODES]) {
         let parameter = self.spread.parameter(s);
         let next = self.legs.partition_point(|leg| leg.from <= parameter);
         let leg = self.legs[next.max(1) - 1];
         let place = (parameter - leg.from) / leg.step;
         let start = (place.floor() as usize).saturating_sub(1).min(leg.count - LEAST_NODES);
-        let weights = lagrange(place - start as f64);
-        let own = &nodes[leg.first + start..leg.first + start + LEAST_NODES];
-        own.iter().zip(weights).fold(Stress::ZERO, |sum, (node, weight)| sum + *node * weight)
+        (leg.first + start, lagrange(place - start as f64))
     }
 }
 
@@ -193,7 +213,7 @@ fn position(points: &[Vec2], arcs: &[f64], s: f64) -> Vec2 {
 }
 
 /// Step of the abscissa τ of a table, u = w sinh τ, and the largest u over a.
-const STEP: f64 = 0.07;
+const STEP: f64 = 0.09;
 const TABLED: f64 = 40.0;
 
 /// The stress at a point of a crack by the place of the wheel.

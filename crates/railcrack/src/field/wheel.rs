@@ -1,6 +1,6 @@
 //! Wheels: fields of the half-plane that move along the rail, alone or with its bending.
 
-use super::{CrackLine, HertzDisplacement, HertzField, PlaceOnCrack, StressesOnCracks};
+use super::{CrackLine, HertzDisplacement, HertzField, PlaceOnCrack, StressesByPosition, StressesOnCracks};
 use crate::load::{Bending, HertzianContact, Track};
 use crate::material::IsotropicElastic;
 use crate::math::{OutOfRange, Stress, Vec2};
@@ -46,9 +46,9 @@ pub trait Wheel: Send + Sync {
         None
     }
 
-    /// What loads `cracks` where that differs from the stress at their faces: a load that varies
-    /// along their straight fronts. None for a load that is the same at every lateral place.
-    fn on_cracks<'a>(&'a self, _: &[CrackLine]) -> Option<Box<dyn StressesOnCracks + 'a>> {
+    /// The load of `cracks` where it differs from the stress at their faces: one that varies along
+    /// their fronts. None for a load that is the same at every lateral place.
+    fn on_cracks<'a>(&'a self, _: &[CrackLine]) -> Option<Arc<dyn StressesOnCracks + 'a>> {
         None
     }
 
@@ -238,13 +238,13 @@ impl Wheel for Wheels {
         self.parts.iter().find_map(|part| part.wheel.bending())
     }
 
-    fn on_cracks<'a>(&'a self, cracks: &[CrackLine]) -> Option<Box<dyn StressesOnCracks + 'a>> {
+    fn on_cracks<'a>(&'a self, cracks: &[CrackLine]) -> Option<Arc<dyn StressesOnCracks + 'a>> {
         let parts: Vec<_> = self.parts.iter().map(|part| (part, part.wheel.on_cracks(cracks))).collect();
         if parts.iter().all(|(_, on_cracks)| on_cracks.is_none()) {
             return None;
         }
         let mouth = |line: &CrackLine| line.points.first().map_or(0.0, |point| point.x);
-        Some(Box::new(WheelsOnCracks { parts, mouths: cracks.iter().map(mouth).collect() }))
+        Some(Arc::new(WheelsOnCracks { parts, mouths: cracks.iter().map(mouth).collect() }))
     }
 
     /// The largest value of the parts, because the stress changes over the contact of one wheel and
@@ -254,32 +254,39 @@ impl Wheel for Wheels {
     }
 }
 
-/// What several wheels do to cracks, of which some carry a load that varies along the fronts.
+/// The load of cracks by several wheels, of which some vary along the fronts.
 struct WheelsOnCracks<'a> {
-    parts: Vec<(&'a PlacedWheel, Option<Box<dyn StressesOnCracks + 'a>>)>,
+    parts: Vec<(&'a PlacedWheel, Option<Arc<dyn StressesOnCracks + 'a>>)>,
     /// x of the first point of each crack, mm.
     mouths: Vec<f64>,
 }
 
-impl StressesOnCracks for WheelsOnCracks<'_> {
-    fn stresses(&self, places: &[PlaceOnCrack], xc: f64) -> Vec<Stress> {
-        let mut sum = vec![Stress::ZERO; places.len()];
-        for (part, on_cracks) in &self.parts {
-            let stresses = match on_cracks {
-                Some(on_cracks) => on_cracks.stresses(places, xc + part.at),
-                None => {
-                    let points: Vec<Vec2> = places.iter().map(|place| place.point).collect();
-                    part.wheel.stresses(&points, xc + part.at)
-                }
-            };
-            sum.iter_mut().zip(stresses).for_each(|(sum, stress)| *sum = *sum + stress);
-        }
-        sum
+impl<'w> StressesOnCracks for WheelsOnCracks<'w> {
+    fn at<'a>(self: Arc<Self>, places: &[PlaceOnCrack]) -> StressesByPosition<'a>
+    where
+        Self: 'a,
+    {
+        let points: Vec<Vec2> = places.iter().map(|place| place.point).collect();
+        let of = |part: &(&'w PlacedWheel, Option<Arc<dyn StressesOnCracks + 'w>>)| {
+            part.1.as_ref().map(|own| Arc::clone(own).at(places))
+        };
+        let averaged: Vec<Option<StressesByPosition<'w>>> = self.parts.iter().map(of).collect();
+        Box::new(move |xc| {
+            let mut sum = vec![Stress::ZERO; points.len()];
+            for ((part, _), averaged) in self.parts.iter().zip(&averaged) {
+                let stresses = match averaged {
+                    Some(averaged) => averaged(xc + part.at),
+                    None => part.wheel.stresses(&points, xc + part.at),
+                };
+                sum.iter_mut().zip(stresses).for_each(|(sum, stress)| *sum = *sum + stress);
+            }
+            sum
+        })
     }
 
     fn over_mouth(&self, crack: usize, xc: f64) -> f64 {
         let over =
-            |(part, on_cracks): &(&PlacedWheel, Option<Box<dyn StressesOnCracks + '_>>)| match on_cracks {
+            |(part, on_cracks): &(&PlacedWheel, Option<Arc<dyn StressesOnCracks + '_>>)| match on_cracks {
                 Some(on_cracks) => on_cracks.over_mouth(crack, xc + part.at),
                 None => part.wheel.pressure(self.mouths[crack], xc + part.at),
             };

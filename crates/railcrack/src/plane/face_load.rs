@@ -4,8 +4,8 @@ use super::mouth_pressures::MouthPressures;
 use crate::body::FaceSample;
 use crate::contact::{FaceProblem, FluidModel, FluidState, LoadPath, Pocket};
 use crate::field::{
-    EndField, EndsError, FlatPunch, PlaceOnCrack, RailEnds, StressField, StressesOnCracks,
-    StressesUnderWheel, Wheel,
+    EndField, EndsError, FlatPunch, PlaceOnCrack, RailEnds, StressField, StressesByPosition,
+    StressesOnCracks, StressesUnderWheel, Wheel,
 };
 use crate::growth::PassageSettings;
 use crate::load::Passage;
@@ -18,12 +18,12 @@ pub(super) struct FaceLoad<'a> {
     wheel: &'a dyn Wheel,
     /// Stress added by the ends of the rail at these points; `None` for a half-plane.
     ends: Option<StressesUnderWheel>,
-    /// The quadrature points of the faces.
-    places: Vec<PlaceOnCrack>,
-    /// The same, mm.
+    /// The quadrature points of the faces, mm.
     points: Vec<Vec2>,
-    /// What loads the faces under a wheel whose load varies along the fronts; none for others.
+    /// The load of the cracks by a wheel that varies along the fronts; none for others.
     on_cracks: Option<Arc<dyn StressesOnCracks + 'a>>,
+    /// The same at the quadrature points.
+    averaged: Option<StressesByPosition<'a>>,
     /// The residual stress, and the nodal forces due to it.
     stress_between: Option<&'a dyn StressField>,
     residual: Vec<f64>,
@@ -81,7 +81,7 @@ impl<'a> FaceLoad<'a> {
         load: RailLoad<'a>,
         ends: Option<&dyn EndField>,
     ) -> Result<Self, EndsError> {
-        let on_cracks = load.wheel.on_cracks(&problem.body().faces.lines).map(Arc::from);
+        let on_cracks = load.wheel.on_cracks(&problem.body().faces.lines);
         Self::with_cracks(problem, load, ends, on_cracks)
     }
 
@@ -114,14 +114,15 @@ impl<'a> FaceLoad<'a> {
             FluidModel::Mouth { cap } => Some(cap),
             FluidModel::Trapped { .. } => None,
         });
+        let averaged = on_cracks.as_ref().map(|own| Arc::clone(own).at(&places));
         let RailLoad { wheel, residual: stress_between } = load;
         Ok(Self {
             problem,
             wheel,
             ends,
-            places,
             points,
             on_cracks,
+            averaged,
             stress_between,
             residual,
             cap,
@@ -293,7 +294,7 @@ impl LoadPath for PartLoad<'_> {
 
 impl PartLoad<'_> {
     fn of_wheel(&self, at: f64) -> Vec<f64> {
-        let FaceLoad { problem, wheel, ends, places, points, on_cracks, residual, .. } = self.load;
+        let FaceLoad { problem, wheel, ends, points, averaged, residual, .. } = self.load;
         let (xc, share) = match self.part {
             LoadPhase::Ramp => return residual.iter().map(|f| f * at).collect(),
             LoadPhase::Far { .. } if at == 0.0 => return residual.clone(),
@@ -301,8 +302,8 @@ impl PartLoad<'_> {
             LoadPhase::Load { xc } => (xc, at),
             LoadPhase::Over | LoadPhase::Coupled => (at, 1.0),
         };
-        let mut stresses = match on_cracks {
-            Some(on_cracks) => on_cracks.stresses(places, xc),
+        let mut stresses = match averaged {
+            Some(averaged) => averaged(xc),
             None => wheel.stresses(points, xc),
         };
         if let Some(ends) = ends {
