@@ -159,12 +159,13 @@ pub(super) struct PatchDirections {
 /// Directions within a quarter turn, and whether they crowd towards the lateral one: for points far
 /// below the load, near it, below it, at the surface, and far away at the surface, where what lies
 /// ahead and behind is seen within a narrow angle.
-const RULES: [(usize, Crowded); 5] = [
+const RULES: [(usize, Crowded); 6] = [
     (10, Crowded::AcrossTheRail),
     (18, Crowded::Nowhere),
     (30, Crowded::Nowhere),
     (48, Crowded::Nowhere),
-    (48, Crowded::AcrossTheRail),
+    (36, Crowded::AcrossTheRail),
+    (120, Crowded::AcrossTheRail),
 ];
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -211,7 +212,8 @@ impl PatchDirections {
         let below = (depth + 0.3 * spread.reach) / self.half[0].min(self.half[1]);
         match (away, below) {
             (2.5.., _) if below > 0.5 * away => 0,
-            (2.5.., _) => 4,
+            (2.5.., 0.4..) => 4,
+            (2.5.., _) => 5,
             (_, 1.2..) => 1,
             (_, 0.25..) => 2,
             _ => 3,
@@ -248,7 +250,7 @@ fn directions(patch: &PatchLoad, (count, crowded): (usize, Crowded)) -> Vec<Dire
     for (point, weight) in gauss_legendre(count) {
         let (point, weight) = match crowded {
             Crowded::Nowhere => (point, weight),
-            Crowded::AcrossTheRail => (1.0 - (1.0 - point).powi(3), 3.0 * (1.0 - point).powi(2) * weight),
+            Crowded::AcrossTheRail => (1.0 - (1.0 - point).powi(2), 2.0 * (1.0 - point) * weight),
         };
         let (sin_chi, cos_chi) = (FRAC_PI_2 * point).sin_cos();
         let length = cos_chi.hypot(ratio * sin_chi);
