@@ -61,6 +61,9 @@ environment() {
 engine() {
     tools/web_module.sh
     export RAILCRACK_ENGINE=$PWD/target/web/$name.wasm
+    # The program takes this module and no other.
+    RAILCRACK_ENGINE_SHA256=$(sha256sum "$RAILCRACK_ENGINE" | cut -d ' ' -f 1)
+    export RAILCRACK_ENGINE_SHA256
 }
 # Whether $1 computes what the program of this system computes, bit for bit.
 same_run() {
