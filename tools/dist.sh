@@ -61,6 +61,9 @@ environment() {
 engine() {
     tools/web_module.sh
     export RAILCRACK_ENGINE=$PWD/target/web/$name.wasm
+    # The program takes this module and no other.
+    RAILCRACK_ENGINE_SHA256=$(sha256sum "$RAILCRACK_ENGINE" | cut -d ' ' -f 1)
+    export RAILCRACK_ENGINE_SHA256
 }
 # Whether $1 computes what the program of this system computes, bit for bit.
 same_run() {
@@ -140,8 +143,6 @@ part_bill() {
     local bill=$dist/$name.cdx.json
     python3 tools/bill_of_materials.py "$target" "$bill" "$scratch/licences.txt"
     release_tools
-    "$tools/bin/python" -c 'import jsonschema, cyclonedx' 2> /dev/null ||
-        "$tools/bin/pip" install --quiet --disable-pip-version-check 'cyclonedx-python-lib[json-validation]==11.12.0'
     "$tools/bin/python" - "$bill" << 'END' || fail "$bill is not valid"
 import sys
 from cyclonedx.schema import SchemaVersion
@@ -200,7 +201,9 @@ part_site() {
     RUSTDOCFLAGS="-D warnings" cargo doc --release --no-deps --workspace --locked
     # An environment of its own: what the pages show is the package of these sources.
     [ -n "$(ls target/wheels/x86_64/*.whl 2> /dev/null)" ] || tools/wheel.sh
-    environment "$scratch/pages" markdown-it-py==4.3.0 pdoc==16.0.0 target/wheels/x86_64/*.whl
+    environment "$scratch/pages"
+    hashed "$scratch/pages/bin/pip"
+    "$scratch/pages/bin/pip" install --quiet --disable-pip-version-check target/wheels/x86_64/*.whl
     "$scratch/pages/bin/python" tools/site/python_pages.py "$scratch/python-pages"
     cargo build --release --locked --workspace --quiet
     target/release/railcrack explorer --force --out "$dist/$name-explorer.html"

@@ -8,7 +8,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 seconds=$1
 shift
-[ $# -gt 0 ] || set -- case study inputs results packed parquet checkpoint request vtu
+[ $# -gt 0 ] || set -- case study inputs study_inputs results packed parquet checkpoint request vtu
 
 host=$(rustc -vV | sed -n 's/^host: //p')
 # With --target, the instrumentation is not that of build scripts and macros.

@@ -1,7 +1,8 @@
 # Functions for the scripts that build for other systems, sourced by them. What pip installs for that is in target/wheel-tools.
 #
 #     need_target TARGET              the standard library of Rust for TARGET
-#     release_tools                   maturin, zig and auditwheel, in the folder $tools
+#     release_tools                   the packages of tools/release-tools.txt by their hashes, in the folder $tools
+#     hashed PIP                      installs these packages by the program PIP
 #     zig_compiler NAME TARGET        prints the path of a compiler of C for TARGET, as zig calls it
 
 need_target() {
@@ -12,11 +13,17 @@ need_target() {
 release_tools() {
     tools=$PWD/target/wheel-tools
     export ZIG_GLOBAL_CACHE_DIR=$PWD/target/zig
-    [ -x "$tools/bin/auditwheel" ] && "$tools/bin/python" -c '' && return
+    # The list that it has, so that a new one is installed.
+    cmp -s tools/release-tools.txt "$tools/list.txt" && "$tools/bin/python" -c '' && return
     rm -rf "$tools"
     python3 -m venv "$tools"
-    "$tools/bin/pip" install --quiet --disable-pip-version-check maturin==1.16.0 ziglang==0.17.1 auditwheel==6.8.2 ||
-        { printf 'failed: pip cannot install maturin, zig and auditwheel: is there a network?\n' >&2; exit 1; }
+    hashed "$tools/bin/pip"
+    cp tools/release-tools.txt "$tools/list.txt"
+}
+
+hashed() {
+    "$1" install --quiet --disable-pip-version-check --require-hashes --only-binary :all: -r tools/release-tools.txt ||
+        { printf 'failed: pip cannot install the packages of tools/release-tools.txt: is there a network?\n' >&2; exit 1; }
 }
 
 # Cargo calls targets by more words than zig, which takes its own alone.

@@ -71,9 +71,11 @@ def test_the_run_of_a_study_has_report_and_plots(swept: Path, tmp_path: Path) ->
     assert len(run.plot().axes) == 4
 
 
-@pytest.mark.parametrize("kind", ["processes", "threads", "pool"])
+@pytest.mark.filterwarnings("ignore:This process:DeprecationWarning")
+@pytest.mark.parametrize("kind", ["processes", "forked", "threads", "pool"])
 def test_by_an_executor(kind: str, swept: Path, tmp_path: Path) -> None:
-    context = multiprocessing.get_context("spawn")
+    # A forked process has none of the threads that read the study here.
+    context = multiprocessing.get_context("fork" if kind == "forked" else "spawn")
     study = rc.Study(STUDY)
     if kind == "pool":
         with context.Pool(2) as pool:
@@ -81,7 +83,7 @@ def test_by_an_executor(kind: str, swept: Path, tmp_path: Path) -> None:
     else:
         executor = (
             concurrent.futures.ProcessPoolExecutor(2, mp_context=context)
-            if kind == "processes"
+            if kind in ("processes", "forked")
             else concurrent.futures.ThreadPoolExecutor(2)
         )
         with executor:

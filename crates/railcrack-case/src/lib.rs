@@ -26,11 +26,11 @@ pub use files::{
     PointFile, ProfileFile, RatesFile, TablePatch, TableWheel, ToughnessFile, WheelTableFile,
 };
 pub use regular_file::open_regular;
-pub use schema::read_text_file;
 pub use schema::{
     CaseError, CaseErrors, Choice, Form, Key, Kind, NumberRange, OnlyWith, Pair, Presence, Preset, RangeEnd,
     Section, SectionPresence, Value, Word,
 };
+pub use schema::{commands_terminal, read_text_file};
 pub use study::{Axis, Distribution, Input, Keeping, SampleTable, Study, StudyRun, Variation, study_schema};
 pub use tables::{
     CalibrationPrior, Combine, ContactExtent, ContactOrigin, ContactSolver, Detection, Engine, FieldOutput,

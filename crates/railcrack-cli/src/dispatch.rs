@@ -1,15 +1,49 @@
 //! Dispatch of the commands.
 
 use crate::arguments::{Arguments, Command};
+use crate::commands::run::{use_other_threads, use_threads};
 use crate::commands::{
     calibrate, check, compare, completions, contact, explorer, init, plan, report, run, schema, shakedown,
     show, sweep, validate, verify, view,
 };
 use crate::exit::{Exit, Failure};
 use clap::CommandFactory;
+use std::num::NonZeroUsize;
 
-/// Executes `command`.
+/// The threads of a command.
+enum Threads {
+    /// None: it computes nothing.
+    None,
+    /// That many, the calling one among them.
+    Calling(Option<NonZeroUsize>),
+    /// Others than the calling one, which waits.
+    Others,
+}
+
+impl Threads {
+    fn of(command: &Command) -> Self {
+        match command {
+            Command::Run(arguments) => Self::Calling(arguments.execution.threads),
+            Command::Plan(arguments) => Self::Calling(arguments.execution.threads),
+            Command::Sweep(_) | Command::View(_) => Self::Others,
+            Command::Init(_)
+            | Command::Verify(_)
+            | Command::Show(_)
+            | Command::Schema(_)
+            | Command::Completions(_)
+            | Command::Man(_) => Self::None,
+            _ => Self::Calling(None),
+        }
+    }
+}
+
+/// Executes `command`, on a pool of threads where it computes.
 pub fn dispatch(command: Command) -> Result<Exit, Failure> {
+    match Threads::of(&command) {
+        Threads::None => {}
+        Threads::Calling(threads) => use_threads(threads)?,
+        Threads::Others => use_other_threads()?,
+    }
     match command {
         Command::Init(arguments) => init::init(&arguments),
         Command::Calibrate(arguments) => calibrate::calibrate(&arguments),

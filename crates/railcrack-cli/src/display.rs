@@ -1,7 +1,8 @@
 //! Display of progress: a bar on a terminal, lines elsewhere.
 
+use crate::terminal;
 use indicatif::{ProgressBar, ProgressStyle};
-use std::io::{IsTerminal, Write};
+use std::io::IsTerminal;
 use std::time::{Duration, Instant};
 use terminal_size::{Width, terminal_size_of};
 
@@ -43,8 +44,8 @@ impl Display {
     /// Writes a line of text. A failure to write to standard error cannot be reported.
     pub fn say(&self, line: &str) {
         match self {
-            Self::Bar(bar) => bar.println(line),
-            Self::Lines => drop(writeln!(std::io::stderr().lock(), "{line}")),
+            Self::Bar(bar) => bar.println(terminal::plain(line)),
+            Self::Lines => terminal::stderr(&format!("{line}\n")),
             Self::Quiet => {}
         }
     }

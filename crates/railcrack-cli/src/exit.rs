@@ -4,7 +4,7 @@ use railcrack::shakedown::ShakedownError;
 use railcrack_case::CaseErrors;
 use railcrack_run::OutputError;
 use railcrack_run::machine::OverBudget;
-use railcrack_run::setup::CarriedStressError;
+use railcrack_run::setup::{CarriedStressError, DemandError};
 use railcrack_run::simulation::RunError;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -56,13 +56,10 @@ pub enum Failure {
     /// A run that failed.
     #[error(transparent)]
     Run(#[from] RunError),
-    /// The run would overwrite its own case file.
-    #[error(
-        "{} is the case file and would be overwritten by the run: choose another folder with --out",
-        path.display()
-    )]
-    CaseInRunFolder {
-        /// The case file.
+    /// The results would replace an input of the command.
+    #[error("{} is an input and would be replaced by the results: choose another place with --out", path.display())]
+    InputReplaced {
+        /// The input.
         path: PathBuf,
     },
     /// Measurements, or a case that cannot be calibrated.
@@ -71,6 +68,9 @@ pub enum Failure {
         /// The fault and its location.
         reason: String,
     },
+    /// A passage that cannot be computed.
+    #[error(transparent)]
+    Demand(#[from] DemandError),
     /// A build without support for PNG files.
     #[cfg(not(feature = "png"))]
     #[error(
@@ -85,12 +85,6 @@ pub enum Failure {
     #[error("{} already exists; --force replaces it", path.display())]
     Exists {
         /// The file.
-        path: PathBuf,
-    },
-    /// A folder with earlier results of `railcrack contact`.
-    #[error("{} already exists; --force replaces it and the results beside it", path.display())]
-    HoldsContact {
-        /// The table of wheels there.
         path: PathBuf,
     },
     /// A folder that cannot be read.
@@ -124,12 +118,12 @@ impl Failure {
     /// The exit code of this failure.
     pub fn exit(&self) -> Exit {
         match self {
-            Self::Case(_)
-            | Self::Calibration { .. }
-            | Self::OverBudget(_)
-            | Self::HoldsContact { .. }
-            | Self::CaseInRunFolder { .. } => Exit::BadInput,
+            Self::Case(_) | Self::Calibration { .. } | Self::OverBudget(_) | Self::InputReplaced { .. } => {
+                Exit::BadInput
+            }
             Self::Run(error) => exit_of_run(error),
+            Self::Demand(DemandError::Stress(CarriedStressError::Field(_))) => Exit::BadInput,
+            Self::Demand(_) => Exit::NotConverged,
             #[cfg(not(feature = "png"))]
             Self::NoPng => Exit::BadInput,
             Self::Show(_) => Exit::BadInput,
@@ -152,7 +146,8 @@ fn exit_of_run(error: &RunError) -> Exit {
             | OutputError::NoPageEngine { .. }
             | OutputError::NothingToReport { .. }
             | OutputError::NoFolder { .. }
-            | OutputError::HoldsComparison { .. }
+            | OutputError::HoldsResults { .. }
+            | OutputError::OtherResults { .. }
             | OutputError::HoldsStudy { .. }
             | OutputError::NoStudy { .. }
             | OutputError::StudyChanged { .. }
@@ -167,6 +162,7 @@ fn exit_of_run(error: &RunError) -> Exit {
             | OutputError::DamagedPack { .. }
             | OutputError::NotRecomputed { .. }
             | OutputError::Damaged { .. }
+            | OutputError::BadPageEngine { .. }
             | OutputError::NameLeaves { .. }
             | OutputError::Io { .. } => Exit::CannotReadOrWrite,
         },

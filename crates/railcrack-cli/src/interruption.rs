@@ -10,6 +10,27 @@ use std::time::Duration;
 /// SIGHUP is not among them: a run under `nohup` must outlive its terminal.
 const SIGNALS: [i32; 2] = [SIGINT, SIGTERM];
 
+/// What an interrupted computation leaves behind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Remains {
+    /// Finished steps, after which `--resume` continues.
+    FinishedSteps,
+    /// No results.
+    Nothing,
+}
+
+impl Remains {
+    /// The sentence for standard error.
+    pub const fn sentence(self) -> &'static str {
+        match self {
+            Self::FinishedSteps => {
+                "interrupted; repeat the command with --resume to continue after the last finished step"
+            }
+            Self::Nothing => "interrupted: no results are written; repeat the command to start again",
+        }
+    }
+}
+
 /// Interruption requested by a signal.
 #[derive(Debug, Clone, Default)]
 pub struct Interruption {
@@ -19,12 +40,13 @@ pub struct Interruption {
 }
 
 impl Interruption {
-    /// Installs handlers of SIGINT and SIGTERM. The second signal ends the program at once.
+    /// Installs handlers of SIGINT and SIGTERM for a computation of which `remains` is left behind.
+    /// The second signal ends the program at once.
     ///
     /// Errors: the system refuses to install the handlers.
-    pub fn listen() -> std::io::Result<Self> {
+    pub fn listen(remains: Remains) -> std::io::Result<Self> {
         let interruption = Self::default();
-        interruption.install()?;
+        interruption.install(remains)?;
         Ok(interruption)
     }
 
@@ -37,7 +59,7 @@ impl Interruption {
     }
 
     #[cfg(unix)]
-    fn install(&self) -> std::io::Result<()> {
+    fn install(&self, remains: Remains) -> std::io::Result<()> {
         use std::time::Instant;
         // `timeout` and some shells send a signal to the program and again to its process group,
         // which must count as one request.
@@ -50,7 +72,7 @@ impl Interruption {
                 asked.store(true, Ordering::Relaxed);
                 if first.is_none() {
                     let stopped = Arc::clone(&stopped);
-                    std::thread::spawn(move || end_soon(&stopped));
+                    std::thread::spawn(move || end_soon(&stopped, remains));
                 }
                 if first.get_or_insert_with(Instant::now).elapsed() > ONE_WISH {
                     std::process::exit(i32::from(Exit::Interrupted.code()));
@@ -61,7 +83,7 @@ impl Interruption {
     }
 
     #[cfg(not(unix))]
-    fn install(&self) -> std::io::Result<()> {
+    fn install(&self, _: Remains) -> std::io::Result<()> {
         raise_on_signal(&self.asked)
     }
 
@@ -100,18 +122,15 @@ const TO_WRITE: Duration = Duration::from_secs(10);
 
 /// Ends the program if it does not end by itself, because an assembly, a factorisation or a report
 /// does not check for signals. A run may be killed at any moment: its finished steps are on disk,
-/// and `--resume` continues after them.
+/// and `--resume` continues after them; other results count as none until they are whole.
 #[cfg(unix)]
-fn end_soon(stopped: &AtomicBool) {
+fn end_soon(stopped: &AtomicBool, remains: Remains) {
     use std::io::Write;
     std::thread::sleep(TO_STOP);
     if stopped.load(Ordering::Relaxed) {
         std::thread::sleep(TO_WRITE);
     }
     // A failure to write to standard error cannot be reported.
-    let _ = writeln!(
-        std::io::stderr(),
-        "interrupted; repeat the command with --resume to continue after the last finished step"
-    );
+    let _ = writeln!(std::io::stderr(), "{}", remains.sentence());
     std::process::exit(i32::from(Exit::Interrupted.code()));
 }

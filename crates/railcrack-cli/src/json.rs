@@ -16,7 +16,7 @@ pub struct Json {
 impl Json {
     /// Prints `value` if JSON is requested, otherwise `text`.
     pub fn print(self, text: impl FnOnce() -> String, value: impl FnOnce() -> Value) -> Result<(), Failure> {
-        if self.json { print::stdout(&format!("{:#}\n", value())) } else { print::stdout(&text()) }
+        if self.json { print::json(&format!("{:#}\n", value())) } else { print::stdout(&text()) }
     }
 
     /// Executes `work`; a failure is printed as an object too if JSON is requested.
@@ -25,7 +25,7 @@ impl Json {
             Err(failure) if self.json => failure,
             other => return other,
         };
-        print::stdout(&format!("{:#}\n", of_failure(&failure)))?;
+        print::json(&format!("{:#}\n", of_failure(&failure)))?;
         Ok(failure.exit())
     }
 }

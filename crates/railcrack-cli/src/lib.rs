@@ -11,9 +11,12 @@ mod json;
 #[cfg(feature = "png")]
 mod png;
 mod print;
+mod processes;
 mod progress;
+mod terminal;
 
-pub use commands::run::MOST_THREADS;
+pub use commands::run::{MOST_THREADS, thread_count};
+pub use processes::start_alone;
 
 use arguments::Arguments;
 use clap::Parser;

@@ -8,5 +8,6 @@ use std::process::ExitCode;
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 fn main() -> ExitCode {
+    railcrack_cli::start_alone();
     ExitCode::from(railcrack_cli::command(std::env::args_os()))
 }

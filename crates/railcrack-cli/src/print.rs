@@ -1,14 +1,26 @@
 //! Standard output and standard error.
 
 use crate::display::stderr_columns;
-use crate::exit::Failure;
+use crate::exit::{Exit, Failure};
+use crate::interruption::Remains;
+use crate::terminal::{plain, plain_json, stderr};
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{Annotation, AnnotationKind, Element, Level, Origin, Renderer, Snippet};
 use railcrack_case::CaseError;
 use std::io::{ErrorKind, IsTerminal, Write};
 
-/// Writes `text` to standard output. A reader that closes the pipe (`| head`) is not a failure.
+/// Writes `text` to standard output, without what would command a terminal. A reader that closes the
+/// pipe (`| head`) is not a failure.
 pub fn stdout(text: &str) -> Result<(), Failure> {
+    write_stdout(&plain(text))
+}
+
+/// Writes the JSON `text` to standard output: what would command a terminal is written as `\u001b`.
+pub fn json(text: &str) -> Result<(), Failure> {
+    write_stdout(&plain_json(text))
+}
+
+fn write_stdout(text: &str) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Stdout(error)),
@@ -18,8 +30,13 @@ pub fn stdout(text: &str) -> Result<(), Failure> {
 
 /// Writes a warning to standard error.
 pub fn warning(says: &str) {
-    // A failure to write to standard error cannot be reported.
-    let _ = writeln!(std::io::stderr(), "warning: {says}");
+    stderr(&format!("warning: {says}\n"));
+}
+
+/// Reports on standard error that a command was interrupted and leaves no results.
+pub fn interrupted() -> Exit {
+    stderr(&format!("{}\n", Remains::Nothing.sentence()));
+    Exit::Interrupted
 }
 
 /// Reports a failure on standard error: graphically with an excerpt of the file on a terminal,
@@ -38,7 +55,7 @@ pub fn failure(failure: &Failure) {
             let lines = errors.errors().iter();
             lines.map(|error| format!("error: {}\n{}", error.one_line(), error.excerpt())).collect()
         }
-        other => format!("error: {other}\n"),
+        other => plain(&format!("error: {other}\n")).into_owned(),
     };
     // A failure to write to standard error cannot be reported.
     let _ = err.write_all(text.as_bytes());

@@ -4,9 +4,10 @@ use crate::errors::bad_input;
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
 use railcrack::growth::{Observer, StepRecord};
-use railcrack_cli::MOST_THREADS;
+use railcrack_cli::{MOST_THREADS, thread_count};
 use railcrack_run::simulation::{RunObserver, StudyObserver};
 use railcrack_run::study::PlannedRun;
+use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -149,6 +150,24 @@ pub fn check_threads(py: Python<'_>, threads: Option<usize>) -> PyResult<()> {
     }
 }
 
+/// Executes `work` without holding the interpreter lock, on threads of its own: those that the
+/// process had before it was forked are gone.
+///
+/// Errors: the system refuses threads.
+pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    let pool = pool(py, None)?;
+    Ok(py.detach(|| pool.install(work)))
+}
+
+/// A pool of `threads` threads, by default one per processor.
+///
+/// Errors: an invalid number in the environment; the system refuses threads.
+fn pool(py: Python<'_>, threads: Option<usize>) -> PyResult<rayon::ThreadPool> {
+    let count = thread_count(threads.and_then(NonZeroUsize::new)).map_err(|says| bad_input(py, says))?;
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
+    pool.map_err(|reason| PyRuntimeError::new_err(format!("cannot start threads: {reason}")))
+}
+
 /// Executes `work` on a pool of `threads` threads (none: one per processor) without holding the
 /// interpreter lock; `tell(kind, value)` is called for every event that `told` receives.
 ///
@@ -162,16 +181,15 @@ pub fn compute<T: Send + 'static>(
     work: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<Over<T>> {
     check_threads(py, threads)?;
-    let refused = |reason: String| PyRuntimeError::new_err(format!("cannot start threads: {reason}"));
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).build();
-    let pool = pool.map_err(|reason| refused(reason.to_string()))?;
+    let pool = pool(py, threads)?;
     let (over, ends) = channel::<()>();
     let working = std::thread::Builder::new().name("railcrack".into()).spawn(move || {
         // Dropped at the end of the work, including a panic.
         let _over = over;
         pool.install(work)
     });
-    let working = working.map_err(|reason| refused(reason.to_string()))?;
+    let working =
+        working.map_err(|reason| PyRuntimeError::new_err(format!("cannot start threads: {reason}")))?;
     let (mut told, mut ends, mut signal) = (told, ends, None);
     loop {
         let (events, is_over);

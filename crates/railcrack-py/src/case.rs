@@ -1,6 +1,6 @@
 //! Cases.
 
-use crate::background::{Watch, compute};
+use crate::background::{Watch, compute, detached};
 use crate::errors::{bad_input, case_error, class_of};
 use crate::judge::OwnJudge;
 use crate::run::RunCore;
@@ -36,7 +36,9 @@ impl CaseCore {
         folder: PathBuf,
         files: Vec<(String, Vec<u8>)>,
     ) -> PyResult<Self> {
-        let case = reading(&folder, files, |folder| railcrack_case::Case::parse(text, name, folder))?;
+        let case = detached(py, || {
+            reading(&folder, files, |folder| railcrack_case::Case::parse(text, name, folder))
+        })??;
         Ok(Self { case: Arc::new(case.map_err(|errors| case_error(py, &errors))?) })
     }
 
@@ -77,12 +79,12 @@ impl CaseCore {
     /// Sizes, bounds and warnings.
     fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let case = Arc::clone(&self.case);
-        let (case, text, size) = py.detach(move || {
+        let (case, text, size) = detached(py, move || {
             let case = represented(&case).into_owned();
             let text = railcrack_cli::check_text(&case, Path::new("."));
             let size = RunSize::estimate(&case);
             (case, text, size)
-        });
+        })?;
         let wheel = &case.first_wheel().wheel;
         let check = PyDict::new(py);
         check.set_item("text", text)?;

@@ -1,6 +1,6 @@
 //! Studies: many cases, computed here or by several processes.
 
-use crate::background::{Watch, check_threads, compute};
+use crate::background::{Watch, check_threads, compute, detached};
 use crate::case::CaseCore;
 use crate::columns;
 use crate::errors::{case_error, output_error, run_error, warn_of_damages};
@@ -40,9 +40,11 @@ impl StudyCore {
         folder: PathBuf,
         files: Vec<(String, Vec<u8>)>,
     ) -> PyResult<Self> {
-        let study = reading(&folder, files, |folder| {
-            railcrack_case::Study::parse_with(text, name, folder, &Overrides::default())
-        })?;
+        let study = detached(py, || {
+            reading(&folder, files, |folder| {
+                railcrack_case::Study::parse_with(text, name, folder, &Overrides::default())
+            })
+        })??;
         Ok(Self { study: Arc::new(study.map_err(|errors| case_error(py, &errors))?) })
     }
 
@@ -141,7 +143,7 @@ impl StudyCore {
 
     /// Collects the results in the folder `out` and writes tables, plots and report of the study.
     fn gather(&self, py: Python<'_>, out: PathBuf) -> PyResult<()> {
-        let written = py.detach(|| StudyFolder::open(&out)?.write_results(&Pages));
+        let written = detached(py, || StudyFolder::open(&out)?.write_results(&Pages))?;
         let results = written.map_err(|error| output_error(py, &error))?;
         warn_of_damages(py, &results.flaws)
     }
@@ -182,11 +184,11 @@ impl StudyCore {
     /// remaining columns of `summary.csv`.
     #[staticmethod]
     fn results<'py>(py: Python<'py>, out: PathBuf) -> PyResult<Results<'py>> {
-        let read = py.detach(|| {
+        let read = detached(py, || {
             let folder = StudyFolder::open(&out)?;
             let results = folder.read_results()?;
             Ok((folder, results))
-        });
+        })?;
         let (folder, results) = read.map_err(|error: OutputError| output_error(py, &error))?;
         let plan = folder.plan();
         let keys: Vec<String> =

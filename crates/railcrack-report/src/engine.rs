@@ -1,14 +1,21 @@
 //! The engine of a page: railcrack compiled to WebAssembly, as a file.
 
 use crate::page_data::Deflated;
+use railcrack_case::open_regular;
+use railcrack_run::disk::sha256;
 use railcrack_run::{OutputError, VERSION};
 use serde_json::{Value, json};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// Variable of the environment that names the file.
 const VARIABLE: &str = "RAILCRACK_ENGINE";
 /// The folder of the file below the parent of the program's folder.
 const SHARED: &str = "share/railcrack";
+/// SHA-256 of the module that belongs to this program, where it was made with one: releases are.
+const CHECKSUM: Option<&str> = option_env!("RAILCRACK_ENGINE_SHA256");
+/// Maximum size of a module, bytes: ten times what it has.
+const MOST: u64 = 50_000_000;
 /// How every module begins: the name of the format and its version 1.
 const MAGIC: [u8; 8] = *b"\0asm\x01\0\0\0";
 
@@ -46,18 +53,22 @@ impl PageEngine {
 
     /// The module in the file `path`.
     ///
-    /// Errors: the file cannot be read, is no WebAssembly module, or is not named for this version.
+    /// Errors: it is no regular file, larger than a module, or cannot be read; it is no WebAssembly
+    /// module, not named for this version, or not the one that the program was released with.
     pub fn read(path: &Path) -> Result<Self, OutputError> {
-        let bytes = std::fs::read(path).map_err(OutputError::io("read", path))?;
-        if !bytes.starts_with(&MAGIC) {
-            return Err(OutputError::damaged(path, "is no WebAssembly module"));
-        }
+        let mut bytes = Vec::new();
+        let file = open_regular(path).map_err(OutputError::io("read", path))?;
+        file.take(MOST + 1).read_to_end(&mut bytes).map_err(OutputError::io("read", path))?;
         let name = Self::file_name();
-        if path.file_name().is_none_or(|own| own != name.as_str()) {
-            let reason = format!("must be called {name}, as the engine of this version");
-            return Err(OutputError::damaged(path, reason));
+        let is_named = path.file_name().is_some_and(|own| own == name.as_str());
+        match fault(&bytes, CHECKSUM) {
+            Some(reason) => Err(OutputError::BadPageEngine { path: path.to_path_buf(), reason }),
+            None if !is_named => {
+                let reason = format!("must be called {name}, as the engine of this version");
+                Err(OutputError::BadPageEngine { path: path.to_path_buf(), reason })
+            }
+            None => Ok(Self { module: Deflated::of(&bytes) }),
         }
-        Ok(Self { module: Deflated::of(&bytes) })
     }
 
     /// Data of a page with `case`; `first` is the name of the curves of that case.
@@ -70,6 +81,18 @@ impl PageEngine {
             "first": first,
         })
     }
+}
+
+/// Why `bytes` are not the module with the `checksum`, or no module where none is given.
+fn fault(bytes: &[u8], checksum: Option<&str>) -> Option<String> {
+    if bytes.len() as u64 > MOST {
+        return Some(format!("is larger than {} MB, the limit for a module", MOST / 1_000_000));
+    }
+    if !bytes.starts_with(&MAGIC) {
+        return Some("is no WebAssembly module".to_owned());
+    }
+    let expected = checksum.filter(|expected| *expected != sha256(bytes))?;
+    Some(format!("is not the engine that this program was released with (SHA-256 {expected})"))
 }
 
 /// Where the module is looked for; nowhere if the folder of the program is not known.
@@ -85,4 +108,18 @@ fn places() -> Vec<PathBuf> {
 fn program() -> Option<PathBuf> {
     let called = || std::env::args_os().next().map(PathBuf::from).filter(|path| path.is_absolute());
     std::env::current_exe().ok().or_else(called)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_module_is_known_by_its_checksum() {
+        let module = [&MAGIC[..], b"module"].concat();
+        assert_eq!(fault(&module, None), None);
+        assert_eq!(fault(&module, Some(&sha256(&module))), None);
+        assert!(fault(&module, Some(&sha256(b"other"))).unwrap().contains("was released with"));
+        assert!(fault(b"text", None).unwrap().contains("is no WebAssembly module"));
+    }
 }

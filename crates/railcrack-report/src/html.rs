@@ -80,7 +80,7 @@ mod tests {
 
     #[test]
     fn text_cannot_break_out() {
-        assert_eq!(escaped("a<b> & \"c\" 'd'\u{7}"), "a&lt;b&gt; &amp; &quot;c&quot; &#39;d&#39; ");
+        assert_eq!(escaped("a<b> & \"c\" 'd'\u{7}\u{fffe}"), "a&lt;b&gt; &amp; &quot;c&quot; &#39;d&#39;  ");
         assert_eq!(typeset("<K_{II}> (MPa√m)"), "&lt;K<sub>II</sub>&gt; (MPa√m)");
         assert_eq!(typeset("K_{I"), "K_{I");
         assert_eq!(typeset("10^{6} K_{I} <"), "10<sup>6</sup> K<sub>I</sub> &lt;");

@@ -67,6 +67,6 @@ pub use figures::{CalibratedRun, calibration_charts, patches_picture};
 pub use live_page::{LivePage, live_page};
 pub use numbers::{fixed, grouped, significant, tonnage};
 pub use page::{Banner, Block, Fact, Page, Section};
-pub use pages::{ValidationPage, calibration_page, contact_page, explorer_page};
+pub use pages::{ValidationPage, calibration_page, contact_page, explorer_page, is_validation_plot};
 pub use rebuild::{Pages, rebuild_report};
 pub use table::{Cell, CellTone, MISSING, Table};

@@ -138,6 +138,12 @@ pub struct Page {
     pub sections: Vec<Section>,
 }
 
+/// What a page may do: run its own scripts and, in a worker, its own module; ask the server that
+/// sent it, as `railcrack view` does, and nobody else.
+const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; \
+    worker-src blob:; style-src 'unsafe-inline'; img-src data: blob:; connect-src 'self'; \
+    base-uri 'none'; form-action 'none'";
+
 impl Page {
     /// The file.
     pub fn html(&self) -> String {
@@ -152,6 +158,7 @@ impl Page {
         let _ = write!(
             page,
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+             <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
              <meta name=\"color-scheme\" content=\"light dark\">\n\
              <meta name=\"generator\" content=\"railcrack {VERSION}\">\n\

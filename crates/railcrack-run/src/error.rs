@@ -9,7 +9,7 @@ use thiserror::Error;
 pub enum OutputError {
     /// The folder already holds a run, and replacing it was not requested.
     #[error(
-        "{} already holds a run ({file}): take it up again with --resume, replace it with --force, or choose another folder with --out",
+        "{} already holds a run ({file}): take it up again with `railcrack run --resume`, replace it with --force, or choose another folder with --out",
         folder.display()
     )]
     HoldsRun {
@@ -29,6 +29,14 @@ pub enum OutputError {
         /// Where it was looked for.
         places: Vec<PathBuf>,
     },
+    /// A file that is not the module with which a page computes.
+    #[error("{}: {reason}; `RAILCRACK_ENGINE` must name the file of this version", path.display())]
+    BadPageEngine {
+        /// The file.
+        path: PathBuf,
+        /// The fault.
+        reason: String,
+    },
     /// A folder that is not that of a run.
     #[error("{} is not a run folder: it has no {file}", folder.display())]
     NotARun {
@@ -46,15 +54,23 @@ pub enum OutputError {
         /// The folder.
         folder: PathBuf,
     },
-    /// The folder already holds a comparison, and replacing it was not requested.
+    /// The folder already holds results of the command, and replacing these was not requested.
     #[error(
-        "{} already holds a comparison ({file}): replace it with --force, or choose another folder with --out",
+        "{} already holds results ({file}): replace them with --force, or choose another folder with --out",
         folder.display()
     )]
-    HoldsComparison {
+    HoldsResults {
         /// The folder.
         folder: PathBuf,
-        /// A file of it that exists.
+        /// A file of them that exists.
+        file: String,
+    },
+    /// The folder holds results of another command.
+    #[error("{} holds other results ({file}): choose another folder with --out", folder.display())]
+    OtherResults {
+        /// The folder.
+        folder: PathBuf,
+        /// A file by which they are known.
         file: &'static str,
     },
     /// The folder already holds a study, and neither resuming nor replacing it was requested.
@@ -68,9 +84,9 @@ pub enum OutputError {
         /// A file of it that exists.
         file: String,
     },
-    /// The folder has a file that a study would replace, and holds no study.
+    /// The folder has a file that would be replaced, and holds no results.
     #[error(
-        "{} already has {file}, which a study would replace: move it, replace it with --force, or choose another folder with --out",
+        "{} already has {file}, which would be replaced: move it, replace it with --force, or choose another folder with --out",
         folder.display()
     )]
     InTheWay {

@@ -44,7 +44,10 @@ pub use log::{
 };
 pub use planner::{PlanFolder, PlanSummary};
 pub use presentation::{Presentation, RunPresentation, TablesOnly};
-pub use run_folder::{CaseFiles, Existing, RunFolder, Verification};
+pub use run_folder::{
+    CaseFiles, Existing, OF_A_RUN, ResultFolder, ResultKind, RunFolder, Verification, WithRun, clear_run,
+    is_file_of_run,
+};
 pub use shakedown::{ShakedownFolder, ShakedownSummary};
 pub use simulation::Recorder;
 pub use study::StudyFolder;

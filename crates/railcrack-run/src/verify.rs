@@ -3,16 +3,17 @@
 use crate::csv::Table;
 use crate::disk::files::{
     CASE_FILE, CHECKPOINT_FILE, COMPARE_FILE, GROWTH_TABLE, PLAN_FILE, PLANS_FILE, POPULATION_FILE,
-    RUN_LOG_FILE, RUNS_TABLE, SHAKEDOWN_FILE, SIF_TABLE, SUMMARY_FILE,
+    RUN_LOG_FILE, RUNS_TABLE, SHAKEDOWN_FILE, SIF_TABLE, SUMMARY_FILE, SUMS_FILE,
 };
 use crate::disk::{FolderLock, read_if_there};
 use crate::error::OutputError;
-use crate::run_folder::{Extent, Verification, same_bytes};
+use crate::run_folder::{Extent, Verification, is_unfinished, same_bytes};
 use crate::study::{StudyFolder, StudySummaryRow, listed_as_done};
 use std::path::Path;
 
 /// Compares the files in `folder` with the checksums that were stored with them: of a run, a
-/// stabilised plastic state, a comparison, grinding plans, or a study with all its runs. Plots and
+/// stabilised plastic state, a comparison, grinding plans, contact patches, a validation, or a study
+/// with all its runs. Plots and
 /// reports are not among them: `railcrack report` builds these anew.
 ///
 /// Errors: the folder holds no such results, or is being computed; the system refuses.
@@ -25,6 +26,9 @@ pub fn verify(folder: &Path) -> Result<Verification, OutputError> {
     if FolderLock::is_taken(folder) {
         drop(FolderLock::take(folder)?);
     }
+    if is_unfinished(folder) {
+        found.notes.push(format!("{}: the results are unfinished", folder.display()));
+    }
     if has(PLAN_FILE) {
         verify_study(&mut found, folder)?;
     } else if has(COMPARE_FILE) {
@@ -35,6 +39,8 @@ pub fn verify(folder: &Path) -> Result<Verification, OutputError> {
         found.documented(folder, SHAKEDOWN_FILE)?;
     } else if [SUMMARY_FILE, CHECKPOINT_FILE, RUN_LOG_FILE].into_iter().any(has) {
         found.run(folder, Extent::All)?;
+    } else if has(SUMS_FILE) {
+        found.listed(folder)?;
     } else {
         return Err(OutputError::NothingToReport { folder: folder.to_path_buf() });
     }

@@ -143,6 +143,11 @@ fn binary_array(text: &mut Vec<u8>, attributes: &str, bytes: &[u8]) {
     line(text, "\n</DataArray>");
 }
 
+/// Whether `letter` is none in XML: the two noncharacters of the basic plane.
+fn is_no_character(letter: char) -> bool {
+    matches!(letter, '\u{fffe}' | '\u{ffff}')
+}
+
 /// `text` as the content of an element or the value of a quoted attribute, in XML and in HTML.
 pub fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
@@ -154,7 +159,7 @@ pub fn escaped(text: &str) -> String {
             '"' => out.push_str("&quot;"),
             '\'' => out.push_str("&#39;"),
             // Neither format can represent them.
-            control if control.is_control() && control != '\n' => out.push(' '),
+            control if (control.is_control() && control != '\n') || is_no_character(control) => out.push(' '),
             other => out.push(other),
         }
     }

@@ -2,7 +2,7 @@
 
 use super::columns::Columns;
 use super::detection_table::DetectionTable;
-use crate::schema::{Fault, KeyRow, Kind, Report, SectionValues, Source, read_text};
+use crate::schema::{Fault, KeyRow, Kind, Report, SMALLER, SectionValues, Source, read_text};
 use railcrack::fatigue::{RateTable, Toughness};
 use railcrack::field::DepthProfile;
 use railcrack::load::TableContact;
@@ -125,7 +125,10 @@ pub(super) fn read_named<T>(
         },
         Err(unreadable) => match *unreadable {
             (source, fault) if fault.span.is_some() => report.add_to(&source, Fault { key: key(), ..fault }),
-            (_, fault) => report.add(section.fault(row, fault.message).help(RELATIVE)),
+            (_, fault) => {
+                let help = if fault.help.as_deref() == Some(SMALLER) { SMALLER } else { RELATIVE };
+                report.add(section.fault(row, fault.message).help(help));
+            }
         },
     }
     None

@@ -33,6 +33,9 @@ struct Elements {
 /// Maximum number of elements of a grid.
 const MOST_ELEMENTS: f64 = 1e7;
 
+/// Farthest end of a grid, mm: that of a rail and a wheel.
+const FARTHEST: f64 = 1e4;
+
 /// Whether a text is such a file: it begins with a comment of Matlab.
 pub(super) fn is_contact_output(text: &str) -> bool {
     text.trim_start_matches('\u{feff}').trim_start().starts_with('%')
@@ -161,8 +164,14 @@ fn checked(grid: Grid, columns: f64, rows: f64, span: &Range<usize>) -> Result<G
             span,
         ));
     }
-    if !(grid.dx > 0.0 && grid.dy > 0.0) {
-        return Err(fault(format!("`DX = {}`, `DY = {}`: must be positive", grid.dx, grid.dy), span));
+    let [x, y] = [grid.left + columns * grid.dx, grid.bottom + rows * grid.dy];
+    let fits = [grid.left, grid.bottom, x, y].into_iter().all(|end| end.abs() <= FARTHEST);
+    if !(grid.dx > 0.0 && grid.dy > 0.0 && fits) {
+        let message = format!(
+            "`DX = {}`, `DY = {}`: must be positive, and the grid within {FARTHEST} mm of its origin",
+            grid.dx, grid.dy
+        );
+        return Err(fault(message, span));
     }
     if grid.direction.abs() > 1e-6 {
         let message = format!("`CHI = {}`: the wheel must roll along x", grid.direction);
@@ -229,6 +238,10 @@ mod tests {
         assert!(
             refused(&FILE.replace("0.00000       1.00000\n", "3.14159       1.00000\n"), 0.0).contains("CHI")
         );
+        // Elements whose places are not finite.
+        for size in ["1e308", "-1.0", "inf"] {
+            assert!(refused(&FILE.replacen("1.00000", size, 9), 0.0).contains("must be"), "{size}");
+        }
         assert!(refused(&FILE.replace("      4    3", "      0    3"), 0.0).contains("MX = 0"));
     }
 }

@@ -115,8 +115,7 @@ impl Kind {
             },
             Self::Text | Self::LongText => match raw {
                 Raw::Text(text)
-                    if text.chars().count() <= self.most_characters()
-                        && !text.chars().any(char::is_control) =>
+                    if text.chars().count() <= self.most_characters() && !text.chars().any(is_no_text) =>
                 {
                     Ok(Value::Text(text.clone()))
                 }
@@ -267,6 +266,12 @@ impl Kind {
         };
         Refusal { message: format!("must be {}, not {}", self.accepted(), raw.kind()), help, part: None }
     }
+}
+
+/// Whether `letter` belongs to no line of text: control characters, and the noncharacters that XML
+/// and therefore plots cannot hold.
+fn is_no_text(letter: char) -> bool {
+    letter.is_control() || matches!(letter, '\u{fffe}' | '\u{ffff}')
 }
 
 /// A number with a decimal comma, `0,5`, as TOML writes it.

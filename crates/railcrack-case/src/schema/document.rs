@@ -7,7 +7,7 @@ use super::reading::Reading;
 use super::section::read_section;
 use super::sections::{SectionValues, Sections};
 use crate::regular_file::open_regular;
-use std::io::Read;
+use std::io::{ErrorKind, Read};
 use std::ops::Range;
 use std::path::Path;
 use toml::Spanned;
@@ -48,6 +48,10 @@ pub(crate) fn from_file<T>(
 /// profile.
 pub(crate) const MOST_TEXT: u64 = 4 << 20;
 
+/// Help where a file is larger.
+pub(crate) const SMALLER: &str =
+    "leave out columns and digits that are not read, and rows of other places (place_m)";
+
 /// The bytes of a regular file of at most `most` bytes.
 ///
 /// Errors: those of [`open_regular`]; a file that is larger.
@@ -56,7 +60,7 @@ pub(crate) fn read_bytes(path: &Path, most: u64) -> std::io::Result<Vec<u8>> {
     open_regular(path)?.take(most + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > most {
         let says = format!("it is larger than {} MB, the limit for such a file", most >> 20);
-        return Err(std::io::Error::other(says));
+        return Err(std::io::Error::new(ErrorKind::FileTooLarge, says));
     }
     Ok(bytes)
 }
@@ -67,7 +71,12 @@ pub(crate) fn read_text(path: &Path, name: &str) -> Result<Source, Box<(Source, 
     let source = |text: &str| Source::new(name, text);
     let unreadable = |why: String| Box::new((source(""), Fault::new(format!("cannot read `{name}`: {why}"))));
     let bytes = read_bytes(path, MOST_TEXT).map_err(|e| match e.kind() {
-        std::io::ErrorKind::NotFound => {
+        ErrorKind::FileTooLarge => {
+            let mut large = unreadable(e.to_string());
+            large.1.help = Some(SMALLER.into());
+            large
+        }
+        ErrorKind::NotFound => {
             let mut missing = unreadable("there is no such file".into());
             missing.1.help = similar_file(path).map(|name| format!("nearest: `{name}`"));
             missing

@@ -231,18 +231,42 @@ const MOST_ERRORS: usize = 50;
 /// Maximum number of characters of a message, which may name parts of the file.
 const LONGEST_MESSAGE: usize = 1000;
 
-fn shortened(message: String) -> String {
+fn shortened(message: &str) -> String {
+    let message = with_powers(message);
     match message.char_indices().nth(LONGEST_MESSAGE) {
         Some((end, _)) => format!("{}\u{2026}", &message[..end]),
         None => message,
     }
 }
 
+/// Digits of a number that nobody counts.
+const MANY_DIGITS: usize = 24;
+
+/// `message` with the numbers of many digits, such as 1e-300 in full, as powers of ten.
+fn with_powers(message: &str) -> String {
+    let is_of_number = |c: char| c.is_ascii_digit() || c == '.';
+    let mut written = String::with_capacity(message.len());
+    let mut rest = message;
+    while let Some(start) = rest.find(is_of_number) {
+        let (before, from) = rest.split_at(start);
+        let (number, after) = from.split_at(from.find(|c| !is_of_number(c)).unwrap_or(from.len()));
+        written.push_str(before);
+        match number.parse::<f64>() {
+            Ok(value) if number.len() > MANY_DIGITS && value.is_finite() => {
+                written.push_str(&format!("{value:e}"));
+            }
+            _ => written.push_str(number),
+        }
+        rest = after;
+    }
+    written + rest
+}
+
 /// `text` with its control characters written out, so that a file cannot send commands to the
 /// terminal.
 pub(crate) fn escaped(text: &str) -> String {
     let written = |c: char| match c {
-        c if c.is_control() || is_invisible(c) => c.escape_default().collect(),
+        c if commands_terminal(c) => c.escape_default().collect(),
         c => String::from(c),
     };
     text.chars().map(written).collect()
@@ -269,6 +293,13 @@ fn blanked(source: &Source) -> Arc<str> {
         }
     }
     shown.into()
+}
+
+/// Whether a terminal would obey `c`: control characters, and those that change the direction of the
+/// surrounding text.
+#[must_use]
+pub fn commands_terminal(c: char) -> bool {
+    c.is_control() || is_invisible(c)
 }
 
 /// Characters that change the direction of the surrounding text.
@@ -304,7 +335,7 @@ impl Report {
             return;
         }
         let Fault { message, key, span, help, also } = fault;
-        let (message, help) = (shortened(escaped(&message)), help.map(|help| escaped(&help)));
+        let (message, help) = (shortened(&escaped(&message)), help.map(|help| escaped(&help)));
         // A section that several others share is read for each of them.
         let is_same = |error: &CaseError| {
             (&error.message, &error.span, &error.file) == (&message, &span, &escaped(&source.name))
@@ -373,5 +404,21 @@ impl Report {
             last.message.push_str(&format!("; and {more} more errors"));
         }
         CaseErrors { errors: self.errors }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_of_many_digits_are_powers_of_ten() {
+        for (value, shown) in [(1e-300, "1e-300"), (2.5e300, "2.5e300"), (1e-7, "0.0000001"), (0.25, "0.25")]
+        {
+            assert_eq!(
+                shortened(&format!("`a = {value}`: too small.")),
+                format!("`a = {shown}`: too small.")
+            );
+        }
     }
 }

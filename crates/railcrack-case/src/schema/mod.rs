@@ -25,7 +25,7 @@ pub use declaration::{
     SectionPresence,
 };
 pub use document::read_text_file;
-pub use error::{CaseError, CaseErrors};
+pub use error::{CaseError, CaseErrors, commands_terminal};
 pub use railcrack::words::{Choice, Word};
 pub use value::Value;
 pub(crate) use value::{FromValue, NumberOr, read_by_word};
@@ -33,7 +33,7 @@ pub(crate) use value::{FromValue, NumberOr, read_by_word};
 pub(crate) use accept::Raw;
 pub(crate) use declaration::short;
 pub(crate) use document::{
-    from_file, parse_document, read_bytes, read_file, read_sections, read_text, tables,
+    SMALLER, from_file, parse_document, read_bytes, read_file, read_sections, read_text, tables,
 };
 pub(crate) use error::{Fault, Report, Source, escaped};
 pub(crate) use json_schema::{file_schema, section_schema};

@@ -135,6 +135,11 @@ fn a_file_without_end_is_read_no_further() {
     std::fs::write(&long, vec![b'#'; (4 << 20) + 1]).unwrap();
     let errors = Input::read_with(&long, &Overrides::default()).unwrap_err();
     assert!(errors.to_string().contains("larger than 4 MB"), "{errors}");
+    // Of a file that a case names, what would make it smaller.
+    let profile = one(SHORT, "[residual_stress]\nprofile = \"long.toml\"\n");
+    let errors = Case::parse(&profile, "case.toml", &folder).unwrap_err();
+    let help = errors.errors()[0].help().unwrap_or_default();
+    assert!(help.contains("leave out columns") && !help.contains("relative"), "{help}");
     assert!(started.elapsed() < BUDGET);
 }
 

@@ -1,6 +1,7 @@
 //! `railcrack check`.
 
 use super::check_study::{study_json, study_summary};
+use super::run::announce_groups;
 use crate::display::{stdout_columns, wrapped};
 use crate::exit::{Exit, Failure};
 use crate::input::{self, Set, default_folder};
@@ -39,6 +40,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
                 if case.output.explorer {
                     PageEngine::find().map_err(RunError::from)?;
                 }
+                announce_groups(&case);
                 let case = represented(&case);
                 let text = || wrapped(&summary(&case, &folder), stdout_columns());
                 arguments.json.print(text, || case_json(&case))?

@@ -3,15 +3,17 @@
 use crate::commands::run::{self, Execution, RunArguments};
 use crate::exit::{Exit, Failure};
 use crate::input::Set;
+use crate::interruption::Remains;
 use crate::json::Json;
 use crate::print;
 use clap::{ArgGroup, Args};
 use railcrack::words::Choice;
 use railcrack_case::{Case, Engine, PlaneEngine};
 use railcrack_report::Pages;
+use railcrack_run::compare::COMPARISON;
 use railcrack_run::files::COMPARE_FILE;
 use railcrack_run::simulation::{Ending, RunError};
-use railcrack_run::{Comparison, Existing, Presentation};
+use railcrack_run::{Comparison, Existing, Presentation, ResultFolder, clear_run};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -74,7 +76,7 @@ pub fn compare(arguments: &CompareArguments) -> Result<Exit, Failure> {
         None => beside(&arguments.first),
     };
     arguments.json.with_failures(|| match &arguments.second {
-        Some(second) => compare_folders(arguments, [&arguments.first, second], &out),
+        Some(second) => compare_folders(arguments, [&arguments.first, second], enter(arguments, &out)?),
         None => compare_computed(arguments, &out),
     })
 }
@@ -92,11 +94,22 @@ fn beside(first: &Path) -> PathBuf {
     named.with_file_name(name)
 }
 
-fn compare_folders(arguments: &CompareArguments, runs: [&PathBuf; 2], out: &Path) -> Result<Exit, Failure> {
-    let comparison = Comparison::of(runs[0], runs[1]).map_err(RunError::from)?;
+/// The folder `out`, entered for the comparison.
+fn enter(arguments: &CompareArguments, out: &Path) -> Result<ResultFolder, Failure> {
     let existing = if arguments.force { Existing::Replace } else { Existing::Refuse };
-    comparison.write(out, existing, arguments.tolerance).map_err(RunError::from)?;
-    Pages.comparison(out).map_err(RunError::from)?;
+    Ok(ResultFolder::enter(out, &COMPARISON, existing).map_err(RunError::from)?)
+}
+
+fn compare_folders(
+    arguments: &CompareArguments,
+    runs: [&PathBuf; 2],
+    entered: ResultFolder,
+) -> Result<Exit, Failure> {
+    let out = &entered.path().to_path_buf();
+    let comparison = Comparison::of(runs[0], runs[1]).map_err(RunError::from)?;
+    comparison
+        .write(entered, arguments.tolerance, |folder| Pages.comparison(folder))
+        .map_err(RunError::from)?;
     let keeps = arguments.tolerance.is_none_or(|tolerance| comparison.is_within(tolerance));
     let exit = if keeps { Exit::Done } else { Exit::Differs };
     let text = || format!("{}comparison in {}\n", comparison.text(arguments.tolerance), out.display());
@@ -112,9 +125,9 @@ fn compare_folders(arguments: &CompareArguments, runs: [&PathBuf; 2], out: &Path
 /// Runs the case with both plane engines, or under wheels that feel the cracks and that do not,
 /// each into a folder of its name in `out`, and compares the runs.
 fn compare_computed(arguments: &CompareArguments, out: &Path) -> Result<Exit, Failure> {
-    run::use_threads(None)?;
     let case = Case::read(&arguments.first)?;
-    let interruption = run::listen()?;
+    let interruption = run::listen(Remains::Nothing)?;
+    let entered = enter(arguments, out)?;
     let mut folders = Vec::new();
     let runs: Vec<RunArguments> = if arguments.engines {
         let engines = [PlaneEngine::Xfem, PlaneEngine::Dislocation].map(Engine::Plane);
@@ -122,15 +135,20 @@ fn compare_computed(arguments: &CompareArguments, out: &Path) -> Result<Exit, Fa
     } else {
         COUPLINGS.into_iter().map(|coupling| run_coupled(arguments, &case, coupling, out)).collect()
     };
-    for run in &runs {
-        let finished = run::compute(run, &interruption)?;
-        if finished.ending == Ending::Interrupted {
-            print::stdout(&run::result_text(&finished))?;
-            return Ok(Exit::Interrupted);
-        }
+    let named = runs.iter().filter_map(|run| run.out.as_deref());
+    named.into_iter().try_for_each(|folder| entered.refuse_run(folder)).map_err(RunError::from)?;
+    entered.mark().map_err(RunError::from)?;
+    for run in runs {
+        let run = RunArguments { force: entered.replaces(), ..run };
+        let finished = run::compute(&run, &interruption)?;
         folders.push(finished.folder);
+        if finished.ending == Ending::Interrupted {
+            folders.iter().try_for_each(|folder| clear_run(folder)).map_err(RunError::from)?;
+            entered.abandon().map_err(RunError::from)?;
+            return Ok(print::interrupted());
+        }
     }
-    compare_folders(arguments, [&folders[0], &folders[1]], out)
+    compare_folders(arguments, [&folders[0], &folders[1]], entered)
 }
 
 /// A run of the case with one engine.

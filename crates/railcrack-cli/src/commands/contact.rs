@@ -1,20 +1,21 @@
 //! `railcrack contact`: the patches of the wheels, and the growth that each wheel causes.
 
+use crate::commands::run::{announce_groups, listen};
 use crate::exit::{Exit, Failure};
-use crate::input::{self, Set, default_folder};
+use crate::input::{self, Inputs, Set, default_folder};
+use crate::interruption::Remains;
 use crate::print;
 use clap::Args;
 use railcrack_case::Case;
-use railcrack_report::{contact_page, patches_picture, put};
-use railcrack_run::Existing;
+use railcrack_report::{contact_page, patches_picture};
 use railcrack_run::contact::{
     GrowthAcross, WheelRow, across_table, by_growth, patch_table, patches_table, sentences, strips_table,
     wheels_table,
 };
 use railcrack_run::setup::{represented, wheel_demands};
 use railcrack_run::simulation::RunError;
-use std::fs::DirEntry;
-use std::io::ErrorKind;
+use railcrack_run::{Existing, ResultFolder, ResultKind, WithRun};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Draw the contact patches of the wheels and rate the wheels by the growth that they cause
@@ -52,32 +53,22 @@ const DRAWN: usize = 9;
 pub fn contact(arguments: &ContactArguments) -> Result<Exit, Failure> {
     let case = input::case(&arguments.case, &arguments.set.overrides())?;
     let folder = arguments.out.clone().unwrap_or_else(|| beside(&arguments.case));
-    clear(&folder, if arguments.force { Existing::Replace } else { Existing::Refuse })?;
+    Inputs::of_case(&arguments.case, &case).stay(&folder, |name| CONTACT.owns(name))?;
+    let interruption = listen(Remains::Nothing)?;
+    let existing = if arguments.force { Existing::Replace } else { Existing::Refuse };
+    let entered = ResultFolder::enter(&folder, &CONTACT, existing).map_err(RunError::from)?;
+    if !arguments.quiet {
+        announce_groups(&case);
+    }
     let run = represented(&case);
-    let demands =
-        wheel_demands(&case, &run).map_err(|error| Failure::Calibration { reason: error.to_string() })?;
+    let demands = wheel_demands(&case, &run)?;
     let rows = WheelRow::of_case(&run, &demands);
     let across = GrowthAcross::of(&run);
-    let plots = folder.join("plots");
-    std::fs::create_dir_all(&plots).map_err(|source| Failure::CannotWrite { path: plots.clone(), source })?;
-    let mut drawn = by_growth(&rows);
-    drawn.truncate(DRAWN);
-    write(&folder.join("wheels.csv"), &wheels_table(&rows))?;
-    write(&folder.join("patches.csv"), &patches_table(&rows, &drawn))?;
-    write(&folder.join("strips.csv"), &strips_table(&rows, &drawn))?;
-    if let Some(across) = &across {
-        write(&folder.join("across.csv"), &across_table(across))?;
+    let files = files(arguments, &run, &rows, across.as_ref());
+    if interruption.asked() {
+        return Ok(print::interrupted());
     }
-    for &wheel in &drawn {
-        if let Some(svg) = patches_picture(&rows[wheel]) {
-            write(&plots.join(format!("wheel-{}.svg", rows[wheel].number)), &svg)?;
-        }
-    }
-    if arguments.patches {
-        write_patches(&folder.join(PATCHES), &rows)?;
-    }
-    let page = contact_page(&run, &rows, &drawn, across.as_ref());
-    write(&folder.join("contact.html"), &page.html())?;
+    entered.write(&files).map_err(RunError::from)?;
     if arguments.quiet {
         return Ok(Exit::Done);
     }
@@ -86,58 +77,73 @@ pub fn contact(arguments: &ContactArguments) -> Result<Exit, Failure> {
     Ok(Exit::Done)
 }
 
-/// The results by which a folder is known, those beside them, and the folders of the others, whose
-/// names begin with [`OF_A_WHEEL`].
-const ROWS: &str = "wheels.csv";
-const TABLES: [&str; 5] = [ROWS, "patches.csv", "strips.csv", "across.csv", "contact.html"];
-const PATCHES: &str = "patches";
-const FOLDERS: [&str; 2] = ["plots", PATCHES];
-const OF_A_WHEEL: &str = "wheel-";
-
-/// Leaves no earlier results of this command in `folder`, and everything else as it is.
-fn clear(folder: &Path, existing: Existing) -> Result<(), Failure> {
-    if existing == Existing::Refuse {
-        let path = folder.join(ROWS);
-        return if path.exists() { Err(Failure::HoldsContact { path }) } else { Ok(()) };
+/// The files of the command, by their names in its folder.
+fn files(
+    arguments: &ContactArguments,
+    run: &Case,
+    rows: &[WheelRow],
+    across: Option<&GrowthAcross>,
+) -> BTreeMap<String, String> {
+    let mut drawn = by_growth(rows);
+    drawn.truncate(DRAWN);
+    let mut files = BTreeMap::from([
+        ("wheels.csv".to_owned(), wheels_table(rows)),
+        ("patches.csv".to_owned(), patches_table(rows, &drawn)),
+        ("strips.csv".to_owned(), strips_table(rows, &drawn)),
+        ("contact.html".to_owned(), contact_page(run, rows, &drawn, across).html()),
+    ]);
+    files.extend(across.map(|across| ("across.csv".to_owned(), across_table(across))));
+    let picture = |wheel: &usize| {
+        let row = &rows[*wheel];
+        Some((format!("plots/{OF_A_WHEEL}{}.svg", row.number), patches_picture(row)?))
+    };
+    files.extend(drawn.iter().filter_map(picture));
+    if arguments.patches {
+        files.extend(rows.iter().flat_map(patch_tables));
     }
-    let of_wheels = FOLDERS.iter().filter_map(|name| std::fs::read_dir(folder.join(name)).ok()).flatten();
-    let is_ours = |file: &DirEntry| file.file_name().to_string_lossy().starts_with(OF_A_WHEEL);
-    let of_wheels = of_wheels.flatten().filter(is_ours).map(|file| file.path());
-    for path in TABLES.iter().map(|name| folder.join(name)).chain(of_wheels) {
-        match std::fs::remove_file(&path) {
-            Err(source) if source.kind() != ErrorKind::NotFound => {
-                return Err(Failure::CannotWrite { path, source });
-            }
-            _ => (),
-        }
-    }
-    Ok(())
+    files
 }
 
-/// A table of each patch of all wheels.
-fn write_patches(folder: &Path, rows: &[WheelRow]) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder)
-        .map_err(|source| Failure::CannotWrite { path: folder.to_path_buf(), source })?;
-    for row in rows {
-        for (i, own) in row.patches.iter().enumerate() {
-            let name = match row.place {
-                Some(place) => format!("{OF_A_WHEEL}{}-place-{place}-patch-{}.csv", row.number, i + 1),
-                None => format!("{OF_A_WHEEL}{}-patch-{}.csv", row.number, i + 1),
-            };
-            write(&folder.join(name), &patch_table(own))?;
-        }
-    }
-    Ok(())
+/// The files of the command.
+static CONTACT: ResultKind = ResultKind {
+    files: &["wheels.csv", "patches.csv", "strips.csv", "across.csv", "contact.html"],
+    folders: &[("plots", is_picture), ("patches", is_patch)],
+    run: WithRun::No,
+};
+
+/// Beginning of the names of files of one wheel.
+const OF_A_WHEEL: &str = "wheel-";
+
+/// Whether `name` is that of the picture of a wheel.
+fn is_picture(name: &str) -> bool {
+    let number = name.strip_prefix(OF_A_WHEEL).and_then(|name| name.strip_suffix(".svg"));
+    number.is_some_and(|number| number.parse::<u64>().is_ok())
+}
+
+/// Whether `name` is that of the table of a patch.
+fn is_patch(name: &str) -> bool {
+    let named = name.strip_prefix(OF_A_WHEEL).and_then(|name| name.strip_suffix(".csv"));
+    let Some((wheel, patch)) = named.and_then(|name| name.split_once("-patch-")) else { return false };
+    let (number, place) = wheel.split_once("-place-").unwrap_or((wheel, "0"));
+    number.parse::<u64>().is_ok() && place.parse::<f64>().is_ok() && patch.parse::<u64>().is_ok()
+}
+
+/// A table for each patch of a wheel, with the name of its file.
+fn patch_tables(row: &WheelRow) -> impl Iterator<Item = (String, String)> + '_ {
+    let wheel = match row.place {
+        Some(place) => format!("{OF_A_WHEEL}{}-place-{place}", row.number),
+        None => format!("{OF_A_WHEEL}{}", row.number),
+    };
+    row.patches
+        .iter()
+        .enumerate()
+        .map(move |(i, own)| (format!("patches/{wheel}-patch-{}.csv", i + 1), patch_table(own)))
 }
 
 fn beside(case: &Path) -> PathBuf {
     let folder = default_folder(case);
     let name = folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     folder.with_file_name(format!("{name}-contact"))
-}
-
-fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    Ok(put(path, text).map_err(RunError::from)?)
 }
 
 /// The summary on the terminal.

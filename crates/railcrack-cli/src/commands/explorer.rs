@@ -1,6 +1,7 @@
 //! `railcrack explorer`.
 
 use crate::exit::{Exit, Failure};
+use crate::input::Inputs;
 use crate::print;
 use clap::Args;
 use railcrack_case::{Case, NotInPage};
@@ -39,6 +40,9 @@ pub fn explorer(arguments: &ExplorerArguments) -> Result<Exit, Failure> {
     let path = &arguments.out;
     if !arguments.force && path.exists() {
         return Err(Failure::Exists { path: path.clone() });
+    }
+    if let Some(case) = &arguments.case {
+        Inputs::default().with(case).stay_beside(path)?;
     }
     let engine = PageEngine::find().map_err(RunError::from)?;
     let page = explorer_page(&engine, &text);

@@ -1,8 +1,9 @@
 //! `railcrack plan`.
 
-use super::run::{Execution, is_same_file, listen, use_threads};
+use super::run::{Execution, announce_groups, listen};
 use crate::exit::{Exit, Failure};
-use crate::input::{self, default_folder};
+use crate::input::{self, Inputs, default_folder};
+use crate::interruption::Remains;
 use crate::json::Json;
 use crate::print;
 use crate::progress::Progress;
@@ -10,7 +11,7 @@ use clap::Args;
 use railcrack_report::Pages;
 use railcrack_run::decision::VerdictLevel;
 use railcrack_run::simulation::{PlanRequest, Simulation};
-use railcrack_run::{Existing, PlanSummary};
+use railcrack_run::{Existing, PlanSummary, is_file_of_run};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
@@ -63,13 +64,13 @@ const SHORT: f64 = 10.0;
 /// Computes the plans and prints a summary.
 pub fn plan(arguments: &PlanArguments) -> Result<Exit, Failure> {
     arguments.json.with_failures(|| {
-        use_threads(arguments.execution.threads)?;
         let case = input::case(&arguments.case, &arguments.execution.set.overrides())?;
         let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));
-        if is_same_file(&arguments.case, &folder.join("case.toml")) {
-            return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
+        Inputs::of_case(&arguments.case, &case).stay(&folder, is_file_of_run)?;
+        let interruption = listen(Remains::Nothing)?;
+        if !arguments.execution.quiet {
+            announce_groups(&case);
         }
-        let interruption = listen()?;
         let progress = Progress::new(arguments.execution.verbosity(), 0, &interruption);
         let request = PlanRequest {
             depths: arguments.grinding.clone(),
@@ -79,10 +80,7 @@ pub fn plan(arguments: &PlanArguments) -> Result<Exit, Failure> {
         let existing = if arguments.force { Existing::Replace } else { Existing::Refuse };
         let simulation = Simulation::new(&case).observed_by(&progress).presented_by(&Pages);
         let summary = match simulation.plan_in(&folder, existing, &request) {
-            Err(error) if error.is_interruption() => {
-                print::warning("interrupted: no plans are written");
-                return Ok(Exit::Interrupted);
-            }
+            Err(error) if error.is_interruption() => return Ok(print::interrupted()),
             computed => computed?,
         };
         let value = || json!({ "exit": 0, "folder": folder, "plan": summary });

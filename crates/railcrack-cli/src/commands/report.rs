@@ -15,7 +15,8 @@ use std::path::{Path, PathBuf};
 /// finished steps are shown, for an interrupted study the finished runs.
 #[derive(Debug, Args)]
 pub struct ReportArguments {
-    /// Folder of results    #[arg(value_name = "DIR")]
+    /// Folder of results
+    #[arg(value_name = "DIR")]
     pub folder: PathBuf,
     /// For a study: build plots and report of run N, in the folder of that run
     #[arg(long, value_name = "N")]

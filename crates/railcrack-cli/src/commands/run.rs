@@ -2,22 +2,23 @@
 
 use crate::display::Verbosity;
 use crate::exit::{Exit, Failure};
-use crate::input::{self, Set, default_folder};
-use crate::interruption::Interruption;
+use crate::input::{self, Inputs, Set, default_folder};
+use crate::interruption::{Interruption, Remains};
 use crate::json::Json;
 use crate::print;
 use crate::progress::{Progress, cycles};
+use crate::terminal;
 use clap::Args;
 use railcrack::words::Choice;
-use railcrack_case::Overrides;
+use railcrack_case::{Case, Overrides};
 use railcrack_report::{PageEngine, Pages};
 use railcrack_run::decision::{
     Reason, StageSummary, StagesSummary, TonnageWords, Verdict, VerdictLevel, three_digits,
 };
-use railcrack_run::machine::{Budget, Needs, long_step, step_seconds};
+use railcrack_run::machine::{Budget, Needs, long_step, short_of_address_space, step_seconds};
 use railcrack_run::setup::RunSize;
 use railcrack_run::simulation::{Ending, Finished, RunEntry, RunError, Simulation};
-use railcrack_run::{FrontSummary, JunctionSummary, PieceSummary, Summary, TipSummary};
+use railcrack_run::{FrontSummary, JunctionSummary, PieceSummary, Summary, TipSummary, is_file_of_run};
 use serde_json::{Value, json};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -81,8 +82,7 @@ impl Execution {
 /// Runs the case and prints a summary.
 pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
     arguments.json.with_failures(|| {
-        use_threads(arguments.execution.threads)?;
-        let finished = compute(arguments, &listen()?)?;
+        let finished = compute(arguments, &listen(Remains::FinishedSteps)?)?;
         let exit = match finished.ending {
             Ending::Ended => Exit::Done,
             Ending::Interrupted => Exit::Interrupted,
@@ -114,11 +114,11 @@ fn result_json(finished: &Finished, exit: Exit) -> Value {
     })
 }
 
-/// Installs the handlers of the signals that interrupt a run.
+/// Installs the handlers of the signals that interrupt a computation of which `remains` is left.
 ///
 /// Errors: the system refuses.
-pub fn listen() -> Result<Interruption, RunError> {
-    Interruption::listen()
+pub fn listen(remains: Remains) -> Result<Interruption, RunError> {
+    Interruption::listen(remains)
         .map_err(|reason| RunError::System { action: "listen to signals".into(), reason: reason.to_string() })
 }
 
@@ -136,8 +136,11 @@ pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<
     let case = input::case(&arguments.case, &overrides)?;
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));
     let entry = arguments.entry();
-    if entry != RunEntry::Resume && is_same_file(&arguments.case, &folder.join("case.toml")) {
-        return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
+    if entry != RunEntry::Resume {
+        Inputs::of_case(&arguments.case, &case).stay(&folder, is_file_of_run)?;
+    }
+    if !arguments.execution.quiet {
+        announce_groups(&case);
     }
     if case.output.explorer {
         // Said now, not when the page is written.
@@ -166,6 +169,17 @@ impl RunArguments {
     }
 }
 
+/// Number of wheels of a table whose grouping takes a moment only.
+const FEW_WHEELS: usize = 2000;
+
+/// Announces that the wheels of a long table of `case` are grouped, which takes seconds to minutes.
+pub fn announce_groups(case: &Case) {
+    let waiting = case.wheel_table.as_ref().filter(|table| table.groups.is_none());
+    if let Some(table) = waiting.filter(|table| table.wheels.len() > FEW_WHEELS) {
+        terminal::stderr(&format!("grouping the {} wheels of the table\n", table.wheels.len()));
+    }
+}
+
 /// Maximum number of threads, the processor count of the largest machines. Each thread has a stack
 /// and waits for work in a busy loop.
 pub const MOST_THREADS: usize = 1024;
@@ -178,26 +192,60 @@ pub fn threads(given: &str) -> Result<NonZeroUsize, String> {
     }
 }
 
+/// The variable that gives a number of threads where none is given on the command line.
+const THREADS_VARIABLE: &str = "RAYON_NUM_THREADS";
+
+/// The number of threads: the `given` one, or that of the variable RAYON_NUM_THREADS, or one per
+/// processor.
+///
+/// Errors: the variable does not hold an accepted number.
+pub fn thread_count(given: Option<NonZeroUsize>) -> Result<usize, String> {
+    if let Some(count) = given {
+        return Ok(count.get());
+    }
+    match std::env::var(THREADS_VARIABLE) {
+        // Zero is the default of the pool.
+        Ok(text) if !matches!(text.as_str(), "" | "0") => threads(&text)
+            .map(NonZeroUsize::get)
+            .map_err(|says| format!("{THREADS_VARIABLE} = {text:?}: {says}")),
+        _ => Ok(std::thread::available_parallelism().map_or(1, NonZeroUsize::get).min(MOST_THREADS)),
+    }
+}
+
 /// Sets up the thread pool with `threads` threads, by default one per processor. The calling thread
 /// is one of them, so that its data stay in its caches between two parallel sections. Other
 /// threads, such as the one that writes steps, must not contain parallel sections, because they
 /// could deadlock with the calling thread. Called once per process, before any parallel section.
 ///
-/// Errors: the system refuses.
-pub fn use_threads(threads: Option<NonZeroUsize>) -> Result<(), RunError> {
-    // Zero selects the default of the pool, one thread per processor.
-    let count = threads.map_or(0, NonZeroUsize::get);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(count).use_current_thread();
-    pool.build_global()
-        .map_err(|reason| RunError::System { action: "start threads".to_owned(), reason: reason.to_string() })
+/// Errors: an invalid number in the environment; too little address space; the system refuses.
+pub fn use_threads(threads: Option<NonZeroUsize>) -> Result<(), Failure> {
+    let count = affordable_threads(threads)?;
+    build(count, rayon::ThreadPoolBuilder::new().num_threads(count).use_current_thread())
 }
 
-/// Whether both paths refer to the same file.
-pub fn is_same_file(one: &Path, other: &Path) -> bool {
-    match (one.canonicalize(), other.canonicalize()) {
-        (Ok(one), Ok(other)) => one == other,
-        _ => false,
+/// Sets up the thread pool of a command that computes on other threads than the calling one.
+///
+/// Errors: those of [`use_threads`].
+pub fn use_other_threads() -> Result<(), Failure> {
+    let count = affordable_threads(None)?;
+    build(count, rayon::ThreadPoolBuilder::new().num_threads(count))
+}
+
+/// The number of threads, for which there is address space.
+fn affordable_threads(threads: Option<NonZeroUsize>) -> Result<usize, Failure> {
+    let count = thread_count(threads).map_err(Failure::Show)?;
+    match short_of_address_space(count) {
+        Some(reason) => Err(RunError::System { action: format!("start {count} threads"), reason }.into()),
+        None => Ok(count),
     }
+}
+
+fn build(count: usize, pool: rayon::ThreadPoolBuilder) -> Result<(), Failure> {
+    let refused = |reason: rayon::ThreadPoolBuildError| RunError::System {
+        action: format!("start {count} threads"),
+        reason: reason.to_string(),
+    };
+    Ok(pool.build_global().map_err(refused)?)
 }
 
 /// One line for each reason of a verdict.

@@ -1,9 +1,11 @@
 //! `railcrack shakedown`.
 
-use super::run::is_same_file;
+use super::run::listen;
 use crate::exit::{Exit, Failure};
-use crate::input::default_folder;
+use crate::input::{Inputs, default_folder};
+use crate::interruption::Remains;
 use crate::print;
+use crate::terminal;
 use clap::Args;
 use railcrack::interruption::Interruption;
 use railcrack::shakedown::RailState;
@@ -11,8 +13,7 @@ use railcrack::words::Choice;
 use railcrack_case::Case;
 use railcrack_report::Pages;
 use railcrack_run::simulation::{pass_text, roll};
-use railcrack_run::{Existing, ShakedownSummary};
-use std::io::Write;
+use railcrack_run::{Existing, ShakedownSummary, is_file_of_run};
 use std::path::PathBuf;
 
 /// Compute the stabilised plastic state under repeated passages, and the risk of crack initiation
@@ -23,7 +24,8 @@ use std::path::PathBuf;
 /// plots and a report.
 #[derive(Debug, Args)]
 pub struct ShakedownArguments {
-    /// Case file    #[arg(value_name = "CASE")]
+    /// Case file
+    #[arg(value_name = "CASE")]
     pub case: PathBuf,
     /// Folder for the results [default: name of the case file without its extension, next to it]
     #[arg(long, value_name = "DIR")]
@@ -40,16 +42,19 @@ pub struct ShakedownArguments {
 pub fn shakedown(arguments: &ShakedownArguments) -> Result<Exit, Failure> {
     let case = Case::read(&arguments.case)?;
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));
-    if is_same_file(&arguments.case, &folder.join("case.toml")) {
-        return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
-    }
+    Inputs::of_case(&arguments.case, &case).stay(&folder, is_file_of_run)?;
+    let interruption = listen(Remains::Nothing)?;
+    let asked = || interruption.asked();
     let existing = if arguments.force { Existing::Replace } else { Existing::Refuse };
-    let summary = roll(&case, &folder, existing, &Pages, Interruption::NEVER, |pass| {
+    let rolled = roll(&case, &folder, existing, &Pages, Interruption::when(&asked), |pass| {
         if !arguments.quiet {
-            // A failure to write to standard error cannot be reported.
-            let _ = writeln!(std::io::stderr().lock(), "{}", pass_text(pass));
+            terminal::stderr(&format!("{}\n", pass_text(pass)));
         }
-    })?;
+    });
+    let summary = match rolled {
+        Err(error) if error.is_interruption() => return Ok(print::interrupted()),
+        rolled => rolled?,
+    };
     print::stdout(&result_text(&summary))?;
     print::stdout(&format!("results in {}\n", folder.display()))?;
     // The result is valid, but it is not the stabilised state that was requested.

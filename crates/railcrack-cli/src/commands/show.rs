@@ -15,7 +15,8 @@ use std::path::{Path, PathBuf};
 /// significant digits, with --exact all digits.
 #[derive(Debug, Args)]
 pub struct ShowArguments {
-    /// Folder of results    #[arg(value_name = "DIR")]
+    /// Folder of results
+    #[arg(value_name = "DIR")]
     folder: PathBuf,
     /// Table: growth, sif, faces, residual, summary, times, … [default: the main table]
     #[arg(long, value_name = "NAME")]

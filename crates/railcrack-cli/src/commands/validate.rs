@@ -3,15 +3,18 @@
 use crate::commands::run::listen;
 use crate::display::Verbosity;
 use crate::exit::{Exit, Failure};
-use crate::interruption::Interruption;
+use crate::input::Inputs;
+use crate::interruption::{Interruption, Remains};
 use crate::print;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use railcrack::growth::StepRecord;
-use railcrack_report::{ValidationPage, put};
+use railcrack_report::{ValidationPage, is_validation_plot};
 use railcrack_run::simulation::{RunError, RunObserver};
 use railcrack_run::validation::{Scores, Space, Validation, ValidationError, validation_table};
-use std::path::{Path, PathBuf};
+use railcrack_run::{Existing, ResultFolder, ResultKind, WithRun};
+use std::collections::BTreeMap;
+use std::path::PathBuf;
 
 /// Compare the model with measured growth rates, and score the comparison
 ///
@@ -33,6 +36,9 @@ pub struct ValidateArguments {
     /// Suppress progress output
     #[arg(long)]
     quiet: bool,
+    /// Replace existing results in the folder
+    #[arg(long)]
+    force: bool,
 }
 
 /// Computes the samples, scores, writes the folder and prints the scores by grade.
@@ -51,8 +57,12 @@ pub fn validate(arguments: &ValidateArguments) -> Result<Exit, Failure> {
     }
     let out = arguments.out.clone().or_else(|| arguments.dir.clone());
     let out = out.unwrap_or_else(|| PathBuf::from("validation"));
+    let inputs = Inputs::default().with_all(validation.files().iter().cloned());
+    inputs.stay(&out, |name| VALIDATION.owns(name))?;
+    let existing = if arguments.force { Existing::Replace } else { Existing::Refuse };
+    let entered = ResultFolder::enter(&out, &VALIDATION, existing).map_err(RunError::from)?;
     let progress = ValidationProgress {
-        interruption: listen()?,
+        interruption: listen(Remains::Nothing)?,
         bar: ValidationProgress::bar(
             if arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress },
             validation.runs(),
@@ -61,27 +71,28 @@ pub fn validate(arguments: &ValidateArguments) -> Result<Exit, Failure> {
     validation.compute(&progress);
     progress.bar.finish_and_clear();
     if progress.interruption.asked() {
-        print::stdout("interrupted: nothing was written\n")?;
-        return Ok(Exit::Interrupted);
+        return Ok(print::interrupted());
     }
     let validated = validation.validated();
     let scores = Scores::of(&validated);
-    let plots = out.join("plots");
-    std::fs::create_dir_all(&plots).map_err(|source| Failure::CannotWrite { path: plots.clone(), source })?;
     let page = ValidationPage::of(&validation, &validated, &scores);
-    write(&out.join("validation.csv"), &validation_table(&validated))?;
-    for (name, svg) in page.plots() {
-        write(&plots.join(name), &svg)?;
-    }
-    write(&out.join("validation.html"), &page.page().html())?;
+    let mut files = BTreeMap::from([
+        ("validation.csv".to_owned(), validation_table(&validated)),
+        ("validation.html".to_owned(), page.page().html()),
+    ]);
+    files.extend(page.plots().into_iter().map(|(name, svg)| (format!("plots/{name}"), svg)));
+    entered.write(&files).map_err(RunError::from)?;
     print::stdout(&scores.text(&validated))?;
     print::stdout(&format!("results in {}\n", out.display()))?;
     Ok(Exit::Done)
 }
 
-fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    Ok(put(path, text).map_err(RunError::from)?)
-}
+/// The files of the command.
+static VALIDATION: ResultKind = ResultKind {
+    files: &["validation.csv", "validation.html"],
+    folders: &[("plots", is_validation_plot)],
+    run: WithRun::No,
+};
 
 /// Counts finished runs on standard error.
 struct ValidationProgress {

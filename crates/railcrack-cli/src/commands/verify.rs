@@ -13,7 +13,8 @@ use std::path::PathBuf;
 /// reports have no checksums: `railcrack report` rebuilds them.
 #[derive(Debug, Args)]
 pub struct VerifyArguments {
-    /// Folder of results    #[arg(value_name = "DIR")]
+    /// Folder of results
+    #[arg(value_name = "DIR")]
     folder: PathBuf,
 }
 

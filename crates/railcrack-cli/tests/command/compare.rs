@@ -52,7 +52,7 @@ fn a_run_does_not_differ_from_itself() {
 
     let (code, _, err) = compare(&folder, &["one", "other"]);
     assert_eq!(code, Some(2));
-    assert!(err.contains("one-compare already holds a comparison") && err.contains("--force"), "{err}");
+    assert!(err.contains("one-compare already holds results") && err.contains("--force"), "{err}");
     fs::write(comparison.join("mine.txt"), "kept").unwrap();
     assert_eq!(compare(&folder, &["one", "other", "--force"]).0, Some(0));
     assert_eq!(fs::read_to_string(comparison.join("mine.txt")).unwrap(), "kept");

@@ -75,8 +75,11 @@ fn a_table_of_each_patch_carries_its_force_and_earlier_results_stay_without_forc
 
     fs::write(results.join("notes.txt"), "mine").unwrap();
     let refused = stderr(&ends(&place, &["contact", "case.toml", "--quiet"], 2));
-    assert!(refused.contains("wheels.csv already exists; --force replaces it"), "{refused}");
+    assert!(
+        refused.contains("case-contact already holds results (wheels.csv): replace them with --force"),
+        "{refused}"
+    );
     done(&place, &["contact", "case.toml", "--force", "--quiet"]);
-    assert!(names(&patches).is_empty() && results.join("wheels.csv").exists());
+    assert!(!patches.exists() && results.join("wheels.csv").exists());
     assert_eq!(fs::read_to_string(results.join("notes.txt")).unwrap(), "mine");
 }

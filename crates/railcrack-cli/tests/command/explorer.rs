@@ -37,7 +37,11 @@ fn the_explorer_is_a_page_with_case_and_engine() {
     for part in ["what-if-data", "what-if-case", "angle_deg = 40.0", "function openEngine"] {
         assert!(page.contains(part), "{part}");
     }
-    // Nothing is loaded from anywhere.
+    // Nothing is loaded from anywhere, nor could it be.
+    assert!(
+        page.contains("http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "),
+        "{page:.500}"
+    );
     assert!(!page.contains("src=\"http") && !page.contains("<link rel=\"stylesheet"));
     // Without a case, that of the program; an existing page is replaced on demand alone.
     ends(&folder, Some(&engine), &["explorer"], 0);
@@ -79,6 +83,20 @@ fn without_its_engine_nothing_is_computed() {
     std::fs::write(folder.join(name()), "text").unwrap();
     let said = stderr(&ends(&folder, Some(&name()), &["explorer"], 4));
     assert!(said.contains("is no WebAssembly module"), "{said}");
+}
+
+/// A device without end and a pipe without a writer are refused at once.
+#[cfg(unix)]
+#[test]
+fn the_engine_is_a_regular_file() {
+    let folder = folder("explorer", "regular");
+    std::process::Command::new("mkfifo").arg(folder.join(name())).status().unwrap();
+    for engine in ["/dev/zero", &name()] {
+        let started = std::time::Instant::now();
+        let said = stderr(&ends(&folder, Some(engine), &["explorer"], 4));
+        assert!(said.contains(engine), "{said}");
+        assert!(started.elapsed().as_secs() < 5 && !folder.join("explorer.html").exists());
+    }
 }
 
 #[test]

@@ -22,6 +22,7 @@ mod plastic_stress;
 mod population;
 mod reliability;
 mod report;
+mod result_folders;
 mod run;
 mod shakedown;
 mod space;

@@ -300,3 +300,126 @@ fn a_case_on_standard_input_has_the_limit_of_a_file() {
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(4), "{}", common::stderr(&output));
 }
+
+/// Every help text is prose for users: no source, no numbers that nobody reads.
+#[test]
+fn every_help_text_is_readable() {
+    let folder = workplace("help");
+    let all = done(&folder, &["--help"]);
+    let commands: Vec<&str> = all
+        .lines()
+        .skip_while(|line| *line != "Commands:")
+        .skip(1)
+        .map_while(|line| line.strip_prefix("  "))
+        .filter(|line| !line.starts_with(' '))
+        .filter_map(|line| line.split_whitespace().next())
+        .collect();
+    assert!(commands.len() > 15, "{commands:?}");
+    for name in commands {
+        for (line, text) in done(&folder, &["help", name]).lines().map(|line| (line, line.to_lowercase())) {
+            let is_source =
+                ["#[", "::", "value_name", "///", "unwrap"].iter().any(|part| text.contains(part));
+            let is_unread = text.contains("0000000") || text.contains("= inf") || text.contains("nan");
+            assert!(!is_source && !is_unread, "{name}: {line}");
+        }
+    }
+}
+
+#[test]
+fn numbers_in_messages_are_short() {
+    let folder = workplace("short");
+    let table = "wheel,normal_kn,y_rail_mm,creepage_x,creepage_y,spin_per_mm,mu,a_mm,b_mm\n";
+    fs::write(folder.join("wheels.csv"), format!("{table}7,1e-300,1,0.001,0,0,0.3,6,4\n")).unwrap();
+    let crack = QUICK_CASE.split("[[crack]]").nth(1).unwrap();
+    let text = format!("[[wheel]]\ntable = \"wheels.csv\"\ncreepage_sign = \"contact\"\n[[crack]]{crack}");
+    fs::write(folder.join("wheels.toml"), text).unwrap();
+    let said = stderr(&ends(&folder, &["check", "wheels.toml"], 2));
+    assert!(said.contains("`normal_kn = 1e-300`"), "{said}");
+}
+
+/// A noncharacter that no plot can hold.
+#[test]
+fn titles_are_text() {
+    let folder = workplace("title");
+    for c in ["\\uFFFE", "\\uFFFF", "\\u0007"] {
+        fs::write(folder.join("bad.toml"), format!("title = \"a{c}\"\n{QUICK_CASE}")).unwrap();
+        let said = stderr(&ends(&folder, &["check", "bad.toml"], 2));
+        assert!(said.contains("`title") && said.contains("must be one line of text"), "{said}");
+    }
+}
+
+#[test]
+fn numbers_of_threads_in_the_environment_have_a_bound() {
+    let folder = workplace("threads");
+    for (threads, code) in [("999999", 2), ("many", 2), ("0", 0), ("2", 0)] {
+        let mut program = command(&folder, &["check", "case.toml"]);
+        let output = program.env("RAYON_NUM_THREADS", threads).output().unwrap();
+        assert_eq!(output.status.code(), Some(code), "{threads}: {}", stderr(&output));
+        let says = format!("RAYON_NUM_THREADS = \"{threads}\": must be an integer from 1 to 1024");
+        assert!(code == 0 || stderr(&output).contains(&says), "{}", stderr(&output));
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn too_little_address_space_is_an_error() {
+    let folder = workplace("addresses");
+    let line = "ulimit -v 700000; exec \"$0\" run case.toml --engine dislocation --quiet";
+    let mut shell = std::process::Command::new("sh");
+    let output =
+        shell.args(["-c", line, env!("CARGO_BIN_EXE_railcrack")]).current_dir(&folder).output().unwrap();
+    assert_eq!(output.status.code(), Some(4), "{}", stderr(&output));
+    assert!(stderr(&output).contains("the address space is limited to 0.7 GB"), "{}", stderr(&output));
+    assert!(!folder.join("case").exists());
+}
+
+/// What `check` says of a flat crack in space takes a moment, and samples count as memory.
+#[test]
+fn a_check_takes_a_moment_and_counts_samples() {
+    let folder = workplace("moment");
+    let flat = "[contact]\npeak_pressure_mpa = 845.0\nhalf_width_mm = 6.75\nlateral_half_width_mm = 6.0\nfriction = 0.3\n\
+        [[crack]]\nmouth_mm = 0.0\nlength_mm = 10.0\nangle_deg = 5.0\nfriction = 0.2\nsurface_half_length_mm = 10.0\n\
+        [solver]\nengine = \"space\"\n";
+    fs::write(folder.join("flat.toml"), flat).unwrap();
+    let started = Instant::now();
+    done(&folder, &["check", "flat.toml"]);
+    assert!(started.elapsed() < Duration::from_secs(5), "{:?}", started.elapsed());
+    let sampled = format!(
+        "{QUICK_CASE}[traffic]\naxle_load_t = 20.0\n[inspection]\ndetectable_depth_mm = 2.0\ncritical_depth_mm = 5.0\n\
+         [scatter]\nsamples = 10000000\nparis_c_log_std = 0.3\n"
+    );
+    fs::write(folder.join("sampled.toml"), sampled).unwrap();
+    let value: Value = serde_json::from_str(&done(&folder, &["check", "sampled.toml", "--json"])).unwrap();
+    let memory = value["memory_bytes"].as_f64().unwrap();
+    assert!((8e9..16e9).contains(&memory), "{memory}");
+}
+
+/// Escape codes in a table do not reach the terminal, by whatever command reads it.
+#[test]
+fn no_table_commands_the_terminal() {
+    let folder = workplace("escape");
+    for out in ["a", "b"] {
+        done(
+            &folder,
+            &["run", "case.toml", "--engine", "dislocation", "--steps", "0", "--out", out, "--quiet"],
+        );
+    }
+    let table = folder.join("a/growth.csv");
+    let text = read(&table);
+    let code = "\u{1b}]0;owned\u{7}\u{9b}2J";
+    let with_code = |line: &str| line.rsplit_once(',').map(|(rest, _)| format!("{rest},{code}\n")).unwrap();
+    let (head, last) = text.trim_end().rsplit_once('\n').unwrap();
+    fs::write(&table, format!("{head}\n{}", with_code(last))).unwrap();
+    for line in [
+        &["show", "a"][..],
+        &["show", "a", "growth", "--exact"],
+        &["report", "a"],
+        &["compare", "a", "b", "--json"],
+        &["compare", "a", "b"],
+        &["verify", "a"],
+    ] {
+        let output = railcrack(&folder, line);
+        let said = format!("{}{}", stdout(&output), stderr(&output));
+        assert!(!said.contains(['\u{1b}', '\u{7}', '\u{9b}']), "{line:?}: {said:?}");
+    }
+}

@@ -38,6 +38,18 @@ fn a_folder_of_entries_is_scored() {
     assert!(read(&folder.join("plots/law-mm-per-cycle.svg")).contains("factor 5"));
 }
 
+/// No cell of the table is a formula of a spreadsheet.
+#[test]
+fn no_cell_is_a_formula() {
+    let folder = law_folder("formula");
+    let text = read(&folder.join("L1.toml"));
+    let line = text.lines().find(|line| line.starts_with("quantity = ")).unwrap();
+    fs::write(folder.join("L1.toml"), text.replace(line, "quantity = \"=HYPERLINK(1,2)\"")).unwrap();
+    done(&folder, &["validate", ".", "--quiet"]);
+    let table = read(&folder.join("validation.csv"));
+    assert!(table.contains(",\"'=HYPERLINK(1,2)\","), "{table}");
+}
+
 /// The rate of a crack whose growth the study computes, against the growth of the same case.
 #[test]
 fn the_rate_of_a_sample_is_that_of_its_run() {
@@ -69,7 +81,7 @@ fn the_rate_of_a_sample_is_that_of_its_run() {
     assert!((factor - 1.0).abs() < 1e-6, "{factor}");
     // Depths that no sample reaches.
     fs::write(folder.join("entries/b.toml"), entry("B").replace("to_mm = ", "to_mm = 9")).unwrap();
-    let told = done(&folder, &["validate", "entries", "--out", "result", "--quiet"]);
+    let told = done(&folder, &["validate", "entries", "--out", "result", "--force", "--quiet"]);
     assert!(
         told.contains("B: not compared, since no sample") && told.contains("2 entries, 1 scored"),
         "{told}"

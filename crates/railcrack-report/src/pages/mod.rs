@@ -19,5 +19,5 @@ pub(crate) use plan::plan_page;
 pub(crate) use run::{RunFolder, run_page};
 pub(crate) use shakedown::shakedown_page;
 pub(crate) use study::study_page;
-pub use validation::ValidationPage;
+pub use validation::{ValidationPage, is_validation_plot};
 pub use what_if::explorer_page;

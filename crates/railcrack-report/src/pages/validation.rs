@@ -22,12 +22,30 @@ const DEPTHS: [f64; 12] = [0.35, 0.5, 0.8, 1.3, 1.8, 2.3, 3.2, 5.0, 6.5, 8.0, 10
 const GRADES: [(Grade, &str); 3] =
     [(Grade::Track, "Track"), (Grade::Rig, "Rigs"), (Grade::Law, "Growth laws")];
 
+/// Units of the quantities, each with a chart of its own; none for ratios and exponents.
+const UNITS: [&str; 3] = ["mm/MGT", "mm/cycle", ""];
+/// The plot of the rate over depth.
+const OVER_DEPTH: &str = "rate-over-depth.svg";
+
+/// Name of the plot of the entries of `grade` whose quantity has the `unit`, without its ending.
+fn id(grade: Grade, unit: &str) -> String {
+    let what = if unit.is_empty() { "ratio" } else { unit };
+    format!("{}-{}", grade.word(), what.replace('/', "-per-").to_lowercase())
+}
+
+/// Whether `name` is that of a plot of a validation.
+#[must_use]
+pub fn is_validation_plot(name: &str) -> bool {
+    let mut all = GRADES.into_iter().flat_map(|(grade, _)| UNITS.map(|unit| id(grade, unit)));
+    name == OVER_DEPTH || name.strip_suffix(".svg").is_some_and(|name| all.any(|id| id == name))
+}
+
 impl<'a> ValidationPage<'a> {
     /// Of the entries `validated` of `validation`.
     pub fn of(validation: &Validation, validated: &'a [Validated], scores: &'a Scores) -> Self {
         let mut charts = Vec::new();
         for (grade, name) in GRADES {
-            for unit in ["mm/MGT", "mm/cycle", ""] {
+            for unit in UNITS {
                 let of = |one: &&Validated| {
                     let comparison = one.entry.comparison.as_ref();
                     one.entry.grade == grade && comparison.is_some_and(|of| of.quantity.unit() == unit)
@@ -35,8 +53,7 @@ impl<'a> ValidationPage<'a> {
                 let own: Vec<&Validated> =
                     validated.iter().filter(of).filter(|one| one.score.is_some()).collect();
                 if !own.is_empty() {
-                    let what = if unit.is_empty() { "ratio" } else { unit };
-                    let id = format!("{}-{}", grade.word(), what.replace('/', "-per-").to_lowercase());
+                    let id = id(grade, unit);
                     let heading =
                         format!("{name}: {}", if unit.is_empty() { "ratios and exponents" } else { "rates" });
                     charts.push((format!("{id}.svg"), heading, against(&id, unit, &own)));
@@ -45,7 +62,7 @@ impl<'a> ValidationPage<'a> {
         }
         for study in validation.studies_over_depth() {
             let chart = over_depth(validation, validated, study);
-            charts.push(("rate-over-depth.svg".to_owned(), "Rate over depth".to_owned(), chart));
+            charts.push((OVER_DEPTH.to_owned(), "Rate over depth".to_owned(), chart));
         }
         Self { validated, scores, charts }
     }

@@ -2,7 +2,8 @@
 
 use super::support::{SMALL, Scratch, Size, case, info, record_steps};
 use railcrack_report::{Pages, rebuild_report};
-use railcrack_run::{Comparison, Existing, OutputError, Recorder};
+use railcrack_run::compare::COMPARISON;
+use railcrack_run::{Comparison, Existing, OutputError, Presentation, Recorder, ResultFolder};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -156,7 +157,8 @@ fn what_only_one_run_has_is_left_out_and_said() {
     let reversed = Comparison::of(&second, &first).unwrap();
     assert!(reversed.notes.iter().any(|note| note.contains("K of the second run is interpolated")));
     let out = scratch.path().join("out");
-    comparison.write(&out, Existing::Refuse, None).unwrap();
+    let entered = ResultFolder::enter(&out, &COMPARISON, Existing::Refuse).unwrap();
+    comparison.write(entered, None, |folder| Pages.comparison(folder)).unwrap();
     rebuild_report(&out).unwrap();
     assert!(fs::read_to_string(out.join("compare-sif-last.svg")).unwrap().contains("at step 2"));
 }

@@ -4,6 +4,7 @@ use super::fit::Calibration;
 use super::measured::{Finding, Measure, Site};
 use super::observed::Observed;
 use super::parameter::Trial;
+use crate::csv::text_field;
 
 /// The measured quantities of `sites`.
 pub fn quantities(sites: &[Site]) -> Vec<Measure> {
@@ -39,7 +40,7 @@ fn table_of(
                     measured.mgt,
                     sizes.join(","),
                     cell(computed),
-                    site.name.replace(',', " "),
+                    text_field(&site.name),
                     cell(bounds.0),
                     cell(bounds.1),
                     cell(measured.std)

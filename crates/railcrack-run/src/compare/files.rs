@@ -4,10 +4,10 @@ use super::comparison::Comparison;
 use super::json::json_text;
 use super::tables::{PositionRow, TipComparison};
 use crate::csv::{Table, whole};
-use crate::disk::files::{COMPARE_FILE, REPORT_FILE, SUMS_FILE};
+use crate::disk::files::{COMPARE_FILE, REPORT_FILE};
 use crate::disk::{Durability, checksums, replace_file, write_sums};
 use crate::error::OutputError;
-use crate::run_folder::Existing;
+use crate::run_folder::{ResultFolder, ResultKind, WithRun};
 use railcrack::words::Choice;
 use std::path::Path;
 
@@ -18,35 +18,31 @@ pub const LAST_STEP: &str = "compare-sif-last.svg";
 /// Plot of the paths.
 pub const PATHS: &str = "compare-paths.svg";
 
-const FILES: [&str; 8] = [
-    TipComparison::FILE,
-    PositionRow::FILE,
-    COMPARE_FILE,
-    SUMS_FILE,
-    FIRST_STEP,
-    LAST_STEP,
-    PATHS,
-    REPORT_FILE,
-];
+/// The files of a comparison.
+pub static COMPARISON: ResultKind = ResultKind {
+    files: &[TipComparison::FILE, PositionRow::FILE, COMPARE_FILE, FIRST_STEP, LAST_STEP, PATHS, REPORT_FILE],
+    folders: &[],
+    run: WithRun::No,
+};
 
 impl Comparison {
-    /// Writes tables, `compare.json`, plots and report to `folder`, which is created where it does
-    /// not exist. `tolerance`: the accepted difference of K in `compare.json`, in per cent of the
-    /// largest |K| of the case.
+    /// Writes tables, `compare.json`, and what `draw` draws of these, to the `folder` that is entered
+    /// for a [`COMPARISON`]. `tolerance`: the accepted difference of K in
+    /// `compare.json`, in per cent of the largest |K| of the case.
     ///
-    /// Errors: the folder holds a comparison and `existing` says to leave it alone; the system
-    /// refuses.
+    /// Errors: the system refuses.
     pub fn write(
         &self,
-        folder: &Path,
-        existing: Existing,
+        folder: ResultFolder,
         tolerance: Option<f64>,
+        draw: impl FnOnce(&Path) -> Result<(), OutputError>,
     ) -> Result<(), OutputError> {
-        let there = FILES.into_iter().find(|file| folder.join(file).exists());
-        if let (Existing::Refuse, Some(file)) = (existing, there) {
-            return Err(OutputError::HoldsComparison { folder: folder.to_path_buf(), file });
-        }
-        std::fs::create_dir_all(folder).map_err(OutputError::io("create", folder))?;
+        folder.mark()?;
+        let written = self.write_to(folder.path(), tolerance).and_then(|()| draw(folder.path()));
+        folder.end(written, |_| false)
+    }
+
+    fn write_to(&self, folder: &Path, tolerance: Option<f64>) -> Result<(), OutputError> {
         let put = |file: &str, content: &[u8]| replace_file(&folder.join(file), content, Durability::Cached);
         put(TipComparison::FILE, &whole(self.tips.iter().copied())?)?;
         put(PositionRow::FILE, &whole(self.tips.iter().zip(&self.aligned).flat_map(PositionRow::of_tip))?)?;

@@ -19,7 +19,7 @@ pub use align::Aligned;
 pub use case_keys::CaseDifference;
 pub use case_keys::keys as case_keys;
 pub use comparison::Comparison;
-pub use files::{FIRST_STEP, LAST_STEP, PATHS};
+pub use files::{COMPARISON, FIRST_STEP, LAST_STEP, PATHS};
 pub use life::SameLength;
 pub use parting::Parting;
 pub use stored::RunLabel;

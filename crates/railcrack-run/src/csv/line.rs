@@ -31,9 +31,33 @@ pub fn line_field(field: &str) -> Cow<'_, str> {
     Cow::Owned(format!("\"{}\"", field.replace('"', "\"\"").replace(['\n', '\r'], " ")))
 }
 
+/// A text of the user as it stands in a line: [`line_field`], with an apostrophe before what a
+/// spreadsheet would take for a formula. Numbers are none.
+pub fn text_field(text: &str) -> Cow<'_, str> {
+    let is_formula = text.starts_with(['=', '+', '-', '@', '\t', '\r']) && text.parse::<f64>().is_err();
+    match is_formula {
+        true => Cow::Owned(line_field(&format!("'{text}")).into_owned()),
+        false => line_field(text),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn no_text_is_a_formula() {
+        for (text, field) in [
+            ("=1+1", "'=1+1"),
+            ("@SUM(A1,B1)", "\"'@SUM(A1,B1)\""),
+            ("-2+3", "'-2+3"),
+            ("-2.5e-3", "-2.5e-3"),
+            ("+7", "+7"),
+            ("a = b", "a = b"),
+        ] {
+            assert_eq!(text_field(text), field);
+        }
+    }
 
     #[test]
     fn fields_are_those_of_the_file() {

@@ -23,7 +23,7 @@ pub use faces::FaceRow;
 pub use fields::Fields;
 pub(crate) use file::{CsvFile, check_sealed};
 pub use growth::{TipRow, deferred_growth};
-pub use line::{line_field, line_fields};
+pub use line::{line_field, line_fields, text_field};
 pub use read::{StepBlock, StepBlocks, read_table};
 pub use residual::ResidualRow;
 pub use rows::Rows;

@@ -1,6 +1,6 @@
 //! Rows of a table as text: shortest decimal that reads back to the same bits.
 
-use super::line::line_field;
+use super::line::text_field;
 use crate::error::OutputError;
 
 /// Rows under construction. Fields are pushed left to right; [`Rows::end`] closes a row.
@@ -69,9 +69,9 @@ impl Rows {
         self.text.push(b',');
     }
 
-    /// A text, in quotes where it has commas, quotes or line ends (RFC 4180).
+    /// A text, in quotes where it has commas, quotes or line ends (RFC 4180), and never a formula.
     pub fn quoted(&mut self, text: &str) {
-        self.name(&line_field(text));
+        self.name(&text_field(text));
     }
 
     /// Closes the row.

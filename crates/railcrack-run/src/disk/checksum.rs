@@ -1,7 +1,8 @@
 //! Checksums of what was written: SHA-256.
 
 use super::files::SUMS_FILE;
-use super::replace::{Durability, replace_file};
+use super::replace::{Durability, read_if_there, replace_file};
+use super::stored_name::is_plain;
 use crate::error::OutputError;
 use data_encoding::HEXLOWER;
 use railcrack_case::open_regular;
@@ -60,6 +61,12 @@ impl fmt::Display for Checksum {
     fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
         out.write_str(&HEXLOWER.encode(&self.0))
     }
+}
+
+/// SHA-256 of `bytes`, sixty-four hexadecimal digits.
+#[must_use]
+pub fn sha256(bytes: &[u8]) -> String {
+    Checksum::of(bytes).to_string()
 }
 
 /// Length and checksum of what was written.
@@ -128,6 +135,21 @@ pub(crate) fn sums_text(sums: &BTreeMap<String, String>) -> String {
 /// Errors: the system refuses.
 pub(crate) fn write_sums(folder: &Path, sums: &BTreeMap<String, String>) -> Result<(), OutputError> {
     replace_file(&folder.join(SUMS_FILE), sums_text(sums).as_bytes(), Durability::Cached)
+}
+
+/// The checksums in the file `path`, by the names of files; lines of another form, and names that
+/// lead out of its folder, are left out. None where there is no such file.
+///
+/// Errors: the system refuses.
+pub(crate) fn read_sums(path: &Path) -> Result<BTreeMap<String, String>, OutputError> {
+    let text = read_if_there(path)?.unwrap_or_default();
+    let text = String::from_utf8_lossy(&text);
+    let entry = |line: &str| {
+        let (sum, name) = line.split_once("  ")?;
+        let is_within = name.split('/').all(is_plain);
+        (is_within && Checksum::of_text(sum).is_some()).then(|| (name.to_owned(), sum.to_owned()))
+    };
+    Ok(text.lines().filter_map(entry).collect())
 }
 
 /// Checksums of `files` in `folder`, for a document stored with them.

@@ -15,6 +15,8 @@ pub const RUN_LOG_FILE: &str = "run-log.bin";
 pub const SUMMARY_FILE: &str = "summary.json";
 /// SHA-256 of the files of a folder, as `sha256sum -c` reads them.
 pub const SUMS_FILE: &str = "SHA256SUMS";
+/// Mark of a folder whose results are unfinished: of a command that does not continue them.
+pub(crate) const UNFINISHED_FILE: &str = "results.partial";
 /// How a run of a study ended.
 pub const OUTCOME_FILE: &str = "outcome.json";
 /// List of the field files.

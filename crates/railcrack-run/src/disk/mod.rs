@@ -13,8 +13,9 @@ mod replace;
 mod stored_name;
 pub(crate) mod words;
 
+pub use checksum::sha256;
 pub(crate) use checksum::{
-    CHECKSUM_BYTES, Checksum, Seal, Sealing, checksums, is_signed, sign, sums_text, write_sums,
+    CHECKSUM_BYTES, Checksum, Seal, Sealing, checksums, is_signed, read_sums, sign, sums_text, write_sums,
 };
 pub use files::VERSION;
 pub use inner::inner_folder;
@@ -22,5 +23,5 @@ pub(crate) use inner::own_folder;
 pub(crate) use json::{json_text, read_json, read_json_if_there, write_json};
 pub use lock::{FolderLock, LOCK_FILE};
 pub use replace::{Durability, read_if_there, replace_file};
-pub(crate) use replace::{PARTIAL, partial_of, read_file, remove};
+pub(crate) use replace::{PARTIAL, partial_of, put_in_place, read_file, remove, replace_shared, stage_file};
 pub(crate) use stored_name::{check_inputs, check_stored_name};

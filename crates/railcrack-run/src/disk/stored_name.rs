@@ -56,7 +56,7 @@ impl StoredCase<'_> {
 }
 
 /// Whether `name` is a single component on every system, and neither this folder nor the one above.
-fn is_plain(name: &str) -> bool {
+pub(super) fn is_plain(name: &str) -> bool {
     let separates = |c: char| matches!(c, '/' | '\\' | ':') || c.is_control();
     !matches!(name, "" | "." | "..") && !name.contains(separates)
 }

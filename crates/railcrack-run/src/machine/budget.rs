@@ -10,6 +10,9 @@ use thiserror::Error;
 const SIF_ROW: u64 = 90;
 const FACE_ROW: u64 = 130;
 
+/// Bytes of a sample of `[scatter]` with its life and its depths, about.
+const SAMPLE: u64 = 1100;
+
 /// Approximate needs of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Needs {
@@ -38,7 +41,10 @@ impl Needs {
         };
         let sif = rows(count(size.tips), 2 * SIF_ROW).saturating_mul(kept(case.output.sif));
         let faces = rows(count(size.face_points), FACE_ROW).saturating_mul(kept(case.output.faces));
-        Self { memory: count(size.memory_bytes), disk: sif.saturating_add(faces) }
+        let samples =
+            case.scatter.as_ref().map_or(0, |scatter| count(scatter.samples)).saturating_mul(SAMPLE);
+        let memory = count(size.memory_bytes).saturating_add(samples);
+        Self { memory, disk: sif.saturating_add(faces) }
     }
 }
 
@@ -83,7 +89,7 @@ pub enum OverBudget {
     /// Memory.
     #[error(
         "this needs about {needs} MB of memory{}, but the machine allows {has} MB: use larger elements ([mesh] \
-         element_size_mm, interface_elements), fewer cracks or positions{}; --no-limits runs it anyway",
+         element_size_mm, interface_elements), fewer cracks, positions or samples ([scatter] samples){}; --no-limits runs it anyway",
         if *at_once > 1 { format!(" ({at_once} runs at once)") } else { String::new() },
         if *at_once > 1 { ", or fewer --threads" } else { "" }
     )]

@@ -2,7 +2,7 @@
 
 use crate::disk::files::{
     CASE_FILE, CHECKPOINT_FILE, FIELDS_FOLDER, INPUTS_FOLDER, PLOT_FILES, PLOTS_FOLDER, REPORT_FILE,
-    ROLLED_FOLDER, SUMMARY_FILE, run_files,
+    ROLLED_FOLDER, SUMMARY_FILE, UNFINISHED_FILE, run_files,
 };
 use crate::disk::{FolderLock, LOCK_FILE, PARTIAL, own_folder, partial_of, remove};
 use crate::error::OutputError;
@@ -43,6 +43,7 @@ pub(super) fn clear_rolled(folder: &Path) -> Result<(), OutputError> {
         return Ok(());
     }
     clear_results(folder)?;
+    remove(&folder.join(UNFINISHED_FILE))?;
     remove(&folder.join(CASE_FILE))?;
     let _ = fs::remove_dir(folder);
     Ok(())
@@ -66,7 +67,9 @@ fn clear_fields(fields: &Path) -> Result<(), OutputError> {
 }
 
 /// Removes a run: its case, its results, and its folder where nothing else is in it.
-pub(crate) fn clear_run(folder: &Path) -> Result<(), OutputError> {
+///
+/// Errors: another process computes in the folder; a folder in it is a link; the system refuses.
+pub fn clear_run(folder: &Path) -> Result<(), OutputError> {
     // If the process is killed at the very end, only the lock remains.
     if run_file_in(folder).is_none() && !folder.join(LOCK_FILE).exists() {
         return Ok(());
@@ -92,10 +95,40 @@ pub(crate) fn run_file_in(folder: &Path) -> Option<&'static str> {
     std::iter::once(CASE_FILE).chain(run_files()).find(|file| folder.join(file).exists())
 }
 
-/// The same in the folder of a study, which has a report of its own.
+/// A plot or a field of a run that stands in `folder`, where one does.
+///
+/// Errors: a folder in it is a link; the system refuses.
+pub(super) fn drawn_file_in(folder: &Path) -> Result<Option<String>, OutputError> {
+    let plots = own_folder(folder, PLOTS_FOLDER)?;
+    let mut all = PLOT_FILES.iter().filter(|file| plots.join(file).exists());
+    if let Some(file) = all.next() {
+        return Ok(Some(format!("{PLOTS_FOLDER}/{file}")));
+    }
+    let Ok(fields) = fs::read_dir(own_folder(folder, FIELDS_FOLDER)?) else { return Ok(None) };
+    let mut names = fields.flatten().filter_map(|entry| entry.file_name().into_string().ok());
+    Ok(names.find(|name| is_field_file(name)).map(|name| format!("{FIELDS_FOLDER}/{name}")))
+}
+
+/// The same as [`run_file_in`] in the folder of a study, which has a report of its own.
 pub(crate) fn run_file_in_study(folder: &Path) -> Option<&'static str> {
     let of_run = run_files().filter(|file| *file != REPORT_FILE);
     std::iter::once(CASE_FILE).chain(of_run).find(|file| folder.join(file).exists())
+}
+
+/// Whether the results in `folder` are unfinished.
+pub(crate) fn is_unfinished(folder: &Path) -> bool {
+    folder.join(UNFINISHED_FILE).symlink_metadata().is_ok_and(|there| there.is_file())
+}
+
+/// Whether a run writes, replaces or removes the file `name`, relative to its folder, with `/`.
+#[must_use]
+pub fn is_file_of_run(name: &str) -> bool {
+    let own = name.strip_prefix(ROLLED_FOLDER).and_then(|rest| rest.strip_prefix('/')).unwrap_or(name);
+    let within = |folder: &str| own.strip_prefix(folder).and_then(|rest| rest.strip_prefix('/'));
+    own == CASE_FILE
+        || run_files().any(|file| file == own)
+        || within(PLOTS_FOLDER).is_some_and(|plot| PLOT_FILES.contains(&plot))
+        || within(FIELDS_FOLDER).is_some_and(is_field_file)
 }
 
 #[cfg(test)]

@@ -2,12 +2,13 @@
 
 use super::case_files::{CaseFiles, case_checksums};
 use super::checkpoint::{Checkpoint, LogFile};
+use super::clear::is_file_of_run;
 use crate::csv::{ContactRow, FaceRow, ResidualRow, Table, check_sealed};
 use crate::disk::files::{
     CASE_FILE, FIELDS_FILE, FIELDS_FOLDER, OUTCOME_FILE, ROLLED_FOLDER, SHAKEDOWN_FILE, SUMMARY_FILE,
     SUMS_FILE, WHEEL_GROUPS_FILE, run_files,
 };
-use crate::disk::{Seal, check_stored_name, is_signed, read_file, read_if_there, sums_text};
+use crate::disk::{Seal, check_stored_name, is_signed, read_file, read_if_there, read_sums, sums_text};
 use crate::error::OutputError;
 use crate::fields::collection;
 use serde_json::Value;
@@ -79,13 +80,35 @@ impl Verification {
         self.sums(folder, &stored_sums(&document))
     }
 
-    /// The file of the checksums `sums`.
+    /// The file of the checksums `sums`, and files beside these that it lists.
     fn sums(&mut self, folder: &Path, sums: &BTreeMap<String, String>) -> Result<(), OutputError> {
         let path = folder.join(SUMS_FILE);
         if !path.is_file() {
             return Ok(());
         }
-        self.answer(same_bytes(&path, sums_text(sums).as_bytes()))
+        let mut beside = read_sums(&path)?;
+        beside.retain(|name, _| !sums.contains_key(name) && !is_file_of_run(name));
+        let all = sums.iter().chain(&beside).map(|(name, sum)| (name.clone(), sum.clone())).collect();
+        self.answer(same_bytes(&path, sums_text(&all).as_bytes()))?;
+        self.all_of(folder, &beside)
+    }
+
+    /// The files in `folder` that its file of checksums lists.
+    pub(crate) fn listed(&mut self, folder: &Path) -> Result<(), OutputError> {
+        let path = folder.join(SUMS_FILE);
+        let sums = read_sums(&path)?;
+        self.answer(same_bytes(&path, sums_text(&sums).as_bytes()))?;
+        self.all_of(folder, &sums)
+    }
+
+    /// The files in `folder` with the checksums `sums`.
+    fn all_of(&mut self, folder: &Path, sums: &BTreeMap<String, String>) -> Result<(), OutputError> {
+        for (name, sum) in sums {
+            let path = folder.join(name);
+            let whole = |seal: Seal| *sum == seal.checksum.to_string();
+            self.answer(Seal::of_file(&path).and_then(|seal| sealed(&path, whole(seal))))?;
+        }
+        Ok(())
     }
 
     /// A JSON document with a checksum of its own; none where it cannot be read.

@@ -11,6 +11,7 @@ use railcrack::fatigue::SifRanges;
 use railcrack::field::wheel_under;
 use railcrack::growth::{PassageSettings, StabilisedPassage, Unobserved};
 use railcrack::load::{Passage, WheelLoad};
+use railcrack::math::Vec2;
 use railcrack::plane::{RailLoad, stabilised_passage};
 use railcrack_case::{Case, ContactOrigin, GivenContact};
 
@@ -32,11 +33,13 @@ const SEGMENTS: usize = 20;
 /// Whether the estimate for `crack` under a contact of this half-width (mm) takes a moment only.
 fn is_ordinary(crack: &Crack, half_width: f64) -> bool {
     let (first, next) = crack.segment(0);
-    let angle = (next - first).angle().to_degrees().abs();
     let length = crack.length() / half_width;
-    (ANGLES.0..=ANGLES.1).contains(&angle)
-        && (LENGTHS.0..=LENGTHS.1).contains(&length)
-        && crack.segment_count() <= SEGMENTS
+    is_steep(first, next) && (LENGTHS.0..=LENGTHS.1).contains(&length) && crack.segment_count() <= SEGMENTS
+}
+
+/// Whether a crack that begins with the segment from `first` to `next` is steep enough for it.
+fn is_steep(first: Vec2, next: Vec2) -> bool {
+    (ANGLES.0..=ANGLES.1).contains(&(next - first).angle().to_degrees().abs())
 }
 
 /// Distance of the wheel from the mouth, over a, within which the gap under it is computed.
@@ -53,13 +56,19 @@ pub struct EffectInPlane {
 
 /// The largest gap, over a²/2R, that opens under the first wheel over the first crack of a `case`
 /// in space, dry and on few cells, since the contact of that engine does not feel the cracks;
-/// `None` in the plane and for a buried crack.
+/// `None` in the plane, for a buried crack and for a very flat one.
 #[must_use]
 pub fn uncoupled_gap(case: &Case) -> Option<f64> {
     let space = case.space()?;
     let shape = space.shapes.first().filter(|shape| shape.buried.is_none())?;
+    let section = shape.section().ok()?;
     let patch = wheel_patch(case, 0)?;
     let wheel = patch.outline();
+    // A flap that is thinner than a cell takes many times as long.
+    let (first, next) = section.segment(0);
+    if !is_steep(first, next) {
+        return None;
+    }
     let front = CoarseFront::new(shape, *case.crack_friction.first()?, &case.steel)?;
     let gap = front.gap_under(wheel, case.first_wheel().passages.passage.travel());
     Some(gap / wheel.ellipse().depth_along(&case.steel))

@@ -21,11 +21,11 @@ pub(crate) struct ShakedownRecorder {
 }
 
 impl ShakedownRecorder {
-    /// Begins the folder with the case.
+    /// Begins the folder, which is entered, with the case.
     ///
-    /// Errors: the folder holds a run that is not to be replaced; the system refuses.
-    pub fn start(folder: &Path, case: &CaseFiles, existing: Existing) -> Result<Self, OutputError> {
-        begin(folder, case, existing)?;
+    /// Errors: the system refuses.
+    pub fn start(folder: &Path, case: &CaseFiles) -> Result<Self, OutputError> {
+        begin(folder, case, Existing::Entered)?;
         let passes = passes_of(folder)?;
         Ok(Self { folder: folder.to_path_buf(), passes })
     }

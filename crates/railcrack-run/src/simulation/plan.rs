@@ -6,11 +6,9 @@ use super::job::{Job, Stage, case_files};
 use super::observer::AskedAlone;
 use super::run::Simulation;
 use crate::decision::{NominalRun, Question, Verdict};
-use crate::disk::FolderLock;
-use crate::error::OutputError;
 use crate::log::{Companion, RunInfo, RunLog};
 use crate::planner::{PlanSummary, write_plan};
-use crate::run_folder::{Existing, begin};
+use crate::run_folder::{Existing, OF_A_RUN, ResultFolder, begin};
 use crate::setup::represented;
 use railcrack::growth::{Axles, Grinding, GrowthState, Mgt, SurfaceRemoval};
 use railcrack_case::{Case, Engine, PlaneEngine};
@@ -66,18 +64,13 @@ impl Simulation<'_> {
                 "no failure is given that grinding could prevent: add critical_depth_mm to [inspection], critical_length_mm to [growth], or [fracture]".to_owned(),
             ));
         }
-        let started = Instant::now();
-        if !folder.exists() {
-            std::fs::create_dir_all(folder).map_err(OutputError::io("create the folder", folder))?;
-        }
-        let _lock = folder.is_dir().then(|| FolderLock::take(folder)).transpose()?;
-        begin(folder, &case_files(&case), existing)?;
+        let entered = ResultFolder::enter(folder, &OF_A_RUN, existing)?;
+        entered.mark()?;
         let simulation = Simulation { case: &case, ..*self };
         let planning = Planning { simulation, folder, tonnes, info: Job::of(&case).info };
-        let summary = write_plan(folder, planning.computed(request, started)?)?;
-        self.presentation.plan(folder)?;
+        let planned = planning.written(request);
         self.observer.close();
-        Ok(summary)
+        entered.end(planned, RunError::is_interruption)
     }
 }
 
@@ -118,6 +111,15 @@ pub(super) struct AllFollowed {
 }
 
 impl Planning<'_> {
+    /// Computes the plans and writes case, tables, summary and page to the folder, which is entered.
+    fn written(&self, request: &PlanRequest) -> Result<PlanSummary, RunError> {
+        let started = Instant::now();
+        begin(self.folder, &case_files(self.simulation.case), Existing::Entered)?;
+        let summary = write_plan(self.folder, self.computed(request, started)?)?;
+        self.simulation.presentation.plan(self.folder)?;
+        Ok(summary)
+    }
+
     fn computed(&self, request: &PlanRequest, started: Instant) -> Result<PlanSummary, RunError> {
         let all = self.all(request)?;
         let mut summary = self.summary(&all, started);

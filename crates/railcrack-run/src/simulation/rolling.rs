@@ -2,10 +2,8 @@
 
 use super::error::RunError;
 use super::job::case_files;
-use crate::disk::FolderLock;
-use crate::error::OutputError;
 use crate::presentation::Presentation;
-use crate::run_folder::Existing;
+use crate::run_folder::{Existing, OF_A_RUN, ResultFolder};
 use crate::setup::{HeaviestWheel, represented, rolled_rail, stabilisation};
 use crate::shakedown::{ShakedownRecorder, ShakedownResults, ShakedownSummary};
 use railcrack::fatigue::Initiation;
@@ -36,17 +34,28 @@ pub fn roll(
     existing: Existing,
     presentation: &dyn Presentation,
     interruption: Interruption<'_>,
-    mut observe: impl FnMut(&PassRecord),
+    observe: impl FnMut(&PassRecord),
 ) -> Result<ShakedownSummary, RunError> {
     let case = &represented(case);
+    check_rail(&rolled_rail(case))?;
+    let entered = ResultFolder::enter(folder, &OF_A_RUN, existing)?;
+    entered.mark()?;
+    let computed = rolled_into(&entered, case, presentation, interruption, observe);
+    entered.end(computed, RunError::is_interruption)
+}
+
+/// The same into a folder that is entered.
+fn rolled_into(
+    folder: &ResultFolder,
+    case: &Case,
+    presentation: &dyn Presentation,
+    interruption: Interruption<'_>,
+    mut observe: impl FnMut(&PassRecord),
+) -> Result<ShakedownSummary, RunError> {
+    let folder = folder.path();
     let (rail, settings) = (rolled_rail(case), stabilisation(case));
-    check_rail(&rail)?;
     let started = Instant::now();
-    if !folder.exists() {
-        std::fs::create_dir_all(folder).map_err(OutputError::io("create the folder", folder))?;
-    }
-    let _lock = folder.is_dir().then(|| FolderLock::take(folder)).transpose()?;
-    let mut recorder = ShakedownRecorder::start(folder, &case_files(case), existing)?;
+    let mut recorder = ShakedownRecorder::start(folder, &case_files(case))?;
     let mut refused = None;
     let stabilised = stabilise_unless(interruption, &rail, &settings, |pass| {
         observe(pass);

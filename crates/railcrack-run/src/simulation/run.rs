@@ -29,6 +29,9 @@ pub enum RunEntry {
     Resume,
     /// Resumes the run in the folder, or starts one if there is none.
     ResumeOrBegin,
+    /// Starts a run in a folder that its command has entered
+    /// ([`ResultFolder`](crate::ResultFolder)).
+    Entered,
 }
 
 /// The run of a case.
@@ -205,9 +208,12 @@ pub fn run_steps<S: StepSource>(
     Ok(finished(drive(source, &mut recorder, observer, accompany)?))
 }
 
-/// The lock of `folder`, which is created where the run may begin in it; none if it cannot be
-/// entered anyway, which the recorder reports.
+/// The lock of `folder`, which is created where the run may begin in it; none if its command has it,
+/// or if it cannot be entered anyway, which the recorder reports.
 fn lock(folder: &Path, entry: RunEntry) -> Result<Option<FolderLock>, OutputError> {
+    if entry == RunEntry::Entered {
+        return Ok(None);
+    }
     if entry != RunEntry::Resume && !folder.exists() {
         std::fs::create_dir_all(folder).map_err(OutputError::io("create the run folder", folder))?;
     }
@@ -224,6 +230,7 @@ fn open(
     Ok(match entry {
         RunEntry::Begin => (begin(job, Existing::Refuse)?, None),
         RunEntry::Replace => (begin(job, Existing::Replace)?, None),
+        RunEntry::Entered => (begin(job, Existing::Entered)?, None),
         RunEntry::Resume => Recorder::resume(folder, job.case, job.info, presentation)?,
         RunEntry::ResumeOrBegin => {
             match Recorder::resume(folder, job.case.clone(), job.info.clone(), presentation) {

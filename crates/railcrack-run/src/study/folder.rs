@@ -4,21 +4,19 @@ use super::difference::{other_case, other_text};
 use super::packed::{PackWriter, PackedRuns, packed_files, void_damages};
 use super::plan::{PlannedRun, StudyPlan};
 use crate::disk::files::{
-    CASE_FILE, CHECKPOINT_FILE, OUTCOME_FILE, PLAN_FILE, PLOTS_FOLDER, RUN_LOG_FILE, RUNS_FOLDER, STUDY_FILE,
-    STUDY_PLOTS, STUDY_TABLES,
+    CASE_FILE, CHECKPOINT_FILE, OUTCOME_FILE, PLAN_FILE, PLOTS_FOLDER, REPORT_FILE, RUN_LOG_FILE,
+    RUNS_FOLDER, STUDY_FILE, STUDY_PLOTS, STUDY_TABLES,
 };
 use crate::disk::{
     Checksum, FolderLock, LOCK_FILE, VERSION, check_stored_name, inner_folder, json_text, own_folder,
-    read_if_there, read_json_if_there, remove,
+    partial_of, read_if_there, read_json_if_there, remove, replace_shared,
 };
 use crate::error::OutputError;
 use crate::run_folder::{CaseFiles, RunFolder, check_case, clear_run, run_file_in, run_file_in_study};
 use crate::summary::{Outcome, RunEnd};
 use std::collections::HashSet;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
-use std::time::{SystemTime, UNIX_EPOCH};
 
 /// How a process enters the folder of a study.
 #[derive(Debug, Clone)]
@@ -191,6 +189,18 @@ impl StudyFolder {
         Ok(tables.chain(plots).filter(is_there).chain(packed).find(|file| !is_same(file)))
     }
 
+    /// Whether a study replaces or removes the file `name`, relative to its folder, with `/`. Its own
+    /// text, which it replaces by the same, is not among them.
+    #[must_use]
+    pub fn owns(name: &str) -> bool {
+        let within = |folder: &str| name.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'));
+        let is_plot = |plot: &&str| name == format!("{PLOTS_FOLDER}/{plot}");
+        STUDY_TABLES.contains(&name)
+            || [PLAN_FILE, REPORT_FILE].contains(&name)
+            || within(RUNS_FOLDER)
+            || STUDY_PLOTS.iter().any(|plot| is_plot(&plot))
+    }
+
     fn may_enter(&self, stored: Option<&StudyPlan>, entry: &Entry) -> Result<(), OutputError> {
         let folder = || self.path.clone();
         let of_run = if stored.is_some() { run_file_in_study(&self.path) } else { run_file_in(&self.path) };
@@ -343,25 +353,10 @@ impl StudyFolder {
     /// Writes `content` to a file that several processes may write at once: readers see the file of
     /// one of them, whole.
     pub fn put(&self, file: &str, content: &[u8]) -> Result<(), OutputError> {
-        let path = self.path.join(file);
-        if read_if_there(&path)?.as_deref() == Some(content) {
-            return Ok(());
-        }
-        let refused = || OutputError::io("write", &path);
         if let Some((inner, _)) = file.rsplit_once('/') {
             inner_folder(&self.path, inner)?;
         }
-        let now = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_nanos());
-        // No other process, on no other machine, writes under this name.
-        let own = self.path.join(format!("{file}.{}-{now}.partial", std::process::id()));
-        let written = std::fs::File::create_new(&own)
-            .and_then(|mut file| file.write_all(content))
-            .and_then(|()| std::fs::rename(&own, &path));
-        written.map_err(|reason| {
-            // Best effort: the error of the write is the one to report.
-            let _ = std::fs::remove_file(&own);
-            refused()(reason)
-        })
+        replace_shared(&self.path.join(file), content)
     }
 
     /// Removes the folder of the runs where all are packed and none is in it.
@@ -374,7 +369,9 @@ impl StudyFolder {
         if let Some((inner, _)) = file.rsplit_once('/') {
             own_folder(&self.path, inner)?;
         }
-        remove(&self.path.join(file))
+        let path = self.path.join(file);
+        remove(&path)?;
+        remove(&partial_of(&path))
     }
 }
 

@@ -68,6 +68,11 @@ impl Conditions {
         })
     }
 
+    /// The files that its cases name, relative to its folder.
+    pub(super) fn named_files(&self) -> impl Iterator<Item = &str> {
+        self.cases.iter().flat_map(|case| case.companions().into_iter().map(|file| file.given))
+    }
+
     /// Number of samples.
     #[must_use]
     pub fn samples(&self) -> usize {

@@ -15,6 +15,8 @@ pub struct Validation {
     entries: Vec<Entry>,
     conditions: BTreeMap<String, Conditions>,
     space: Space,
+    /// The files that were read; none of those that come with the program.
+    files: Vec<PathBuf>,
 }
 
 /// Entries that cannot be used.
@@ -109,11 +111,23 @@ impl Validation {
         }
         let entries =
             files.iter().map(|file| Entry::read(file)).collect::<Result<Vec<Entry>, CaseErrors>>()?;
-        Self::of(entries, |name| {
+        let read = Self::of(entries, |name| {
             let file = path.join(name);
             let text = railcrack_case::read_text_file(&file)?;
             Conditions::parse(&text, &file.display().to_string(), file.parent().unwrap_or(path))
-        })
+        })?;
+        for (name, conditions) in &read.conditions {
+            let file = path.join(name);
+            files.extend(conditions.named_files().map(|named| file.with_file_name("").join(named)));
+            files.push(file);
+        }
+        Ok(Self { files, ..read })
+    }
+
+    /// The files that were read: entries, conditions and the files that these name.
+    #[must_use]
+    pub fn files(&self) -> &[PathBuf] {
+        &self.files
     }
 
     fn of(
@@ -141,7 +155,7 @@ impl Validation {
                 return Err(ValidationError::Unpaired { id: entry.id.clone(), samples, others });
             }
         }
-        Ok(Self { entries, conditions, space: Space::Computed })
+        Ok(Self { entries, conditions, space: Space::Computed, files: Vec::new() })
     }
 
     /// The same, with the predictions in space or without.

@@ -1,6 +1,7 @@
 //! `validation.csv`.
 
 use super::folder::Validated;
+use crate::csv::text_field;
 
 const HEADER: &str = "id,grade,scored,certainty,read,unit,measured,measured_low,measured_high,predicted,predicted_low,predicted_high,predicted_log_std,factor,pit,crps_ln,inside_95,within_factor_2,within_factor_5,without,quantity,space_predicted,space_predicted_low,space_predicted_high,space_predicted_log_std,space_factor,space_pit,space_crps_ln,space_inside_95,space_without";
 
@@ -15,7 +16,7 @@ pub fn validation_table(validated: &[Validated]) -> String {
         let (entry, Some(comparison)) = (&one.entry, &one.entry.comparison) else { continue };
         let (low, high) = comparison.measured;
         let mut row = vec![
-            entry.id.clone(),
+            text_field(&entry.id).into_owned(),
             entry.grade.word().to_owned(),
             entry.is_scored().to_string(),
             entry.certainty.to_string(),
@@ -48,7 +49,7 @@ pub fn validation_table(validated: &[Validated]) -> String {
                 row.push("1".to_owned());
             }
         }
-        row.push(format!("\"{}\"", entry.quantity.replace('"', "'")));
+        row.push(text_field(&entry.quantity).into_owned());
         match &one.in_space {
             Some(score) => {
                 let [from, median, to] = score.predicted;

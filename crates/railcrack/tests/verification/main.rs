@@ -18,6 +18,7 @@ mod far_apart;
 mod fluid;
 mod groups;
 mod half_plane_histories;
+mod identities;
 mod interruption;
 mod joined_passage;
 mod junctions;

@@ -1,14 +1,14 @@
 //! The command line of `railcrack calibrate`.
 
-use crate::commands::run::is_same_file;
 use crate::display::Verbosity;
 use crate::exit::Failure;
-use crate::input::default_folder;
+use crate::input::{Inputs, default_folder};
 use crate::interruption::Interruption;
 use crate::progress::Progress;
 use clap::Args;
 use railcrack_case::Case;
-use railcrack_run::simulation::RunEntry;
+use railcrack_run::simulation::RunError;
+use railcrack_run::{Existing, ResultFolder, ResultKind, WithRun, is_file_of_run};
 use std::path::PathBuf;
 
 /// Fit the growth law, or another number of the case, to measured depths or lengths over traffic
@@ -47,20 +47,15 @@ pub struct CalibrateArguments {
 }
 
 impl CalibrateArguments {
-    /// The run folder.
+    /// The run folder, entered for a calibration of `case`.
     ///
-    /// Errors: its run would replace the case file.
-    pub(super) fn folder(&self) -> Result<PathBuf, Failure> {
+    /// Errors: the results would replace an input; those of [`ResultFolder::enter`].
+    pub(super) fn enter(&self, case: &Case) -> Result<ResultFolder, Failure> {
         let folder = self.out.clone().unwrap_or_else(|| default_folder(&self.case));
-        if is_same_file(&self.case, &folder.join("case.toml")) {
-            return Err(Failure::CaseInRunFolder { path: self.case.clone() });
-        }
-        Ok(folder)
-    }
-
-    /// How the run of the folder is entered.
-    pub(super) fn entry(&self) -> RunEntry {
-        if self.force { RunEntry::Replace } else { RunEntry::Begin }
+        let inputs = Inputs::of_case(&self.case, case).with_all(self.measured.iter().cloned());
+        inputs.stay(&folder, |name| is_file_of_run(name) || CALIBRATION.owns(name))?;
+        let existing = if self.force { Existing::Replace } else { Existing::Refuse };
+        Ok(ResultFolder::enter(&folder, &CALIBRATION, existing).map_err(RunError::from)?)
     }
 
     /// The progress of the run of `case`.
@@ -69,6 +64,13 @@ impl CalibrateArguments {
         Progress::new(verbosity, case.growth.steps, interruption)
     }
 }
+
+/// The files beside those of the run.
+static CALIBRATION: ResultKind = ResultKind {
+    files: &["calibration.csv", "calibration.svg", "calibration.json", "calibration.html", "calibrated.toml"],
+    folders: &[],
+    run: WithRun::Yes,
+};
 
 /// The refusal of a case, of measurements or of arguments.
 pub(super) fn refuse(reason: String) -> Failure {

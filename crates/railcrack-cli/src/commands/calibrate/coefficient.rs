@@ -1,11 +1,12 @@
 //! `railcrack calibrate`: the coefficient of the growth law, in closed form.
 
 use super::arguments::{CalibrateArguments, refuse};
-use super::finish::{Written, finish};
+use super::finish::{Written, finish, interrupted};
 use super::growth::deepest_tip;
 use super::parameter::calibrate_parameter;
 use crate::commands::run::listen;
 use crate::exit::{Exit, Failure};
+use crate::interruption::Remains;
 use crate::print;
 use railcrack_case::{Case, CaseErrors};
 use railcrack_report::{CalibratedRun, Pages};
@@ -13,7 +14,7 @@ use railcrack_run::calibration::{
     CalibrationResult, Fitted, Measure, NewRail, Prior, Site, SizeCurve, calibrate as fit, calibrated_by,
     coefficient_table, read_measured,
 };
-use railcrack_run::simulation::Simulation;
+use railcrack_run::simulation::{RunEntry, RunError, Simulation};
 use railcrack_run::summary::validity::unused_columns;
 
 /// Computes the case, fits, writes the folder and prints the result.
@@ -35,12 +36,13 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
             coefficient.key
         )));
     }
-    let folder = arguments.folder()?;
-    let interruption = listen()?;
+    let entered = arguments.enter(&case)?;
+    entered.mark().map_err(RunError::from)?;
+    let interruption = listen(Remains::Nothing)?;
     let progress = arguments.progress(&case, &interruption);
     let simulation = Simulation::new(&case).observed_by(&progress).presented_by(&Pages);
-    let Some(rows) = deepest_tip(&simulation, &folder, arguments.entry())? else {
-        return Ok(Exit::Interrupted);
+    let Some(rows) = deepest_tip(&simulation, entered.path(), RunEntry::Entered)? else {
+        return interrupted(entered);
     };
     let prior = Prior::from(case.calibration);
     let of = |measure: Measure| SizeCurve::of(&rows, tonnes, measure);
@@ -62,7 +64,7 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
         sites: &sites,
         fitted: Fitted::Coefficient { calibration, new },
     };
-    finish(&folder, &result, &written)
+    finish(entered, &result, &written)
 }
 
 /// The measurements of all sites, each file once.

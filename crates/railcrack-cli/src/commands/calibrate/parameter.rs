@@ -2,11 +2,11 @@
 //! values of it.
 
 use super::arguments::{CalibrateArguments, refuse};
-use super::finish::{Written, finish};
+use super::finish::{Written, finish, interrupted};
 use super::growth::deepest_tip;
 use crate::commands::run::listen;
 use crate::exit::{Exit, Failure};
-use crate::interruption::Interruption;
+use crate::interruption::{Interruption, Remains};
 use railcrack_case::{Case, NumberRange, Overrides, RangeEnd};
 use railcrack_report::{CalibratedRun, Pages};
 use railcrack_run::calibration::{
@@ -14,7 +14,8 @@ use railcrack_run::calibration::{
     Site, SizeCurve, Trial, calibrated_by, coefficient_at, fit_parameter, number, observe, trials_table,
 };
 use railcrack_run::csv::TipRow;
-use railcrack_run::simulation::{Ending, RunEntry, Simulation};
+use railcrack_run::simulation::{Ending, RunEntry, RunError, Simulation};
+use railcrack_run::{ResultFolder, clear_run};
 use std::path::{Path, PathBuf};
 
 /// Fits the number `--parameter` of the case, writes the folder and prints the result.
@@ -24,13 +25,13 @@ pub(super) fn calibrate_parameter(
     sites: &[Site],
 ) -> Result<Exit, Failure> {
     let mut search = Search::new(arguments, case, sites)?;
-    let Some(fit) = search.fit()? else { return Ok(Exit::Interrupted) };
+    let Some(fit) = search.fit()? else { return search.interrupted() };
     let new = search.new_rail(&fit);
     let fitted = Case::read_with(&arguments.case, &search.overrides(&fit, new)?)?;
     let progress = arguments.progress(&fitted, &search.interruption);
     let simulation = Simulation::new(&fitted).observed_by(&progress).presented_by(&Pages);
-    let Some(rows) = deepest_tip(&simulation, &search.folder, arguments.entry())? else {
-        return Ok(Exit::Interrupted);
+    let Some(rows) = deepest_tip(&simulation, search.folder.path(), RunEntry::Entered)? else {
+        return search.interrupted();
     };
     search.finish(fit, new, &fitted, &rows)
 }
@@ -50,8 +51,8 @@ struct Search<'a> {
     prior: Prior,
     /// Mean load of an axle, t.
     tonnes: f64,
-    /// Of the run with the fitted value.
-    folder: PathBuf,
+    /// Of the run with the fitted value, entered.
+    folder: ResultFolder,
     interruption: Interruption,
     trials: Vec<Trial>,
     /// The rows of each trial.
@@ -61,13 +62,20 @@ struct Search<'a> {
 impl<'a> Search<'a> {
     fn new(arguments: &'a CalibrateArguments, case: &'a Case, sites: &'a [Site]) -> Result<Self, Failure> {
         let (key, coefficient) = keys(arguments, case)?;
+        let value = case.number(&key).map_err(|error| refuse(format!("--parameter {error}")))?;
+        // What is refused leaves the folder as it is.
+        bracket(arguments, case, &key, value)?;
+        let folder = arguments.enter(case)?;
+        let trials = trial_folders(folder.path());
+        trials.iter().try_for_each(|trial| folder.refuse_run(trial)).map_err(RunError::from)?;
+        folder.mark().map_err(RunError::from)?;
         Ok(Self {
-            value: case.number(&key).map_err(|error| refuse(format!("--parameter {error}")))?,
+            value,
             is_coefficient: case.coefficient().is_ok_and(|of| key == format!("growth.{}", of.key)),
             prior: Prior::from(case.calibration),
             tonnes: case.axle_load.unwrap_or(1.0),
-            folder: arguments.folder()?,
-            interruption: listen()?,
+            folder,
+            interruption: listen(Remains::Nothing)?,
             trials: Vec::new(),
             rows: Vec::new(),
             arguments,
@@ -146,7 +154,7 @@ impl<'a> Search<'a> {
     fn run(&mut self, value: f64) -> Result<Ending, Failure> {
         let settings = vec![format!("{}={value:?}", self.key)];
         let case = Case::read_with(&self.arguments.case, &Overrides { settings, ..Overrides::default() })?;
-        let folder = trial_folder(&self.folder, self.trials.len() + 1);
+        let folder = trial_folder(self.folder.path(), self.trials.len() + 1);
         let progress = self.arguments.progress(&case, &self.interruption);
         let simulation = Simulation::new(&case).observed_by(&progress);
         let Some(rows) = deepest_tip(&simulation, &folder, RunEntry::Replace)? else {
@@ -184,6 +192,15 @@ impl<'a> Search<'a> {
         Ok(overrides)
     }
 
+    /// Leaves no results after an interruption.
+    fn interrupted(self) -> Result<Exit, Failure> {
+        let own = self.folder.path();
+        trial_folders(own).iter().try_for_each(|trial| clear_run(trial)).map_err(RunError::from)?;
+        // Refused where something else is in it.
+        let _ = std::fs::remove_dir(trials(own));
+        interrupted(self.folder)
+    }
+
     /// Writes and prints the result with the `rows` of the `fitted` case.
     fn finish(
         self,
@@ -207,7 +224,7 @@ impl<'a> Search<'a> {
             fitted: Fitted::Parameter { fit, runs, coefficient: self.coefficient, new },
         };
         let written = Written { table, drawn: &drawn, tonnes: self.tonnes, case: fitted };
-        finish(&self.folder, &result, &written)
+        finish(self.folder, &result, &written)
     }
 }
 
@@ -265,11 +282,20 @@ fn bracket(arguments: &CalibrateArguments, case: &Case, key: &str, value: f64) -
     Ok(bracket)
 }
 
-/// Beside the run folder, which the fitted run takes.
-fn trial_folder(folder: &Path, number: usize) -> PathBuf {
+/// The folder of the trials, beside the run folder, which the fitted run takes.
+fn trials(folder: &Path) -> PathBuf {
     let mut name = folder.file_name().unwrap_or_default().to_owned();
     name.push("-trials");
-    folder.with_file_name(name).join(format!("{number:03}"))
+    folder.with_file_name(name)
+}
+
+fn trial_folder(folder: &Path, number: usize) -> PathBuf {
+    trials(folder).join(format!("{number:03}"))
+}
+
+/// The folders of trials that are there.
+fn trial_folders(folder: &Path) -> Vec<PathBuf> {
+    (1..).map(|number| trial_folder(folder, number)).take_while(|trial| trial.exists()).collect()
 }
 
 fn explained(error: &CalibrationError, key: &str, bracket: &Bracket) -> String {

@@ -3,11 +3,11 @@
 use super::messages::{print_damages, print_failed, print_flaws, result_json, result_text};
 use super::progress::StudyProgress;
 use super::shard::Shard;
-use crate::commands::run::listen;
+use crate::commands::run::{listen, thread_count};
 use crate::display::Verbosity;
 use crate::exit::{Exit, Failure};
-use crate::input::{self, Set, default_folder};
-use crate::interruption::Interruption;
+use crate::input::{self, Inputs, Set, default_folder};
+use crate::interruption::{Interruption, Remains};
 use crate::json::Json;
 use clap::Args;
 use railcrack_case::{ByGeometry, Case, Overrides, SampleTable, Study};
@@ -108,7 +108,7 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
     };
     let samples = arguments.table.as_deref().map(SampleTable::read).transpose()?;
     let study = input::study(&arguments.study, &overrides, samples.as_ref())?;
-    let interruption = listen()?;
+    let interruption = listen(Remains::FinishedSteps)?;
     let own: Vec<usize> = study
         .runs
         .iter()
@@ -116,7 +116,10 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
         .filter(|&number| arguments.shard.is_none_or(|shard| shard.has(number)))
         .collect();
     let path = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.study));
-    let threads = threads(arguments.threads);
+    let mut inputs = Inputs::of_study(&arguments.study, &study);
+    inputs = inputs.with_all(arguments.table.clone());
+    inputs.stay(&path, StudyFolder::owns)?;
+    let threads = thread_count(arguments.threads).map_err(Failure::Show)?;
     if !arguments.no_limits {
         within_budget(&study, &own, threads, &Budget::of(&path))?;
     }
@@ -200,8 +203,4 @@ fn exit(failed: &[FailedRun], ending: Ending) -> Exit {
         Ending::Ended if has(RunEnd::CannotReadOrWrite) => Exit::CannotReadOrWrite,
         Ending::Ended => Exit::Done,
     }
-}
-
-fn threads(asked: Option<NonZeroUsize>) -> usize {
-    asked.or_else(|| std::thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get)
 }

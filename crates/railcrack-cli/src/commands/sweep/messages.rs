@@ -1,13 +1,13 @@
 //! Result of a study on standard output.
 
 use crate::exit::Exit;
+use crate::terminal;
 use railcrack_run::StudyFolder;
 use railcrack_run::decision::Quantiles;
 use railcrack_run::simulation::{Ending, FailedRun};
 use railcrack_run::study::Population;
 use railcrack_run::study::{RunState, StudyResults};
 use serde_json::{Value, json};
-use std::io::Write;
 
 /// Maximum number of failed runs listed individually.
 const MOST_LISTED: usize = 20;
@@ -100,8 +100,7 @@ pub fn print_flaws(flaws: &[String]) {
 }
 
 fn print(text: String) {
-    // A failure to write to standard error cannot be reported.
-    let _ = write!(std::io::stderr().lock(), "{text}");
+    terminal::stderr(&text);
 }
 
 fn failed_text(failed: &[FailedRun]) -> String {

@@ -19,7 +19,8 @@ use std::sync::Arc;
 /// Nothing is written to the folder, and no file outside of it is served.
 #[derive(Debug, Args)]
 pub struct ViewArguments {
-    /// Folder of results    #[arg(value_name = "DIR")]
+    /// Folder of results
+    #[arg(value_name = "DIR")]
     folder: PathBuf,
     /// Port to listen on [default: any free port]
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
