@@ -227,8 +227,8 @@ impl<'a> Sampler<'a> {
             _ => f64::INFINITY,
         };
         // A crack that is not detectable before the rail fails leaves no time to find it.
-        let way =
-            if to_critical.is_finite() { (to_critical - walked.detected).max(0.0) } else { f64::INFINITY };
+        let seen = walked.window.map_or(0.0, |window| window.length());
+        let way = if to_critical.is_finite() { seen } else { f64::INFINITY };
         Sample {
             draw: *draw,
             grows: walked.grows,

@@ -37,6 +37,7 @@ fn scatter() -> Scatter {
         samples: 100_000,
         seed: 1,
         c_log_std: 0.3,
+        rail_log_std: 0.3,
         m_std: 0.0,
         toughness: None,
         toughness_std: 0.0,

@@ -154,15 +154,13 @@ impl Simulation<'_> {
         if !self.has_variants || info.inspection.is_none() || case.space().is_some() {
             return kinds;
         }
-        if nominal.failure.mode.is_some() {
-            for (kind, turning) in [
-                (CompanionKind::Straight, Turning::Over(f64::INFINITY)),
-                (CompanionKind::Limit, Turning::Over(0.0)),
-            ] {
-                if case.growth.turning != turning {
-                    kinds.push(kind);
-                }
-            }
+        // A rail that holds along the path of the run may fail along another one.
+        if course.points.len() > 1 || nominal.failure.mode.is_some() {
+            kinds.push(CompanionKind::Straight);
+            let is_limit = case.growth.criterion == DirectionCriterion::MaxRate
+                && case.growth.turning == Turning::Over(0.0)
+                && case.growth.straight_depth == 0.0;
+            kinds.extend((!is_limit).then_some(CompanionKind::Limit));
         }
         // A rail that holds with the friction of the case may fail with another one.
         let one = case.crack_friction.first().copied();
@@ -231,10 +229,11 @@ impl Simulation<'_> {
 }
 
 /// Whether the companion of `kind` is the run of `case` itself: cracks that grow straight ahead by
-/// their criterion take the same path whatever length they turn over.
+/// their criterion, or over an infinite length.
 fn is_the_run(case: &Case, kind: CompanionKind) -> bool {
-    let is_path = matches!(kind, CompanionKind::Straight | CompanionKind::Limit);
-    is_path && case.growth.criterion == DirectionCriterion::Coplanar
+    let goes_straight = case.growth.criterion == DirectionCriterion::Coplanar
+        || case.growth.turning == Turning::Over(f64::INFINITY);
+    kind == CompanionKind::Straight && goes_straight
 }
 
 /// Speeds over that of the run at which cracks are followed for samples with this `deviation` of
@@ -263,7 +262,10 @@ fn deviation(case: &Case, scatter: &Scatter, course: &Course) -> f64 {
 /// `case` as `kind` changes it.
 fn case_of(case: &Case, kind: CompanionKind) -> Case {
     let mut case = case.clone();
-    case.growth.steps *= MORE_STEPS;
+    // A run that goes on until its answer is known has no more to go.
+    if case.growth.answer.is_none() {
+        case.growth.steps *= MORE_STEPS;
+    }
     let is_removed = case.maintenance.is_some_and(|removal| removal.mean_rate() > 0.0);
     if kind == CompanionKind::Limit && is_removed {
         case.growth.steps = case.growth.steps.min(MOST_KINKS);
@@ -271,7 +273,12 @@ fn case_of(case: &Case, kind: CompanionKind) -> Case {
     match kind {
         CompanionKind::PartOfRow => {}
         CompanionKind::Straight => case.growth.turning = Turning::Over(f64::INFINITY),
-        CompanionKind::Limit => case.growth.turning = Turning::Over(0.0),
+        CompanionKind::Limit => {
+            // By the criterion that follows the load at once: others have no limit to speak of.
+            case.growth.criterion = DirectionCriterion::MaxRate;
+            case.growth.turning = Turning::Over(0.0);
+            case.growth.straight_depth = 0.0;
+        }
         CompanionKind::Friction(friction) => {
             case.crack_friction.iter_mut().for_each(|of_crack| *of_crack = friction);
         }
@@ -281,6 +288,8 @@ fn case_of(case: &Case, kind: CompanionKind) -> Case {
                 limit: removal.limit.map(|limit| limit * BEYOND_LIMIT),
                 ..removal.outpaced(speed)
             }));
+            // Courses at other speeds go on beyond the critical depth, for the samples between them.
+            case.growth.answer = None;
             case.growth.arrest_rate /= speed;
             case.growth.stop_after_cycles = case.growth.stop_after_cycles.map(|cycles| cycles * speed);
             let above = case.scatter.map_or(0.0, |scatter| TOUGHEST * scatter.toughness_std);
