@@ -217,10 +217,10 @@ fn stages(stages: &StagesSummary) -> String {
     let one = |name: &str, stage: &StageSummary, by: &str| {
         let Some(mgt) = stage.mgt else { return format!("{name}: the run ends within it\n") };
         let depth =
-            stage.detectable_depth_mm.map_or_else(String::new, |depth| format!(" from {depth} mm on"));
+            stage.detectable_depth_mm.map_or_else(String::new, |depth| format!(" (from {depth} mm on)"));
         let found = match (stage.mgt_detectable_to_end, stage.detectable_depth_mm) {
-            (Some(left), _) => format!(", {by} finds it{depth}, {} before its end", three_digits(left)),
-            (None, Some(_)) => format!(", {by} does not find it before its end{depth}"),
+            (Some(left), _) => format!(", {by}{depth} finds it {} before its end", three_digits(left)),
+            (None, Some(_)) => format!(", {by}{depth} does not find it before its end"),
             (None, None) => String::new(),
         };
         format!("{name}: {} million gross tonnes{found}\n", three_digits(mgt))

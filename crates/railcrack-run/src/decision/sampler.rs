@@ -46,7 +46,7 @@ impl<'a> Sampling<'a> {
 
 /// Keys of the quantities whose scatter is described by one deviate each.
 pub(crate) const KEYS: [&str; 5] =
-    ["c_log_std", "m_std", "toughness_std", "detectable_depth_std", "wear_std"];
+    ["paris_c_log_std", "paris_m_std", "toughness_std", "detectable_depth_std", "wear_std"];
 
 /// A separate stream of random numbers for later quantities, so that the samples of the first four
 /// do not change.

@@ -10,6 +10,7 @@ use super::rows::{DecisionRow, MaintenanceSummary, rate_per_10_mgt, rows_of};
 use super::sampler::Sampling;
 use super::scatter::{Lives, Quantiles, SampledLife, ScatterSummary, sampled};
 use super::tonnage::{TonnageWords, three_digits};
+use super::tornado::{TornadoBar, tornado};
 use super::verdict::Verdict;
 use super::wheels::WheelSummary;
 use crate::log::{RunInfo, RunLog};
@@ -57,6 +58,9 @@ pub struct Decision {
     /// the rest scatters.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub frictions: Vec<FrictionLife>,
+    /// Lives with other values of what is seldom known, the widest quantity first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub tornado: Vec<TornadoBar>,
     /// The cracks of a long row with which the lives along other paths and the samples were
     /// computed; none where all were.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -133,7 +137,8 @@ impl Decision {
             calibration: calibration(info.calibration, info.inspection.and_then(|of| of.critical_depth)),
             paths: companions.paths(nominal.failure.mgt),
             governed_by: governing.path,
-            frictions: companions.frictions(),
+            frictions: info.scatter.map_or_else(Vec::new, |_| companions.frictions()),
+            tornado: tornado(info, log, &run, &companions),
             part_of_row: RowPartSummary::of(info, log),
             maintenance: info.maintenance.map(|removal| MaintenanceSummary::of(&removal, &rows, &path)),
             wheels: WheelSummary::of(info.mix(), &path),

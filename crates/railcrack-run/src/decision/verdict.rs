@@ -455,9 +455,10 @@ impl<'a> Judged<'a> {
                 ReasonKind::EndOfRun,
                 format!("the rail is worn to the limit at which it is replaced after {}", words.of(replaced)),
             ),
-            (None, Some(worn), _) => {
-                (ReasonKind::EndOfRun, format!("the cracks are worn away after {}", words.of(worn)))
-            }
+            (None, Some(worn), _) => (
+                ReasonKind::EndOfRun,
+                format!("the cracks are worn away after {}{}", words.of(worn), self.flake()),
+            ),
             (None, None, Some(stop)) if is_at_rest(stop) => {
                 (ReasonKind::EndOfRun, format!("no crack grows any longer{}", self.flake()))
             }

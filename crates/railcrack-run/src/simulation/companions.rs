@@ -7,6 +7,7 @@ use super::error::RunError;
 use super::job::Stage;
 use super::observer::{AskedAlone, RunObserver};
 use super::run::Simulation;
+use super::variations::{variations, varied};
 use crate::decision::{Course, NominalRun, Question, deciding, from_run};
 use crate::log::{Companion, CompanionKind, RunInfo, RunLog, StepDigest};
 use railcrack::fatigue::DirectionCriterion;
@@ -40,6 +41,8 @@ const BEYOND_CRITICAL: f64 = 1.1;
 const BEYOND_LIMIT: f64 = 1.3;
 /// Steps of a companion over those of the run: slower cracks and the limit path take more.
 const MORE_STEPS: usize = 3;
+/// Steps of the limit path at most.
+const MOST_OF_LIMIT: usize = 300;
 /// Steps of the limit path at most under wear or grinding: where they nearly keep up with growth it
 /// would go on by hundreds of small kinks, each dearer than the one before.
 const MOST_KINKS: usize = 75;
@@ -165,8 +168,13 @@ impl Simulation<'_> {
         // A rail that holds with the friction of the case may fail with another one.
         let one = case.crack_friction.first().copied();
         let is_one = case.crack_friction.iter().all(|friction| Some(*friction) == one);
-        if info.scatter.is_some() && is_one && course.points.len() > 1 {
+        let varied = variations(case);
+        let has_others = info.scatter.is_some() || !varied.is_empty();
+        if has_others && is_one && course.points.len() > 1 {
             kinds.extend(FRICTIONS.map(CompanionKind::Friction));
+        }
+        if course.points.len() > 1 {
+            kinds.extend(varied.into_iter().map(CompanionKind::Varied));
         }
         kinds
     }
@@ -181,7 +189,14 @@ impl Simulation<'_> {
         kept: Option<&[usize]>,
         beside: &Beside,
     ) -> Result<Companion, RunError> {
-        let mut case = case_of(self.case, kind);
+        let changed = match kind {
+            CompanionKind::Varied(variation) => varied(self.case, variation, beside.folder),
+            _ => Some(case_of(self.case, kind)),
+        };
+        let Some(mut case) = changed else {
+            let reason = Some("does not apply to this case".to_owned());
+            return Ok(Companion { kind, steps: Vec::new(), reason });
+        };
         let part = kept.and_then(|kept| case.with_cracks(kept));
         // A rail that is shared has the mesh of all cracks.
         let shared = self.shared.filter(|_| part.is_none());
@@ -266,12 +281,15 @@ fn case_of(case: &Case, kind: CompanionKind) -> Case {
     if case.growth.answer.is_none() {
         case.growth.steps *= MORE_STEPS;
     }
+    if kind == CompanionKind::Limit {
+        case.growth.steps = case.growth.steps.min(MOST_OF_LIMIT);
+    }
     let is_removed = case.maintenance.is_some_and(|removal| removal.mean_rate() > 0.0);
     if kind == CompanionKind::Limit && is_removed {
         case.growth.steps = case.growth.steps.min(MOST_KINKS);
     }
     match kind {
-        CompanionKind::PartOfRow => {}
+        CompanionKind::PartOfRow | CompanionKind::Varied(_) => {}
         CompanionKind::Straight => case.growth.turning = Turning::Over(f64::INFINITY),
         CompanionKind::Limit => {
             // By the criterion that follows the load at once: others have no limit to speak of.

@@ -7,8 +7,8 @@ use crate::pages::phrases::{calibration, detectable_to_critical, sentence};
 use crate::table::{MISSING, Table};
 use railcrack_run::decision::{
     Decision, FailureMode, FrictionLife, InspectionSummary, MaintenanceSummary, PathLives, Reason,
-    RiskSummary, RowPartSummary, ScatterSummary, StageSummary, StagesSummary, TonnageWords, VerdictLevel,
-    WheelSummary, interval_in_words,
+    RiskSummary, RowPartSummary, ScatterSummary, StageSummary, StagesSummary, TonnageWords, TornadoBar,
+    VerdictLevel, WheelSummary, interval_in_words,
 };
 
 /// Approximate number of rows in the table of depths; `summary.json` has all.
@@ -45,6 +45,9 @@ pub(super) fn tables(run: &RunFolder) -> Vec<Block> {
     }
     if !decision.risk.risk.is_empty() {
         blocks.push(Block::Table(risks(&decision.risk)));
+    }
+    if !decision.tornado.is_empty() {
+        blocks.push(Block::Table(tornado(&decision.tornado)));
     }
     if !decision.wheels.is_empty() {
         blocks.push(Block::Table(wheels(&decision.wheels)));
@@ -186,6 +189,19 @@ fn window(inspection: &InspectionSummary) -> String {
         _ => "no critical state is reached within the run".to_owned(),
     };
     format!("{found}; {critical}.")
+}
+
+/// What the answer hangs on.
+fn tornado(bars: &[TornadoBar]) -> Table {
+    let mut table = Table::new(["Quantity", "With", "Life (MGT)", "Verdict"]);
+    table.caption =
+        "What the answer hangs on, the widest first: lives with other values of what is seldom known"
+            .to_owned();
+    for bar in bars {
+        let life = bar.mgt.map_or_else(|| "no failure within the run".to_owned(), tonnage);
+        table.row([bar.quantity.clone(), bar.setting.clone(), life, bar.level.word().to_owned()]);
+    }
+    table
 }
 
 fn risks(risk: &RiskSummary) -> Table {
