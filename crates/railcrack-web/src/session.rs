@@ -43,7 +43,7 @@ impl Session {
             "version": VERSION,
             "title": case.title,
             "toml": case.to_toml(),
-            "steps": case.growth.steps,
+            "steps": case.growth.expected_steps(),
             "half_width_mm": case.half_width(),
             "axle_load_t": case.axle_load,
             "face_points": RunSize::estimate(case).face_points,

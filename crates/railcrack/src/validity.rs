@@ -100,13 +100,15 @@ pub enum ValidityWarning {
     },
     /// A crack that gets deeper faster than cracks in track.
     #[error(
-        "a crack gets deeper by {rate:.3} mm per million gross tonnes, more than {limit}, which is ten times what head checks in track \
-         are found to grow: calibrate C of the growth law (railcrack calibrate)"
+        "a crack {depth:.1} mm deep gets deeper by {rate:.2} mm per million gross tonnes, more than {limit:.2}, which is about three \
+         times the fastest growth that is measured in track at that depth: calibrate C of the growth law (railcrack calibrate)"
     )]
     FastGrowth {
         /// Growth into the depth, mm per million gross tonnes.
         rate: f64,
-        /// Ten times the usual growth, mm per million gross tonnes.
+        /// Depth of the crack, mm.
+        depth: f64,
+        /// The largest usual growth, mm per million gross tonnes.
         limit: f64,
     },
     /// A crack in space whose criterion asks for a kink out of its plane.
@@ -252,9 +254,29 @@ pub(crate) const SHORTEST_CRACK: f64 = 0.05;
 /// Opening (mm) of a crack under a wheel up to which the contact is not affected; larger openings
 /// exceed the indentation of the wheel.
 pub const UNCOUPLED_OPENING: f64 = 0.05;
-/// Growth into the depth (mm per million gross tonnes) that is ten times that of head checks in
-/// track: 0.4 to 1.1 mm per 10 million gross tonnes at depths of 0.3 to 2.3 mm.
-pub const TEN_TIMES_HEAD_CHECKS: f64 = 0.3;
+/// Fastest growth into the depth (mm per million gross tonnes) that is measured in track, by depth
+/// (mm): 0.4 to 1.1 mm per 10 million gross tonnes at 0.3 to 2.3 mm, 2.4 to 3.2 mm at 5 to 8 mm.
+pub const FASTEST_MEASURED: [(f64, f64); 2] = [(2.3, 0.11), (5.0, 0.32)];
+/// The slowest growth of the same records.
+pub const SLOWEST_MEASURED: [(f64, f64); 2] = [(2.3, 0.04), (5.0, 0.24)];
+/// Growth over the fastest that is measured from which on a rate needs a reason.
+const TOO_FAST: f64 = 0.3 / 0.11;
+
+/// Growth into the depth (mm per million gross tonnes) at `depth` (mm) by one of the `measured`
+/// bands: constant outside of its depths, linear in the logarithms between them.
+#[must_use]
+pub fn measured_growth(measured: [(f64, f64); 2], depth: f64) -> f64 {
+    let [(shallow, slow), (deep, fast)] = measured;
+    let share = (depth.max(shallow) / shallow).ln() / (deep / shallow).ln();
+    slow * (fast / slow).powf(share.min(1.0))
+}
+
+/// Growth into the depth (mm per million gross tonnes) of a crack of `depth` (mm) from which on a
+/// rate needs a reason.
+#[must_use]
+pub fn fast_growth(depth: f64) -> f64 {
+    TOO_FAST * measured_growth(FASTEST_MEASURED, depth)
+}
 /// Angle (degrees) below which a crack was probably given in radians: flatter cracks are not seen
 /// in rails.
 pub(crate) const FLATTEST_CRACK: f64 = 2.0;
@@ -325,11 +347,11 @@ pub fn flap(opening: f64) -> Option<ValidityWarning> {
     (opening > limit).then_some(ValidityWarning::LiftedFlap { opening, limit })
 }
 
-/// Compares the growth of a crack into the depth (mm per million gross tonnes) = `rate` with ten
-/// times that of head checks in track.
-pub fn depth_rate(rate: f64) -> Option<ValidityWarning> {
-    let limit = TEN_TIMES_HEAD_CHECKS;
-    (rate > limit).then_some(ValidityWarning::FastGrowth { rate, limit })
+/// Compares the growth (mm per million gross tonnes) into the depth of a crack of `depth` (mm) with
+/// what is measured in track.
+pub fn depth_rate(rate: f64, depth: f64) -> Option<ValidityWarning> {
+    let limit = fast_growth(depth);
+    (rate > limit).then_some(ValidityWarning::FastGrowth { rate, depth, limit })
 }
 
 /// Checks the half-width of the contact (mm) for an input in metres.

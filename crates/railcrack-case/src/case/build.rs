@@ -19,15 +19,15 @@ use crate::tables::{
     BOUNDARY, BoundaryKind, CALIBRATION, CENTRE, CRACK, CalibrationPrior, ContactExtent, ContactSolver,
     ENGINE, Engine, FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture, GROWTH, Growing, INSPECTION,
     Inspection, InspectionRisk, MAINTENANCE, MGT_PER_YEAR, NETWORK, OUTPUT, Output, PASSAGE, PROFILE,
-    PlaneEngine, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER, SOLVER_CONTACT,
-    Scatter, Scattering, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL_TEMPERATURE,
-    WHEEL_TRACK, WIDTH, YIELD_STRESS, engine_of, is_of_the_steel, read_calibration, read_growth,
-    read_inspection, read_maintenance, read_risk, read_scatter, read_steel,
+    PathGiven, PlaneEngine, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER,
+    SOLVER_CONTACT, STRAIGHT_BY_DEFAULT, Scatter, Scattering, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP,
+    TRACK, TRAFFIC, WHEEL_TEMPERATURE, WHEEL_TRACK, WIDTH, YIELD_STRESS, engine_of, is_of_the_steel,
+    read_calibration, read_growth, read_inspection, read_maintenance, read_risk, read_scatter, read_steel,
 };
 use railcrack::bulk::Boundary;
 use railcrack::contact::{CrackFluid, FluidModel};
 use railcrack::fatigue::RailSteel;
-use railcrack::growth::{GrowthSettings, Mgt, NetworkContact, SurfaceRemoval};
+use railcrack::growth::{Answer, GrowthSettings, Mgt, NetworkContact, SurfaceRemoval};
 use railcrack::material::IsotropicElastic;
 use railcrack::math::MPA_SQRT_MM;
 use std::path::Path;
@@ -190,6 +190,7 @@ impl Upkeep {
             toughness: fracture.map(|fracture| fracture.at_rail),
             steel: parts.steel_of_law(),
             has_tonnes,
+            prior: calibration(sections),
             is_maintained: sections.one(&MAINTENANCE).is_some(),
             is_mix: parts.wheels().is_none_or(|wheels| wheels.len() > 1),
         };
@@ -212,6 +213,7 @@ fn case_of(parts: Parts, upkeep: Upkeep, sections: &Sections) -> Option<Case> {
     let (placed, growth, fracture, geometry) =
         (parts.placed?, parts.growth?, parts.fracture.ok()?, parts.geometry?);
     let (maintenance, axle_load) = (upkeep.maintenance.ok()?, upkeep.axle_load);
+    let inspection = upkeep.inspection.ok()?;
     let (solver, output) = (sections.one(&SOLVER)?, sections.one(&OUTPUT)?);
     // A crack in space has no kink to test.
     let arresting = fracture.as_ref().filter(|_| matches!(geometry, Geometry::Plane(_)));
@@ -229,7 +231,7 @@ fn case_of(parts: Parts, upkeep: Upkeep, sections: &Sections) -> Option<Case> {
             toughness: fracture.as_ref().map(|fracture| MPA_SQRT_MM * fracture.at_rail),
             pop_in: arresting.and_then(|fracture| fracture.pop_in),
             maintenance: maintenance.zip(axle_load).map(|(removal, tonnes)| removal.over_axles(tonnes)),
-            ..growth.settings
+            ..asking(&growth, inspection.as_ref(), fracture.is_some())
         },
         growth_steel: growth.steel,
         growth_rates: growth.rates,
@@ -240,13 +242,32 @@ fn case_of(parts: Parts, upkeep: Upkeep, sections: &Sections) -> Option<Case> {
         output: Output::read(output)?,
         axle_load,
         maintenance,
-        inspection: upkeep.inspection.ok()?,
+        inspection,
         inspection_risk: upkeep.inspection_risk.ok()?,
         mgt_per_year: sections.one(&TRAFFIC).and_then(|section| section.get(MGT_PER_YEAR)),
         scatter: upkeep.scatter.ok()?,
         calibration: calibration(sections),
         written: Written::of(sections),
     })
+}
+
+/// The settings of `growth` in a case with `inspection` whose rail may break if it `has_fracture`:
+/// without a number of increments, the run goes on until it has its answer, if it is asked for one,
+/// and a path of which nothing is said is the one that head checks are measured to take.
+fn asking(growth: &Growing, inspection: Option<&Inspection>, has_fracture: bool) -> GrowthSettings {
+    let mut settings = growth.settings.clone();
+    if growth.path == PathGiven::ByDefault && inspection.is_some() {
+        settings.straight_depth = STRAIGHT_BY_DEFAULT;
+    }
+    if settings.answer.is_none() {
+        return settings;
+    }
+    let critical_depth = inspection.and_then(|inspection| inspection.critical_depth);
+    let limits = [critical_depth, settings.critical_length, settings.stop_after_cycles];
+    if has_fracture || limits.iter().any(Option::is_some) {
+        return GrowthSettings { answer: Some(Answer { critical_depth }), ..settings };
+    }
+    GrowthSettings { answer: None, steps: GrowthSettings::REFERENCE.steps, ..settings }
 }
 
 /// The prior of a calibration, by default that of the validation suite in the geometry of the case.

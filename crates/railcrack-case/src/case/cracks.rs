@@ -4,7 +4,8 @@ use super::limits::RESOLVED;
 use super::row_scatter::RowScatter;
 use crate::schema::{Fault, KeyRow, Report, SectionValues, short};
 use crate::tables::{
-    ANGLE, ANGLES, COUNT, CRACK_FRICTION, Engine, LENGTH, MOUTH, POINTS, SPACING, SURFACE_HALF_LENGTH,
+    ANGLE, ANGLES, COUNT, CRACK_DEPTH, CRACK_FRICTION, Engine, LENGTH, MOUTH, POINTS, SPACING,
+    SURFACE_HALF_LENGTH,
 };
 use railcrack::crack::{Crack, CrackError, CrackNetwork, segment_distance};
 use railcrack::math::{RailBox, Vec2};
@@ -93,7 +94,7 @@ fn place_row(section: &SectionValues, report: &mut Report) -> Option<(Vec<Crack>
     let mut row = Vec::with_capacity(count);
     for _ in 0..count {
         let own = scatter.draw();
-        let copy = match (section.get(MOUTH), section.get(LENGTH), section.get(ANGLE)) {
+        let copy = match (section.get(MOUTH), length_of(section), section.get(ANGLE)) {
             (Some(mouth), Some(length), Some(angle)) => {
                 straight(section, (mouth, length + own.length, angle + own.angle), report)?
             }
@@ -120,7 +121,13 @@ fn place_first(section: &SectionValues, report: &mut Report) -> Option<Crack> {
         let crack = Crack::polyline(points).map_err(refuse).ok()?;
         return is_resolved(&crack, section, report).then_some(crack);
     }
-    straight(section, (section.get(MOUTH)?, section.get(LENGTH)?, section.get(ANGLE)?), report)
+    straight(section, (section.get(MOUTH)?, length_of(section)?, section.get(ANGLE)?), report)
+}
+
+/// The length (mm) of the straight crack of `section`, which gives it or its depth.
+fn length_of(section: &SectionValues) -> Option<f64> {
+    let of_depth = || Some(section.get(CRACK_DEPTH)? / section.get(ANGLE)?.to_radians().sin());
+    section.get(LENGTH).or_else(of_depth)
 }
 
 /// A straight crack from its mouth (mm), its length (mm) and its angle (degrees).

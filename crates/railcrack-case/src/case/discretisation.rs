@@ -128,6 +128,6 @@ impl Case {
     /// Whether the steps are expected to make the cracks outgrow the first mesh.
     #[must_use]
     pub fn outgrows_first_mesh(&self) -> bool {
-        (1.0 + self.growth.increment).powf(self.growth.steps as f64) > WINDOWS[0]
+        (1.0 + self.growth.increment).powf(self.growth.expected_steps() as f64) > WINDOWS[0]
     }
 }

@@ -87,7 +87,7 @@ impl Case {
             settings.push(format!("growth.threshold_2_mpa_sqrt_m={:?}", law.threshold_2));
         }
         if let Some(scatter) = &self.scatter {
-            settings.push(format!("scatter.paris_c_log_std={:?}", scatter.c_log_std));
+            settings.push(format!("scatter.paris_c_log_std={:?}", scatter.rail_log_std));
         }
         Overrides { settings, left_out: vec!["growth.steel".to_owned()], ..Overrides::default() }
     }

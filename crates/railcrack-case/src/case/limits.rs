@@ -82,7 +82,9 @@ pub(super) fn check_size(
     if !check_face_points(case, mesh, report) {
         return false;
     }
-    let rows = case.positions(case.first_wheel()).len() as f64 * (case.growth.steps as f64 + 1.0) * points;
+    let rows = case.positions(case.first_wheel()).len() as f64
+        * (case.growth.expected_steps() as f64 + 1.0)
+        * points;
     if rows > MOST_ROWS {
         let says =
             format!("with [growth] steps, up to {rows:.2e} rows of results; the limit is {MOST_ROWS:e}");

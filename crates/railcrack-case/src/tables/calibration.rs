@@ -1,6 +1,6 @@
 //! `[calibration]`: prior and discrepancy of a calibration by measurements.
 
-use crate::schema::{NumberOr, SectionValues, closed, integer, number_or, positive, section};
+use crate::schema::{NumberOr, SectionValues, closed, integer, number, number_or, positive, section};
 
 section! {
     CALIBRATION "calibration", Optional,
@@ -11,6 +11,10 @@ section! {
         "Standard deviation of ln C before the measurements; \"suite\" takes that of the residuals of `railcrack validate`: 1.6 in the plane, 1.28 in space.");
     DISCREPANCY_LOG_STD: NumberOr = number_or("discrepancy_log_std", closed(0.0, 10.0), "evidence",
         "Standard deviation by which ln C differs from site to site; \"evidence\" takes the value under which the measurements are most probable.");
+    LEAST_DEPTH: f64 = number("least_depth_mm", "mm", closed(0.0, 1e3), 1.0,
+        "The least depth (or length) of the measurements by which this case has been calibrated, as `railcrack calibrate` writes it.").optional();
+    GREATEST_DEPTH: f64 = number("greatest_depth_mm", "mm", closed(0.0, 1e3), 3.0,
+        "The greatest of them: beyond it, a decision says that nothing was measured.").optional();
     SITES: usize = integer("sites", (1, 100_000), 1,
         "Number of measured sites by which this case has been calibrated, as `railcrack calibrate` writes it into its result; without, a decision says that absolute rates are not known.").optional();
 }
@@ -26,13 +30,16 @@ pub struct CalibrationPrior {
     pub discrepancy: Option<f64>,
     /// Number of sites by which the case has been calibrated; `None` where it has not.
     pub sites: Option<usize>,
+    /// The least and the greatest depth of the measurements, mm, where they are known.
+    pub depths: Option<[f64; 2]>,
 }
 
 impl CalibrationPrior {
     /// Of a plane case, by the residuals of the eight rates of growth in track that `railcrack
     /// validate` compares with the plane: ln(measured/predicted) in the mean, and its standard
     /// deviation from entry to entry together with that from place to place.
-    pub const PLANE: Self = Self { log_mean: -1.39, log_std: 1.60, discrepancy: None, sites: None };
+    pub const PLANE: Self =
+        Self { log_mean: -1.39, log_std: 1.60, discrepancy: None, sites: None, depths: None };
     /// Of a case in space, by the residuals of the same rates there.
     pub const SPACE: Self = Self { log_mean: 0.26, log_std: 1.28, ..Self::PLANE };
 }
@@ -48,5 +55,6 @@ pub(crate) fn read_calibration(section: &SectionValues, suite: CalibrationPrior)
         log_std: number(section.get(PRIOR_LOG_STD)?).unwrap_or(suite.log_std),
         discrepancy: number(section.get(DISCREPANCY_LOG_STD)?),
         sites: section.get(SITES),
+        depths: section.get(LEAST_DEPTH).zip(section.get(GREATEST_DEPTH)).map(|(from, to)| [from, to]),
     })
 }

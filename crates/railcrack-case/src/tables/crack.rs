@@ -8,9 +8,11 @@ pub(crate) const ANGLES: NumberRange = NumberRange::closed(0.5, 179.5);
 
 section! {
     CRACK "crack", Repeated, "A crack or a row of cracks; the section is repeated for each.",
-        forms [[MOUTH, LENGTH, ANGLE], [POINTS]];
+        forms [[MOUTH, LENGTH, ANGLE], [MOUTH, CRACK_DEPTH, ANGLE], [POINTS]];
     MOUTH: f64 = number("mouth_mm", "mm", within(1e6), 0.0, "x coordinate of the crack mouth.").required();
     LENGTH: f64 = number("length_mm", "mm", closed(1e-3, 1e4), 6.0, "Length of a straight crack.").required();
+    CRACK_DEPTH: f64 = number("depth_mm", "mm", closed(1e-3, 1e4), 1.5,
+        "Depth of the tip of a straight crack, as an inspection gives it, instead of its length: length_mm = depth_mm/sin(angle_deg).").required();
     ANGLE: f64 = number("angle_deg", "degrees", ANGLES, 15.0, "Angle of the crack below the surface, measured from +x; no engine resolves flatter cracks.")
         .required();
     POINTS: Vec<[f64; 2]> = points("points_mm", "mm", within(1e6), &[[0.0, 0.0], [4.0, -1.0], [6.0, -1.2]],

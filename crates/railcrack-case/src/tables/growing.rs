@@ -2,13 +2,13 @@
 
 use super::growth::{
     ARREST_RATE, CRITICAL_LENGTH, DIRECTION, INCREMENT, KINK_ANGLE, KINK_FRICTION, STEPS, STOP_AFTER_CYCLES,
-    TOLERANCE, TURNING, TURNING_LENGTH, Turns,
+    STRAIGHT_TO, TOLERANCE, TURNING, TURNING_LENGTH, Turns,
 };
 use super::law::read_law;
 use crate::files::RatesFile;
 use crate::schema::{Report, SectionValues};
 use railcrack::fatigue::RailSteel;
-use railcrack::growth::{GrowthSettings, Turning};
+use railcrack::growth::{Answer, GrowthSettings, Turning};
 use std::path::Path;
 
 /// The growth of the cracks as a case gives it.
@@ -19,6 +19,17 @@ pub(crate) struct Growing {
     pub steel: Option<&'static RailSteel>,
     /// The table whose law it is.
     pub rates: Option<RatesFile>,
+    /// Whether the case says how its paths turn.
+    pub path: PathGiven,
+}
+
+/// Who says how paths turn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum PathGiven {
+    /// The case.
+    ByCase,
+    /// Nobody.
+    ByDefault,
 }
 
 /// The first increment that is chosen for a tolerance, as a fraction of the length.
@@ -49,15 +60,18 @@ pub(crate) fn read_growth(section: &SectionValues, folder: &Path, report: &mut R
         return None;
     }
     let is_given = increment.is_some() || turning.is_kink();
+    let steps = section.get(STEPS);
     let settings = GrowthSettings {
         toughness: None,
         pop_in: None,
         usual_toughness: None,
         maintenance: None,
-        steps: section.get(STEPS)?,
+        steps: steps.unwrap_or(GrowthSettings::MOST_STEPS),
+        answer: steps.is_none().then_some(Answer::default()),
         increment: increment.unwrap_or(if is_given { defaults.increment } else { FIRST_INCREMENT }),
         tolerance: (!is_given).then_some(tolerance.unwrap_or(TOLERANCE_BY_DEFAULT)),
         turning,
+        straight_depth: section.get(STRAIGHT_TO).unwrap_or(0.0),
         kink_angle: section.get(KINK_ANGLE).map_or(defaults.kink_angle, f64::to_radians),
         kink_friction: section.get(KINK_FRICTION)?,
         law: given.law,
@@ -66,5 +80,7 @@ pub(crate) fn read_growth(section: &SectionValues, folder: &Path, report: &mut R
         critical_length: section.get(CRITICAL_LENGTH),
         stop_after_cycles: section.get(STOP_AFTER_CYCLES),
     };
-    Some(Growing { settings, steel: given.steel, rates: given.rates })
+    let says_so = turning.is_kink() || section.is_given(TURNING_LENGTH) || section.is_given(STRAIGHT_TO);
+    let path = if says_so { PathGiven::ByCase } else { PathGiven::ByDefault };
+    Some(Growing { path, settings, steel: given.steel, rates: given.rates })
 }

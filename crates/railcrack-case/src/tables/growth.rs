@@ -10,7 +10,7 @@ use railcrack::growth::Turning;
 section! {
     GROWTH "growth", Defaulted, "Crack growth: da/dN as a function of an equivalent range dKeq of dKI and dKII.";
     STEPS: usize = integer("steps", (0, 10_000), 25,
-        "The largest number of increments; 0 computes the initial cracks only.");
+        "The largest number of increments; 0 computes the initial cracks only. A grinding, or an increment that is cut to end at one, does not count. Without this key, a case that says what a failure is (critical_depth_mm, critical_length_mm, [fracture]) or stop_after_cycles goes on until its answer is known, for 1000 increments at most, and any other for 25.").optional();
     INCREMENT: f64 = number("increment", "", closed(1e-4, 0.5), 0.04,
         "Increment of the fastest tip, as a fraction of its crack's length; without this key, the increments are chosen for the tolerance. At the smallest value, doubling the length takes up to 10 000 steps.").optional();
     TOLERANCE: f64 = number("tolerance", "", closed(1e-5, 0.2), 0.01,
@@ -19,6 +19,9 @@ section! {
     TURNING_LENGTH: f64 = number("turning_length_mm", "mm", closed(0.0, f64::INFINITY), Turning::DEFAULT_LENGTH,
         "Length l over which a path turns, dtheta/ds = theta*/l, where theta* is the best kink. inf: straight ahead; 0: the limit path, on which the best kink is zero.")
         .only_with(TURNING, "smooth", "a kink has no length");
+    STRAIGHT_TO: f64 = number("straight_to_mm", "mm", closed(0.0, 1e3), STRAIGHT_BY_DEFAULT,
+        "Depth of a tip up to which its path goes straight ahead at its angle, whatever the criterion, as measured paths of head checks do to 2 to 3 mm before they turn; by default 2.5 in a case with [inspection] that leaves turning_length_mm out, and otherwise 0. The plane engines only.")
+        .only_with(TURNING, "smooth", "every increment kinks").optional();
     KINK_ANGLE: f64 = number("kink_angle_deg", "deg", closed(1.0, 110.0), 30.0,
         "Best kink from which a path kinks at once.")
         .only_with(TURNING, "smooth", "every increment kinks");
@@ -53,6 +56,10 @@ section! {
     STOP_AFTER_CYCLES: f64 = number("stop_after_cycles", "cycles", closed(1e-3, 1e18), 1e7,
         "The run ends after this many load cycles.").optional();
 }
+
+/// Depth (mm) to which measured head checks grow straight at their angle before they turn
+/// (validation T15 and T16: 2 to 3 mm).
+pub(crate) const STRAIGHT_BY_DEFAULT: f64 = 2.5;
 
 /// The shape that the front of a crack in space keeps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,5 +1,6 @@
 //! `[inspection]` and `[scatter]`: from growth to an interval with its uncertainty.
 
+use super::calibration::CalibrationPrior;
 use crate::files::{DetectionFile, read_detection};
 use crate::schema::{Report, SectionValues, closed, file, integer, number, section};
 use railcrack::fatigue::RailSteel;
@@ -35,7 +36,7 @@ section! {
     SAMPLES: usize = integer("samples", (10, 10_000_000), 100_000, "Number of samples.");
     SEED: usize = integer("seed", (0, 4_294_967_295), 1, "Seed of the random numbers.");
     C_LOG_STD: f64 = number("paris_c_log_std", "", closed(0.0, 5.0), 0.3,
-        "Standard deviation of ln C, where C is the coefficient of the growth law in use; by default that of the steel of [growth], or 0.3.").optional();
+        "Standard deviation of ln C, where C is the coefficient of the growth law in use; by default that of the prior of [calibration] (prior_log_std) as long as the case is not calibrated, and then that of the steel of [growth], or 0.3.").optional();
     M_STD: f64 = number("paris_m_std", "", closed(0.0, 5.0), 0.0,
         "Standard deviation of the exponent; it leaves the scatter of the rate at dKeq = 10 MPa sqrt(m) unchanged.");
     TOUGHNESS_STD: f64 = number("toughness_std", "MPa sqrt(m)", closed(0.0, 100.0), 0.0,
@@ -85,6 +86,9 @@ pub struct Scatter {
     pub seed: usize,
     /// Standard deviation of ln C.
     pub c_log_std: f64,
+    /// The same from rail to rail, once the rates of a site are known: that of the steel, unless
+    /// `c_log_std` is given.
+    pub rail_log_std: f64,
     /// Standard deviation of the exponent.
     pub m_std: f64,
     /// K_Ic, MPa√m, where the case gives it.
@@ -183,6 +187,8 @@ pub(crate) struct Scattering<'a> {
     /// K_Ic, MPa√m.
     pub toughness: Option<f64>,
     pub steel: Option<&'a RailSteel>,
+    /// What is known of the coefficient of the growth law.
+    pub prior: CalibrationPrior,
     /// Whether axle loads are given.
     pub has_tonnes: bool,
     /// Whether the surface is removed.
@@ -193,7 +199,7 @@ pub(crate) struct Scattering<'a> {
 
 /// The scatter of a case.
 pub(crate) fn read_scatter(section: &SectionValues, of: Scattering, report: &mut Report) -> Option<Scatter> {
-    let Scattering { toughness, steel, has_tonnes, is_maintained, is_mix } = of;
+    let Scattering { toughness, steel, prior, has_tonnes, is_maintained, is_mix } = of;
     needs_tonnes(section, has_tonnes, report)?;
     let (wear_std, share_log_std) = (section.get(WEAR_STD)?, section.get(SHARE_LOG_STD)?);
     if wear_std > 0.0 && !is_maintained {
@@ -214,11 +220,14 @@ pub(crate) fn read_scatter(section: &SectionValues, of: Scattering, report: &mut
         report.add(section.fault(TOUGHNESS_STD, "there is no [fracture] with a mean toughness").help(help));
         return None;
     }
-    let usual = steel.map_or(USUAL_LOG_STD, |steel| steel.c_log_std);
+    // Scatter of tests in a laboratory is that of a rail only where the rates of its site are known.
+    let of_steel = steel.map_or(USUAL_LOG_STD, |steel| steel.c_log_std);
+    let usual = if prior.sites.is_some() { of_steel } else { prior.log_std };
     Some(Scatter {
         samples: section.get(SAMPLES)?,
         seed: section.get(SEED)?,
         c_log_std: section.get(C_LOG_STD).unwrap_or(usual),
+        rail_log_std: section.get(C_LOG_STD).unwrap_or(of_steel),
         m_std: section.get(M_STD)?,
         toughness,
         toughness_std,

@@ -16,6 +16,8 @@ section! {
         "Traffic until the first grinding; by default grinding_interval_mgt.").optional();
     WEAR_LIMIT: f64 = number("wear_limit_mm", "mm", closed(1e-3, 100.0), 14.0,
         "Depth removed by wear and grinding at which the rail is replaced; the run ends there.").optional();
+    LEAST_SPALL: f64 = number("least_spall_mm", "mm", closed(0.0, 100.0), 0.3,
+        "Thickness from which a piece that breaks out of the running surface is a failure; by default the larger of 0.3 and grinding_mm, and no flake that a grinding cuts off is one.").optional();
     STRESS: StressMoves = choice("stress_moves_with",
         "How residual and plastic stresses move as the surface is worn down.");
 }
@@ -56,5 +58,6 @@ pub(crate) fn read_maintenance(
         report.add(section.fault(WEAR_LIMIT, "is never reached: nothing is removed").help(help));
         return None;
     }
-    Some(SurfaceRemoval { wear, grinding, limit, stress: section.get(STRESS)? })
+    let (stress, least_spall) = (section.get(STRESS)?, section.get(LEAST_SPALL));
+    Some(SurfaceRemoval { wear, grinding, limit, stress, least_spall })
 }

@@ -44,15 +44,16 @@ pub use wheel_load::{GivenContact, GivenWheel, WheelLoading};
 pub(crate) use calibration::{CALIBRATION, read_calibration};
 pub(crate) use contact::{CONTACT, COUPLED, KIND, LATERAL_HALF_WIDTH};
 pub(crate) use crack::{
-    ANGLE, ANGLE_SD, ANGLES, COUNT, CRACK, CRACK_FRICTION, CRACK_LATERAL, LENGTH, LENGTH_SD, MOUTH, POINTS,
-    ROW_SEED, SPACING, SPACING_SD, STRIKE, SURFACE_HALF_LENGTH,
+    ANGLE, ANGLE_SD, ANGLES, COUNT, CRACK, CRACK_DEPTH, CRACK_FRICTION, CRACK_LATERAL, LENGTH, LENGTH_SD,
+    MOUTH, POINTS, ROW_SEED, SPACING, SPACING_SD, STRIKE, SURFACE_HALF_LENGTH,
 };
 pub(crate) use file::CASE_FILE;
 pub(crate) use fluid::{FLUID, read_fluid};
 pub(crate) use fracture::FRACTURE;
-pub(crate) use growing::{Growing, read_growth};
+pub(crate) use growing::{Growing, PathGiven, read_growth};
 pub(crate) use growth::{
-    FRONT, FRONT_HARMONICS, FrontForm, GROWTH, LAW, MODE_3_WEIGHT, STEPS, is_of_the_steel,
+    FRONT, FRONT_HARMONICS, FrontForm, GROWTH, LAW, MODE_3_WEIGHT, STEPS, STRAIGHT_BY_DEFAULT,
+    is_of_the_steel,
 };
 pub(crate) use inspection::{INSPECTION, SCATTER, Scattering, read_inspection, read_risk, read_scatter};
 pub(crate) use maintenance::{MAINTENANCE, read_maintenance};

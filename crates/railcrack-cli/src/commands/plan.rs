@@ -132,8 +132,8 @@ fn result_text(summary: &PlanSummary, folder: &Path) -> String {
                 tonnage(mgt)
             ));
         }
-    } else if summary.verdict.level < VerdictLevel::Stop {
-        text.push_str("none of these plans holds\n");
+    } else if let Some(next) = summary.next_step() {
+        text.push_str(&format!("{next}\n"));
     } else {
         text.push_str("no grinding plan is derived from this case\n");
     }

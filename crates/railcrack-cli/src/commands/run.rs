@@ -13,7 +13,7 @@ use railcrack::words::Choice;
 use railcrack_case::{Case, Overrides};
 use railcrack_report::{PageEngine, Pages};
 use railcrack_run::decision::{
-    Reason, StageSummary, StagesSummary, TonnageWords, Verdict, VerdictLevel, three_digits,
+    Reason, StageSummary, StagesSummary, TonnageWords, Verdict, VerdictLevel, interval_in_words, three_digits,
 };
 use railcrack_run::machine::{Budget, Needs, long_step, short_of_address_space, step_seconds};
 use railcrack_run::setup::RunSize;
@@ -153,7 +153,7 @@ pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<
     if let Some(says) = long_step(step_seconds(&case, &size), &size).filter(|_| !arguments.execution.quiet) {
         print::warning(&says);
     }
-    let progress = Progress::new(arguments.execution.verbosity(), case.growth.steps, interruption)
+    let progress = Progress::new(arguments.execution.verbosity(), case.growth.expected_steps(), interruption)
         .with_axle_load(case.axle_load);
     let simulation = Simulation::new(&case).observed_by(&progress).presented_by(&Pages);
     Ok(simulation.run_in(&folder, entry)?)
@@ -252,6 +252,7 @@ fn build(count: usize, pool: rayon::ThreadPoolBuilder) -> Result<(), Failure> {
 fn verdict(verdict: &Verdict) -> String {
     let level = match verdict.level {
         VerdictLevel::Outside => "outside of what the model describes",
+        VerdictLevel::Unknown => "unknown",
         level => level.word(),
     };
     let head = |i: usize| if i == 0 { format!("verdict: {level}: ") } else { "also: ".to_owned() };
@@ -263,9 +264,14 @@ fn verdict(verdict: &Verdict) -> String {
 fn stages(stages: &StagesSummary) -> String {
     let one = |name: &str, stage: &StageSummary, by: &str| {
         let Some(mgt) = stage.mgt else { return format!("{name}: the run ends within it\n") };
-        let inspected =
-            stage.interval_mgt.map_or_else(String::new, |interval| format!(", {by} every {interval:.3}"));
-        format!("{name}: {mgt:.3} million gross tonnes{inspected}\n")
+        let depth =
+            stage.detectable_depth_mm.map_or_else(String::new, |depth| format!(" (from {depth} mm on)"));
+        let found = match (stage.mgt_detectable_to_end, stage.detectable_depth_mm) {
+            (Some(left), _) => format!(", {by}{depth} finds it {} before its end", three_digits(left)),
+            (None, Some(_)) => format!(", {by}{depth} does not find it before its end"),
+            (None, None) => String::new(),
+        };
+        format!("{name}: {} million gross tonnes{found}\n", three_digits(mgt))
     };
     let transverse = one("stage 2, from the turn to failure", &stages.transverse, "ultrasonics");
     let Some(head_check) = &stages.head_check else {
@@ -287,6 +293,8 @@ fn decision(summary: &Summary) -> String {
     let mut text = summary.verdict.as_ref().map_or_else(String::new, verdict);
     let Some(decision) = &summary.decision else { return text };
     let words = TonnageWords { mgt_per_year: decision.mgt_per_year };
+    let to_act_on = interval_in_words(decision.inspection.as_ref(), &decision.risk, words);
+    text.extend(to_act_on.map(|interval| format!("{interval}\n")));
     if let Some(paths) = decision.paths {
         let life = |mgt: Option<f64>| mgt.map_or_else(|| "none within the run".to_owned(), three_digits);
         text.push_str(&format!(
@@ -326,13 +334,6 @@ fn decision(summary: &Summary) -> String {
             100.0 * wheel.share_of_axles,
             100.0 * wheel.share_of_growth
         ));
-    }
-    if let Some(interval) = decision.inspection.and_then(|inspection| inspection.interval_mgt) {
-        text.push_str(&format!("inspection interval {}\n", words.of(interval)));
-    }
-    if let (Some(target), Some(interval)) = (decision.risk.target_risk, decision.risk.interval_for_target_mgt)
-    {
-        text.push_str(&format!("interval for a risk of {target}: {}\n", words.of(interval)));
     }
     text.push_str(&format!("{}\n", decision.calibration));
     text

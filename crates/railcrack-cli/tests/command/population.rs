@@ -68,7 +68,7 @@ fn samples_between_runs_are_log_normal_where_the_coefficient_is() {
     assert!((missed - 0.0140).abs() < 0.002, "{missed}");
     // Shares of the variance: 0.16 and 0.09 of 0.25.
     let shares = population["scatter"]["sensitivities"].as_array().unwrap();
-    assert_eq!(shares[0]["key"], "c_log_std");
+    assert_eq!(shares[0]["key"], "paris_c_log_std");
     for (share, exact) in shares.iter().zip([0.64, 0.36]) {
         assert!((share["share"].as_f64().unwrap() - exact).abs() < 0.02, "{shares:?}");
     }

@@ -148,16 +148,25 @@ fn warnings_are_those_of_the_worst_step() {
     // The rate along the crack times the sine of the way.
     let names = ["step", "crack", "tip", "depth_mm", "rate_mm_per_cycle", "increment_mm"];
     let growth = numbers(&read(&run.join("growth.csv")), &names);
+    // About three times the fastest that is measured: 0.11 mm per million gross tonnes down to 2.3 mm,
+    // 0.32 from 5 mm on.
+    let limit = |depth: f64| {
+        let share = (depth.clamp(2.3, 5.0) / 2.3).ln() / (5.0f64 / 2.3).ln();
+        0.3 * (0.32f64 / 0.11).powf(share)
+    };
+    let mut fast = std::collections::BTreeSet::new();
     let mut rates: Vec<(f64, f64)> = Vec::new();
     for row in &growth {
         let next = growth.iter().find(|next| next[0] == row[0] + 1.0 && next[1..3] == row[1..3]);
         let Some(next) = next else { continue };
-        rates.push((row[4] * 1e6 / 20.0 * (next[3] - row[3]) / row[5], row[0]));
+        let rate = row[4] * 1e6 / 20.0 * (next[3] - row[3]) / row[5];
+        rates.push((rate, row[0]));
+        if rate > limit(row[3]) {
+            fast.insert(row[0] as u64);
+        }
     }
     let fastest = rates.iter().copied().reduce(|a, b| if b.0 > a.0 { b } else { a }).unwrap();
-    let fast: std::collections::BTreeSet<u64> =
-        rates.iter().filter(|(rate, _)| *rate > 0.3).map(|(_, step)| *step as u64).collect();
-    let rate = warning(&of_run, "ten times what head checks");
+    let rate = warning(&of_run, "the fastest growth that is measured in track");
     assert!((first_number(&rate, "deeper by ") / fastest.0 - 1.0).abs() < 0.01, "{rate}, {fastest:?}");
     assert_eq!(rate["step"].as_f64().unwrap(), fastest.1);
     assert_eq!(rate["steps"].as_u64().unwrap() as usize, fast.len());
@@ -182,24 +191,26 @@ fn warnings_are_those_of_the_worst_step() {
 
 /// Nothing is known after the last of the steps that the case allows.
 #[test]
-fn steps_that_end_before_a_failure_ask_for_action() {
-    let place = folder("verdict", "step-limit");
+fn steps_that_end_before_a_failure_leave_the_answer_unknown() {
+    let place = folder("verdict", "steps");
     let text = NETWORK.replace("increment = 0.05", "increment = 0.05\nparis_c = 1e-12");
     let ended = text.replace("steps = 3", "steps = 3\nstop_after_cycles = 1e4");
     // Without any step nothing is known of growth, whatever is looked for.
     let none = text.replace("steps = 3", "steps = 0");
     let found = "[inspection]\ndetectable_depth_mm = 1.6\n";
     let cases = [
-        (&text, INSPECTION, "act", "step-limit"),
+        (&text, INSPECTION, "unknown", "steps"),
         (&ended, INSPECTION, "ok", "end-of-run"),
-        (&none, INSPECTION, "act", "step-limit"),
-        (&none, found, "act", "step-limit"),
+        (&none, INSPECTION, "unknown", "steps"),
+        (&none, found, "unknown", "steps"),
     ];
     for (text, inspection, level, kind) in cases {
         fs::write(place.join("case.toml"), format!("{text}{TRAFFIC}{inspection}")).unwrap();
         done(&place, &["run", "case.toml", "--quiet", "--force", "--out", "run"]);
-        let verdict = summary(&place.join("run"))["decision"]["verdict"].clone();
-        assert_eq!((&verdict["level"], kinds(&verdict)), (&level.into(), vec![kind]), "{verdict}");
+        let decision = summary(&place.join("run"))["decision"].clone();
+        assert!(level != "unknown" || decision["inspection"].is_null(), "{decision}");
+        let verdict = &decision["verdict"];
+        assert_eq!((&verdict["level"], kinds(verdict)), (&level.into(), vec![kind]), "{verdict}");
     }
 }
 

@@ -84,8 +84,10 @@ interface TipData {
   cycles: number;
   delta_keq: number;
   rate: number;
-  /** Kink at the end of the step, degrees; null for a tip without load. */
+  /** Best kink of the direction criterion, degrees; null for a tip without load. */
   kink: number | null;
+  /** By how much its path turns in the step, degrees; null where that is not known. */
+  turn: number | null;
   stop: string;
 }
 

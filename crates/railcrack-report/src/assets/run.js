@@ -618,7 +618,9 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     const name = nameIfSeveral(tip) || "the crack";
     const whose = `${name[0].toUpperCase()}${name.slice(1)}`;
     if (tip.kink === null) return `${whose} is unloaded and does not kink`;
-    return `${whose} kinks by ${signed(tip.kink, 1)}\u00b0 at the end of the step`;
+    const best = `the best kink is ${signed(tip.kink, 1)}\u00b0`;
+    if (!tip.turn) return `${whose} goes straight ahead, where ${best}`;
+    return `${whose} turns by ${signed(tip.turn, 1)}\u00b0, where ${best}`;
   }
 
   // ---- Everything that follows the sliders ------------------------------------------------------

@@ -4,7 +4,7 @@ use crate::figures::Plot;
 use crate::numbers::{fixed, given, rounded, significant};
 use crate::page::{Banner, Block, Fact, Page, Section};
 use crate::pages::described::{OF_GROWTH, case_section, described};
-use crate::pages::phrases::calibration;
+use crate::pages::phrases::{calibration, sentence};
 use crate::table::{Cell, CellTone, MISSING, Table};
 use railcrack_case::Case;
 use railcrack_run::PlanFolder;
@@ -61,6 +61,7 @@ fn banner(summary: &PlanSummary) -> Banner {
     let (level, word) = match summary.verdict.level {
         VerdictLevel::Ok => ("ok", "Without grinding: OK"),
         VerdictLevel::Act => ("act", "Without grinding: act"),
+        VerdictLevel::Unknown => ("unknown", "Without grinding: not known"),
         VerdictLevel::Stop => ("stop", "Without grinding: stop"),
         VerdictLevel::Outside => ("outside", "Outside of what the model describes"),
     };
@@ -82,7 +83,7 @@ fn verdict(summary: &PlanSummary) -> String {
             shown(least),
             significant(least.removal_mm_per_mgt)
         ),
-        None => "None of these plans holds.".to_owned(),
+        None => summary.next_step().map_or_else(|| "None of these plans holds.".to_owned(), sentence),
     }
 }
 

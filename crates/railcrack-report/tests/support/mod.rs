@@ -182,6 +182,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
     };
     let state = GrowthState {
         step: step + 1,
+        counted: step + 1,
         geometry: geometry(size, cracks(size, if is_last { step } else { step + 1 })),
         interval: None,
         earlier: None,

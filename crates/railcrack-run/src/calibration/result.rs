@@ -1,7 +1,7 @@
 //! The result of a calibration, with what its text, file and page are made of.
 
 use super::fit::Calibration;
-use super::measured::Site;
+use super::measured::{Finding, Site};
 use super::parameter::ParameterFit;
 use super::posterior::{Posterior, Prior};
 use railcrack_case::Case;
@@ -22,7 +22,7 @@ const USUAL: f64 = 0.3;
 impl NewRail {
     /// By the `posterior` of `sites` sites.
     pub fn of(posterior: &Posterior, prior: Prior, sites: usize, case: &Case) -> Self {
-        let usual = case.scatter.as_ref().map_or(USUAL, |scatter| scatter.c_log_std);
+        let usual = case.scatter.as_ref().map_or(USUAL, |scatter| scatter.rail_log_std);
         let kept = posterior.std.hypot(usual);
         let (low, high) = posterior.new_interval;
         let std = (high - low) / (2.0 * QUANTILE_97_5);
@@ -40,9 +40,22 @@ impl NewRail {
     }
 }
 
-/// The setting of a calibrated case that names the number of its sites.
-pub fn calibrated_by(sites: &[Site]) -> String {
-    format!("calibration.sites={}", sites.len())
+/// The settings of a calibrated case that name the number of its sites, and the depths that were
+/// measured.
+pub fn calibrated_by(sites: &[Site]) -> Vec<String> {
+    let measured = sites.iter().flat_map(|site| &site.measured);
+    let depths = measured.filter_map(|one| match one.finding {
+        Finding::Size(size) => Some([size; 2]),
+        Finding::Within(from, to) if from.is_finite() && to.is_finite() => Some([from, to]),
+        Finding::Within(..) => None,
+    });
+    let mut settings = vec![format!("calibration.sites={}", sites.len())];
+    let range = depths.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
+    if let Some([least, greatest]) = range {
+        settings.push(format!("calibration.least_depth_mm={least:?}"));
+        settings.push(format!("calibration.greatest_depth_mm={greatest:?}"));
+    }
+    settings
 }
 
 /// The fit of a coefficient or of another number.

@@ -47,7 +47,9 @@ impl Comparison {
         let mut tips = Vec::with_capacity(keys.len());
         let mut aligned = Vec::with_capacity(keys.len());
         for &key in &keys {
-            let at_same_positions = align([first.history(key)?, second.history(key)?]);
+            let histories = first.history(key)?.zip(second.history(key)?);
+            let at_same_positions =
+                histories.map_or_else(Aligned::default, |(one, other)| align([one, other]));
             tips.extend(tip_comparison(runs, key, &at_same_positions));
             aligned.push(at_same_positions);
         }

@@ -3,6 +3,7 @@
 use super::align::Aligned;
 use super::stored::{StoredRun, TipKey};
 use super::tables::TipComparison;
+use railcrack_case::Kept;
 use std::collections::BTreeSet;
 
 const NAMES: [&str; 2] = ["first", "second"];
@@ -54,7 +55,15 @@ fn lone_tips(runs: [&StoredRun; 2]) -> Vec<String> {
 
 fn positions(runs: [&StoredRun; 2], tips: &[TipComparison], aligned: &[Aligned]) -> Vec<String> {
     let mut notes = Vec::new();
-    if tips.iter().any(|tip| tip.sifs().is_none()) {
+    let has_k = runs.iter().all(|run| run.kept == Kept::All);
+    let lacking = tips.iter().filter(|tip| tip.sifs().is_none()).count();
+    if !has_k && lacking < tips.len() {
+        notes.push(format!(
+            "K is compared in {} of {} tips and steps: the runs keep that of the first and the last step",
+            tips.len() - lacking,
+            tips.len()
+        ));
+    } else if lacking > 0 {
         notes.push("the passages have no wheel position in common: K is not compared".to_owned());
     }
     let Some((tip, aligned)) = tips.iter().zip(aligned).find(|(_, aligned)| aligned.interpolated.is_some())

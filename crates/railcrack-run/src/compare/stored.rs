@@ -1,6 +1,7 @@
 //! A run that is compared, from its folder.
 
 use crate::csv::{SifRow, Table, TipRow};
+use crate::decision::VerdictLevel;
 use crate::disk::files::{CASE_FILE, SUMMARY_FILE};
 use crate::error::OutputError;
 use crate::run_folder::{History, RunFolder, stored_case};
@@ -46,6 +47,12 @@ pub struct RunLabel {
     /// Million gross tonnes to the failure; null where there is none within the run.
     #[serde(default)]
     pub failure_mgt: Option<f64>,
+    /// Level of the verdict; null without one.
+    #[serde(default)]
+    pub verdict: Option<VerdictLevel>,
+    /// The inspection interval to act on, million gross tonnes; null without one.
+    #[serde(default)]
+    pub interval_mgt: Option<f64>,
     /// Ends of the passage near the cracks, x_c/a; beyond them are the positions of a rail that
     /// bends.
     #[serde(default)]
@@ -58,6 +65,8 @@ pub(super) struct StoredRun {
     pub folder: RunFolder,
     pub growth: BTreeMap<TipKey, TipRow>,
     pub histories: BTreeMap<TipKey, History>,
+    /// The steps with K.
+    pub kept: Kept,
 }
 
 impl StoredRun {
@@ -80,12 +89,7 @@ impl StoredRun {
         let histories: BTreeMap<TipKey, History> =
             histories.into_iter().map(|h| ((h.step, h.crack, h.tip), h)).collect();
         let growth = growth.into_iter().map(|row| ((row.step, row.crack, row.tip), row));
-        Ok(Self {
-            // A table of the first and the last step has no K of the others.
-            growth: growth.filter(|(key, _)| sif == Kept::All || histories.contains_key(key)).collect(),
-            histories,
-            folder,
-        })
+        Ok(Self { growth: growth.collect(), histories, kept: sif, folder })
     }
 
     pub(super) fn summary(&self) -> &Summary {
@@ -106,6 +110,11 @@ impl StoredRun {
             wall_s: summary.wall_s,
             million_gross_tonnes: summary.million_gross_tonnes,
             failure_mgt: summary.decision.as_ref().and_then(|decision| decision.failure.mgt),
+            verdict: summary.verdict.as_ref().map(|verdict| verdict.level),
+            interval_mgt: summary
+                .decision
+                .as_ref()
+                .and_then(|decision| Some(decision.risk.act_on?.interval_mgt)),
             near_over_a: self.near_over_a(),
         }
     }
@@ -118,13 +127,17 @@ impl StoredRun {
         Some([from.min(to), from.max(to)])
     }
 
-    /// K of a tip over the stabilised passage.
-    pub(super) fn history(&self, key: TipKey) -> Result<&History, OutputError> {
-        self.histories.get(&key).ok_or_else(|| {
-            let (step, crack, tip) = key;
-            let (growth, sif) = (TipRow::FILE, self.folder.path.join(SifRow::FILE));
-            let reason = format!("has no row of step {step}, crack {crack}, tip {tip}, which {growth} has");
-            OutputError::damaged(&sif, reason)
-        })
+    /// K of a tip over the stabilised passage; none in a step whose K the run does not keep.
+    ///
+    /// Errors: the table lacks a step that it should have.
+    pub(super) fn history(&self, key: TipKey) -> Result<Option<&History>, OutputError> {
+        let history = self.histories.get(&key);
+        if history.is_some() || self.kept != Kept::All {
+            return Ok(history);
+        }
+        let (step, crack, tip) = key;
+        let (growth, sif) = (TipRow::FILE, self.folder.path.join(SifRow::FILE));
+        let reason = format!("has no row of step {step}, crack {crack}, tip {tip}, which {growth} has");
+        Err(OutputError::damaged(&sif, reason))
     }
 }

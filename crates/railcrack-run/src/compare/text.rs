@@ -7,6 +7,7 @@ use super::parting::Parting;
 use super::stored::RunLabel;
 use super::tables::TipComparison;
 use super::tip::{SifDifference, TipSifs};
+use crate::decision::{VerdictLevel, three_digits};
 use railcrack::growth::RunStop;
 use railcrack::words::Choice;
 
@@ -22,6 +23,7 @@ impl Comparison {
             lines.push("the runs have no step and tip in common".to_owned());
             return lines.join("\n") + "\n";
         }
+        lines.extend(self.decisions_text());
         lines.extend(self.life_text());
         lines.extend(self.table_text());
         lines.push(format!("\nlargest |K| of both runs: {:.4} MPa√m; in per cent of it:", self.peak));
@@ -58,6 +60,24 @@ impl Comparison {
         self.case_differences.iter().map(line).collect()
     }
 
+    /// Life, verdict and interval of both runs, where they have them.
+    fn decisions_text(&self) -> Vec<String> {
+        let mgt = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), three_digits);
+        let both = |of: &dyn Fn(&RunLabel) -> String| {
+            let [first, second] = self.runs.each_ref().map(of);
+            format!("{first} | {second}")
+        };
+        let any = |has: &dyn Fn(&RunLabel) -> bool| self.runs.iter().any(has);
+        let level = |run: &RunLabel| run.verdict.map_or("none", VerdictLevel::word).to_owned();
+        let verdict = any(&|run| run.verdict.is_some()).then(|| format!("verdict {}", both(&level)));
+        let life = any(&|run| run.failure_mgt.is_some())
+            .then(|| format!("failure after {} million gross tonnes", both(&|run| mgt(run.failure_mgt))));
+        let interval = any(&|run| run.interval_mgt.is_some()).then(|| {
+            format!("inspection interval {} million gross tonnes", both(&|run| mgt(run.interval_mgt)))
+        });
+        [verdict, life, interval].into_iter().flatten().collect()
+    }
+
     fn life_text(&self) -> Option<String> {
         let SameLength { length, crack, load_cycles: [first, second], million_gross_tonnes } = self.life()?;
         let tonnes = million_gross_tonnes.map_or_else(String::new, |[first, second]| {
@@ -74,7 +94,8 @@ impl Comparison {
             self.tips.iter().all(|tip| (tip.crack, tip.tip) == (self.tips[0].crack, self.tips[0].tip));
         let which = if one_tip { "" } else { "; of each step the tip that differs most" };
         let worst = (0..self.common_steps).filter_map(|step| {
-            let tips = self.tips.iter().filter(|tip| tip.step == step);
+            let has_k = self.tips.iter().any(|tip| tip.step == step && tip.sifs().is_some());
+            let tips = self.tips.iter().filter(|tip| tip.step == step && tip.sifs().is_some() == has_k);
             tips.reduce(|most, next| if badness(next) > badness(most) { next } else { most })
         });
         let head = [
@@ -102,7 +123,13 @@ impl Comparison {
             let place = format!("step {step}, crack {crack}, tip {tip}");
             lines.push(format!("tips are at most {distance:.4} mm apart: {place}"));
         }
-        let equal = || "the paths do not part: kinks differ by at most 5°".to_owned();
+        let equal = || match self.common_steps {
+            0 | 1 => "only the initial cracks are compared: nothing is said about their paths".to_owned(),
+            _ => format!(
+                "the paths do not part in the {} tips and steps compared: kinks differ by at most 5°",
+                self.tips.len()
+            ),
+        };
         lines.push(self.parting.as_ref().map_or_else(equal, parting_text));
         for tip in self.tips.iter().filter(|tip| tip.stops[0] != tip.stops[1]) {
             let [first, second] = tip.stops.map(|stop| stop.map_or("goes on", RunStop::word));

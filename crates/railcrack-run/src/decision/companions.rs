@@ -7,7 +7,7 @@ use super::failure::{Nominal, NominalRun, Question};
 use super::family::Family;
 use super::path::GrowthPath;
 use super::scatter::CourseAccuracy;
-use crate::log::{Companion, CompanionKind, RunInfo, RunLog};
+use crate::log::{Companion, CompanionKind, RunInfo, RunLog, StepDigest};
 use serde::{Deserialize, Serialize};
 
 /// Million gross tonnes to failure along three paths; null where that path does not lead to a
@@ -40,7 +40,7 @@ pub(crate) struct Companions<'a> {
     pub found: usize,
 }
 
-impl Companions<'_> {
+impl<'a> Companions<'a> {
     fn course(&self, companion: &Companion) -> Course {
         let speed = companion.at_speed().unwrap_or(1.0);
         let Question { removal, tonnes, .. } = self.question.at_speed(speed);
@@ -53,6 +53,14 @@ impl Companions<'_> {
         let mut all: Vec<(f64, Course)> = self.all.iter().filter_map(of).collect();
         all.sort_by(|a, b| b.0.total_cmp(&a.0));
         Speeds(all)
+    }
+
+    /// The finished steps of the companion of `kind`; none where there is none, or where it could
+    /// not be followed to its end.
+    pub fn steps_of(&self, kind: CompanionKind) -> Option<&'a [StepDigest]> {
+        let all: &'a [Companion] = self.all;
+        let ended = |companion: &&Companion| companion.kind == kind && companion.reason.is_none();
+        all.iter().find(ended).map(|companion| companion.steps.as_slice())
     }
 
     /// The life of the companion of `kind`; none where there is none.
@@ -85,6 +93,7 @@ impl Companions<'_> {
 }
 
 /// Runs of the same rail at other speeds, and these speeds, the fastest first.
+#[derive(Default)]
 pub(crate) struct Speeds(Vec<(f64, Course)>);
 
 impl Speeds {

@@ -2,7 +2,7 @@
 
 use super::path::GrowthPath;
 use crate::log::StepDigest;
-use railcrack::growth::{Axles, PieceKind, RunStop, SurfaceRemoval, TipRecord, TipStop, WheelShares};
+use railcrack::growth::{Axles, Piece, PieceKind, RunStop, SurfaceRemoval, TipRecord, TipStop, WheelShares};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::words::{Choice, Word};
 use serde::{Deserialize, Serialize};
@@ -117,6 +117,8 @@ impl Course {
         let mut events: Vec<CourseEvent> = Vec::new();
         let (mut grown, mut ground) = (0.0, 0.0);
         let mut before: Option<&StepDigest> = None;
+        // Cracks whose flakes come off without a failure.
+        let mut come_off: Vec<usize> = Vec::new();
         for (i, step) in steps.iter().enumerate() {
             // A grinding is a step without cycles.
             if let Some(before) = before.filter(|before| before.load_cycles == step.load_cycles) {
@@ -128,7 +130,9 @@ impl Course {
             let removed = removal.wear * step.load_cycles + ground;
             let Some(point) = point(step, grown, removed, found) else { continue };
             points.push(point);
-            for event in events_of(step, point.work) {
+            let flaked: Vec<usize> = harmless(&step.pieces, removal).collect();
+            come_off.extend(flaked);
+            for event in events_of(step, point.work, &come_off) {
                 let is_known = |known: &CourseEvent| (known.mode, known.tip) == (event.mode, event.tip);
                 if !events.iter().any(is_known) {
                     events.push(event);
@@ -142,6 +146,7 @@ impl Course {
         }
         let end = match steps.last().and_then(|step| step.stop) {
             Some(RunStop::NoTipGrows(TipStop::WornAway)) => CourseEnd::Worn,
+            Some(RunStop::NoTipGrows(TipStop::BreakOut)) if !come_off.is_empty() => CourseEnd::Rest,
             Some(RunStop::NoTipGrows(TipStop::Arrest | TipStop::Coalescence)) => CourseEnd::Rest,
             _ => CourseEnd::Unknown,
         };
@@ -211,21 +216,30 @@ fn point(step: &StepDigest, grown: f64, removed: f64, found: usize) -> Option<Co
     })
 }
 
-/// The events of `step`, which begins with `work`.
-fn events_of(step: &StepDigest, work: f64) -> Vec<CourseEvent> {
+/// The cracks (from 0) of those of `pieces` whose loss is no failure under `removal`.
+fn harmless(pieces: &[Piece], removal: &SurfaceRemoval<Axles>) -> impl Iterator<Item = usize> {
+    pieces.iter().filter(|piece| !removal.is_loss(piece)).map(|piece| piece.crack)
+}
+
+/// The events of `step`, which begins with `work`; flakes of the cracks `come_off` (from 0) are
+/// none.
+fn events_of(step: &StepDigest, work: f64, come_off: &[usize]) -> Vec<CourseEvent> {
     let axles = step.load_cycles;
     let event = |mode, tip| CourseEvent { work, axles, mode, tip };
     let mut events: Vec<CourseEvent> = Vec::new();
     let stopped = |stop: TipStop| step.tips.iter().find(move |tip| tip.stop == Some(stop));
+    let is_flake = |crack: usize| come_off.contains(&crack);
     if step.stop == Some(RunStop::Fracture) {
         let breaks = stopped(TipStop::Fracture)
             .or_else(|| step.tips.iter().max_by(|a, b| a.compared_k1().total_cmp(&b.compared_k1())));
         events.extend(breaks.map(|tip| event(Some(FailureMode::Fracture), (tip.tip.crack, tip.tip.tip))));
     }
-    if let Some(tip) = stopped(TipStop::BreakOut) {
+    let broken_out = |tip: &&TipRecord| tip.stop == Some(TipStop::BreakOut) && !is_flake(tip.tip.crack);
+    if let Some(tip) = step.tips.iter().find(broken_out) {
         events.push(event(Some(FailureMode::Spall), (tip.tip.crack, tip.tip.tip)));
     }
-    for piece in &step.pieces {
+    let lost = |piece: &&Piece| piece.kind == PieceKind::Detached || !is_flake(piece.crack);
+    for piece in step.pieces.iter().filter(lost) {
         let mode = match piece.kind {
             PieceKind::Spall => FailureMode::Spall,
             PieceKind::Detached => FailureMode::Detached,

@@ -89,14 +89,25 @@ impl Limits {
             .reduce(Fate::or_earlier)
     }
 
-    /// The tonnage at which the crack becomes detectable on `part`; infinite where it does not.
-    pub fn detects(&self, part: &Part) -> f64 {
-        let found = match (self.detectable_depth, self.detectable_length) {
-            (Some(depth), _) => part.reaches(State::own_depth, depth),
-            (None, Some(length)) => part.reaches(|state| state.own_length, length),
-            (None, None) => Some(0.0),
-        };
-        found.unwrap_or(f64::INFINITY)
+    /// Whether an inspection finds the crack; it does where nothing says what it finds.
+    pub fn is_detectable(&self, state: &State) -> bool {
+        self.beyond_detectable(state) >= 0.0
+    }
+
+    /// The tonnage on `part` at which the crack becomes detectable, or ceases to be so, where it is
+    /// at one end of it alone.
+    pub fn crossing(&self, part: &Part) -> f64 {
+        let (from, to) = (self.beyond_detectable(&part.from), self.beyond_detectable(&part.to));
+        part.at(from / (from - to))
+    }
+
+    /// Depth or length (mm) of the crack beyond that from which it is detectable.
+    fn beyond_detectable(&self, state: &State) -> f64 {
+        match (self.detectable_depth, self.detectable_length) {
+            (Some(depth), _) => state.own_depth() - depth,
+            (None, Some(length)) => state.own_length - length,
+            (None, None) => 0.0,
+        }
     }
 }
 

@@ -7,6 +7,7 @@ use super::life_error::{error_at, life_error};
 use super::path::most_grown;
 use super::risk::DepthCurve;
 use super::walk::{SampledRates, Track, Walk, Walked};
+use super::window::Window;
 use crate::log::{RunInfo, StepDigest};
 use railcrack::growth::{Axles, Mgt, SurfaceRemoval};
 use railcrack_case::Inspection;
@@ -118,8 +119,10 @@ pub(crate) struct Nominal {
     pub failure: FailureSummary,
     /// The next failure, of another mode.
     pub second: FailureSummary,
-    /// Million gross tonnes until the crack is detectable, where it becomes so.
+    /// Million gross tonnes until the crack becomes detectable for the last time, where it does.
     pub detected: Option<f64>,
+    /// The traffic in which an inspection can find the crack, where it can.
+    pub window: Option<Window>,
     /// Million gross tonnes until the last crack is worn away.
     pub worn: Option<f64>,
     /// Million gross tonnes until the rail is worn to the limit at which it is replaced.
@@ -141,7 +144,8 @@ impl Nominal {
             Fate::Replaced(mgt) => (None, Some(mgt)),
             _ => (None, None),
         };
-        Self { failure, second, detected: Some(first.detected).filter(|mgt| mgt.is_finite()), worn, replaced }
+        let window = first.window;
+        Self { failure, second, detected: window.map(|window| window.from), window, worn, replaced }
     }
 
     /// Million gross tonnes to failure of cracks in `family` that grow faster by `speed`; none

@@ -17,18 +17,26 @@ use serde::{Deserialize, Serialize};
 pub struct InspectionSummary {
     /// Depth (mm) from which the crack is detected; null where its length is what is detected.
     pub detectable_depth_mm: Option<f64>,
-    /// Million gross tonnes until then; null if the run does not reach it.
+    /// Million gross tonnes until then, for the last time before the failure: a crack that turns up
+    /// or is ground may hide again. Null if the run does not reach it.
     pub mgt_to_detectable: Option<f64>,
+    /// Million gross tonnes until it is first detectable.
+    #[serde(default)]
+    pub mgt_first_detectable: Option<f64>,
+    /// The longest stretch (million gross tonnes) in which it hides after it was detectable.
+    #[serde(default)]
+    pub longest_hidden_mgt: Option<f64>,
     /// The first critical condition; null if the run reaches none.
     pub critical_by: Option<FailureMode>,
     /// Million gross tonnes until then.
     pub mgt_to_critical: Option<f64>,
-    /// Million gross tonnes from detectable to critical.
+    /// Million gross tonnes from detectable to critical, or until it hides again before.
     pub mgt_detectable_to_critical: Option<f64>,
     /// Safety factor.
     pub safety_factor: f64,
     /// The interval, million gross tonnes: that from detectable to critical divided by the safety
-    /// factor.
+    /// factor; null where a crack is missed more often at it than the factor stands for
+    /// ([`Self::most_missed`]).
     pub interval_mgt: Option<f64>,
 }
 
@@ -38,16 +46,26 @@ impl InspectionSummary {
     pub(crate) fn of(nominal: &Nominal, inspection: &Inspection, rows: &[DecisionRow]) -> Self {
         let found = || nominal.detected.and_then(|mgt| depth_at(rows, mgt));
         let (to_detectable, to_critical) = (nominal.detected, nominal.failure.mgt);
-        let way = to_detectable.zip(to_critical).map(|(from, to)| (to - from).max(0.0));
+        let window = nominal.window;
+        let way = window.filter(|_| to_critical.is_some()).map(|window| window.length());
         Self {
             detectable_depth_mm: inspection.detectable_depth.or_else(found),
             mgt_to_detectable: to_detectable,
+            mgt_first_detectable: window.map(|window| window.first),
+            longest_hidden_mgt: window.map(|window| window.hidden).filter(|mgt| mgt.is_finite()),
             critical_by: nominal.failure.mode,
             mgt_to_critical: to_critical,
             mgt_detectable_to_critical: way,
             safety_factor: inspection.safety_factor,
             interval_mgt: way.map(|way| way / inspection.safety_factor),
         }
+    }
+
+    /// The probability of missing a crack that the safety factor n stands for: n inspections within
+    /// the window miss it with 2^(−n) where each of them finds it more often than not.
+    #[must_use]
+    pub fn most_missed(&self) -> f64 {
+        0.5f64.powf(self.safety_factor)
     }
 }
 
@@ -89,6 +107,10 @@ pub struct StageSummary {
 /// Angle of the path below the surface from which a crack counts as transverse: between head
 /// checks, at 15 to 35°, and transverse cracks, at 60 to 90°.
 const TURNED_DEG: f64 = 45.0;
+
+/// An inspection that finds a crack after this fraction of its life finds it too late: the life is
+/// not known as well.
+const LATEST: f64 = 0.99;
 
 /// Inspection and failure, by which the stages are judged.
 pub(super) struct StageLimits<'a> {
@@ -135,7 +157,8 @@ impl StagesSummary {
         let transverse = {
             let depth = limits.inspection.map(|inspection| inspection.ultrasonic_depth);
             let reached = depth.and_then(|depth| reaches(&states, depth)).map(|mgt| mgt.max(turn.mgt));
-            let found = reached.filter(|found| limits.failure.is_none_or(|failure| *found < failure));
+            let in_time = |found: &f64| limits.failure.is_none_or(|failure| *found < LATEST * failure);
+            let found = reached.filter(in_time);
             limits.stage((turn.mgt, limits.failure), depth, found)
         };
         Some(Self {

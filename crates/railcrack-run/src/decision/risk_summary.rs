@@ -1,5 +1,6 @@
 //! Risk over the inspection interval, and the interval for a target risk, in `summary.json`.
 
+use super::act_on::{Accepted, IntervalToActOn, RiskAtInterval};
 use super::failure::{Nominal, NominalRun};
 use super::inspection::InspectionSummary;
 use super::risk::{DetectionCurve, IntervalForTarget, Life, Risk};
@@ -31,6 +32,9 @@ pub struct RiskSummary {
     /// Whether there is such an interval.
     #[serde(default)]
     pub target_kept: Option<TargetKept>,
+    /// The interval to act on; null where there is none.
+    #[serde(default)]
+    pub act_on: Option<IntervalToActOn>,
 }
 
 /// Whether inspections keep a target risk.
@@ -43,15 +47,8 @@ pub enum TargetKept {
     AtAnyInterval,
     /// Not even by a thousand inspections during the life.
     Never,
-}
-
-/// The probability of failure before detection with inspections at an interval.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct RiskAtInterval {
-    /// The interval, million gross tonnes.
-    pub interval_mgt: f64,
-    /// The probability.
-    pub probability: f64,
+    /// Too many samples outlive what is computed.
+    NotKnown,
 }
 
 impl<'a> Life<'a> {
@@ -80,6 +77,10 @@ struct RiskInputs<'a> {
     life: f64,
     /// Million gross tonnes between inspections by the decision.
     interval: Option<f64>,
+    /// The largest probability of missing a crack that the safety factor stands for.
+    most_missed: f64,
+    /// Share of the lives of which it is not known whether they fail before `life`.
+    unknown: f64,
 }
 
 impl RiskSummary {
@@ -104,8 +105,13 @@ impl RiskSummary {
             mgt_per_year: info.mgt_per_year,
             life: failure.unwrap_or(longest),
             interval: inspection.interval_mgt,
+            most_missed: inspection.most_missed(),
+            unknown: 0.0,
         };
         if let Some(samples) = lives {
+            let is_unknown = |sample: &&SampledLife| sample.outlives < inputs.life * (1.0 - 1e-9);
+            let unknown = samples.iter().filter(is_unknown).count() as f64 / samples.len().max(1) as f64;
+            let inputs = RiskInputs { unknown, ..inputs };
             let lives: Vec<Life> = samples.iter().map(Life::of).collect();
             return Some(Self::of(&lives, inputs));
         }
@@ -130,22 +136,29 @@ impl RiskSummary {
             interval_mgt: interval,
             probability: risk.probability(interval),
         };
-        let kept = asked.target.map(|target| risk.interval_for(target));
+        // Those of which nothing is known may fail.
+        let most = asked.target.map(|target| target - inputs.unknown);
+        let kept = most.filter(|most| *most > 0.0).map(|most| risk.interval_for(most));
+        let by_safety = inputs.interval.filter(|interval| *interval > 0.0).map(at);
+        let accepted = Accepted { target: asked.target, most_missed: inputs.most_missed };
+        let act_on = IntervalToActOn::of(&risk, accepted, by_safety, kept);
         let interval = match kept {
             Some(IntervalForTarget::Mgt(interval)) => Some(interval),
             _ => None,
         };
         Self {
             risk: series(life).into_iter().map(at).collect(),
-            risk_at_interval: inputs.interval.filter(|interval| *interval > 0.0).map(at),
+            risk_at_interval: by_safety,
             target_risk: asked.target,
             interval_for_target_mgt: interval,
             interval_for_target_months: interval.zip(mgt_per_year).map(|(mgt, year)| 12.0 * mgt / year),
-            target_kept: kept.map(|kept| match kept {
-                IntervalForTarget::Any => TargetKept::AtAnyInterval,
-                IntervalForTarget::Mgt(_) => TargetKept::UpToInterval,
-                IntervalForTarget::None => TargetKept::Never,
+            target_kept: asked.target.map(|_| match kept {
+                None => TargetKept::NotKnown,
+                Some(IntervalForTarget::Any) => TargetKept::AtAnyInterval,
+                Some(IntervalForTarget::Mgt(_)) => TargetKept::UpToInterval,
+                Some(IntervalForTarget::None) => TargetKept::Never,
             }),
+            act_on: act_on.map(|act_on| act_on.in_months(mgt_per_year)),
         }
     }
 }
@@ -183,6 +196,8 @@ mod tests {
         let lives = [Life { failure: 50.0, depths: &depths, found_from: None }];
         let asked = InspectionRisk { target: Some(0.25), detection: None };
         let inputs = RiskInputs {
+            most_missed: 0.125,
+            unknown: 0.0,
             asked: &asked,
             detectable_depth: 2.0,
             mgt_per_year: Some(20.0),

@@ -46,7 +46,7 @@ impl<'a> Sampling<'a> {
 
 /// Keys of the quantities whose scatter is described by one deviate each.
 pub(crate) const KEYS: [&str; 5] =
-    ["c_log_std", "m_std", "toughness_std", "detectable_depth_std", "wear_std"];
+    ["paris_c_log_std", "paris_m_std", "toughness_std", "detectable_depth_std", "wear_std"];
 
 /// A separate stream of random numbers for later quantities, so that the samples of the first four
 /// do not change.
@@ -227,8 +227,8 @@ impl<'a> Sampler<'a> {
             _ => f64::INFINITY,
         };
         // A crack that is not detectable before the rail fails leaves no time to find it.
-        let way =
-            if to_critical.is_finite() { (to_critical - walked.detected).max(0.0) } else { f64::INFINITY };
+        let seen = walked.window.map_or(0.0, |window| window.length());
+        let way = if to_critical.is_finite() { seen } else { f64::INFINITY };
         Sample {
             draw: *draw,
             grows: walked.grows,

@@ -162,6 +162,9 @@ pub(crate) enum Lives {
 pub(crate) struct SampledLife {
     /// Million gross tonnes until failure; infinite where it does not fail.
     pub failure: f64,
+    /// Million gross tonnes until which it is known to hold, where it is not known what follows;
+    /// infinite otherwise.
+    pub outlives: f64,
     /// Depth over traffic, to [`THINNED`] of its largest value.
     pub depths: DepthCurve,
     /// The depth (mm) from which it is detected.
@@ -179,7 +182,7 @@ impl SampledLife {
         } else {
             DepthCurve::through([])
         };
-        Self { failure: sample.to_critical, depths, found_from: sample.found_from }
+        Self { failure: sample.to_critical, outlives: sample.outlives, depths, found_from: sample.found_from }
     }
 }
 

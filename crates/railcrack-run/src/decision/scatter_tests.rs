@@ -37,6 +37,7 @@ fn scatter() -> Scatter {
         samples: 100_000,
         seed: 1,
         c_log_std: 0.3,
+        rail_log_std: 0.3,
         m_std: 0.0,
         toughness: None,
         toughness_std: 0.0,
@@ -115,7 +116,7 @@ fn cycles_are_log_normal_where_c_is() {
     // Three times the mean rate: ln 3/0.3 = 3.66 standard deviations, 1.2e-4.
     let probability = sampled.probability_critical_before_inspection.unwrap();
     assert!((probability - 1.25e-4).abs() < 1.2e-4, "{probability}");
-    assert_eq!(sampled.sensitivities[0].key, "c_log_std");
+    assert_eq!(sampled.sensitivities[0].key, "paris_c_log_std");
     assert!((sampled.sensitivities[0].share - 1.0).abs() < 1e-9);
     assert!(sampled.depth[0].depth_mm.p50 == Some(2.0));
     assert!(begun.elapsed().as_secs_f64() < 20.0, "{:?}", begun.elapsed());

@@ -2,17 +2,19 @@
 
 use super::companions::{Companions, FrictionLife, PathLives, RowPartSummary, Speeds};
 use super::failure::{FailureSummary, NominalRun, Question};
+use super::governing::{DecisionPath, Governing};
 use super::inspection::{InspectionSummary, StageLimits, StagesSummary};
 use super::path::GrowthPath;
 use super::risk_summary::RiskSummary;
 use super::rows::{DecisionRow, MaintenanceSummary, rate_per_10_mgt, rows_of};
 use super::sampler::Sampling;
 use super::scatter::{Lives, Quantiles, SampledLife, ScatterSummary, sampled};
-use super::tonnage::TonnageWords;
+use super::tonnage::{TonnageWords, three_digits};
+use super::tornado::{TornadoBar, tornado};
 use super::verdict::Verdict;
 use super::wheels::WheelSummary;
 use crate::log::{RunInfo, RunLog};
-use railcrack_case::Scatter;
+use railcrack_case::{CalibrationPrior, Inspection, Scatter};
 use serde::{Deserialize, Serialize};
 
 /// From growth to a decision: key `decision` of `summary.json`, and the first block of the page.
@@ -49,10 +51,16 @@ pub struct Decision {
     /// Lives along three paths; null where they were not computed.
     #[serde(default)]
     pub paths: Option<PathLives>,
+    /// The path with the shortest life: verdict, inspection and risk are those along it.
+    #[serde(default)]
+    pub governed_by: DecisionPath,
     /// Lives with other frictions between the faces, where one value is given for all cracks and
     /// the rest scatters.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub frictions: Vec<FrictionLife>,
+    /// Lives with other values of what is seldom known, the widest quantity first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub tornado: Vec<TornadoBar>,
     /// The cracks of a long row with which the lives along other paths and the samples were
     /// computed; none where all were.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -84,19 +92,38 @@ impl Decision {
         let last = rows.last().map_or(0.0, |last| last.mgt);
         let all = log.now.companions.as_deref().unwrap_or_default();
         let companions = Companions { all, question, found: path.tip.0 - 1 };
-        let verdict = Verdict::of(info, log, &run);
-        let inspected = info.inspection.map(|given| InspectionSummary::of(&nominal, &given, &rows));
+        let governing = Governing::of(&run, &log.steps, &companions);
+        let verdict = Verdict::along(info, log, &run, &governing);
+        let is_own = governing.path == DecisionPath::Nominal;
+        let of_path = |given: &Inspection| {
+            let rows = GrowthPath::of(governing.steps, governing.run.failing_tip());
+            let rows = rows.map_or_else(Vec::new, |path| rows_of(&path, question.tonnes));
+            InspectionSummary::of(&governing.run.nominal, given, &rows)
+        };
+        let inspected = info.inspection.as_ref().map(of_path);
         let has_ended = log.steps.last().is_some_and(|step| step.stop.is_some());
-        let samples = Samples { info, run: &run, gives_intervals: verdict.gives_intervals(), inspected };
+        let gives_intervals = verdict.gives_intervals();
+        let samples = Samples { info, run: &run, gives_intervals, inspected };
         let (scatter, lives) = info
             .scatter
             .as_ref()
             .filter(|_| is_sampled && has_ended && path.points.len() > 1)
             .map(|scatter| samples.of(scatter, &companions.speeds(), last))
             .unzip();
+        // Risks are those along the path that governs.
+        let along = Samples { run: &governing.run, ..samples };
+        let lives: Option<Vec<SampledLife>> = match &info.scatter {
+            Some(given) if scatter.is_some() && !is_own => Some(along.of(given, &Speeds::default(), last).1),
+            _ => lives,
+        };
         let inspection = inspected.filter(|_| verdict.gives_intervals());
-        let risk = RiskSummary::of_inspection(info, &run, inspection.as_ref(), lives.as_deref(), last);
+        let risk =
+            RiskSummary::of_inspection(info, &governing.run, inspection.as_ref(), lives.as_deref(), last);
         let risk = risk.unwrap_or_default();
+        let inspection = inspection.map(|given| {
+            let is_kept = risk.risk_at_interval.is_none_or(|at| at.probability <= given.most_missed());
+            InspectionSummary { interval_mgt: given.interval_mgt.filter(|_| is_kept), ..given }
+        });
         let verdict = verdict.with_risk(&risk, TonnageWords::of_year(info));
         let limits = StageLimits {
             inspection: info.inspection.as_ref(),
@@ -107,9 +134,11 @@ impl Decision {
         Some(Self {
             stages: StagesSummary::of(&path, question.tonnes, &limits),
             rate_mm_per_10_mgt: rate_per_10_mgt(&rows, &nominal),
-            calibration: calibration(info.calibrated_sites),
+            calibration: calibration(info.calibration, info.inspection.and_then(|of| of.critical_depth)),
             paths: companions.paths(nominal.failure.mgt),
-            frictions: companions.frictions(),
+            governed_by: governing.path,
+            frictions: info.scatter.map_or_else(Vec::new, |_| companions.frictions()),
+            tornado: tornado(info, log, &run, &companions),
             part_of_row: RowPartSummary::of(info, log),
             maintenance: info.maintenance.map(|removal| MaintenanceSummary::of(&removal, &rows, &path)),
             wheels: WheelSummary::of(info.mix(), &path),
@@ -129,6 +158,7 @@ impl Decision {
 }
 
 /// The samples of a run.
+#[derive(Clone, Copy)]
 struct Samples<'a> {
     info: &'a RunInfo,
     run: &'a NominalRun,
@@ -159,14 +189,27 @@ impl Samples<'_> {
     }
 }
 
-/// How well absolute rates are known, in words, by the number of measured sites.
-pub(crate) fn calibration(sites: Option<usize>) -> String {
-    match sites {
-        Some(1) => "the growth law is calibrated by one measured site".to_owned(),
-        Some(sites) => format!("the growth law is calibrated by {sites} measured sites"),
-        None => UNCALIBRATED.to_owned(),
+/// How well absolute rates are known, in words, by what a case has been calibrated with; `deepest`
+/// is the depth (mm) that its decision goes to.
+pub(crate) fn calibration(by: CalibrationPrior, deepest: Option<f64>) -> String {
+    let Some(sites) = by.sites else { return UNCALIBRATED.to_owned() };
+    let sites = if sites == 1 { "1 measured site".to_owned() } else { format!("{sites} measured sites") };
+    let mut text = format!("the growth law is calibrated by {sites}");
+    if let Some([least, greatest]) = by.depths {
+        text.push_str(&format!(", {least} to {greatest} mm"));
+        let beyond = deepest.filter(|deepest| *deepest > FARTHEST_MEASURED * greatest);
+        text.extend(beyond.map(|deepest| {
+            format!(
+                "; to {} mm nothing was measured, and rates there are known to a factor of about ten either way",
+                three_digits(deepest)
+            )
+        }));
     }
+    text
 }
+
+/// Depth over the greatest that was measured from which on a calibration says nothing.
+const FARTHEST_MEASURED: f64 = 1.3;
 
 /// Absolute rates without a calibration: by the public record of growth in track (`railcrack
 /// validate`).

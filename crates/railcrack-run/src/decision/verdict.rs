@@ -1,11 +1,14 @@
 //! The verdict: one level for the whole run, with its reasons.
 
+use super::act_on::RiskAtInterval;
+use super::course::FailureMode;
 use super::failure::{FailureSummary, Nominal, NominalRun};
-use super::risk_summary::{RiskAtInterval, RiskSummary};
+use super::governing::{DecisionPath, Governing};
+use super::risk_summary::RiskSummary;
 use super::tonnage::{TonnageWords, three_digits};
 use crate::log::{RunInfo, RunLog, StepDigest};
 use railcrack::fatigue::RailSteel;
-use railcrack::growth::{RunStop, TipRecord, TipStop};
+use railcrack::growth::{Piece, PieceCause, PieceKind, RunStop, TipRecord, TipStop};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::validity::{self, UNCOUPLED_OPENING};
 use railcrack::words::{Choice, Word};
@@ -19,6 +22,8 @@ pub enum VerdictLevel {
     Ok,
     /// The rail fails within the run, or too many cracks fail before an inspection finds them.
     Act,
+    /// The run ends before its question is answered.
+    Unknown,
     /// The rail fails at once, or before the crack is detectable.
     Stop,
     /// The model does not describe this.
@@ -32,6 +37,7 @@ impl VerdictLevel {
         match self {
             Self::Ok => "ok",
             Self::Act => "act",
+            Self::Unknown => "unknown",
             Self::Stop => "stop",
             Self::Outside => "outside",
         }
@@ -52,9 +58,12 @@ pub enum ReasonKind {
     Risk,
     /// The end of the run, not of the rail.
     EndOfRun,
-    /// The steps of the case end before a failure that it asks for, and before the traffic at
-    /// which it would end.
-    StepLimit,
+    /// The steps end before a failure, and before the traffic at which the run would end.
+    Steps,
+    /// The run was interrupted.
+    Interrupted,
+    /// The cracks leave the rail of the model.
+    LeavesRail,
     /// K_I beyond the toughness of the steel, without `[fracture]`.
     Toughness,
     /// Fluid lifts the flap from what would press it down.
@@ -95,9 +104,9 @@ pub struct Verdict {
     pub reasons: Vec<Reason>,
 }
 
-/// Growth into the depth (mm per million gross tonnes) beyond which the model does not describe
-/// what happens: ten times what the fastest head checks in track are found to grow.
-const LARGEST_RATE: f64 = 3.0;
+/// Growth into the depth over that which needs a reason, beyond which the model does not describe
+/// what happens: about thirty times the fastest that is measured in track at the same depth.
+const BEYOND_FAST: f64 = 10.0;
 
 impl Choice for ReasonKind {
     const WORDS: &'static [(Self, Word)] = &[
@@ -106,7 +115,9 @@ impl Choice for ReasonKind {
         (Self::BeforeDetectable, Word::now("before-detectable", "failure before the crack is detectable")),
         (Self::Risk, Word::now("risk", "risk between inspections above the target")),
         (Self::EndOfRun, Word::now("end-of-run", "no failure within the run")),
-        (Self::StepLimit, Word::now("step-limit", "the steps end before the traffic that is asked for")),
+        (Self::Steps, Word::now("steps", "the steps end before the answer is known")),
+        (Self::Interrupted, Word::now("interrupted", "the run was interrupted")),
+        (Self::LeavesRail, Word::now("leaves-rail", "the cracks leave the rail of the model")),
         (Self::Toughness, Word::now("toughness", "K beyond the toughness of the steel")),
         (Self::LiftedFlap, Word::now("lifted-flap", "fluid lifts the flap")),
         (Self::Rate, Word::now("rate", "growth faster than cracks grow")),
@@ -124,7 +135,8 @@ impl ReasonKind {
     fn level(self) -> VerdictLevel {
         match self {
             Self::EndOfRun => VerdictLevel::Ok,
-            Self::Failure | Self::Risk | Self::StepLimit => VerdictLevel::Act,
+            Self::Failure | Self::Risk => VerdictLevel::Act,
+            Self::Steps | Self::Interrupted | Self::LeavesRail => VerdictLevel::Unknown,
             Self::AtOnce | Self::BeforeDetectable => VerdictLevel::Stop,
             Self::Toughness | Self::LiftedFlap | Self::Rate | Self::PlasticLayer => VerdictLevel::Outside,
         }
@@ -137,11 +149,15 @@ impl Reason {
     }
 
     /// A risk between inspections above its `target`.
-    fn of_risk(at: RiskAtInterval, target: f64, words: TonnageWords) -> Self {
+    fn of_risk(risk: &RiskSummary, (at, target): (RiskAtInterval, f64), words: TonnageWords) -> Self {
+        let which = match risk.act_on {
+            Some(of) => {
+                format!("with inspections less often than every {}", words.of(of.interval_mgt))
+            }
+            None => "with inspections at any interval".to_owned(),
+        };
         let text = format!(
-            "with inspections every {}, the probability that a crack fails before it is found is {}, above the target of {}",
-            words.of(at.interval_mgt),
-            probability(at.probability),
+            "{which}, the probability that a crack fails before it is found is above the target of {}",
             probability(target)
         );
         Self { value: Some(at.probability), limit: Some(target), ..Self::new(ReasonKind::Risk, text) }
@@ -156,11 +172,20 @@ impl Verdict {
         Self { level, reasons }
     }
 
-    /// The verdict on `run`, of the steps of `log`.
+    /// The verdict on `run`, of the steps of `log`, by itself.
     pub(crate) fn of(info: &RunInfo, log: &RunLog, run: &NominalRun) -> Self {
+        Self::along(info, log, run, &Governing::alone(run, &log.steps))
+    }
+
+    /// The verdict on `run`, of the steps of `log`, with the failure along the path that governs it:
+    /// whether the model describes it is asked of the run.
+    pub(crate) fn along(info: &RunInfo, log: &RunLog, run: &NominalRun, governing: &Governing<'_>) -> Self {
         let tonnes = run.question.tonnes;
-        let judged = Judged { info, log, nominal: &run.nominal, tonnes, words: TonnageWords::of_year(info) };
-        let steps = judged.steps_to_failure();
+        let words = TonnageWords::of_year(info);
+        let of = |path, nominal, steps| Judged { info, path, steps, nominal, tonnes, words };
+        let own = of(DecisionPath::Nominal, &run.nominal, log.steps.as_slice());
+        let judged = of(governing.path, &governing.run.nominal, governing.steps);
+        let steps = own.steps_to_failure();
         let mut reasons = limits_of_model(info, &steps);
         reasons.extend(rate(&steps, tonnes));
         for reason in &mut reasons {
@@ -184,8 +209,8 @@ impl Verdict {
     /// The verdict with the reason that the `risk` exceeds its target, if it does; the end of a run
     /// is no reason beside it.
     pub(super) fn with_risk(mut self, risk: &RiskSummary, words: TonnageWords) -> Self {
-        let Some((at, target)) = risk.exceeds_target() else { return self };
-        self.reasons.push(Reason::of_risk(at, target, words));
+        let Some(exceeded) = risk.exceeds_target() else { return self };
+        self.reasons.push(Reason::of_risk(risk, exceeded, words));
         self.reasons.retain(|reason| reason.kind != ReasonKind::EndOfRun);
         Self::of_reasons(self.reasons)
     }
@@ -205,7 +230,7 @@ impl Verdict {
     /// Whether intervals mean anything.
     #[must_use]
     pub fn gives_intervals(&self) -> bool {
-        self.level < VerdictLevel::Stop
+        self.level < VerdictLevel::Unknown
     }
 }
 
@@ -291,13 +316,17 @@ fn flap(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
 /// Growth of each tip into the depth, from its rate and from its depths.
 fn rate(steps: &[&StepDigest], tonnes: f64) -> Option<Reason> {
     let all = (0..steps.len()).filter_map(|i| Some((steps[i], deepening(steps, i, tonnes)?)));
-    let fastest = all.reduce(|most, next| if next.1.1 > most.1.1 { next } else { most });
-    let (step, (tip, value)) = fastest.filter(|(_, (_, value))| *value > LARGEST_RATE)?;
+    let limit = |tip: &TipRecord| BEYOND_FAST * validity::fast_growth(tip.depth());
+    let excess = |(_, (tip, value)): &(&StepDigest, (&TipRecord, f64))| value / limit(tip);
+    let fastest = all.reduce(|most, next| if excess(&next) > excess(&most) { next } else { most });
+    let (step, (tip, value)) = fastest.filter(|fastest| excess(fastest) > 1.0)?;
     let text = format!(
-        "a crack gets deeper by {} mm per million gross tonnes, more than {LARGEST_RATE}, which is ten times what the fastest head checks in track are found to grow: calibrate the growth law (railcrack calibrate) or check the loads",
-        three_digits(value)
+        "a crack {} mm deep gets deeper by {} mm per million gross tonnes, about {:.0} times the fastest growth that is measured in track at that depth: calibrate the growth law (railcrack calibrate) or check the loads",
+        three_digits(tip.depth()),
+        three_digits(value),
+        value / validity::measured_growth(validity::FASTEST_MEASURED, tip.depth())
     );
-    Some(of_tip(Reason::new(ReasonKind::Rate, text), step, tip, value, LARGEST_RATE))
+    Some(of_tip(Reason::new(ReasonKind::Rate, text), step, tip, value, limit(tip)))
 }
 
 /// The tip that gets deeper fastest in step `i`, mm per million gross tonnes.
@@ -338,19 +367,16 @@ fn layer(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
 
 /// Whether no crack grows any longer, for whatever traffic.
 fn is_at_rest(stop: RunStop) -> bool {
-    matches!(stop, RunStop::NoTipGrows(TipStop::Arrest | TipStop::Coalescence | TipStop::WornAway))
-}
-
-/// Whether the case says what a failure is.
-fn asks_for_failure(info: &RunInfo) -> bool {
-    let critical_depth = info.inspection.and_then(|inspection| inspection.critical_depth);
-    critical_depth.or(info.critical_length).or(info.toughness).is_some()
+    let rests = [TipStop::Arrest, TipStop::Coalescence, TipStop::WornAway, TipStop::BreakOut];
+    matches!(stop, RunStop::NoTipGrows(stop) if rests.contains(&stop))
 }
 
 /// A run whose end is judged.
 struct Judged<'a> {
     info: &'a RunInfo,
-    log: &'a RunLog,
+    /// The path of its cracks.
+    path: DecisionPath,
+    steps: &'a [StepDigest],
     nominal: &'a Nominal,
     /// Mean load of an axle, t.
     tonnes: f64,
@@ -366,7 +392,7 @@ impl<'a> Judged<'a> {
     /// The steps up to the failure, the first among them in any case.
     fn steps_to_failure(&self) -> Vec<&'a StepDigest> {
         let end = self.nominal.failure.mgt.unwrap_or(f64::INFINITY);
-        let steps = self.log.steps.iter().enumerate();
+        let steps = self.steps.iter().enumerate();
         let until = steps.filter(|(i, step)| *i == 0 || self.mgt(step) <= end * (1.0 + 1e-9));
         until.map(|(_, step)| step).collect()
     }
@@ -375,16 +401,15 @@ impl<'a> Judged<'a> {
     fn failure(&self) -> Option<Reason> {
         let FailureSummary { mode, mgt: until, mgt_error, crack, tip } = self.nominal.failure;
         let (mode, until) = (mode?, until?);
-        let second = self.log.steps.get(1).map_or(f64::INFINITY, |step| self.mgt(step));
-        let step = self.log.steps.iter().rev().find(|step| self.mgt(step) <= until * (1.0 + 1e-9));
+        let second = self.steps.get(1).map_or(f64::INFINITY, |step| self.mgt(step));
+        let step = self.steps.iter().rev().find(|step| self.mgt(step) <= until * (1.0 + 1e-9));
         let whose = crack.map_or_else(String::new, |crack| format!(" of crack {crack}"));
-        let what = format!("{}{whose}", mode.words());
-        let life = match mgt_error.map(|error| 100.0 * error / until).filter(|percent| *percent > 0.0) {
-            Some(percent) => {
-                self.words.noted(until, Some(&format!("± {:.1} % by the increments", percent.max(0.1))))
-            }
-            None => self.words.of(until),
-        };
+        let what = format!("{}{whose}{}", mode.words(), self.lost_piece(mode, crack));
+        let error = mgt_error.map(|error| 100.0 * error / until).filter(|percent| *percent > 0.0);
+        let error = error.map(|percent| format!("± {:.1} % by the increments", percent.max(0.1)));
+        let notes: Vec<&str> = self.path.note().into_iter().chain(error.as_deref()).collect();
+        let notes = notes.join(", ");
+        let life = self.words.noted(until, Some(notes.as_str()).filter(|notes| !notes.is_empty()));
         let (kind, text) = if until == 0.0 {
             (ReasonKind::AtOnce, format!("{what} at once"))
         } else if until <= second {
@@ -405,39 +430,94 @@ impl<'a> Judged<'a> {
         })
     }
 
+    /// The size of the piece whose loss is the failure, in brackets.
+    fn lost_piece(&self, mode: FailureMode, crack: Option<usize>) -> String {
+        let kind = match mode {
+            FailureMode::Spall => PieceKind::Spall,
+            FailureMode::Detached => PieceKind::Detached,
+            _ => return String::new(),
+        };
+        let mut pieces = self.steps.iter().flat_map(|step| &step.pieces);
+        let own = pieces.find(|piece| piece.kind == kind && Some(piece.crack + 1) == crack);
+        own.map_or_else(String::new, |piece| {
+            let [thickness, area] = [piece.thickness, piece.area].map(three_digits);
+            format!(" ({thickness} mm thick, {area} mm² in section)")
+        })
+    }
+
     /// The end of a run without a failure.
     fn end_of_run(&self) -> Option<Reason> {
         let Self { info, nominal, words, .. } = *self;
-        let last = self.log.steps.last()?;
-        let is_over = nominal.worn.or(nominal.replaced).is_some();
-        // Without steps a run is one of K alone, unless somebody is to decide by it.
-        let decides = last.step > 0 || info.inspection.is_some();
-        let is_cut = !is_over && last.stop == Some(RunStop::StepsDone) && decides;
-        let is_unknown = asks_for_failure(info) || last.step == 0;
-        let kind = if is_cut && is_unknown { ReasonKind::StepLimit } else { ReasonKind::EndOfRun };
-        let text = match (nominal.worn, last.stop) {
-            _ if nominal.replaced.is_some() => format!(
-                "the rail is worn to the limit at which it is replaced after {}",
-                words.of(nominal.replaced.unwrap_or_default())
+        let last = self.steps.last()?;
+        let until = words.of(self.mgt(last));
+        let (kind, text) = match (nominal.replaced, nominal.worn, last.stop) {
+            (Some(replaced), ..) => (
+                ReasonKind::EndOfRun,
+                format!("the rail is worn to the limit at which it is replaced after {}", words.of(replaced)),
             ),
-            (Some(worn), _) => format!("the cracks are worn away after {}", words.of(worn)),
-            (None, Some(stop)) if is_at_rest(stop) => "no crack grows any longer".to_owned(),
-            _ if kind == ReasonKind::StepLimit => format!(
-                "the {} steps of the case end after {} without a failure, and what follows is not known: give more steps in [growth], or stop_after_cycles for the traffic in question",
-                last.step,
-                words.of(self.mgt(last))
+            (None, Some(worn), _) => (
+                ReasonKind::EndOfRun,
+                format!("the cracks are worn away after {}{}", words.of(worn), self.flake()),
             ),
-            _ => {
-                format!(
-                    "the run ends after {} without a failure: what follows is not known",
-                    words.of(self.mgt(last))
-                )
+            (None, None, Some(stop)) if is_at_rest(stop) => {
+                (ReasonKind::EndOfRun, format!("no crack grows any longer{}", self.flake()))
             }
+            (None, None, Some(RunStop::StepsDone)) => (
+                ReasonKind::Steps,
+                format!(
+                    "the {} steps of the run end after {until} without a failure, and what follows is not known: {}",
+                    last.step,
+                    remedy(info)
+                ),
+            ),
+            (None, None, Some(RunStop::NoTipGrows(TipStop::LeavesRail))) => (
+                ReasonKind::LeavesRail,
+                format!("the cracks leave the rail of the model after {until}: what follows is not known"),
+            ),
+            (None, None, None) => {
+                (ReasonKind::Interrupted, format!("the run is not complete: it has come to {until}"))
+            }
+            _ => (ReasonKind::EndOfRun, format!("no failure up to {until}, where the run ends")),
         };
         Some(Reason {
             step: Some(last.step),
             mgt: Some(nominal.replaced.or(nominal.worn).unwrap_or_else(|| self.mgt(last))),
             ..Reason::new(kind, text)
         })
+    }
+
+    /// The flakes that have come off without a failure, in words.
+    fn flake(&self) -> String {
+        let pieces = self.steps.iter().flat_map(|step| &step.pieces);
+        let Some(piece) =
+            pieces.reduce(|most, next| if next.thickness > most.thickness { next } else { most })
+        else {
+            return String::new();
+        };
+        let how = match piece.cause {
+            PieceCause::Growth => "has broken out",
+            PieceCause::Wear => "has come off by wear",
+            PieceCause::Grinding => "has come off with a grinding",
+        };
+        format!(": {} {how}, which is no failure", flake_in_words(piece))
+    }
+}
+
+/// A piece of the surface in words.
+fn flake_in_words(piece: &Piece) -> String {
+    let [thickness, area] = [piece.thickness, piece.area].map(three_digits);
+    format!("a flake {thickness} mm thick, {area} mm² in section,")
+}
+
+/// What to change where the steps of a run end too soon.
+fn remedy(info: &RunInfo) -> &'static str {
+    let critical_depth = info.inspection.and_then(|inspection| inspection.critical_depth);
+    match critical_depth.or(info.critical_length).or(info.toughness) {
+        Some(_) => {
+            "leave out [growth] steps, with which the run goes on until its answer is known, or give stop_after_cycles for the traffic in question"
+        }
+        None => {
+            "say what a failure is (critical_depth_mm in [inspection], critical_length_mm in [growth] or [fracture]), or give stop_after_cycles for the traffic in question"
+        }
     }
 }

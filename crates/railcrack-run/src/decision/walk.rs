@@ -4,6 +4,7 @@ use super::course::CourseEnd;
 use super::events::{Fate, Limits, Part};
 use super::family::{CracksAt, EVENTS, Family, Spot, State};
 use super::risk::interpolated;
+use super::window::{Visibility, Window};
 use crate::log::WheelInfo;
 use railcrack::growth::{Axles, Grinding, MOST_WHEELS, Mgt, SurfaceRemoval, WheelShares};
 use std::ops::ControlFlow;
@@ -83,8 +84,9 @@ impl SampledShares {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Walked {
     pub fate: Fate,
-    /// Million gross tonnes until the crack is detectable; infinite where it does not become so.
-    pub detected: f64,
+    /// The traffic in which an inspection can find the crack; none where it never becomes
+    /// detectable.
+    pub window: Option<Window>,
     /// Whether the crack grows into the depth at first.
     pub grows: bool,
 }
@@ -167,13 +169,15 @@ impl<'a> Walk<'a> {
     pub fn walk(&self, rates: &SampledRates, limits: &Limits, track: &mut Track) -> Walked {
         track.0.clear();
         let Some(cracks) = self.family.cracks(Spot { cell: 0, share: 0.0 }, 0.0) else {
-            return Walked { fate: Fate::Rests, detected: f64::INFINITY, grows: false };
+            return Walked { fate: Fate::Rests, window: None, grows: false };
         };
         track.push(0.0, &cracks.state);
-        let (mgt, grindings, detected, grows) = (0.0, 0, f64::INFINITY, None);
-        let mut walker = Walker { walk: self, rates, limits, track, cracks, mgt, grindings, detected, grows };
+        let (mgt, grindings, visibility, grows) = (0.0, 0, Visibility::default(), None);
+        let mut walker =
+            Walker { walk: self, rates, limits, track, cracks, mgt, grindings, visibility, grows };
         let fate = walker.fails_at_once().unwrap_or_else(|| walker.goes_on());
-        Walked { fate, detected: walker.detected, grows: walker.grows.unwrap_or(false) }
+        let window = walker.visibility.window(fate.mgt());
+        Walked { fate, window, grows: walker.grows.unwrap_or(false) }
     }
 }
 
@@ -189,8 +193,8 @@ struct Walker<'a> {
     mgt: f64,
     /// Grindings so far.
     grindings: usize,
-    /// Million gross tonnes until the crack is detectable; infinite before.
-    detected: f64,
+    /// When it can be found.
+    visibility: Visibility,
     /// Whether the crack grows into the depth at first, once it is known.
     grows: Option<bool>,
 }
@@ -208,7 +212,7 @@ impl Walker<'_> {
     fn fails_at_once(&mut self) -> Option<Fate> {
         let begin = self.rest();
         let fate = self.limits.first(&begin, &self.events())?;
-        self.detected = self.limits.detects(&begin);
+        self.visibility.follow(&begin, self.limits, fate.mgt());
         Some(fate)
     }
 
@@ -307,17 +311,13 @@ impl Walker<'_> {
 
     /// The events on `part`, which ends here.
     fn pass(&mut self, part: &Part) -> ControlFlow<Fate> {
-        if self.detected == f64::INFINITY {
-            self.detected = self.limits.detects(part);
-        }
         self.track.follow(part, self.limits.detectable_depth);
         let replaced = self.rates.removal.reached_limit();
         let replaced = replaced.and_then(|limit| part.reaches(|state| state.removed, limit));
         let first = self.limits.first(part, &self.events());
-        if let Some(fate) = first.into_iter().chain(replaced.map(Fate::Replaced)).reduce(Fate::or_earlier) {
-            if self.detected > fate.mgt() {
-                self.detected = f64::INFINITY;
-            }
+        let fate = first.into_iter().chain(replaced.map(Fate::Replaced)).reduce(Fate::or_earlier);
+        self.visibility.follow(part, self.limits, fate.map_or(f64::INFINITY, Fate::mgt));
+        if let Some(fate) = fate {
             return ControlFlow::Break(fate);
         }
         if self.cracks.state.depth() <= 0.0 {

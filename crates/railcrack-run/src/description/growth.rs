@@ -53,12 +53,18 @@ pub(super) fn growth(case: &Case) -> Vec<Row> {
 }
 
 fn increments(case: &Case) -> String {
+    let most = if case.growth.answer.is_some() { "until the answer is known, " } else { "" };
     match (case.growth.steps, case.growth.tolerance) {
         (0, _) => "0: the initial cracks only".into(),
         (steps, Some(tolerance)) => {
-            format!("{steps}, at most, chosen for an error of the life of {} %", short(100.0 * tolerance))
+            format!(
+                "{most}{steps}, at most, chosen for an error of the life of {} %",
+                short(100.0 * tolerance)
+            )
         }
-        (steps, None) => format!("{steps}, each {} % of the length", short(100.0 * case.growth.increment)),
+        (steps, None) => {
+            format!("{most}{steps}, each {} % of the length", short(100.0 * case.growth.increment))
+        }
     }
 }
 
@@ -69,10 +75,20 @@ fn path(case: &Case) -> String {
         Turning::Over(0.0) => "limit path: at each tip the best kink is zero".to_owned(),
         Turning::Over(f64::INFINITY) => "straight ahead".to_owned(),
         Turning::Over(length) => format!(
-            "turns towards the best kink over {} mm; kinks of {} degrees and more are made at once",
+            "{}turns towards the best kink over {} mm; kinks of {} degrees and more are made at once",
+            straight_to(case.growth.straight_depth),
             short(length),
             short(case.growth.kink_angle.to_degrees())
         ),
+    }
+}
+
+/// The part of a path up to the `depth` (mm) from which it turns.
+fn straight_to(depth: f64) -> String {
+    if depth > 0.0 {
+        format!("straight ahead to a depth of {} mm, then ", short(depth))
+    } else {
+        String::new()
     }
 }
 

@@ -15,9 +15,22 @@ pub(crate) enum CompanionKind {
     Limit,
     /// Friction coefficient between the faces of all cracks.
     Friction(f64),
+    /// Something that is seldom known is another.
+    Varied(Variation),
     /// None but that only the cracks that other companions of a long row follow are there: what
     /// leaving out the others changes.
     PartOfRow,
+}
+
+/// A quantity of a case that is seldom known, with another value.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) enum Variation {
+    /// The friction of all wheels has the other sign: driven instead of braked.
+    OtherSign,
+    /// The neutral temperature is higher by so many K.
+    Neutral(f64),
+    /// All cracks are deeper at the start by so many mm.
+    Deeper(f64),
 }
 
 /// A companion of a run.

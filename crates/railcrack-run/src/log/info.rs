@@ -3,7 +3,9 @@
 use railcrack::bulk::Boundary;
 use railcrack::fatigue::RailSteel;
 use railcrack::growth::{Mgt, SurfaceRemoval, Warning};
-use railcrack_case::{ContactSolver, Engine, Inspection, InspectionRisk, Output, PlaneEngine, Scatter};
+use railcrack_case::{
+    CalibrationPrior, ContactSolver, Engine, Inspection, InspectionRisk, Output, PlaneEngine, Scatter,
+};
 
 /// A wheel of a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,8 +39,8 @@ pub struct RunInfo {
     pub toughness: Option<f64>,
     /// The steel that the case names for its growth law.
     pub steel: Option<&'static RailSteel>,
-    /// Number of sites by which the case has been calibrated; none where it has not.
-    pub calibrated_sites: Option<usize>,
+    /// What the case has been calibrated with, if it has.
+    pub calibration: CalibrationPrior,
     /// ΔK_eq (MPa√m) of the first and the last row of the growth law, where it is a table.
     pub law_table: Option<(f64, f64)>,
     /// Whether there is fluid in the cracks.
@@ -87,7 +89,7 @@ impl RunInfo {
             bends: false,
             toughness: None,
             steel: None,
-            calibrated_sites: None,
+            calibration: CalibrationPrior::PLANE,
             law_table: None,
             fluid: false,
             coupled: false,

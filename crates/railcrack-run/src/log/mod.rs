@@ -6,7 +6,7 @@ mod info;
 mod residual;
 mod steps;
 
-pub(crate) use companion::{Companion, CompanionKind};
+pub(crate) use companion::{Companion, CompanionKind, Variation};
 pub(crate) use digest::StepDigest;
 pub use info::{RunInfo, WheelInfo};
 pub use residual::{PlasticOrigin, ProjectionSummary, ReleaseSummary, ResidualSummary, RolledSummary};

@@ -32,7 +32,7 @@ impl Needs {
     pub fn with(case: &Case, size: &RunSize) -> Self {
         let count = |n: usize| u64::try_from(n).unwrap_or(u64::MAX);
         let positions = count(case.positions(case.first_wheel()).len());
-        let steps = count(case.growth.steps).saturating_add(1);
+        let steps = count(case.growth.expected_steps()).saturating_add(1);
         let rows = |each: u64, size: u64| each.saturating_mul(positions).saturating_mul(size);
         let kept = |kept: Kept| match kept {
             Kept::All => steps,

@@ -92,6 +92,9 @@ pub struct PlannedGrinding {
     pub probability_of_failure: Option<f64>,
     /// Share of the samples whose fate before the horizon is not known.
     pub probability_not_known: Option<f64>,
+    /// Thickness of the piece of the surface that comes off last, mm; null where none does.
+    #[serde(default)]
+    pub piece_thickness_mm: Option<f64>,
     /// Whether the rail holds: it does not fail before the horizon and, where the case has scatter,
     /// fails with no larger probability than the target.
     pub holds: bool,
@@ -166,6 +169,10 @@ pub struct PlanSummary {
     pub samples: Option<usize>,
     /// Their seed.
     pub seed: Option<usize>,
+    /// Million gross tonnes until the first grinding of all plans; null where it follows after an
+    /// interval.
+    #[serde(default)]
+    pub first_grinding_mgt: Option<f64>,
     /// The depths, ascending, mm.
     pub grinding_mm: Vec<f64>,
     /// The intervals, ascending, million gross tonnes.
@@ -229,6 +236,21 @@ impl PlanSummary {
             of_grinding.reduce(|a, b| if b.removal_mm_per_mgt < a.removal_mm_per_mgt { b } else { a });
         let without = Some(&self.without_grinding).filter(|plan| plan.holds);
         self.least = without.map(|plan| LeastGrinding::of(plan, today)).or(of_grinding);
+    }
+
+    /// Whether no plan holds of a rail that the model describes.
+    pub(crate) fn lacks_a_plan(&self) -> bool {
+        self.verdict.level < VerdictLevel::Outside && self.least.is_none() && !self.plans.is_empty()
+    }
+
+    /// What to do where no plan holds; none where one does, or nothing follows from the case.
+    #[must_use]
+    pub fn next_step(&self) -> Option<&'static str> {
+        let at_once = self.first_grinding_mgt == Some(0.0);
+        self.lacks_a_plan().then_some(match at_once {
+            true => "none of these plans holds, not even with a grinding at once: try deeper or more frequent grinding (--grinding, --interval), mill the rail, or replace it",
+            false => "none of these plans holds: try a grinding at once (first_grinding_mgt = 0), or deeper and more frequent grinding (--grinding, --interval)",
+        })
     }
 
     /// The least depth that holds at interval `i`.

@@ -39,6 +39,8 @@ table! {
         wear_limit: Option<f64> = "mgt_to_wear_limit";
         /// The same in months.
         wear_limit_months: Option<f64> = "months_to_wear_limit";
+        /// Thickness of the piece of the surface that comes off last, mm; empty where none does.
+        piece: Option<f64> = "piece_thickness_mm";
     }
 }
 
@@ -59,6 +61,7 @@ impl From<&PlannedGrinding> for PlanRow {
             holds: usize::from(plan.holds),
             wear_limit: plan.mgt_to_wear_limit,
             wear_limit_months: plan.months_to_wear_limit,
+            piece: plan.piece_thickness_mm,
         }
     }
 }

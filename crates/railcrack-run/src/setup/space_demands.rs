@@ -88,6 +88,7 @@ fn of_one(
     let worn = WornSurface::default();
     let start = StepStart {
         step: 0,
+        counted: 0,
         load_cycles: 0.0,
         worn: &worn,
         passed: 0.0,

@@ -7,6 +7,7 @@ use super::error::RunError;
 use super::job::Stage;
 use super::observer::{AskedAlone, RunObserver};
 use super::run::Simulation;
+use super::variations::{variations, varied};
 use crate::decision::{Course, NominalRun, Question, deciding, from_run};
 use crate::log::{Companion, CompanionKind, RunInfo, RunLog, StepDigest};
 use railcrack::fatigue::DirectionCriterion;
@@ -40,6 +41,8 @@ const BEYOND_CRITICAL: f64 = 1.1;
 const BEYOND_LIMIT: f64 = 1.3;
 /// Steps of a companion over those of the run: slower cracks and the limit path take more.
 const MORE_STEPS: usize = 3;
+/// Steps of the limit path at most.
+const MOST_OF_LIMIT: usize = 300;
 /// Steps of the limit path at most under wear or grinding: where they nearly keep up with growth it
 /// would go on by hundreds of small kinks, each dearer than the one before.
 const MOST_KINKS: usize = 75;
@@ -154,21 +157,24 @@ impl Simulation<'_> {
         if !self.has_variants || info.inspection.is_none() || case.space().is_some() {
             return kinds;
         }
-        if nominal.failure.mode.is_some() {
-            for (kind, turning) in [
-                (CompanionKind::Straight, Turning::Over(f64::INFINITY)),
-                (CompanionKind::Limit, Turning::Over(0.0)),
-            ] {
-                if case.growth.turning != turning {
-                    kinds.push(kind);
-                }
-            }
+        // A rail that holds along the path of the run may fail along another one.
+        if course.points.len() > 1 || nominal.failure.mode.is_some() {
+            kinds.push(CompanionKind::Straight);
+            let is_limit = case.growth.criterion == DirectionCriterion::MaxRate
+                && case.growth.turning == Turning::Over(0.0)
+                && case.growth.straight_depth == 0.0;
+            kinds.extend((!is_limit).then_some(CompanionKind::Limit));
         }
         // A rail that holds with the friction of the case may fail with another one.
         let one = case.crack_friction.first().copied();
         let is_one = case.crack_friction.iter().all(|friction| Some(*friction) == one);
-        if info.scatter.is_some() && is_one && course.points.len() > 1 {
+        let varied = variations(case);
+        let has_others = info.scatter.is_some() || !varied.is_empty();
+        if has_others && is_one && course.points.len() > 1 {
             kinds.extend(FRICTIONS.map(CompanionKind::Friction));
+        }
+        if course.points.len() > 1 {
+            kinds.extend(varied.into_iter().map(CompanionKind::Varied));
         }
         kinds
     }
@@ -183,7 +189,14 @@ impl Simulation<'_> {
         kept: Option<&[usize]>,
         beside: &Beside,
     ) -> Result<Companion, RunError> {
-        let mut case = case_of(self.case, kind);
+        let changed = match kind {
+            CompanionKind::Varied(variation) => varied(self.case, variation, beside.folder),
+            _ => Some(case_of(self.case, kind)),
+        };
+        let Some(mut case) = changed else {
+            let reason = Some("does not apply to this case".to_owned());
+            return Ok(Companion { kind, steps: Vec::new(), reason });
+        };
         let part = kept.and_then(|kept| case.with_cracks(kept));
         // A rail that is shared has the mesh of all cracks.
         let shared = self.shared.filter(|_| part.is_none());
@@ -231,10 +244,11 @@ impl Simulation<'_> {
 }
 
 /// Whether the companion of `kind` is the run of `case` itself: cracks that grow straight ahead by
-/// their criterion take the same path whatever length they turn over.
+/// their criterion, or over an infinite length.
 fn is_the_run(case: &Case, kind: CompanionKind) -> bool {
-    let is_path = matches!(kind, CompanionKind::Straight | CompanionKind::Limit);
-    is_path && case.growth.criterion == DirectionCriterion::Coplanar
+    let goes_straight = case.growth.criterion == DirectionCriterion::Coplanar
+        || case.growth.turning == Turning::Over(f64::INFINITY);
+    kind == CompanionKind::Straight && goes_straight
 }
 
 /// Speeds over that of the run at which cracks are followed for samples with this `deviation` of
@@ -263,15 +277,26 @@ fn deviation(case: &Case, scatter: &Scatter, course: &Course) -> f64 {
 /// `case` as `kind` changes it.
 fn case_of(case: &Case, kind: CompanionKind) -> Case {
     let mut case = case.clone();
-    case.growth.steps *= MORE_STEPS;
+    // A run that goes on until its answer is known has no more to go.
+    if case.growth.answer.is_none() {
+        case.growth.steps *= MORE_STEPS;
+    }
+    if kind == CompanionKind::Limit {
+        case.growth.steps = case.growth.steps.min(MOST_OF_LIMIT);
+    }
     let is_removed = case.maintenance.is_some_and(|removal| removal.mean_rate() > 0.0);
     if kind == CompanionKind::Limit && is_removed {
         case.growth.steps = case.growth.steps.min(MOST_KINKS);
     }
     match kind {
-        CompanionKind::PartOfRow => {}
+        CompanionKind::PartOfRow | CompanionKind::Varied(_) => {}
         CompanionKind::Straight => case.growth.turning = Turning::Over(f64::INFINITY),
-        CompanionKind::Limit => case.growth.turning = Turning::Over(0.0),
+        CompanionKind::Limit => {
+            // By the criterion that follows the load at once: others have no limit to speak of.
+            case.growth.criterion = DirectionCriterion::MaxRate;
+            case.growth.turning = Turning::Over(0.0);
+            case.growth.straight_depth = 0.0;
+        }
         CompanionKind::Friction(friction) => {
             case.crack_friction.iter_mut().for_each(|of_crack| *of_crack = friction);
         }
@@ -281,6 +306,8 @@ fn case_of(case: &Case, kind: CompanionKind) -> Case {
                 limit: removal.limit.map(|limit| limit * BEYOND_LIMIT),
                 ..removal.outpaced(speed)
             }));
+            // Courses at other speeds go on beyond the critical depth, for the samples between them.
+            case.growth.answer = None;
             case.growth.arrest_rate /= speed;
             case.growth.stop_after_cycles = case.growth.stop_after_cycles.map(|cycles| cycles * speed);
             let above = case.scatter.map_or(0.0, |scatter| TOUGHEST * scatter.toughness_std);

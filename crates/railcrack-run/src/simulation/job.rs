@@ -49,7 +49,7 @@ impl Job {
                 bends: case.has_track() && case.plane().is_none_or(|plane| plane.section.is_none()),
                 toughness: case.fracture.as_ref().map(|fracture| fracture.at_rail),
                 steel: case.growth_steel,
-                calibrated_sites: case.calibration.sites,
+                calibration: case.calibration,
                 law_table: case.growth_rates.as_ref().map(|file| file.content().covers()),
                 fluid: case.has_fluid(),
                 coupled: case.has_coupled_wheel(),

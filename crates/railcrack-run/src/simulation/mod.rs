@@ -17,6 +17,7 @@ mod residual_stress;
 mod rolling;
 mod run;
 mod sweep;
+mod variations;
 
 pub use drive::Ending;
 pub use error::RunError;

@@ -5,7 +5,7 @@ use super::error::RunError;
 use super::job::{Job, Stage, case_files};
 use super::observer::AskedAlone;
 use super::run::Simulation;
-use crate::decision::{NominalRun, Question, Verdict};
+use crate::decision::{NominalRun, Question, Verdict, VerdictLevel};
 use crate::log::{Companion, RunInfo, RunLog};
 use crate::planner::{PlanSummary, write_plan};
 use crate::run_folder::{Existing, OF_A_RUN, ResultFolder, begin};
@@ -121,15 +121,23 @@ impl Planning<'_> {
     }
 
     fn computed(&self, request: &PlanRequest, started: Instant) -> Result<PlanSummary, RunError> {
-        let all = self.all(request)?;
-        let mut summary = self.summary(&all, started);
+        let first = self.simulation.case.maintenance.and_then(|removal| removal.grinding?.first);
+        let mut summary = self.summary(&self.all(request, first)?, started);
         summary.find_least();
+        // Where none of them holds, the question is whether grinding at once still helps.
+        if summary.lacks_a_plan() && first.is_none() {
+            let at_once = self.all(request, Some(Mgt(0.0)))?;
+            summary = PlanSummary { first_grinding_mgt: Some(0.0), ..self.summary(&at_once, started) };
+            summary.find_least();
+        }
         summary.assumptions = self.assumptions(&summary);
         Ok(summary)
     }
 
-    /// The rail without grinding and under all plans of `request`.
-    fn all(&self, request: &PlanRequest) -> Result<AllFollowed, RunError> {
+    /// The rail without grinding and under all plans of `request`, the first grinding after the
+    /// traffic `first` or after an interval. A rail that the model does not describe without grinding
+    /// has no plans.
+    fn all(&self, request: &PlanRequest, first: Option<Mgt>) -> Result<AllFollowed, RunError> {
         let case = self.simulation.case;
         let stopped = case.growth.stop_after_cycles.map(|cycles| Axles(cycles).mgt(self.tonnes).0);
         let asked = request.horizon.or(stopped);
@@ -137,13 +145,15 @@ impl Planning<'_> {
         let (alone, state) = self.followed(None, None, Mgt(asked.unwrap_or(LIVES * LONGEST)))?;
         let alone_fails = alone.run.nominal.failure.mgt;
         let horizon = asked.unwrap_or_else(|| alone_fails.map_or(LONGEST, |mgt| LIVES * mgt));
-        let (depths, intervals) = self.tried(request, alone_fails.unwrap_or(horizon));
+        let is_outside = alone.verdict.level == VerdictLevel::Outside;
+        let (depths, intervals) = match is_outside {
+            true => (Vec::new(), Vec::new()),
+            false => self.tried(request, alone_fails.unwrap_or(horizon)),
+        };
         // A sample at the horizon has a run on both sides.
         let farthest = Mgt(if case.scatter.is_some() { horizon * APART.exp() } else { horizon });
-        let given = case.maintenance.and_then(|removal| removal.grinding);
         let plan = |depth, interval| {
-            let grinding =
-                Grinding { depth, interval: Mgt(interval), first: given.and_then(|given| given.first) };
+            let grinding = Grinding { depth, interval: Mgt(interval), first };
             Ok(self.followed(Some(grinding), Some(&state), farthest)?.0)
         };
         let wanted: Vec<(f64, f64)> = depths
@@ -189,6 +199,7 @@ impl Planning<'_> {
         let removal = SurfaceRemoval { grinding, ..given };
         case.set_maintenance(Some(removal).filter(|removal| removal.mean_rate() > 0.0));
         case.growth.steps = MOST_STEPS;
+        case.growth.answer = None;
         case.growth.stop_after_cycles = Some(horizon.axles(self.tonnes).0);
         case
     }

@@ -28,7 +28,10 @@ impl Planning<'_> {
             title: case.title.clone(),
             date: civil(today()),
             case_checksum: String::new(),
-            calibration: calibration(case.calibration.sites),
+            calibration: calibration(
+                case.calibration,
+                case.inspection.and_then(|inspection| inspection.critical_depth),
+            ),
             axle_load_t: self.tonnes,
             mgt_per_year: case.mgt_per_year,
             horizon_mgt: all.horizon.0,
@@ -37,6 +40,7 @@ impl Planning<'_> {
             target_risk: (!draws.is_empty()).then(|| self.target()),
             samples: Some(draws.len()).filter(|count| *count > 0),
             seed: case.scatter.map(|scatter| scatter.seed),
+            first_grinding_mgt: case.maintenance.and_then(|removal| Some(removal.grinding?.first?.0)),
             grinding_mm: all.depths.clone(),
             grinding_interval_mgt: all.intervals.clone(),
             without_grinding: self.outcome(&all.alone, all.horizon, &[]),
@@ -79,9 +83,10 @@ impl Planning<'_> {
         }
         let level = match plan.verdict.level {
             // The run goes on beyond the horizon.
-            VerdictLevel::Ok | VerdictLevel::Act if outcome.is_failure() => VerdictLevel::Act,
-            VerdictLevel::Ok | VerdictLevel::Act => VerdictLevel::Ok,
-            level => level,
+            VerdictLevel::Stop | VerdictLevel::Outside => plan.verdict.level,
+            _ if outcome.is_failure() => VerdictLevel::Act,
+            _ if outcome == PlanOutcome::Unknown => VerdictLevel::Unknown,
+            _ => VerdictLevel::Ok,
         };
         let (probability, not_known) = self.probability(plan, horizon, draws).unzip();
         // A sample whose fate is not known may fail.
@@ -100,6 +105,7 @@ impl Planning<'_> {
             removed_mm: removed,
             level,
             probability_of_failure: probability,
+            piece_thickness_mm: plan.log.pieces().last().map(|piece| piece.thickness),
             probability_not_known: not_known,
             holds: outcome.is_safe() && level < VerdictLevel::Stop && keeps,
             mgt_to_wear_limit: replacement,
@@ -113,7 +119,8 @@ impl Planning<'_> {
         let last = plan.log.steps.last();
         let end = last.map_or(0.0, |step| step.mgt(self.tonnes));
         let stop = last.and_then(|step| step.stop);
-        let is_at_rest = matches!(stop, Some(RunStop::NoTipGrows(TipStop::Arrest | TipStop::Coalescence)));
+        let rests = [TipStop::Arrest, TipStop::Coalescence, TipStop::BreakOut];
+        let is_at_rest = matches!(stop, Some(RunStop::NoTipGrows(stop)) if rests.contains(&stop));
         let by = |mgt: Option<f64>| mgt.filter(|mgt| *mgt <= horizon);
         let failure = nominal.failure.mode.zip(by(nominal.failure.mgt));
         match (failure, by(nominal.worn), by(nominal.replaced)) {
@@ -156,8 +163,9 @@ impl Planning<'_> {
             },
             "The cracks are those of the case at the beginning, and grow as a plane rail by the growth law of the case.".to_owned(),
             format!("The surface wears by {} mm per million gross tonnes at all times.", summary.wear_mm_per_mgt),
-            match case.maintenance.and_then(|removal| removal.grinding?.first) {
-                Some(Mgt(first)) => format!("The first grinding is due after {first} million gross tonnes in every plan, the others follow at the interval."),
+            match summary.first_grinding_mgt {
+                Some(0.0) => "The first grinding is done at once in every plan, the others follow at the interval.".to_owned(),
+                Some(first) => format!("The first grinding is due after {first} million gross tonnes in every plan, the others follow at the interval."),
                 None => "The first grinding is due after one interval.".to_owned(),
             },
             "A grinding takes the same depth everywhere and leaves the shape of the contact as it is.".to_owned(),

@@ -51,7 +51,7 @@ impl StudyComputation<'_> {
     pub fn compute(&self, waiting: &[usize], threads: usize) -> Result<Vec<FailedRun>, RunError> {
         let of_run = |&run: &usize| {
             let case = &self.study.runs[run].case;
-            WaitingRun { run, case, effort: (case.growth.steps + 1) as f64 }
+            WaitingRun { run, case, effort: (case.growth.expected_steps() + 1) as f64 }
         };
         let queue = RunQueue::new(waiting.iter().map(of_run));
         let failed = Mutex::new(Vec::new());
@@ -114,7 +114,7 @@ impl StudyComputation<'_> {
         next: &NextRun,
     ) -> Result<(Ending, Summary), RunError> {
         self.folder.reopen(planned)?;
-        let observer = self.observer.of_run(run.case.growth.steps + 1);
+        let observer = self.observer.of_run(run.case.growth.expected_steps() + 1);
         let simulation = Simulation::new(&run.case)
             .observed_by(observer.as_ref())
             .presented_by(self.presentation)

@@ -91,6 +91,7 @@ impl PopulationPlan {
             samples: self.samples,
             seed: self.seed,
             c_log_std: self.c_log_std,
+            rail_log_std: self.c_log_std,
             m_std: self.m_std,
             toughness: None,
             toughness_std: 0.0,

@@ -285,6 +285,8 @@ fn piece_summary(piece: &Piece) -> PieceSummary {
         step: piece.step,
         crack: piece.crack + 1,
         area_mm2: piece.area,
+        thickness_mm: piece.thickness,
+        cause: piece.cause,
         outline_mm: piece.outline.iter().map(|point| [point.x, point.y]).collect(),
     }
 }

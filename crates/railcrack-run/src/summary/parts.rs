@@ -2,7 +2,7 @@
 
 use crate::disk::words;
 use railcrack::crack::End;
-use railcrack::growth::{PieceKind, TipStop, Warning, WarningKind};
+use railcrack::growth::{PieceCause, PieceKind, TipStop, Warning, WarningKind};
 use serde::{Deserialize, Serialize};
 
 /// Wall time by phase, of the run and its resumptions, seconds.
@@ -137,6 +137,12 @@ pub struct PieceSummary {
     pub crack: usize,
     /// Area, mm².
     pub area_mm2: f64,
+    /// Its greatest depth below the running surface, mm.
+    #[serde(default)]
+    pub thickness_mm: f64,
+    /// What encloses it: growth, wear or a grinding.
+    #[serde(default)]
+    pub cause: PieceCause,
     /// Corners (x, y) in order, mm; the last is joined to the first.
     pub outline_mm: Vec<[f64; 2]>,
 }

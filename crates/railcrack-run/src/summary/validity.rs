@@ -226,8 +226,8 @@ pub(crate) fn of_steps(info: &RunInfo, log: &RunLog) -> Vec<WarningSummary> {
         (above == sign).then_some((sign * delta_k, warning))
     };
     let deeper = |i: usize| {
-        let (_, rate) = deepening(&steps, i, info.axle_load?)?;
-        Some((rate, validity::depth_rate(rate)?))
+        let (tip, rate) = deepening(&steps, i, info.axle_load?)?;
+        Some((rate, validity::depth_rate(rate, tip.depth())?))
     };
     let flap = |i: usize| {
         let opening = steps[i].unfelt_opening;

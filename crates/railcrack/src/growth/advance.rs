@@ -33,4 +33,7 @@ pub struct StepProgress {
     pub removal: f64,
     /// Whether the surface is ground at the end of the step.
     pub ground: bool,
+    /// Whether it is a grinding, or was cut to end at one or at another event: such a step does not
+    /// count towards the number of increments.
+    pub is_cut: bool,
 }

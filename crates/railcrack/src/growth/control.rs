@@ -49,6 +49,11 @@ impl Default for Trial {
 }
 
 impl Trial {
+    /// Whether it was cut to end just before an event.
+    pub fn ends_at_event(&self) -> bool {
+        self.then.is_some()
+    }
+
     /// This attempt, cut to `cycles`.
     fn cut(&self, cycles: f64, then: Option<f64>) -> Self {
         Self { cycles_at_most: cycles, cuts: self.cuts + 1, then, ..Self::default() }
@@ -348,7 +353,10 @@ impl Control<'_> {
                 continue;
             }
             let curvature = |tip: &TipRecord| self.settings.turning.curvature(tip.kink.unwrap_or(0.0));
-            if self.settings.turning.is_limit() || end_plane.jump.is_some() {
+            if self.settings.turning.is_limit()
+                || self.settings.goes_straight(tip)
+                || end_plane.jump.is_some()
+            {
                 continue;
             }
             let turned = 0.5 * tip.increment * (curvature(tip) + curvature(end));

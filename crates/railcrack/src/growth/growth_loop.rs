@@ -143,6 +143,7 @@ impl<R: CrackedRail> Growth<R> {
             if advance.stop.is_some() {
                 return Ok((tips, advance, None));
             }
+            advance.progress.is_cut |= trial.ends_at_event();
             let state = self.state.after(&advance, now.load_cycles);
             let control = Control {
                 settings: self.rail.settings().clone(),
@@ -361,7 +362,7 @@ impl<R: CrackedRail> Growth<R> {
             loaded.fields = self.rail.fields(body, at, first)?;
         }
         loaded.body_s += started.seconds();
-        if at.step >= self.rail.settings().steps {
+        if at.counted >= self.rail.settings().steps {
             self.rail.forget();
         }
         Ok(())

@@ -152,7 +152,8 @@ impl CrackedRail for Rule {
         let wearing = [WearingCrack { mouth_sine: 1.0, longest: at.worn.longest_of(0, tips[0].length) }];
         let moving = Moving { all: movers, growing: movers, some_are_left: true, wearing: &wearing };
         let broken = self.hazard(geometry, &tips[0]) >= 1.0;
-        let stop = run_stop(&self.settings, at, broken, tips[0].length);
+        let largest = LargestCracks { breaks: broken, length: tips[0].length, depth: tips[0].depth() };
+        let stop = run_stop(&self.settings, at, largest);
         let pace = StepSize::of(&moving, at, &self.settings, 1.0);
         let increment = pace.increment(&movers[0]);
         let mut next = geometry.clone();

@@ -42,11 +42,11 @@ pub use history::Interval;
 pub use positions::output_positions;
 pub use rail::{BodyReport, CrackedRail, Observer, TipJudge, Unobserved, WheelOfRail};
 pub use record::{
-    FaceRecord, FieldRecord, FieldSettings, FieldSnapshot, PassageRecord, PhaseTimes, Piece, PieceKind,
-    PlaneTip, SolverCounts, StepRecord, TipGeometry, TipRecord,
+    FaceRecord, FieldRecord, FieldSettings, FieldSnapshot, PassageRecord, PhaseTimes, Piece, PieceCause,
+    PieceKind, PlaneTip, SolverCounts, StepRecord, TipGeometry, TipRecord,
 };
-pub use removal::{Grinding, StressMoves, SurfaceRemoval};
-pub use settings::{GrowthSettings, PassageSettings};
+pub use removal::{Grinding, StressMoves, SurfaceRemoval, THIN_FLAKE};
+pub use settings::{Answer, GrowthSettings, PassageSettings};
 pub use stabilised::{GroupsError, GrowthError, Overlap, PassageError, StabilisedPassage};
 pub use state::GrowthState;
 pub use step_source::StepSource;
@@ -65,6 +65,7 @@ pub(crate) use removal::Uncovered;
 pub(crate) use stabilised::{Memory, Repeated, Repeats, until_repeated};
 pub(crate) use step_size::{Event, LEAST_PART, Moving, StepSize, WearingCrack, is_worth_a_step};
 pub(crate) use stops::{
-    ChangingCrack, TipDemand, least_length, nothing_grows, run_stop, spent_ligament, standstill,
+    ChangingCrack, LargestCracks, TipDemand, least_length, nothing_grows, run_stop, spent_ligament,
+    standstill,
 };
 pub(crate) use sweeps::{KEPT, SweepError, SweepProgress};

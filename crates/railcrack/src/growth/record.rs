@@ -337,6 +337,19 @@ impl Choice for PieceKind {
     ];
 }
 
+/// What encloses a piece.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PieceCause {
+    /// The growth of a tip.
+    #[default]
+    Growth,
+    /// Wear, which brings the surface down to a tip that had turned up.
+    Wear,
+    /// A grinding that cuts such a tip off.
+    Grinding,
+}
+
 /// An enclosed piece of the rail.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Piece {
@@ -350,6 +363,12 @@ pub struct Piece {
     pub outline: Vec<Vec2>,
     /// Its area, mm².
     pub area: f64,
+    /// Its greatest depth below the running surface, mm.
+    #[serde(default)]
+    pub thickness: f64,
+    /// What encloses it.
+    #[serde(default)]
+    pub cause: PieceCause,
 }
 
 impl Piece {
@@ -357,7 +376,17 @@ impl Piece {
     pub(crate) fn new(kind: PieceKind, step: usize, crack: usize, outline: Vec<Vec2>) -> Self {
         let next = outline.iter().cycle().skip(1);
         let twice: f64 = outline.iter().zip(next).map(|(a, b)| a.cross(*b)).sum();
-        Self { kind, step, crack, area: 0.5 * twice.abs(), outline }
+        let thickness = outline.iter().map(|point| -point.y).fold(0.0, f64::max);
+        let cause = PieceCause::Growth;
+        Self { kind, step, crack, area: 0.5 * twice.abs(), outline, thickness, cause }
+    }
+
+    /// The piece that the removal of the surface leaves above `crack` (number `index`) in `step`,
+    /// whose tip it has reached; coordinates are those after the removal.
+    pub(crate) fn cut_off(cause: PieceCause, step: usize, index: usize, crack: &Crack) -> Self {
+        let mut outline = crack.points().to_vec();
+        outline.extend(outline.last().map(|tip| Vec2::new(tip.x, 0.0)));
+        Self { cause, ..Self::new(PieceKind::Spall, step, index, outline) }
     }
 }
 

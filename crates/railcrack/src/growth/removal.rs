@@ -1,5 +1,6 @@
 //! Wear and grinding, which remove the running surface and the mouths of its cracks.
 
+use super::record::{Piece, PieceCause, PieceKind};
 use super::tonnage::{Axles, Mgt, Traffic};
 use crate::field::StressField;
 use crate::math::{OutOfRange, Stress, Vec2};
@@ -20,6 +21,9 @@ pub struct SurfaceRemoval<T> {
     pub limit: Option<f64>,
     /// Effect of the removal on the residual stress.
     pub stress: StressMoves,
+    /// Thickness (mm) from which the loss of a piece of the surface is a failure; `None` for
+    /// [`SurfaceRemoval::least_spall`] by itself.
+    pub least_spall: Option<f64>,
 }
 
 /// Grinding at regular intervals.
@@ -32,6 +36,10 @@ pub struct Grinding<T> {
     /// Traffic until the first one; `None` for one interval.
     pub first: Option<T>,
 }
+
+/// Thickness (mm) of a flake that is no loss of running surface: traffic wears its edge down, as it
+/// does with the flakes of a head-checked gauge corner.
+pub const THIN_FLAKE: f64 = 0.3;
 
 /// Shortfall of the removed depth, relative to the wear limit or in removals per interval, that is
 /// attributed to rounding.
@@ -70,7 +78,25 @@ impl<T: Traffic> Grinding<T> {
 
 impl<T> SurfaceRemoval<T> {
     /// Nothing is removed.
-    pub const NONE: Self = Self { wear: 0.0, grinding: None, limit: None, stress: StressMoves::WithMetal };
+    pub const NONE: Self =
+        Self { wear: 0.0, grinding: None, limit: None, stress: StressMoves::WithMetal, least_spall: None };
+
+    /// Thickness (mm) from which the loss of a piece of the surface is a failure: where it is not
+    /// given, that of the next grinding, which takes thinner flakes with it, and [`THIN_FLAKE`] at
+    /// least.
+    #[must_use]
+    pub fn least_spall(&self) -> f64 {
+        let ground = self.grinding.as_ref().map_or(0.0, |grinding| grinding.depth);
+        self.least_spall.unwrap_or(ground.max(THIN_FLAKE))
+    }
+
+    /// Whether the loss of `piece` is a failure of the rail. A flake that a grinding cuts off comes
+    /// away with it, however thick, unless a thickness is given.
+    #[must_use]
+    pub fn is_loss(&self, piece: &Piece) -> bool {
+        let is_ground = piece.cause == PieceCause::Grinding && self.least_spall.is_none();
+        piece.kind == PieceKind::Detached || (!is_ground && piece.thickness >= self.least_spall())
+    }
 
     /// The depth (mm) at which the rail is replaced, less what is attributed to rounding.
     #[must_use]
@@ -151,7 +177,8 @@ impl SurfaceRemoval<Mgt> {
             first: first.map(|first| first.axles(tonnes)),
         });
         let wear = 1e-6 * tonnes * self.wear;
-        SurfaceRemoval { wear, grinding, limit: self.limit, stress: self.stress }
+        let Self { limit, stress, least_spall, .. } = *self;
+        SurfaceRemoval { wear, grinding, limit, stress, least_spall }
     }
 }
 

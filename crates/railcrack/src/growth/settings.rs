@@ -1,6 +1,6 @@
 //! Settings of passages and growth; the defaults are the reference values of the paper.
 
-use super::{Axles, StressMoves, SurfaceRemoval, Turning, WornSurface};
+use super::{Axles, StressMoves, SurfaceRemoval, TipRecord, Turning, WornSurface};
 use crate::contact::StepControl;
 use crate::fatigue::{DirectionCriterion, GrowthLaw};
 use crate::load::Passage;
@@ -50,11 +50,21 @@ impl PassageSettings {
     }
 }
 
+/// What a run is to find out, with which it ends.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Answer {
+    /// The depth (mm) of a tip that is a failure; without one, the run ends as any other.
+    pub critical_depth: Option<f64>,
+}
+
 /// How cracks grow and when a run ends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GrowthSettings {
     /// Number of increments; with 0, only the initial cracks are computed.
     pub steps: usize,
+    /// What a run without a given number of increments is to find out; `steps` is then the largest
+    /// number of them.
+    pub answer: Option<Answer>,
     /// Increment of the fastest tip as a fraction of its crack's current length; with a tolerance,
     /// that of the first step.
     pub increment: f64,
@@ -63,6 +73,9 @@ pub struct GrowthSettings {
     pub tolerance: Option<f64>,
     /// How paths turn towards the best kink.
     pub turning: Turning,
+    /// Depth of a tip (mm) up to which its path goes straight ahead; 0 where it turns from the
+    /// beginning.
+    pub straight_depth: f64,
     /// Best kink (radians) from which a path kinks at once.
     pub kink_angle: f64,
     /// Friction coefficient of the faces of virtual kinks.
@@ -89,6 +102,9 @@ pub struct GrowthSettings {
     pub maintenance: Option<SurfaceRemoval<Axles>>,
 }
 
+/// Increments after which most runs have their answer.
+const USUAL_STEPS: usize = 60;
+
 /// [`GrowthSettings::REFERENCE`].
 impl Default for GrowthSettings {
     fn default() -> Self {
@@ -100,9 +116,11 @@ impl GrowthSettings {
     /// The defaults of a case file: the reference values of the paper.
     pub const REFERENCE: Self = Self {
         steps: 25,
+        answer: None,
         increment: 0.04,
         tolerance: None,
         turning: Turning::Over(Turning::DEFAULT_LENGTH),
+        straight_depth: 0.0,
         kink_angle: 30.0 * std::f64::consts::PI / 180.0,
         kink_friction: 0.0,
         law: GrowthLaw::RAIL_STEEL,
@@ -115,6 +133,20 @@ impl GrowthSettings {
         usual_toughness: None,
         maintenance: None,
     };
+
+    /// Increments of a run that ends with its answer, at most.
+    pub const MOST_STEPS: usize = 1000;
+
+    /// Increments to expect: where a run ends with its answer, those of most such runs.
+    #[must_use]
+    pub fn expected_steps(&self) -> usize {
+        if self.answer.is_some() { self.steps.min(USUAL_STEPS) } else { self.steps }
+    }
+
+    /// Whether the path of `tip` goes straight ahead, whatever its best kink.
+    pub(crate) fn goes_straight(&self, tip: &TipRecord) -> bool {
+        !self.turning.is_kink() && tip.depth() < self.straight_depth
+    }
 
     /// Wear and grinding, if they remove anything.
     pub(crate) fn maintained(&self) -> Option<&SurfaceRemoval<Axles>> {
@@ -136,6 +168,7 @@ impl GrowthSettings {
         if let Turning::Over(length) = self.turning {
             at_least_zero("turning length (mm)", length)?;
         }
+        at_least_zero("depth of straight paths (mm)", self.straight_depth)?;
         OutOfRange::unless_positive("kink angle (rad)", self.kink_angle)?;
         at_least_zero("friction of virtual kinks", self.kink_friction)?;
         OutOfRange::unless_positive("tolerance of the life", self.tolerance.unwrap_or(1.0))?;

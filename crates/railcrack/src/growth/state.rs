@@ -12,6 +12,9 @@ use serde::{Deserialize, Serialize};
 pub struct GrowthState {
     /// The step to compute next.
     pub step: usize,
+    /// Steps so far that count towards the number of increments.
+    #[serde(default)]
+    pub counted: usize,
     /// The cracks at its start.
     pub geometry: Geometry,
     /// Load cycles at the start of the step before it.
@@ -42,6 +45,7 @@ impl GrowthState {
     pub fn beginning(geometry: Geometry) -> Self {
         Self {
             step: 0,
+            counted: 0,
             geometry,
             load_cycles: 0.0,
             interval: None,
@@ -57,6 +61,7 @@ impl GrowthState {
     pub(super) fn start(&self) -> StepStart<'_> {
         StepStart {
             step: self.step,
+            counted: self.counted,
             load_cycles: self.load_cycles,
             earlier: self.earlier.as_ref(),
             ..StepStart::standing(&self.worn)
@@ -70,6 +75,7 @@ impl GrowthState {
         let longest = lengths.map(|(i, length)| self.worn.longest_of(i, length)).collect();
         Self {
             step: self.step + 1,
+            counted: self.counted + usize::from(!advance.progress.is_cut),
             geometry: advance.geometry.clone(),
             load_cycles,
             interval: *interval,

@@ -28,6 +28,8 @@ pub(crate) struct StepSize {
     /// Whether the increments follow from the cycles, which are final, instead of the cycles from
     /// an increment.
     is_timed: bool,
+    /// Whether an event leaves less than half of what the step would be.
+    is_cut: bool,
 }
 
 /// A crack that is shortened as the surface is removed.
@@ -77,6 +79,7 @@ impl StepSize {
             Some(fastest) => Self::of_growth(history, fastest, at.share, part),
             None => Self { cycles: f64::INFINITY, ..Self::none(history) },
         };
+        let until_event = maintenance.map_or(left, |own| left.min(own.until_event(at)));
         let limit = match maintenance {
             Some(_) if !moving.some_are_left => 0.0,
             Some(maintenance) => left.min(maintenance.cycles_at_most(moving.wearing, at)),
@@ -89,10 +92,12 @@ impl StepSize {
             let share = fastest.map_or(0.0, |mover| cycles * mover.rate / mover.length);
             // Growth that is much slower than the removal of the surface is drawn in larger steps.
             let least = if maintenance.is_some() { LEAST_DRAWN * at.share } else { 0.0 };
+            let is_cut = cycles < CUT * pace.cycles && limit >= until_event;
             pace = Self {
                 mover,
                 cycles,
                 is_timed: true,
+                is_cut,
                 share: share.max(least).min(at.share),
                 ..Self::none(pace.history)
             };
@@ -116,6 +121,7 @@ impl StepSize {
             removal: 0.0,
             grinds: false,
             is_timed: false,
+            is_cut: false,
         }
     }
 
@@ -133,6 +139,7 @@ impl StepSize {
             cycles_at_start,
             cycles,
             share: part * share,
+            is_cut: part < CUT,
             ..Self::none(history)
         }
     }
@@ -148,6 +155,7 @@ impl StepSize {
             interval: self.interval(is_kinked),
             removal: self.removal,
             ground: self.grinds,
+            is_cut: self.grinds || self.is_cut,
         }
     }
 
@@ -195,6 +203,8 @@ impl StepSize {
     }
 }
 
+/// A step that an event leaves less than this part of is one that was cut.
+const CUT: f64 = 0.5;
 /// A step is not shortened to less than this part for events.
 pub(crate) const LEAST_PART: f64 = 1e-9;
 /// Relative difference of a shortened step from the event at which it ends.
@@ -244,7 +254,12 @@ impl SurfaceRemoval<Axles> {
     fn cycles_at_most(&self, wearing: &[WearingCrack], at: &StepStart<'_>) -> f64 {
         let by_wear = |crack: &WearingCrack| at.share * crack.longest * crack.mouth_sine / self.wear;
         let by_wear = wearing.iter().map(by_wear).fold(f64::INFINITY, f64::min);
-        by_wear.min(self.next_event(at.worn.grindings).0 - at.load_cycles).max(0.0)
+        by_wear.min(self.until_event(at)).max(0.0)
+    }
+
+    /// The cycles until the surface is ground, or the wear limit is reached.
+    fn until_event(&self, at: &StepStart<'_>) -> f64 {
+        self.next_event(at.worn.grindings).0 - at.load_cycles
     }
 
     /// Depth (mm) that the surface loses in `cycles` without grinding.

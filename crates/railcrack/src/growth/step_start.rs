@@ -8,6 +8,8 @@ use serde::{Deserialize, Serialize};
 pub struct StepStart<'a> {
     /// Step number, from 0.
     pub step: usize,
+    /// Steps so far that count: not grindings, nor increments that were cut to end at an event.
+    pub counted: usize,
     /// Load cycles so far.
     pub load_cycles: f64,
     /// The running surface as wear and grinding have left it.
@@ -29,6 +31,7 @@ impl<'a> StepStart<'a> {
     pub(crate) fn standing(worn: &'a WornSurface) -> Self {
         Self {
             step: 0,
+            counted: 0,
             load_cycles: 0.0,
             worn,
             passed: 0.0,

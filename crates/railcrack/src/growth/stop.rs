@@ -61,6 +61,8 @@ pub enum RunStop {
     Cycles,
     /// A crack reached the critical length.
     CriticalLength,
+    /// A tip reached the critical depth, with which the answer is known.
+    CriticalDepth,
     /// A piece of the rail is fully detached.
     Detached,
     /// No tip grows; the reason given by the last tip that stopped.
@@ -77,6 +79,7 @@ impl Choice for RunStop {
         (Self::StepsDone, Word::now("steps-done", "all increments done")),
         (Self::Cycles, Word::now("cycles", "the number of load cycles asked for")),
         (Self::CriticalLength, Word::now("critical-length", "a crack is as long as asked for")),
+        (Self::CriticalDepth, Word::now("critical-depth", "a tip is as deep as asked for")),
         (Self::Detached, Word::now("detached", "a piece of the rail is wholly cut off")),
         (Self::Fracture, FRACTURE),
         (Self::WearLimit, Word::now("wear-limit", "the rail is worn to the limit at which it is replaced")),

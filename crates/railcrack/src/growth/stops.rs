@@ -116,19 +116,36 @@ pub(crate) fn standstill(runs_away: bool, grows: bool, settings: &GrowthSettings
     (!waits && !grows).then_some(TipStop::Arrest)
 }
 
+/// Steps without an increment of their own, at grindings and events, for each that counts, at most.
+const FREE_STEPS: usize = 20;
+
+/// The cracks at the start of a step, as far as the end of the run depends on them.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LargestCracks {
+    /// Whether a tip breaks the rail.
+    pub breaks: bool,
+    /// Length of the longest crack, mm.
+    pub length: f64,
+    /// Depth of the deepest tip, mm.
+    pub depth: f64,
+}
+
 /// Why the run ends at the start of a step, before any increment, in this order: fracture, critical
-/// length, wear limit, cycles, steps. `longest` is the length (mm) of the longest crack.
+/// length, critical depth, wear limit, cycles, steps.
 pub(crate) fn run_stop(
     settings: &GrowthSettings,
     at: &StepStart<'_>,
-    breaks: bool,
-    longest: f64,
+    LargestCracks { breaks, length: longest, depth }: LargestCracks,
 ) -> Option<RunStop> {
     if breaks {
         return Some(RunStop::Fracture);
     }
+    let critical_depth = settings.answer.and_then(|answer| answer.critical_depth);
     if longest >= settings.critical_length.unwrap_or(f64::INFINITY) * (1.0 - LENGTH_ROUNDING) {
         return Some(RunStop::CriticalLength);
+    }
+    if critical_depth.is_some_and(|critical| depth >= critical) {
+        return Some(RunStop::CriticalDepth);
     }
     if settings.maintained().is_some_and(|maintenance| maintenance.is_at_limit(at.worn.removed)) {
         return Some(RunStop::WearLimit);
@@ -137,7 +154,8 @@ pub(crate) fn run_stop(
     if at.load_cycles >= cycles * (1.0 - CYCLES_ROUNDING) {
         return Some(RunStop::Cycles);
     }
-    (at.step >= settings.steps).then_some(RunStop::StepsDone)
+    let is_done = at.counted >= settings.steps || at.step >= FREE_STEPS * settings.steps;
+    is_done.then_some(RunStop::StepsDone)
 }
 
 /// The end of a run in which everything has stopped, with the reason for the last stop; `stops`

@@ -18,7 +18,7 @@ pub(super) fn crack(points: &[(f64, f64)]) -> Crack {
 
 /// Start of `step` after `load_cycles`, with an unworn surface.
 pub(super) fn at(step: usize, load_cycles: f64) -> StepStart<'static> {
-    StepStart { step, load_cycles, share: SETTINGS.increment, ..StepStart::standing(&UNWORN) }
+    StepStart { step, counted: step, load_cycles, share: SETTINGS.increment, ..StepStart::standing(&UNWORN) }
 }
 
 /// The advance from `state` by the increment of `settings`.

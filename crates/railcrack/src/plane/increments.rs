@@ -9,9 +9,9 @@ use super::step_state::{
 use super::turned::Turned;
 use crate::crack::{Crack, End, Junction, point_to_segment};
 use crate::growth::{
-    BreakOut, ChangingCrack, DeferredGrowth, Event, GrowthSettings, Jump, LEAST_PART, LOCATED, Mover, Moving,
-    Piece, RunStop, StepProgress, StepSize, TipCourse, TipStop, WearingCrack, is_worth_a_step, least_length,
-    nothing_grows, run_stop,
+    BreakOut, ChangingCrack, DeferredGrowth, Event, GrowthSettings, Jump, LEAST_PART, LOCATED, LargestCracks,
+    Mover, Moving, Piece, PieceCause, RunStop, StepProgress, StepSize, TipCourse, TipStop, WearingCrack,
+    is_worth_a_step, least_length, nothing_grows, run_stop,
 };
 use crate::math::Vec2;
 
@@ -87,14 +87,15 @@ pub(super) struct PlaneAdvance {
 /// Source: Trollé et al. 2014, eq. 32.
 #[must_use]
 pub(super) fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> PlaneAdvance {
-    let Drawn { pace, mut plans, met, mut outcome, mut stops, break_outs, pieces } = drawn(state, settings);
+    let Drawn { pace, mut plans, met, mut outcome, mut stops, break_outs, mut pieces } =
+        drawn(state, settings);
     let frees =
         pace.removal > 0.0 && reaches_junction(state.cracks, state.junctions, pace.removal, state.resolution);
     if let Outcome::Grown { cracks, .. } = &mut outcome
         && pace.removal > 0.0
         && !frees
     {
-        remove_surface(state, pace.removal, cracks, &mut plans, &mut stops);
+        pieces.extend(remove_surface(state, &pace, cracks, &mut plans, &mut stops));
     }
     let is_detached = frees || matches!(outcome, Outcome::Detached(_));
     let stop = stop_of_run(state, settings, &stops, is_detached);
@@ -193,8 +194,10 @@ fn stop_of_run(
     is_detached: bool,
 ) -> Option<RunStop> {
     let breaks = state.tips.iter().any(|tip| tip.demand().breaks(settings));
-    let longest = (0..state.cracks.len()).map(|crack| state.length(crack)).fold(0.0, f64::max);
-    run_stop(settings, &state.at, breaks, longest)
+    let length = (0..state.cracks.len()).map(|crack| state.length(crack)).fold(0.0, f64::max);
+    let depth_of = |tip: &TipDrive| -state.cracks[tip.tip.crack].tip(tip.tip.end).y;
+    let depth = state.tips.iter().map(depth_of).fold(0.0, f64::max);
+    run_stop(settings, &state.at, LargestCracks { breaks, length, depth })
         .or_else(|| is_detached.then_some(RunStop::Detached))
         .or_else(|| {
             let stops: Vec<_> = state.tips.iter().map(|tip| tip.stopped).zip(stops.iter().copied()).collect();
@@ -245,15 +248,17 @@ fn pace(state: &StepState<'_>, settings: &GrowthSettings, stops: &[Option<TipSto
     StepSize::of(&moving, &state.at, settings, part)
 }
 
-/// Removes `removal` (mm) from the surface above `cracks`: tips of cracks that are worn away, and
-/// tips that the surface has reached, stop.
+/// Takes the removal of `pace` from the surface above `cracks`: tips of cracks that are worn away,
+/// and tips that the surface has reached, stop. The pieces that it cuts off.
 fn remove_surface(
     state: &StepState<'_>,
-    removal: f64,
+    pace: &StepSize,
     cracks: &mut [Crack],
     plans: &mut [Option<PlannedAdvance>],
     stops: &mut [Option<TipStop>],
-) {
+) -> Vec<Piece> {
+    let (removal, mut pieces) = (pace.removal, Vec::new());
+    let cause = if pace.grinds { PieceCause::Grinding } else { PieceCause::Wear };
     let count = cracks.len();
     let mut left_out = vec![0.0; count];
     for (tip, plan) in state.tips.iter().zip(plans.iter()) {
@@ -276,9 +281,12 @@ fn remove_surface(
                 plans[t] = None;
             } else if broken_out[usize::from(tip.tip.end == End::Last)] && stops[t].is_none() {
                 stops[t] = Some(TipStop::BreakOut);
+                let is_open = cracks[i].is_surface_breaking();
+                pieces.extend(is_open.then(|| Piece::cut_off(cause, state.at.step, i, &cracks[i])));
             }
         }
     }
+    pieces
 }
 
 /// The advances of the tips when no increment is made.

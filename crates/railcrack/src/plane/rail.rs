@@ -171,15 +171,17 @@ impl PlaneRail {
     fn drive(&self, geometry: &PlaneGeometry, tip: &TipRecord) -> TipDrive {
         let CrackTip { crack, tip: index, .. } = tip.tip;
         let plane = tip.plane().copied().unwrap_or_default();
+        let goes_straight = self.growth.goes_straight(tip);
+        let course = if goes_straight { TipCourse::default() } else { geometry.courses[crack][index] };
         TipDrive {
             tip: tip.tip,
-            kink: tip.kink,
+            kink: tip.kink.map(|kink| if goes_straight { 0.0 } else { kink }),
             rate: tip.rate,
             largest_k1: tip.compared_k1(),
             jump: plane.jump,
             kink_slope: plane.kink_slope,
             lean: lean(&geometry.cracks[crack], tip.tip.end),
-            course: geometry.courses[crack][index],
+            course,
             deferred: geometry.deferred[crack][index],
             stopped: geometry.stopped[crack][index],
         }
@@ -353,7 +355,14 @@ impl CrackedRail for PlaneRail {
             let length = crack.length() + geometry.deferred_at(tip.crack);
             let under = MixedTip::of(&demands, &wheels);
             let record = under.record(tip, crack.tip(tip.end), length, TipGeometry::Plane(plane));
-            TipRecord { kink: kink.map(|kink| kink.angle), mouth_sine: mouth_sine(crack), ..record }
+            let mut record =
+                TipRecord { kink: kink.map(|kink| kink.angle), mouth_sine: mouth_sine(crack), ..record };
+            if growth.goes_straight(&record)
+                && let TipGeometry::Plane(plane) = &mut record.geometry
+            {
+                plane.jump = None;
+            }
+            record
         };
         network.tips().into_iter().enumerate().map(tip_record).collect()
     }

@@ -4,9 +4,9 @@ use super::front_motion::FrontSpeeds;
 use super::shape::{CloseCracks, LEAST_DISTANCE, SpaceCrack};
 use super::worn::{Worn, worn};
 use crate::growth::{
-    ChangingCrack, Event, FrontShape, GrowthSettings, LEAST_PART, Mover, Moving, RunStop, StepSize,
-    StepStart, TipStop, WearingCrack, is_worth_a_step, least_length, nothing_grows, run_stop, spent_ligament,
-    standstill,
+    ChangingCrack, Event, FrontShape, GrowthSettings, LEAST_PART, LargestCracks, Mover, Moving, RunStop,
+    StepSize, StepStart, TipStop, WearingCrack, is_worth_a_step, least_length, nothing_grows, run_stop,
+    spent_ligament, standstill,
 };
 use crate::math::RailBox;
 
@@ -106,9 +106,11 @@ impl FrontAdvance {
         if pace.removal > 0.0 {
             remove_surface(start, pace.removal, &mut shapes, &mut stopped);
         }
-        let longest = start.shapes.iter().map(FrontShape::path_length).fold(0.0, f64::max);
+        let length = start.shapes.iter().map(FrontShape::path_length).fold(0.0, f64::max);
+        let depth = start.shapes.iter().map(|shape| -shape.deepest().y).fold(0.0, f64::max);
+        let largest = LargestCracks { breaks: start.breaks, length, depth };
         let stops: Vec<_> = start.stopped.iter().copied().zip(stopped.iter().copied()).collect();
-        let stop = run_stop(growth, &start.at, start.breaks, longest).or_else(|| nothing_grows(&stops));
+        let stop = run_stop(growth, &start.at, largest).or_else(|| nothing_grows(&stops));
         if stop.is_some() {
             let increments = increments.iter().map(|increment| increment.map(|_, _| 0.0)).collect();
             let shapes = start.shapes.to_vec();

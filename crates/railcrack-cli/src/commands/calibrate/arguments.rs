@@ -61,7 +61,7 @@ impl CalibrateArguments {
     /// The progress of the run of `case`.
     pub(super) fn progress<'a>(&self, case: &Case, interruption: &'a Interruption) -> Progress<'a> {
         let verbosity = if self.quiet { Verbosity::Quiet } else { Verbosity::Progress };
-        Progress::new(verbosity, case.growth.steps, interruption)
+        Progress::new(verbosity, case.growth.expected_steps(), interruption)
     }
 }
 

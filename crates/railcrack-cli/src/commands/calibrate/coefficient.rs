@@ -50,7 +50,8 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
     let new = NewRail::of(&calibration.posterior, prior, sites.len(), &case);
     let factor = calibration.posterior.mean.exp();
     let mut overrides = coefficient.overrides(coefficient.value * factor);
-    overrides.settings.extend([new.setting(), calibrated_by(&sites)]);
+    overrides.settings.push(new.setting());
+    overrides.settings.extend(calibrated_by(&sites));
     overrides.settings.extend(prior.reset());
     let fitted = Case::read_with(&arguments.case, &overrides)?;
     let run = |name, speed| CalibratedRun { name, rows: &rows, speed };

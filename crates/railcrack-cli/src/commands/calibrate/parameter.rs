@@ -187,7 +187,7 @@ impl<'a> Search<'a> {
         let best = if fit.is_indistinct() { self.value } else { fit.value };
         overrides.settings.push(format!("{}={best:?}", self.key));
         if self.coefficient.is_some() || !fit.is_indistinct() {
-            overrides.settings.push(calibrated_by(self.sites));
+            overrides.settings.extend(calibrated_by(self.sites));
         }
         Ok(overrides)
     }

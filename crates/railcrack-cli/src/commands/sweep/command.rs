@@ -131,7 +131,7 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
     print_damages(folder.damages());
 
     let (waiting, failed) = folder.left_to_do(&study, &own).map_err(RunError::from)?;
-    let steps = waiting.iter().map(|&run| study.runs[run].case.growth.steps + 1).sum();
+    let steps = waiting.iter().map(|&run| study.runs[run].case.growth.expected_steps() + 1).sum();
     let verbosity = if arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress };
     let progress = StudyProgress::new(verbosity, waiting.len(), steps, &interruption);
     let computation =

@@ -9,7 +9,6 @@ use railcrack::words::Choice;
 pub(super) fn assumptions(run: &RunFolder) -> Vec<String> {
     let mut all = described(&run.case, &OF_GROWTH);
     all.extend([residual(run), solution(run)]);
-    all.push("Load cycles are uncertain by a factor of several, the scatter of the growth law.".to_owned());
     all
 }
 

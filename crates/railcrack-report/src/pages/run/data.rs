@@ -200,6 +200,7 @@ fn tips(run: &RunFolder, step: usize) -> Vec<Value> {
             "delta_keq": number(row.delta_keq),
             "rate": number(row.rate),
             "kink": row.kink_deg.map(number),
+            "turn": row.turn_deg.map(number),
             "stop": row.stop_word(),
         })
     };

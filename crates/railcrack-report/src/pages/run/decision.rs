@@ -3,46 +3,56 @@
 use super::stored::RunFolder;
 use crate::numbers::{fixed, given, significant, tonnage};
 use crate::page::{Banner, Block};
-use crate::pages::phrases::calibration;
-use crate::pages::phrases::detectable_to_critical;
+use crate::pages::phrases::{calibration, detectable_to_critical, sentence};
 use crate::table::{MISSING, Table};
 use railcrack_run::decision::{
     Decision, FailureMode, FrictionLife, InspectionSummary, MaintenanceSummary, PathLives, Reason,
-    RiskSummary, RowPartSummary, ScatterSummary, StageSummary, StagesSummary, TargetKept, VerdictLevel,
-    WheelSummary,
+    RiskSummary, RowPartSummary, ScatterSummary, StageSummary, StagesSummary, TonnageWords, TornadoBar,
+    VerdictLevel, WheelSummary, interval_in_words,
 };
 
 /// Approximate number of rows in the table of depths; `summary.json` has all.
 const ROWS: usize = 9;
 
-/// The first blocks of the page; none without axle loads.
+/// The sentences of the decision; none without axle loads.
 pub(super) fn decision(run: &RunFolder) -> Vec<Block> {
     let Some(decision) = &run.summary.decision else { return Vec::new() };
-    let mut sentences: Vec<String> = decision.verdict.reasons.iter().skip(1).map(reason).collect();
+    let words = TonnageWords { mgt_per_year: decision.mgt_per_year };
+    let to_act_on = interval_in_words(decision.inspection.as_ref(), &decision.risk, words);
+    let mut sentences: Vec<String> = to_act_on.map(|text| sentence(&text)).into_iter().collect();
+    sentences.extend(decision.verdict.reasons.iter().skip(1).map(reason));
     sentences.extend(second(decision));
     sentences.extend(decision.paths.as_ref().map(paths));
     sentences.extend(decision.stages.as_ref().into_iter().flat_map(stages));
     sentences.extend(frictions(&decision.frictions));
     sentences.extend(decision.part_of_row.as_ref().map(part_of_row));
-    sentences.extend(decision.inspection.as_ref().map(interval));
-    sentences.extend(target(&decision.risk));
+    sentences.extend(decision.inspection.as_ref().map(window));
     sentences.extend(decision.maintenance.as_ref().map(maintenance));
     sentences.extend(decision.scatter.as_ref().and_then(scatter));
     sentences.extend(calibration(&decision.calibration));
-    let mut blocks = vec![Block::Heading("Decision".to_owned())];
-    if !sentences.is_empty() {
-        blocks.push(Block::List(sentences));
+    if sentences.is_empty() {
+        return Vec::new();
     }
+    vec![Block::Heading("Decision".to_owned()), Block::List(sentences)]
+}
+
+/// The tables behind it.
+pub(super) fn tables(run: &RunFolder) -> Vec<Block> {
+    let Some(decision) = &run.summary.decision else { return Vec::new() };
+    let mut blocks = Vec::new();
     if decision.rows.len() > 1 {
         blocks.push(Block::Table(depths(decision)));
     }
     if !decision.risk.risk.is_empty() {
         blocks.push(Block::Table(risks(&decision.risk)));
     }
+    if !decision.tornado.is_empty() {
+        blocks.push(Block::Table(tornado(&decision.tornado)));
+    }
     if !decision.wheels.is_empty() {
         blocks.push(Block::Table(wheels(&decision.wheels)));
     }
-    if blocks.len() > 1 { blocks } else { Vec::new() }
+    blocks
 }
 
 /// The verdict with its first reason; without axle loads only where the model does not describe
@@ -52,6 +62,7 @@ pub(super) fn banner(run: &RunFolder) -> Option<Banner> {
     let (level, word) = match verdict.level {
         VerdictLevel::Ok => ("ok", "OK"),
         VerdictLevel::Act => ("act", "Act"),
+        VerdictLevel::Unknown => ("unknown", "Not known"),
         VerdictLevel::Stop => ("stop", "Stop"),
         VerdictLevel::Outside => ("outside", "Outside of what the model describes"),
     };
@@ -80,7 +91,7 @@ fn paths(paths: &PathLives) -> String {
         mgt.map_or_else(|| "no failure within the run".to_owned(), |mgt| format!("{} MGT", tonnage(mgt)))
     };
     format!(
-        "Life by path: straight ahead {}, as computed {}, limit path {}. The spread is an uncertainty of the model.",
+        "Life by path: straight ahead {}, as computed {}, limit path {}. The spread is an uncertainty of the model: verdict and interval are those of the shortest.",
         life(paths.straight),
         life(paths.nominal),
         life(paths.limit)
@@ -92,12 +103,14 @@ fn stages(stages: &StagesSummary) -> [String; 2] {
     let found = |stage: &StageSummary, by: &str| {
         let Some(depth) = stage.detectable_depth_mm else { return String::new() };
         let Some(mgt) = stage.mgt_to_detectable else {
-            return format!(" {by} does not find it in this stage, from {} mm on.", fixed(depth, 2));
+            return format!(
+                " {by}, which finds it from {} mm on, does not find it before its end.",
+                fixed(depth, 2)
+            );
         };
-        let every = stage
-            .interval_mgt
-            .map_or_else(String::new, |interval| format!(": inspections every {} MGT", tonnage(interval)));
-        format!(" {by} finds it from {} mm on, after {} MGT{every}.", fixed(depth, 2), tonnage(mgt))
+        let left = stage.mgt_detectable_to_end;
+        let left = left.map_or_else(String::new, |left| format!(", {} MGT before its end", tonnage(left)));
+        format!(" {by} finds it from {} mm on, after {} MGT{left}.", fixed(depth, 2), tonnage(mgt))
     };
     let length = stages.transverse.mgt.map_or_else(
         || "the run ends before it fails".to_owned(),
@@ -149,8 +162,8 @@ fn part_of_row(part: &RowPartSummary) -> String {
     )
 }
 
-/// The inspection interval.
-fn interval(inspection: &InspectionSummary) -> String {
+/// When the crack is detectable, and when critical.
+fn window(inspection: &InspectionSummary) -> String {
     let found = match (inspection.detectable_depth_mm, inspection.mgt_to_detectable) {
         (Some(depth), Some(mgt)) => {
             format!(
@@ -175,29 +188,20 @@ fn interval(inspection: &InspectionSummary) -> String {
         (Some(what), Some(mgt)) => format!("{} is reached after {} MGT", by(what), tonnage(mgt)),
         _ => "no critical state is reached within the run".to_owned(),
     };
-    let interval = inspection.interval_mgt.map_or_else(String::new, |mgt| {
-        format!(
-            " With a safety factor of {}, the inspection interval is {} MGT.",
-            given(inspection.safety_factor),
-            tonnage(mgt)
-        )
-    });
-    format!("{found}; {critical}.{interval}")
+    format!("{found}; {critical}.")
 }
 
-/// The interval for the target risk.
-fn target(risk: &RiskSummary) -> Option<String> {
-    let target = given(risk.target_risk?);
-    let accepted = format!("A probability of {target} that the crack fails before it is found");
-    Some(match (risk.target_kept?, risk.interval_for_target_mgt) {
-        (TargetKept::UpToInterval, Some(mgt)) => {
-            let months = risk.interval_for_target_months;
-            let months = months.map_or_else(String::new, |months| format!(", {} months", tonnage(months)));
-            format!("{accepted} is kept by inspections every {} MGT{months}, or more often.", tonnage(mgt))
-        }
-        (TargetKept::AtAnyInterval, _) => format!("{accepted} is kept without inspections."),
-        _ => format!("{accepted} is kept by no inspection interval."),
-    })
+/// What the answer hangs on.
+fn tornado(bars: &[TornadoBar]) -> Table {
+    let mut table = Table::new(["Quantity", "With", "Life (MGT)", "Verdict"]);
+    table.caption =
+        "What the answer hangs on, the widest first: lives with other values of what is seldom known"
+            .to_owned();
+    for bar in bars {
+        let life = bar.mgt.map_or_else(|| "no failure within the run".to_owned(), tonnage);
+        table.row([bar.quantity.clone(), bar.setting.clone(), life, bar.level.word().to_owned()]);
+    }
+    table
 }
 
 fn risks(risk: &RiskSummary) -> Table {

@@ -16,6 +16,7 @@ mod plane;
 mod rail_bending;
 mod row_map;
 mod stored;
+mod tiles;
 mod warnings;
 mod wheels;
 
@@ -64,8 +65,9 @@ pub(crate) fn run_page(
     };
     let warnings = warnings::warnings(run);
     let warnings = (!warnings.is_empty()).then_some(Block::Warnings(warnings));
-    let mut lead: Vec<Block> = warnings.into_iter().chain(parts.growth).collect();
-    lead.extend(decision::decision(run));
+    let mut lead: Vec<Block> = decision::decision(run);
+    lead.extend(warnings.into_iter().chain(parts.growth));
+    lead.extend(decision::tables(run));
     lead.extend(parts.tables);
     lead.push(Block::Heading("Assumptions".to_owned()));
     lead.push(Block::List(parts.assumptions));
@@ -77,7 +79,7 @@ pub(crate) fn run_page(
         kind: parts.kind.to_owned(),
         decision: decision::banner(run),
         verdict: parts.verdict,
-        facts: parts.facts,
+        facts: tiles::tiles(run).into_iter().chain(parts.facts).collect(),
         lead,
         sections,
     }

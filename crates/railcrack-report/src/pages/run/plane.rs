@@ -117,8 +117,8 @@ fn quantiles(run: &RunFolder) -> Vec<Curve> {
         Curve::line(name, points.collect()).with_look(CurveLook::Dashed)
     };
     vec![
-        of("5 % quantile of the samples", |depth| depth.p05),
-        of("95 % quantile of the samples", |depth| depth.p95),
+        of("5 % quantile of the samples, slow growth", |depth| depth.p05),
+        of("95 % quantile of the samples, fast growth", |depth| depth.p95),
     ]
 }
 

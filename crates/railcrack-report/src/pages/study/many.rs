@@ -178,9 +178,7 @@ fn growth(runs: &[StudyRun]) -> Vec<Column> {
     };
     let life = common_length(runs).map(|length| {
         let lives = of_tip(&|tip| cycles_to(&tip.rows, length).unwrap_or(f64::NAN));
-        // Not the length of the first sentence, which all growing cracks reach.
-        let reached = lives.iter().filter(|life| life.is_finite()).count();
-        logarithmic("life", &format!("Load cycles to {length:.2} mm (in {reached} runs)"), lives)
+        logarithmic("life", &format!("Load cycles to {length:.2} mm"), lives)
     });
     let mut columns: Vec<Column> = life.into_iter().collect();
     columns.extend([

@@ -69,8 +69,8 @@ fn depths(place: usize, depths: &[DepthQuantiles]) -> Option<Chart> {
     type OfShare = fn(&Quantiles) -> Option<f64>;
     let shares: [(&str, OfShare, CurveLook); 3] = [
         ("median", |quantiles| quantiles.p50, CurveLook::Line),
-        ("5 %", |quantiles| quantiles.p05, CurveLook::Dashed),
-        ("95 %", |quantiles| quantiles.p95, CurveLook::Dashed),
+        ("5 %, slow growth", |quantiles| quantiles.p05, CurveLook::Dashed),
+        ("95 %, fast growth", |quantiles| quantiles.p95, CurveLook::Dashed),
     ];
     let curve = |(name, of, look): (&str, OfShare, CurveLook)| {
         let points: Vec<[f64; 2]> =
