@@ -5,7 +5,6 @@ use super::comparison::Comparison;
 use super::life::SameLength;
 use super::parting::Parting;
 use super::stored::RunLabel;
-use super::stored::RunLabel;
 use super::tables::TipComparison;
 use super::tip::{SifDifference, TipSifs};
 use crate::decision::{VerdictLevel, three_digits};
