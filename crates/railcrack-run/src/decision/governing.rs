@@ -2,7 +2,10 @@
 
 use super::companions::Companions;
 use super::failure::NominalRun;
-use crate::log::{CompanionKind, StepDigest};
+use super::inspection::InspectionSummary;
+use super::path::GrowthPath;
+use super::rows::rows_of;
+use crate::log::{CompanionKind, RunInfo, StepDigest};
 use serde::{Deserialize, Serialize};
 
 /// A path of the cracks.
@@ -48,6 +51,14 @@ impl<'a> Governing<'a> {
     /// The `run` of `steps` by itself.
     pub fn alone(run: &NominalRun, steps: &'a [StepDigest]) -> Self {
         Self { path: DecisionPath::Nominal, run: run.clone(), steps }
+    }
+
+    /// The inspection of the case along this path, where it has one.
+    pub fn inspected(&self, info: &RunInfo) -> Option<InspectionSummary> {
+        let given = info.inspection.as_ref()?;
+        let path = GrowthPath::of(self.steps, self.run.failing_tip());
+        let rows = path.map_or_else(Vec::new, |path| rows_of(&path, self.run.question.tonnes));
+        Some(InspectionSummary::of(&self.run.nominal, given, &rows))
     }
 
     /// Of the `run` of `steps` and its `companions` along other paths the one that fails first.

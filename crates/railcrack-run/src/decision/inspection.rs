@@ -4,6 +4,7 @@
 //! A head check that breaks the rail has two stages, a shallow crack until it turns down and a
 //! transverse one from there to failure, each with its own inspection.
 
+use super::act_on::RiskAtInterval;
 use super::course::FailureMode;
 use super::failure::Nominal;
 use super::path::{GrowthPath, PathPoint};
@@ -59,6 +60,13 @@ impl InspectionSummary {
             safety_factor: inspection.safety_factor,
             interval_mgt: way.map(|way| way / inspection.safety_factor),
         }
+    }
+
+    /// The same without an interval at which cracks are missed more often, as `at` says, than the
+    /// safety factor stands for.
+    pub(super) fn judged(self, at: Option<RiskAtInterval>) -> Self {
+        let is_kept = at.is_none_or(|at| at.probability <= self.most_missed());
+        Self { interval_mgt: self.interval_mgt.filter(|_| is_kept), ..self }
     }
 
     /// The probability of missing a crack that the safety factor n stands for: n inspections within

@@ -14,7 +14,7 @@ use super::tornado::{TornadoBar, tornado};
 use super::verdict::Verdict;
 use super::wheels::WheelSummary;
 use crate::log::{RunInfo, RunLog};
-use railcrack_case::{CalibrationPrior, Inspection, Scatter};
+use railcrack_case::{CalibrationPrior, Scatter};
 use serde::{Deserialize, Serialize};
 
 /// From growth to a decision: key `decision` of `summary.json`, and the first block of the page.
@@ -94,13 +94,7 @@ impl Decision {
         let companions = Companions { all, question, found: path.tip.0 - 1 };
         let governing = Governing::of(&run, &log.steps, &companions);
         let verdict = Verdict::along(info, log, &run, &governing);
-        let is_own = governing.path == DecisionPath::Nominal;
-        let of_path = |given: &Inspection| {
-            let rows = GrowthPath::of(governing.steps, governing.run.failing_tip());
-            let rows = rows.map_or_else(Vec::new, |path| rows_of(&path, question.tonnes));
-            InspectionSummary::of(&governing.run.nominal, given, &rows)
-        };
-        let inspected = info.inspection.as_ref().map(of_path);
+        let inspected = governing.inspected(info);
         let has_ended = log.steps.last().is_some_and(|step| step.stop.is_some());
         let gives_intervals = verdict.gives_intervals();
         let samples = Samples { info, run: &run, gives_intervals, inspected };
@@ -108,22 +102,13 @@ impl Decision {
             .scatter
             .as_ref()
             .filter(|_| is_sampled && has_ended && path.points.len() > 1)
-            .map(|scatter| samples.of(scatter, &companions.speeds(), last))
+            .map(|scatter| samples.along(&governing, scatter, &companions.speeds(), last))
             .unzip();
-        // Risks are those along the path that governs.
-        let along = Samples { run: &governing.run, ..samples };
-        let lives: Option<Vec<SampledLife>> = match &info.scatter {
-            Some(given) if scatter.is_some() && !is_own => Some(along.of(given, &Speeds::default(), last).1),
-            _ => lives,
-        };
-        let inspection = inspected.filter(|_| verdict.gives_intervals());
+        let inspection = inspected.filter(|_| gives_intervals);
         let risk =
             RiskSummary::of_inspection(info, &governing.run, inspection.as_ref(), lives.as_deref(), last);
         let risk = risk.unwrap_or_default();
-        let inspection = inspection.map(|given| {
-            let is_kept = risk.risk_at_interval.is_none_or(|at| at.probability <= given.most_missed());
-            InspectionSummary { interval_mgt: given.interval_mgt.filter(|_| is_kept), ..given }
-        });
+        let inspection = inspection.map(|given| given.judged(risk.risk_at_interval));
         let verdict = verdict.with_risk(&risk, TonnageWords::of_year(info));
         let limits = StageLimits {
             inspection: info.inspection.as_ref(),
@@ -169,6 +154,23 @@ struct Samples<'a> {
 }
 
 impl Samples<'_> {
+    /// The samples with `scatter` of the run, as in [`Samples::of`], and their lives along the path
+    /// that governs.
+    fn along(
+        self,
+        governing: &Governing,
+        scatter: &Scatter,
+        speeds: &Speeds,
+        longest: f64,
+    ) -> (ScatterSummary, Vec<SampledLife>) {
+        let (summary, lives) = self.of(scatter, speeds, longest);
+        if governing.path == DecisionPath::Nominal {
+            return (summary, lives);
+        }
+        let other = Samples { run: &governing.run, ..self };
+        (summary, other.of(scatter, &Speeds::default(), longest).1)
+    }
+
     /// The samples with `scatter` between the run, of `longest` million gross tonnes, and those at
     /// other `speeds`; and their lives.
     fn of(&self, scatter: &Scatter, speeds: &Speeds, longest: f64) -> (ScatterSummary, Vec<SampledLife>) {

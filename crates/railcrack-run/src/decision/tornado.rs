@@ -2,7 +2,8 @@
 
 use super::companions::{Companions, PathLives, Speeds};
 use super::failure::{Nominal, NominalRun};
-use super::verdict::{Verdict, VerdictLevel};
+use super::reason::VerdictLevel;
+use super::verdict::Verdict;
 use crate::log::{CompanionKind, RunInfo, RunLog, Variation};
 use serde::{Deserialize, Serialize};
 

@@ -1,99 +1,18 @@
 //! The verdict: one level for the whole run, with its reasons.
 
-use super::act_on::RiskAtInterval;
-use super::course::FailureMode;
-use super::failure::{FailureSummary, Nominal, NominalRun};
+use super::failure::NominalRun;
 use super::governing::{DecisionPath, Governing};
+use super::reason::{Reason, ReasonKind, VerdictLevel};
 use super::risk_summary::RiskSummary;
+use super::run_end::Judged;
 use super::tonnage::{TonnageWords, three_digits};
 use crate::log::{RunInfo, RunLog, StepDigest};
 use railcrack::fatigue::RailSteel;
-use railcrack::growth::{Piece, PieceCause, PieceKind, RunStop, TipRecord, TipStop};
+use railcrack::growth::TipRecord;
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::validity::{self, UNCOUPLED_OPENING};
-use railcrack::words::{Choice, Word};
+use railcrack::words::Choice;
 use serde::{Deserialize, Serialize};
-
-/// Consequence of a run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum VerdictLevel {
-    /// The rail does not fail within the run.
-    Ok,
-    /// The rail fails within the run, or too many cracks fail before an inspection finds them.
-    Act,
-    /// The run ends before its question is answered.
-    Unknown,
-    /// The rail fails at once, or before the crack is detectable.
-    Stop,
-    /// The model does not describe this.
-    Outside,
-}
-
-impl VerdictLevel {
-    /// Its word in results.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Ok => "ok",
-            Self::Act => "act",
-            Self::Unknown => "unknown",
-            Self::Stop => "stop",
-            Self::Outside => "outside",
-        }
-    }
-}
-
-/// Kinds of reasons.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum ReasonKind {
-    /// The rail fails within the run.
-    Failure,
-    /// It fails within the first increment.
-    AtOnce,
-    /// It fails before the crack is detectable.
-    BeforeDetectable,
-    /// The probability that a crack fails before it is found exceeds the target.
-    Risk,
-    /// The end of the run, not of the rail.
-    EndOfRun,
-    /// The steps end before a failure, and before the traffic at which the run would end.
-    Steps,
-    /// The run was interrupted.
-    Interrupted,
-    /// The cracks leave the rail of the model.
-    LeavesRail,
-    /// K_I beyond the toughness of the steel, without `[fracture]`.
-    Toughness,
-    /// Fluid lifts the flap from what would press it down.
-    LiftedFlap,
-    /// Growth into the depth faster than cracks grow.
-    Rate,
-    /// A tip in the layer that yields in each passage.
-    PlasticLayer,
-}
-
-/// A reason for a verdict.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Reason {
-    /// Its kind.
-    pub kind: ReasonKind,
-    /// A sentence.
-    pub text: String,
-    /// Crack, from 1.
-    pub crack: Option<usize>,
-    /// Tip, from 1.
-    pub tip: Option<usize>,
-    /// Growth step of the worst case.
-    pub step: Option<usize>,
-    /// Million gross tonnes until then.
-    pub mgt: Option<f64>,
-    /// The value in question.
-    pub value: Option<f64>,
-    /// Its limit.
-    pub limit: Option<f64>,
-}
 
 /// The verdict on a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -107,62 +26,6 @@ pub struct Verdict {
 /// Growth into the depth over that which needs a reason, beyond which the model does not describe
 /// what happens: about thirty times the fastest that is measured in track at the same depth.
 const BEYOND_FAST: f64 = 10.0;
-
-impl Choice for ReasonKind {
-    const WORDS: &'static [(Self, Word)] = &[
-        (Self::Failure, Word::now("failure", "failure within the run")),
-        (Self::AtOnce, Word::now("at-once", "failure within the first increment")),
-        (Self::BeforeDetectable, Word::now("before-detectable", "failure before the crack is detectable")),
-        (Self::Risk, Word::now("risk", "risk between inspections above the target")),
-        (Self::EndOfRun, Word::now("end-of-run", "no failure within the run")),
-        (Self::Steps, Word::now("steps", "the steps end before the answer is known")),
-        (Self::Interrupted, Word::now("interrupted", "the run was interrupted")),
-        (Self::LeavesRail, Word::now("leaves-rail", "the cracks leave the rail of the model")),
-        (Self::Toughness, Word::now("toughness", "K beyond the toughness of the steel")),
-        (Self::LiftedFlap, Word::now("lifted-flap", "fluid lifts the flap")),
-        (Self::Rate, Word::now("rate", "growth faster than cracks grow")),
-        (Self::PlasticLayer, Word::now("plastic-layer", "a tip in the layer that flows")),
-    ];
-}
-
-impl ReasonKind {
-    /// Its meaning in a few words.
-    #[must_use]
-    pub fn words(self) -> &'static str {
-        self.meaning()
-    }
-
-    fn level(self) -> VerdictLevel {
-        match self {
-            Self::EndOfRun => VerdictLevel::Ok,
-            Self::Failure | Self::Risk => VerdictLevel::Act,
-            Self::Steps | Self::Interrupted | Self::LeavesRail => VerdictLevel::Unknown,
-            Self::AtOnce | Self::BeforeDetectable => VerdictLevel::Stop,
-            Self::Toughness | Self::LiftedFlap | Self::Rate | Self::PlasticLayer => VerdictLevel::Outside,
-        }
-    }
-}
-
-impl Reason {
-    fn new(kind: ReasonKind, text: String) -> Self {
-        Self { kind, text, crack: None, tip: None, step: None, mgt: None, value: None, limit: None }
-    }
-
-    /// A risk between inspections above its `target`.
-    fn of_risk(risk: &RiskSummary, (at, target): (RiskAtInterval, f64), words: TonnageWords) -> Self {
-        let which = match risk.act_on {
-            Some(of) => {
-                format!("with inspections less often than every {}", words.of(of.interval_mgt))
-            }
-            None => "with inspections at any interval".to_owned(),
-        };
-        let text = format!(
-            "{which}, the probability that a crack fails before it is found is above the target of {}",
-            probability(target)
-        );
-        Self { value: Some(at.probability), limit: Some(target), ..Self::new(ReasonKind::Risk, text) }
-    }
-}
 
 impl Verdict {
     /// The verdict for `reasons`.
@@ -232,11 +95,6 @@ impl Verdict {
     pub fn gives_intervals(&self) -> bool {
         self.level < VerdictLevel::Unknown
     }
-}
-
-/// `value` with three digits.
-fn probability(value: f64) -> String {
-    if value > 0.0 && value < 1e-3 { format!("{value:.2e}") } else { format!("{value:.4}") }
 }
 
 /// A reason at the tip of `worst`, with its step.
@@ -363,161 +221,4 @@ fn layer(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
         tip.depth()
     );
     Some(of_tip(Reason::new(ReasonKind::PlasticLayer, text), step, tip, tip.depth(), bottom))
-}
-
-/// Whether no crack grows any longer, for whatever traffic.
-fn is_at_rest(stop: RunStop) -> bool {
-    let rests = [TipStop::Arrest, TipStop::Coalescence, TipStop::WornAway, TipStop::BreakOut];
-    matches!(stop, RunStop::NoTipGrows(stop) if rests.contains(&stop))
-}
-
-/// A run whose end is judged.
-struct Judged<'a> {
-    info: &'a RunInfo,
-    /// The path of its cracks.
-    path: DecisionPath,
-    steps: &'a [StepDigest],
-    nominal: &'a Nominal,
-    /// Mean load of an axle, t.
-    tonnes: f64,
-    words: TonnageWords,
-}
-
-impl<'a> Judged<'a> {
-    /// Million gross tonnes until `step`.
-    fn mgt(&self, step: &StepDigest) -> f64 {
-        step.mgt(self.tonnes)
-    }
-
-    /// The steps up to the failure, the first among them in any case.
-    fn steps_to_failure(&self) -> Vec<&'a StepDigest> {
-        let end = self.nominal.failure.mgt.unwrap_or(f64::INFINITY);
-        let steps = self.steps.iter().enumerate();
-        let until = steps.filter(|(i, step)| *i == 0 || self.mgt(step) <= end * (1.0 + 1e-9));
-        until.map(|(_, step)| step).collect()
-    }
-
-    /// The failure within the run.
-    fn failure(&self) -> Option<Reason> {
-        let FailureSummary { mode, mgt: until, mgt_error, crack, tip } = self.nominal.failure;
-        let (mode, until) = (mode?, until?);
-        let second = self.steps.get(1).map_or(f64::INFINITY, |step| self.mgt(step));
-        let step = self.steps.iter().rev().find(|step| self.mgt(step) <= until * (1.0 + 1e-9));
-        let whose = crack.map_or_else(String::new, |crack| format!(" of crack {crack}"));
-        let what = format!("{}{whose}{}", mode.words(), self.lost_piece(mode, crack));
-        let error = mgt_error.map(|error| 100.0 * error / until).filter(|percent| *percent > 0.0);
-        let error = error.map(|percent| format!("± {:.1} % by the increments", percent.max(0.1)));
-        let notes: Vec<&str> = self.path.note().into_iter().chain(error.as_deref()).collect();
-        let notes = notes.join(", ");
-        let life = self.words.noted(until, Some(notes.as_str()).filter(|notes| !notes.is_empty()));
-        let (kind, text) = if until == 0.0 {
-            (ReasonKind::AtOnce, format!("{what} at once"))
-        } else if until <= second {
-            (ReasonKind::AtOnce, format!("{what} within the first increment, after {life}"))
-        } else if self.info.inspection.is_some()
-            && self.nominal.detected.is_none_or(|detected| detected >= until)
-        {
-            (ReasonKind::BeforeDetectable, format!("{what} after {life}, before the crack is detectable"))
-        } else {
-            (ReasonKind::Failure, format!("{what} after {life}"))
-        };
-        Some(Reason {
-            crack,
-            tip,
-            step: step.map(|step| step.step),
-            mgt: Some(until),
-            ..Reason::new(kind, text)
-        })
-    }
-
-    /// The size of the piece whose loss is the failure, in brackets.
-    fn lost_piece(&self, mode: FailureMode, crack: Option<usize>) -> String {
-        let kind = match mode {
-            FailureMode::Spall => PieceKind::Spall,
-            FailureMode::Detached => PieceKind::Detached,
-            _ => return String::new(),
-        };
-        let mut pieces = self.steps.iter().flat_map(|step| &step.pieces);
-        let own = pieces.find(|piece| piece.kind == kind && Some(piece.crack + 1) == crack);
-        own.map_or_else(String::new, |piece| {
-            let [thickness, area] = [piece.thickness, piece.area].map(three_digits);
-            format!(" ({thickness} mm thick, {area} mm² in section)")
-        })
-    }
-
-    /// The end of a run without a failure.
-    fn end_of_run(&self) -> Option<Reason> {
-        let Self { info, nominal, words, .. } = *self;
-        let last = self.steps.last()?;
-        let until = words.of(self.mgt(last));
-        let (kind, text) = match (nominal.replaced, nominal.worn, last.stop) {
-            (Some(replaced), ..) => (
-                ReasonKind::EndOfRun,
-                format!("the rail is worn to the limit at which it is replaced after {}", words.of(replaced)),
-            ),
-            (None, Some(worn), _) => (
-                ReasonKind::EndOfRun,
-                format!("the cracks are worn away after {}{}", words.of(worn), self.flake()),
-            ),
-            (None, None, Some(stop)) if is_at_rest(stop) => {
-                (ReasonKind::EndOfRun, format!("no crack grows any longer{}", self.flake()))
-            }
-            (None, None, Some(RunStop::StepsDone)) => (
-                ReasonKind::Steps,
-                format!(
-                    "the {} steps of the run end after {until} without a failure, and what follows is not known: {}",
-                    last.step,
-                    remedy(info)
-                ),
-            ),
-            (None, None, Some(RunStop::NoTipGrows(TipStop::LeavesRail))) => (
-                ReasonKind::LeavesRail,
-                format!("the cracks leave the rail of the model after {until}: what follows is not known"),
-            ),
-            (None, None, None) => {
-                (ReasonKind::Interrupted, format!("the run is not complete: it has come to {until}"))
-            }
-            _ => (ReasonKind::EndOfRun, format!("no failure up to {until}, where the run ends")),
-        };
-        Some(Reason {
-            step: Some(last.step),
-            mgt: Some(nominal.replaced.or(nominal.worn).unwrap_or_else(|| self.mgt(last))),
-            ..Reason::new(kind, text)
-        })
-    }
-
-    /// The flakes that have come off without a failure, in words.
-    fn flake(&self) -> String {
-        let pieces = self.steps.iter().flat_map(|step| &step.pieces);
-        let Some(piece) =
-            pieces.reduce(|most, next| if next.thickness > most.thickness { next } else { most })
-        else {
-            return String::new();
-        };
-        let how = match piece.cause {
-            PieceCause::Growth => "has broken out",
-            PieceCause::Wear => "has come off by wear",
-            PieceCause::Grinding => "has come off with a grinding",
-        };
-        format!(": {} {how}, which is no failure", flake_in_words(piece))
-    }
-}
-
-/// A piece of the surface in words.
-fn flake_in_words(piece: &Piece) -> String {
-    let [thickness, area] = [piece.thickness, piece.area].map(three_digits);
-    format!("a flake {thickness} mm thick, {area} mm² in section,")
-}
-
-/// What to change where the steps of a run end too soon.
-fn remedy(info: &RunInfo) -> &'static str {
-    let critical_depth = info.inspection.and_then(|inspection| inspection.critical_depth);
-    match critical_depth.or(info.critical_length).or(info.toughness) {
-        Some(_) => {
-            "leave out [growth] steps, with which the run goes on until its answer is known, or give stop_after_cycles for the traffic in question"
-        }
-        None => {
-            "say what a failure is (critical_depth_mm in [inspection], critical_length_mm in [growth] or [fracture]), or give stop_after_cycles for the traffic in question"
-        }
-    }
 }
