@@ -3,6 +3,8 @@
 mod forces;
 mod kalker;
 mod patch;
+mod slip;
+mod stick;
 mod strip;
 #[cfg(test)]
 mod tests;

@@ -101,6 +101,15 @@ impl RollingPatch {
         [-stiffness * c11 * longitudinal, -stiffness * (c22 * lateral + area.sqrt() * c23 * spin)]
     }
 
+    /// φ′ = −3GcC23φ/(2πμp0), c² = a b: the spin of strip theory, which at |φ′| = 1 alone brings the
+    /// shear to its limit.
+    pub(super) fn relative_spin(&self) -> f64 {
+        let (size, limit) =
+            ((self.ellipse.along * self.ellipse.across).sqrt(), self.friction * self.ellipse.peak_pressure);
+        -3.0 * self.steel.shear_modulus() * size * self.coefficients().c23 * self.creepage.spin
+            / (2.0 * PI * limit)
+    }
+
     /// The mirror image across the rail: of the other rail under the same vehicle.
     #[must_use]
     pub fn mirrored_across(&self) -> Self {

@@ -1,6 +1,7 @@
 //! Check values of the theories of rolling contact.
 
-use super::strip::{FastsimStrip, StickZone, StripBound};
+use super::slip::StripBound;
+use super::stick::Regime;
 use super::*;
 use crate::load::{Contact, HertzEllipse, Travel, WheelOnRail};
 use crate::material::IsotropicElastic;
@@ -73,25 +74,30 @@ fn forces_of_the_linear_theory() {
 }
 
 /// FASTSIM on `n` × `n` cells as published: the shear of a cell is that of its middle after a whole
-/// step from the one before. Forces, the share of slipping cells, and that of slipping area.
+/// step from the one before, and keeps its direction at the limit. Forces, the share of slipping
+/// cells, and that of slipping area.
 fn fastsim_on_cells(patch: &RollingPatch, n: usize) -> ([f64; 2], f64, f64) {
     let (mut force, mut cells, mut slipping, mut area) = ([0.0; 2], 0.0, 0.0, 0.0);
+    let (Creepage { longitudinal, lateral, spin }, l) = (patch.creepage, patch.flexibilities());
     let b = patch.ellipse.across;
     for j in 0..n {
         let y = b * ((2 * j + 1) as f64 / n as f64 - 1.0);
         let bound = StripBound::of(patch, y);
         let step = 2.0 * bound.half_length / n as f64;
-        let mut strip = FastsimStrip::entering(patch, y);
+        let mut shear = [0.0; 2];
         for i in 0..n {
             let x = bound.half_length - step * (i as f64 + 0.5);
-            strip.advance(x, x, step, &bound);
+            shear[0] -= step * (longitudinal / l.l1 - spin * y / l.l3);
+            shear[1] -= step * (lateral / l.l2 + spin * x / l.l3);
+            let over = shear[0].hypot(shear[1]) / bound.parabolic(x);
             let cell = step * 2.0 * b / n as f64;
-            force = [0, 1].map(|k| force[k] + strip.shear[k] * cell);
-            area += cell;
-            if strip.slips {
+            if over > 1.0 {
+                shear = shear.map(|q| q / over);
                 cells += 1.0;
                 slipping += cell;
             }
+            force = [0, 1].map(|k| force[k] + shear[k] * cell);
+            area += cell;
         }
     }
     (force, cells / (n * n) as f64, slipping / area)
@@ -107,10 +113,10 @@ fn fastsim_on_three_grids_and_without_a_grid() {
     }
     let (_, cells, area) = fastsim_on_cells(&patch, 100);
     assert!((cells - 0.21).abs() < 5e-3 && (area - 0.178).abs() < 1e-3, "{cells} {area}");
-    // Extrapolated to cells without size.
+    // Extrapolated to cells without size. A shear that opposes the slip moves them by 0.3 and 0.7 %.
     let forces = patch.forces();
-    near(forces.force[0], -7717.2, 2e-3);
-    near(forces.force[1], -7459.4, 2e-3);
+    near(forces.force[0], -7717.2, 5e-3);
+    near(forces.force[1], -7459.4, 1e-2);
     assert!((forces.slip_share - 0.178).abs() < 5e-3, "{forces:?}");
 }
 
@@ -136,18 +142,80 @@ fn the_example_of_contact_with_spin() {
     let fastrip = RollingPatch { steel, ..patch([8.0, 4.0], 82e3, 0.3, [0.0, -6.25e-4, 6.25e-4]) };
     let force = |theory| RollingPatch { theory, ..fastrip }.forces().force;
     assert!(force(RollingTheory::FaStrip)[0].abs() < 1e-6);
-    // Independent programs with other coefficients: FaStrip and simplified theory are 6 % off.
-    near(force(RollingTheory::FaStrip)[1], -15858.0, 0.01);
-    near(force(RollingTheory::Fastsim)[1], -15787.0, 0.012);
-    near(force(RollingTheory::Strip)[1], -14940.0, 6e-3);
+    // As published, FaStrip and FASTSIM give -15850 and -15640 N on the finest grid of CONTACT.
+    near(force(RollingTheory::FaStrip)[1], -14940.0, 0.045);
+    near(force(RollingTheory::Fastsim)[1], -14940.0, 0.09);
+    near(force(RollingTheory::Strip)[1], -14940.0, 0.015);
 }
 
 #[test]
-fn fastrip_as_published() {
+fn fastrip_near_the_published_one() {
+    // An independent program, in which the shear keeps its direction in slip.
     let forces = all_creepages().forces();
-    near(forces.force[0], -7775.6, 2e-3);
-    near(forces.force[1], -7728.9, 2e-3);
+    near(forces.force[0], -7775.6, 1e-2);
+    near(forces.force[1], -7728.9, 2e-2);
     assert!(forces.t_gamma > 0.0 && forces.t_gamma_with_spin > forces.t_gamma, "{forces:?}");
+}
+
+const SLIPPING: [RollingTheory; 3] = [RollingTheory::FaStrip, RollingTheory::Strip, RollingTheory::Fastsim];
+
+#[test]
+fn in_full_slip_the_force_opposes_the_creepage() {
+    let limit = 0.3 * 100e3;
+    for theory in SLIPPING {
+        for axes in [[4.0, 12.0], [8.0, 8.0], [12.0, 3.0]] {
+            for turn in [0.0, 0.3, 0.8, 1.5, 2.9, -2.0] {
+                let creepage = [0.1 * f64::cos(turn), 0.1 * f64::sin(turn), 0.0];
+                let [along, across] =
+                    RollingPatch { theory, ..patch(axes, 100e3, 0.3, creepage) }.forces().force;
+                let error = (along / limit + turn.cos()).hypot(across / limit + turn.sin());
+                assert!(error < 1e-3, "{theory:?} {axes:?} {turn}: {along} {across}");
+            }
+        }
+        // A tenth of that creepage: the elastic slip turns the shear by half a degree.
+        let forces = RollingPatch { theory, ..patch([4.0, 12.0], 100e3, 0.3, [0.01, 0.01, 0.0]) }.forces();
+        let largest = if theory == RollingTheory::FaStrip { 0.01 } else { 0.016 };
+        forces.force.iter().for_each(|force| near(*force, -limit * 0.5f64.sqrt(), largest));
+    }
+}
+
+#[test]
+fn in_full_slip_with_spin_the_shear_opposes_the_rigid_slip_at_every_point() {
+    let creepage = [0.15, -0.09, 0.024];
+    for theory in SLIPPING {
+        let patch = RollingPatch { theory, ..patch([6.0, 5.0], 90e3, 0.3, creepage) };
+        for y in [-4.0, -1.0, 0.0, 2.0, 4.5] {
+            let strip = patch.strip(y, 80).unwrap();
+            // Elastic slip is large at the edges only.
+            for point in strip.points.iter().filter(|point| point.x.abs() < 0.9 * strip.half_length) {
+                let rigid = [creepage[0] - creepage[2] * y, creepage[1] + creepage[2] * point.x];
+                let limit = 0.3 * point.pressure;
+                let size = f64::hypot(rigid[0], rigid[1]);
+                let error = [0, 1].map(|i| point.shear[i] / limit + rigid[i] / size);
+                let error = error[0].hypot(error[1]);
+                assert!(point.slips && error < 0.02, "{theory:?} {y} {point:?} {error}");
+            }
+        }
+    }
+}
+
+#[test]
+fn under_large_spin_no_shear_exceeds_friction() {
+    // φ′ of 1.5 and 4, where strip theory has zones of more than μp, or none.
+    for theory in [RollingTheory::FaStrip, RollingTheory::Strip] {
+        for (lateral, spin) in [(0.0, 4e-4), (-2e-3, 4e-4), (1e-3, 1e-3), (-4e-3, 1e-3)] {
+            let patch = RollingPatch { theory, ..patch([20.0, 4.0], 82e3, 0.3, [0.0, lateral, spin]) };
+            for y in [-3.5, -1.0, 0.1, 2.0] {
+                for point in patch.strip(y, 200).unwrap().points {
+                    let size = point.shear[0].hypot(point.shear[1]);
+                    assert!(
+                        size <= 0.3 * point.pressure * 1.001 + 1.0,
+                        "{theory:?} {lateral} {spin} {y} {point:?}"
+                    );
+                }
+            }
+        }
+    }
 }
 
 #[test]
@@ -172,7 +240,7 @@ fn strip_theory_does_not_slip_where_it_sticks() {
     let spin =
         -3.0 * steel().shear_modulus() * (a * b).sqrt() * c23 * patch.creepage.spin / (2.0 * PI * limit);
     for y in [-2.0, -0.5, 0.0, 1.0, 2.5] {
-        let zone = StickZone::of(&patch, y).unwrap();
+        let Regime::Sticks(zone) = Regime::of(&patch, y) else { panic!("a strip that sticks") };
         let d = zone.middle / a;
         let along = creep * c11 * patch.creepage.longitudinal - spin * y / a;
         near(0.7 * d * zone.inner[0], along, 1e-12);

@@ -457,6 +457,16 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Carter: full traction has the history of full sliding, none that of pressure alone.",
     ),
     requirement(
+        "rolling::forces_on_a_coarse_grid",
+        "",
+        "Rolling contact: forces of the fast theories agree with 855 outputs of CONTACT on a coarse grid.",
+    ),
+    requirement(
+        "rolling::forces_on_a_fine_grid",
+        "",
+        "Rolling contact: they agree with its 32 outputs on finer grids.",
+    ),
+    requirement(
         "loads::mirrored_travel",
         "",
         "Carter: mirrored crack, shear and travel have the mirrored history.",

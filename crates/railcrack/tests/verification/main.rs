@@ -29,6 +29,7 @@ mod maintenance;
 mod mirror;
 mod mix;
 mod page;
+mod rolling;
 mod section;
 mod shakedown;
 mod slant_crack;
