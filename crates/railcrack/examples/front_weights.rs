@@ -1,12 +1,12 @@
 //! The weights with which a load along the front of a crack counts at its deepest point: of shear on
 //! closed faces of semi-ellipses, by the engine in space.
 //!
-//! `front_weights [CELLS]` prints, for each angle and each half length over the length down the dip,
-//! what shear cos(k y) in a band around s contributes to K_II, over what even shear there
-//! contributes in the plane: (A + B q) e^(−q) with q = R k l, and the largest error of that form up
-//! to k l = 6.
+//! `front_weights CELLS DEGREES ASPECT ...` prints, for each half length over the length down the dip,
+//! the contribution to K_II of shear cos(k y) in a band around s, over that of even shear there in
+//! the plane: α (1 + β q) e^(−q) with q = R k l, and the largest error of that form up to k l = 6.
+//! The tables of the library are those of 10 cells, of aspects 1 and 2.
 
-use railcrack::body::BodyEngine;
+use railcrack::body::{BodyEngine, CrackedBody};
 use railcrack::crack::Crack;
 use railcrack::dislocation::{DislocationEngine, FaceResolution};
 use railcrack::linear::general_inverse;
@@ -53,7 +53,7 @@ fn influence(body: &SpaceBody) -> Result<Vec<f64>, Box<dyn Error>> {
 fn influence_in_plane(
     angle: f64,
     steel: IsotropicElastic,
-) -> Result<(railcrack::body::CrackedBody, Vec<f64>), Box<dyn Error>> {
+) -> Result<(CrackedBody, Vec<f64>), Box<dyn Error>> {
     let crack = Crack::surface_breaking(0.0, LENGTH, angle)?;
     let mut engine = DislocationEngine { steel, resolution: FaceResolution { elements: 40 } };
     let body = engine.body(&crack.into())?;
@@ -93,45 +93,55 @@ fn fit(values: &[f64]) -> [f64; 4] {
     best
 }
 
+/// Shear along the dip of a crack at `angle` in the plane, as a stress.
+fn shear_in_plane(angle: f64) -> Stress {
+    let (sin, cos) = (2.0 * angle).sin_cos();
+    Stress { xx: sin, yy: -sin, zz: 0.0, xy: cos }
+}
+
+/// The same in space: xx, yy (lateral), zz (depth), yz, xz, xy.
+fn shear_in_space(angle: f64) -> [f64; 6] {
+    let (sin, cos) = (2.0 * angle).sin_cos();
+    [sin, 0.0, -sin, 0.0, -cos, 0.0]
+}
+
+/// For each band, the contributions at [`WAVES`] over that of even shear in the plane.
+fn contributions(angle: f64, aspect: f64, cells: usize) -> Result<Vec<Vec<f64>>, Box<dyn Error>> {
+    let steel = IsotropicElastic::new(210e3, 0.3)?;
+    let (plane, weights) = influence_in_plane(angle, steel)?;
+    let crack = SpaceCrack::surface_breaking(angle, aspect * LENGTH, LENGTH)?;
+    let resolution = SpaceResolution::new(cells, cells);
+    let body = SpaceBody::new(&[crack], &steel, Surroundings::HalfSpace, resolution)?;
+    let own = influence(&body)?;
+    let (flat, round) = (shear_in_plane(angle), shear_in_space(angle));
+    let of_band = |middle: f64| {
+        let in_plane = plane.faces.nodal_forces(|point| flat * hat(point.x.hypot(point.y) / LENGTH, middle));
+        let even: f64 = weights.iter().enumerate().map(|(i, weight)| weight * in_plane[2 * i]).sum();
+        let at = |wave: &f64| {
+            let forces = body.nodal_forces(|[x, y, z]| {
+                let load = hat(x.hypot(z) / LENGTH, middle) * (wave / LENGTH * y).cos();
+                round.map(|component| load * component)
+            });
+            own.iter().enumerate().map(|(i, weight)| weight * forces[3 * i + 1]).sum::<f64>() / even
+        };
+        WAVES.iter().map(at).collect()
+    };
+    Ok(BANDS.map(of_band).to_vec())
+}
+
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let numbers: Vec<f64> = std::env::args().skip(1).filter_map(|word| word.parse().ok()).collect();
-    let cells = numbers.first().map_or(3, |cells| *cells as usize);
-    let angles = if numbers.len() > 1 { vec![numbers[1]] } else { vec![30.0] };
-    let aspects = if numbers.len() > 2 { numbers[2..].to_vec() } else { vec![6.0] };
-    let steel = IsotropicElastic::new(210e3, 0.3)?;
-    for degrees in angles {
-        let angle = degrees.to_radians();
-        let (sin, cos) = angle.sin_cos();
-        let (plane, weights) = influence_in_plane(angle, steel)?;
-        for &aspect in &aspects {
-            let crack = SpaceCrack::surface_breaking(angle, aspect * LENGTH, LENGTH)?;
-            let resolution = SpaceResolution::new(cells, cells);
-            let body = SpaceBody::new(&[crack], &steel, Surroundings::HalfSpace, resolution)?;
-            let own = influence(&body)?;
-            for middle in BANDS {
-                let in_plane = plane.faces.nodal_forces(|point| {
-                    let load = hat(point.x.hypot(point.y) / LENGTH, middle);
-                    Stress { xx: 2.0 * sin * cos, yy: -2.0 * sin * cos, zz: 0.0, xy: cos * cos - sin * sin }
-                        * load
-                });
-                let want: f64 = weights.iter().enumerate().map(|(i, w)| w * in_plane[2 * i]).sum();
-                let value = |wave: &f64| {
-                    let forces = body.nodal_forces(|[x, y, z]| {
-                        let load = hat(x.hypot(z) / LENGTH, middle) * (wave / LENGTH * y).cos();
-                        let (n, s) = ([sin, 0.0, -cos], [cos, 0.0, sin]);
-                        [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)]
-                            .map(|(i, j)| load * (n[i] * s[j] + n[j] * s[i]))
-                    });
-                    own.iter().enumerate().map(|(i, w)| w * forces[3 * i + 1]).sum::<f64>() / want
-                };
-                let values: Vec<f64> = WAVES.iter().map(value).collect();
-                let [a, b, reach, error] = fit(&values);
-                let all: Vec<String> = values.iter().map(|v| format!("{v:.3}")).collect();
-                println!(
-                    "{degrees} {aspect} {middle}: A {a:.3} B {b:.3} R {reach:.3} (error {error:.3})  {}",
-                    all.join(" ")
-                );
-            }
+    let (cells, degrees) = match numbers[..] {
+        [cells, degrees, ..] => (cells as usize, degrees),
+        _ => (4, 30.0),
+    };
+    let aspects = numbers.get(2..).filter(|own| !own.is_empty()).unwrap_or(&[2.0]);
+    println!("degrees, half length over length, s/l, alpha, beta, R, largest error");
+    for &aspect in aspects {
+        let bands = contributions(degrees.to_radians(), aspect, cells)?;
+        for (middle, values) in BANDS.iter().zip(&bands) {
+            let [a, b, reach, error] = fit(values);
+            println!("{degrees}, {aspect}, {middle}, {a:.3}, {:.3}, {reach:.3}, {error:.3}", b / a);
         }
     }
     Ok(())
