@@ -2,7 +2,6 @@
 
 use super::cases::{HEADER, contact, folder, origin, rolling, tabled};
 use railcrack::growth::{StepRecord, Unobserved};
-use railcrack::load::Contact;
 use railcrack::space::WheelPatch;
 use railcrack_case::{Case, ContactOrigin, WheelGroups};
 use railcrack_run::setup::{PreparedRun, represented, represented_in, wheel_demands, wheel_patches};

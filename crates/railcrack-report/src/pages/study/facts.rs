@@ -150,7 +150,7 @@ pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
     if let Some(Race { length, runs, cycles }) = Race::of(all) {
         let (range, which) = cycles.range(grouped);
         facts.push(Fact::new(
-            &format!("Load cycles to {} mm", fixed(length, 2)),
+            format!("Load cycles to {} mm", fixed(length, 2)),
             range,
             if runs == 1 { "in the one run that grows".to_owned() } else { which },
         ));
