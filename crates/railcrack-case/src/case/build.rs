@@ -16,13 +16,14 @@ use super::traffic_wheel::{TrafficWheel, mean_axle_load};
 use crate::files::{ProfileFile, read_profile};
 use crate::schema::{KeyRow, Report, SectionValues, Sections, Value, Written, short};
 use crate::tables::{
-    BOUNDARY, BoundaryKind, CALIBRATION, CENTRE, CRACK, CalibrationPrior, ContactExtent, ContactSolver,
-    ENGINE, Engine, FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture, GROWTH, Growing, INSPECTION,
-    Inspection, InspectionRisk, MAINTENANCE, MGT_PER_YEAR, NETWORK, OUTPUT, Output, PASSAGE, PROFILE,
-    PathGiven, PlaneEngine, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER,
-    SOLVER_CONTACT, STRAIGHT_BY_DEFAULT, Scatter, Scattering, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP,
-    TRACK, TRAFFIC, WHEEL_TEMPERATURE, WHEEL_TRACK, WIDTH, YIELD_STRESS, engine_of, is_of_the_steel,
-    read_calibration, read_growth, read_inspection, read_maintenance, read_risk, read_scatter, read_steel,
+    BOUNDARY, BoundaryKind, CALIBRATION, CENTRE, CRACK, CalibrationPrior, ContactSolver, ENGINE, Engine,
+    FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture, GROWTH, Growing, INSPECTION, Inspection,
+    InspectionRisk, MAINTENANCE, MGT_PER_YEAR, NETWORK, OUTPUT, Output, PASSAGE, PROFILE, PathGiven,
+    PlaneEngine, PossibleExtent, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER,
+    SOLVER_CONTACT, STRAIGHT_BY_DEFAULT, STRAIGHT_TO, Scatter, Scattering, ShakedownSettings, TEMPERATURE,
+    TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL_TEMPERATURE, WHEEL_TRACK, WIDTH, YIELD_STRESS, engine_of,
+    is_of_the_steel, read_calibration, read_growth, read_inspection, read_maintenance, read_risk,
+    read_scatter, read_steel,
 };
 use railcrack::bulk::Boundary;
 use railcrack::contact::{CrackFluid, FluidModel};
@@ -90,7 +91,7 @@ impl Parts {
         let placed = place_cracks(&cracks, engine, report);
         let network = placed.as_ref().map(|placed| &placed.network);
         let growth = sections.one(&GROWTH).and_then(|section| read_growth(section, folder, report));
-        let extent = contact_extent(sections);
+        let extent = possible_extent(sections);
         let context = TrafficContext { sections, steel: steel.as_ref(), network, extent, folder };
         let traffic = read_traffic(context, report);
         let wheels = traffic.as_ref().map(|traffic| traffic.wheels.as_slice());
@@ -151,6 +152,14 @@ impl Parts {
         check_network(sections, (fluids().any(traps), block.is_some()), report);
     }
 
+    /// Whether paths go straight on as those of head checks are measured to do: in the plane, where
+    /// the case is inspected and says nothing of its paths.
+    fn goes_straight(&self, sections: &Sections) -> bool {
+        let is_silent = self.growth.as_ref().is_some_and(|growth| growth.path == PathGiven::ByDefault);
+        let is_plane = engine_of(sections) != Some(Engine::Space);
+        is_silent && is_plane && sections.one(&INSPECTION).is_some()
+    }
+
     /// Makes the text of the case say what follows from its other keys.
     fn settle(&self, sections: &mut Sections) {
         if let (Some(steel), Some(section)) = (self.steel_of_law(), sections.one(&GROWTH).cloned()) {
@@ -159,6 +168,9 @@ impl Parts {
         if self.shakedown.as_ref().is_some_and(|shakedown| shakedown.steel.is_some()) {
             // A stored case takes the yield stress from the steel again.
             sections.leave_out(&SHAKEDOWN, |key| key.name == YIELD_STRESS.key.name);
+        }
+        if self.goes_straight(sections) {
+            sections.settle(&GROWTH, STRAIGHT_TO, Value::Number(STRAIGHT_BY_DEFAULT));
         }
         // A stored case records the middle of the rail, and how far it reaches.
         if let Some(rail) = self.rail {
@@ -209,6 +221,7 @@ impl Upkeep {
 
 /// The case of parts without errors.
 fn case_of(parts: Parts, upkeep: Upkeep, sections: &Sections) -> Option<Case> {
+    let goes_straight = parts.goes_straight(sections);
     let Traffic { wheels, table: wheel_table } = parts.traffic?;
     let (placed, growth, fracture, geometry) =
         (parts.placed?, parts.growth?, parts.fracture.ok()?, parts.geometry?);
@@ -231,7 +244,8 @@ fn case_of(parts: Parts, upkeep: Upkeep, sections: &Sections) -> Option<Case> {
             toughness: fracture.as_ref().map(|fracture| MPA_SQRT_MM * fracture.at_rail),
             pop_in: arresting.and_then(|fracture| fracture.pop_in),
             maintenance: maintenance.zip(axle_load).map(|(removal, tonnes)| removal.over_axles(tonnes)),
-            ..asking(&growth, inspection.as_ref(), fracture.is_some())
+            straight_depth: if goes_straight { STRAIGHT_BY_DEFAULT } else { growth.settings.straight_depth },
+            ..asking(&growth.settings, inspection.as_ref(), fracture.is_some())
         },
         growth_steel: growth.steel,
         growth_rates: growth.rates,
@@ -251,14 +265,10 @@ fn case_of(parts: Parts, upkeep: Upkeep, sections: &Sections) -> Option<Case> {
     })
 }
 
-/// The settings of `growth` in a case with `inspection` whose rail may break if it `has_fracture`:
-/// without a number of increments, the run goes on until it has its answer, if it is asked for one,
-/// and a path of which nothing is said is the one that head checks are measured to take.
-fn asking(growth: &Growing, inspection: Option<&Inspection>, has_fracture: bool) -> GrowthSettings {
-    let mut settings = growth.settings.clone();
-    if growth.path == PathGiven::ByDefault && inspection.is_some() {
-        settings.straight_depth = STRAIGHT_BY_DEFAULT;
-    }
+/// The `settings` in a case with `inspection` whose rail may break if it `has_fracture`: without a
+/// number of increments, the run goes on until it has its answer, if it is asked for one.
+fn asking(settings: &GrowthSettings, inspection: Option<&Inspection>, has_fracture: bool) -> GrowthSettings {
+    let settings = settings.clone();
     if settings.answer.is_none() {
         return settings;
     }
@@ -279,12 +289,14 @@ fn calibration(sections: &Sections) -> CalibrationPrior {
     sections.one(&CALIBRATION).and_then(|section| read_calibration(section, suite)).unwrap_or(suite)
 }
 
-/// The part of the contacts that the case can take: the ends of a block cancel a field of the
-/// half-plane.
-fn contact_extent(sections: &Sections) -> ContactExtent {
+/// The parts of the contacts by which cracks can be loaded.
+fn possible_extent(sections: &Sections) -> PossibleExtent {
     let boundary = sections.one(&RAIL).and_then(|rail| rail.get(BOUNDARY));
-    let is_block = engine_of(sections) != Some(Engine::Space) && boundary == Some(BoundaryKind::Block);
-    if is_block { ContactExtent::Strip } else { ContactExtent::Patch }
+    match (engine_of(sections), boundary) {
+        (Some(Engine::Space), _) => PossibleExtent::Patch,
+        (_, Some(BoundaryKind::Block)) => PossibleExtent::Strip,
+        _ => PossibleExtent::Any,
+    }
 }
 
 /// Smallest gap between the contact and the side of a block, over the half-width: if it is closer,

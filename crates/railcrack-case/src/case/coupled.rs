@@ -1,7 +1,9 @@
 //! Cases with a wheel that feels the cracks: what they exclude.
 
 use crate::schema::{Report, Sections};
-use crate::tables::{CONTACT, COUPLED, ENGINE, Engine, NETWORK, SOLVER, WHEEL_CONTACT};
+use crate::tables::{
+    CONTACT, COUPLED, ContactExtent, ENGINE, Engine, LATERAL_EXTENT, NETWORK, SOLVER, WHEEL_CONTACT,
+};
 use railcrack::bulk::Boundary;
 use railcrack::contact::{CrackFluid, FluidModel};
 use railcrack::growth::NetworkContact;
@@ -20,6 +22,10 @@ pub(super) fn check_coupled<'f>(
     if boundary.is_some_and(|boundary| boundary != Boundary::HalfPlane) {
         let says = "is true, and the surface of a block is not that of a half-plane";
         refuse(says, "use rail.boundary = \"half-plane\", or coupled = false");
+    }
+    if coupled.get(LATERAL_EXTENT) == Some(ContactExtent::Patch) {
+        let says = "is true, and a wheel that feels the cracks is a line contact";
+        refuse(says, "leave lateral = \"patch\" out, or use coupled = false");
     }
     if let Some(solver) = sections.one(&SOLVER) {
         if solver.get(ENGINE).is_some_and(Engine::is_in_space) {

@@ -1,7 +1,7 @@
 //! A wheel of the traffic.
 
 use crate::schema::{Report, SectionValues, Sections};
-use crate::tables::{ContactExtent, GivenWheel, read_fluid};
+use crate::tables::{GivenWheel, PossibleExtent, read_fluid};
 use railcrack::contact::CrackFluid;
 use railcrack::crack::CrackNetwork;
 use railcrack::growth::PassageSettings;
@@ -36,8 +36,8 @@ pub(super) struct TrafficContext<'a> {
     pub sections: &'a Sections,
     pub steel: Option<&'a IsotropicElastic>,
     pub network: Option<&'a CrackNetwork>,
-    /// The part of the contacts that is read.
-    pub extent: ContactExtent,
+    /// The parts of the contacts that can load the cracks.
+    pub extent: PossibleExtent,
     pub folder: &'a Path,
 }
 

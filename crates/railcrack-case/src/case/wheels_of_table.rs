@@ -6,9 +6,9 @@ use crate::files::{TableWheel, WheelReading, WheelTableFile, read_wheel_table};
 use crate::schema::{Report, SectionValues, Sections};
 use crate::tables::{
     CRACK, CRACK_LATERAL, ContactExtent, ContactOrigin, Engine, GivenContact, GivenWheel, PASSAGE, PLACE,
-    PLACE_WINDOW, REPRESENTATIVES, REPRESENTATIVES_ERROR, TABLE, TABLE_SIGN, TABLE_THEORY, TEMPERATURE,
-    TRACK, WHEEL_CONTACT, WHEEL_TEMPERATURE, WHEEL_TRACK, WheelLoading, engine_of, read_passages,
-    read_temperature, read_track,
+    PLACE_WINDOW, REPRESENTATIVES, REPRESENTATIVES_ERROR, TABLE, TABLE_EXTENT, TABLE_SIGN, TABLE_THEORY,
+    TEMPERATURE, TRACK, WHEEL_CONTACT, WHEEL_TEMPERATURE, WHEEL_TRACK, WheelLoading, engine_of,
+    read_passages, read_temperature, read_track,
 };
 use railcrack::contact::CrackFluid;
 use railcrack::load::{Contact, Travel};
@@ -41,18 +41,19 @@ pub(super) fn read_wheels_of_table(
         report.add(contact.fault_of_all(says));
         return None;
     }
+    let extent = extent.chosen(given, TABLE_EXTENT, report);
     let is_whole = extent == ContactExtent::Patch;
     // Cracks in space each lie at their own place.
-    let lateral = match engine_of(sections) {
-        Some(Engine::Space) => sections.all(&CRACK).next()?.get(CRACK_LATERAL).unwrap_or(0.0),
-        _ => lateral_place(sections, report)?,
+    let (lateral, of_patches) = match engine_of(sections) {
+        Some(Engine::Space) => (sections.all(&CRACK).next()?.get(CRACK_LATERAL).unwrap_or(0.0), 0.0),
+        _ => [lateral_place(sections, report)?; 2].into(),
     };
     let (sign, theory) = (given.get(TABLE_SIGN)?, given.get(TABLE_THEORY)?);
     let reading = WheelReading { steel: steel?, sign, theory };
     let file = read_wheel_table(given, TABLE, reading, folder, report)?;
     let wheels = passing(&file, given, context.share, report)?;
     let loadings: Vec<WheelLoading> =
-        wheels.iter().map(|wheel| loading(&wheel.wheel, lateral, (extent, travel))).collect();
+        wheels.iter().map(|wheel| loading(&wheel.wheel, of_patches, (extent, travel))).collect();
     if loadings.iter().all(|loading| matches!(loading, WheelLoading::Misses { .. })) {
         let says =
             format!("no patch of its {} wheels meets the crack at lateral_mm = {lateral}", wheels.len());
@@ -105,7 +106,7 @@ fn loading(wheel: &TableWheel, lateral: f64, (extent, travel): (ContactExtent, T
     let heaviest = wheel.heaviest();
     let met = match extent {
         ContactExtent::Patch => {
-            let own = PlacedPatch { patch: heaviest.patch, y: -heaviest.y_rail, x: heaviest.x };
+            let own = PlacedPatch { patch: heaviest.patch, y: lateral - heaviest.y_rail, x: heaviest.x };
             heaviest.patch.plane_contact(0.0, travel).ok().map(|contact| of_patch(contact, own))
         }
         ContactExtent::Strip => {

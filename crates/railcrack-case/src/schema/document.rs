@@ -49,8 +49,7 @@ pub(crate) fn from_file<T>(
 pub(crate) const MOST_TEXT: u64 = 4 << 20;
 
 /// Help where a file is larger.
-pub(crate) const SMALLER: &str =
-    "leave out columns and digits that are not read, and rows of other places (place_m)";
+pub(crate) const SMALLER: &str = "leave out columns, digits and rows that are not read";
 
 /// The bytes of a regular file of at most `most` bytes.
 ///

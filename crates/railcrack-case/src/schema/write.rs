@@ -1,6 +1,6 @@
 //! Declared files as text: the first file of a user, and a file as it was read.
 
-use super::declaration::{FileSchema, Key, Kind, Presence, Preset, Section, SectionPresence};
+use super::declaration::{FileSchema, Form, Key, Kind, Presence, Preset, Section, SectionPresence};
 use super::row::KeyRow;
 use super::sections::{SectionValues, Sections};
 use super::value::{Value, toml_value};
@@ -87,8 +87,8 @@ const LINE_WIDTH: usize = 120;
 
 fn init_line(section: &Section, key: &Key) -> String {
     let preset = key.reference.unwrap_or(key.presence.preset());
-    let other_form = section.forms.iter().skip(1).any(|f| f.keys.contains(&key.name));
-    let inactive = other_form
+    let replaced = replaced_by(section, key);
+    let inactive = replaced.is_some()
         || left_out(section)
         || matches!(key.presence, Presence::Optional(_))
         || means_nothing_alone(section, key)
@@ -113,11 +113,23 @@ fn init_line(section: &Section, key: &Key) -> String {
         | Kind::Points { .. }
         | Kind::Groups { .. } => (),
     }
-    if other_form && let Some(first) = section.forms.first() {
-        comment.push_str(&format!(" Instead of {}.", first.keys.join(", ")));
+    if let Some(replaced) = replaced {
+        comment.push_str(&format!(" Instead of {}.", replaced.join(", ")));
     }
     let beside = format!("{assignment:<COMMENT_COLUMN$} # {comment}\n");
     if beside.chars().count() <= LINE_WIDTH { beside } else { format!("# {comment}\n{assignment}\n") }
+}
+
+/// The keys of the first form that are left out where `key` is given; none of a key of that form,
+/// or of no form.
+fn replaced_by(section: &Section, key: &Key) -> Option<Vec<&'static str>> {
+    let (first, others) = section.forms.split_first()?;
+    let own: Vec<&Form> = others.iter().filter(|form| form.keys.contains(&key.name)).collect();
+    if own.is_empty() || first.keys.contains(&key.name) {
+        return None;
+    }
+    let is_shared = |name: &&str| own.iter().all(|form| form.keys.contains(name));
+    Some(first.keys.iter().copied().filter(|name| !is_shared(name)).collect())
 }
 
 /// Whether this key belongs to another one that is not given.

@@ -341,14 +341,56 @@ fn refuse_lateral(section: &SectionValues, report: &mut Report) -> Option<()> {
     None
 }
 
-impl ContactExtent {
-    /// The part that loads the cracks of a case that can take `self`: a wheel that feels the cracks
-    /// is a line contact.
-    pub(crate) fn of_contact(self, section: &SectionValues) -> Self {
-        let is_line = section.get(LATERAL_EXTENT) == Some(Self::Strip) || section.get(COUPLED) == Some(true);
-        if is_line { Self::Strip } else { self }
+/// Parts of contact patches by which a case can load its cracks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum PossibleExtent {
+    /// Either, by default the whole patch.
+    Any,
+    /// Whole patches: cracks in space.
+    Patch,
+    /// Line contacts: the ends of a block cancel a field of the half-plane.
+    Strip,
+}
+
+impl PossibleExtent {
+    /// The part that `row` of `section` chooses; an error is added to `report` where it is not
+    /// possible.
+    pub(crate) fn chosen(
+        self,
+        section: &SectionValues,
+        row: KeyRow<ContactExtent>,
+        report: &mut Report,
+    ) -> ContactExtent {
+        let given = section.get(row);
+        let refusal = match (self, given) {
+            (Self::Patch, Some(ContactExtent::Strip)) => {
+                Some(("cracks in space are loaded by whole patches", "leave it out, or use a plane engine"))
+            }
+            (Self::Strip, Some(ContactExtent::Patch)) => Some((
+                "a block is loaded by line contacts",
+                "leave it out, or use rail.boundary = \"half-plane\"",
+            )),
+            _ => None,
+        };
+        if let Some((says, help)) = refusal {
+            report.add(section.fault(row, says).help(help));
+        }
+        match self {
+            Self::Any => given.unwrap_or(ContactExtent::Patch),
+            Self::Patch => ContactExtent::Patch,
+            Self::Strip => ContactExtent::Strip,
+        }
     }
 
+    /// The part by which the contact of `section` loads the cracks: a wheel that feels the cracks
+    /// is a line contact.
+    pub(crate) fn of_contact(self, section: &SectionValues, report: &mut Report) -> ContactExtent {
+        let chosen = self.chosen(section, LATERAL_EXTENT, report);
+        if section.get(COUPLED) == Some(true) { ContactExtent::Strip } else { chosen }
+    }
+}
+
+impl ContactExtent {
     /// The offset of the strip that represents the contact.
     fn offset(self, lateral: f64) -> f64 {
         match self {

@@ -20,7 +20,7 @@ section! {
         "Length l over which a path turns, dtheta/ds = theta*/l, where theta* is the best kink. inf: straight ahead; 0: the limit path, on which the best kink is zero.")
         .only_with(TURNING, "smooth", "a kink has no length");
     STRAIGHT_TO: f64 = number("straight_to_mm", "mm", closed(0.0, 1e3), STRAIGHT_BY_DEFAULT,
-        "Depth of a tip up to which its path goes straight ahead at its angle, whatever the criterion, as measured paths of head checks do to 2 to 3 mm before they turn; by default 2.5 in a case with [inspection] that leaves turning_length_mm out, and otherwise 0. The plane engines only.")
+        "Depth of a tip up to which its path goes straight ahead at its angle, whatever the criterion, as measured paths of head checks do to 2 to 3 mm before they turn; by default 2.5 in a case with [inspection] that leaves turning_length_mm out, and otherwise 0. Without effect in the space engine.")
         .only_with(TURNING, "smooth", "every increment kinks").optional();
     KINK_ANGLE: f64 = number("kink_angle_deg", "deg", closed(1.0, 110.0), 30.0,
         "Best kink from which a path kinks at once.")

@@ -42,7 +42,7 @@ pub use study::{Combine, STUDY, Sampling};
 pub use wheel_load::{GivenContact, GivenWheel, WheelLoading};
 
 pub(crate) use calibration::{CALIBRATION, read_calibration};
-pub(crate) use contact::{CONTACT, COUPLED, KIND, LATERAL_HALF_WIDTH};
+pub(crate) use contact::{CONTACT, COUPLED, KIND, LATERAL_EXTENT, LATERAL_HALF_WIDTH, PossibleExtent};
 pub(crate) use crack::{
     ANGLE, ANGLE_SD, ANGLES, COUNT, CRACK, CRACK_DEPTH, CRACK_FRICTION, CRACK_LATERAL, LENGTH, LENGTH_SD,
     MOUTH, POINTS, ROW_SEED, SPACING, SPACING_SD, STRIKE, SURFACE_HALF_LENGTH,
@@ -52,7 +52,7 @@ pub(crate) use fluid::{FLUID, read_fluid};
 pub(crate) use fracture::FRACTURE;
 pub(crate) use growing::{Growing, PathGiven, read_growth};
 pub(crate) use growth::{
-    FRONT, FRONT_HARMONICS, FrontForm, GROWTH, LAW, MODE_3_WEIGHT, STEPS, STRAIGHT_BY_DEFAULT,
+    FRONT, FRONT_HARMONICS, FrontForm, GROWTH, LAW, MODE_3_WEIGHT, STEPS, STRAIGHT_BY_DEFAULT, STRAIGHT_TO,
     is_of_the_steel,
 };
 pub(crate) use inspection::{INSPECTION, SCATTER, Scattering, read_inspection, read_risk, read_scatter};
@@ -72,7 +72,7 @@ pub(crate) use title::{TITLE, TOP};
 pub(crate) use track::{FOUNDATION, RAIL_TEMPERATURE, TEMPERATURE, TRACK, read_temperature, read_track};
 pub(crate) use traffic::{
     AXLE_LOAD, DIRECTION, MGT_PER_YEAR, PLACE, PLACE_WINDOW, REPRESENTATIVES, REPRESENTATIVES_ERROR, SHARE,
-    TABLE, TABLE_SIGN, TABLE_THEORY, TRAFFIC, WHEEL, WHEEL_AXLE_LOAD, WHEEL_CONTACT, WHEEL_FLUID, WHEEL_NAME,
-    WHEEL_TEMPERATURE, WHEEL_TRACK,
+    TABLE, TABLE_EXTENT, TABLE_SIGN, TABLE_THEORY, TRAFFIC, WHEEL, WHEEL_AXLE_LOAD, WHEEL_CONTACT,
+    WHEEL_FLUID, WHEEL_NAME, WHEEL_TEMPERATURE, WHEEL_TRACK,
 };
 pub(crate) use wheel_load::WheelSections;

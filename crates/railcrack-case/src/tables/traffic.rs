@@ -1,6 +1,6 @@
 //! `[traffic]` and `[[wheel]]`: the load that passes.
 
-use super::contact::CONTACT;
+use super::contact::{CONTACT, ContactExtent};
 use super::fluid::{DRY, FLUID, MODEL};
 use super::track::{TEMPERATURE, TRACK};
 use crate::schema::{
@@ -35,7 +35,7 @@ section! {
     WHEEL "wheel", Several,
         "A wheel of a traffic mix, replacing [contact]; growth rates are summed in proportion to the shares of the axles.",
         forms [[SHARE],
-            [TABLE, TABLE_SIGN, TABLE_THEORY, REPRESENTATIVES, REPRESENTATIVES_ERROR, PLACE, PLACE_WINDOW]],
+            [TABLE, TABLE_SIGN, TABLE_THEORY, TABLE_EXTENT, REPRESENTATIVES, REPRESENTATIVES_ERROR, PLACE, PLACE_WINDOW]],
         parts [WHEEL_CONTACT, WHEEL_TRACK, WHEEL_TEMPERATURE, WHEEL_FLUID];
     WHEEL_NAME: String = text("name", "freight, loaded", "Name shown in reports.").optional();
     SHARE: f64 = number("share", "", closed(1e-9, 1.0), 0.7, "Fraction of all axles; the shares of all wheels must add up to 1.")
@@ -45,10 +45,12 @@ section! {
     DIRECTION: Travel = choice("direction", "Direction of travel, by default that of [passage]. A wheel that runs the other way starts as far before the mouth that it meets first, and ends as far behind the last one. The sign of its friction remains that of the shear on the rail along +x.")
         .optional();
     TABLE: String = file("table", "inputs/wheels", "curve.csv",
-        "CSV file with a row per wheel and patch, instead of share and contact: wheel, normal_kn, y_rail_mm, creepage_x, creepage_y, spin_per_mm, mu, and a_mm, b_mm or rail_radius_mm, wheel_radius_mm; optional are place_m, patch, share, axle_load_t, angle_deg, x_mm, wheel_profile_radius_mm. Each wheel loads the cracks by the strip of its patches at lateral_mm of the cracks.")
+        "CSV file with a row per wheel and patch, instead of share and contact: wheel, normal_kn, y_rail_mm, creepage_x, creepage_y, spin_per_mm, mu, and a_mm, b_mm or rail_radius_mm, wheel_radius_mm; optional are place_m, patch, share, axle_load_t, angle_deg, x_mm, wheel_profile_radius_mm. lateral_mm of the cracks is their place among those of the patches.")
         .required();
     TABLE_SIGN: CreepageSign = choice("creepage_sign", "Convention for the signs of creepages and spin of the table.").required();
     TABLE_THEORY: RollingTheory = choice("theory", "Theory of the shear of its patches.");
+    TABLE_EXTENT: ContactExtent = choice("lateral",
+        "What of the patches of a wheel loads cracks in the plane; in space it is always the whole patches.").optional();
     REPRESENTATIVES: usize = integer("representatives", (1, 30), 30,
         "Largest number of wheels that are computed; more wheels are grouped, and each group is represented by one of its wheels.");
     REPRESENTATIVES_ERROR: f64 = number("representatives_error", "", closed(1e-6, 1.0), 0.01,

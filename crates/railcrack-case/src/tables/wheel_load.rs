@@ -1,6 +1,6 @@
 //! The load of one wheel: `[contact]`, `[track]`, `[temperature]`.
 
-use super::contact::{ContactExtent, ContactOrigin, KIND, read_contact};
+use super::contact::{ContactExtent, ContactOrigin, KIND, PossibleExtent, read_contact};
 use super::coupling::read_coupling;
 use super::rolling::read_rolling;
 use super::track::{read_temperature, read_track};
@@ -55,8 +55,8 @@ pub(crate) struct WheelSections<'a> {
     pub contact: &'a SectionValues,
     pub track: Option<&'a SectionValues>,
     pub temperature: Option<&'a SectionValues>,
-    /// The part of a patch that the engine and the boundary of the rail can take.
-    pub extent: ContactExtent,
+    /// The parts of a patch that the engine and the boundary of the rail can take.
+    pub extent: PossibleExtent,
 }
 
 impl GivenWheel {
@@ -69,7 +69,7 @@ impl GivenWheel {
         folder: &Path,
         report: &mut Report,
     ) -> Option<Self> {
-        let extent = sections.extent.of_contact(sections.contact);
+        let extent = sections.extent.of_contact(sections.contact, report);
         let contact = match sections.contact.get(KIND) {
             Some(ContactKind::Rolling) => {
                 read_rolling(sections.contact, steel, travel, extent, folder, report)

@@ -1,6 +1,6 @@
 //! Numbers of a case that are fitted.
 
-use railcrack_case::{CalibrationPrior, Case, CaseErrors, Overrides};
+use railcrack_case::{CalibrationPrior, Case, CaseErrors, Overrides, Scatter};
 use std::path::Path;
 
 const CRACK: &str = "[contact]
@@ -54,9 +54,30 @@ fn every_law_and_spelling_has_its_coefficient_fitted() {
         assert!((rate(&after) / rate(&before) - 1.7).abs() < 1e-12, "{rest}");
         let mut same = after.growth.clone();
         same.law.rate = before.growth.law.rate.clone();
-        assert_eq!((same, after.scatter), (before.growth, before.scatter), "{rest}");
+        // Without its name a steel leaves its scatter from rail to rail.
+        let of_steel = before.growth_steel.is_some();
+        let scatter = before
+            .scatter
+            .map(|own| Scatter { c_log_std: if of_steel { own.rail_log_std } else { own.c_log_std }, ..own });
+        assert_eq!((same, after.scatter), (before.growth, scatter), "{rest}");
         assert!(after.growth_steel.is_none());
     }
+}
+
+/// As long as a case is not calibrated, ln C scatters as the prior of the suite; afterwards as the
+/// calibration says, by default from rail to rail.
+#[test]
+fn scatter_of_an_uncalibrated_case_is_the_prior() {
+    let law = |rest: &str| {
+        let text = format!("[growth]\nsteel = \"R350HT\"\n[traffic]\naxle_load_t = 20\n[scatter]\n{rest}");
+        let scatter = read(&text, &Overrides::default()).unwrap().scatter.unwrap();
+        (scatter.c_log_std, scatter.rail_log_std)
+    };
+    let (prior, rail) = law("");
+    assert_eq!((prior, rail), (CalibrationPrior::PLANE.log_std, 0.3));
+    assert_eq!(law("[calibration]\nprior_log_std = 0.7\n"), (0.7, rail));
+    assert_eq!(law("[calibration]\nsites = 3\n"), (rail, rail));
+    assert_eq!(law("paris_c_log_std = 0.45\n[calibration]\nsites = 3\n"), (0.45, 0.45));
 }
 
 #[test]

@@ -378,7 +378,7 @@ fn a_mix_of_wheels_is_read_and_written() {
     assert_eq!([0, 1].map(|i| case.wheels[i].passages.passage.to), [42.0, 30.0]);
     let rail = |i: usize| case.wheels[i].wheel.temperature.unwrap().rail;
     assert_eq!([rail(0), rail(1)], [5.0, -10.0]);
-    assert_eq!((case.half_width(), case.scatter.unwrap().c_log_std), (7.0, 0.3));
+    assert_eq!((case.half_width(), case.scatter.unwrap().c_log_std), (7.0, case.calibration.log_std));
     let again = parse(&case.to_toml());
     assert_eq!(again, case, "{}", case.to_toml());
 }

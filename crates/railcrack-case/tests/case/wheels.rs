@@ -1,15 +1,60 @@
 //! Rolling contact and tables of wheels.
 
-use super::cases::{CRACK, HEADER, contact, folder, origin, rolling, tabled};
+use super::cases::{CRACK, HEADER, STRIP, contact, folder, origin, rolling, tabled};
 use railcrack::load::Contact;
-use railcrack_case::{Case, ContactOrigin};
+use railcrack_case::{Case, ContactExtent, ContactOrigin};
 use std::path::{Path, PathBuf};
 
 #[test]
 fn the_mirrored_rail_has_the_same_history() {
-    let (left, right) = (rolling(1.5, -4e-4, 2e-4), rolling(-1.5, 4e-4, -2e-4));
-    assert_eq!(contact(&left), contact(&right));
-    assert_ne!(contact(&left), contact(&rolling(-1.5, -4e-4, 2e-4)));
+    let strip = |numbers| contact(&rolling(numbers, STRIP)).clone();
+    let (left, right) = (strip([1.5, -4e-4, 2e-4]), strip([-1.5, 4e-4, -2e-4]));
+    assert_eq!(left, right);
+    assert_ne!(left, strip([-1.5, -4e-4, 2e-4]));
+}
+
+/// The contact of a wheel that loads cracks by its patches is the middle strip of the heaviest one,
+/// wherever the cracks lie.
+#[test]
+fn a_patch_is_named_by_its_middle_strip() {
+    let middle = rolling([0.0, -4e-4, 2e-4], STRIP);
+    for lateral in [0.0, 1.5, 8.0] {
+        let case = rolling([lateral, -4e-4, 2e-4], "");
+        assert_eq!(contact(&case), contact(&middle), "{lateral}");
+        assert_eq!(case.first_wheel().wheel.given().unwrap().extent, ContactExtent::Patch);
+        let y = 6.0 - lateral;
+        let rows = format!("1,85,{y},8e-4,-4e-4,2e-4,0.3,6,5\n1,20,{y},8e-4,0,0,0.3,4,3\n");
+        let table = tabled("middle", HEADER, &rows, "");
+        assert_eq!((contact(&table), origin(&table)), (contact(&middle), origin(&case)), "{lateral}");
+    }
+}
+
+/// A strip is for cracks in the plane of a half-plane, and a patch for all but blocks.
+#[test]
+fn an_extent_that_the_case_cannot_take_is_refused() {
+    let folder = folder("extents");
+    std::fs::write(folder.join("curve.csv"), format!("{HEADER}\n1,85,4.5,8e-4,0,0,0.3,6,5\n")).unwrap();
+    let table = "[[wheel]]\ntable = \"curve.csv\"\ncreepage_sign = \"contact\"\n";
+    let own = "[contact]\nkind = \"rolling\"\nnormal_kn = 85\nsemi_axes_mm = [6.0, 5.0]\n\
+        creepage_sign = \"contact\"\nfriction = 0.3\n";
+    let space =
+        CRACK.replace("dislocation", "space").replace("[passage]", "surface_half_length_mm = 5\n[passage]");
+    let block = CRACK.replace("dislocation", "xfem") + "[rail]\nboundary = \"block\"\n";
+    for (wheel, key) in [(table, "wheel[1].lateral"), (own, "contact.lateral")] {
+        for (rest, extent) in [(&space, "strip"), (&block, "patch")] {
+            let parse = |extent: &str| {
+                let text = format!("{rest}{wheel}lateral = \"{extent}\"\n");
+                Case::parse(&text, "case.toml", &folder).map_err(|errors| errors.to_string())
+            };
+            let refused = parse(extent).unwrap_err();
+            assert!(refused.contains(&format!("`{key} = \"{extent}\"`: ")), "{refused}");
+            let other = if extent == "strip" { "patch" } else { "strip" };
+            assert!(parse(other).is_ok(), "{:?}", parse(other).err());
+        }
+    }
+    let coupled = format!("{CRACK}{own}coupled = true\nlateral = \"patch\"\n");
+    let refused = Case::parse(&coupled, "case.toml", &folder).unwrap_err().to_string();
+    assert!(refused.contains("`contact.coupled = true`: is true, and a wheel that feels"), "{refused}");
 }
 
 #[test]
@@ -38,9 +83,9 @@ fn driving_and_braking_wheels_shear_the_rail_in_opposite_directions() {
 fn two_patches_over_one_crack_are_one_history() {
     let header = format!("{HEADER},x_mm");
     let rows = "1,60,4.5,8e-4,0,0,0.3,6,5,0\n1,40,7.0,8e-4,0,1e-4,0.3,4,3,-9\n";
-    let both = tabled("both", &header, rows, "");
-    let first = tabled("first", &header, "1,60,4.5,8e-4,0,0,0.3,6,5,0\n", "");
-    let second = tabled("second", &header, "1,40,7.0,8e-4,0,1e-4,0.3,4,3,-9\n", "");
+    let both = tabled("both", &header, rows, STRIP);
+    let first = tabled("first", &header, "1,60,4.5,8e-4,0,0,0.3,6,5,0\n", STRIP);
+    let second = tabled("second", &header, "1,40,7.0,8e-4,0,1e-4,0.3,4,3,-9\n", STRIP);
     assert_eq!(both.wheels.len(), 1);
     let (sum, a, b) = (contact(&both), contact(&first), contact(&second));
     let load = a.line_load() + b.line_load();
@@ -111,7 +156,8 @@ fn tables_that_are_wrong_are_refused_with_row_and_column() {
         format!("{table}contact = {{ peak_pressure_mpa = 845.0, half_width_mm = 6.75, friction = 0.1 }}\n");
     assert!(refused(&good, &both).contains("says the same thing as `table`"));
     assert!(refused(&good, &format!("{table}share = 1.0\n")).contains("says the same thing"));
-    assert!(refused(&good.replace("4.5", "-40"), table).contains("no patch of its 1 wheels meets the crack"));
+    let beside = refused(&good.replace("4.5", "-40"), &format!("{table}{STRIP}"));
+    assert!(beside.contains("no patch of its 1 wheels meets the crack"), "{beside}");
     assert!(refused(&good, &format!("{table}place_m = 5\n")).contains("no wheel of the table has a place_m"));
 }
 
@@ -140,7 +186,9 @@ fn profiles_load_the_crack_where_they_touch() {
     assert_eq!(again, case);
     let says = |keys: &str| profiled(keys).unwrap_err();
     assert!(says("shift_mm = 150\n").contains("the wheel is not above the rail head"));
-    assert!(says("shift_mm = -8.5\nlateral_mm = 12\n").contains("is outside the patches, which reach from"));
+    let outside = "shift_mm = -8.5\nlateral_mm = 12\n";
+    assert!(says(&format!("{outside}{STRIP}")).contains("is outside the patches, which reach from"));
+    assert_eq!(super::cases::contact(&profiled(outside).unwrap()), contact);
     assert!(says("semi_axes_mm = [6.0, 5.0]\n").contains("semi_axes_mm"));
 }
 

@@ -8,6 +8,9 @@ pub const CRACK: &str = "[[crack]]\nmouth_mm = 0\nlength_mm = 5\nangle_deg = 25\
     [passage]\npositions = 41\n[growth]\nsteps = 0\n[solver]\nengine = \"dislocation\"\n";
 pub const HEADER: &str = "wheel,normal_kn,y_rail_mm,creepage_x,creepage_y,spin_per_mm,mu,a_mm,b_mm";
 
+/// The strip above the cracks loads them.
+pub const STRIP: &str = "lateral = \"strip\"\n";
+
 pub fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("wheels").join(name);
     std::fs::create_dir_all(&folder).unwrap();
@@ -22,10 +25,12 @@ pub fn tabled(name: &str, header: &str, rows: &str, keys: &str) -> Case {
     Case::parse(&text, "case.toml", &folder).unwrap_or_else(|errors| panic!("{errors}"))
 }
 
-pub fn rolling(lateral: f64, across: f64, spin: f64) -> Case {
+/// The case of a patch in rolling contact with the crack at its `lateral` (mm), the creepage
+/// `across` and `spin` (1/mm), with `keys` beside them.
+pub fn rolling([lateral, across, spin]: [f64; 3], keys: &str) -> Case {
     let text = format!(
         "{CRACK}[contact]\nkind = \"rolling\"\nnormal_kn = 85\nsemi_axes_mm = [6.0, 5.0]\nlateral_mm = {lateral}\n\
-         creepage_x = 8e-4\ncreepage_y = {across}\nspin_per_mm = {spin}\ncreepage_sign = \"contact\"\nfriction = 0.3\n"
+         creepage_x = 8e-4\ncreepage_y = {across}\nspin_per_mm = {spin}\ncreepage_sign = \"contact\"\nfriction = 0.3\n{keys}"
     );
     Case::parse(&text, "case.toml", Path::new(".")).unwrap_or_else(|errors| panic!("{errors}"))
 }

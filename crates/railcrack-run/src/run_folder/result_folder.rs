@@ -24,10 +24,13 @@ pub struct ResultKind {
     /// Files in the folder itself.
     pub files: &'static [&'static str],
     /// Folders in it, and whether a name in one of them is that of a file of the command.
-    pub folders: &'static [(&'static str, fn(&str) -> bool)],
+    pub folders: &'static [OwnFolder],
     /// Whether the files of a run are among the results, too.
     pub run: WithRun,
 }
+
+/// A folder of a command, and whether a name in it is that of one of its files.
+pub type OwnFolder = (&'static str, fn(&str) -> bool);
 
 /// Whether the folder of a command is also that of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

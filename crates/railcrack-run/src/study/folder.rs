@@ -170,8 +170,8 @@ impl StudyFolder {
         if entry.part.is_none() {
             return packed_files(&self.path)?.iter().try_for_each(|file| remove(file));
         }
-        let packed = self.own(entry).filter(|run| packed.has(run.number));
-        packed.map(|run| self.append(run.number, None)).collect()
+        let mut packed = self.own(entry).filter(|run| packed.has(run.number));
+        packed.try_for_each(|run| self.append(run.number, None))
     }
 
     /// A file in the folder that the study with this `text` would replace, where there is one.
@@ -194,11 +194,10 @@ impl StudyFolder {
     #[must_use]
     pub fn owns(name: &str) -> bool {
         let within = |folder: &str| name.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'));
-        let is_plot = |plot: &&str| name == format!("{PLOTS_FOLDER}/{plot}");
         STUDY_TABLES.contains(&name)
             || [PLAN_FILE, REPORT_FILE].contains(&name)
             || within(RUNS_FOLDER)
-            || STUDY_PLOTS.iter().any(|plot| is_plot(&plot))
+            || STUDY_PLOTS.iter().any(|plot| name == format!("{PLOTS_FOLDER}/{plot}"))
     }
 
     fn may_enter(&self, stored: Option<&StudyPlan>, entry: &Entry) -> Result<(), OutputError> {

@@ -1,10 +1,13 @@
 //! Tables of wheels: their representatives, and patches over cracks in space.
 
-use super::cases::{HEADER, contact, folder, origin, rolling, tabled};
+use super::cases::{HEADER, STRIP, contact, folder, origin, rolling, tabled};
 use railcrack::growth::{StepRecord, Unobserved};
+use railcrack::math::Vec2;
 use railcrack::space::WheelPatch;
 use railcrack_case::{Case, ContactOrigin, WheelGroups};
-use railcrack_run::setup::{PreparedRun, represented, represented_in, wheel_demands, wheel_patches};
+use railcrack_run::setup::{
+    PreparedRun, plane_field, represented, represented_in, wheel_demands, wheel_patches,
+};
 use std::path::{Path, PathBuf};
 
 fn first_step(case: &Case) -> StepRecord {
@@ -14,17 +17,76 @@ fn first_step(case: &Case) -> StepRecord {
 
 #[test]
 fn a_table_of_one_row_is_the_wheel_itself_bit_for_bit() {
-    let single = rolling(1.5, -4e-4, 2e-4);
-    let one = tabled("one", HEADER, "7,85,4.5,8e-4,-4e-4,2e-4,0.3,6,5\n", "");
-    assert_eq!(one.wheels.len(), 1);
-    assert_eq!((contact(&one), one.half_width()), (contact(&single), single.half_width()));
-    let (a, b) = (first_step(&single), first_step(&one));
-    let of = |step: &StepRecord| {
-        let tip = &step.tips[0];
-        [tip.ki_max, tip.delta_ki, tip.delta_kii, tip.delta_keq, tip.rate]
+    for (name, extent) in [("one", ""), ("one-strip", STRIP)] {
+        let single = rolling([1.5, -4e-4, 2e-4], extent);
+        let one = tabled(name, HEADER, "7,85,4.5,8e-4,-4e-4,2e-4,0.3,6,5\n", extent);
+        assert_eq!(one.wheels.len(), 1);
+        assert_eq!((contact(&one), one.half_width()), (contact(&single), single.half_width()));
+        let (a, b) = (demand(&single), demand(&one));
+        assert_eq!(a, b, "{name}");
+        assert!(a[2] > 0.0);
+    }
+}
+
+/// Ranges of K, ΔK_eq and the rate of the crack at the beginning.
+fn demand(case: &Case) -> [f64; 5] {
+    let tip = &first_step(case).tips[0];
+    [tip.ki_max, tip.delta_ki, tip.delta_kii, tip.delta_keq, tip.rate]
+}
+
+/// Seen in a mirror along the rail, the lateral place of the crack, lateral creepage and spin change
+/// their signs, and nothing in the plane of the crack does.
+#[test]
+fn the_mirrored_rail_has_the_same_demand() {
+    let right = demand(&rolling([1.5, -4e-4, 2e-4], ""));
+    let left = demand(&rolling([-1.5, 4e-4, -2e-4], ""));
+    let rows = "1,85,7.5,8e-4,4e-4,-2e-4,0.3,6,5\n";
+    for other in [left, demand(&tabled("mirrored", HEADER, rows, ""))] {
+        for (a, b) in right.iter().zip(other) {
+            assert!((a - b).abs() < 1e-6 * a.abs().max(1e-12), "{right:?} {other:?}");
+        }
+    }
+    let other_spin = demand(&rolling([-1.5, -4e-4, 2e-4], ""));
+    assert!((other_spin[2] / right[2] - 1.0).abs() > 1e-4, "{other_spin:?} {right:?}");
+}
+
+/// A wheel beside the crack loads it, the less the farther it passes; as a strip it is refused or
+/// misses.
+#[test]
+fn a_wheel_beside_the_crack_loads_it() {
+    let places = [0.0, 6.0, 12.0, 24.0];
+    let own = places.map(|lateral| demand(&rolling([lateral, 0.0, 0.0], ""))[2]);
+    assert!(own.windows(2).all(|two| two[1] < 0.9 * two[0]) && own[3] > 0.0, "{own:?}");
+    for (lateral, range) in places.into_iter().zip(own).skip(1) {
+        let row = format!("1,85,{},8e-4,0,0,0.3,6,5\n", 6.0 - lateral);
+        let name = format!("beside-{lateral}");
+        assert_eq!(demand(&tabled(&name, HEADER, &row, ""))[2], range, "{lateral}");
+    }
+    let rows = "1,85,6,8e-4,0,0,0.3,6,5\n2,85,-6,8e-4,0,0,0.3,6,5\n";
+    let misses = |extent: &str| {
+        let case = tabled("beside", HEADER, rows, extent);
+        case.wheels.iter().map(|wheel| wheel.wheel.contact().is_none()).collect::<Vec<_>>()
     };
-    assert_eq!(of(&a), of(&b));
-    assert!(a.tips[0].delta_kii > 0.0);
+    assert_eq!((misses(""), misses(STRIP)), (vec![false, false], vec![false, true]));
+}
+
+/// The fields of two patches of a wheel add, each where it lies; so do the loads of the crack.
+#[test]
+fn two_patches_over_a_crack_add() {
+    let header = format!("{HEADER},x_mm");
+    let (first, second) = ("1,60,4.5,8e-4,0,0,0.3,6,5,0\n", "1,40,7.0,8e-4,0,1e-4,0.3,4,3,-9\n");
+    let field = |name: &str, rows: &str| plane_field(&tabled(name, &header, rows, ""), 0).unwrap();
+    let both = field("both", &format!("{first}{second}"));
+    let (a, b) = (field("first", first), field("second", second));
+    for xc in [-12.0, -3.0, 0.0, 7.5] {
+        for point in [[0.0, -0.5], [2.0, -1.0], [-4.0, -3.0]].map(|[x, y]| Vec2::new(x, y)) {
+            // A patch alone is the middle of its wheel.
+            let (sum, a, b) = (both.stress(point, xc), a.stress(point, xc), b.stress(point, xc - 9.0));
+            for (sum, parts) in [(sum.xx, a.xx + b.xx), (sum.yy, a.yy + b.yy), (sum.xy, a.xy + b.xy)] {
+                assert!((sum - parts).abs() < 1e-9 * parts.abs().max(1.0), "{xc} {point:?}: {sum} {parts}");
+            }
+        }
+    }
 }
 
 /// Rows of wheels that scatter in load, place, creepage and friction.
@@ -45,7 +107,8 @@ fn many(count: usize) -> String {
 
 #[test]
 fn representatives_have_the_mean_rate_of_all_wheels() {
-    let all_wheels = tabled("many", HEADER, &many(200), "representatives = 20\n");
+    let keys = format!("representatives = 20\n{STRIP}");
+    let all_wheels = tabled("many", HEADER, &many(200), &keys);
     let case = represented(&all_wheels);
     let table = case.wheel_table.as_ref().unwrap();
     let groups = table.groups.as_ref().unwrap();
@@ -76,6 +139,26 @@ fn representatives_have_the_mean_rate_of_all_wheels() {
     assert_eq!(represented_in(&again, groups.clone()).unwrap(), *case);
     let damaged = WheelGroups { group_of: groups.group_of[1..].to_vec(), ..groups.clone() };
     assert!(represented_in(&again, damaged).is_none(), "the groups of another table");
+}
+
+/// No wheel misses cracks that are loaded by patches.
+#[test]
+fn representatives_of_patches_have_the_mean_rate_of_all_wheels() {
+    let all_wheels = tabled("many-patches", HEADER, &many(60), "representatives = 12\n");
+    let case = represented(&all_wheels);
+    let table = case.wheel_table.as_ref().unwrap();
+    let groups = table.groups.as_ref().unwrap();
+    assert_eq!((table.missed(groups), case.wheels.len(), all_wheels.computed_wheels()), (0.0, 12, 12));
+    assert!(case.wheels.iter().all(|wheel| wheel.wheel.contact().is_some()));
+    let demands = wheel_demands(&all_wheels, &case).unwrap();
+    let rate = |of: &dyn Fn(usize) -> f64| (0..60).map(|i| table.wheels[i].share * of(i)).sum::<f64>();
+    let all = rate(&|i| demands[i].rate);
+    let by = rate(&|i| demands[groups.representatives[groups.group_of[i].unwrap()]].rate);
+    println!("representatives: {:+.4} of the mean rate, {:+.4} by groups", by / all - 1.0, groups.error);
+    // Rates of the coarse crack scatter by 1 % from wheel to wheel.
+    assert!((by / all - 1.0).abs() < 0.03, "{}", by / all - 1.0);
+    let step = first_step(&all_wheels);
+    assert!((step.tips[0].rate / by - 1.0).abs() < 1e-3, "{} {by}", step.tips[0].rate);
 }
 
 /// A folder with the files of a stored case.
