@@ -10,8 +10,8 @@ use railcrack::crack::{Crack, CrackTip, End};
 use railcrack::fracture::Sif;
 use railcrack::growth::{
     DeferredGrowth, FaceRecord, FieldRecord, FieldSnapshot, Geometry, GrowthState, PassageRecord, PhaseTimes,
-    Piece, PieceKind, PlaneGeometry, PlaneTip, RunStop, SolverCounts, StepRecord, TipGeometry, TipRecord,
-    Warning, WarningKind, WheelShares,
+    Piece, PieceCause, PieceKind, PlaneGeometry, PlaneTip, RunStop, SolverCounts, StepRecord, TipGeometry,
+    TipRecord, Warning, WarningKind, WheelShares,
 };
 use railcrack::math::{Stress, Vec2};
 use railcrack_run::{CaseFiles, OutputError, Recorder, RunInfo, WheelInfo};
@@ -265,7 +265,15 @@ fn near_ties(step: usize) -> Vec<Warning> {
 /// A triangle above the first crack.
 fn spalls(step: usize) -> Vec<Piece> {
     let outline = vec![Vec2::new(0.0, 0.0), Vec2::new(4.0, -1.0), Vec2::new(4.5, 0.0)];
-    let spall = Piece { kind: PieceKind::Spall, step, crack: 0, outline, area: 2.25 };
+    let spall = Piece {
+        kind: PieceKind::Spall,
+        step,
+        crack: 0,
+        outline,
+        area: 2.25,
+        thickness: 1.0,
+        cause: PieceCause::Growth,
+    };
     if step == 2 { vec![spall] } else { Vec::new() }
 }
 
