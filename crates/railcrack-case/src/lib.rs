@@ -22,7 +22,7 @@ pub use case::{
 };
 pub use entries::{Comparison, Entry, EntryValue, Grade, HowRead, Quantity, entry_schema};
 pub use files::{
-    CaseFile, Column, Columned, Columns, Companion, ContactFile, DetectionFile, DetectionTable, FieldFile,
+    CampaignCrack, CampaignSize, Campaigns, CaseFile, Column, Columned, Columns, Companion, ContactFile, DetectionFile, DetectionTable, FieldFile,
     PointFile, ProfileFile, RatesFile, TablePatch, TableWheel, ToughnessFile, WheelTableFile,
 };
 pub use regular_file::open_regular;
