@@ -11,6 +11,7 @@ mod case;
 mod entries;
 mod files;
 pub mod normal;
+mod plausible;
 mod regular_file;
 mod schema;
 mod study;
@@ -25,6 +26,7 @@ pub use files::{
     CampaignCrack, CampaignSize, Campaigns, CaseFile, Column, Columned, Columns, Companion, ContactFile, DetectionFile, DetectionTable, FieldFile,
     PointFile, ProfileFile, RatesFile, TablePatch, TableWheel, ToughnessFile, WheelTableFile,
 };
+pub use plausible::{ANY, Implausible, Topic, USUAL, Usual, implausible, usual_ranges};
 pub use regular_file::open_regular;
 pub use schema::read_text_file;
 pub use schema::{

@@ -63,6 +63,8 @@ pub enum ReasonKind {
     Rate,
     /// A tip in the layer that yields in each passage.
     PlasticLayer,
+    /// A growth law of another material, or in another unit.
+    GrowthLaw,
 }
 
 /// A reason for a verdict.
@@ -111,6 +113,7 @@ impl Choice for ReasonKind {
         (Self::LiftedFlap, Word::now("lifted-flap", "fluid lifts the flap")),
         (Self::Rate, Word::now("rate", "growth faster than cracks grow")),
         (Self::PlasticLayer, Word::now("plastic-layer", "a tip in the layer that flows")),
+        (Self::GrowthLaw, Word::now("growth-law", "a growth law of another material or unit")),
     ];
 }
 
@@ -126,7 +129,9 @@ impl ReasonKind {
             Self::EndOfRun => VerdictLevel::Ok,
             Self::Failure | Self::Risk | Self::StepLimit => VerdictLevel::Act,
             Self::AtOnce | Self::BeforeDetectable => VerdictLevel::Stop,
-            Self::Toughness | Self::LiftedFlap | Self::Rate | Self::PlasticLayer => VerdictLevel::Outside,
+            Self::Toughness | Self::LiftedFlap | Self::Rate | Self::PlasticLayer | Self::GrowthLaw => {
+                VerdictLevel::Outside
+            }
         }
     }
 }
@@ -238,7 +243,8 @@ fn worst<'a>(
 
 /// The limits of the model that `steps` exceed, whatever the traffic.
 fn limits_of_model(info: &RunInfo, steps: &[&StepDigest]) -> Vec<Reason> {
-    [toughness(info, steps), flap(info, steps), layer(info, steps)].into_iter().flatten().collect()
+    let law = info.unusual_law.clone().map(|text| Reason::new(ReasonKind::GrowthLaw, text));
+    [law, toughness(info, steps), flap(info, steps), layer(info, steps)].into_iter().flatten().collect()
 }
 
 fn toughness(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
