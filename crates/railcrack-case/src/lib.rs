@@ -11,6 +11,7 @@ mod case;
 mod entries;
 mod files;
 pub mod normal;
+mod plausible;
 mod regular_file;
 mod schema;
 mod study;
@@ -22,9 +23,11 @@ pub use case::{
 };
 pub use entries::{Comparison, Entry, EntryValue, Grade, HowRead, Quantity, entry_schema};
 pub use files::{
-    CaseFile, Column, Columned, Columns, Companion, ContactFile, DetectionFile, DetectionTable, FieldFile,
-    PointFile, ProfileFile, RatesFile, TablePatch, TableWheel, ToughnessFile, WheelTableFile,
+    CampaignCrack, CampaignSize, Campaigns, CaseFile, Column, Columned, Columns, Companion, ContactFile,
+    DetectionFile, DetectionTable, FieldFile, PointFile, ProfileFile, RatesFile, TablePatch, TableWheel,
+    ToughnessFile, WheelTableFile,
 };
+pub use plausible::{ANY, Implausible, Topic, USUAL, Usual, implausible, usual_ranges};
 pub use regular_file::open_regular;
 pub use schema::{
     CaseError, CaseErrors, Choice, Form, Key, Kind, NumberRange, OnlyWith, Pair, Presence, Preset, RangeEnd,

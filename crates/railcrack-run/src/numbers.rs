@@ -34,7 +34,7 @@ pub fn formula(text: &str) -> String {
         // `da/dN = ` is followed by the coefficient and its factors.
         let is_coefficient = shown.is_empty() && before.ends_with("= ");
         shown.push_str(before);
-        shown.push_str(&number.parse().map_or_else(|_| number.to_owned(), short));
+        shown.push_str(&number.parse().map_or_else(|_| number.to_owned(), constant));
         let factors = after.strip_prefix(' ').filter(|_| is_coefficient);
         if factors.is_some() {
             shown.push_str(" \u{b7} ");
@@ -43,6 +43,11 @@ pub fn formula(text: &str) -> String {
     }
     shown.push_str(rest);
     shown.replace("dK", "\u{394}K")
+}
+
+/// A constant of a formula: of none, whatever its unit, is a small value round-off.
+fn constant(value: f64) -> String {
+    if value != 0.0 && value.abs() < ROUND_OFF { format!("{:e}", rounded(value, 4)) } else { short(value) }
 }
 
 /// Bytes of the number at the start of `text`, with its exponent.

@@ -122,20 +122,6 @@ pub enum ValidityWarning {
         /// Rate along it over that straight ahead.
         ratio: f64,
     },
-    /// An angle that looks like radians.
-    #[error("the angle of a crack is {angle} degrees: if {angle} radians are meant, write {:.1} degrees", angle.to_degrees())]
-    AngleInRadians {
-        /// The angle, degrees.
-        angle: f64,
-    },
-    /// A length that looks like metres.
-    #[error("{quantity} is {value} mm: if {value} m is meant, write {} mm", 1e3 * value)]
-    LengthInMetres {
-        /// Which length.
-        quantity: &'static str,
-        /// Its value, mm.
-        value: f64,
-    },
     /// No axle of the train is over the contact.
     #[error("no axle of [track] is at 0, that of this wheel: the rail bends under other axles only")]
     NoAxleHere,
@@ -246,11 +232,6 @@ pub enum ResidualStress {
 /// Depth (mm) to which a half-plane has the compliance of a rail that bends: the depth of the rail
 /// head's sides.
 pub(crate) const BENDING_DEPTH: f64 = 20.0;
-/// Half-width (mm) below which the input was probably in metres; a wheel of 1 kN has a larger one.
-pub(crate) const SHORTEST_HALF_WIDTH: f64 = 0.1;
-/// Crack length (mm) below which the input was probably in metres; the grains of rail steel have
-/// this size.
-pub(crate) const SHORTEST_CRACK: f64 = 0.05;
 /// Opening (mm) of a crack under a wheel up to which the contact is not affected; larger openings
 /// exceed the indentation of the wheel.
 pub const UNCOUPLED_OPENING: f64 = 0.05;
@@ -277,9 +258,6 @@ pub fn measured_growth(measured: [(f64, f64); 2], depth: f64) -> f64 {
 pub fn fast_growth(depth: f64) -> f64 {
     TOO_FAST * measured_growth(FASTEST_MEASURED, depth)
 }
-/// Angle (degrees) below which a crack was probably given in radians: flatter cracks are not seen
-/// in rails.
-pub(crate) const FLATTEST_CRACK: f64 = 2.0;
 /// Kink (degrees) out of the plane of a crack in space, and its gain in rate, from which the plane
 /// is no approximation of the path.
 pub(crate) const OUT_OF_PLANE: (f64, f64) = (20.0, 1.1);
@@ -354,23 +332,6 @@ pub fn depth_rate(rate: f64, depth: f64) -> Option<ValidityWarning> {
     (rate > limit).then_some(ValidityWarning::FastGrowth { rate, depth, limit })
 }
 
-/// Checks the half-width of the contact (mm) for an input in metres.
-pub fn half_width(value: f64) -> Option<ValidityWarning> {
-    let quantity = "the half-width of the contact";
-    (value < SHORTEST_HALF_WIDTH).then_some(ValidityWarning::LengthInMetres { quantity, value })
-}
-
-/// Checks the length of a crack (mm) for an input in metres.
-pub fn crack_length(value: f64) -> Option<ValidityWarning> {
-    (value < SHORTEST_CRACK)
-        .then_some(ValidityWarning::LengthInMetres { quantity: "the length of a crack", value })
-}
-
-/// Checks the angle of a crack (degrees, between 0 and 180) for an input in radians.
-pub fn crack_angle(angle: f64) -> Option<ValidityWarning> {
-    (angle < FLATTEST_CRACK).then_some(ValidityWarning::AngleInRadians { angle })
-}
-
 /// Checks the kink (degrees) that the direction criterion asks for at the deepest point of a crack
 /// in space, and its rate in relation to that straight ahead.
 pub fn out_of_plane(angle: f64, ratio: f64) -> Option<ValidityWarning> {
@@ -414,10 +375,7 @@ mod tests {
     }
 
     #[test]
-    fn angles_in_radians_and_kinks_out_of_a_plane_are_told() {
-        let text = crack_angle(0.7).unwrap().to_string();
-        assert!(text.contains("write 40.1 degrees"), "{text}");
-        assert_eq!(crack_angle(2.0), None);
+    fn kinks_out_of_a_plane_are_told() {
         let text = out_of_plane(-34.6, 1.7).unwrap().to_string();
         assert!(text.contains("-35 degrees") && text.contains("1.70 times"), "{text}");
         assert_eq!([out_of_plane(19.0, 1.7), out_of_plane(34.0, 1.05)], [None, None]);
@@ -440,10 +398,8 @@ mod tests {
             let text = toughness(29.5 * MPA_SQRT_MM, after, &steel).unwrap().to_string();
             assert!(text.contains(says) && text.contains("the case names no steel"), "{text}");
         }
-        assert_eq!((depth_in_bending(20.0), half_width(0.1), crack_length(0.05)), (None, None, None));
+        assert_eq!(depth_in_bending(20.0), None);
         assert!(matches!(depth_in_bending(25.0), Some(ValidityWarning::DeepCrackInBending { .. })));
-        let metres = half_width(0.006).unwrap().to_string();
-        assert_eq!(metres, "the half-width of the contact is 0.006 mm: if 0.006 m is meant, write 6 mm");
         assert_eq!((growth(4.0, None), growth(50.0, None)), (None, None));
         let below = growth(2.0, None).unwrap().to_string();
         assert!(below.contains("an assumption"), "{below}");

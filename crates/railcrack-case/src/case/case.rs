@@ -220,6 +220,11 @@ impl Case {
         all.filter(|path| self.written.value(path, KIND.key.name).is_some()).collect()
     }
 
+    /// The path of the section, the key and the value of every key, defaults among them.
+    pub(crate) fn values(&self) -> impl Iterator<Item = (&str, &'static str, &Value)> {
+        self.written.values()
+    }
+
     /// The same case with another title.
     #[must_use]
     pub(crate) fn titled(mut self, title: &str) -> Self {

@@ -1,5 +1,6 @@
 //! Cracks of a case: copies of a row, contact with one another, and their place in the rail.
 
+use super::beside::{Beside, GAP, beside};
 use super::limits::RESOLVED;
 use super::row_scatter::RowScatter;
 use crate::schema::{Fault, KeyRow, Report, SectionValues, short};
@@ -233,7 +234,8 @@ fn report_meetings(
                 if meet { "cross, touch or overlap" } else { "are closer than a thousandth of their length" };
             let (first, second) = (sections[owners.0], sections[owners.1]);
             let must = if meet { "must not meet" } else { "must be further apart" };
-            let help = format!("cracks {} and {} of the network (counting copies) {must}", i + 1, j + 1);
+            let mut help = format!("cracks {} and {} of the network (counting copies) {must}", i + 1, j + 1);
+            help.push_str(&way_round(one, other, &second.path));
             let fault = if owners.0 == owners.1 {
                 let key = first.dotted(SPACING.key.name);
                 let message = format!("`{}`: its copies {what}", first.path);
@@ -247,6 +249,25 @@ fn report_meetings(
         }
     }
     reported.is_empty()
+}
+
+/// How the crack of the section `path`, which meets the first one, is computed beside it.
+fn way_round(first: &Crack, second: &Crack, path: &str) -> String {
+    let gap =
+        format!("a V from one mouth, or a branch, is computed with a gap of {} % of the length", 100.0 * GAP);
+    match beside(second, first) {
+        Some(Beside::Mouth(x)) => format!("; {gap}: mouth_mm = {} of {path}", short(rounded(x))),
+        Some(Beside::Buried(point)) => {
+            let [x, y] = [point.x, point.y].map(|value| short(rounded(value)));
+            format!("; {gap}: points_mm of {path} from [{x}, {y}]")
+        }
+        None => String::new(),
+    }
+}
+
+/// A coordinate to a micrometre.
+fn rounded(value: f64) -> f64 {
+    (1e3 * value).round() * 1e-3
 }
 
 /// Reports, once for each section, cracks that are longer than the rail or leave it.

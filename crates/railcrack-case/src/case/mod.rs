@@ -1,5 +1,6 @@
 //! The case: reading and checking.
 
+mod beside;
 mod build;
 mod by_geometry;
 #[expect(clippy::module_inception, reason = "the type gives its file the name")]

@@ -1,7 +1,10 @@
 //! Tables of numbers in CSV files, read by header.
 
 use super::csv_rows::{CsvRow, csv_rows};
+use super::size_class::{AT_LEAST, AT_MOST, SizeClass};
+use super::units_row::{is_units_row, other_unit};
 use crate::schema::{CaseErrors, Fault, Report, Source, escaped, nearest, read_file};
+use std::collections::HashMap;
 use std::ops::Range;
 use std::path::Path;
 
@@ -11,12 +14,15 @@ pub enum Column {
     /// Required.
     Needed(&'static str),
     /// One of all alternatives is required, unless a column of [`Column::Blank`] is there: then
-    /// each field may be blank.
+    /// each field may be blank. A field may be a class of sizes such as 0.5-1.0 in a table with the
+    /// columns at_least_mm and at_most_mm.
     Alternative(&'static str),
     /// Optional; its values are 0 if it is missing.
     Optional(&'static str),
     /// Optional, and so is each field: the values are NaN where they are missing or blank.
     Blank(&'static str),
+    /// The same, and a field may be infinite: the radius of what is straight.
+    BlankRadius(&'static str),
     /// A known column that is not read: its values are 0.
     PassedOver(&'static str),
 }
@@ -41,6 +47,8 @@ pub struct Columned {
     pub is_given: Vec<bool>,
     /// Columns of the file that are none of the table, and are not read.
     pub unused: Vec<String>,
+    /// Rows that are copies of an earlier one in all of their fields, and that one, from 1.
+    pub copies: Vec<(usize, usize)>,
     /// Where the header and each row stand.
     header: Range<usize>,
     spans: Vec<Range<usize>>,
@@ -56,13 +64,25 @@ impl Column {
             | Self::Alternative(name)
             | Self::Optional(name)
             | Self::Blank(name)
+            | Self::BlankRadius(name)
             | Self::PassedOver(name) => name,
         }
     }
 
     /// Its value in a row without it.
     fn if_missing(self) -> f64 {
-        if matches!(self, Self::Blank(_) | Self::Alternative(_)) { f64::NAN } else { 0.0 }
+        if self.may_be_blank() || matches!(self, Self::Alternative(_)) { f64::NAN } else { 0.0 }
+    }
+
+    fn may_be_blank(self) -> bool {
+        matches!(self, Self::Blank(_) | Self::BlankRadius(_))
+    }
+}
+
+impl Columned {
+    /// Where each row stands.
+    pub(super) fn spans(&self) -> &[Range<usize>] {
+        &self.spans
     }
 }
 
@@ -73,17 +93,21 @@ impl Columns {
             Ok(source) => source,
             Err(errors) => return errors,
         };
-        let span = csv_rows(&source).nth(number).map_or(0..0, |row| row.span);
+        let fault = match self.read(&source) {
+            Ok(read) => self.fault_of_row(&read, number, message),
+            Err(_) => self.fault(message, &(0..0)),
+        };
         let mut report = Report::new(source);
-        report.add(*self.fault(message, &span));
+        report.add(*fault);
         report.into_errors()
     }
 
-    /// The table in the file `path`; lines that begin with # and empty lines are ignored, and so
-    /// are columns that are none of the table.
+    /// The table in the file `path`: separated by commas, or by semicolons or tabs with decimal
+    /// points or commas. Lines that begin with # and empty lines are ignored, and so are columns
+    /// that are none of the table, and a row of units below the header that are those of the table.
     ///
-    /// Errors: the file cannot be read; a column is missing, misspelt or given twice; a row has a
-    /// different number of fields; a field is not a number.
+    /// Errors: the file cannot be read; a column is missing, misspelt, given twice or in another
+    /// unit; a row has a different number of fields; a field is not a number.
     pub fn read_file(&self, path: &Path) -> Result<Columned, CaseErrors> {
         let source = read_file(path)?;
         self.read(&source).map_err(|fault| {
@@ -95,20 +119,30 @@ impl Columns {
 
     /// The table in `source`.
     pub(crate) fn read(&self, source: &Source) -> Result<Columned, Box<Fault>> {
-        let mut rows = csv_rows(source);
+        let mut rows = csv_rows(source).peekable();
         let Some(header) = rows.next() else {
             return Err(self.fault("the file is empty".into(), &(0..0)));
         };
         let order = self.order(&header)?;
+        if let Some(units) = rows.next_if(|row| is_units_row(row.fields())) {
+            self.check_units(&units, &order)?;
+        }
         let is_given = (0..self.columns.len()).map(|column| order.contains(&Some(column))).collect();
         let mut read = Columned {
             rows: Vec::new(),
             is_given,
             unused: self.unused(&header),
+            copies: Vec::new(),
             header: header.span.clone(),
             spans: Vec::new(),
         };
+        let mut known: HashMap<String, usize> = HashMap::new();
         for row in rows {
+            let number = read.rows.len() + 1;
+            let text: Vec<&str> = row.fields().collect();
+            if let Some(first) = known.insert(text.join("\n"), number) {
+                read.copies.push((number, first));
+            }
             let values = self.values(&row, &order);
             let fault = |message| self.fault(format!("row {}: {message}", read.rows.len() + 1), &row.span);
             let values = values.map_err(fault)?;
@@ -124,14 +158,17 @@ impl Columns {
             return Err(row.wrong_length(order.len()));
         }
         // Where a row has other columns to say what it says, its alternative may be blank.
-        let may_be_blank = self.columns.iter().any(|column| matches!(column, Column::Blank(_)));
+        let may_be_blank = self.columns.iter().any(|column| column.may_be_blank());
         let mut values: Vec<f64> = self.columns.iter().map(|column| column.if_missing()).collect();
         let known = order.iter().zip(row.fields()).filter_map(|(column, given)| Some(((*column)?, given)));
         for (column, given) in known {
-            match (self.columns[column], given.parse::<f64>()) {
+            match (self.columns[column], row.number(given)) {
                 (Column::PassedOver(_), _) => (),
-                (Column::Blank(_) | Column::Alternative(_), _) if given.is_empty() && may_be_blank => (),
-                (_, Ok(value)) if value.abs() <= self.largest => values[column] = value,
+                (Column::Blank(_) | Column::BlankRadius(_) | Column::Alternative(_), _)
+                    if given.is_empty() && may_be_blank => {}
+                (_, Some(value)) if value.abs() <= self.largest => values[column] = value,
+                (Column::BlankRadius(_), Some(value)) if value.is_infinite() => values[column] = value,
+                (Column::Alternative(_), _) if self.enter_class(row, given, &mut values) => (),
                 (other, _) => {
                     let (name, most) = (other.name(), self.largest);
                     let found = match given.is_empty() {
@@ -145,6 +182,29 @@ impl Columns {
         Ok(values)
     }
 
+    /// Enters the class of sizes that `given` of `row` names into the columns of its bounds. Whether
+    /// it names one and the table has these columns.
+    fn enter_class(&self, row: &CsvRow, given: &str, values: &mut [f64]) -> bool {
+        let bounds = self.place(AT_LEAST).zip(self.place(AT_MOST));
+        let Some(((low, high), class)) = bounds.zip(SizeClass::of(given, |part| row.number(part))) else {
+            return false;
+        };
+        (values[low], values[high]) = (class.above.unwrap_or(f64::NAN), class.up_to.unwrap_or(f64::NAN));
+        true
+    }
+
+    /// Errors: the row `units` names another unit for a column than its own.
+    fn check_units(&self, units: &CsvRow, order: &[Option<usize>]) -> Result<(), Box<Fault>> {
+        for (column, given) in order.iter().zip(units.fields()) {
+            let Some(name) = column.map(|column| self.columns[column].name()) else { continue };
+            if let Some(own) = other_unit(name, given) {
+                let message = format!("`{name}` is in {own}, but the row of units has {given}");
+                return Err(self.fault(message, &units.span));
+            }
+        }
+        Ok(())
+    }
+
     /// For each column of the file, the declared column that it is; none of others.
     fn order(&self, header: &CsvRow) -> Result<Vec<Option<usize>>, Box<Fault>> {
         let names: Vec<&str> = header.fields().collect();
@@ -153,14 +213,6 @@ impl Columns {
         let mut words = names.iter().flat_map(|name| name.split([';', '\t', ' ']));
         if !words.any(|word| self.columns.iter().any(|column| column.name() == word.trim_matches('"'))) {
             return Err(Box::new(of_another_kind(self.help)));
-        }
-        let other = [(';', "semicolons"), ('\t', "tabs")];
-        if let Some((_, other)) =
-            other.iter().find(|(other, _)| names.len() == 1 && names[0].contains(*other))
-        {
-            return refuse(format!(
-                "columns are separated by commas, not by {other}; numbers have a decimal point"
-            ));
         }
         if let Some(twice) =
             (1..names.len()).find(|&i| names[..i].contains(&names[i]) && !names[i].is_empty())
@@ -211,7 +263,7 @@ impl Columns {
         }
         let alternatives: Vec<&Column> =
             self.columns.iter().filter(|column| matches!(column, Column::Alternative(_))).collect();
-        let blank = |column: &&Column| matches!(column, Column::Blank(_));
+        let blank = |column: &&Column| column.may_be_blank();
         let says = match alternatives.iter().filter(|column| is_there(column)).count() {
             0 if self.columns.iter().filter(blank).any(|column| is_there(&column)) => return None,
             0 if !alternatives.is_empty() => "is missing",

@@ -57,6 +57,9 @@ pub(super) fn strip(source: &Source, lateral: f64, travel: Travel) -> Result<Vec
         (Some(first), Some(last)) => (first, last),
         _ => return Err(fault("no element is in contact".into(), &elements.place)),
     };
+    let largest = |row: usize| of_row(row).iter().fold(0.0f64, |most, traction| most.max(traction[0]));
+    let by_row: Vec<f64> = (first..=last).map(largest).collect();
+    check_ends(&by_row, "y").map_err(|message| fault(message, &elements.place))?;
     let (low, high) = (middle(first) - 0.5 * dy, middle(last) + 0.5 * dy);
     if !(low..=high).contains(&lateral) {
         let message = format!(
@@ -74,6 +77,8 @@ pub(super) fn strip(source: &Source, lateral: f64, travel: Travel) -> Result<Vec
     let (Some(from), Some(to)) = (strip.iter().position(is_in), strip.iter().rposition(is_in)) else {
         return Err(fault("no element of the strip is in contact".into(), &elements.place));
     };
+    let along: Vec<f64> = strip[from..=to].iter().map(|traction| traction[0]).collect();
+    check_ends(&along, "x").map_err(|message| fault(message, &elements.place))?;
     let x = |i: f64| left + (i + 0.5) * dx;
     let end = |i: f64| ContactRow { u: x(i), pressure: 0.0, shear: 0.0 };
     let mut table = vec![end(from as f64 - 1.0)];
@@ -90,6 +95,35 @@ pub(super) fn strip(source: &Source, lateral: f64, travel: Travel) -> Result<Vec
     }
     Ok(table)
 }
+
+/// Largest ratio of the outermost pressure of a contact to the one next to it: the pressure grows
+/// with the root of the distance d (in elements) from the edge, so that it is √(d/(d + 1)), at most
+/// 0.71 for an element whose neighbour is outside.
+const EDGE: f64 = 0.8;
+
+/// Errors: the `pressures` along `axis` do not fall towards one of their ends.
+fn check_ends(pressures: &[f64], axis: &str) -> Result<(), String> {
+    let falls = |end: Option<&f64>, next: Option<&f64>| match (end, next) {
+        (Some(end), Some(next)) => end <= &(EDGE * next),
+        _ => true,
+    };
+    let count = pressures.len();
+    let at_end = falls(pressures.last(), count.checked_sub(2).map(|i| &pressures[i]));
+    if count < FEWEST || at_end && falls(pressures.first(), pressures.get(1)) {
+        return Ok(());
+    }
+    let (side, [end, next]) = match at_end {
+        true => ("smallest", [pressures[0], pressures[1]]),
+        false => ("largest", [pressures[count - 1], pressures[count - 2]]),
+    };
+    Err(format!(
+        "the contact is cut off at its {side} {axis}: the pressure there is {end} MPa, next to {next} MPa, where at an edge it falls \
+         to less than {EDGE} of that; the file ends within the contact, or its grid does"
+    ))
+}
+
+/// Elements across a contact from which on its edges can be told.
+const FEWEST: usize = 5;
 
 impl Elements {
     fn read(source: &Source) -> Result<Self, Box<Fault>> {
@@ -144,6 +178,10 @@ impl Elements {
                 let Some(element) = element else {
                     return Err(fault(format!("`I = {number}`: is not an element of the grid"), &span));
                 };
+                // The last line of a file that is cut off may still have these.
+                if line.split_whitespace().count() < names.len() {
+                    return Err(fault(format!("element {number} has fewer values than columns"), &span));
+                }
                 *element = [value("PN")?, value("PX")?];
             }
         }
@@ -219,6 +257,31 @@ mod tests {
         let load: f64 =
             middle.windows(2).map(|pair| 0.5 * (pair[0][1] + pair[1][1]) * (pair[1][0] - pair[0][0])).sum();
         assert_eq!(load, 500.0);
+    }
+
+    /// Elements of a Hertz contact with semi-axes of 5.6 and 4.6 elements, up to the number `last`.
+    fn hertz(last: usize) -> String {
+        let mut text = "% MX MY XL YL DX DY CHI\n12 10 -6 -5 1 1 0\n% I PN PX\n".to_owned();
+        for i in 0..last {
+            let (x, y) = ((i % 12) as f64 - 5.5, (i / 12) as f64 - 4.5);
+            let inside = 1.0 - (x / 5.6).powi(2) - (y / 4.6).powi(2);
+            if inside > 0.0 {
+                text.push_str(&format!("{} {:.3} 0\n", i + 1, 900.0 * inside.sqrt()));
+            }
+        }
+        text
+    }
+
+    #[test]
+    fn a_file_that_ends_within_the_contact_is_refused() {
+        assert!(rows(&hertz(120), 0.0, Travel::Forward).is_ok());
+        // At the end of a row, and within one.
+        for last in [72, 76, 79] {
+            let says = rows(&hertz(last), 0.0, Travel::Forward).unwrap_err();
+            assert!(says.starts_with("the contact is cut off at its largest y"), "{last}: {says}");
+        }
+        let says = rows(&format!("{FILE}      8    2 0.0 0.3 100\n"), 0.0, Travel::Forward).unwrap_err();
+        assert_eq!(says, "element 8 has fewer values than columns");
     }
 
     #[test]

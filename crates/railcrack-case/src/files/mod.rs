@@ -1,5 +1,6 @@
 //! Files that a case names.
 
+mod campaigns;
 mod columns;
 mod companion;
 mod contact_mat;
@@ -8,12 +9,17 @@ mod csv_rows;
 mod detection;
 mod detection_table;
 mod field;
+mod point_lines;
 mod point_profile;
 mod profile;
 mod rates;
+mod simpack;
+mod size_class;
 mod toughness;
+mod units_row;
 mod wheel_table;
 
+pub use campaigns::{CampaignCrack, CampaignSize, Campaigns};
 pub use columns::{Column, Columned, Columns};
 pub use companion::{
     CaseFile, Companion, ContactFile, DetectionFile, FieldFile, ProfileFile, RatesFile, ToughnessFile,
@@ -26,7 +32,7 @@ pub(crate) use csv_rows::csv_rows;
 pub(crate) use detection::read_detection;
 pub(crate) use field::read_field;
 pub use point_profile::PointFile;
-pub(crate) use point_profile::{ProfileReading, Profiled, read_points};
+pub(crate) use point_profile::{ProfileAxes, ProfileReading, Profiled, read_points};
 pub(crate) use profile::read_profile;
 pub(crate) use rates::read_rates;
 pub(crate) use toughness::read_toughness;

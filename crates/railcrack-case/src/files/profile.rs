@@ -50,7 +50,7 @@ fn parse(source: &Source) -> Result<DepthProfile, Box<Fault>> {
     let read = COLUMNS.read(source)?;
     check_vanishing(&read)?;
     let values = read.rows.iter().map(|row| (row[0], row[1], row[2])).collect();
-    DepthProfile::new(values).map_err(|error| {
+    let profile = DepthProfile::new(values).map_err(|error| {
         let row = match error {
             ProfileError::Empty => 0,
             ProfileError::NotFinite { row, .. }
@@ -58,7 +58,12 @@ fn parse(source: &Source) -> Result<DepthProfile, Box<Fault>> {
             | ProfileError::NotIncreasing { row, .. } => row,
         };
         COLUMNS.fault_of_row(&read, row, error.to_string())
-    })
+    })?;
+    if read.rows.len() == 1 {
+        let message = "the only row: stresses are linear between rows and zero below the last, so that a single one has no effect";
+        return Err(COLUMNS.fault_of_row(&read, 1, message.into()));
+    }
+    Ok(profile)
 }
 
 fn check_vanishing(read: &Columned) -> Result<(), Box<Fault>> {
@@ -90,6 +95,15 @@ mod tests {
         assert_eq!(parsed("# a comment\nszz_mpa, depth_mm ,sxx_mpa\r\n5,0,25\r\n\r\n0,1,-110\r\n"), want);
         let ours = "depth_mm,sxx_mpa,syy_mpa,szz_mpa,sxy_mpa,ep_xx\n0,25,1e-9,5,0,nan\n1,-110,0,0,0,0\n";
         assert_eq!(parsed(ours), want);
+    }
+
+    #[test]
+    fn a_single_row_has_no_effect() {
+        let error = parsed("depth_mm,sxx_mpa\n0,200\n").unwrap_err();
+        assert!(
+            error.starts_with("the only row") && parsed("depth_mm,sxx_mpa\n0,9\n1,0\n").is_ok(),
+            "{error}"
+        );
     }
 
     #[test]

@@ -28,9 +28,9 @@ const COLUMNS: Columns = Columns {
         Column::Blank("x_mm"),
         Column::Blank("a_mm"),
         Column::Blank("b_mm"),
-        Column::Blank("rail_radius_mm"),
+        Column::BlankRadius("rail_radius_mm"),
         Column::Blank("wheel_radius_mm"),
-        Column::Blank("wheel_profile_radius_mm"),
+        Column::BlankRadius("wheel_profile_radius_mm"),
     ],
     largest: LARGEST,
     help: "a table of wheels has a row per wheel and patch, with the columns wheel,normal_kn,y_rail_mm,creepage_x,creepage_y,spin_per_mm,mu, and a_mm,b_mm or rail_radius_mm,wheel_radius_mm; place_m, patch, share, axle_load_t, angle_deg, x_mm and wheel_profile_radius_mm may be left out",
@@ -40,8 +40,9 @@ const COLUMNS: Columns = Columns {
 /// gauge face of a 60 kg/m rail ends there.
 const RAIL_HEAD: f64 = 50.0;
 
-/// Column of the place.
+/// Columns of the place and of the number of the patch.
 const AT: usize = 7;
+const PATCH: usize = 8;
 
 /// Shares whose sum differs from 1 by less add up to 1: a thousand of them were rounded.
 const SUM: f64 = 1e-3;
@@ -57,6 +58,8 @@ pub struct TablePatch {
     pub x: f64,
     /// Contact angle, rad: positive where the rail falls towards +y; none where it is not given.
     pub angle: Option<f64>,
+    /// Radius of the wheel, mm; none where the semi-axes are given.
+    pub wheel_radius: Option<f64>,
 }
 
 /// A wheel in a table.
@@ -121,13 +124,17 @@ fn parse(source: &Source, reading: WheelReading<'_>) -> Result<Vec<TableWheel>, 
     }
     let mut wheels: Vec<TableWheel> = Vec::new();
     let mut known: HashMap<(u64, u64), usize> = HashMap::new();
+    // The row, and the number if one is given, of each patch of each wheel.
+    let mut origins: Vec<Vec<PatchOrigin>> = Vec::new();
     for (i, row) in read.rows.iter().enumerate() {
         let fault = |message: String| COLUMNS.fault_of_row(&read, i + 1, format!("row {}: {message}", i + 1));
         let (own, patch) = wheel_of(row, reading).map_err(fault)?;
+        let origin = PatchOrigin { row: i + 1, number: Some(row[PATCH]).filter(|number| !number.is_nan()) };
         let key = (own.number, own.place.map_or(u64::MAX, f64::to_bits));
         match known.get(&key) {
             None => {
                 known.insert(key, wheels.len());
+                origins.push(vec![origin]);
                 wheels.push(TableWheel { patches: vec![patch], ..own });
             }
             Some(&other) => {
@@ -139,12 +146,45 @@ fn parse(source: &Source, reading: WheelReading<'_>) -> Result<Vec<TableWheel>, 
                     );
                     return Err(fault(message));
                 }
+                let mut before = origins[other].iter().zip(&wheel.patches);
+                if let Some((first, _)) = before.find(|(first, of)| origin.repeats(first, &patch, of)) {
+                    return Err(fault(repetition(own.number, first.row)));
+                }
+                origins[other].push(origin);
                 wheel.patches.push(patch);
             }
         }
     }
     check_shares(&wheels, &read)?;
     Ok(wheels)
+}
+
+/// Where a patch of a wheel stands in its table.
+#[derive(Debug, Clone, Copy)]
+struct PatchOrigin {
+    /// From 1.
+    row: usize,
+    /// Its number, where the table gives it.
+    number: Option<f64>,
+}
+
+impl PatchOrigin {
+    /// Whether `patch`, which stands here, is the patch `of` the `first` place once more: the same
+    /// number, or the middle of one lies within the other. Patches of one wheel lie side by side.
+    fn repeats(&self, first: &Self, patch: &TablePatch, of: &TablePatch) -> bool {
+        let [one, other] = [patch.patch.ellipse, of.patch.ellipse];
+        let [along, across] = [one.along.max(other.along), one.across.max(other.across)];
+        let is_within = ((patch.x - of.x) / along).hypot((patch.y_rail - of.y_rail) / across) < 1.0;
+        is_within || self.number.is_some() && self.number == first.number
+    }
+}
+
+/// The fault of a row that is the patch of `wheel` in row `first` once more.
+fn repetition(wheel: u64, first: usize) -> String {
+    format!(
+        "is the patch of wheel {wheel} in row {first} once more: the loads of the patches of a wheel add up, and \
+         they lie side by side; other times or runs of a wheel have a number or a place_m of their own"
+    )
 }
 
 /// Shares of all wheels or of none, adding up to 1; with places, to no more than 1 at each of them.
@@ -318,7 +358,7 @@ impl WheelRow {
         let profile = self.profile_radius;
         within("rail_radius_mm", self.rail_radius, self.rail_radius > 0.0, "positive")?;
         within("wheel_radius_mm", self.wheel_radius, self.wheel_radius > 0.0, "positive")?;
-        within("wheel_profile_radius_mm", profile, profile != 0.0, "other than 0; blank: straight")?;
+        within("wheel_profile_radius_mm", profile, profile != 0.0, "other than 0; blank or inf: straight")?;
         let on_rail = WheelOnRail {
             wheel_load: force,
             wheel_radius: self.wheel_radius,
@@ -366,7 +406,7 @@ fn wheel_of(row: &[f64], reading: WheelReading<'_>) -> Result<(TableWheel, Table
         patches: Vec::new(),
     };
     let (x, angle) = (given(row.x).unwrap_or(0.0), given(row.angle).map(f64::to_radians));
-    Ok((wheel, TablePatch { patch, y_rail: row.y_rail, x, angle }))
+    Ok((wheel, TablePatch { patch, y_rail: row.y_rail, x, angle, wheel_radius: given(row.wheel_radius) }))
 }
 
 #[cfg(test)]
@@ -395,6 +435,38 @@ mod tests {
         let text = format!("{exported}0.1,R,1,80,2,0,0,0,0.3,6,5\n0.2,\"R, outer\",2,80,2,0,0,0,0.3,6,5\n");
         assert_eq!(parsed(&text).unwrap().len(), 2);
         assert_eq!(COLUMNS.unused_of(&Source::new("w.csv", &text)), ["time_s", "side"]);
+    }
+
+    #[test]
+    fn a_patch_that_is_given_twice_is_refused() {
+        let header =
+            "wheel,patch,place_m,normal_kn,y_rail_mm,creepage_x,creepage_y,spin_per_mm,mu,a_mm,b_mm\n";
+        let of = |rows: &str| parsed(&format!("{header}{rows}"));
+        let refused = |rows: &str| of(rows).unwrap_err();
+        let says = "row 2: is the patch of wheel 1 in row 1 once more";
+        assert!(refused("1,,,80,2,0,0,0,0.3,6,5\n1,,,80,2,0,0,0,0.3,6,5\n").starts_with(says));
+        // A sample of another time, and a number that is there.
+        assert!(refused("1,,,80,2,0,0,0,0.3,6,5\n1,,,76,4.5,0,0,0,0.3,6,5\n").starts_with(says));
+        assert!(refused("1,1,,80,2,0,0,0,0.3,6,5\n1,1,,20,30,0,0,0,0.3,6,5\n").starts_with(says));
+        // Side by side, at another place, and another wheel.
+        assert_eq!(of("1,1,,80,2,0,0,0,0.3,6,5\n1,2,,20,9,0,0,0,0.3,4,2\n").unwrap()[0].patches.len(), 2);
+        assert_eq!(of("1,,5,80,2,0,0,0,0.3,6,5\n1,,9,80,2,0,0,0,0.3,6,5\n").unwrap().len(), 2);
+        assert_eq!(of("1,,,80,2,0,0,0,0.3,6,5\n2,,,80,2,0,0,0,0.3,6,5\n").unwrap().len(), 2);
+    }
+
+    #[test]
+    fn a_straight_profile_has_an_infinite_radius() {
+        let header = "wheel,normal_kn,y_rail_mm,creepage_x,creepage_y,spin_per_mm,mu,rail_radius_mm,wheel_radius_mm,wheel_profile_radius_mm\n";
+        let ellipse = |radii: &str| {
+            let wheels = parsed(&format!("{header}1,80,2,0,0,0,0.3,{radii}\n"))?;
+            Ok::<_, String>(wheels[0].patches[0].patch.ellipse)
+        };
+        let blank = ellipse("300,460,").unwrap();
+        assert!(
+            ["inf", "-inf", "Inf"].iter().all(|one| ellipse(&format!("300,460,{one}")).unwrap() == blank)
+        );
+        assert!(ellipse("inf,460,500").is_ok());
+        assert!(ellipse("300,inf,500").unwrap_err().contains("`wheel_radius_mm = inf`"));
     }
 
     #[test]

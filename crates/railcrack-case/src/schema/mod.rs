@@ -46,4 +46,5 @@ pub(crate) use row::{
 pub(crate) use section::read_section;
 pub(crate) use sections::{SectionValues, Sections};
 pub(crate) use suggest::nearest;
+pub(crate) use units::in_other_unit;
 pub(crate) use write::{Written, first_file};

@@ -12,13 +12,23 @@ struct Slip {
 /// Other units for the unit of a key.
 fn slips(unit: &str) -> &'static [Slip] {
     match unit {
+        "" => &[Slip { unit: "%", times: 1e-2 }],
         "MPa" => &[Slip { unit: "Pa", times: 1e-6 }, Slip { unit: "GPa", times: 1e3 }],
-        "mm" => &[Slip { unit: "m", times: 1e3 }, Slip { unit: "\u{b5}m", times: 1e-3 }],
+        "mm" => &[
+            Slip { unit: "m", times: 1e3 },
+            Slip { unit: "\u{b5}m", times: 1e-3 },
+            Slip { unit: "inches", times: 25.4 },
+        ],
         "degrees" => &[Slip { unit: "rad", times: 180.0 / std::f64::consts::PI }],
-        "t" => &[Slip { unit: "kg", times: 1e-3 }],
+        "t" => &[Slip { unit: "kg", times: 1e-3 }, Slip { unit: "kN", times: 1.0 / 9.80665 }],
         "kN" => &[Slip { unit: "N", times: 1e-3 }],
         "N/mm" => &[Slip { unit: "N/m", times: 1e-3 }],
-        "MPa sqrt(m)" => &[Slip { unit: "Pa sqrt(m)", times: 1e-6 }],
+        "1/mm" => &[Slip { unit: "1/m", times: 1e-3 }],
+        "mm/MGT" => &[Slip { unit: "\u{b5}m/MGT", times: 1e-3 }],
+        "MGT" => &[Slip { unit: "t", times: 1e-6 }],
+        "MPa sqrt(m)" => {
+            &[Slip { unit: "Pa sqrt(m)", times: 1e-6 }, Slip { unit: "N/mm^1.5", times: 0.031_622_776_6 }]
+        }
         "mm^4" => &[Slip { unit: "cm^4", times: 1e4 }, Slip { unit: "m^4", times: 1e12 }],
         _ => &[],
     }
@@ -39,6 +49,16 @@ pub(super) fn guess(key: &Key, value: f64) -> Option<String> {
     let meant = slip.times * value;
     let digits = format!("{meant:.3e}").parse().unwrap_or(meant);
     Some(format!("{} {} = {} {unit}?", short(value), slip.unit, short(digits)))
+}
+
+/// The number in `unit` that was probably meant by `value`, as `0.007 m = 7 mm?`: the first other
+/// unit that makes it one that `fits`.
+pub(crate) fn in_other_unit(unit: &str, value: f64, fits: impl Fn(f64) -> bool) -> Option<String> {
+    let slip = slips(unit).iter().find(|slip| fits(slip.times * value))?;
+    let digits = |value: f64| short(format!("{value:.3e}").parse().unwrap_or(value));
+    let space = if slip.unit == "%" { "" } else { " " };
+    let own = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+    Some(format!("{}{space}{} = {}{own}?", digits(value), slip.unit, digits(slip.times * value)))
 }
 
 #[cfg(test)]

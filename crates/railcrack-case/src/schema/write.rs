@@ -35,6 +35,13 @@ impl Written {
         section.values.iter().find(|(name, _)| *name == key).map(|(_, value)| value)
     }
 
+    /// The path of the section, the key and the value of every key.
+    pub fn values(&self) -> impl Iterator<Item = (&str, &'static str, &Value)> {
+        self.0.iter().flat_map(|section| {
+            section.values.iter().map(|(key, value)| (section.path.as_str(), *key, value))
+        })
+    }
+
     /// Replaces the value of a key by `value`.
     pub fn replace<T>(&mut self, section: &Section, row: KeyRow<T>, value: &Value) {
         for written in self.0.iter_mut().filter(|written| written.header == section.header()) {

@@ -1,6 +1,6 @@
 //! `[contact]`: wheel on rail.
 
-use crate::files::{ContactFile, ContactReading, PointFile, read_contact_table};
+use crate::files::{ContactFile, ContactReading, PointFile, ProfileAxes, read_contact_table};
 use crate::schema::{
     Choice, KeyRow, Kind, NumberRange, Preset, RangeEnd, Report, SectionValues, Word, choice, closed, file,
     integer, number, numbers, read_by_word, section, switch, within,
@@ -30,7 +30,7 @@ section! {
             [WHEEL_LOAD, WHEEL_RADIUS, RAIL_HEAD_RADIUS, WHEEL_PROFILE_RADIUS],
             [CONTACT_PROFILE, SCALE, STRIP],
             [NORMAL, WHEEL_RADIUS, RAIL_HEAD_RADIUS, WHEEL_PROFILE_RADIUS], [NORMAL, SEMI_AXES],
-            [NORMAL, WHEEL_RADIUS, RAIL_PROFILE, WHEEL_PROFILE, SMOOTHING, SHIFT, YAW, ROLL]],
+            [NORMAL, WHEEL_RADIUS, RAIL_PROFILE, WHEEL_PROFILE, RAIL_AXES, WHEEL_AXES, SMOOTHING, SHIFT, YAW, ROLL]],
         instead "wheel";
     KIND: ContactKind = choice("kind", "Description of the contact.");
     PEAK_PRESSURE: f64 = number("peak_pressure_mpa", "MPa", closed(1e-3, 1e4), 845.0, "Peak pressure p0.")
@@ -89,11 +89,15 @@ section! {
         "Semi-axes [a, b] of the contact ellipse, along and across the rail.")
         .required().only_with(KIND, ROLLING, "half_width_mm and lateral_half_width_mm are the semi-axes of the other contacts");
     RAIL_PROFILE: String = file("rail_profile", "inputs/rail-profile", "rail.csv",
-        "CSV file with the points y_mm,z_mm of the rail head in their order: y across the rail, z downwards. The contact patches then follow from the profiles; normal_kn is the sum of their normal forces.")
+        "CSV file with the points y_mm,z_mm of the rail head in their order: y across the rail, z downwards; or two columns without a header, or a file of MiniProf (.ban) or Simpack (.prr). The contact patches then follow from the profiles; normal_kn is the sum of their normal forces.")
         .required().only_with(KIND, ROLLING, PROFILED);
     WHEEL_PROFILE: String = file("wheel_profile", "inputs/wheel-profile", "wheel.csv",
-        "CSV file with the points y_mm,z_mm of the wheel, with the axes of the rail; wheel_radius_mm is the radius at its z = 0.")
+        "CSV file with the points y_mm,z_mm of the wheel, with the axes of the rail, or another one as for the rail (.whl, .prw); wheel_radius_mm is the radius at its z = 0.")
         .required().only_with(KIND, ROLLING, PROFILED);
+    RAIL_AXES: ProfileAxes = choice("rail_profile_axes", "Axes of the file of the rail; those that a file of Simpack states are taken from it before. A file of MiniProf may have z either way.")
+        .only_with(KIND, ROLLING, PROFILED).optional();
+    WHEEL_AXES: ProfileAxes = choice("wheel_profile_axes", "The same of the wheel.")
+        .only_with(KIND, ROLLING, PROFILED).optional();
     SMOOTHING: f64 = number("profile_smoothing_mm", "mm", closed(0.01, 20.0), 1.0,
         "Half the length along the profiles over which a parabola is fitted to their points, with weights that fall to zero there: longer for measured points with scatter.")
         .only_with(KIND, ROLLING, PROFILED);
@@ -123,7 +127,7 @@ section! {
         .only_with_words(KIND, &["hertz", "carter", "rolling"], "a wheel that feels the cracks needs a half-ellipse of pressure on the uncracked rail").optional();
 }
 
-read_by_word!(ContactKind, CreepageSign, RollingTheory, ContactExtent);
+read_by_word!(ContactKind, CreepageSign, RollingTheory, ContactExtent, ProfileAxes);
 
 /// Origin of the numbers of a contact.
 #[derive(Debug, Clone, PartialEq)]

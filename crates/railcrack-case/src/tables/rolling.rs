@@ -2,14 +2,15 @@
 
 use super::contact::{
     CREEPAGE_X, CREEPAGE_Y, ContactExtent, ContactOrigin, FRICTION, HALF_WIDTH, LATERAL, NORMAL,
-    PEAK_PRESSURE, ProfileOrigin, RAIL_HEAD_RADIUS, RAIL_PROFILE, ROLL, SEMI_AXES, SHIFT, SIGN, SMOOTHING,
-    SPIN, THEORY, WHEEL_PROFILE, WHEEL_PROFILE_RADIUS, WHEEL_RADIUS, YAW, out_of_range,
+    PEAK_PRESSURE, ProfileOrigin, RAIL_AXES, RAIL_HEAD_RADIUS, RAIL_PROFILE, ROLL, SEMI_AXES, SHIFT, SIGN,
+    SMOOTHING, SPIN, THEORY, WHEEL_AXES, WHEEL_PROFILE, WHEEL_PROFILE_RADIUS, WHEEL_RADIUS, YAW,
+    out_of_range,
 };
 use crate::files::{ProfileReading, Profiled, read_points};
 use crate::schema::{Report, SectionValues};
 use railcrack::load::{Contact, HertzEllipse, Travel, WheelOnRail};
 use railcrack::material::IsotropicElastic;
-use railcrack::profiles::{ProfileContact, ProfilePair, SearchError, WheelPosition};
+use railcrack::profiles::{Profile, ProfileContact, ProfilePair, SearchError, WheelPosition};
 use railcrack::rolling::{Creepage, PatchError, PlacedPatch, RollingPatch, StripOutline};
 use std::f64::consts::PI;
 use std::path::Path;
@@ -95,16 +96,12 @@ fn read_profiles(
     report: &mut Report,
 ) -> Option<(Contact, ContactOrigin)> {
     let smoothing = section.get(SMOOTHING)?;
-    let rail =
-        read_points(section, RAIL_PROFILE, ProfileReading { smoothing, is: Profiled::Rail }, folder, report);
-    let wheel = read_points(
-        section,
-        WHEEL_PROFILE,
-        ProfileReading { smoothing, is: Profiled::Wheel },
-        folder,
-        report,
-    );
+    let of_rail = ProfileReading { smoothing, is: Profiled::Rail, axes: section.get(RAIL_AXES) };
+    let of_wheel = ProfileReading { smoothing, is: Profiled::Wheel, axes: section.get(WHEEL_AXES) };
+    let rail = read_points(section, RAIL_PROFILE, of_rail, folder, report);
+    let wheel = read_points(section, WHEEL_PROFILE, of_wheel, folder, report);
     let (rail, wheel) = (rail?, wheel?);
+    check_sides(section, rail.content(), wheel.content(), report)?;
     let position = WheelPosition {
         shift: section.get(SHIFT)?,
         yaw: section.get(YAW)?.to_radians(),
@@ -154,6 +151,21 @@ fn read_profiles(
     let contact = within_limits(section, contact, report)?;
     let origin = ProfileOrigin { rail, wheel, contacts, placed, lateral, travel };
     Some((contact, ContactOrigin::Profiles(Box::new(origin))))
+}
+
+/// Rejects a wheel whose flange is not at the gauge side of an inclined rail.
+fn check_sides(section: &SectionValues, rail: &Profile, wheel: &Profile, report: &mut Report) -> Option<()> {
+    let (Some(side), Some([flange, _])) = (rail.gauge_side(), wheel.flange()) else { return Some(()) };
+    if side * flange > 0.0 {
+        return Some(());
+    }
+    let named = if side > 0.0 { "positive" } else { "negative" };
+    let says = format!(
+        "the flange of the wheel lies at y = {flange:.1} mm, but the rail falls to {named} y, where its gauge face is: one of the profiles is mirrored"
+    );
+    let help = "wheel_profile_axes = \"mirrored\" or rail_profile_axes = \"mirrored\" turns the file over";
+    report.add(section.fault(WHEEL_PROFILE, says).help(help));
+    None
 }
 
 /// The ellipse of the normal force with the semi-axes or the radii.

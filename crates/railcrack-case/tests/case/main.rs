@@ -4,6 +4,7 @@ mod bad_input;
 mod fitted;
 mod limits;
 mod modules;
+mod plausible;
 mod reading;
 mod rows;
 mod samples;

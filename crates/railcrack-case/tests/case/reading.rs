@@ -213,7 +213,8 @@ fn profile_errors_name_the_line_of_the_profile() {
         ("depth_mm,sxx_mpa\n0,1\n1,\n", 3, "row 2: `sxx_mpa` is blank"),
         ("depth_mm,sxx_mpa\n-1,25\n", 2, "must not be negative"),
         ("# a\r\ndepth_mm,sxx_mpa\r\n0,25\r\n0,30\r\n", 4, "must exceed"),
-        ("depth_mm;sxx_mpa\n0;25\n", 1, "separated by commas, not by semicolons"),
+        ("depth_mm;sxx_mpa\n0;25\n", 2, "the only row"),
+        ("depth_mm;sxx_mpa\nm;MPa\n0;25\n1;0\n", 2, "`depth_mm` is in mm, but the row of units has m"),
     ] {
         std::fs::write(folder.join("p.csv"), profile).unwrap();
         let errors = Case::read(&folder.join("case.toml")).unwrap_err();

@@ -58,7 +58,8 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
 fn case_json(case: &Case) -> Value {
     let description = Description::of(case);
     let (size, needs) = (description.size(), description.needs());
-    let warnings: Vec<String> = description.warnings().rows.into_iter().map(|row| row.text).collect();
+    let warnings = description.warnings().rows.into_iter().filter(|row| row.name.is_empty());
+    let warnings: Vec<String> = warnings.map(|row| row.text).collect();
     json!({
         "exit": Exit::Done.code(),
         "kind": "case",

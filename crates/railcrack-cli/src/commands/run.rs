@@ -18,6 +18,7 @@ use railcrack_run::decision::{
 use railcrack_run::machine::{Budget, Needs, long_step, short_of_address_space, step_seconds};
 use railcrack_run::setup::RunSize;
 use railcrack_run::simulation::{Ending, Finished, RunEntry, RunError, Simulation};
+use railcrack_run::summary::validity::warning_pages;
 use railcrack_run::{FrontSummary, JunctionSummary, PieceSummary, Summary, TipSummary, is_file_of_run};
 use serde_json::{Value, json};
 use std::num::NonZeroUsize;
@@ -445,6 +446,8 @@ fn warnings(summary: &Summary) -> String {
     if more > 0 {
         text.push_str(&format!("and {more} more, see summary.json\n"));
     }
+    let pages = warning_pages(summary.warnings.iter().map(|warning| warning.kind));
+    text.extend(pages.map(|pages| format!("what they mean and what to do: {pages}\n")));
     text
 }
 

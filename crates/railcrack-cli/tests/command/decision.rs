@@ -26,6 +26,8 @@ turning_length_mm = inf
 [inspection]
 detectable_depth_mm = 2.05
 critical_depth_mm = 2.5
+[calibration]
+sites = 1
 [solver]
 engine = \"dislocation\"
 ";

@@ -32,6 +32,8 @@ wear_limit_mm = 9.0
 [inspection]
 detectable_depth_mm = 2.05
 critical_depth_mm = 2.5
+[calibration]
+sites = 1
 [solver]
 engine = \"dislocation\"
 ";
@@ -127,9 +129,9 @@ fn a_plan_is_the_run_with_its_grinding() {
     for what in [today, then, checksum, "railcrack 0", "Approved by", "counter(pages)", "Assumptions"] {
         assert!(page.contains(what), "{what}");
     }
-    // As every decision it says that rates without calibration are uncertain.
-    let unknown = "ot calibrated: growth rates in track are known to a factor of about ten";
-    assert!(told.contains(&format!("n{unknown}")) && page.contains(&format!("N{unknown}")), "{told}");
+    // As every decision it says how well rates are known.
+    let known = "he growth law is calibrated by one measured site";
+    assert!(told.contains(&format!("t{known}")) && page.contains(&format!("T{known}")), "{told}");
     assert!(read(&place.join("plan/plots/plan.svg")).contains("worn away"));
     // It is rebuilt to the byte, and its files are checked.
     done(&place, &["report", "plan"]);

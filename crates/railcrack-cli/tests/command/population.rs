@@ -116,7 +116,7 @@ fn runs_of_such_a_study_leave_the_samples_to_it() {
 fn cracks_that_do_not_grow_are_told_and_not_sampled() {
     let folder = folder("population", "arrest");
     let study = STUDY
-        .replace("paris_c = { log-normal = [2e-9, 0.3] }", "threshold_mpa_sqrt_m = 1000.0")
+        .replace("paris_c = { log-normal = [2e-9, 0.3] }", "arrest_rate_mm_per_cycle = 1.0")
         .replace("friction = 0.3", "friction = { uniform = [0.2, 0.4] }");
     fs::write(folder.join("study.toml"), study).unwrap();
     let told = done(&folder, &["sweep", "study.toml", "--out", "s", "--quiet"]);

@@ -214,3 +214,29 @@ fn column(table: &[Vec<String>], name: &str) -> Vec<String> {
     let at = table[0].iter().position(|column| column == name).unwrap_or_else(|| panic!("no column {name}"));
     table[1..].iter().map(|row| row[at].clone()).collect()
 }
+
+/// A run that ended for want of steps goes on as if it had had them from the beginning.
+#[test]
+fn more_steps_of_a_run_that_has_ended() {
+    let folder = common::folder("run-command", "more-steps");
+    fs::write(folder.join("case.toml"), common::DISLOCATION_CASE.as_str()).unwrap();
+    let ended = |arguments: &[&str], code| {
+        let output = run(&folder, &[arguments, &["--quiet"]].concat());
+        assert_eq!(output.status.code(), Some(code), "{}", common::stderr(&output));
+        common::stderr(&output)
+    };
+    ended(&["--out", "whole", "--steps", "5"], 0);
+    ended(&["--out", "parts", "--steps", "1"], 0);
+    for steps in ["3", "5"] {
+        ended(&["--out", "parts", "--steps", steps, "--resume"], 0);
+    }
+    same_files(&folder.join("whole"), &folder.join("parts"));
+    common::done(&folder, &["verify", "parts"]);
+    // Fewer steps, or another case, are another run.
+    let says = ended(&["--out", "parts", "--steps", "4", "--resume"], 2);
+    assert!(says.contains("steps = 5") && says.contains("steps = 4"), "{says}");
+    // A run of the initial cracks alone has no step before its end.
+    ended(&["--out", "none", "--steps", "0"], 0);
+    ended(&["--out", "none", "--steps", "5", "--resume"], 0);
+    same_files(&folder.join("whole"), &folder.join("none"));
+}

@@ -27,9 +27,13 @@ interface_elements = 8
 steps = 3
 increment = 0.05
 arrest_rate_mm_per_cycle = 1e-18
+[calibration]
+sites = 1
 [solver]
 engine = \"dislocation\"
 ";
+/// The same, without a statement that the growth law was fitted.
+const UNFITTED: (&str, &str) = ("[calibration]\nsites = 1\n", "");
 const TRAFFIC: &str = "[traffic]\naxle_load_t = 20.0\n";
 const INSPECTION: &str = "[inspection]\ndetectable_depth_mm = 1.6\ncritical_depth_mm = 12.0\n";
 /// Water under the whole pressure of the contact opens everything.
@@ -106,6 +110,23 @@ fn what_the_model_does_not_describe_is_said_everywhere() {
             assert!(of("lifted-flap").unwrap() > 0.3, "{verdict}");
             assert!(text.contains(tough) || of("toughness").unwrap() > 200.0, "{verdict}");
         }
+    }
+}
+
+/// A coefficient in another unit is no law of rail steel: the verdict is never that all is well.
+#[test]
+fn a_growth_law_in_another_unit_is_outside() {
+    let place = folder("verdict", "unit");
+    let text = NETWORK.replace(UNFITTED.0, UNFITTED.1);
+    let text = text.replace("increment = 0.05", "increment = 0.05\nparis_c = 1e-12\nparis_m = 3.0");
+    for traffic in [TRAFFIC, ""] {
+        fs::write(place.join("case.toml"), format!("{text}{traffic}")).unwrap();
+        let told = done(&place, &["run", "case.toml", "--quiet", "--force", "--out", "run"]);
+        let verdict = &summary(&place.join("run"))["verdict"];
+        assert_eq!((&verdict["level"], kinds(verdict)), (&"outside".into(), vec!["growth-law"]), "{verdict}");
+        assert!(told.contains("then paris_c = 1e-9 in mm per cycle"), "{told}");
+        assert!(told.contains("what they mean and what to do: docs/warnings.md#input"), "{told}");
+        assert!(read(&place.join("run/report.html")).contains("docs/warnings.md#input"));
     }
 }
 

@@ -72,6 +72,8 @@ fn of_site((site, fit): (&Site, &SiteFit)) -> Value {
         "used": fit.observations.iter().flatten().count(),
         "log_mean": fit.readings.map(|readings| readings.0),
         "log_std": fit.readings.map(|readings| readings.1),
+        "chi_squared": fit.consistency.map(|own| own.chi_squared),
+        "largest_residual": fit.consistency.map(|own| own.largest.1),
         "posterior_log_mean": fit.posterior.mean,
         "posterior_log_std": fit.posterior.std,
     })

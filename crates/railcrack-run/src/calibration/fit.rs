@@ -1,8 +1,9 @@
 //! Calibration of the coefficient of the growth law by one run.
 
+use super::consistency::Consistency;
 use super::course::SizeCurve;
 use super::measured::{Measure, Site};
-use super::observed::{Observations, Observed, UsualError, observations};
+use super::observed::{Observations, Observed, READING, UsualError, observations};
 use super::posterior::{Posterior, Prior, SiteLikelihood, SitePosterior, posterior};
 use crate::error::OutputError;
 use crate::statistics::student;
@@ -18,6 +19,8 @@ pub struct SiteFit {
     pub posterior: SitePosterior,
     /// Its measurements compared with the run; none outside the sizes of the run.
     pub observations: Observations,
+    /// Whether they agree; none of fewer than two.
+    pub consistency: Option<Consistency>,
 }
 
 /// The fitted coefficient of the growth law.
@@ -54,11 +57,6 @@ pub enum CalibrationError {
         to: f64,
     },
 }
-
-/// Standard deviation (mm) of a reading where neither the file nor the scatter of its site gives
-/// one: 1 mm with 95 %, the error of eddy current for a head check of 10 mm (Pohl and others 2004,
-/// NDT&E Int. 37, 89–94).
-pub(super) const READING: f64 = 0.5;
 
 /// The measurements of `site` compared with a run whose crack grows along `curve`.
 #[must_use]
@@ -101,7 +99,8 @@ pub(super) fn from_squares(squares: f64, degrees: usize) -> UsualError {
 /// by a measured quantity.
 ///
 /// The number of cycles between two sizes is in proportion to 1/C, so that each measurement gives a
-/// C in closed form: that of the run times computed over measured tonnage.
+/// C in closed form: that of the run times computed over measured tonnage. Errors of a site whose
+/// measurements contradict one another are widened.
 ///
 /// Errors: no measurement is within the sizes of the run.
 pub fn calibrate(
@@ -116,15 +115,22 @@ pub fn calibrate(
         return Err(CalibrationError::NothingToCompare { from, to });
     }
     let usual = usual_error(&observed);
-    let likelihoods: Vec<SiteLikelihood> =
-        observed.iter().map(|site| SiteLikelihood::of(site, usual)).collect();
+    let consistencies: Vec<Option<Consistency>> =
+        observed.iter().map(|site| Consistency::of(site, usual)).collect();
+    let widening = |consistency: &Option<Consistency>| consistency.map_or(1.0, |own| own.widening());
+    let likelihoods: Vec<SiteLikelihood> = observed
+        .iter()
+        .zip(&consistencies)
+        .map(|(site, own)| SiteLikelihood::of(site, usual).widened(widening(own)))
+        .collect();
     let posterior = posterior(&likelihoods, prior);
-    let each = likelihoods.iter().zip(&posterior.sites).zip(observed);
+    let each = likelihoods.iter().zip(&posterior.sites).zip(observed).zip(consistencies);
     let sites = each
-        .map(|((likelihood, own), observations)| SiteFit {
+        .map(|(((likelihood, own), observations), consistency)| SiteFit {
             readings: likelihood.mean(),
             posterior: *own,
             observations,
+            consistency,
         })
         .collect();
     Ok(Calibration { posterior, sites, usual })
@@ -142,12 +148,7 @@ mod tests {
 
     fn site(measured: Vec<(f64, f64, Option<f64>)>) -> Site {
         let of = |(mgt, size, std)| Measured { mgt, finding: Finding::Size(size), std };
-        Site {
-            name: "a.csv".into(),
-            measure: Measure::Depth,
-            measured: measured.into_iter().map(of).collect(),
-            unused: Vec::new(),
-        }
+        Site { measured: measured.into_iter().map(of).collect(), ..Site::named("a.csv", Measure::Depth) }
     }
 
     const PRIOR: Prior = Prior { mean: 0.0, log_std: 1.0, discrepancy: None };
@@ -177,6 +178,17 @@ mod tests {
         let fit = calibrate(&[site(vec![(10.0, 3.0, None)])], curve, PRIOR).unwrap();
         assert_eq!(fit.usual, UsualError::OfSize(READING));
         assert!((fit.sites[0].readings.unwrap().1 - READING).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_interval_spans_readings_that_contradict_one_another() {
+        let readings = vec![(10.0, 3.0, Some(0.05)), (10.0, 5.0, Some(0.05)), (25.0, 3.5, Some(0.05))];
+        let fit = calibrate(&[site(readings)], curve, Prior { log_std: 10.0, ..PRIOR }).unwrap();
+        let (low, high) = fit.posterior.interval;
+        let of_each = fit.sites[0].observations.iter().flatten();
+        for (y, _) in of_each.filter_map(|observed| observed.reading(fit.usual)) {
+            assert!(low < y && y < high, "{y} in {low} to {high}");
+        }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Measurements of cracks over traffic.
 
-use railcrack_case::{CaseErrors, Column, Columns};
+use railcrack_case::{CampaignSize, Campaigns, CaseErrors, Column, Columns};
 use std::path::Path;
 
 /// The measured quantity.
@@ -55,6 +55,16 @@ pub struct Site {
     pub measured: Vec<Measured>,
     /// Columns of its file that are not read.
     pub unused: Vec<String>,
+    /// Rows of its file that are left out, and why.
+    pub remarks: Vec<String>,
+}
+
+impl Site {
+    /// A site without measurements.
+    #[must_use]
+    pub fn named(name: &str, measure: Measure) -> Self {
+        Self { name: name.to_owned(), measure, measured: Vec::new(), unused: Vec::new(), remarks: Vec::new() }
+    }
 }
 
 /// A file of measurements.
@@ -71,13 +81,46 @@ const COLUMNS: Columns = Columns {
     help: "a file of measurements begins with the header mgt,depth_mm or mgt,length_mm, with at_least_mm,at_most_mm for classes (the size is then left blank or out) and std_mm for errors of reading, and has a row for each measurement",
 };
 
-/// The measurements in the CSV file `path`, with the columns mgt and depth_mm or length_mm, and
-/// optionally at_least_mm, at_most_mm and std_mm; with classes alone neither of the former.
+/// The measurements in the CSV file `path`, each site of it: of a [list of campaigns](Campaigns)
+/// each crack, otherwise one.
+///
+/// Errors: those of [`Campaigns::read`]; a list without a reading; otherwise those of one site: it
+/// cannot be read; another header; no row; a field that is not a number; a row without a size and a
+/// bound, or with both; bounds in descending order; a negative mgt; a std_mm that is not positive.
+pub fn read_measured(path: &Path) -> Result<Vec<Site>, CaseErrors> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let Some(campaigns) = Campaigns::read(path)? else { return Ok(vec![read_site(path, &name)?]) };
+    let measure = if campaigns.has_lengths { Measure::Length } else { Measure::Depth };
+    let measured = |&(mgt, size): &(f64, CampaignSize)| {
+        let finding = match size {
+            CampaignSize::Size(size) => Finding::Size(size),
+            CampaignSize::Class(above, up_to) => {
+                Finding::Within(above.unwrap_or(f64::NEG_INFINITY), up_to.unwrap_or(f64::INFINITY))
+            }
+        };
+        Measured { mgt, finding, std: None }
+    };
+    let found = campaigns.cracks.iter().filter(|crack| !crack.readings.is_empty());
+    let sites: Vec<Site> = found
+        .map(|crack| Site {
+            measured: crack.readings.iter().map(measured).collect(),
+            ..Site::named(format!("{name} {}", crack.name).trim(), measure)
+        })
+        .collect();
+    if sites.is_empty() {
+        return Err(COLUMNS.error_of_row(path, 0, "no crack has a reading in a campaign".to_owned()));
+    }
+    Ok(sites)
+}
+
+/// The measurements at one site, with the columns mgt and depth_mm or length_mm, and optionally
+/// at_least_mm, at_most_mm and std_mm; with classes alone neither of the former. A row that copies
+/// another one in all of its fields counts once.
 ///
 /// Errors: it cannot be read; another header; no row; a field that is not a number; a row without a
 /// size and a bound, or with both; bounds in descending order; a negative mgt; a std_mm that is not
 /// positive.
-pub fn read_measured(path: &Path) -> Result<Site, CaseErrors> {
+fn read_site(path: &Path, name: &str) -> Result<Site, CaseErrors> {
     let read = COLUMNS.read_file(path)?;
     // Classes alone are classes of depth.
     let (measure, column) = if read.is_given[2] { (Measure::Length, 2) } else { (Measure::Depth, 1) };
@@ -121,10 +164,15 @@ pub fn read_measured(path: &Path) -> Result<Site, CaseErrors> {
         if let Some(std) = std.filter(|std| *std <= 0.0) {
             return refuse(format!("`std_mm = {std}`: must be positive, or blank"));
         }
-        measured.push(Measured { mgt: row[0], finding, std });
+        if !read.copies.iter().any(|(copy, _)| *copy == i + 1) {
+            measured.push(Measured { mgt: row[0], finding, std });
+        }
     }
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    Ok(Site { name, measure, measured, unused: read.unused })
+    let copied = |(copy, first): &(usize, usize)| {
+        format!("{name}: row {copy} is a copy of row {first} in all of its fields and counts once")
+    };
+    let remarks = read.copies.iter().map(copied).collect();
+    Ok(Site { measured, unused: read.unused, remarks, ..Site::named(name, measure) })
 }
 
 #[cfg(test)]
@@ -138,7 +186,7 @@ mod tests {
         let read = |text: &str| {
             let path = folder.join("m.csv");
             std::fs::write(&path, text).unwrap();
-            read_measured(&path)
+            read_measured(&path).map(|mut sites| sites.remove(0))
         };
         let of = |mgt: f64, size: f64| Measured { mgt, finding: Finding::Size(size), std: None };
         let site = read("# a rail\nmgt,length_mm\n10, 5.5\n").unwrap();
@@ -166,6 +214,13 @@ mod tests {
             (site.measured, site.unused),
             (vec![of(6.0, 1.2)], ["date", "operator"].map(String::from).into())
         );
+        // As exported from a spreadsheet with decimal commas and classes, and one column per campaign.
+        let site = read("mgt;depth_mm;std_mm\nMGT;mm;mm\n6,0;0,5-1,0;0,3\n11,0;1,7;\n11,0;1,7;\n").unwrap();
+        assert_eq!(site.measured[0].finding, Finding::Within(0.5, 1.0));
+        assert_eq!((site.measured[1], site.measured.len()), (of(11.0, 1.7), 2));
+        assert_eq!(site.remarks, ["m.csv: row 3 is a copy of row 2 in all of its fields and counts once"]);
+        let site = read("crack;6 MGT;11 MGT\nA;1,2;1,7\nB;;0,5\n").unwrap();
+        assert_eq!((site.name.as_str(), site.measured), ("m.csv A", vec![of(6.0, 1.2), of(11.0, 1.7)]));
         for (text, line, says) in [
             ("mgt,depth_mm,std\n1,2,1\n", 1, "unknown column `std`; nearest known column: `std_mm`"),
             ("mgt,place\n1,2\n", 1, "column `depth_mm` or `length_mm` is missing; unknown column `place`"),

@@ -1,5 +1,6 @@
 //! Calibration by measured depths or lengths over traffic at one or several sites.
 
+mod consistency;
 mod course;
 mod document;
 mod fit;
@@ -12,6 +13,7 @@ mod search;
 mod table;
 mod text;
 
+pub use consistency::{Consistency, equal_sites, shrinking};
 pub use course::SizeCurve;
 pub use fit::{Calibration, CalibrationError, SiteFit, calibrate, observe, usual_error};
 pub use measured::{Finding, Measure, Measured, Site, read_measured};

@@ -123,6 +123,21 @@ impl SiteLikelihood {
         Self { classes: all().filter_map(table).collect(), ..Self::of_readings(&readings) }
     }
 
+    /// The same with errors `factor` times as large: ln P over its square.
+    #[must_use]
+    pub fn widened(self, factor: f64) -> Self {
+        if factor == 1.0 {
+            return self;
+        }
+        let square = factor * factor;
+        let over = |table: Vec<f64>| table.into_iter().map(|log| log / square).collect();
+        Self {
+            readings: self.readings.map(|(mean, variance)| (mean, variance * square)),
+            classes: self.classes.into_iter().map(over).collect(),
+            ..self
+        }
+    }
+
     /// Of readings (y, σ).
     #[must_use]
     pub fn of_readings(readings: &[(f64, f64)]) -> Self {

@@ -220,7 +220,7 @@ fn synthetic_sites_come_back() {
             };
             measured.push(Measured { mgt, finding, std: Some(0.15) });
         }
-        sites.push(Site { name: format!("{j}"), measure: Measure::Depth, measured, unused: Vec::new() });
+        sites.push(Site { measured, ..Site::named(&format!("{j}"), Measure::Depth) });
     }
     let likelihoods: Vec<SiteLikelihood> = sites
         .iter()

@@ -64,6 +64,8 @@ pub enum ReasonKind {
     Rate,
     /// A tip in the layer that yields in each passage.
     PlasticLayer,
+    /// A growth law of another material, or in another unit.
+    GrowthLaw,
 }
 
 /// A reason for a verdict.
@@ -101,6 +103,7 @@ impl Choice for ReasonKind {
         (Self::LiftedFlap, Word::now("lifted-flap", "fluid lifts the flap")),
         (Self::Rate, Word::now("rate", "growth faster than cracks grow")),
         (Self::PlasticLayer, Word::now("plastic-layer", "a tip in the layer that flows")),
+        (Self::GrowthLaw, Word::now("growth-law", "a growth law of another material or unit")),
     ];
 }
 
@@ -118,7 +121,9 @@ impl ReasonKind {
             Self::Failure | Self::Risk => VerdictLevel::Act,
             Self::Steps | Self::Interrupted | Self::LeavesRail => VerdictLevel::Unknown,
             Self::AtOnce | Self::BeforeDetectable => VerdictLevel::Stop,
-            Self::Toughness | Self::LiftedFlap | Self::Rate | Self::PlasticLayer => VerdictLevel::Outside,
+            Self::Toughness | Self::LiftedFlap | Self::Rate | Self::PlasticLayer | Self::GrowthLaw => {
+                VerdictLevel::Outside
+            }
         }
     }
 }

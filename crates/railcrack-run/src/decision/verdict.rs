@@ -121,7 +121,8 @@ fn worst<'a>(
 
 /// The limits of the model that `steps` exceed, whatever the traffic.
 fn limits_of_model(info: &RunInfo, steps: &[&StepDigest]) -> Vec<Reason> {
-    [toughness(info, steps), flap(info, steps), layer(info, steps)].into_iter().flatten().collect()
+    let law = info.unusual_law.clone().map(|text| Reason::new(ReasonKind::GrowthLaw, text));
+    [law, toughness(info, steps), flap(info, steps), layer(info, steps)].into_iter().flatten().collect()
 }
 
 fn toughness(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {

@@ -9,7 +9,7 @@ mod wheel;
 
 use crate::machine::{Budget, Needs, long_step, mb, step_seconds};
 use crate::setup::RunSize;
-use crate::summary::validity::before_a_run;
+use crate::summary::validity::{before_a_run, warning_pages};
 use railcrack::words::Choice;
 use railcrack_case::Case;
 use std::cell::OnceCell;
@@ -137,9 +137,14 @@ impl<'a> Description<'a> {
         Part::new("machine", rows)
     }
 
-    /// The warnings that a run would begin with, and whether its wheel should feel the cracks.
+    /// The warnings that a run would begin with, and whether its wheel should feel the cracks, each a
+    /// line without a name; and where the user's book says what to do.
     pub fn warnings(&self) -> Part {
-        Part::new("warnings", before_a_run(self.case).into_iter().map(Row::line).collect())
+        let warnings = before_a_run(self.case);
+        let pages = warning_pages(warnings.iter().map(|warning| warning.kind));
+        let pages = pages.map(|pages| Row::text("what to do", pages));
+        let lines = warnings.into_iter().map(|warning| Row::line(warning.text));
+        Part::new("warnings", lines.chain(pages).collect())
     }
 
     fn solution(&self) -> Vec<Row> {

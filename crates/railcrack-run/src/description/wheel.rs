@@ -146,6 +146,7 @@ fn profiles(own: &ProfileOrigin) -> Vec<Row> {
         Row::text("profiles", format!("{} on {}", own.wheel.given_name(), own.rail.given_name())),
         Row::with("crack", "y = {y} on the rail", [("y", own.lateral, "mm")]),
     ];
+    rows.push(flange(own));
     for (contact, placed) in own.contacts.iter().zip(&own.placed) {
         rows.extend([profile_patch(contact), patch_forces(&placed.patch)]);
     }
@@ -153,6 +154,22 @@ fn profiles(own: &ProfileOrigin) -> Vec<Row> {
         "the pressure is that of interpenetrating surfaces with the ellipse correction of CONTACT (KPEC)",
     ));
     rows
+}
+
+/// Where the flange of the wheel lies, and to which side the rail is inclined.
+fn flange(own: &ProfileOrigin) -> Row {
+    let side = match own.rail.content().gauge_side() {
+        Some(side) if side < 0.0 => "the rail falls to negative y",
+        Some(_) => "the rail falls to positive y",
+        None => "the rail is not inclined",
+    };
+    match own.wheel.content().flange() {
+        Some([y, fall]) => {
+            let text = format!("at y = {{y}} of the wheel, {{fall}} below the tread; {side}");
+            Row::with("flange", &text, [("y", y, "mm"), ("fall", fall, "mm")])
+        }
+        None => Row::text("flange", format!("none in the profile of the wheel; {side}")),
+    }
 }
 
 fn profile_patch(contact: &ProfileContact) -> Row {

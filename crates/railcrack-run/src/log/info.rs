@@ -70,6 +70,8 @@ pub struct RunInfo {
     pub flowing: Option<[f64; 2]>,
     /// Rate (mm per cycle) below which a tip is arrested.
     pub arrest_rate: f64,
+    /// The remark on a growth law of another material or unit.
+    pub unusual_law: Option<String>,
     /// Warnings that follow from the case, before any step.
     pub warnings: Vec<Warning>,
 }
@@ -103,6 +105,7 @@ impl RunInfo {
             output: Output::ALL,
             flowing: None,
             arrest_rate: 0.0,
+            unusual_law: None,
             warnings: Vec::new(),
         }
     }

@@ -83,6 +83,33 @@ pub(crate) fn same_case(folder: &Path, stored: &CaseFiles, given: &CaseFiles) ->
     }
 }
 
+/// Whether the case `given` has more growth steps than the one `stored` of the run in `folder`, and
+/// is the same otherwise.
+///
+/// Errors: it differs in something else, or has fewer steps.
+pub(crate) fn has_more_steps(
+    folder: &Path,
+    stored: &CaseFiles,
+    given: &CaseFiles,
+) -> Result<bool, OutputError> {
+    let steps = steps_of(&stored.toml).zip(steps_of(&given.toml));
+    let longer = steps.filter(|((_, before), (_, after))| after > before);
+    match longer {
+        Some(((stored_rest, _), (given_rest, _))) if stored_rest == given_rest => {
+            let same = CaseFiles { toml: given.toml.clone(), ..stored.clone() };
+            same_case(folder, &same, given).map(|()| true)
+        }
+        _ => same_case(folder, stored, given).map(|()| false),
+    }
+}
+
+/// The text of a stored case without its number of growth steps, and that number.
+fn steps_of(toml: &str) -> Option<(String, u64)> {
+    let (before, growth) = toml.split_once("\n[growth]\nsteps = ")?;
+    let (steps, after) = growth.split_once('\n')?;
+    Some((format!("{before}\n{after}"), steps.parse().ok()?))
+}
+
 /// The same for one file.
 pub(crate) fn same_text(folder: &Path, file: &str, stored: &str, given: &str) -> Result<(), OutputError> {
     if stored == given {
@@ -98,4 +125,24 @@ pub(crate) fn same_text(folder: &Path, file: &str, stored: &str, given: &str) ->
         stored: line_of(stored, line),
         given: line_of(given, line),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_case_may_have_more_steps() {
+        let case = |steps: usize, friction: f64| CaseFiles {
+            toml: format!(
+                "title = \"a\"\n\n[growth]\nsteps = {steps}\nlaw = \"paris\"\n\n[x]\nfriction = {friction}\n"
+            ),
+            ..CaseFiles::default()
+        };
+        let more = |given: &CaseFiles| has_more_steps(Path::new("run"), &case(5, 0.3), given);
+        assert!(more(&case(9, 0.3)).unwrap() && !more(&case(5, 0.3)).unwrap());
+        assert!(more(&case(4, 0.3)).is_err() && more(&case(9, 0.2)).is_err());
+        let other = CaseFiles { companions: vec![("inputs/a.csv".into(), "1".into())], ..case(9, 0.3) };
+        assert!(more(&other).is_err());
+    }
 }

@@ -16,7 +16,7 @@ use std::path::Path;
 const MAGIC: [u8; 8] = *b"RAILCRCK";
 
 /// Raised whenever the layout of [`Checkpoint`] or of what it holds changes.
-const FORMAT: u32 = 19;
+const FORMAT: u32 = 20;
 
 /// Magic, format, checksum.
 const HEADER: usize = 8 + 4 + CHECKSUM_BYTES;
@@ -61,6 +61,16 @@ impl Seals {
 pub(crate) struct Checkpoint {
     /// Version of the program.
     pub program: String,
+    pub state: GrowthState,
+    pub seals: Seals,
+    pub now: Present,
+    /// The run before its last step, where it ended only because its case has no more steps.
+    pub before_end: Option<Box<AfterStep>>,
+}
+
+/// A run after one of its steps.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct AfterStep {
     pub state: GrowthState,
     pub seals: Seals,
     pub now: Present,
@@ -133,6 +143,17 @@ fn encoded(folder: &Path, entry: &impl Serialize) -> Result<Vec<u8>, OutputError
 }
 
 impl Checkpoint {
+    /// The checkpoint of this version for a run `after` a step.
+    pub(crate) fn of(after: AfterStep, before_end: Option<AfterStep>) -> Self {
+        let AfterStep { state, seals, now } = after;
+        Self { program: VERSION.to_owned(), state, seals, now, before_end: before_end.map(Box::new) }
+    }
+
+    /// The run after its last step.
+    pub(crate) fn after(&self) -> AfterStep {
+        AfterStep { state: self.state.clone(), seals: self.seals, now: self.now.clone() }
+    }
+
     /// Replaces the previous checkpoint by this one.
     pub(crate) fn write(&self, folder: &Path, durability: Durability) -> Result<(), OutputError> {
         let path = folder.join(CHECKPOINT_FILE);

@@ -15,10 +15,10 @@ mod verification;
 pub use begin::Existing;
 pub(crate) use begin::{begin, restore_case};
 pub use case_files::CaseFiles;
-pub(crate) use case_files::{case_checksums, same_case, same_text};
+pub(crate) use case_files::{case_checksums, has_more_steps, same_case, same_text};
 #[cfg(fuzzing)]
 pub use checkpoint::fuzz_checkpoint;
-pub(crate) use checkpoint::{Checkpoint, LogFile, Seals};
+pub(crate) use checkpoint::{AfterStep, Checkpoint, LogFile, Seals};
 pub use clear::{clear_run, is_file_of_run};
 pub(crate) use clear::{is_unfinished, run_file_in, run_file_in_study};
 pub use history::History;

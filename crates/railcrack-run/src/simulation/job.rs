@@ -63,6 +63,7 @@ impl Job {
                 critical_length: case.growth.critical_length,
                 flowing: validity::flowing(case),
                 arrest_rate: case.growth.arrest_rate,
+                unusual_law: validity::unusual_law(case),
                 warnings: validity::of_case(case),
             },
         }

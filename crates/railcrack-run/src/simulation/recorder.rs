@@ -4,18 +4,18 @@ use crate::csv::{
     ContactRow, CsvFile, FaceRow, ResidualRow, Rows, SifRow, SifScale, Table, TipRow, header, whole,
 };
 use crate::disk::files::{CASE_FILE, FIELDS_FILE, SUMMARY_FILE, SUMS_FILE};
-use crate::disk::{Durability, Seal, VERSION, remove, replace_file, write_json, write_sums};
+use crate::disk::{Durability, Seal, remove, replace_file, write_json, write_sums};
 use crate::error::OutputError;
 use crate::fields::{write_collection, write_fields};
 use crate::log::{Companion, ResidualSummary, RunInfo, RunLog};
 use crate::machine::peak_memory_mb;
 use crate::presentation::{Presentation, RunPresentation};
 use crate::run_folder::{
-    CaseFiles, Checkpoint, Existing, LogFile, Seals, begin, case_checksums, restore_case, same_case,
-    same_text, stored_case, was_about_to_begin,
+    AfterStep, CaseFiles, Checkpoint, Existing, LogFile, Seals, begin, case_checksums, has_more_steps,
+    restore_case, same_text, stored_case, was_about_to_begin,
 };
 use crate::summary::{Summary, finite_summary};
-use railcrack::growth::{GrowthState, StepRecord};
+use railcrack::growth::{GrowthState, RunStop, StepRecord};
 use railcrack_case::Kept;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -42,6 +42,8 @@ pub struct Recorder {
     contact: Option<CsvFile>,
     log_file: LogFile,
     log: RunLog,
+    /// The run after its last step that did not end it.
+    unended: Option<AfterStep>,
     /// Time up to which `log.now.wall_s` is counted.
     counted: Instant,
     /// Time at which everything was last known to be on the disk.
@@ -67,18 +69,19 @@ impl Recorder {
         Self::from_the_beginning(folder, &case, info, presentation)
     }
 
-    /// Resumes the run in `folder` after its last finished step. The state to continue from is none
-    /// if no step has finished: then the run starts from its beginning.
+    /// Resumes the run in `folder` after its last finished step; a run that ended because its case
+    /// had no more steps, and now has, goes on as if it had had them from the beginning. The state
+    /// to continue from is none if no step has finished: then the run starts from its beginning.
     ///
-    /// Errors: no run in the folder; its case is not `case`; another version of the program wrote
-    /// it; a file of it is damaged; the system refuses.
+    /// Errors: no run in the folder; its case is not `case`, but for more steps; another version of
+    /// the program wrote it; a file of it is damaged; the system refuses.
     pub fn resume(
         folder: &Path,
         case: CaseFiles,
         info: RunInfo,
         presentation: &dyn Presentation,
     ) -> Result<(Self, Option<GrowthState>), OutputError> {
-        let Some(checkpoint) = Checkpoint::read(folder)? else {
+        let Some(mut checkpoint) = Checkpoint::read(folder)? else {
             match stored_case(folder)? {
                 Some(stored) => same_text(folder, CASE_FILE, &stored, &case.toml)?,
                 None if was_about_to_begin(folder) => {}
@@ -87,8 +90,17 @@ impl Recorder {
             begin(folder, &case, Existing::Replace)?;
             return Ok((Self::from_the_beginning(folder, &case, info, presentation)?, None));
         };
-        let (stored, log) = LogFile::read(folder, &checkpoint)?;
-        same_case(folder, &stored, &case)?;
+        let (stored, mut log) = LogFile::read(folder, &checkpoint)?;
+        if has_more_steps(folder, &stored, &case)? && checkpoint.state.ended == Some(RunStop::StepsDone) {
+            // The last step made no increment: the run goes on before it.
+            let Some(before) = checkpoint.before_end.take() else {
+                begin(folder, &case, Existing::Replace)?;
+                return Ok((Self::from_the_beginning(folder, &case, info, presentation)?, None));
+            };
+            checkpoint = Checkpoint::of(*before, None);
+            checkpoint.write(folder, Durability::Synced)?;
+            log = LogFile::read(folder, &checkpoint)?.1;
+        }
         if info.output.is_shown() && !info.output.is_whole() {
             // The tables do not contain all that plots and page show: the run starts again.
             begin(folder, &case, Existing::Replace)?;
@@ -113,6 +125,7 @@ impl Recorder {
             folder: folder.to_path_buf(),
             info,
             log,
+            unended: Some(checkpoint.after()).filter(|after| after.state.ended.is_none()),
             counted,
             synced: Instant::now(),
             rows: Rows::with_sections(&sections),
@@ -139,6 +152,7 @@ impl Recorder {
             shown: presentation.run(info.output),
             info,
             log: RunLog::default(),
+            unended: None,
             counted: Instant::now(),
             synced: Instant::now(),
             rows: Rows::with_sections(&sections),
@@ -231,14 +245,14 @@ impl Recorder {
         self.checkpoint(state, Durability::Synced)
     }
 
-    fn checkpoint(&self, state: &GrowthState, durability: Durability) -> Result<(), OutputError> {
-        let checkpoint = Checkpoint {
-            program: VERSION.to_owned(),
-            state: state.clone(),
-            seals: self.seals(),
-            now: self.log.now.clone(),
-        };
-        checkpoint.write(&self.folder, durability)
+    fn checkpoint(&mut self, state: &GrowthState, durability: Durability) -> Result<(), OutputError> {
+        let after = AfterStep { state: state.clone(), seals: self.seals(), now: self.log.now.clone() };
+        let has_no_more_steps = state.ended == Some(RunStop::StepsDone);
+        let before_end = self.unended.clone().filter(|_| has_no_more_steps);
+        if state.ended.is_none() {
+            self.unended = Some(after.clone());
+        }
+        Checkpoint::of(after, before_end).write(&self.folder, durability)
     }
 
     /// Writes summary, plots and report of the finished steps: at the end of a run, and when it is

@@ -9,19 +9,20 @@ use railcrack::growth::{TipRecord, Warning, WarningKind};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::shakedown::ContactBounds;
 use railcrack::validity::{self, ResidualStress, Steel, SteelOrigin, ValidityWarning};
-use railcrack_case::{Case, GivenWheel};
+use railcrack_case::{Case, GivenWheel, Implausible, Topic, implausible};
 use std::cell::LazyCell;
 use std::f64::consts::FRAC_PI_2;
 
 /// Change of the growth rate from which on a wheel should feel the cracks.
 const LARGE_EFFECT: f64 = 0.05;
 
-/// The texts of [`of_case`], and that about a wheel that does not feel the cracks, where that
-/// changes their growth.
-pub fn before_a_run(case: &Case) -> Vec<String> {
+/// [`of_case`], and the warning about a wheel that does not feel the cracks, where that changes
+/// their growth.
+pub fn before_a_run(case: &Case) -> Vec<Warning> {
     let effect = LazyCell::new(|| EffectInPlane::of_case(case));
-    let of_case = with_effect(case, || *effect).into_iter().map(|warning| warning.text);
-    of_case.chain(uncoupled_wheel(case, *effect)).collect()
+    let uncoupled = |text| Warning { step: 0, kind: WarningKind::Validity, text, severity: None };
+    let of_case = with_effect(case, || *effect);
+    of_case.into_iter().chain(uncoupled_wheel(case, *effect).map(uncoupled)).collect()
 }
 
 fn uncoupled_wheel(case: &Case, effect: Option<EffectInPlane>) -> Option<String> {
@@ -44,14 +45,13 @@ pub fn of_case(case: &Case) -> Vec<Warning> {
 
 /// [`of_case`], with the effect of a wheel that feels the first crack where it is asked for.
 fn with_effect(case: &Case, effect: impl Fn() -> Option<EffectInPlane>) -> Vec<Warning> {
-    let shortest = case.cracks.cracks().iter().map(|crack| crack.length()).fold(f64::INFINITY, f64::min);
-    let angles = case.cracks.cracks().iter().map(|crack| {
-        let (first, next) = crack.segment(0);
-        (next - first).angle().to_degrees().abs()
-    });
-    let flattest = angles.fold(f64::INFINITY, f64::min);
-    let of_cracks = [validity::crack_length(shortest), validity::crack_angle(flattest)];
-    let mut warnings: Vec<Warning> = of_cracks.iter().flatten().map(|warning| at_step(0, warning)).collect();
+    let of_input = |remark: Implausible| Warning {
+        step: 0,
+        kind: WarningKind::Input,
+        text: remark.text,
+        severity: None,
+    };
+    let mut warnings: Vec<Warning> = implausible(case).into_iter().map(of_input).collect();
     if let Some(steel) = case.growth_steel
         && let Some(typical) = steel.typical()
     {
@@ -73,9 +73,25 @@ fn with_effect(case: &Case, effect: impl Fn() -> Option<EffectInPlane>) -> Vec<W
     warnings.extend(uncoupled_gap(case, effect));
     warnings.extend(case.companions().iter().filter_map(|file| {
         let text = unused_columns(file.given, file.unused)?;
-        Some(Warning { step: 0, kind: WarningKind::Validity, text, severity: None })
+        Some(Warning { step: 0, kind: WarningKind::Input, text, severity: None })
     }));
     warnings
+}
+
+/// Where the user's book says what warnings of these kinds mean and what to do; none for none.
+pub fn warning_pages(kinds: impl Iterator<Item = WarningKind>) -> Option<String> {
+    let mut pages: Vec<String> = Vec::new();
+    for page in kinds.map(WarningKind::page) {
+        if !pages.contains(&page) {
+            pages.push(page);
+        }
+    }
+    (!pages.is_empty()).then(|| pages.join(", "))
+}
+
+/// The remark on the growth law of `case`, where no life follows from it.
+pub(crate) fn unusual_law(case: &Case) -> Option<String> {
+    implausible(case).into_iter().find(|remark| remark.topic == Topic::GrowthLaw).map(|remark| remark.text)
 }
 
 /// A warning of the columns `unused` that the file `name` has and railcrack does not read.
@@ -168,7 +184,6 @@ fn of_wheel(case: &Case, wheel: &GivenWheel) -> Vec<Warning> {
     let yield_stress = case.shakedown.hardening.yield_stress();
     let of_bounds = |bounds: &ContactBounds| validity::pressure(contact, bounds, yield_stress, residual);
     let all = [
-        validity::half_width(contact.half_width()),
         contact_bounds(wheel, &case.steel, of_bounds).flatten(),
         validity::shear(contact),
         wheel.track.as_ref().and_then(validity::axles),
@@ -304,7 +319,20 @@ fn at_step(step: usize, warning: &ValidityWarning) -> Warning {
 
 #[cfg(test)]
 mod tests {
-    use super::pattern;
+    use super::{pattern, warning_pages};
+    use railcrack::growth::WarningKind;
+
+    #[test]
+    fn every_kind_of_warning_has_its_section() {
+        let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/warnings.md"));
+        let page = page.unwrap();
+        for kind in WarningKind::ALL {
+            assert!(page.contains(&format!("\n## {}\n", kind.name())), "{}", kind.name());
+        }
+        let twice = [WarningKind::Input, WarningKind::Engine, WarningKind::Input];
+        let pages = warning_pages(twice.into_iter());
+        assert_eq!(pages.as_deref(), Some("docs/warnings.md#input, docs/warnings.md#engine"));
+    }
 
     #[test]
     fn a_pattern_has_no_numbers() {

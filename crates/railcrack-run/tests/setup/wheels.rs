@@ -155,7 +155,10 @@ fn zz_experiment() {
         println!("EXP {n} {most} {extent:?}: {:+.4}, by groups {:+.4}", by / all - 1.0, groups.error);
         if n == 60 {
             for (g, rep) in groups.representatives.iter().enumerate() {
-                let own: Vec<f64> = (0..n).filter(|i| groups.group_of[*i] == Some(g)).map(|i| (1e9 * demands[i].rate).round()).collect();
+                let own: Vec<f64> = (0..n)
+                    .filter(|i| groups.group_of[*i] == Some(g))
+                    .map(|i| (1e9 * demands[i].rate).round())
+                    .collect();
                 println!("EXP {} of {own:?}", 1e9 * demands[*rep].rate);
             }
         }

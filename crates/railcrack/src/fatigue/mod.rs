@@ -8,6 +8,7 @@ mod largest_k1;
 mod law;
 mod laws;
 mod steel;
+mod unusual_rate;
 
 pub use dang_van::{DangVan, DangVanValue, DepthValue, Initiation};
 pub use hourlier_pineau::{DirectionCriterion, HourlierPineau, KINK_ANGLES, Kink, SecondaryMaximum};
@@ -19,3 +20,4 @@ pub use law::{EquivalentRange, GrowthLaw, LoadRange, RangeForm, SifRanges};
 // A law has its name in the table of `laws` alone.
 pub use laws::*;
 pub use steel::{ACCEPTANCE_RANGES, ACCEPTED_GROWTH, RAIL_STEELS, RailSteel, SteelGrowth};
+pub use unusual_rate::{OtherRateUnit, UnusualRate};

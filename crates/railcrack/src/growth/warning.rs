@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Kinds of warnings.
+/// Kinds of warnings; each has a section in the user's book ([`WarningKind::page`]).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum WarningKind {
@@ -22,9 +22,24 @@ pub enum WarningKind {
     Validity,
     /// Accuracy of K where contact is followed in groups of cracks.
     Groups,
+    /// Numbers of the case that are probably not those that are meant.
+    Input,
 }
 
 impl WarningKind {
+    /// All of them.
+    pub const ALL: [Self; 9] = [
+        Self::Engine,
+        Self::ContactFallback,
+        Self::NearTie,
+        Self::PopIn,
+        Self::Passages,
+        Self::ResidualStress,
+        Self::Validity,
+        Self::Groups,
+        Self::Input,
+    ];
+
     /// The name in output files.
     pub fn name(self) -> &'static str {
         match self {
@@ -36,7 +51,14 @@ impl WarningKind {
             Self::ResidualStress => "residual-stress",
             Self::Validity => "validity",
             Self::Groups => "groups",
+            Self::Input => "input",
         }
+    }
+
+    /// The section of the user's book that says what warnings of this kind mean and what to do.
+    #[must_use]
+    pub fn page(self) -> String {
+        format!("docs/warnings.md#{}", self.name())
     }
 }
 

@@ -42,6 +42,24 @@ pub enum ProfileShapeError {
         /// mm.
         hollow: f64,
     },
+    /// A wheel with its flange up.
+    #[error(
+        "the profile rises {rise:.3} mm above its tread and falls {fall:.3} mm below it: z_mm is measured downwards, and the flange lies below"
+    )]
+    FlangeUp {
+        /// mm.
+        rise: f64,
+        /// mm.
+        fall: f64,
+    },
+    /// A profile of a few millimetres.
+    #[error(
+        "the profile is {width} mm wide, where rail heads and wheels have 60 mm and more: are its coordinates in metres?"
+    )]
+    Narrow {
+        /// mm.
+        width: f64,
+    },
     /// A parameter of the smoothing.
     #[error("the half-length of the smoothing is {half_length} mm; must be positive")]
     Smoothing {
@@ -59,6 +77,18 @@ const FARTHEST: f64 = 5.0;
 const SPACING: f64 = 0.1;
 /// Fewest points of a local fit: where there are fewer within the half-length, it is wider.
 const FITTED: usize = 5;
+/// A narrower profile is part of none, mm.
+const NARROWEST: f64 = 10.0;
+/// Least depth of a flange below the tread, mm: a chamfer at the field side rises by 5 mm.
+const LEAST_FLANGE: f64 = 8.0;
+/// By how much more a wheel rises above its tread than it falls below if its flange is up.
+const FLANGE_UP: f64 = 2.0;
+/// Least slope across the middle of a rail head that shows an inclination: rails are inclined by
+/// 1:20 to 1:40.
+const INCLINED: f64 = 1.0 / 60.0;
+/// Least width of a rail head whose inclination can be seen, and half the width of its middle, mm.
+const HEAD_WIDTH: f64 = 50.0;
+const HEAD_MIDDLE: f64 = 15.0;
 /// Parts of a rail's profile deeper than this below its top are not its head, mm.
 pub const RAIL_HEAD_DEPTH: f64 = 20.0;
 
@@ -95,6 +125,11 @@ impl Profile {
         if kept.len() < FEWEST {
             return Err(ProfileShapeError::TooFew { count: kept.len() });
         }
+        let across = || kept.iter().map(|point| point[0]);
+        let width = across().fold(f64::NEG_INFINITY, f64::max) - across().fold(f64::INFINITY, f64::min);
+        if width < NARROWEST {
+            return Err(ProfileShapeError::Narrow { width });
+        }
         let length = arc[arc.len() - 1];
         let count = (length / SPACING).ceil() as usize;
         let place = |i: usize| length * i as f64 / count as f64;
@@ -118,6 +153,49 @@ impl Profile {
         let middle = self.points[self.points.len() / 2].at[1];
         let hollow = middle - ends[0].max(ends[1]);
         if hollow > 0.0 { Err(ProfileShapeError::UpsideDown { hollow }) } else { Ok(()) }
+    }
+
+    /// How far the profile of a wheel rises above its tread and falls below it, mm: its median is
+    /// the height of the tread.
+    fn rise_and_fall(&self) -> [f64; 2] {
+        let mut heights: Vec<f64> = self.points.iter().map(|point| point.at[1]).collect();
+        heights.sort_by(f64::total_cmp);
+        let tread = heights[heights.len() / 2];
+        [tread - heights[0], heights[heights.len() - 1] - tread]
+    }
+
+    /// Rejects a wheel whose flange lies above its tread.
+    pub fn check_wheel(&self) -> Result<(), ProfileShapeError> {
+        let [rise, fall] = self.rise_and_fall();
+        let is_up = rise > LEAST_FLANGE && rise > FLANGE_UP * fall;
+        if is_up { Err(ProfileShapeError::FlangeUp { rise, fall }) } else { Ok(()) }
+    }
+
+    /// The lowest point of the flange of a wheel: y and the depth below the tread, mm; none where
+    /// the profile has no flange.
+    #[must_use]
+    pub fn flange(&self) -> Option<[f64; 2]> {
+        let [_, fall] = self.rise_and_fall();
+        let lowest = self.points.iter().max_by(|a, b| a.at[1].total_cmp(&b.at[1]))?;
+        (fall > LEAST_FLANGE).then_some([lowest.at[0], fall])
+    }
+
+    /// The side to which an inclined rail falls, that of its gauge face: −1 or 1 as y there; none
+    /// where the head is not inclined, or not wide enough to show it.
+    #[must_use]
+    pub fn gauge_side(&self) -> Option<f64> {
+        let top = self.top();
+        let head = || self.points.iter().filter(|point| point.at[1] < top + RAIL_HEAD_DEPTH);
+        let from = head().map(|point| point.at[0]).fold(f64::INFINITY, f64::min);
+        let to = head().map(|point| point.at[0]).fold(f64::NEG_INFINITY, f64::max);
+        let nearest = |y: f64| {
+            let distance = |point: &&ProfilePoint| (point.at[0] - y).abs();
+            head().min_by(|a, b| distance(a).total_cmp(&distance(b))).map(|point| point.at)
+        };
+        let middle = 0.5 * (from + to);
+        let [left, right] = [nearest(middle - HEAD_MIDDLE)?, nearest(middle + HEAD_MIDDLE)?];
+        let slope = (right[1] - left[1]) / (right[0] - left[0]);
+        (to - from >= HEAD_WIDTH && slope.abs() >= INCLINED).then(|| slope.signum())
     }
 }
 

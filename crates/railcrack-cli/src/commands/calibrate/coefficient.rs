@@ -12,7 +12,7 @@ use railcrack_case::{Case, CaseErrors};
 use railcrack_report::{CalibratedRun, Pages};
 use railcrack_run::calibration::{
     CalibrationResult, Fitted, Measure, NewRail, Prior, Site, SizeCurve, calibrate as fit, calibrated_by,
-    coefficient_table, read_measured,
+    coefficient_table, equal_sites, read_measured, shrinking,
 };
 use railcrack_run::simulation::{RunEntry, RunError, Simulation};
 use railcrack_run::summary::validity::unused_columns;
@@ -26,6 +26,7 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
         return Err(refuse_case(reason));
     };
     let sites = read_sites(arguments)?;
+    warn(&sites, &case);
     if !arguments.parameter.is_empty() {
         return calibrate_parameter(arguments, &case, &sites);
     }
@@ -47,6 +48,9 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
     let prior = Prior::from(case.calibration);
     let of = |measure: Measure| SizeCurve::of(&rows, tonnes, measure);
     let calibration = fit(&sites, of, prior).map_err(|error| refuse(error.to_string()))?;
+    for (site, own) in sites.iter().zip(&calibration.sites) {
+        own.consistency.and_then(|own| own.remark(site)).iter().for_each(|text| print::warning(text));
+    }
     let new = NewRail::of(&calibration.posterior, prior, sites.len(), &case);
     let factor = calibration.posterior.mean.exp();
     let mut overrides = coefficient.overrides(coefficient.value * factor);
@@ -70,16 +74,25 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
 
 /// The measurements of all sites, each file once.
 fn read_sites(arguments: &CalibrateArguments) -> Result<Vec<Site>, Failure> {
-    let sites: Result<Vec<Site>, CaseErrors> =
+    let sites: Result<Vec<Vec<Site>>, CaseErrors> =
         arguments.measured.iter().map(|path| read_measured(path)).collect();
-    let sites = sites?;
-    for site in &sites {
-        unused_columns(&site.name, &site.unused).iter().for_each(|text| print::warning(text));
-    }
+    let sites = sites?.concat();
     for (i, path) in arguments.measured.iter().enumerate() {
         if arguments.measured[..i].contains(path) {
             return Err(refuse(format!("--measured {}: given twice, each file is one site", path.display())));
         }
     }
     Ok(sites)
+}
+
+/// Warnings about measurements that follow without a run: columns and rows that are not read, a
+/// crack that gets shallower, copies of a site.
+fn warn(sites: &[Site], case: &Case) {
+    for site in sites {
+        unused_columns(&site.name, &site.unused).iter().for_each(|text| print::warning(text));
+        site.remarks.iter().for_each(|text| print::warning(text));
+        let shrinks = shrinking(site).filter(|_| case.maintenance.is_none());
+        shrinks.iter().for_each(|text| print::warning(text));
+    }
+    equal_sites(sites).iter().for_each(|text| print::warning(text));
 }

@@ -57,8 +57,9 @@ fn grouped_text(kind: WarningKind, warnings: &[&WarningSummary]) -> String {
         WarningKind::Engine => "Remarks of the engine",
         WarningKind::ResidualStress => "Residual stress",
         WarningKind::Validity => "Outside the validity of the model",
+        WarningKind::Input => "Numbers of the case that are probably not those that are meant",
     };
-    let mut text = format!("{heading}. ");
+    let mut text = format!("{heading} ({}). ", kind.page());
     let several =
         warnings.iter().map(|warning| &warning.text).collect::<std::collections::BTreeSet<_>>().len() > 1;
     let shown = if several { OF_A_KIND } else { 1 };

@@ -113,7 +113,9 @@ fn shared_text(warning: &SharedWarning, count: usize) -> String {
         WarningKind::Engine => "Remark of the engine",
         WarningKind::ResidualStress => "Remark on the residual stress",
         WarningKind::Validity => "Outside the validity of the model",
+        WarningKind::Input => "A number of the case that is probably not the one that is meant",
     };
+    let heading = format!("{heading} ({})", warning.kind.page());
     let text = warning.text.trim_end_matches('.');
     let which = listed(&warning.runs);
     match (warning.runs.first(), warning.differs) {

@@ -2,6 +2,7 @@
 
 mod rate_law;
 
+pub(in crate::fatigue) use rate_law::K_UNIT;
 pub use rate_law::{CheckValue, Constant, LawConstants, LawDeclaration, LawInput, OwnRange, RUNAWAY};
 pub use table::RateTableError;
 

@@ -81,7 +81,7 @@ impl RateLaw {
     }
 
     /// The constants that the law declares, and the place of one of them among their values.
-    fn place_of(
+    pub(in crate::fatigue) fn place_of(
         &self,
         constant: impl Fn(&LawConstants) -> Option<Constant>,
     ) -> Option<(&'static LawConstants, usize)> {
@@ -91,7 +91,7 @@ impl RateLaw {
     }
 
     /// The law with a constant changed; none where it has none of this kind.
-    fn changed(
+    pub(in crate::fatigue) fn changed(
         &self,
         constant: impl Fn(&LawConstants) -> Option<Constant>,
         change: impl Fn(f64) -> f64,
@@ -253,7 +253,7 @@ pub struct CheckValue {
 pub(super) const RATE_UNIT: &str = "mm/cycle, MPa sqrt(m)";
 
 /// Unit of ranges and of toughness.
-pub(super) const K_UNIT: &str = "MPa sqrt(m)";
+pub(in crate::fatigue) const K_UNIT: &str = "MPa sqrt(m)";
 
 /// Accepted exponents of a range.
 pub(super) const EXPONENTS: (f64, f64) = (0.1, 20.0);

@@ -1,0 +1,18 @@
+//! Plausibility of a case: every quantity that a user types against its usual range, and numbers
+//! against each other.
+
+mod keys;
+mod loads;
+mod page;
+mod ranges;
+mod rates;
+mod spin;
+mod stresses;
+mod topic;
+mod usual;
+mod wheel_rows;
+
+pub use page::usual_ranges;
+pub use ranges::{ANY, USUAL};
+pub use topic::{Implausible, Topic, implausible};
+pub use usual::Usual;
