@@ -313,8 +313,9 @@ fn nodes(mesh: &QuadMesh, curve: &CrackCurve, joined: &[usize], spacing: Option<
         // an end therefore has no points of its own; the element there runs across it.
         let sharp = curve.turn(i) > SHARP_KINK;
         (sharp || (curve.turn(i) > SMALL_KINK && gap >= KINK_ROOM * chord(g))).then(|| {
-            let spacing = if sharp { KINK_SPACING } else { SMALL_KINK_SPACING };
-            let element = (spacing * chord(g)).min(0.5 * gap);
+            let (spacing, room) =
+                if sharp { (KINK_SPACING, kink_room(curve, joined, i)) } else { (SMALL_KINK_SPACING, gap) };
+            let element = (spacing * chord(g)).min(0.5 * room);
             RefinedPoint { s, element, nodes: vec![curve.g(s - 0.5 * element), curve.g(s + 0.5 * element)] }
         })
     };
@@ -330,6 +331,17 @@ fn nodes(mesh: &QuadMesh, curve: &CrackCurve, joined: &[usize], spacing: Option<
         nodes.extend(&next.nodes);
     }
     nodes
+}
+
+/// Distance (mm) along the curve from its vertex `i` to the nearest end, junction or other kink.
+/// Vertices at which the path hardly turns do not count: short increments before a kink would make
+/// the points around it denser than the jump functions.
+fn kink_room(curve: &CrackCurve, joined: &[usize], i: usize) -> f64 {
+    let ends = [0, curve.segments()];
+    let counts = |j: &usize| ends.contains(j) || joined.contains(j) || curve.turn(*j) > SMALL_KINK;
+    let others = [(0..i).rev().find(counts), (i + 1..=curve.segments()).find(counts)];
+    let s = curve.arc_length_at(i);
+    others.into_iter().flatten().map(|j| (curve.arc_length_at(j) - s).abs()).fold(f64::INFINITY, f64::min)
 }
 
 /// Length (mm) of crack in an element crossed through its centre.

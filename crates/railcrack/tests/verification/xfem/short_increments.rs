@@ -1,6 +1,8 @@
 //! Tips a few elements behind a kink, closed and with friction, against the other engine.
 
-use crate::common::{Absolute, Meshed, Rolling, StepControl, close, joined_body, largest, surface_crack};
+use crate::common::{
+    Absolute, Meshed, Of, Rolling, StepControl, TENSION, close, joined_body, largest, sifs_of, surface_crack,
+};
 use railcrack::body::{BodyEngine, CrackedBody};
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork, End};
@@ -71,4 +73,31 @@ fn sharp_kinks_of_slow_tips_are_reported() {
     let (off, remarks) = misfit(0.5, 70.0, 1);
     println!("half an element behind 70°: {:.0} %", 100.0 * off);
     assert!(remarks.iter().any(|remark| remark.contains("behind a kink of 70°")), "{remarks:?}");
+}
+
+/// A path that slowed down before its kink: increments of a twentieth of an element end there, as
+/// those with which a run approaches a kink.
+#[test]
+fn short_increments_before_a_sharp_kink() {
+    let start = surface_crack(0.0, 6.0, 20.0);
+    let meshed = Meshed { expected_growth: 1.5, ..Meshed::of_size(SIZE) };
+    let engine = |crack: &Crack| meshed.engine(&[start.clone()]).body(&CrackNetwork::from(crack.clone()));
+    let kinked = |before: &[f64]| {
+        let approach = before.iter().fold(start.clone(), |crack, &length| {
+            crack.extended(End::Last, length * SIZE, 0.01f64.to_radians()).unwrap()
+        });
+        let [kink, last] = [-73.0, -2.3].map(f64::to_radians);
+        let crack = approach.extended(End::Last, 3.1 * SIZE, kink).unwrap();
+        crack.extended(End::Last, 3.2 * SIZE, last).unwrap()
+    };
+    for before in [[0.2, 0.05], [0.02, 0.02], [0.05, 0.005]] {
+        let crack = kinked(&before);
+        let (body, whole) = (engine(&crack).unwrap(), engine(&kinked(&[before.iter().sum()])).unwrap());
+        let k = |body: &CrackedBody| sifs_of(body, |_| TENSION);
+        let (k, want, other) = (k(&body), k(&whole), k(&joined_body(&[crack], &[], FINE)));
+        for ((k, want), other) in k.iter().zip(&want).zip(&other) {
+            close(*k, *want, Of(1e-3, 4.0), "the same path but for 0.01 degrees");
+            close(*k, *other, Of(0.01, 4.0), "the other engine");
+        }
+    }
 }
