@@ -79,7 +79,7 @@ impl GrowthLaw {
     /// threshold adds nothing to ΔK_I.
     #[must_use]
     pub(crate) fn rate_of(&self, delta_keq: f64, range: LoadRange) -> f64 {
-        let (delta, ratio) = (delta_keq / MPA_SQRT_MM, range.ratio);
+        let (delta, ratio) = (self.driving_range(delta_keq, range) / MPA_SQRT_MM, range.ratio);
         if self.threshold_2 <= 0.0 {
             return self.rate.rate(delta, ratio);
         }
@@ -94,9 +94,23 @@ impl GrowthLaw {
                     0.0
                 }
             }
-            _ if sheared > 1.0 => self.rate.rate(delta, ratio),
-            _ => self.rate.rate(opening, ratio),
+            _ => self.rate.rate(delta, ratio),
         }
+    }
+
+    /// The equivalent range (MPa √mm) of which the rate under `range` is a function: `delta_keq`,
+    /// that of all its modes, or ΔK_I where the shear adds nothing.
+    #[must_use]
+    pub(crate) fn driving_range(&self, delta_keq: f64, range: LoadRange) -> f64 {
+        let has_threshold = self.rate.threshold().is_some_and(|threshold| threshold > 0.0);
+        let counts = range.delta_kii / MPA_SQRT_MM > self.threshold_2;
+        if self.threshold_2 <= 0.0 || has_threshold || counts { delta_keq } else { range.delta_ki }
+    }
+
+    /// [`GrowthLaw::driving_range`] of the ranges of two modes.
+    #[must_use]
+    pub(crate) fn driven_by(&self, range: LoadRange) -> f64 {
+        self.driving_range(self.equivalent_range(range.delta_ki, range.delta_kii), range)
     }
 
     /// The condition that `threshold_2` sets, as a line of text; none without it.

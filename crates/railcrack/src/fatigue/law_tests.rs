@@ -96,6 +96,16 @@ fn without_a_threshold_of_opening_shear_counts_above_its_own() {
     assert_eq!(rate(&law, 0.0, 10.0), 0.0);
     assert_eq!(rate(&law, 5.0, 10.0), rate(&GrowthLaw::RAIL_STEEL, 5.0, 0.0));
     assert_eq!(rate(&law, 5.0, 10.01), rate(&GrowthLaw::RAIL_STEEL, 5.0, 10.01));
+    // The range of which the rate is a function.
+    let driven = |opening: f64, shear: f64| {
+        law.driven_by(LoadRange::new(opening * MPA_SQRT_MM, shear * MPA_SQRT_MM, opening * MPA_SQRT_MM))
+            / MPA_SQRT_MM
+    };
+    assert_eq!((driven(0.0, 10.0), driven(5.0, 9.9)), (0.0, 5.0));
+    for (opening, shear) in [(5.0, 9.9), (5.0, 10.01), (0.0, 12.0)] {
+        let of_range = law.rate.rate(driven(opening, shear), 0.0);
+        assert!((rate(&law, opening, shear) / of_range - 1.0).abs() < 1e-12, "{opening} {shear}");
+    }
     assert_eq!(law.shear_threshold().unwrap(), "dKII counts above 10");
     assert_eq!(GrowthLaw::RAIL_STEEL.shear_threshold(), None);
 }

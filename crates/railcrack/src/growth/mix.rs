@@ -148,7 +148,7 @@ mod tests {
         let ranges = SifRanges::of(&history);
         WheelDemand {
             ranges,
-            delta_keq: law.equivalent_range(ranges.delta_ki, ranges.delta_kii),
+            delta_keq: law.driven_by(ranges.load()),
             rate: law.rate(ranges.load()),
             largest_k1: LargestK1::of(&history),
         }

@@ -32,7 +32,7 @@ pub struct TipRecord {
     pub delta_ki: f64,
     /// Range of K_II, MPa √mm.
     pub delta_kii: f64,
-    /// ΔK_eq of the actual tip, MPa √mm.
+    /// ΔK_eq of the actual tip, MPa √mm: ΔK_I alone where its shear adds nothing to the rate.
     pub delta_keq: f64,
     /// The largest k1 of a virtual kink during the stabilised passage; `None` where none opens.
     pub largest_k1: Option<LargestK1>,

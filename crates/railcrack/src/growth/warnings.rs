@@ -68,9 +68,9 @@ impl Warnings<'_> {
         let least = self.growth.arrest_rate.max(f64::MIN_POSITIVE);
         let threshold = law.rate.threshold().unwrap_or(0.0);
         let largest = tip.largest_k1.filter(|largest| largest.k1_mpa_sqrt_m() > threshold)?;
-        let is_held = law.threshold_2 > 0.0
-            && tip.rate < least
-            && law.rate.rate(tip.delta_keq / MPA_SQRT_MM, 0.0) >= least;
+        let all = law.equivalent_range(tip.delta_ki, tip.delta_kii).max(tip.delta_keq);
+        let is_held =
+            law.threshold_2 > 0.0 && tip.rate < least && law.rate.rate(all / MPA_SQRT_MM, 0.0) >= least;
         let text = || {
             format!(
                 "{}: the threshold of \u{394}K_II holds it, but a kink of {:.0} degrees opens with k1 = {:.1} MPa\u{221a}m: it may \

@@ -445,7 +445,7 @@ fn demand_of(law: &GrowthLaw, wheel: &WheelHistory) -> WheelDemand {
     let ranges = SifRanges::of(wheel.history);
     WheelDemand {
         ranges,
-        delta_keq: law.equivalent_range(ranges.delta_ki, ranges.delta_kii),
+        delta_keq: law.driven_by(ranges.load()),
         rate: law.rate(ranges.load()),
         largest_k1: LargestK1::of(wheel.history),
     }

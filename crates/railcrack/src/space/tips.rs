@@ -92,11 +92,12 @@ impl FrontLaw<'_> {
         let law = &self.growth.law;
         let ranges = SifRanges::of(&passage.histories[q]);
         let modes = [ranges.delta_ki, ranges.delta_kii, passage.delta_kiii[q]];
-        let delta_keq = law.equivalent.of_three(modes, self.poisson, self.mode_3_weight);
+        let of_all = law.equivalent.of_three(modes, self.poisson, self.mode_3_weight);
+        let load = LoadRange { delta_kii: modes[1].hypot(modes[2]), ..ranges.load() };
         WheelDemand {
             ranges,
-            delta_keq,
-            rate: law.rate_of(delta_keq, LoadRange { delta_kii: modes[1].hypot(modes[2]), ..ranges.load() }),
+            delta_keq: law.driving_range(of_all, load),
+            rate: law.rate_of(of_all, load),
             largest_k1: LargestK1::of(&passage.histories[q]),
         }
     }
