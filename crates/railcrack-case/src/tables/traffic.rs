@@ -45,7 +45,7 @@ section! {
     DIRECTION: Travel = choice("direction", "Direction of travel, by default that of [passage]. A wheel that runs the other way starts as far before the mouth that it meets first, and ends as far behind the last one. The sign of its friction remains that of the shear on the rail along +x.")
         .optional();
     TABLE: String = file("table", "inputs/wheels", "curve.csv",
-        "CSV file with a row per wheel and patch, instead of share and contact: wheel, normal_kn, y_rail_mm, creepage_x, creepage_y, spin_per_mm, mu, and a_mm, b_mm or rail_radius_mm, wheel_radius_mm; optional are place_m, patch, share, axle_load_t, angle_deg, x_mm, wheel_profile_radius_mm. Each wheel loads the cracks by the strip of its patches at lateral_mm of the cracks.")
+        "CSV file with a row per wheel and patch, instead of share and contact: wheel, normal_kn, y_rail_mm, creepage_x, creepage_y, spin_per_mm, mu, and a_mm, b_mm or rail_radius_mm, wheel_radius_mm; optional are place_m, patch, share, axle_load_t, angle_deg, x_mm, wheel_profile_radius_mm. Each wheel loads the cracks by its patches, at their places beside lateral_mm of the cracks.")
         .required();
     TABLE_SIGN: CreepageSign = choice("creepage_sign", "Convention for the signs of creepages and spin of the table.").required();
     TABLE_THEORY: RollingTheory = choice("theory", "Theory of the shear of its patches.");
