@@ -117,7 +117,7 @@ section! {
         .required().only_with(KIND, ROLLING, SLIDING);
     THEORY: RollingTheory = choice("theory", "Theory of the shear.").only_with(KIND, ROLLING, SLIDING);
     COUPLED: bool = switch("coupled", Preset::Switch(false),
-        "Whether the wheel feels the cracks: the contact pressure follows from a smooth elastic wheel of the same steel on the rail with its cracks. If not, it is that on the uncracked rail. For cracks in a half-plane with the plane engines.")
+        "Whether the wheel feels the cracks: the contact pressure follows from a smooth elastic wheel of the same steel on the rail with its cracks. If not, it is that on the uncracked rail. For cracks in a half-plane with the plane engines, as a line contact: of an ellipse, that of the strip at lateral_mm.")
         .only_with_words(KIND, &["hertz", "carter", "rolling"], "a wheel that feels the cracks needs a half-ellipse of pressure on the uncracked rail");
     SURFACE_NODES: usize = integer("surface_nodes_per_half_width", (10, 160), 40,
         "With coupled = true, number of surface nodes per half-width a: they are half of a over this number apart at the mouths, twice a over this number away from them, and up to eight times farther than 1.2 a from them.")

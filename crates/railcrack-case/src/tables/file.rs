@@ -108,7 +108,8 @@ const PREAMBLE: &str = "\
 # A case of railcrack. `railcrack check FILE` validates it, `railcrack run FILE` computes it.
 # y points up and the rail is y <= 0; lengths in mm, stresses in MPa, angles in degrees.
 # Every key has a default except those of [contact] and [[crack]]: the reference case of Trolle et al.
-# (2014), Table 1.
+# (2014), Table 1, with a line contact. A wheel on a rail is given by its load and radii instead, as
+# `railcrack init --template head-check` does.
 
 ";
 

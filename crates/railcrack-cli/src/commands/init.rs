@@ -11,8 +11,9 @@ use std::path::{Path, PathBuf};
 /// Write a commented case file as a starting point
 ///
 /// The file contains the reference case (one 6 mm crack at 15 degrees under a wheel with a peak
-/// pressure of 845 MPa), ready to run, with a comment on every key; with --template, a shorter file
-/// for that kind of case.
+/// pressure of 845 MPa), ready to run, with a comment on every key. With --template it is a shorter
+/// file for that kind of case: for a rail, begin with head-check, whose wheel is given by its load
+/// and radii.
 #[derive(Debug, Args)]
 pub struct InitArguments {
     /// File to write; `-` is standard output [default: case.toml, or the name of the template]
