@@ -246,7 +246,8 @@ fn report_meetings(
 
 /// How the crack of the section `path`, which meets the first one, is computed beside it.
 fn way_round(first: &Crack, second: &Crack, path: &str) -> String {
-    let gap = format!("a V from one mouth, or a branch, is computed with a gap of {} % of the length", 100.0 * GAP);
+    let gap =
+        format!("a V from one mouth, or a branch, is computed with a gap of {} % of the length", 100.0 * GAP);
     match beside(second, first) {
         Some(Beside::Mouth(x)) => format!("; {gap}: mouth_mm = {} of {path}", short(rounded(x))),
         Some(Beside::Buried(point)) => {

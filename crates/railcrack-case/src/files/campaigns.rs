@@ -63,7 +63,8 @@ impl Campaigns {
             return Ok(None);
         }
         while rows.next_if(|row| is_units_row(row.fields())).is_some() {}
-        let is_traffic = |row: &CsvRow| row.fields().next().is_some_and(|name| name.eq_ignore_ascii_case(TRAFFIC));
+        let is_traffic =
+            |row: &CsvRow| row.fields().next().is_some_and(|name| name.eq_ignore_ascii_case(TRAFFIC));
         let traffic: Vec<Option<f64>> = match rows.next_if(is_traffic) {
             Some(row) => row.fields().map(|given| row.number(given)).collect(),
             None => header.fields().map(traffic_of).collect(),
@@ -83,7 +84,9 @@ fn traffic_of(name: &str) -> Option<f64> {
         return None;
     }
     let is_of_number = |letter: char| letter.is_ascii_digit() || matches!(letter, '.' | ',');
-    let part = name.split(|letter| !is_of_number(letter)).find(|part| part.contains(|l: char| l.is_ascii_digit()))?;
+    let part = name
+        .split(|letter| !is_of_number(letter))
+        .find(|part| part.contains(|l: char| l.is_ascii_digit()))?;
     part.replace(',', ".").parse().ok()
 }
 
@@ -104,7 +107,12 @@ fn crack(row: &CsvRow, traffic: &[Option<f64>]) -> Result<CampaignCrack, (String
         let size = match (row.number(given), SizeClass::of(given, |part| row.number(part))) {
             (Some(size), _) if size.abs() <= LARGEST => CampaignSize::Size(size),
             (_, Some(class)) => CampaignSize::Class(class.above, class.up_to),
-            _ => return Err((format!("`{given}` after {mgt} MGT: must be a size, a class of sizes or blank"), row.span.clone())),
+            _ => {
+                return Err((
+                    format!("`{given}` after {mgt} MGT: must be a size, a class of sizes or blank"),
+                    row.span.clone(),
+                ));
+            }
         };
         crack.readings.push((mgt, size));
     }
@@ -126,7 +134,10 @@ mod tests {
             readings: readings.to_vec(),
         };
         let cracks = vec![
-            crack("12.4 A", &[(6.0, CampaignSize::Size(1.2)), (11.5, CampaignSize::Class(Some(1.5), Some(2.0)))]),
+            crack(
+                "12.4 A",
+                &[(6.0, CampaignSize::Size(1.2)), (11.5, CampaignSize::Class(Some(1.5), Some(2.0)))],
+            ),
             crack("12.4 B", &[(11.5, CampaignSize::Class(None, Some(0.5)))]),
         ];
         let want = Some(Campaigns { cracks, has_lengths: false });
@@ -137,6 +148,9 @@ mod tests {
         assert!(parsed("crack,length_mm 6 MGT\nA,3\n").unwrap().has_lengths);
         assert_eq!((parsed("mgt,depth_mm\n6,1.2\n"), parsed("a,b\n6,1.2\n"), parsed("")), (None, None, None));
         let refused = Campaigns::parse(&Source::new("c.csv", "crack,6 MGT\nA,deep\n")).unwrap_err();
-        assert_eq!(refused, ("`deep` after 6 MGT: must be a size, a class of sizes or blank".to_owned(), 12..18));
+        assert_eq!(
+            refused,
+            ("`deep` after 6 MGT: must be a size, a class of sizes or blank".to_owned(), 12..18)
+        );
     }
 }

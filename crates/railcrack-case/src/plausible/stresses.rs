@@ -15,10 +15,11 @@ const BALANCED: f64 = 10.0;
 
 /// Unusual numbers in the tables of `case`.
 pub(super) fn of_tables(case: &Case) -> Vec<Implausible> {
-    let plastic = case.plane().and_then(|plane| plane.plastic_stress.as_ref()).and_then(|source| match source {
-        PlasticSource::Profile(file) => Some(file),
-        _ => None,
-    });
+    let plastic =
+        case.plane().and_then(|plane| plane.plastic_stress.as_ref()).and_then(|source| match source {
+            PlasticSource::Profile(file) => Some(file),
+            _ => None,
+        });
     let mut texts = Vec::new();
     for file in
         [case.residual_stress.as_ref(), case.shakedown.initial_residual.as_ref()].into_iter().flatten()

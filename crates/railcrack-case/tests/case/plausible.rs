@@ -1,8 +1,6 @@
 //! Numbers that are probably not those that are meant, and those of which nothing is said.
 
-use railcrack_case::{
-    ANY, Case, Kind, Preset, SECTIONS, Section, Topic, USUAL, implausible, usual_ranges,
-};
+use railcrack_case::{ANY, Case, Kind, Preset, SECTIONS, Section, Topic, USUAL, implausible, usual_ranges};
 use std::path::{Path, PathBuf};
 
 fn cases() -> PathBuf {
@@ -13,7 +11,10 @@ fn cases() -> PathBuf {
 fn said(sections: &str) -> Vec<(Topic, String)> {
     let mut text = sections.to_owned();
     for (section, default) in [
-        ("[contact]", "[contact]\nwheel_load_kn = 110\nwheel_radius_mm = 460\nrail_head_radius_mm = 300\nfriction = 0.2\n"),
+        (
+            "[contact]",
+            "[contact]\nwheel_load_kn = 110\nwheel_radius_mm = 460\nrail_head_radius_mm = 300\nfriction = 0.2\n",
+        ),
         ("[[crack]]", "[[crack]]\nmouth_mm = 0\nlength_mm = 4\nangle_deg = 25\nfriction = 0.3\n"),
     ] {
         let is_there = sections.contains(section) || section == "[contact]" && sections.contains("[[wheel]]");
@@ -91,7 +92,10 @@ fn growth_laws_in_other_units() {
     let law = |text: &str| one(&format!("[growth]\nsteps = 1\n{text}"));
     for (text, says) in [
         ("paris_c = 5.21e-13\nparis_m = 3.0\n", "N/mm^1.5; then paris_c = 1.648e-8 in"),
-        ("paris_c = 1e-12\nparis_m = 3.0\n", "in m per cycle with ranges in MPa sqrt(m); then paris_c = 1e-9 in"),
+        (
+            "paris_c = 1e-12\nparis_m = 3.0\n",
+            "in m per cycle with ranges in MPa sqrt(m); then paris_c = 1e-9 in",
+        ),
         ("law = \"walker\"\nwalker_c = 2e-12\n", "then walker_c = 2e-9"),
         ("law = \"nasgro\"\nnasgro_c = 1e-12\n", "then nasgro_c = 1e-9"),
         ("law = \"forman\"\nforman_c = 5e-11\n", "then forman_c = 5e-8"),
@@ -102,7 +106,9 @@ fn growth_laws_in_other_units() {
     let (topic, told) = law("threshold_mpa_sqrt_m = 190\n");
     assert!(topic == Topic::GrowthLaw && told.contains("190 N/mm^1.5 = 6.008 MPa sqrt(m)?"), "{told}");
     // Fitted to measured cracks, limits, thresholds.
-    for text in ["paris_c = 1e-12\n[calibration]\nsites = 2\n", "steel = \"R260\"\n", "threshold_mpa_sqrt_m = 6\n"] {
+    for text in
+        ["paris_c = 1e-12\n[calibration]\nsites = 2\n", "steel = \"R260\"\n", "threshold_mpa_sqrt_m = 6\n"]
+    {
         assert_eq!(said(&format!("[growth]\nsteps = 1\n{text}")), [], "{text}");
     }
 }
@@ -133,14 +139,18 @@ fn loads_of_wheels_and_axles() {
     };
     let mixed = said(&format!("{}{}", wheel(49.0, 22.5), wheel(110.0, 10.0)));
     assert_eq!(mixed.len(), 2, "{mixed:?}");
-    assert!(mixed[0].1.starts_with("wheel 1: ") && mixed[0].1.contains("axle load of wheel 2: are they exchanged?"));
+    assert!(
+        mixed[0].1.starts_with("wheel 1: ")
+            && mixed[0].1.contains("axle load of wheel 2: are they exchanged?")
+    );
     let track = "[track]\nwheel_load_kn = 10\nsection = \"60E1\"\n[traffic]\naxle_load_t = 22.5\n";
     assert!(one(track).1.contains("the load of its axle in [track] = 10 kN"));
 }
 
 #[test]
 fn units_of_single_numbers() {
-    let contact = |a: &str| format!("[contact]\npeak_pressure_mpa = 900\nhalf_width_mm = {a}\nfriction = 0.2\n");
+    let contact =
+        |a: &str| format!("[contact]\npeak_pressure_mpa = 900\nhalf_width_mm = {a}\nfriction = 0.2\n");
     let rolling = |rest: &str| {
         format!(
             "[contact]\nkind = \"rolling\"\nnormal_kn = 100\nwheel_radius_mm = 460\nrail_head_radius_mm = 300\n\
@@ -151,9 +161,18 @@ fn units_of_single_numbers() {
         (contact("0.01"), "0.01 m = 10 mm?"),
         (rolling("spin_per_mm = 0.21\n"), "beyond 0.002174 1/mm, one over the radius of 460 mm"),
         (rolling("creepage_x = 0.2\n"), "0.2% = 0.002?"),
-        ("[[crack]]\nmouth_mm = 0\nlength_mm = 4\nangle_deg = 0.7\nfriction = 0.3\n".into(), "0.7 rad = 40.11 degrees?"),
-        ("[[crack]]\nmouth_mm = 0\nlength_mm = 0.004\nangle_deg = 25\nfriction = 0.3\n".into(), "0.004 m = 4 mm?"),
-        ("[[crack]]\npoints_mm = [[0, 0], [0.003, -0.002]]\nfriction = 0.3\n".into(), "the length of a crack by crack[1]"),
+        (
+            "[[crack]]\nmouth_mm = 0\nlength_mm = 4\nangle_deg = 0.7\nfriction = 0.3\n".into(),
+            "0.7 rad = 40.11 degrees?",
+        ),
+        (
+            "[[crack]]\nmouth_mm = 0\nlength_mm = 0.004\nangle_deg = 25\nfriction = 0.3\n".into(),
+            "0.004 m = 4 mm?",
+        ),
+        (
+            "[[crack]]\npoints_mm = [[0, 0], [0.003, -0.002]]\nfriction = 0.3\n".into(),
+            "the length of a crack by crack[1]",
+        ),
     ] {
         let (topic, told) = one(&text);
         assert!(topic == Topic::Quantity && told.contains(says), "{text}: {told}");
@@ -181,13 +200,19 @@ fn stress_profiles_and_tables_of_wheels() {
     assert!(unbalanced.len() == 1 && unbalanced[0].contains("add up to 8000 N per mm"), "{unbalanced:?}");
     assert_eq!(profile("depth_mm,sxx_mpa\n0,-300\n5,0\n"), [""; 0]);
     let wheels = |spin: &str, load: &str| {
-        let header = "wheel,normal_kn,y_rail_mm,creepage_x,creepage_y,spin_per_mm,mu,rail_radius_mm,wheel_radius_mm";
-        let table = format!("{header}\n1,{load},19.4,-2.8e-4,2.2e-3,{spin},0.25,80,460\n2,90,21,0,0,0,0.42,80,460\n");
-        let wheel = "[[wheel]]\ntable = \"w.csv\"\ncreepage_sign = \"vehicle\"\n[traffic]\naxle_load_t = 22.5\n";
+        let header =
+            "wheel,normal_kn,y_rail_mm,creepage_x,creepage_y,spin_per_mm,mu,rail_radius_mm,wheel_radius_mm";
+        let table =
+            format!("{header}\n1,{load},19.4,-2.8e-4,2.2e-3,{spin},0.25,80,460\n2,90,21,0,0,0,0.42,80,460\n");
+        let wheel =
+            "[[wheel]]\ntable = \"w.csv\"\ncreepage_sign = \"vehicle\"\n[traffic]\naxle_load_t = 22.5\n";
         of("w.csv", &table, &format!("{wheel}{crack}"))
     };
     let spin = wheels("0.21", "104");
-    assert!(spin.len() == 1 && spin[0].starts_with("wheel 1: spin_per_mm") && spin[0].contains("1/m ="), "{spin:?}");
+    assert!(
+        spin.len() == 1 && spin[0].starts_with("wheel 1: spin_per_mm") && spin[0].contains("1/m ="),
+        "{spin:?}"
+    );
     let load = wheels("2e-4", "9");
     assert!(load.len() == 1 && load[0].contains("the sum of normal_kn = 9 kN"), "{load:?}");
     assert_eq!(wheels("2e-4", "104"), [""; 0]);

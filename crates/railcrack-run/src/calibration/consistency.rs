@@ -29,8 +29,11 @@ impl Consistency {
     /// fewer than two.
     #[must_use]
     pub fn of(observations: &Observations, usual: UsualError) -> Option<Self> {
-        let all: Vec<(usize, &Observed)> =
-            observations.iter().enumerate().filter_map(|(i, observed)| Some((i, observed.as_ref()?))).collect();
+        let all: Vec<(usize, &Observed)> = observations
+            .iter()
+            .enumerate()
+            .filter_map(|(i, observed)| Some((i, observed.as_ref()?)))
+            .collect();
         if all.len() < 2 {
             return None;
         }
@@ -141,7 +144,10 @@ pub fn equal_sites(sites: &[Site]) -> Option<String> {
         Some((other, site))
     });
     pair.map(|(one, other)| {
-        format!("{} and {} have the same measurements: a copy of a site is no second one", one.name, other.name)
+        format!(
+            "{} and {} have the same measurements: a copy of a site is no second one",
+            one.name, other.name
+        )
     })
 }
 

@@ -134,7 +134,9 @@ mod tests {
     #[test]
     fn a_case_may_have_more_steps() {
         let case = |steps: usize, friction: f64| CaseFiles {
-            toml: format!("title = \"a\"\n\n[growth]\nsteps = {steps}\nlaw = \"paris\"\n\n[x]\nfriction = {friction}\n"),
+            toml: format!(
+                "title = \"a\"\n\n[growth]\nsteps = {steps}\nlaw = \"paris\"\n\n[x]\nfriction = {friction}\n"
+            ),
             ..CaseFiles::default()
         };
         let more = |given: &CaseFiles| has_more_steps(Path::new("run"), &case(5, 0.3), given);
