@@ -8,8 +8,9 @@ const INTRODUCTION: &str = "\
 
 `railcrack check` and `run` warn of a number outside of its usual range and guess the unit that was
 meant; the number is used as it is. Zero and infinity are always usual. Ranges hold for the size of
-a number, whatever its sign, and are wide: a number within them may still be wrong. Further words
-compare numbers with each other:
+a number, whatever its sign, and are wide: a number within them may still be wrong. Standards are
+quoted from memory; where the source is no document, the range is practice without a source that
+could be read. Further words compare numbers with each other:
 
 * the rates of the growth law at ranges of 10 and 20 MPa√m with those of rail steel, beyond a factor
   of 30 either way; the verdict of such a run is *outside*;
