@@ -80,8 +80,8 @@ impl Inputs {
         self
     }
 
-    /// Checks that no input is replaced by results in `folder`, whose names, relative to it and with
-    /// `/`, are those that `is_result` accepts.
+    /// Checks that no input is replaced by results in `folder`, whose names, relative to it and
+    /// with `/`, are those that `is_result` accepts.
     ///
     /// Errors: one is.
     pub fn stay(&self, folder: &Path, is_result: impl Fn(&str) -> bool) -> Result<(), Failure> {

@@ -10,7 +10,7 @@ use std::time::Duration;
 /// SIGHUP is not among them: a run under `nohup` must outlive its terminal.
 const SIGNALS: [i32; 2] = [SIGINT, SIGTERM];
 
-/// What an interrupted computation leaves behind.
+/// The remains of an interrupted computation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Remains {
     /// Finished steps, after which `--resume` continues.

@@ -9,8 +9,8 @@ use annotate_snippets::{Annotation, AnnotationKind, Element, Level, Origin, Rend
 use railcrack_case::CaseError;
 use std::io::{ErrorKind, IsTerminal, Write};
 
-/// Writes `text` to standard output, without what would command a terminal. A reader that closes the
-/// pipe (`| head`) is not a failure.
+/// Writes `text` to standard output, without what would command a terminal. A reader that closes
+/// the pipe (`| head`) is not a failure.
 pub fn stdout(text: &str) -> Result<(), Failure> {
     write_stdout(&plain(text))
 }

@@ -12,9 +12,9 @@ use crate::study::{StudyFolder, StudySummaryRow, listed_as_done};
 use std::path::Path;
 
 /// Compares the files in `folder` with the checksums that were stored with them: of a run, a
-/// stabilised plastic state, a comparison, grinding plans, contact patches, a validation, or a study
-/// with all its runs. Plots and
-/// reports are not among them: `railcrack report` builds these anew.
+/// stabilised plastic state, a comparison, grinding plans, contact patches, a validation, or a
+/// study with all its runs. Plots and reports are not among them: `railcrack report` builds these
+/// anew.
 ///
 /// Errors: the folder holds no such results, or is being computed; the system refuses.
 pub fn verify(folder: &Path) -> Result<Verification, OutputError> {

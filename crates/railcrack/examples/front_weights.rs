@@ -1,10 +1,10 @@
-//! The weights with which a load along the front of a crack counts at its deepest point: of shear on
-//! closed faces of semi-ellipses, by the engine in space.
+//! The weights with which a load along the front of a crack counts at its deepest point: of shear
+//! on closed faces of semi-ellipses, by the engine in space.
 //!
-//! `front_weights CELLS DEGREES ASPECT ...` prints, for each half length over the length down the dip,
-//! the contribution to K_II of shear cos(k y) in a band around s, over that of even shear there in
-//! the plane: α (1 + β q) e^(−q) with q = R k l, and the largest error of that form up to k l = 6.
-//! The tables of the library are those of 10 cells, of aspects 1 and 2.
+//! `front_weights CELLS DEGREES ASPECT ...` prints, for each half length over the length down the
+//! dip, the contribution to K_II of shear cos(k y) in a band around s, over that of even shear
+//! there in the plane: α (1 + β q) e^(−q) with q = R k l, and the largest error of that form up to
+//! k l = 6. The tables of the library are those of 10 cells, of aspects 1 and 2.
 
 use railcrack::body::{BodyEngine, CrackedBody};
 use railcrack::crack::Crack;

@@ -25,8 +25,8 @@ pub(super) struct PlacedCracks {
 }
 
 impl PlacedCracks {
-    /// Half the extent along the surface over the length of each crack of `sections`, infinite where
-    /// it is not given; empty where it never is.
+    /// Half the extent along the surface over the length of each crack of `sections`, infinite
+    /// where it is not given; empty where it never is.
     pub fn widths(&self, sections: &[&SectionValues]) -> Vec<f64> {
         let half_length = |owner: &usize| sections.get(*owner)?.get(SURFACE_HALF_LENGTH);
         if self.owner.iter().all(|owner| half_length(owner).is_none()) {

@@ -182,8 +182,8 @@ impl Columns {
         Ok(values)
     }
 
-    /// Enters the class of sizes that `given` of `row` names into the columns of its bounds. Whether
-    /// it names one and the table has these columns.
+    /// Enters the class of sizes that `given` of `row` names into the columns of its bounds.
+    /// Whether it names one and the table has these columns.
     fn enter_class(&self, row: &CsvRow, given: &str, values: &mut [f64]) -> bool {
         let bounds = self.place(AT_LEAST).zip(self.place(AT_MOST));
         let Some(((low, high), class)) = bounds.zip(SizeClass::of(given, |part| row.number(part))) else {

@@ -295,8 +295,8 @@ fn blanked(source: &Source) -> Arc<str> {
     shown.into()
 }
 
-/// Whether a terminal would obey `c`: control characters, and those that change the direction of the
-/// surrounding text.
+/// Whether a terminal would obey `c`: control characters, and those that change the direction of
+/// the surrounding text.
 #[must_use]
 pub fn commands_terminal(c: char) -> bool {
     c.is_control() || is_invisible(c)

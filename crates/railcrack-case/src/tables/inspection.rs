@@ -187,7 +187,7 @@ pub(crate) struct Scattering<'a> {
     /// K_Ic, MPa√m.
     pub toughness: Option<f64>,
     pub steel: Option<&'a RailSteel>,
-    /// What is known of the coefficient of the growth law.
+    /// Knowledge of the coefficient of the growth law.
     pub prior: CalibrationPrior,
     /// Whether axle loads are given.
     pub has_tonnes: bool,
@@ -220,7 +220,8 @@ pub(crate) fn read_scatter(section: &SectionValues, of: Scattering, report: &mut
         report.add(section.fault(TOUGHNESS_STD, "there is no [fracture] with a mean toughness").help(help));
         return None;
     }
-    // Scatter of tests in a laboratory is that of a rail only where the rates of its site are known.
+    // Scatter of tests in a laboratory is that of a rail only where the rates of its site are
+    // known.
     let of_steel = steel.map_or(USUAL_LOG_STD, |steel| steel.c_log_std);
     let usual = if prior.sites.is_some() { of_steel } else { prior.log_std };
     Some(Scatter {

@@ -373,7 +373,7 @@ fn too_little_address_space_is_an_error() {
     assert!(!folder.join("case").exists());
 }
 
-/// What `check` says of a flat crack in space takes a moment, and samples count as memory.
+/// The output of `check` for a flat crack in space takes a moment, and samples count as memory.
 #[test]
 fn a_check_takes_a_moment_and_counts_samples() {
     let folder = workplace("moment");

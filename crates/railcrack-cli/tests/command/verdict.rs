@@ -169,8 +169,8 @@ fn warnings_are_those_of_the_worst_step() {
     // The rate along the crack times the sine of the way.
     let names = ["step", "crack", "tip", "depth_mm", "rate_mm_per_cycle", "increment_mm"];
     let growth = numbers(&read(&run.join("growth.csv")), &names);
-    // About three times the fastest that is measured: 0.11 mm per million gross tonnes down to 2.3 mm,
-    // 0.32 from 5 mm on.
+    // About three times the fastest that is measured: 0.11 mm per million gross tonnes down to 2.3
+    // mm, 0.32 from 5 mm on.
     let limit = |depth: f64| {
         let share = (depth.clamp(2.3, 5.0) / 2.3).ln() / (5.0f64 / 2.3).ln();
         0.3 * (0.32f64 / 0.11).powf(share)

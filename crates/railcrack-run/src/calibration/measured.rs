@@ -214,7 +214,8 @@ mod tests {
             (site.measured, site.unused),
             (vec![of(6.0, 1.2)], ["date", "operator"].map(String::from).into())
         );
-        // As exported from a spreadsheet with decimal commas and classes, and one column per campaign.
+        // As exported from a spreadsheet with decimal commas and classes, and one column per
+        // campaign.
         let site = read("mgt;depth_mm;std_mm\nMGT;mm;mm\n6,0;0,5-1,0;0,3\n11,0;1,7;\n11,0;1,7;\n").unwrap();
         assert_eq!(site.measured[0].finding, Finding::Within(0.5, 1.0));
         assert_eq!((site.measured[1], site.measured.len()), (of(11.0, 1.7), 2));

@@ -26,9 +26,9 @@ pub static COMPARISON: ResultKind = ResultKind {
 };
 
 impl Comparison {
-    /// Writes tables, `compare.json`, and what `draw` draws of these, to the `folder` that is entered
-    /// for a [`COMPARISON`]. `tolerance`: the accepted difference of K in
-    /// `compare.json`, in per cent of the largest |K| of the case.
+    /// Writes tables, `compare.json`, and what `draw` draws of these, to the `folder` that is
+    /// entered for a [`COMPARISON`]. `tolerance`: the accepted difference of K in `compare.json`,
+    /// in per cent of the largest |K| of the case.
     ///
     /// Errors: the system refuses.
     pub fn write(

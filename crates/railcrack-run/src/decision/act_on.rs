@@ -30,11 +30,11 @@ pub struct IntervalToActOn {
     pub interval_months: Option<f64>,
     /// The probability that a crack fails before inspections at this interval find it.
     pub probability: f64,
-    /// What it rests on.
+    /// Its basis.
     pub basis: IntervalBasis,
 }
 
-/// What an interval rests on.
+/// The basis of an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum IntervalBasis {

@@ -152,7 +152,7 @@ fn flake_in_words(piece: &Piece) -> String {
     format!("a flake {thickness} mm thick, {area} mm² in section,")
 }
 
-/// What to change where the steps of a run end too soon.
+/// The change to make where the steps of a run end too soon.
 fn remedy(info: &RunInfo) -> &'static str {
     let critical_depth = info.inspection.and_then(|inspection| inspection.critical_depth);
     match critical_depth.or(info.critical_length).or(info.toughness) {

@@ -1,4 +1,4 @@
-//! What the answer hangs on: lives and verdicts with other values of what is seldom known.
+//! Sensitivity of the answer: lives and verdicts with other values of what is seldom known.
 
 use super::companions::{Companions, PathLives, Speeds};
 use super::failure::{Nominal, NominalRun};

@@ -40,8 +40,8 @@ impl Verdict {
         Self::along(info, log, run, &Governing::alone(run, &log.steps))
     }
 
-    /// The verdict on `run`, of the steps of `log`, with the failure along the path that governs it:
-    /// whether the model describes it is asked of the run.
+    /// The verdict on `run`, of the steps of `log`, with the failure along the path that governs
+    /// it: whether the model describes it is asked of the run.
     pub(crate) fn along(info: &RunInfo, log: &RunLog, run: &NominalRun, governing: &Governing<'_>) -> Self {
         let tonnes = run.question.tonnes;
         let words = TonnageWords::of_year(info);

@@ -26,7 +26,7 @@ impl Window {
     }
 }
 
-/// A crack that is looked for on its way.
+/// A growing crack that inspections look for.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Visibility {
     first: Option<f64>,
@@ -87,7 +87,8 @@ mod tests {
         State { own_reach: depth, reach: depth, ..State::default() }
     }
 
-    /// A crack of the given depths (mm) after 0, 1, 2, … million gross tonnes, detectable from 2 mm.
+    /// A crack of the given depths (mm) after 0, 1, 2, … million gross tonnes, detectable from 2
+    /// mm.
     fn window(depths: &[f64], end: f64) -> Option<Window> {
         let limits = Limits {
             critical_depth: None,

@@ -137,8 +137,8 @@ impl<'a> Description<'a> {
         Part::new("machine", rows)
     }
 
-    /// The warnings that a run would begin with, and whether its wheel should feel the cracks, each a
-    /// line without a name; and where the user's book says what to do.
+    /// The warnings that a run would begin with, and whether its wheel should feel the cracks, each
+    /// a line without a name; and where the user's book says what to do.
     pub fn warnings(&self) -> Part {
         let warnings = before_a_run(self.case);
         let pages = warning_pages(warnings.iter().map(|warning| warning.kind));

@@ -52,8 +52,8 @@ pub(crate) fn stage_file(path: &Path, content: &[u8], durability: Durability) ->
 }
 
 /// The same as [`replace_file`] for a file that several processes may write at once, each the same
-/// content or a newer one: readers see the file of one of them, whole. The temporary file is locked,
-/// so that one that a kill has left is taken over.
+/// content or a newer one: readers see the file of one of them, whole. The temporary file is
+/// locked, so that one that a kill has left is taken over.
 ///
 /// Errors: the system refuses.
 pub(crate) fn replace_shared(path: &Path, content: &[u8]) -> Result<(), OutputError> {

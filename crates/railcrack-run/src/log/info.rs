@@ -39,7 +39,7 @@ pub struct RunInfo {
     pub toughness: Option<f64>,
     /// The steel that the case names for its growth law.
     pub steel: Option<&'static RailSteel>,
-    /// What the case has been calibrated with, if it has.
+    /// The data of the calibration of the case, if it has one.
     pub calibration: CalibrationPrior,
     /// ΔK_eq (MPa√m) of the first and the last row of the growth law, where it is a table.
     pub law_table: Option<(f64, f64)>,

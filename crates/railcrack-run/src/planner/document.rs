@@ -243,7 +243,7 @@ impl PlanSummary {
         self.verdict.level < VerdictLevel::Outside && self.least.is_none() && !self.plans.is_empty()
     }
 
-    /// What to do where no plan holds; none where one does, or nothing follows from the case.
+    /// The remedy where no plan holds; none where one does, or nothing follows from the case.
     #[must_use]
     pub fn next_step(&self) -> Option<&'static str> {
         let at_once = self.first_grinding_mgt == Some(0.0);

@@ -35,7 +35,7 @@ pub type OwnFolder = (&'static str, fn(&str) -> bool);
 /// Whether the folder of a command is also that of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WithRun {
-    /// The results stand beside those of a run, or are some of a run's files.
+    /// The results share the folder of a run, or are some of a run's files.
     Yes,
     /// The folder of a run is that of something else.
     No,
@@ -87,8 +87,8 @@ pub struct ResultFolder {
 }
 
 impl ResultFolder {
-    /// Enters `path`, which is created where it does not exist, for results of `kind`. Nothing in it
-    /// is changed.
+    /// Enters `path`, which is created where it does not exist, for results of `kind`. Nothing in
+    /// it is changed.
     ///
     /// Errors: it holds results and `existing` says to leave these alone; it holds others; one of
     /// its folders is a link; another process has it; the system refuses to write.
@@ -233,7 +233,7 @@ impl ResultFolder {
         self.mark_with(&own)?;
         self.remove_files(&stale)?;
         files.keys().try_for_each(|name| put_in_place(&self.path.join(name)))?;
-        // Those of a run stand beside the results.
+        // Those of a run share the folder.
         sums.retain(|name, _| self.kind.run == WithRun::Yes && !self.kind.owns(name));
         sums.extend(own);
         write_sums(&self.path, &sums)?;
@@ -247,7 +247,8 @@ impl ResultFolder {
         stage_file(&self.path.join(name), text.as_bytes(), Durability::Cached)
     }
 
-    /// Removes files of the command, those that were being written, and folders that are then empty.
+    /// Removes files of the command, those that were being written, and folders that are then
+    /// empty.
     fn remove_files(&self, names: &[String]) -> Result<(), OutputError> {
         for name in names {
             let path = self.path.join(name);

@@ -25,11 +25,11 @@ const PASSAGES: usize = 2;
 /// Every so many rows of a tabulated strip are used: 20 intervals of 160.
 const THINNED: usize = 8;
 
-/// The histories of the tips of the first crack of `network` during a passage of each of `wheels`, half-width
-/// (mm) and field, towards `travel`: with contact and friction of its faces, on few elements and in long load
-/// steps; at positions in half-widths of the wheel. Rates of the wheels of a curve by it are lower
-/// than those of the fine crack by 2 %, with a scatter of 1 % from wheel to wheel. Fluid,
-/// temperature and residual stress are absent.
+/// The histories of the tips of the first crack of `network` during a passage of each of `wheels`,
+/// half-width (mm) and field, towards `travel`: with contact and friction of its faces, on few
+/// elements and in long load steps; at positions in half-widths of the wheel. Rates of the wheels
+/// of a curve by it are lower than those of the fine crack by 2 %, with a scatter of 1 % from wheel
+/// to wheel. Fluid, temperature and residual stress are absent.
 ///
 /// None where a passage does not converge.
 pub(super) fn coarse_histories(

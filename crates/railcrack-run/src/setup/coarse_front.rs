@@ -194,8 +194,8 @@ impl FrontHistory {
     }
 }
 
-/// Half-width (mm) of a wheel that runs towards `travel`, and its field over a crack in the plane at
-/// `lateral` (mm): its patches as ellipses.
+/// Half-width (mm) of a wheel that runs towards `travel`, and its field over a crack in the plane
+/// at `lateral` (mm): its patches as ellipses.
 pub(super) fn coarse_wheel(
     wheel: &TabledWheel,
     travel: Travel,

@@ -66,8 +66,8 @@ fn meeting(table: &WheelTable, place: f64) -> f64 {
     table.wheels.iter().filter(meets).map(|wheel| wheel.share).sum()
 }
 
-/// Every so many wheels across the rail, for passages over all of so many `places`, and the share of
-/// all wheels over theirs.
+/// Every so many wheels across the rail, for passages over all of so many `places`, and the share
+/// of all wheels over theirs.
 fn every_so_many(table: &WheelTable, places: usize) -> (Vec<&TabledWheel>, f64) {
     let mut wheels: Vec<&TabledWheel> = table.wheels.iter().collect();
     let y = |wheel: &TabledWheel| wheel.wheel.heaviest().y_rail;

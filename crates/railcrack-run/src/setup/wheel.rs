@@ -12,8 +12,8 @@ use std::sync::Arc;
 /// in the half-width of a contact, and this one loads the cracks by nothing that counts.
 const NO_PRESSURE: f64 = 1e-3;
 
-/// The field that moves with the wheel `number` (from 0) of `case`: its patches or its line contact,
-/// and bending.
+/// The field that moves with the wheel `number` (from 0) of `case`: its patches or its line
+/// contact, and bending.
 ///
 /// Errors: [`wheel_under`]; the wheel of a checked case has none.
 pub fn plane_field(case: &Case, number: usize) -> Result<Box<dyn Wheel>, OutOfRange> {

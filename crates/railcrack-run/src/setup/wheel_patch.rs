@@ -131,8 +131,8 @@ fn rolling_patch(patch: &RollingPatch, place: [f64; 2], travel: Travel) -> Given
     }
 }
 
-/// All `patches` of a wheel that runs towards `travel`, the place of the crack in each at z = 0: the
-/// heaviest first.
+/// All `patches` of a wheel that runs towards `travel`, the place of the crack in each at z = 0:
+/// the heaviest first.
 fn placed_patches(patches: &[PlacedPatch], travel: Travel) -> Option<Vec<GivenPatch>> {
     let mut order: Vec<&PlacedPatch> = patches.iter().collect();
     order.sort_by(|a, b| b.patch.normal_force().total_cmp(&a.patch.normal_force()));

@@ -306,7 +306,8 @@ fn case_of(case: &Case, kind: CompanionKind) -> Case {
                 limit: removal.limit.map(|limit| limit * BEYOND_LIMIT),
                 ..removal.outpaced(speed)
             }));
-            // Courses at other speeds go on beyond the critical depth, for the samples between them.
+            // Courses at other speeds go on beyond the critical depth, for the samples between
+            // them.
             case.growth.answer = None;
             case.growth.arrest_rate /= speed;
             case.growth.stop_after_cycles = case.growth.stop_after_cycles.map(|cycles| cycles * speed);

@@ -111,7 +111,8 @@ pub(super) struct AllFollowed {
 }
 
 impl Planning<'_> {
-    /// Computes the plans and writes case, tables, summary and page to the folder, which is entered.
+    /// Computes the plans and writes case, tables, summary and page to the folder, which is
+    /// entered.
     fn written(&self, request: &PlanRequest) -> Result<PlanSummary, RunError> {
         let started = Instant::now();
         begin(self.folder, &case_files(self.simulation.case), Existing::Entered)?;
@@ -135,8 +136,8 @@ impl Planning<'_> {
     }
 
     /// The rail without grinding and under all plans of `request`, the first grinding after the
-    /// traffic `first` or after an interval. A rail that the model does not describe without grinding
-    /// has no plans.
+    /// traffic `first` or after an interval. A rail that the model does not describe without
+    /// grinding has no plans.
     fn all(&self, request: &PlanRequest, first: Option<Mgt>) -> Result<AllFollowed, RunError> {
         let case = self.simulation.case;
         let stopped = case.growth.stop_after_cycles.map(|cycles| Axles(cycles).mgt(self.tonnes).0);

@@ -208,8 +208,8 @@ pub fn run_steps<S: StepSource>(
     Ok(finished(drive(source, &mut recorder, observer, accompany)?))
 }
 
-/// The lock of `folder`, which is created where the run may begin in it; none if its command has it,
-/// or if it cannot be entered anyway, which the recorder reports.
+/// The lock of `folder`, which is created where the run may begin in it; none if its command has
+/// it, or if it cannot be entered anyway, which the recorder reports.
 fn lock(folder: &Path, entry: RunEntry) -> Result<Option<FolderLock>, OutputError> {
     if entry == RunEntry::Entered {
         return Ok(None);

@@ -14,7 +14,7 @@ const MANY_CRACKS: usize = 12;
 /// Tolerance of the life of these runs: differences between them are larger.
 const TOLERANCE: f64 = 0.05;
 
-/// What is varied of `case`: nothing where each run would take long.
+/// The variations of `case`: nothing where each run would take long.
 pub(super) fn variations(case: &Case) -> Vec<Variation> {
     let is_quick = case.engine() == Engine::Plane(PlaneEngine::Dislocation);
     if !is_quick || case.cracks.cracks().len() > MANY_CRACKS {

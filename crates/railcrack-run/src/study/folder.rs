@@ -189,8 +189,8 @@ impl StudyFolder {
         Ok(tables.chain(plots).filter(is_there).chain(packed).find(|file| !is_same(file)))
     }
 
-    /// Whether a study replaces or removes the file `name`, relative to its folder, with `/`. Its own
-    /// text, which it replaces by the same, is not among them.
+    /// Whether a study replaces or removes the file `name`, relative to its folder, with `/`. Its
+    /// own text, which it replaces by the same, is not among them.
     #[must_use]
     pub fn owns(name: &str) -> bool {
         let within = |folder: &str| name.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'));

@@ -140,7 +140,7 @@ pub struct PieceSummary {
     /// Its greatest depth below the running surface, mm.
     #[serde(default)]
     pub thickness_mm: f64,
-    /// What encloses it: growth, wear or a grinding.
+    /// Its cause: growth, wear or a grinding.
     #[serde(default)]
     pub cause: PieceCause,
     /// Corners (x, y) in order, mm; the last is joined to the first.

@@ -34,8 +34,8 @@ fn demand(case: &Case) -> [f64; 5] {
     [tip.ki_max, tip.delta_ki, tip.delta_kii, tip.delta_keq, tip.rate]
 }
 
-/// Seen in a mirror along the rail, the lateral place of the crack, lateral creepage and spin change
-/// their signs, and nothing in the plane of the crack does.
+/// Seen in a mirror along the rail, the lateral place of the crack, lateral creepage and spin
+/// change their signs, and nothing in the plane of the crack does.
 #[test]
 fn the_mirrored_rail_has_the_same_demand() {
     let right = demand(&rolling([1.5, -4e-4, 2e-4], ""));

@@ -44,9 +44,13 @@ const GUESSED: f64 = 12.0;
 const N_MM: (&str, f64) = ("N/mm^1.5", 31.622_776_601_683_793);
 const MPA_M: (&str, f64) = ("MPa sqrt(m)", 1.0);
 
+/// A unit of length and one of ranges, each with its size, and the factor by which others must fit
+/// better.
+type Units = ((&'static str, f64), (&'static str, f64), f64);
+
 /// Pairs of units in which laws are published, the usual ones first: length and its millimetres,
 /// range and its units in 1 MPa√m, and the factor by which the others must fit better.
-const UNITS: [((&str, f64), (&str, f64), f64); 8] = [
+const UNITS: [Units; 8] = [
     (("m", 1e3), MPA_M, 1.0),
     (("mm", 1.0), N_MM, 1.0),
     (("inches", 25.4), ("ksi sqrt(in)", 0.910_048), 1.0),
@@ -175,8 +179,8 @@ mod tests {
 
     #[test]
     fn units_of_published_laws() {
-        // BS 7910 and Barsom's law of ferritic steels: 6.9e-12 m per cycle and MPa√m, 3.6e-10 inches
-        // and ksi√in, both with the exponent 3.
+        // BS 7910 and Barsom's law of ferritic steels: 6.9e-12 m per cycle and MPa√m, 3.6e-10
+        // inches and ksi√in, both with the exponent 3.
         let (c, near) = (6.9e-9, |got: Option<f64>, want: f64| (got.unwrap() / want - 1.0).abs() < 0.05);
         for (given, length, range, want) in [
             (5.21e-13, "mm", "N/mm^1.5", 1.6475e-8),

@@ -5,12 +5,13 @@
 //!
 //!   ŵ(k) = α (1 + β q) e^(−q),  q = R l |k|,
 //!
-//! with α, β and R of s/l, of the angle below the surface and of the length on the surface over that
-//! down the dip. They are those of shear on closed faces, which drive cracks under wheels, and serve
-//! for all tractions: `examples/front_weights.rs` computes them by the engine in space; the form fits
-//! to 2 % up to k l = 6, to 4 % where the front is a semicircle. Within ν = 0.25 to 0.35 they change
-//! by 5 %. Far from the surface, next to a front, shear has (1 + 2ν/(2 − ν) q) e^(−q) with the
-//! distance from the front (Kassir and Sih 1975); a buried crack has that of its nearer tip.
+//! with α, β and R of s/l, of the angle below the surface and of the length on the surface over
+//! that down the dip. They are those of shear on closed faces, which drive cracks under wheels, and
+//! serve for all tractions: `examples/front_weights.rs` computes them by the engine in space; the
+//! form fits to 2 % up to k l = 6, to 4 % where the front is a semicircle. Within ν = 0.25 to 0.35
+//! they change by 5 %. Far from the surface, next to a front, shear has (1 + 2ν/(2 − ν) q) e^(−q)
+//! with the distance from the front (Kassir and Sih 1975); a buried crack has that of its nearer
+//! tip.
 
 use super::patch_directions::Spread;
 use crate::math::{Stress, Vec2};
@@ -72,8 +73,8 @@ pub type StressesByPosition<'a> = Box<dyn Fn(f64) -> Vec<Stress> + Send + Sync +
 
 /// Stresses that load cracks as a wheel does whose load varies along their fronts.
 pub trait StressesOnCracks: Send + Sync {
-    /// The stress (MPa) at each of the `places` as a function of the position x_c (mm) of the wheel,
-    /// as it counts for the front.
+    /// The stress (MPa) at each of the `places` as a function of the position x_c (mm) of the
+    /// wheel, as it counts for the front.
     fn at<'a>(self: Arc<Self>, places: &[PlaceOnCrack]) -> StressesByPosition<'a>
     where
         Self: 'a;
@@ -89,8 +90,8 @@ const PLACES: [f64; 7] = [0.06, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9];
 type ByPlace = [f64; PLACES.len()];
 type ByAngle = [ByPlace; ANGLES.len()];
 
-/// The contribution of shear on closed faces to K of the deepest point: α (1 + β q) e^(−q) times that
-/// in the plane, q = R k l.
+/// The contribution of shear on closed faces to K of the deepest point: α (1 + β q) e^(−q) times
+/// that in the plane, q = R k l.
 struct Weights {
     share: ByAngle,
     beta: ByAngle,

@@ -1,9 +1,10 @@
-//! The half-space under the tractions of a contact patch, as the sum over directions of half-planes.
+//! The half-space under the tractions of a contact patch, as the sum over directions of
+//! half-planes.
 //!
 //! In the direction n = (cos ψ, sin ψ) of the surface a traction f has the projection
-//! R(σ) = ∫ f δ(n·x − σ), and f is the sum over ψ from 0 to π of the plane tractions (1/2π) |k| R̂(k).
-//! Each is a load of a half-plane in the (n, depth) plane, or of its antiplane problem. With the
-//! analytic function
+//! R(σ) = ∫ f δ(n·x − σ), and f is the sum over ψ from 0 to π of the plane tractions (1/2π) |k|
+//! R̂(k). Each is a load of a half-plane in the (n, depth) plane, or of its antiplane problem. With
+//! the analytic function
 //!
 //!   Φ(w) = (1/2π²) ∫ R′(σ)/(w − σ) dσ,  w = n·x + i z,
 //!
@@ -62,7 +63,8 @@ const ALONG: usize = 48;
 const ORDER: usize = 10;
 
 impl PatchLoad {
-    /// `ellipse` with its middle at `middle`, in full sliding: shear over pressure along and across.
+    /// `ellipse` with its middle at `middle`, in full sliding: shear over pressure along and
+    /// across.
     #[must_use]
     pub fn sliding(ellipse: &HertzEllipse, middle: [f64; 2], frictions: [f64; 2]) -> Self {
         let load = ellipse.load();

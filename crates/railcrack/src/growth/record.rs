@@ -337,7 +337,7 @@ impl Choice for PieceKind {
     ];
 }
 
-/// What encloses a piece.
+/// Cause that encloses a piece.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PieceCause {
@@ -366,7 +366,7 @@ pub struct Piece {
     /// Its greatest depth below the running surface, mm.
     #[serde(default)]
     pub thickness: f64,
-    /// What encloses it.
+    /// Its cause.
     #[serde(default)]
     pub cause: PieceCause,
 }

@@ -50,7 +50,7 @@ impl PassageSettings {
     }
 }
 
-/// What a run is to find out, with which it ends.
+/// The question of a run, with whose answer it ends.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Answer {
     /// The depth (mm) of a tip that is a failure; without one, the run ends as any other.
@@ -62,7 +62,7 @@ pub struct Answer {
 pub struct GrowthSettings {
     /// Number of increments; with 0, only the initial cracks are computed.
     pub steps: usize,
-    /// What a run without a given number of increments is to find out; `steps` is then the largest
+    /// The question of a run without a given number of increments; `steps` is then the largest
     /// number of them.
     pub answer: Option<Answer>,
     /// Increment of the fastest tip as a fraction of its crack's current length; with a tolerance,

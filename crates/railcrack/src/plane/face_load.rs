@@ -144,8 +144,8 @@ impl<'a> FaceLoad<'a> {
         pockets.iter().map(|pocket| share * over(pocket)).collect()
     }
 
-    /// The pressure (MPa) of the contact at `xc` (mm) over a mouth at `x` (mm), as it counts for the
-    /// front of its crack.
+    /// The pressure (MPa) of the contact at `xc` (mm) over a mouth at `x` (mm), as it counts for
+    /// the front of its crack.
     fn over_mouth(&self, x: f64, xc: f64) -> f64 {
         let lines = &self.problem.body().faces.lines;
         let crack = lines.iter().position(|line| line.points.first().is_some_and(|mouth| mouth.x == x));

@@ -101,8 +101,8 @@ impl RollingPatch {
         [-stiffness * c11 * longitudinal, -stiffness * (c22 * lateral + area.sqrt() * c23 * spin)]
     }
 
-    /// φ′ = −3GcC23φ/(2πμp0), c² = a b: the spin of strip theory, which at |φ′| = 1 alone brings the
-    /// shear to its limit.
+    /// φ′ = −3GcC23φ/(2πμp0), c² = a b: the spin of strip theory, which at |φ′| = 1 alone brings
+    /// the shear to its limit.
     pub(super) fn relative_spin(&self) -> f64 {
         let (size, limit) =
             ((self.ellipse.along * self.ellipse.across).sqrt(), self.friction * self.ellipse.peak_pressure);

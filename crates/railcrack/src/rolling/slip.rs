@@ -7,16 +7,16 @@ use std::f64::consts::PI;
 
 /// The shear of a strip, followed from its leading edge backwards.
 ///
-/// Displacements are proportional to the shear at the same point, u = L q. The slip is the rigid slip
-/// less the elastic one,
+/// Displacements are proportional to the shear at the same point, u = L q. The slip is the rigid
+/// slip less the elastic one,
 ///
 /// w = (ξ − φ y − L1 dq_x/dx, η + φ x − L2 dq_y/dx),
 ///
 /// zero where wheel and rail stick. Where the shear would exceed the limit g they slip, and q =
 /// −g w/|w|. Over a step h from the shear q0, the shear without slip is t_i = q0_i − h s_i/L_i with
-/// the rigid slip s, and that with slip q_i = t_i/(1 + κ/L_i), with κ = h |w|/g such that |q| = g. In
-/// full slip h s is large beside L q, and q opposes s, whatever L1 and L2 are. Published FASTSIM and
-/// FaStrip keep the direction of t instead, in full slip that of (s_x/L1, s_y/L2).
+/// the rigid slip s, and that with slip q_i = t_i/(1 + κ/L_i), with κ = h |w|/g such that |q| = g.
+/// In full slip h s is large beside L q, and q opposes s, whatever L1 and L2 are. Published FASTSIM
+/// and FaStrip keep the direction of t instead, in full slip that of (s_x/L1, s_y/L2).
 ///
 /// FASTSIM sticks by dq_x/dx = ξ/L1 − φ y/L3 and dq_y/dx = η/L2 + φ x/L3 up to the parabola μ
 /// 2N/(πab)(1 − (x/a)² − (y/b)²). Strips of elliptic shear stick where strip theory says so

@@ -44,7 +44,7 @@ pub(super) struct StickZone {
     pub(super) inner: [f64; 2],
 }
 
-/// What strip theory says of a strip.
+/// A strip by strip theory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Regime {
     /// It sticks in a zone.

@@ -113,7 +113,8 @@ fn fastsim_on_three_grids_and_without_a_grid() {
     }
     let (_, cells, area) = fastsim_on_cells(&patch, 100);
     assert!((cells - 0.21).abs() < 5e-3 && (area - 0.178).abs() < 1e-3, "{cells} {area}");
-    // Extrapolated to cells without size. A shear that opposes the slip moves them by 0.3 and 0.7 %.
+    // Extrapolated to cells without size. A shear that opposes the slip moves them by 0.3 and 0.7
+    // %.
     let forces = patch.forces();
     near(forces.force[0], -7717.2, 5e-3);
     near(forces.force[1], -7459.4, 1e-2);

@@ -191,7 +191,7 @@ fn window(inspection: &InspectionSummary) -> String {
     format!("{found}; {critical}.")
 }
 
-/// What the answer hangs on.
+/// The inputs on which the answer depends.
 fn tornado(bars: &[TornadoBar]) -> Table {
     let mut table = Table::new(["Quantity", "With", "Life (MGT)", "Verdict"]);
     table.caption =

@@ -1,5 +1,5 @@
-//! The stress of a contact patch in the plane of a crack, alone and averaged along its front, against
-//! the field of space.
+//! The stress of a contact patch in the plane of a crack, alone and averaged along its front,
+//! against the field of space.
 
 use railcrack::field::{CrackLine, PatchLoad, PatchWheel, PlaceOnCrack, Spread, StripTraction, Wheel};
 use railcrack::load::HertzEllipse;
