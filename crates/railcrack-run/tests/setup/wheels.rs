@@ -141,46 +141,22 @@ fn representatives_have_the_mean_rate_of_all_wheels() {
     assert!(represented_in(&again, damaged).is_none(), "the groups of another table");
 }
 
-#[test]
-fn zz_experiment() {
-    for (n, most, extent) in [(60, 12, STRIP), (60, 20, ""), (200, 20, "")] {
-        let all_wheels = tabled("exp", HEADER, &many(n), &format!("representatives = {most}\n{extent}"));
-        let case = represented(&all_wheels);
-        let table = case.wheel_table.as_ref().unwrap();
-        let groups = table.groups.as_ref().unwrap();
-        let demands = wheel_demands(&all_wheels, &case).unwrap();
-        let rate = |of: &dyn Fn(usize) -> f64| (0..n).map(|i| table.wheels[i].share * of(i)).sum::<f64>();
-        let all = rate(&|i| demands[i].rate);
-        let by = rate(&|i| groups.group_of[i].map_or(0.0, |g| demands[groups.representatives[g]].rate));
-        println!("EXP {n} {most} {extent:?}: {:+.4}, by groups {:+.4}", by / all - 1.0, groups.error);
-        if n == 60 {
-            for (g, rep) in groups.representatives.iter().enumerate() {
-                let own: Vec<f64> = (0..n)
-                    .filter(|i| groups.group_of[*i] == Some(g))
-                    .map(|i| (1e9 * demands[i].rate).round())
-                    .collect();
-                println!("EXP {} of {own:?}", 1e9 * demands[*rep].rate);
-            }
-        }
-    }
-}
-
 /// No wheel misses cracks that are loaded by patches.
 #[test]
 fn representatives_of_patches_have_the_mean_rate_of_all_wheels() {
-    let all_wheels = tabled("many-patches", HEADER, &many(60), "representatives = 12\n");
+    let all_wheels = tabled("many-patches", HEADER, &many(200), "representatives = 20\n");
     let case = represented(&all_wheels);
     let table = case.wheel_table.as_ref().unwrap();
     let groups = table.groups.as_ref().unwrap();
-    assert_eq!((table.missed(groups), case.wheels.len(), all_wheels.computed_wheels()), (0.0, 12, 12));
+    assert_eq!((table.missed(groups), case.wheels.len(), all_wheels.computed_wheels()), (0.0, 20, 20));
     assert!(case.wheels.iter().all(|wheel| wheel.wheel.contact().is_some()));
     let demands = wheel_demands(&all_wheels, &case).unwrap();
-    let rate = |of: &dyn Fn(usize) -> f64| (0..60).map(|i| table.wheels[i].share * of(i)).sum::<f64>();
+    let rate = |of: &dyn Fn(usize) -> f64| (0..200).map(|i| table.wheels[i].share * of(i)).sum::<f64>();
     let all = rate(&|i| demands[i].rate);
     let by = rate(&|i| demands[groups.representatives[groups.group_of[i].unwrap()]].rate);
     println!("representatives: {:+.4} of the mean rate, {:+.4} by groups", by / all - 1.0, groups.error);
-    // Rates of the coarse crack scatter by 1 % from wheel to wheel.
-    assert!((by / all - 1.0).abs() < 0.03, "{}", by / all - 1.0);
+    // Rates of the coarse crack scatter from wheel to wheel, which averages out over many.
+    assert!((by / all - 1.0).abs() < 0.02, "{}", by / all - 1.0);
     let step = first_step(&all_wheels);
     assert!((step.tips[0].rate / by - 1.0).abs() < 1e-3, "{} {by}", step.tips[0].rate);
 }
