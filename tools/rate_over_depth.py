@@ -2,11 +2,11 @@
 
 python3 tools/rate_over_depth.py RAILCRACK [CAUSE ...] computes verification/rate-over-depth/rates.csv
 with that program: all causes, or those named, of which depths that the table has are kept. Without
-arguments it draws
-docs/figures/rate-over-depth.svg, which needs matplotlib.
+arguments it draws docs/figures/rate-over-depth.svg and rate-to-20-mm.svg, which needs matplotlib.
 
 The crack is straight at 25 degrees: every depth is the initial crack of a run of its own, so that a
-cause acts on the rate and not on the way to that depth. Only "turning" grows a crack.
+cause acts on the rate and not on the way to that depth. Only "turning" grows a crack; a crack "that has
+turned" is a polyline, at 25 degrees to 5 mm of depth and at 60 degrees below.
 """
 
 import csv
@@ -21,6 +21,7 @@ from head_check import ANGLE, AXLE, RESIDUAL, hertz, root
 table = root / "verification/rate-over-depth/rates.csv"
 
 DEPTHS = [0.5, 0.8, 1.3, 2.0, 3.0, 5.0, 7.0, 9.0, 12.0]
+TO_20_MM = [*DEPTHS, 16.0, 20.0]
 IN_SPACE = [0.5, 0.8, 2.0, 5.0, 9.0, 12.0]
 SINE = math.sin(math.radians(ANGLE))
 
@@ -64,8 +65,40 @@ def straight(depth, contact=None, growth="steps = 0", more="", faces=0.5, crack_
     return head_check.plane(contact or hertz(), crack(depth, faces, crack_more), growth, 24, more)
 
 
-def plane(growth="", middle=0, **given):
-    return lambda depth: straight(depth, growth=f"steps = 0\n{growth}", **given), DEPTHS, middle
+def plane(growth="", middle=0, depths=DEPTHS, **given):
+    return lambda depth: straight(depth, growth=f"steps = 0\n{growth}", **given), depths, middle
+
+
+# Where a crack has turned, and its angle below: head checks turn down at 3 to 6 mm of depth.
+TURN, STEEP = 5.0, 60.0
+TURNED = "that has turned"
+
+# The load of the ellipse is that of a wheel of an axle of 18 t within 15 %.
+TRACK = '[track]\nwheel_load_kn = 88.0\nsection = "60E1"\naxles_mm = [0.0, 2500.0]\n'
+COLD = "[temperature]\nrail_c = -5.0\nneutral_c = 25.0\n"
+SECTION = '[rail]\nsection = "60E1"\n'
+
+
+def turned(depth, faces, ratio):
+    """The [[crack]] that has turned, `ratio` times as long on the surface as along itself."""
+    steep = math.radians(STEEP)
+    at = TURN / math.tan(math.radians(ANGLE))
+    points = [[0.0, 0.0], [at, -TURN], [at + (depth - TURN) / math.tan(steep), -depth]]
+    half = 0.5 * ratio * (TURN / SINE + (depth - TURN) / math.sin(steep))
+    return f"[[crack]]\npoints_mm = {points}\nfriction = {faces}\nsurface_half_length_mm = {half}\n"
+
+
+def ellipse_in_plane(contact=None, faces=0.5, more="", turns=False, ratio=4.0, lateral_half_width=6.0):
+    patch = f"{contact or hertz()}\nlateral_half_width_mm = {lateral_half_width}"
+
+    def text(depth):
+        if turns and depth > TURN:
+            own = turned(depth, faces, ratio)
+        else:
+            own = crack(depth, faces, f"surface_half_length_mm = {0.5 * ratio * depth / SINE}\n")
+        return head_check.plane(patch, own, "steps = 0", 24, more)
+    depths = [depth for depth in TO_20_MM if depth >= TURN] if turns else TO_20_MM
+    return text, depths, 0
 
 
 def space(ratio, lateral_half_width=6.0, offsets=((0.0, 1.0),), faces=0.5, growth="", contact=None, more="", cells=3):
@@ -89,7 +122,7 @@ def scattered(std):
 
 
 CAUSES = {
-    "plane": plane(),
+    "plane": plane(depths=TO_20_MM),
     "plane, faces 0.3": plane(faces=0.3),
     "plane, faces 0.7": plane(faces=0.7),
     "plane, wheel 0.3": plane(contact=hertz(0.3)),
@@ -106,6 +139,16 @@ CAUSES = {
     "plane, together: faces 0.7, partial slip, neighbours":
         plane(contact=carter(0.5), faces=0.7, crack_more="count = 5\nspacing_mm = 4.0\n", middle=2),
     "plane, together: faces 0.7, wheel 0.3": plane(contact=hertz(0.3), faces=0.7),
+    "plane, ellipse": ellipse_in_plane(),
+    "plane, ellipse, faces 0.3": ellipse_in_plane(faces=0.3),
+    "plane, ellipse, wheel 0.3": ellipse_in_plane(contact=hertz(0.3)),
+    f"plane, ellipse, {TURNED}": ellipse_in_plane(turns=True),
+    f"plane, ellipse, {TURNED}, bending": ellipse_in_plane(turns=True, more=TRACK),
+    f"plane, ellipse, {TURNED}, bending, cold": ellipse_in_plane(turns=True, more=TRACK + COLD),
+    f"plane, ellipse, {TURNED}, bending, cold, section": ellipse_in_plane(turns=True, more=TRACK + COLD + SECTION),
+    f"plane, ellipse, {TURNED}, bending, cold, section, faces 0.3":
+        ellipse_in_plane(turns=True, faces=0.3, more=TRACK + COLD + SECTION),
+    "plane, ellipse, bending, cold, section": ellipse_in_plane(more=TRACK + COLD + SECTION),
     "line contact, width 4:1": space(4.0, lateral_half_width=120.0),
     "ellipse, width 6:1": space(6.0),
     "ellipse, width 4:1": space(4.0),
@@ -132,6 +175,10 @@ def run(program, text, folder):
     return found
 
 
+def sine_at(cause, depth):
+    return math.sin(math.radians(STEEP)) if TURNED in cause and depth > TURN else SINE
+
+
 def depth_rate(row, sine=SINE):
     """mm of depth per million gross tonnes."""
     return 1e6 / AXLE * float(row["rate_mm_per_cycle"]) * sine
@@ -150,7 +197,7 @@ def of_cause(program, cause, folder, known):
             row = next(row for row in found if int(row["crack"]) == middle + 1)
         else:
             row = min(found, key=lambda row: float(row["tip_y_mm"]))
-        yield depth, depth_rate(row)
+        yield depth, depth_rate(row, sine_at(cause, depth))
 
 
 def of_wear(program, wear, folder):
@@ -204,24 +251,41 @@ def compute(program, named):
 
 
 def draw():
+    shown = ["plane", "plane, faces 0.3", "plane, wheel 0.3", "ellipse, width 6:1", "ellipse, width 2:1",
+             "ellipse, width 4:1, wheels within 5 mm", "together: 2:1, wheels within 5 mm, wheel 0.3",
+             "together: 2:1, wheels within 5 mm, wheel 0.3, faces 0.7"]
+    picture("rate-over-depth", {name: name for name in shown})
+    steps = f"plane, ellipse, {TURNED}"
+    picture("rate-to-20-mm", {
+        "plane": "line contact",
+        "plane, ellipse": "ellipse",
+        steps: "and the crack has turned to 60° at 5 mm",
+        f"{steps}, bending": "and the rail bends",
+        f"{steps}, bending, cold": "and is 30 K colder than neutral",
+        f"{steps}, bending, cold, section": "and has a section",
+        "plane, ellipse, bending, cold, section": "the same, but straight at 25°",
+        "ellipse, width 4:1, 6 cells": "in space: ellipse, 4:1, 6 cells",
+    })
+
+
+def picture(name, shown):
+    """The causes `shown`, with their labels, over the measured rates."""
     plot = head_check.plots()
     known = {}
     for row in csv.DictReader(open(table)):
         known.setdefault(row["cause"], []).append((float(row["depth_mm"]), float(row["rate_mm_per_mgt"])))
-    shown = ["plane", "plane, faces 0.3", "plane, wheel 0.3", "ellipse, width 6:1", "ellipse, width 2:1",
-             "ellipse, width 4:1, wheels within 5 mm", "together: 2:1, wheels within 5 mm, wheel 0.3",
-             "together: 2:1, wheels within 5 mm, wheel 0.3, faces 0.7"]
     figure, axes = plot.subplots(figsize=(8, 5))
     for low, high, net, forward in MEASURED:
         axes.fill_between([low, high], net, forward, color="0.75", lw=0)
     axes.fill_between([], [], color="0.75", label="measured, net to forward only")
-    for name in shown:
-        points = [point for point in known.get(name, []) if point[1] > 0]
-        axes.plot([x for x, _ in points], [y for _, y in points], "o-", ms=3, lw=1, label=name)
+    for cause, label in shown.items():
+        points = [point for point in known.get(cause, []) if point[1] > 0]
+        look = "x:" if label.startswith("in space") else "o-"
+        axes.plot([x for x, _ in points], [y for _, y in points], look, ms=3, lw=1, label=label)
     axes.set(xscale="log", yscale="log", xlabel="depth, mm", ylabel="growth in depth, mm per MGT")
     axes.legend(fontsize=7)
     figure.tight_layout()
-    figure.savefig(root / "docs/figures/rate-over-depth.svg", metadata={"Date": None})
+    figure.savefig(root / f"docs/figures/{name}.svg", metadata={"Date": None})
 
 
 if __name__ != "__main__":
