@@ -122,12 +122,73 @@ pub enum ValidityWarning {
         /// Rate along it over that straight ahead.
         ratio: f64,
     },
+    /// A contact patch beside cracks in the plane.
+    #[error(
+        "the contact patch lies {offset:.2} b beside the cracks (b is its lateral semi-axis), and a plane crack does not feel that it \
+         also shears their fronts sideways (mode III): Delta K_eq is too low, by 10 % at b/4, 20 to 30 % at b/2 and up to 70 % from b \
+         on; engine = \"space\" has all three modes"
+    )]
+    PatchBeside {
+        /// Its distance from the cracks over b.
+        offset: f64,
+    },
+    /// A crack in the plane that is narrower than a semicircle.
+    #[error(
+        "a crack is {ratio:.2} times as long on the surface as down the dip, and below 2 the plane computes it as a semicircle: \
+         Delta K_eq is too high, by up to a quarter at 1; engine = \"space\" has its shape"
+    )]
+    NarrowCrack {
+        /// Its length on the surface over that down the dip.
+        ratio: f64,
+    },
+    /// A patch whose strip loads the cracks as a line contact.
+    #[error(
+        "{} takes the strip of the contact patch over the cracks as a line contact, under which cracks deeper than 3 mm grow several \
+         times too fast; {} = {} takes the whole patch",
+        taken_by.words(), taken_by.key(), taken_by.remedy()
+    )]
+    StripOfPatch {
+        /// What takes it so.
+        taken_by: LineContact,
+    },
     /// No axle of the train is over the contact.
     #[error("no axle of [track] is at 0, that of this wheel: the rail bends under other axles only")]
     NoAxleHere,
 }
 
 impl ValidityWarning {}
+
+/// What takes a contact patch as a line contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LineContact {
+    /// A wheel that feels the cracks.
+    CoupledWheel,
+    /// A block of rail.
+    Block,
+}
+
+impl LineContact {
+    fn words(self) -> &'static str {
+        match self {
+            Self::CoupledWheel => "a wheel that feels the cracks",
+            Self::Block => "a block of rail",
+        }
+    }
+
+    fn key(self) -> &'static str {
+        match self {
+            Self::CoupledWheel => "contact.coupled",
+            Self::Block => "rail.boundary",
+        }
+    }
+
+    fn remedy(self) -> &'static str {
+        match self {
+            Self::CoupledWheel => "false",
+            Self::Block => "\"half-plane\"",
+        }
+    }
+}
 
 /// A real kink at a tip whose virtual kinks reach a toughness.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -261,6 +322,12 @@ pub fn fast_growth(depth: f64) -> f64 {
 /// Kink (degrees) out of the plane of a crack in space, and its gain in rate, from which the plane
 /// is no approximation of the path.
 pub(crate) const OUT_OF_PLANE: (f64, f64) = (20.0, 1.1);
+/// Distances of a patch from cracks, over its lateral semi-axis b, between which mode III counts:
+/// closer, it is below 10 % of ΔK_eq (`patch_in_plane` of the verification); farther away, the
+/// patch hardly loads the cracks.
+pub(crate) const PATCH_BESIDE: (f64, f64) = (0.25, 3.0);
+/// Length of a crack on the surface over that down the dip from which on the plane has weights.
+pub(crate) const NARROWEST_CRACK: f64 = 2.0;
 /// Largest |q|/p of dry steel on steel.
 pub(crate) const DRY_FRICTION: f64 = 0.6;
 /// ΔK_eq (MPa√m) between the threshold of rail steel and the end of stable growth: the usual range
@@ -340,6 +407,17 @@ pub fn out_of_plane(angle: f64, ratio: f64) -> Option<ValidityWarning> {
         .then_some(ValidityWarning::OutOfPlane { angle, ratio })
 }
 
+/// Checks the distance of a contact patch from cracks in the plane over its lateral semi-axis.
+pub fn patch_beside(offset: f64) -> Option<ValidityWarning> {
+    let (near, far) = PATCH_BESIDE;
+    (offset > near && offset < far).then_some(ValidityWarning::PatchBeside { offset })
+}
+
+/// Checks the length on the surface over that down the dip of a crack in the plane.
+pub fn crack_width(ratio: f64) -> Option<ValidityWarning> {
+    (ratio < NARROWEST_CRACK).then_some(ValidityWarning::NarrowCrack { ratio })
+}
+
 /// Checks that an axle of `track` is at the wheel, at 0.
 pub fn axles(track: &Track) -> Option<ValidityWarning> {
     track.axles.iter().all(|axle| axle.at != 0.0).then_some(ValidityWarning::NoAxleHere)
@@ -379,6 +457,18 @@ mod tests {
         let text = out_of_plane(-34.6, 1.7).unwrap().to_string();
         assert!(text.contains("-35 degrees") && text.contains("1.70 times"), "{text}");
         assert_eq!([out_of_plane(19.0, 1.7), out_of_plane(34.0, 1.05)], [None, None]);
+    }
+
+    #[test]
+    fn patches_and_widths_that_a_plane_crack_cannot_have() {
+        assert_eq!([0.0, 0.25, 3.0, 9.0].map(patch_beside), [None; 4]);
+        let text = patch_beside(0.5).unwrap().to_string();
+        assert!(text.contains("lies 0.50 b beside") && text.contains("mode III"), "{text}");
+        assert_eq!([2.0, 4.0, f64::INFINITY].map(crack_width), [None; 3]);
+        assert!(crack_width(1.5).unwrap().to_string().starts_with("a crack is 1.50 times as long"));
+        let of = |taken_by| ValidityWarning::StripOfPatch { taken_by }.to_string();
+        assert!(of(LineContact::CoupledWheel).contains("contact.coupled = false takes the whole patch"));
+        assert!(of(LineContact::Block).contains("rail.boundary = \"half-plane\" takes the whole patch"));
     }
 
     #[test]

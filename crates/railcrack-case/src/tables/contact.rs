@@ -192,6 +192,17 @@ pub struct ProfileOrigin {
 }
 
 impl ContactOrigin {
+    /// Whether it has a lateral extent: an ellipse, or patches in rolling contact.
+    #[must_use]
+    pub fn is_patch(&self) -> bool {
+        match self {
+            Self::GivenEllipse { .. } | Self::Ellipse { .. } | Self::Rolling { .. } | Self::Profiles(_) => {
+                true
+            }
+            Self::Given | Self::LineLoad { .. } | Self::Table(_) => false,
+        }
+    }
+
     /// R of 1/R = 1/R_wheel + 1/R_rail in the plane of the model, mm, where it is known.
     #[must_use]
     pub fn radius(&self) -> Option<f64> {

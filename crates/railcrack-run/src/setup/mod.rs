@@ -34,4 +34,4 @@ pub use shared::{RailKey, SharedRail, SharedRailError};
 pub use size::RunSize;
 pub use wheel::{plane_field, wheel_field};
 pub use wheel_demands::wheel_demands;
-pub use wheel_patch::wheel_patches;
+pub use wheel_patch::{patch_beside, wheel_patches};

@@ -49,6 +49,15 @@ pub(super) fn patches_in_plane(case: &Case, number: usize) -> Option<Vec<PatchLo
     Some(given_patches(case, number)?.into_iter().map(GivenPatch::in_plane).collect())
 }
 
+/// Distance from cracks in the plane of the nearest patch of the wheel `number` (from 0) of `case`,
+/// over its lateral semi-axis; none of a line contact, and none in space.
+#[must_use]
+pub fn patch_beside(case: &Case, number: usize) -> Option<f64> {
+    case.plane()?;
+    let patches = given_patches(case, number)?;
+    patches.iter().map(|own| own.middle[1].abs() / own.ellipse.across).reduce(f64::min)
+}
+
 /// The patches of a wheel, the heaviest first, with lateral places relative to cracks in the plane
 /// or to the middle of those in space; none of a line contact.
 fn given_patches(case: &Case, number: usize) -> Option<Vec<GivenPatch>> {

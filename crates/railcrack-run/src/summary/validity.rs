@@ -4,11 +4,12 @@ use super::parts::WarningSummary;
 use crate::decision::deepening;
 use crate::log::{RunInfo, RunLog, StepDigest};
 use crate::setup::{self, EffectInPlane, contact_bounds};
+use railcrack::bulk::Boundary;
 use railcrack::fatigue::RailSteel;
 use railcrack::growth::{TipRecord, Warning, WarningKind};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::shakedown::ContactBounds;
-use railcrack::validity::{self, ResidualStress, Steel, SteelOrigin, ValidityWarning};
+use railcrack::validity::{self, LineContact, ResidualStress, Steel, SteelOrigin, ValidityWarning};
 use railcrack_case::{Case, GivenWheel, Implausible, Topic, implausible};
 use std::cell::LazyCell;
 use std::f64::consts::FRAC_PI_2;
@@ -52,6 +53,9 @@ fn with_effect(case: &Case, effect: impl Fn() -> Option<EffectInPlane>) -> Vec<W
         severity: None,
     };
     let mut warnings: Vec<Warning> = implausible(case).into_iter().map(of_input).collect();
+    let widths = case.plane().map_or(&[][..], |plane| &plane.widths);
+    let narrowest = 2.0 * widths.iter().copied().fold(f64::INFINITY, f64::min);
+    warnings.extend(validity::crack_width(narrowest).iter().map(|warning| at_step(0, warning)));
     if let Some(steel) = case.growth_steel
         && let Some(typical) = steel.typical()
     {
@@ -62,12 +66,12 @@ fn with_effect(case: &Case, effect: impl Fn() -> Option<EffectInPlane>) -> Vec<W
         warnings.push(Warning { step: 0, kind: WarningKind::Validity, text, severity: None });
     }
     let of_table = case.wheel_table.as_ref().map_or(case.wheels.len(), |table| table.first);
-    for wheel in &case.wheels[..of_table] {
+    for (number, wheel) in case.wheels[..of_table].iter().enumerate() {
         let named = |warning: Warning| match case.is_mix() {
             true => Warning { text: format!("{}: {}", wheel.name, warning.text), ..warning },
             false => warning,
         };
-        warnings.extend(of_wheel(case, &wheel.wheel).into_iter().map(named));
+        warnings.extend(of_wheel(case, number).into_iter().map(named));
     }
     warnings.extend(of_wheel_table(case));
     warnings.extend(uncoupled_gap(case, effect));
@@ -125,10 +129,10 @@ fn uncoupled_gap(case: &Case, effect: impl Fn() -> Option<EffectInPlane>) -> Opt
 fn of_wheel_table(case: &Case) -> Vec<Warning> {
     let Some(table) = &case.wheel_table else { return Vec::new() };
     let Some(groups) = &table.groups else { return Vec::new() };
-    let representatives = case.wheels.iter().skip(table.first).take(groups.representatives.len());
+    let representatives = case.wheels.iter().enumerate().skip(table.first).take(groups.representatives.len());
     let mut kinds: Vec<(String, Warning, usize)> = Vec::new();
-    for mixed in representatives {
-        for warning in of_wheel(case, &mixed.wheel) {
+    for (number, mixed) in representatives {
+        for warning in of_wheel(case, number) {
             let kind = pattern(&warning.text);
             match kinds.iter_mut().find(|(known, ..)| *known == kind) {
                 Some((_, _, count)) => *count += 1,
@@ -176,8 +180,9 @@ pub fn pattern(text: &str) -> String {
     pattern
 }
 
-/// Warnings that follow from the load of one wheel.
-fn of_wheel(case: &Case, wheel: &GivenWheel) -> Vec<Warning> {
+/// Warnings that follow from the load of the wheel `number`, from 0.
+fn of_wheel(case: &Case, number: usize) -> Vec<Warning> {
+    let wheel = &case.wheels[number].wheel;
     let Some(contact) = wheel.contact() else { return Vec::new() };
     let is_given = case.residual_stress.is_some() || case.plastic_stress().is_some();
     let residual = if is_given { ResidualStress::Given } else { ResidualStress::Absent };
@@ -186,9 +191,22 @@ fn of_wheel(case: &Case, wheel: &GivenWheel) -> Vec<Warning> {
     let all = [
         contact_bounds(wheel, &case.steel, of_bounds).flatten(),
         validity::shear(contact),
+        setup::patch_beside(case, number).and_then(validity::patch_beside),
+        strip_of_patch(case, wheel),
         wheel.track.as_ref().and_then(validity::axles),
     ];
     all.into_iter().flatten().map(|warning| at_step(0, &warning)).collect()
+}
+
+/// A patch of which a wheel that feels the cracks, or a block of rail, takes a strip.
+fn strip_of_patch(case: &Case, wheel: &GivenWheel) -> Option<ValidityWarning> {
+    let given = wheel.given().filter(|given| given.origin.is_patch())?;
+    let taken_by = match &given.coupling {
+        Some(_) => LineContact::CoupledWheel,
+        None if case.boundary() != Boundary::HalfPlane => LineContact::Block,
+        None => return None,
+    };
+    Some(ValidityWarning::StripOfPatch { taken_by })
 }
 
 /// Depths (mm) between which the steel flows in each passage: where a wheel is beyond the limit of

@@ -8,6 +8,7 @@ use railcrack_case::{Case, ContactOrigin, WheelGroups};
 use railcrack_run::setup::{
     PreparedRun, plane_field, represented, represented_in, wheel_demands, wheel_patches,
 };
+use railcrack_run::summary::validity;
 use std::path::{Path, PathBuf};
 
 fn first_step(case: &Case) -> StepRecord {
@@ -224,4 +225,30 @@ fn a_rolling_patch_loads_the_half_space() {
     let ContactOrigin::Rolling { patch, .. } = origin(&case) else { panic!("{:?}", case.wheels) };
     let want = patch.forces().force[0] / patch.normal_force();
     assert!((wheel.friction / want - 1.0).abs() < 5e-3, "{} {want}", wheel.friction);
+}
+
+/// The part of an ellipse, or the crack, that the plane does not have is warned of where it counts.
+#[test]
+fn what_a_plane_crack_lacks_is_warned_of() {
+    let warned = |contact: &str, crack: &str, more: &str| {
+        let text = format!(
+            "[contact]\npeak_pressure_mpa = 800.0\nhalf_width_mm = 6.0\nlateral_half_width_mm = 8.0\n\
+             friction = 0.1\n{contact}\n[[crack]]\nmouth_mm = 0.0\nlength_mm = 4.0\nangle_deg = 25.0\n\
+             friction = 0.3\n{crack}\n{more}"
+        );
+        let case = Case::parse(&text, "case.toml", Path::new("")).unwrap();
+        validity::of_case(&case).into_iter().map(|warning| warning.text).collect::<Vec<_>>()
+    };
+    assert_eq!(warned("lateral_mm = 2.0", "surface_half_length_mm = 4.0", ""), [""; 0]);
+    let beside = warned("lateral_mm = -4.0", "", "");
+    assert!(beside.len() == 1 && beside[0].contains("lies 0.50 b beside the cracks"), "{beside:?}");
+    assert_eq!(warned("lateral_mm = -4.0\nlateral = \"strip\"", "", ""), [""; 0]);
+    let in_space = "surface_half_length_mm = 3.0\n[solver]\nengine = \"space\"";
+    assert!(!warned("lateral_mm = -4.0", in_space, "").iter().any(|text| text.contains("beside the cracks")));
+    let narrow = warned("", "surface_half_length_mm = 3.0", "");
+    assert!(narrow.len() == 1 && narrow[0].contains("1.50 times as long"), "{narrow:?}");
+    let coupled = warned("coupled = true", "", "");
+    assert!(coupled.len() == 1 && coupled[0].contains("contact.coupled = false takes"), "{coupled:?}");
+    let block = warned("", "", "[rail]\nboundary = \"block\"\n[solver]\nengine = \"xfem\"\n");
+    assert!(block.len() == 1 && block[0].contains("\"half-plane\" takes the whole patch"), "{block:?}");
 }

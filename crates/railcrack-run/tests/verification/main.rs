@@ -6,6 +6,7 @@ mod common;
 mod engine_paths;
 mod groups_run;
 mod junction_run;
+mod patch_in_plane;
 mod path;
 mod plastic_stress;
 mod rolled_rail;
