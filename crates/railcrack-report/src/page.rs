@@ -138,8 +138,8 @@ pub struct Page {
     pub sections: Vec<Section>,
 }
 
-/// The permissions of a page: run its own scripts and, in a worker, its own module; ask the server that
-/// sent it, as `railcrack view` does, and nobody else.
+/// The permissions of a page: run its own scripts and, in a worker, its own module; ask the server
+/// that sent it, as `railcrack view` does, and nobody else.
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; \
     worker-src blob:; style-src 'unsafe-inline'; img-src data: blob:; connect-src 'self'; \
     base-uri 'none'; form-action 'none'";

@@ -4,6 +4,13 @@
 use crate::schema::Source;
 use std::ops::Range;
 
+/// Whose profile it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Profiled {
+    Rail,
+    Wheel,
+}
+
 /// The points of a profile and where they stand.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct GivenPoints {

@@ -3,7 +3,7 @@
 
 use super::columns::{Column, Columns};
 use super::companion::{CaseFile, read_named};
-use super::point_lines::{GivenPoints, is_columns, is_miniprof, read_columns};
+use super::point_lines::{GivenPoints, Profiled, is_columns, is_miniprof, read_columns};
 use super::simpack::{is_simpack, read_simpack};
 use crate::schema::{Choice, Fault, KeyRow, Report, SectionValues, Source, Word};
 use railcrack::profiles::{Profile, ProfileShapeError};
@@ -19,13 +19,6 @@ const COLUMNS: Columns = Columns {
 
 /// A profile and the text it was read from.
 pub type PointFile = CaseFile<Profile>;
-
-/// Whose profile it is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Profiled {
-    Rail,
-    Wheel,
-}
 
 /// The axes of a file of points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -7,8 +7,7 @@
 //! of its numbered comments; y points to the right in the direction of travel and z downwards.
 //! Source: `read_simpack` of the rolling-contact program CONTACT.
 
-use super::point_lines::{GivenPoints, keyword, numbers};
-use super::point_profile::Profiled;
+use super::point_lines::{GivenPoints, Profiled, keyword, numbers};
 use crate::schema::Source;
 use std::collections::HashMap;
 use std::ops::Range;

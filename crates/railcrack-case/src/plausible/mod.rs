@@ -4,6 +4,7 @@
 mod keys;
 mod loads;
 mod page;
+mod pass;
 mod ranges;
 mod rates;
 mod spin;
@@ -13,6 +14,7 @@ mod usual;
 mod wheel_rows;
 
 pub use page::usual_ranges;
+pub use pass::implausible;
 pub use ranges::{ANY, USUAL};
-pub use topic::{Implausible, Topic, implausible};
+pub use topic::{Implausible, Topic};
 pub use usual::Usual;

@@ -209,8 +209,7 @@ impl PatchDirections {
     /// The rule for a point: the integrand varies over an angle of its distance below or beside the
     /// load over the distance from its middle.
     fn rule(&self, x: f64, y: f64, depth: f64, spread: Spread) -> usize {
-        let size = self.half[0].max(self.half[1]);
-        let away = x.hypot(y) / size;
+        let away = (x / self.half[0]).hypot(y / self.half[1]);
         let below = (depth + 0.3 * spread.reach) / self.half[0].min(self.half[1]);
         match (away, below) {
             (2.5.., _) if below > 0.5 * away => 0,

@@ -194,7 +194,7 @@ fn in_full_slip_with_spin_the_shear_opposes_the_rigid_slip_at_every_point() {
                 let size = f64::hypot(rigid[0], rigid[1]);
                 let error = [0, 1].map(|i| point.shear[i] / limit + rigid[i] / size);
                 let error = error[0].hypot(error[1]);
-                assert!(point.slips && error < 0.02, "{theory:?} {y} {point:?} {error}");
+                assert!(point.slips && error < 0.03, "{theory:?} {y} {point:?} {error}");
             }
         }
     }

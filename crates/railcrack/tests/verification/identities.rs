@@ -9,7 +9,7 @@ use railcrack::math::{Stress, Vec2};
 /// Elements along a crack.
 const ELEMENTS: usize = 24;
 /// Round-off of the influence of short elements at the tips, over the largest K.
-const ROUND_OFF: f64 = 1e-10;
+const ROUND_OFF: f64 = 1e-9;
 
 /// One to three kinked surface cracks, far enough apart not to cross.
 fn cracks(random: &mut Random) -> Vec<Vec<(f64, f64)>> {

@@ -73,7 +73,7 @@ struct Stated {
 }
 
 const STATED: [Stated; 3] = [
-    Stated { theory: RollingTheory::FaStrip, coarse: [2.6, 0.8, 3.8, 1.7], fine: [0.1, 2.5, 3.8] },
+    Stated { theory: RollingTheory::FaStrip, coarse: [2.6, 0.8, 3.8, 1.7], fine: [0.1, 2.5, 3.9] },
     Stated { theory: RollingTheory::Strip, coarse: [2.6, 0.6, 3.7, 1.0], fine: [0.1, 0.8, 4.1] },
     Stated { theory: RollingTheory::Fastsim, coarse: [4.8, 1.4, 6.5, 1.3], fine: [1.0, 5.3, 3.0] },
 ];
