@@ -147,7 +147,7 @@ pub const USUAL: &[Usual] = &[
     usual("the width of a block", (&["rail.width_mm"], &[]), "mm", (20.0, 1e5), "test rigs"),
     usual(
         "the length of a crack",
-        (&["crack.length_mm", "crack.surface_half_length_mm"], &["length_mm"]),
+        (&["crack.length_mm", "crack.depth_mm", "crack.surface_half_length_mm"], &["length_mm"]),
         "mm",
         (0.05, 200.0),
         "grains of rail steel to the height of a rail",
@@ -233,6 +233,13 @@ pub const USUAL: &[Usual] = &[
         GROWTH_TESTS,
     ),
     usual(
+        "the depth to which a path is straight",
+        (&["growth.straight_to_mm"], &[]),
+        "mm",
+        (0.05, 50.0),
+        "measured paths of head checks: 2 to 3 mm",
+    ),
+    usual(
         "the length over which a path turns",
         (&["growth.turning_length_mm"], &[]),
         "mm",
@@ -298,6 +305,13 @@ pub const USUAL: &[Usual] = &[
         "MGT",
         (1e-3, 500.0),
         "5 to 60 MGT",
+    ),
+    usual(
+        "the thickness of a spall",
+        (&["maintenance.least_spall_mm"], &[]),
+        "mm",
+        (0.01, 20.0),
+        "flakes of 0.1 mm to shells of 10 mm",
     ),
     usual(
         "the limit of wear",
