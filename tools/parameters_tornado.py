@@ -15,7 +15,8 @@ table = root / "verification/parameters/lives.csv"
 
 GROWTH = 'direction = "coplanar"\nsteps = 60\nincrement = 0.06'
 INSPECTION = "[inspection]\ndetectable_depth_mm = 1.0\ncritical_depth_mm = 5.0\n"
-CASE = plane(hertz(), crack(2.366, 0.3), GROWTH, 20, INSPECTION)
+CONTACT = hertz() + "\nlateral_half_width_mm = 6.0"
+CASE = plane(CONTACT, crack(2.366, 0.3, "surface_half_length_mm = 4.732\n"), GROWTH, 20, INSPECTION)
 SMOOTH = ['growth.direction="max-rate"', "growth.steps=120"]
 
 # Input: settings, or text behind the case, of the low and of the high value.
