@@ -1,7 +1,8 @@
 //! Control of the increments: their error, the location of events, and the turns of the limit path.
 
+use super::step_size::LEAST_DRAWN;
 use super::turning::AFTER_KINK;
-use super::{Advance, EarlierStep, GrowthSettings, Jump, Mover, TipRecord, Turn};
+use super::{Advance, DeferredGrowth, EarlierStep, GrowthSettings, Jump, Mover, TipRecord, Turn};
 use crate::fatigue::SECONDARY_DISTANCE;
 use serde::{Deserialize, Serialize};
 
@@ -125,6 +126,11 @@ const SUDDEN_TURN_WEIGHT: f64 = 2.0;
 /// Tolerance of the life from which the errors of turns are no longer allowed more: the branch that
 /// a path takes at a near tie depends on them.
 const PATH_TOLERANCE: f64 = 0.01;
+/// Growth over the increment of the step from which a part of it was deferred.
+const DEFERRED: f64 = 1.2;
+/// Relative change of a rate from which that is sudden: where a path turns smoothly, growth that has
+/// been deferred changes it by 0.6 % at most, for which the next increments make up.
+const SUDDEN: f64 = 0.02;
 /// Relative change of the life per radian of direction that is allowed for at least: the rate
 /// hardly depends on the direction of the tip, but on the depth to which it leads.
 const LEAST_SENSITIVITY: f64 = 1.0;
@@ -225,7 +231,8 @@ impl Control<'_> {
             }
         }
         let error = self.step_error(after);
-        if self.moved() > 2.0 * SHARES.0 && passed > 0.0 {
+        let (moved, least) = self.divisible(after);
+        if moved > least && passed > 0.0 {
             // The limit path is cut by its bends.
             let is_strict = settings.maintained().is_some() && !settings.turning.is_limit();
             let given = if is_strict { OF_GIVEN_UNDER_WEAR } else { OF_GIVEN };
@@ -237,7 +244,7 @@ impl Control<'_> {
                 None => self.leverage() * error.relative() / given,
             };
             if excess > 1.0 {
-                return cut((0.6 * excess.powf(-0.5)).clamp(0.2, 0.7), None);
+                return cut((0.6 * excess.powf(-0.5)).clamp(0.2, 0.7).max(self.waiting_part(after)), None);
             }
         }
         self.accepted(after, trial)
@@ -252,7 +259,9 @@ impl Control<'_> {
         let next = Course {
             share: self.next_share(&error, trial),
             // A step is not known to be wrong by more than its own cycles.
-            cycles_error: course.cycles_error + (leverage * error.rate).min(1.0) * passed,
+            cycles_error: course.cycles_error
+                + (leverage * error.rate).min(1.0) * passed
+                + self.error_of_deferral(after),
             turn_error,
             path_error: course.path_error + (leverage * error.sensitivity * turn_error).min(1.0) * passed,
         };
@@ -299,13 +308,53 @@ impl Control<'_> {
     /// The change of a crack in the step as a fraction of its length: the growth of its tip, or the
     /// loss at its mouth where that is more.
     fn moved(&self) -> f64 {
+        self.advance.progress.share.max(self.lost())
+    }
+
+    /// The loss of a crack at its mouth as a fraction of its length, at most an increment.
+    fn lost(&self) -> f64 {
         let Self { before, advance, settings, .. } = self;
         let lost = before
             .tips
             .iter()
             .filter_map(|tip| Some(advance.progress.removal / (tip.mouth_sine? * tip.length)));
         let last = self.course.share.unwrap_or(settings.increment);
-        advance.progress.share.max(lost.fold(0.0, f64::max).min(last))
+        lost.fold(0.0, f64::max).min(last)
+    }
+
+    /// The change of a crack in the step as a fraction of its length, and that from which on shorter
+    /// steps have a smaller error.
+    ///
+    /// Where the surface is removed, steps may be shorter than the growth from which a slow tip is
+    /// drawn. The rates change at once where it is drawn, by as much in a short step as in a longer one.
+    /// In steps of twice that growth, tips of half the pace are drawn every time.
+    fn divisible(&self, after: &End<'_>) -> (f64, f64) {
+        let least = 2.0 * SHARES.0;
+        let waits =
+            |start: &TipRecord| start.increment > 0.0 && start.plane().is_some_and(|own| !own.is_drawn);
+        let some_wait = |start: &TipRecord| waits(start) || self.deferred(start, after).is_some();
+        if self.settings.maintained().is_none() || !self.before.tips.iter().any(some_wait) {
+            return (self.moved(), least);
+        }
+        let cycles = self.advance.progress.cycles;
+        let grown = leading(self.before.movers).map_or(0.0, |leader| cycles * leader.rate / leader.length);
+        let last = self.course.share.unwrap_or(self.settings.increment);
+        let drawn = last.min(DeferredGrowth::LEAST_SMOOTH).max(LEAST_DRAWN * last);
+        (grown.max(self.lost()), least.max(2.0 * drawn))
+    }
+
+    /// The part of the step below which it is not cut for an error that it keeps.
+    fn waiting_part(&self, after: &End<'_>) -> f64 {
+        let (moved, least) = self.divisible(after);
+        if least > 2.0 * SHARES.0 { least / moved } else { 0.0 }
+    }
+
+    /// The growth (mm) from earlier steps that this one draws at the tip `start`, if any.
+    fn deferred(&self, start: &TipRecord, after: &End<'_>) -> Option<f64> {
+        let end = after.tips.iter().find(|end| end.tip == start.tip)?;
+        let drawn = (end.x - start.x).hypot(end.y - self.advance.progress.removal - start.y);
+        let is_drawn = start.plane()?.is_drawn && drawn > DEFERRED * start.increment;
+        is_drawn.then_some(drawn - start.increment)
     }
 
     /// The relative change of the life over that of the growth of the leading mover, as far as
@@ -368,6 +417,27 @@ impl Control<'_> {
         let life = after.load_cycles.max(SOON * now.length / now.rate);
         error.of_life = (error.rate * passed / life).max(SUDDEN_TURN_WEIGHT * error.turn * error.sensitivity);
         error
+    }
+
+    /// The estimated error of the cycles by kinks of slower tips that this step draws.
+    ///
+    /// Until a kink is drawn, its tip grows at the rate that it had before. With the rate r₁ behind it
+    /// instead of r₀, the N cycles of the deferred growth would have been N r₀/r₁. Of tips that stay
+    /// slower than the leading one, this counts by the ratio of their paces.
+    fn error_of_deferral(&self, after: &End<'_>) -> f64 {
+        let Some(leader) = leading(after.movers).filter(|leader| leader.rate > 0.0) else { return 0.0 };
+        if self.settings.turning.is_kink() {
+            return 0.0;
+        }
+        let of_tip = |start: &TipRecord| {
+            let end = after.tips.iter().find(|end| end.tip == start.tip)?;
+            let grows = start.rate > 0.0 && end.rate > 0.0;
+            let cycles = (self.deferred(start, after)? / start.rate).min(self.before.load_cycles);
+            let change = 1.0 - (start.rate / end.rate).min(end.rate / start.rate);
+            let pace = (end.rate * leader.length / (end.length * leader.rate)).min(1.0);
+            (grows && change > SUDDEN).then_some(pace * change * cycles)
+        };
+        self.before.tips.iter().filter_map(of_tip).sum()
     }
 
     /// The second divided difference of 1/(da/dN) of the leading mover over its growth, from the

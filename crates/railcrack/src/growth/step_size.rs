@@ -54,7 +54,7 @@ pub(crate) struct Moving<'a> {
 }
 
 /// Growth below this part of a full increment is deferred where the surface is removed.
-const LEAST_DRAWN: f64 = 0.1;
+pub(crate) const LEAST_DRAWN: f64 = 0.1;
 /// Cycles before a grinding, relative to its interval, that are attributed to rounding.
 const DUE: f64 = 1e-9;
 

@@ -69,7 +69,7 @@ pub(super) fn reduced(
     let mut functionals: Vec<SifFunctional> = Vec::new();
     for (tip, &size) in sizes.iter().enumerate() {
         interruption.check()?;
-        let (domain, remark) = domain_of(&cuts, tip, size, &settings);
+        let (domain, remark) = domain_of(mesh, &cuts, tip, size, &settings);
         functionals.extend(context.functionals(tip, domain));
         remarks.extend(remark.into_iter().chain(short_part(&cuts, tip, size)));
     }

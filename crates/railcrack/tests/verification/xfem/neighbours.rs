@@ -1,9 +1,10 @@
 //! Cracks near each other and near the surface, against the other engine with fine elements.
 
 use crate::common::{Absolute, Meshed, close, joined_body, largest, polyline, sifs_of};
+use railcrack::bulk::{BottomSupport, SideSupport};
 use railcrack::crack::{Crack, CrackNetwork};
-use railcrack::math::Stress;
-use railcrack::xfem::XfemSettings;
+use railcrack::math::{RailBox, Stress};
+use railcrack::xfem::{RailEnd, XfemSettings};
 
 const MIXED: Stress = Stress { xx: 1.0, yy: 0.8, xy: 0.4, zz: 0.0 };
 /// Elements, mm.
@@ -73,6 +74,36 @@ fn several_cracks_in_one_element() {
         let (off, _) = misfit(&network(cracks.to_vec()), XfemSettings::default());
         println!("parallel, {gap} mm: {:.2} %", 100.0 * off);
         close(off, 0.0, Absolute(within), "1.4 and 0.7 elements between the faces: 0.02 and 0.67 %");
+    }
+}
+
+/// Tips near the bottom and a side of a block, against elements of a sixth of their distance: the
+/// domain of K ends at the block, and from two elements on a warning says that it is too small.
+#[test]
+fn tips_near_the_ends_of_a_block() {
+    let end = |bottom| RailEnd::Block {
+        extent: RailBox { width: 24.0, depth: 12.0, centre: 0.0 },
+        bottom,
+        sides: SideSupport::Free,
+    };
+    const GAP: f64 = 0.6;
+    let down = network(vec![polyline(&[(0.0, 0.0), (0.3, -12.0 + GAP)])]);
+    let aside = network(vec![polyline(&[(7.0, -4.0), (12.0 - GAP, -5.0)])]);
+    for network in [&down, &aside] {
+        for bottom in [BottomSupport::Clamped, BottomSupport::Rollers] {
+            let of = |elements: f64| {
+                let body = Meshed { end: end(bottom), ..Meshed::of_size(GAP / elements) }.body_of(network);
+                (sifs_of(&body, |_| MIXED), body.remarks.to_vec())
+            };
+            let (want, _) = of(6.0);
+            for (elements, within) in [(3.2, 0.015), (2.1, 0.03), (1.9, 1.0), (1.2, 1.0)] {
+                let (k, remarks) = of(elements);
+                let off = largest(k.iter().zip(&want).map(|(a, b)| a - b)) / largest(want.iter().copied());
+                println!("{bottom:?}, {elements} elements: {:.2} %", 100.0 * off);
+                close(off, 0.0, Absolute(within), "the weight falls within an element or two");
+                assert_eq!(warned(&remarks), elements < 2.0, "{elements} elements: {remarks:?}");
+            }
+        }
     }
 }
 
