@@ -25,15 +25,23 @@ const PASSAGES: usize = 2;
 /// Every so many rows of a tabulated strip are used: 20 intervals of 160.
 const THINNED: usize = 8;
 
-/// The histories of the tips of the first crack of `network` during a passage of each of `wheels`,
-/// half-width (mm) and field, towards `travel`: with contact and friction of its faces, on few
+/// A wheel over the coarse crack.
+pub(super) struct CoarseWheel {
+    /// a, mm: the unit of its positions.
+    pub half_width: f64,
+    /// Its field.
+    pub field: Box<dyn Wheel>,
+}
+
+/// The histories of the tips of the first crack of `network` during a passage of each of `wheels`
+/// towards `travel`: with contact and friction of its faces, on few
 /// elements and in long load steps; at positions in half-widths of the wheel. Rates of the wheels
 /// of a curve by it are lower than those of the fine crack by 2 %, with a scatter of 1 % from wheel
 /// to wheel. Fluid, temperature and residual stress are absent.
 ///
 /// None where a passage does not converge.
 pub(super) fn coarse_histories(
-    wheels: &[(f64, &dyn Wheel)],
+    wheels: &[CoarseWheel],
     (network, friction): (&CrackNetwork, f64),
     steel: &IsotropicElastic,
     travel: Travel,
@@ -43,7 +51,7 @@ pub(super) fn coarse_histories(
     let mut engine = DislocationEngine { steel: *steel, resolution: FaceResolution { elements: ELEMENTS } };
     let body = engine.body(&first.into()).ok()?;
     let faces = FaceProblem::new(&body, &[friction]).ok()?;
-    let of = |&(half_width, wheel): &(f64, &dyn Wheel)| {
+    let of = |CoarseWheel { half_width, field }: &CoarseWheel| {
         let reach = REACH * half_width;
         let reach = if travel == Travel::Forward { reach } else { -reach };
         let settings = PassageSettings {
@@ -52,17 +60,17 @@ pub(super) fn coarse_histories(
             step_tolerance: STEPS,
             ..PassageSettings::default()
         };
-        let load = RailLoad { wheel, residual: None };
+        let load = RailLoad { wheel: field.as_ref(), residual: None };
         let passage = stabilised_passage(&faces, &Newton::default(), load, &settings, &Unobserved).ok()?;
         Some(passage.histories)
     };
     wheels.par_iter().map(of).collect()
 }
 
-/// Half-width (mm) and field of a line `contact` on few rows.
-pub(super) fn coarse_line(contact: &Contact, steel: &IsotropicElastic) -> Option<(f64, Box<dyn Wheel>)> {
+/// A line `contact` on few rows.
+pub(super) fn coarse_line(contact: &Contact, steel: &IsotropicElastic) -> Option<CoarseWheel> {
     let load = WheelLoad { contact: thinned(contact), track: None, temperature: None };
-    Some((contact.half_width(), wheel_under(&load, steel).ok()?))
+    Some(CoarseWheel { half_width: contact.half_width(), field: wheel_under(&load, steel).ok()? })
 }
 
 /// The rate (mm per cycle) of the fastest tip with these `histories` by `law`.

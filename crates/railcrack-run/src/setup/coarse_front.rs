@@ -1,5 +1,6 @@
 //! A coarse crack in space under many wheels, as a surrogate for the fine one.
 
+use super::coarse_crack::CoarseWheel;
 use railcrack::crack::Crack;
 use railcrack::fatigue::{GrowthLaw, LoadRange};
 use railcrack::field::{PatchLoad, PatchWheel};
@@ -194,19 +195,22 @@ impl FrontHistory {
     }
 }
 
-/// Half-width (mm) of a wheel that runs towards `travel`, and its field over a crack in the plane
-/// at `lateral` (mm): its patches as ellipses.
+/// A wheel that runs towards `travel` over a crack in the plane at `lateral` (mm): its patches as
+/// ellipses.
 pub(super) fn coarse_wheel(
     wheel: &TabledWheel,
     travel: Travel,
     lateral: f64,
     steel: &IsotropicElastic,
-) -> (f64, PatchWheel) {
+) -> CoarseWheel {
     let patch = |(ahead, own): (f64, EllipticWheel)| {
         PatchLoad::sliding(&own.ellipse(), [ahead, own.lateral], [own.friction, own.lateral_friction])
     };
     let patches: Vec<PatchLoad> = ellipses(wheel, travel, lateral).into_iter().map(patch).collect();
-    (wheel.wheel.heaviest().patch.ellipse.along, PatchWheel::new(&patches, steel))
+    CoarseWheel {
+        half_width: wheel.wheel.heaviest().patch.ellipse.along,
+        field: Box::new(PatchWheel::new(&patches, steel)),
+    }
 }
 
 /// The patches of a wheel that runs towards `travel` as ellipses in full sliding with the mean

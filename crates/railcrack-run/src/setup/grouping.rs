@@ -1,12 +1,11 @@
 //! Representatives of the wheels of a table: groups by their passages over a coarse crack.
 
-use super::coarse_crack::{coarse_histories, coarse_line, coarse_rate};
+use super::coarse_crack::{CoarseWheel, coarse_histories, coarse_line, coarse_rate};
 use super::coarse_front::{CoarseFront, FrontHistory, coarse_wheel};
 use railcrack::body::BodyEngine;
 use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::dislocation::DislocationEngine;
 use railcrack::fatigue::GrowthLaw;
-use railcrack::field::{PatchWheel, Wheel};
 use railcrack::fracture::{Sif, SifHistory};
 use railcrack::growth::FrontShape;
 use railcrack::load::{Contact, Travel};
@@ -52,19 +51,15 @@ fn effects(case: &Case, table: &WheelTable, loaded: &[usize]) -> Option<Effects>
         return by_coarse_front(&wheels, (&shape, friction), steel, travel, law);
     }
     if table.is_whole {
-        let wheels: Vec<(f64, PatchWheel)> =
+        let wheels: Vec<CoarseWheel> =
             loaded.iter().map(|i| coarse_wheel(&table.wheels[*i], travel, table.lateral, steel)).collect();
-        let loads: Vec<(f64, &dyn Wheel)> =
-            wheels.iter().map(|(a, wheel)| (*a, wheel as &dyn Wheel)).collect();
-        return by_coarse_crack(&loads, (&case.cracks, friction), steel, travel, law);
+        return by_coarse_crack(&wheels, (&case.cracks, friction), steel, travel, law);
     }
     let contact = |i: &usize| case.wheels[table.first + i].wheel.contact();
     let contacts: Vec<&Contact> = loaded.iter().filter_map(contact).collect();
-    let lines: Option<Vec<(f64, Box<dyn Wheel>)>> =
-        contacts.iter().map(|own| coarse_line(own, steel)).collect();
-    let lines = lines.unwrap_or_default();
-    let loads: Vec<(f64, &dyn Wheel)> = lines.iter().map(|(a, wheel)| (*a, wheel.as_ref())).collect();
-    by_coarse_crack(&loads, (&case.cracks, friction), steel, travel, law)
+    let lines: Option<Vec<CoarseWheel>> = contacts.iter().map(|own| coarse_line(own, steel)).collect();
+    lines
+        .and_then(|lines| by_coarse_crack(&lines, (&case.cracks, friction), steel, travel, law))
         .or_else(|| by_open_crack(&contacts, (&case.cracks, friction), steel, law))
 }
 
@@ -83,7 +78,7 @@ fn rates<H>(histories: &[H], law: &GrowthLaw, rate: impl Fn(&H, &GrowthLaw) -> f
 }
 
 fn by_coarse_crack(
-    wheels: &[(f64, &dyn Wheel)],
+    wheels: &[CoarseWheel],
     crack: (&CrackNetwork, f64),
     steel: &IsotropicElastic,
     travel: Travel,

@@ -1,9 +1,8 @@
 //! Growth by the lateral place of the crack.
 
-use super::coarse_crack::{coarse_histories, coarse_rate};
+use super::coarse_crack::{CoarseWheel, coarse_histories, coarse_rate};
 use super::coarse_front::{CoarseFront, coarse_wheel};
 use super::grouping::open_crack;
-use railcrack::field::{PatchWheel, Wheel};
 use railcrack::load::Contact;
 use railcrack::rolling::PlacedPatch;
 use railcrack_case::{Case, TabledWheel, WheelTable};
@@ -47,11 +46,9 @@ fn patch_rates_across(case: &Case, table: &WheelTable, places: &[f64]) -> Option
     let crack = (&case.cracks, *case.crack_friction.first()?);
     let (taken, scale) = every_so_many(table, places.len());
     let mean = |place: &f64| {
-        let wheels: Vec<(f64, PatchWheel)> =
+        let wheels: Vec<CoarseWheel> =
             taken.iter().map(|own| coarse_wheel(own, table.travel, *place, &case.steel)).collect();
-        let loads: Vec<(f64, &dyn Wheel)> =
-            wheels.iter().map(|(a, wheel)| (*a, wheel as &dyn Wheel)).collect();
-        let histories = coarse_histories(&loads, crack, &case.steel, table.travel)?;
+        let histories = coarse_histories(&wheels, crack, &case.steel, table.travel)?;
         let rates = taken.iter().zip(&histories);
         let rate = rates.map(|(own, tips)| own.share * coarse_rate(tips, &case.growth.law)).sum::<f64>();
         Some((scale * rate, meeting(table, *place)))

@@ -100,11 +100,7 @@ impl StressesOnCracks for OnCracks<'_> {
                 .flat_map(|(crack, _)| &self.cracks[*crack].nodes)
                 .map(|node| node.at(self.wheel, xc))
                 .collect();
-            let of = |(start, weights): &(usize, [f64; LEAST_NODES])| {
-                let own = &nodes[*start..*start + LEAST_NODES];
-                own.iter().zip(weights).fold(Stress::ZERO, |sum, (node, weight)| sum + *node * *weight)
-            };
-            places.iter().map(of).collect()
+            places.iter().map(|(start, weights)| weighted(&nodes, *start, weights)).collect()
         })
     }
 
@@ -182,6 +178,12 @@ fn lagrange(x: f64) -> [f64; 4] {
     [-b * c * d / 6.0, a * c * d / 2.0, -a * b * d / 2.0, a * b * c / 6.0]
 }
 
+/// The sum of `values` from `start` on, with `weights`.
+fn weighted(values: &[Stress], start: usize, weights: &[f64; LEAST_NODES]) -> Stress {
+    let own = values[start..].iter().zip(weights);
+    own.fold(Stress::ZERO, |sum, (value, weight)| sum + *value * *weight)
+}
+
 /// Arc lengths of points, mm.
 fn arcs(points: &[Vec2]) -> Vec<f64> {
     let mut arcs = vec![0.0];
@@ -248,8 +250,6 @@ impl NodeTable {
             return wheel.spread_stress(u, self.point.y, self.spread);
         }
         let start = (place.floor() as usize - 1).min(last);
-        let weights = lagrange(place - start as f64);
-        let own = &self.values[start..start + LEAST_NODES];
-        own.iter().zip(weights).fold(Stress::ZERO, |sum, (value, weight)| sum + *value * weight)
+        weighted(&self.values, start, &lagrange(place - start as f64))
     }
 }
