@@ -23,7 +23,8 @@ fn a_patch_is_named_by_its_middle_strip() {
         assert_eq!(contact(&case), contact(&middle), "{lateral}");
         assert_eq!(case.first_wheel().wheel.given().unwrap().extent, ContactExtent::Patch);
         let y = 6.0 - lateral;
-        let rows = format!("1,85,{y},8e-4,-4e-4,2e-4,0.3,6,5\n1,20,{y},8e-4,0,0,0.3,4,3\n");
+        let beside = y + 10.0;
+        let rows = format!("1,85,{y},8e-4,-4e-4,2e-4,0.3,6,5\n1,20,{beside},8e-4,0,0,0.3,4,3\n");
         let table = tabled("middle", HEADER, &rows, "");
         assert_eq!((contact(&table), origin(&table)), (contact(&middle), origin(&case)), "{lateral}");
     }

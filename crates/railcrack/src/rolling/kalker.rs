@@ -192,12 +192,12 @@ impl Choice for CreepageSign {
 /// A theory of the shear in rolling contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum RollingTheory {
-    /// Strips of Carter's form, scaled to Kalker's coefficients (Sichani et al. 2016).
+    /// Strips of Carter's form with the shear of Kalker's strip theory (1967), which does not slip
+    /// where it sticks, scaled to Kalker's coefficients; of all closest to the exact theory.
     #[default]
-    FaStrip,
-    /// The same strips with the shear of Kalker's strip theory (1967), which does not slip where it
-    /// sticks.
     Strip,
+    /// The same strips with the shear of Sichani et al. (2016).
+    FaStrip,
     /// Kalker's simplified theory (1982).
     Fastsim,
     /// Kalker's linear theory (1967): forces without saturation.
@@ -206,8 +206,11 @@ pub enum RollingTheory {
 
 impl Choice for RollingTheory {
     const WORDS: &'static [(Self, Word)] = &[
-        (Self::FaStrip, Word::now("fastrip", "strips of Carter's form, scaled to Kalker's coefficients")),
-        (Self::Strip, Word::now("strip", "the same with the shear of Kalker's strip theory")),
+        (
+            Self::Strip,
+            Word::now("strip", "strips of Carter's form by Kalker's strip theory, scaled to his coefficients"),
+        ),
+        (Self::FaStrip, Word::now("fastrip", "the same with the shear of Sichani et al. 2016")),
         (
             Self::Fastsim,
             Word::now("fastsim", "Kalker's simplified theory with a parabolic limit of the shear"),
