@@ -148,7 +148,7 @@ pub enum ValidityWarning {
         taken_by.words(), taken_by.key(), taken_by.remedy()
     )]
     StripOfPatch {
-        /// What takes it so.
+        /// The part of the case that takes it so.
         taken_by: LineContact,
     },
     /// No axle of the train is over the contact.
@@ -156,9 +156,7 @@ pub enum ValidityWarning {
     NoAxleHere,
 }
 
-impl ValidityWarning {}
-
-/// What takes a contact patch as a line contact.
+/// A part of a case that takes a contact patch as a line contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LineContact {
     /// A wheel that feels the cracks.

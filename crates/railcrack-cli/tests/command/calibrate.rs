@@ -59,9 +59,13 @@ fn the_fitted_case_has_the_coefficient_of_the_measurements() {
 #[test]
 fn sharp_readings_that_contradict_each_other_meet_between() {
     let folder = common::folder("calibrate", "contradiction");
-    let page = read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/how-to/calibrate.md"));
-    let case = page.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
-    fs::write(folder.join("case.toml"), case).unwrap();
+    fs::write(
+        folder.join("case.toml"),
+        "[contact]\npeak_pressure_mpa = 845.0\nhalf_width_mm = 6.75\nfriction = 0.3\n\
+         [[crack]]\nmouth_mm = 0.0\nlength_mm = 5.0\nangle_deg = 30.0\nfriction = 0.3\n\
+         [growth]\nsteps = 60\n[traffic]\naxle_load_t = 20.0\n[solver]\nengine = \"dislocation\"\n",
+    )
+    .unwrap();
     let header = "mgt,depth_mm,at_least_mm,at_most_mm,std_mm";
     fs::write(
         folder.join("m.csv"),

@@ -13,6 +13,8 @@ pub struct Consistency {
     pub chi_squared: f64,
     /// Its degrees of freedom, one less than the measurements.
     pub degrees: usize,
+    /// The part of it between the times of measurement, and its degrees of freedom.
+    pub between: (f64, usize),
     /// The measurement (from 0) that is farthest from the others, and its distance in standard
     /// deviations.
     pub largest: (usize, f64),
@@ -25,10 +27,10 @@ const CONTRADICTION: f64 = 3.0;
 const SHALLOWER: f64 = 2.0;
 
 impl Consistency {
-    /// Of the `observations` of a site, with the error `usual` of readings without one; none of
+    /// Of the `observations` of `site`, with the error `usual` of readings without one; none of
     /// fewer than two.
     #[must_use]
-    pub fn of(observations: &Observations, usual: UsualError) -> Option<Self> {
+    pub fn of(site: &Site, observations: &Observations, usual: UsualError) -> Option<Self> {
         let all: Vec<(usize, &Observed)> = observations
             .iter()
             .enumerate()
@@ -37,40 +39,38 @@ impl Consistency {
         if all.len() < 2 {
             return None;
         }
-        let distance = |observed: &Observed, theta: f64| match observed.reading(usual) {
-            Some((y, sigma)) => ((y - theta) / sigma.max(f64::MIN_POSITIVE)).powi(2),
-            None => of_class(observed, theta),
+        let chosen = |of: &dyn Fn(usize) -> bool| -> Vec<&Observed> {
+            all.iter().filter(|(i, _)| of(*i)).map(|(_, observed)| *observed).collect()
         };
-        let sum = |theta: f64| all.iter().map(|(_, observed)| distance(observed, theta)).sum::<f64>();
-        let readings = all.iter().filter_map(|(_, observed)| observed.reading(usual));
-        let (weights, moments) = readings.fold((0.0, 0.0), |(weights, moments), (y, sigma)| {
-            let weight = sigma.max(f64::MIN_POSITIVE).powi(-2);
-            (weights + weight, moments + weight * y)
-        });
-        let mean = (weights > 0.0).then(|| moments / weights);
-        let has_classes = all.iter().any(|(_, observed)| matches!(observed, Observed::Class(_)));
-        let tabulated = has_classes.then(theta_of_tables).into_iter().flatten();
-        let best = mean.into_iter().chain(tabulated).min_by(|a, b| sum(*a).total_cmp(&sum(*b)))?;
-        let apart = |(i, observed): &(usize, &Observed)| (*i, distance(observed, best).sqrt());
+        let (best, chi_squared) = most_likely(&chosen(&|_| true), usual)?;
+        let time = |i: usize| site.measured.get(i).map_or(0.0, |measured| measured.mgt);
+        let mut times: Vec<f64> = all.iter().map(|(i, _)| time(*i)).collect();
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        let within: Option<Vec<f64>> =
+            times.iter().map(|at| Some(most_likely(&chosen(&|i| time(i) == *at), usual)?.1)).collect();
+        let between = (chi_squared - within?.iter().sum::<f64>()).max(0.0);
+        let apart = |(i, observed): &(usize, &Observed)| (*i, distance(observed, best, usual).sqrt());
         let largest = all.iter().map(apart).max_by(|a, b| a.1.total_cmp(&b.1))?;
-        Some(Self { chi_squared: sum(best), degrees: all.len() - 1, largest })
+        Some(Self { chi_squared, degrees: all.len() - 1, between: (between, times.len() - 1), largest })
     }
 
     /// Whether the measurements contradict one another.
     #[must_use]
     pub fn is_contradiction(&self) -> bool {
-        let degrees = self.degrees as f64;
-        self.chi_squared > degrees + CONTRADICTION * (2.0 * degrees).sqrt()
+        contradicts(self.chi_squared, self.degrees) || contradicts(self.between.0, self.between.1)
     }
 
-    /// The factor by which errors are larger than stated, with Student's distribution for few
-    /// measurements (Birge 1932, Physical Review 40, 207–227): 1 where they agree.
+    /// The factor by which errors are larger than stated, with Student's distribution for few times
+    /// (Birge 1932, Physical Review 40, 207–227): 1 where the times agree. Readings of one time
+    /// meet between, with the errors that they state.
     #[must_use]
     pub fn widening(&self) -> f64 {
-        if !self.is_contradiction() {
+        let (chi_squared, degrees) = self.between;
+        if !contradicts(chi_squared, degrees) {
             return 1.0;
         }
-        (self.chi_squared / self.degrees as f64).sqrt() * student(self.degrees) / QUANTILE_97_5
+        (chi_squared / degrees as f64).sqrt() * student(degrees) / QUANTILE_97_5
     }
 
     /// The words about measurements of `site` that contradict one another; none where they agree.
@@ -79,15 +79,47 @@ impl Consistency {
         let (i, sigmas) = self.largest;
         let measured = site.measured.get(i).filter(|_| self.is_contradiction())?;
         Some(format!(
-            "{}: the measurements contradict one another: chi-squared {:.1} of {} degree{} of freedom; the farthest is {}, {sigmas:.1} standard deviations from the others; errors are widened by {:.1}",
+            "{}: the measurements contradict one another: chi-squared {:.1} of {} degree{} of freedom; the farthest is {}, {sigmas:.1} standard deviations from the others; {}",
             site.name,
             self.chi_squared,
             self.degrees,
             if self.degrees == 1 { "" } else { "s" },
             shown(measured),
-            self.widening()
+            match self.widening() {
+                1.0 => "those of one time meet between, as exactly as they state".to_owned(),
+                factor => format!("errors are widened by {factor:.1}"),
+            }
         ))
     }
+}
+
+/// Whether χ² of so many degrees of freedom is no scatter.
+fn contradicts(chi_squared: f64, degrees: usize) -> bool {
+    let degrees = degrees as f64;
+    chi_squared > degrees + CONTRADICTION * (2.0 * degrees).sqrt()
+}
+
+/// The share in χ² of `observed` at ln(C/C0) = `theta`.
+fn distance(observed: &Observed, theta: f64, usual: UsualError) -> f64 {
+    match observed.reading(usual) {
+        Some((y, sigma)) => ((y - theta) / sigma.max(f64::MIN_POSITIVE)).powi(2),
+        None => of_class(observed, theta),
+    }
+}
+
+/// The ln(C/C0) that suits `all` best, and χ² there; none of nothing.
+fn most_likely(all: &[&Observed], usual: UsualError) -> Option<(f64, f64)> {
+    let sum = |theta: f64| all.iter().map(|observed| distance(observed, theta, usual)).sum::<f64>();
+    let readings = all.iter().filter_map(|observed| observed.reading(usual));
+    let (weights, moments) = readings.fold((0.0, 0.0), |(weights, moments), (y, sigma)| {
+        let weight = sigma.max(f64::MIN_POSITIVE).powi(-2);
+        (weights + weight, moments + weight * y)
+    });
+    let mean = (weights > 0.0).then(|| moments / weights);
+    let has_classes = all.iter().any(|observed| matches!(observed, Observed::Class(_)));
+    let tabulated = has_classes.then(theta_of_tables).into_iter().flatten();
+    let candidates = mean.into_iter().chain(tabulated).map(|theta| (theta, sum(theta)));
+    candidates.min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 /// −2 ln(P/P_max) of a class at ln(C/C0) = `theta`; 0 of a reading.
@@ -166,20 +198,25 @@ mod tests {
     /// A tip that is 2 + MGT/10 mm deep.
     fn consistency(site: &Site) -> Consistency {
         let curve = SizeCurve::through((0..5).map(|i| (10.0 * f64::from(i), 2.0 + f64::from(i))).collect());
-        Consistency::of(&observations(site, &curve), UsualError::OfSize(READING)).unwrap()
+        Consistency::of(site, &observations(site, &curve), UsualError::OfSize(READING)).unwrap()
     }
 
     #[test]
     fn chi_squared_is_that_of_the_readings() {
-        // σ of ln N is 0.1/(size − 2): y is ln(10/10) and ln(20/10), with σ 0.1 and 0.05.
-        let readings = [(10.0, Finding::Size(3.0), Some(0.1)), (10.0, Finding::Size(4.0), Some(0.1))];
+        // σ of ln N is 0.1/(size − 2): y is ln(10/10) and ln(30/15), with σ 0.1 and 0.1/3.
+        let readings = [(10.0, Finding::Size(3.0), Some(0.1)), (15.0, Finding::Size(5.0), Some(0.1))];
         let found = consistency(&site(&readings));
-        let want = 2f64.ln().powi(2) / (0.1f64.powi(2) + 0.05f64.powi(2));
+        let want = 2f64.ln().powi(2) / (0.1f64.powi(2) + (0.1f64 / 3.0).powi(2));
         assert!((found.chi_squared / want - 1.0).abs() < 1e-12 && found.degrees == 1, "{found:?}");
         assert_eq!(found.largest.0, 0, "the reading with the larger error");
         assert!((found.widening() / (want.sqrt() * student(1) / QUANTILE_97_5) - 1.0).abs() < 1e-12);
         let says = found.remark(&site(&readings)).unwrap();
         assert!(says.contains("of 1 degree of freedom; the farthest is 3 mm after 10 MGT"), "{says}");
+        // Of one time, only warned of.
+        let at_once = [(10.0, Finding::Size(3.0), Some(0.1)), (10.0, Finding::Size(5.0), Some(0.1))];
+        let found = consistency(&site(&at_once));
+        assert!(found.is_contradiction() && found.widening() == 1.0, "{found:?}");
+        assert!(found.remark(&site(&at_once)).unwrap().ends_with("as exactly as they state"));
         // Of a crack that grows as the run.
         let agree = [(10.0, Finding::Size(3.0), Some(0.1)), (20.5, Finding::Size(4.0), Some(0.1))];
         let found = consistency(&site(&agree));

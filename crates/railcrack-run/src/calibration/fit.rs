@@ -100,7 +100,7 @@ pub(super) fn from_squares(squares: f64, degrees: usize) -> UsualError {
 ///
 /// The number of cycles between two sizes is in proportion to 1/C, so that each measurement gives a
 /// C in closed form: that of the run times computed over measured tonnage. Errors of a site whose
-/// measurements contradict one another are widened.
+/// measurements at several times contradict one another are widened.
 ///
 /// Errors: no measurement is within the sizes of the run.
 pub fn calibrate(
@@ -116,7 +116,7 @@ pub fn calibrate(
     }
     let usual = usual_error(&observed);
     let consistencies: Vec<Option<Consistency>> =
-        observed.iter().map(|site| Consistency::of(site, usual)).collect();
+        sites.iter().zip(&observed).map(|(site, own)| Consistency::of(site, own, usual)).collect();
     let widening = |consistency: &Option<Consistency>| consistency.map_or(1.0, |own| own.widening());
     let likelihoods: Vec<SiteLikelihood> = observed
         .iter()

@@ -1,18 +1,16 @@
 //! A coarse crack under many wheels, as a surrogate for the fine one.
 
-use super::wheel_patch::tabled_patches;
 use railcrack::body::BodyEngine;
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::dislocation::{DislocationEngine, FaceResolution};
 use railcrack::fatigue::{GrowthLaw, LoadRange, SifRanges};
-use railcrack::field::{PatchWheel, Wheel, wheel_under};
+use railcrack::field::{Wheel, wheel_under};
 use railcrack::fracture::SifHistory;
 use railcrack::growth::{PassageSettings, Unobserved};
 use railcrack::load::{Contact, Passage, TableContact, Travel, WheelLoad};
 use railcrack::material::IsotropicElastic;
 use railcrack::plane::{RailLoad, stabilised_passage};
-use railcrack_case::TableWheel;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// Elements along the crack.
@@ -73,19 +71,6 @@ pub(super) fn coarse_histories(
 pub(super) fn coarse_line(contact: &Contact, steel: &IsotropicElastic) -> Option<CoarseWheel> {
     let load = WheelLoad { contact: thinned(contact), track: None, temperature: None };
     Some(CoarseWheel { half_width: contact.half_width(), field: wheel_under(&load, steel).ok()? })
-}
-
-/// A wheel of a table that runs towards `travel` over a crack in the plane at `lateral` (mm), by
-/// its patches; none without any.
-pub(super) fn coarse_wheel(
-    wheel: &TableWheel,
-    travel: Travel,
-    lateral: f64,
-    steel: &IsotropicElastic,
-) -> Option<CoarseWheel> {
-    let patches = tabled_patches(wheel, travel, lateral)?;
-    let half_width = wheel.heaviest().patch.ellipse.along;
-    Some(CoarseWheel { half_width, field: Box::new(PatchWheel::new(&patches, steel)) })
 }
 
 /// The rate (mm per cycle) of the fastest tip with these `histories` by `law`.

@@ -1,7 +1,9 @@
 //! A coarse crack in space under many wheels, as a surrogate for the fine one.
 
+use super::coarse_crack::CoarseWheel;
 use railcrack::crack::Crack;
 use railcrack::fatigue::{GrowthLaw, LoadRange};
+use railcrack::field::{PatchLoad, PatchWheel};
 use railcrack::growth::FrontShape;
 use railcrack::interruption::Interruption;
 use railcrack::load::{SurfacePart, Travel};
@@ -190,6 +192,24 @@ impl FrontHistory {
     /// All of it in one row.
     pub fn flat(&self) -> Vec<f64> {
         self.0.iter().flatten().flat_map(|k| [k.ki, k.kii, k.kiii]).collect()
+    }
+}
+
+/// A wheel that runs towards `travel` over a crack in the plane at `lateral` (mm): its patches as
+/// ellipses.
+pub(super) fn coarse_wheel(
+    wheel: &TabledWheel,
+    travel: Travel,
+    lateral: f64,
+    steel: &IsotropicElastic,
+) -> CoarseWheel {
+    let patch = |(ahead, own): (f64, EllipticWheel)| {
+        PatchLoad::sliding(&own.ellipse(), [ahead, own.lateral], [own.friction, own.lateral_friction])
+    };
+    let patches: Vec<PatchLoad> = ellipses(wheel, travel, lateral).into_iter().map(patch).collect();
+    CoarseWheel {
+        half_width: wheel.wheel.heaviest().patch.ellipse.along,
+        field: Box::new(PatchWheel::new(&patches, steel)),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Representatives of the wheels of a table: groups by their passages over a coarse crack.
 
-use super::coarse_crack::{CoarseWheel, coarse_histories, coarse_line, coarse_rate, coarse_wheel};
-use super::coarse_front::{CoarseFront, FrontHistory};
+use super::coarse_crack::{CoarseWheel, coarse_histories, coarse_line, coarse_rate};
+use super::coarse_front::{CoarseFront, FrontHistory, coarse_wheel};
 use railcrack::body::BodyEngine;
 use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::dislocation::DislocationEngine;
@@ -51,9 +51,9 @@ fn effects(case: &Case, table: &WheelTable, loaded: &[usize]) -> Option<Effects>
         return by_coarse_front(&wheels, (&shape, friction), steel, travel, law);
     }
     if table.is_whole {
-        let wheel = |i: &usize| coarse_wheel(&table.wheels[*i].wheel, travel, table.lateral, steel);
-        let wheels: Option<Vec<CoarseWheel>> = loaded.iter().map(wheel).collect();
-        return by_coarse_crack(&wheels?, (&case.cracks, friction), steel, travel, law);
+        let wheels: Vec<CoarseWheel> =
+            loaded.iter().map(|i| coarse_wheel(&table.wheels[*i], travel, table.lateral, steel)).collect();
+        return by_coarse_crack(&wheels, (&case.cracks, friction), steel, travel, law);
     }
     let contact = |i: &usize| case.wheels[table.first + i].wheel.contact();
     let contacts: Vec<&Contact> = loaded.iter().filter_map(contact).collect();

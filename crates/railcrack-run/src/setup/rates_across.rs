@@ -1,7 +1,7 @@
 //! Growth by the lateral place of the crack.
 
-use super::coarse_crack::{CoarseWheel, coarse_histories, coarse_rate, coarse_wheel};
-use super::coarse_front::CoarseFront;
+use super::coarse_crack::{CoarseWheel, coarse_histories, coarse_rate};
+use super::coarse_front::{CoarseFront, coarse_wheel};
 use super::grouping::open_crack;
 use railcrack::load::Contact;
 use railcrack::rolling::PlacedPatch;
@@ -46,9 +46,9 @@ fn patch_rates_across(case: &Case, table: &WheelTable, places: &[f64]) -> Option
     let crack = (&case.cracks, *case.crack_friction.first()?);
     let (taken, scale) = every_so_many(table, places.len());
     let mean = |place: &f64| {
-        let wheel = |own: &&TabledWheel| coarse_wheel(&own.wheel, table.travel, *place, &case.steel);
-        let wheels: Option<Vec<CoarseWheel>> = taken.iter().map(wheel).collect();
-        let histories = coarse_histories(&wheels?, crack, &case.steel, table.travel)?;
+        let wheels: Vec<CoarseWheel> =
+            taken.iter().map(|own| coarse_wheel(own, table.travel, *place, &case.steel)).collect();
+        let histories = coarse_histories(&wheels, crack, &case.steel, table.travel)?;
         let rates = taken.iter().zip(&histories);
         let rate = rates.map(|(own, tips)| own.share * coarse_rate(tips, &case.growth.law)).sum::<f64>();
         Some((scale * rate, meeting(table, *place)))

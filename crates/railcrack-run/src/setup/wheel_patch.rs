@@ -4,7 +4,7 @@ use railcrack::field::{PatchLoad, StripTraction};
 use railcrack::load::{CarterContact, Contact, HertzEllipse, Travel};
 use railcrack::rolling::{PlacedPatch, RollingPatch, StripPoint};
 use railcrack::space::{BilinearPatch, EllipticWheel, WheelPatch};
-use railcrack_case::{Case, ContactExtent, ContactOrigin, GivenContact, TableWheel};
+use railcrack_case::{Case, ContactExtent, ContactOrigin, GivenContact};
 use std::sync::Arc;
 
 /// Intervals along each strip.
@@ -47,12 +47,6 @@ pub(super) fn wheel_patch(case: &Case, number: usize) -> Option<WheelPatch> {
 /// line contact.
 pub(super) fn patches_in_plane(case: &Case, number: usize) -> Option<Vec<PatchLoad>> {
     Some(given_patches(case, number)?.into_iter().map(GivenPatch::in_plane).collect())
-}
-
-/// The patches by which a wheel of a table that runs towards `travel` loads cracks in the plane at
-/// `lateral` (mm).
-pub(super) fn tabled_patches(wheel: &TableWheel, travel: Travel, lateral: f64) -> Option<Vec<PatchLoad>> {
-    Some(placed_patches(&wheel.over(lateral), travel)?.into_iter().map(GivenPatch::in_plane).collect())
 }
 
 /// Distance from cracks in the plane of the nearest patch of the wheel `number` (from 0) of `case`,

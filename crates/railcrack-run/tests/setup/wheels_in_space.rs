@@ -84,7 +84,8 @@ fn the_mirrored_rail_has_the_mirrored_history() {
 
 #[test]
 fn two_patches_are_one_history() {
-    // At full slip, 60 and 40 kN on the same ellipse are 100 kN. Tables refuse the same place twice.
+    // At full slip, 60 and 40 kN on the same ellipse are 100 kN. Tables refuse the same place
+    // twice.
     let whole = tabled("whole", 0.0, (HEADER, "1,100,0,0.1,0,0,0.3,6,5\n"), "");
     let mut both = whole.clone();
     let patches = &mut both.wheel_table.as_mut().unwrap().wheels[0].wheel.patches;

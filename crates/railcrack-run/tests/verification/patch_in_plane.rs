@@ -1,5 +1,5 @@
-//! Cracks in the plane under an ellipse against their deepest point in space; the table of more cases
-//! is that of `tools/patch_in_plane.py`.
+//! Cracks in the plane under an ellipse against their deepest point in space; the table of more
+//! cases is that of `tools/patch_in_plane.py`.
 
 use crate::common::{Relative, close};
 use railcrack::growth::{TipRecord, Unobserved};
@@ -62,7 +62,7 @@ fn under_a_centred_wheel() {
     }
 }
 
-/// What is warned of: the front is also sheared sideways, in space only.
+/// This is warned of: the front is also sheared sideways, in space only.
 #[test]
 fn a_wheel_beside_the_crack_also_tears_it() {
     let ratio = HeadCheck { beside: 3.0, ..USUAL }.ratio();

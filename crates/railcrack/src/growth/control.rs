@@ -1,6 +1,5 @@
 //! Control of the increments: their error, the location of events, and the turns of the limit path.
 
-use super::step_size::LEAST_DRAWN;
 use super::turning::AFTER_KINK;
 use super::{Advance, DeferredGrowth, EarlierStep, GrowthSettings, Jump, Mover, TipRecord, Turn};
 use crate::fatigue::SECONDARY_DISTANCE;
@@ -128,8 +127,8 @@ const SUDDEN_TURN_WEIGHT: f64 = 2.0;
 const PATH_TOLERANCE: f64 = 0.01;
 /// Growth over the increment of the step from which a part of it was deferred.
 const DEFERRED: f64 = 1.2;
-/// Relative change of a rate from which that is sudden: where a path turns smoothly, growth that has
-/// been deferred changes it by 0.6 % at most, for which the next increments make up.
+/// Relative change of a rate from which that is sudden: where a path turns smoothly, growth that
+/// has been deferred changes it by 0.6 % at most, for which the next increments make up.
 const SUDDEN: f64 = 0.02;
 /// Relative change of the life per radian of direction that is allowed for at least: the rate
 /// hardly depends on the direction of the tip, but on the depth to which it leads.
@@ -322,12 +321,12 @@ impl Control<'_> {
         lost.fold(0.0, f64::max).min(last)
     }
 
-    /// The change of a crack in the step as a fraction of its length, and that from which on shorter
-    /// steps have a smaller error.
+    /// The change of a crack in the step as a fraction of its length, and that from which on
+    /// shorter steps have a smaller error.
     ///
     /// Where the surface is removed, steps may be shorter than the growth from which a slow tip is
-    /// drawn. The rates change at once where it is drawn, by as much in a short step as in a longer one.
-    /// In steps of twice that growth, tips of half the pace are drawn every time.
+    /// drawn. The rates change at once where it is drawn, by as much in a short step as in a longer
+    /// one. In steps of twice that growth, tips of half the pace are drawn every time.
     fn divisible(&self, after: &End<'_>) -> (f64, f64) {
         let least = 2.0 * SHARES.0;
         let waits =
@@ -339,7 +338,7 @@ impl Control<'_> {
         let cycles = self.advance.progress.cycles;
         let grown = leading(self.before.movers).map_or(0.0, |leader| cycles * leader.rate / leader.length);
         let last = self.course.share.unwrap_or(self.settings.increment);
-        let drawn = last.min(DeferredGrowth::LEAST_SMOOTH).max(LEAST_DRAWN * last);
+        let drawn = last.min(DeferredGrowth::LEAST_SMOOTH).max(DeferredGrowth::LEAST_DRAWN * last);
         (grown.max(self.lost()), least.max(2.0 * drawn))
     }
 
@@ -421,9 +420,9 @@ impl Control<'_> {
 
     /// The estimated error of the cycles by kinks of slower tips that this step draws.
     ///
-    /// Until a kink is drawn, its tip grows at the rate that it had before. With the rate r₁ behind it
-    /// instead of r₀, the N cycles of the deferred growth would have been N r₀/r₁. Of tips that stay
-    /// slower than the leading one, this counts by the ratio of their paces.
+    /// Until a kink is drawn, its tip grows at the rate that it had before. With the rate r₁ behind
+    /// it instead of r₀, the N cycles of the deferred growth would have been N r₀/r₁. Of tips that
+    /// stay slower than the leading one, this counts by the ratio of their paces.
     fn error_of_deferral(&self, after: &End<'_>) -> f64 {
         let Some(leader) = leading(after.movers).filter(|leader| leader.rate > 0.0) else { return 0.0 };
         if self.settings.turning.is_kink() {

@@ -79,8 +79,8 @@ fn a_step_of_the_limit_path_ends_though_its_attempts_draw_other_tips() {
 }
 
 /// The attempts at a step of the tips `before` under wear and grinding that takes `share` of the
-/// length of the leading crack, in which the rate rises by `rise(share)`, until one is accepted: the
-/// share of that one.
+/// length of the leading crack, in which the rate rises by `rise(share)`, until one is accepted:
+/// the share of that one.
 fn accepted_under_wear(before: &[TipRecord], share: f64, rise: impl Fn(f64) -> f64) -> f64 {
     let removal = SurfaceRemoval {
         wear: 2e-8,

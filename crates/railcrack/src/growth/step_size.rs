@@ -3,7 +3,10 @@
 
 use super::control::LOCATED;
 use super::history::History;
-use super::{Axles, EarlierStep, GrowthSettings, Interval, Mover, StepProgress, StepStart, SurfaceRemoval};
+use super::{
+    Axles, DeferredGrowth, EarlierStep, GrowthSettings, Interval, Mover, StepProgress, StepStart,
+    SurfaceRemoval,
+};
 
 /// The pace of a step. It is set by the fastest-growing mover, or by the removal of the surface
 /// where that takes more of a crack.
@@ -53,8 +56,6 @@ pub(crate) struct Moving<'a> {
     pub wearing: &'a [WearingCrack],
 }
 
-/// Growth below this part of a full increment is deferred where the surface is removed.
-pub(crate) const LEAST_DRAWN: f64 = 0.1;
 /// Cycles before a grinding, relative to its interval, that are attributed to rounding.
 const DUE: f64 = 1e-9;
 
@@ -91,7 +92,7 @@ impl StepSize {
             let cycles = if limit < f64::INFINITY { part * limit } else { 0.0 };
             let share = fastest.map_or(0.0, |mover| cycles * mover.rate / mover.length);
             // Growth that is much slower than the removal of the surface is drawn in larger steps.
-            let least = if maintenance.is_some() { LEAST_DRAWN * at.share } else { 0.0 };
+            let least = if maintenance.is_some() { DeferredGrowth::LEAST_DRAWN * at.share } else { 0.0 };
             let is_cut = cycles < CUT * pace.cycles && limit >= until_event;
             pace = Self {
                 mover,

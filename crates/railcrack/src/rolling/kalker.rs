@@ -208,7 +208,10 @@ impl Choice for RollingTheory {
     const WORDS: &'static [(Self, Word)] = &[
         (
             Self::Strip,
-            Word::now("strip", "strips of Carter's form by Kalker's strip theory, scaled to his coefficients"),
+            Word::now(
+                "strip",
+                "strips of Carter's form by Kalker's strip theory, scaled to his coefficients",
+            ),
         ),
         (Self::FaStrip, Word::now("fastrip", "the same with the shear of Sichani et al. 2016")),
         (

@@ -283,14 +283,14 @@ const SMALLEST: f64 = 2.0;
 /// largest K down to 1.4 elements, 0.8 % at 0.6, 6 % at 0.4.
 const TRUSTED: f64 = 1.0;
 
-/// The inner radius over the outer one where the domain ends at the bottom or a side of a block: the
-/// weight must be 1 in the element of the tip.
+/// The inner radius over the outer one where the domain ends at the bottom or a side of a block:
+/// the weight must be 1 in the element of the tip.
 const NARROWEST: f64 = 0.75;
 
-/// The same from the bottom or a side of a block, at which the domain ends: below it the inner radius
-/// extends into the element of the tip. Measured on tips above the bottom: K_II of a domain that extends beyond it
-/// is wrong by 10 % at two elements and by 28 % at one.
-const TRUSTED_AT_END: f64 = 2.0;
+/// The same from the bottom or a side of a block, at which the domain ends: nearer, its weight
+/// falls within the element of the tip. Measured on tips above the bottom: 0.01 % of the largest K
+/// at 3.2 elements, 15 % at 2.1.
+const TRUSTED_AT_END: f64 = 3.0;
 
 /// The nearest neighbour of a tip.
 #[derive(Debug, Clone, Copy, PartialEq)]

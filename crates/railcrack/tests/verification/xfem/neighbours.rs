@@ -78,7 +78,7 @@ fn several_cracks_in_one_element() {
 }
 
 /// Tips near the bottom and a side of a block, against elements of a sixth of their distance: the
-/// domain of K ends at the block, and from two elements on a warning says that it is too small.
+/// domain of K ends at the block, and below three elements a warning says that it is too small.
 #[test]
 fn tips_near_the_ends_of_a_block() {
     let end = |bottom| RailEnd::Block {
@@ -96,12 +96,12 @@ fn tips_near_the_ends_of_a_block() {
                 (sifs_of(&body, |_| MIXED), body.remarks.to_vec())
             };
             let (want, _) = of(6.0);
-            for (elements, within) in [(3.2, 0.015), (2.1, 0.03), (1.9, 1.0), (1.2, 1.0)] {
+            for (elements, within) in [(3.2, 0.015), (2.9, 1.0), (2.1, 1.0), (1.2, 1.0)] {
                 let (k, remarks) = of(elements);
                 let off = largest(k.iter().zip(&want).map(|(a, b)| a - b)) / largest(want.iter().copied());
                 println!("{bottom:?}, {elements} elements: {:.2} %", 100.0 * off);
                 close(off, 0.0, Absolute(within), "the weight falls within an element or two");
-                assert_eq!(warned(&remarks), elements < 2.0, "{elements} elements: {remarks:?}");
+                assert_eq!(warned(&remarks), elements < 3.0, "{elements} elements: {remarks:?}");
             }
         }
     }

@@ -81,7 +81,8 @@ fn sharp_kinks_of_slow_tips_are_reported() {
 fn short_increments_before_a_sharp_kink() {
     let start = surface_crack(0.0, 6.0, 20.0);
     let meshed = Meshed { expected_growth: 1.5, ..Meshed::of_size(SIZE) };
-    let engine = |crack: &Crack| meshed.engine(std::slice::from_ref(&start)).body(&CrackNetwork::from(crack.clone()));
+    let engine =
+        |crack: &Crack| meshed.engine(std::slice::from_ref(&start)).body(&CrackNetwork::from(crack.clone()));
     let kinked = |before: &[f64]| {
         let approach = before.iter().fold(start.clone(), |crack, &length| {
             crack.extended(End::Last, length * SIZE, 0.01f64.to_radians()).unwrap()
