@@ -209,7 +209,7 @@ pub(super) fn coarse_wheel(
     let patches: Vec<PatchLoad> = ellipses(wheel, travel, lateral).into_iter().map(patch).collect();
     CoarseWheel {
         half_width: wheel.wheel.heaviest().patch.ellipse.along,
-        field: Box::new(PatchWheel::new(&patches, steel)),
+        field: Box::new(PatchWheel::coarse(&patches, steel)),
     }
 }
 

@@ -16,7 +16,7 @@
 //! Gegenbauer polynomials, whose Φ are Legendre functions of the second kind.
 
 use crate::load::HertzEllipse;
-use crate::math::{LegendreSecond, Stress, gauss_legendre};
+use crate::math::{LegendreSecond, Stress, gauss_legendre, legendre_zeroth};
 use num_complex::Complex64 as Complex;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
@@ -177,9 +177,9 @@ enum Crowded {
 }
 
 impl PatchDirections {
-    /// The directions of `patch` on a rail with this Poisson's ratio.
-    pub fn new(patch: &PatchLoad, poisson: f64) -> Self {
-        let rules = RULES.map(|rule| directions(patch, rule));
+    /// The directions of `patch` on a rail with this Poisson's ratio, one in `coarseness` of them.
+    pub fn new(patch: &PatchLoad, poisson: f64, coarseness: usize) -> Self {
+        let rules = RULES.map(|(count, crowded)| directions(patch, (count / coarseness, crowded)));
         Self { middle: patch.middle, half: patch.half, rules, poisson }
     }
 
@@ -311,7 +311,7 @@ fn first_legendre(u: Complex) -> [Complex; 3] {
         let slope = -w * (2.0 / 3.0 + w * (0.8 + w * (6.0 / 7.0 + w * 8.0 / 9.0))) / u;
         return [value, slope, 2.0 * inverse * inverse];
     }
-    let zeroth = LegendreSecond::zeroth(u);
+    let zeroth = legendre_zeroth(u);
     [u * zeroth - 1.0, zeroth - u * inverse, 2.0 * inverse * inverse]
 }
 
@@ -336,12 +336,24 @@ impl Direction {
                 only.map(|coefficient| coefficient * value)
             });
         }
-        let q = LegendreSecond::new(u, self.coefficients.len());
-        [
-            self.sum(|m| q.values[m]),
-            self.sum(|m| q.slope(m) / self.reach),
-            self.sum(|m| q.curvature(m) / (self.reach * self.reach)),
-        ]
+        // With (u² − 1) Q_m′ = m (u Q_m − Q_{m−1}) and Legendre's equation for Q_m″.
+        let q = LegendreSecond::<{ ORDER + 1 }>::new(u).values;
+        let [mut values, mut first, mut before, mut second] = [[Complex::new(0.0, 0.0); 3]; 4];
+        for (n, coefficients) in self.coefficients.iter().enumerate() {
+            let (lower, own, m) = (q[n], q[n + 1], (n + 1) as f64);
+            for (i, coefficient) in coefficients.iter().enumerate() {
+                let part = own * *coefficient;
+                values[i] += part;
+                first[i] += part * m;
+                before[i] += lower * (*coefficient * m);
+                second[i] += part * (m * (m + 1.0));
+            }
+        }
+        let inverse = 1.0 / (u * u - 1.0);
+        let slopes = [0, 1, 2].map(|i| inverse * (u * first[i] - before[i]));
+        let curvatures = [0, 1, 2].map(|i| inverse * (second[i] - 2.0 * u * slopes[i]));
+        let scale = 1.0 / self.reach;
+        [values, slopes.map(|slope| slope * scale), curvatures.map(|own| own * (scale * scale))]
     }
 
     /// Σ coefficients times `of` the order, a multiple of Q_m, m from 1.
@@ -388,7 +400,7 @@ impl Direction {
     /// u_x and u_y (upwards), times 2G.
     fn displacement(&self, [x, y]: [f64; 2], depth: f64, poisson: f64) -> [f64; 2] {
         let u = Complex::new(x * self.cos + y * self.sin, depth) / self.reach;
-        let q = LegendreSecond::new(u, self.coefficients.len() + 1);
+        let q = LegendreSecond::<{ ORDER + 2 }>::new(u);
         let [p, n, _] = self.sum(|m| q.values[m]);
         // ∫ Q_m du = (Q_{m+1} − Q_{m−1})/(2m + 1).
         let integral = |m: usize| self.reach * (q.values[m + 1] - q.values[m - 1]) / (2.0 * m as f64 + 1.0);

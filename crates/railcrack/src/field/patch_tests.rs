@@ -8,7 +8,7 @@ const NU: f64 = 0.3;
 #[test]
 fn on_the_axis_of_a_circle() {
     let ellipse = HertzEllipse { peak_pressure: 1000.0, along: 5.0, across: 5.0 };
-    let patch = PatchDirections::new(&PatchLoad::sliding(&ellipse, [0.0; 2], [0.0; 2]), NU);
+    let patch = PatchDirections::new(&PatchLoad::sliding(&ellipse, [0.0; 2], [0.0; 2]), NU, 1);
     for z in [0.05f64, 0.5, 2.5, 5.0, 20.0, 200.0] {
         let stress = patch.stress(0.0, z, Spread::NONE);
         let t = z / 5.0;

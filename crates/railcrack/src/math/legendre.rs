@@ -2,98 +2,106 @@
 
 use num_complex::Complex64 as Complex;
 
-/// Q_0 … Q_n at a complex u off the interval [−1, 1]: Q_m(u) = ½ ∫ P_m(t)/(u − t) dt over it.
+/// Q_0 … Q_{N−1} at a complex u off the interval [−1, 1]: Q_m(u) = ½ ∫ P_m(t)/(u − t) dt over it.
 #[derive(Debug, Clone)]
-pub(crate) struct LegendreSecond {
+pub(crate) struct LegendreSecond<const N: usize> {
     /// u.
     pub at: Complex,
-    /// Q_0 … Q_n.
-    pub values: Vec<Complex>,
+    /// Q_0 … Q_{N−1}.
+    pub values: [Complex; N],
 }
 
-/// |u| beyond which Q_m is summed from its smallest terms upwards.
-const FAR: f64 = 1.8;
+/// |u + √(u² − 1)| below which the recurrence upwards may be used.
+const NEAR: f64 = 1.8;
 
-/// Orders above the largest one at which the recurrence downwards begins: from [`FAR`] on, its
-/// start is forgotten as |u + √(u² − 1)| to the power of twice their number.
-const ABOVE: usize = 30;
+/// Share of the start of the recurrence downwards that is left in Q_{N−1}.
+const FORGOTTEN: f64 = 1e-11;
+
+/// Largest number of orders above the largest one at which the recurrence downwards begins.
+const ABOVE: usize = 40;
 
 /// Largest share by which the recurrence upwards may multiply round-off.
 const UPWARDS: f64 = 1e5;
 
-impl LegendreSecond {
-    /// Q_0 … Q_`most` at `u`.
+impl<const N: usize> LegendreSecond<N> {
+    /// Q_0 … Q_{N−1} at `u`.
     ///
     /// The recurrence (m + 1) Q_{m+1} = (2m + 1) u Q_m − m Q_{m−1} is stable upwards next to the
-    /// interval, downwards elsewhere (Olver).
-    pub fn new(u: Complex, most: usize) -> Self {
-        let one = Complex::new(1.0, 0.0);
-        let root = (u - one).sqrt() * (u + one).sqrt();
-        let growth = (u + root).norm().max(1.0 / (u + root).norm());
-        let values = if growth < FAR && growth.powi(2 * most as i32) < UPWARDS {
-            upwards(u, most)
+    /// interval, downwards elsewhere (Olver). Downwards, its start is forgotten as |u + √(u² − 1)|
+    /// to the power of twice the number of orders.
+    pub fn new(u: Complex) -> Self {
+        let apart = |end: f64| ((u.re - end) * (u.re - end) + u.im * u.im).sqrt();
+        let mean = (0.5 * (apart(1.0) + apart(-1.0))).max(1.0);
+        let growth = mean + (mean * mean - 1.0).sqrt();
+        let values = if growth < NEAR && growth.powi(2 * N as i32 - 2) < UPWARDS {
+            upwards(u)
         } else {
-            downwards(u, most)
+            let above = (-0.5 * FORGOTTEN.ln() / growth.ln()).ceil() as usize;
+            downwards(u, above.clamp(1, ABOVE))
         };
         Self { at: u, values }
     }
-
-    /// Q_0 = ½ ln((u + 1)/(u − 1)), cut along [−1, 1].
-    pub fn zeroth(u: Complex) -> Complex {
-        let (over, under) = ((u.re + 1.0).powi(2) + u.im * u.im, (u.re - 1.0).powi(2) + u.im * u.im);
-        let angle = (2.0 * u.im).atan2(u.norm_sqr() - 1.0);
-        Complex::new(0.25 * (over / under).ln(), -0.5 * angle)
-    }
-
-    /// Q_m′ for m ≥ 1: (u² − 1) Q_m′ = m (u Q_m − Q_{m−1}).
-    pub fn slope(&self, m: usize) -> Complex {
-        let u = self.at;
-        m as f64 * (u * self.values[m] - self.values[m - 1]) / (u * u - 1.0)
-    }
-
-    /// Q_m″ for m ≥ 1, from Legendre's equation.
-    pub fn curvature(&self, m: usize) -> Complex {
-        let u = self.at;
-        (2.0 * u * self.slope(m) - (m * (m + 1)) as f64 * self.values[m]) / (1.0 - u * u)
-    }
 }
 
-fn upwards(u: Complex, most: usize) -> Vec<Complex> {
-    let mut values = vec![LegendreSecond::zeroth(u)];
-    if most > 0 {
-        values.push(u * values[0] - 1.0);
-    }
-    for m in 1..most {
+/// Q_0 = ½ ln((u + 1)/(u − 1)), cut along [−1, 1].
+pub(crate) fn legendre_zeroth(u: Complex) -> Complex {
+    let (over, under) = ((u.re + 1.0).powi(2) + u.im * u.im, (u.re - 1.0).powi(2) + u.im * u.im);
+    let angle = (2.0 * u.im).atan2(u.norm_sqr() - 1.0);
+    Complex::new(0.25 * (over / under).ln(), -0.5 * angle)
+}
+
+fn upwards<const N: usize>(u: Complex) -> [Complex; N] {
+    let mut values = [Complex::new(0.0, 0.0); N];
+    let (mut value, mut previous) = (legendre_zeroth(u), Complex::new(0.0, 0.0));
+    for (m, own) in values.iter_mut().enumerate() {
+        *own = value;
         let order = m as f64;
-        values.push(((2.0 * order + 1.0) * u * values[m] - order * values[m - 1]) / (order + 1.0));
+        let after = if m == 0 {
+            u * value - 1.0
+        } else {
+            ((2.0 * order + 1.0) * u * value - order * previous) / (order + 1.0)
+        };
+        (previous, value) = (value, after);
     }
     values
 }
 
-/// Ratios Q_m/Q_{m−1} from above, then the values from Q_0.
-fn downwards(u: Complex, most: usize) -> Vec<Complex> {
-    let mut ratios = vec![Complex::new(0.0, 0.0); most + 1];
-    let mut ratio = 0.5 / u;
-    for m in (1..=most + ABOVE).rev() {
-        let order = m as f64;
-        ratio = order / ((2.0 * order + 1.0) * u - (order + 1.0) * ratio);
-        if m <= most {
-            ratios[m] = ratio;
+/// From the order N − 1 + `above` downwards in proportion to the values, which Q_0 gives.
+fn downwards<const N: usize>(u: Complex, above: usize) -> [Complex; N] {
+    let mut values = [Complex::new(0.0, 0.0); N];
+    let (mut after, mut value) = (Complex::new(0.0, 0.0), Complex::new(SMALL, 0.0));
+    for m in (0..N + above).rev() {
+        if m < N {
+            values[m] = value;
         }
+        let [of_value, of_after] = DOWNWARDS[m];
+        (after, value) = (value, u * (value * of_value) - after * of_after);
     }
-    let mut values = vec![distant(u)];
-    for m in 1..=most {
-        values.push(values[m - 1] * ratios[m]);
-    }
-    values
+    let scale = distant(u) / values[0];
+    values.map(|value| value * scale)
 }
+
+/// The start of the recurrence downwards, which grows from it.
+const SMALL: f64 = 1e-100;
+
+/// (2m + 1)/m and (m + 1)/m of the recurrence downwards.
+const DOWNWARDS: [[f64; 2]; 64] = {
+    let mut all = [[0.0; 2]; 64];
+    let mut m = 1;
+    while m < 64 {
+        let order = m as f64;
+        all[m] = [(2.0 * order + 1.0) / order, (order + 1.0) / order];
+        m += 1;
+    }
+    all
+};
 
 /// |u| beyond which the logarithm would be that of a number close to one.
 const DISTANT: f64 = 20.0;
 
 fn distant(u: Complex) -> Complex {
-    if u.norm() < DISTANT {
-        return LegendreSecond::zeroth(u);
+    if u.norm_sqr() < DISTANT * DISTANT {
+        return legendre_zeroth(u);
     }
     let inverse = 1.0 / u;
     let square = inverse * inverse;
@@ -126,25 +134,12 @@ mod tests {
     fn neumann_integrals_near_and_far() {
         for u in [(0.3, 0.2), (-0.9, 0.1), (1.2, 0.05), (0.0, 1.0), (2.0, 1.0), (-30.0, 4.0), (0.1, 25.0)] {
             let u = Complex::new(u.0, u.1);
-            let known = LegendreSecond::new(u, 11);
+            let known = LegendreSecond::<12>::new(u);
             for m in 0..=11 {
                 let want = by_quadrature(m, u);
                 let off = (known.values[m] - want).norm();
                 assert!(off < 1e-9 * want.norm() + 1e-15, "Q_{m}({u}): {} {want}", known.values[m]);
             }
-        }
-    }
-
-    #[test]
-    fn slopes_and_curvatures_are_those_of_differences() {
-        let (u, h) = (Complex::new(0.4, 0.7), 1e-4);
-        let at = |shift: f64| LegendreSecond::new(u + shift, 6);
-        for m in 1..=6 {
-            let (ahead, behind) = (at(h), at(-h));
-            let slope = (ahead.values[m] - behind.values[m]) / (2.0 * h);
-            let curvature = (ahead.slope(m) - behind.slope(m)) / (2.0 * h);
-            assert!((at(0.0).slope(m) - slope).norm() < 1e-7 * (1.0 + slope.norm()));
-            assert!((at(0.0).curvature(m) - curvature).norm() < 1e-7 * (1.0 + curvature.norm()));
         }
     }
 }
