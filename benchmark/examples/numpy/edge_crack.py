@@ -146,7 +146,10 @@ class Faces:
                 # Many changes at once may go round in circles.
                 one = np.arange(n) == np.flatnonzero(changed)[-1]
                 closes, opens, slides, halts = closes & one, opens & one, slides & one, halts & one
-            self.status[closes | halts] = self.STICK if mu > 0.0 else self.SLIP
+            # What closes while it slides goes on sliding; if not, it halts in the next try.
+            self.status[closes] = self.SLIP
+            self.sign[closes] = -np.sign(moved[closes])
+            self.status[halts] = self.STICK
             self.status[opens] = self.OPEN
             self.status[slides] = self.SLIP
             self.sign[slides] = -np.sign(tt[slides])
