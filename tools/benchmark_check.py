@@ -38,7 +38,7 @@ MESH = {
     "fine": {
         "dislocation": "interface_elements = 112\n",
         "xfem": "element_size_mm = 0.05\n",
-        "space": "space_cells = 6\nspace_rings = 6\n",
+        "space": "space_cells = 8\nspace_rings = 8\n",
     },
 }
 
