@@ -32,12 +32,12 @@ def plane(whole):
     if "tension_mpa" in whole:
         parts.append(arrow(60, 190, 20, 190) + arrow(WIDTH - 60, 190, WIDTH - 20, 190) + text(70, 194, "σ"))
     if "half_width_mm" in whole:
-        a, centre = whole["half_width_mm"], -4.0
+        a, centre = whole["half_width_mm"], -2.0
         x = [centre + a * math.cos(math.pi * i / 24) for i in range(25)]
-        p = [3.2 * math.sin(math.pi * i / 24) for i in range(25)]
+        p = [1.5 * math.sin(math.pi * i / 24) for i in range(25)]
         parts.append(f'<polygon points="{" ".join(",".join(at(u, v)) for u, v in zip(x, p))}" fill="#cfe0ee" stroke="#1b6ca8"/>')
         cx, cy = (float(v) for v in at(centre, 0.0))
-        parts.append(arrow(cx, 66, cx + 60, 66) + text(cx + 64, 70, "travel") + text(cx - 14, 76, "x_c"))
+        parts.append(arrow(cx - 90, 58, cx - 40, 58) + text(cx - 90, 54, "travel") + text(cx - 6, 76, "x_c"))
         notes.append(f"a = {a:g} mm, p0 = {whole['peak_pressure_mpa']:g} MPa")
     for points in lines:
         parts.append(f'<polyline points="{" ".join(",".join(at(*p)) for p in points)}" fill="none" stroke="#c8432f" stroke-width="2"/>')
@@ -59,7 +59,7 @@ def space(whole):
     (x0, ya), (x1, yb) = at(start), at(scale * b)
     parts.append(f'<path d="M{x0:.1f},{ya:.1f}L{x1:.1f},{yb:.1f}" stroke="#c8432f" stroke-width="2"/>')
     parts.append(arrow(100, 60, 135, 60) + text(138, 56, "x"))
-    parts.append(text(225, 54, "in the plane of the crack: φ from the strike to the deepest point"))
+    parts.append(text(225, 54, "plane of the crack"))
     cy = 130 if buried else 75
     arc = (f'<ellipse cx="310" cy="{cy}" rx="{scale * c:.1f}" ry="{scale * b:.1f}" fill="#f3d9d4" stroke="#c8432f"/>' if buried else
            f'<path d="M{310 - scale * c:.1f},{cy}A{scale * c:.1f},{scale * b:.1f} 0 0 0 {310 + scale * c:.1f},{cy}Z" fill="#f3d9d4" stroke="#c8432f"/>')
@@ -104,7 +104,8 @@ def main():
         else:
             whole["cracks"] = whole["cracks"] or [{"mouth_x_mm": 0.0, "segments_mm_deg": []}]
             parts, notes = plane(whole)
-        caption = text(8, 16, f"{path.parent.name}: {'; '.join(n for n in notes if n)}")
+        notes = [f"{path.parent.name}: {notes[0]}", "; ".join(notes[1:])] if notes[0] else [f"{path.parent.name}: {notes[-1]}"]
+        caption = "".join(text(8, 14 + 13 * i, note) for i, note in enumerate(notes))
         (path.parent / "geometry.svg").write_text(
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="{WIDTH}" height="{HEIGHT}" '
             f'font-family="sans-serif" font-size="10"><rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>{"".join(parts)}{caption}</svg>\n'

@@ -143,6 +143,9 @@ def case_of(the, part, engine, mesh="usual"):
         lines.append(f"hardening_modulus_mpa = {part['hardening_modulus_mpa']}")
     if engine in ("dislocation", "xfem", "space"):
         lines += ["[solver]", f'engine = "{engine}"', "[mesh]"]
+    if engine == "space" and mesh == "usual" and "positions_over_a" in part:
+        # A shallow crack under a wheel needs more than the default cells.
+        lines += ["space_cells = 6", "space_rings = 6"]
     return "\n".join(lines) + "\n" + MESH[mesh].get(engine, "") + QUIET, files
 
 

@@ -46,9 +46,13 @@ class Problem:
     """A problem of the benchmark: `problem.toml` and `solution.csv` of its folder."""
 
     name: str
+    """Name of the folder: number and words."""
     folder: Path
+    """The folder."""
     data: dict[str, Any]
+    """Contents of `problem.toml`."""
     solution: Curves = field(repr=False)
+    """Curves of the solution by key and column: lists of (position, value)."""
 
     @property
     def groups(self) -> list[str]:
@@ -90,7 +94,9 @@ class Row:
     """Differences of one column of one curve from the solution, in per cent of its peak."""
 
     key: Key
+    """Values of the columns that name the curve: part, and crack or front point."""
     column: str
+    """The column, or `g_n_per_mm`."""
     peak: float
     """Largest absolute value of the solution; of all columns of K for one of them."""
     by_position: float
@@ -104,6 +110,7 @@ class Row:
     error_bar: float
     """Error bar of the solution; NaN where none is stated."""
     positions: int
+    """Positions of the solution that are compared."""
     missing: int
     """Positions of the solution that the result does not reach."""
 
@@ -376,10 +383,10 @@ def panel(the: Problem, found: Curves, key: Key, columns: list[str]) -> str:
     parts = [f'<path d="M{left},{top}V{bottom}H{right}" fill="none" stroke="#555"/>']
     if y0 < 0.0 < y1:
         parts.append(f'<path d="M{left},{place(x0, 0.0)[1]:.1f}H{right}" stroke="#ccc"/>')
-    for value, y in ((y0, bottom), (y1, top + 4)):
-        parts.append(f'<text x="{left - 4}" y="{y}" text-anchor="end">{value:.4g}</text>')
-    for value, anchor, x in ((x0, "start", left), (x1, "end", right)):
-        parts.append(f'<text x="{x}" y="{bottom + 12}" text-anchor="{anchor}">{value:.4g}</text>')
+    for value, edge in ((y0, bottom), (y1, top + 4)):
+        parts.append(f'<text x="{left - 4}" y="{edge}" text-anchor="end">{value:.4g}</text>')
+    for value, anchor, edge in ((x0, "start", left), (x1, "end", right)):
+        parts.append(f'<text x="{edge}" y="{bottom + 12}" text-anchor="{anchor}">{value:.4g}</text>')
     parts.append(f'<text x="{(left + right) // 2}" y="{bottom + 22}" text-anchor="middle">{escaped(the.along)}</text>')
     parts.append(f'<text x="{left}" y="12" font-weight="bold">{escaped(" ".join(key))}</text>')
     for i, column in enumerate(shown):

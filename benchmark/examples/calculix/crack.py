@@ -18,7 +18,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "numpy"))
 from edge_crack import hertz  # noqa: E402
 
-SIZE = 100.0  # mm from the mouth to the sides and to the bottom
+SIZE = 60.0  # mm from the mouth to the sides and to the bottom
 PENALTY, STICK = 1e6, 1e5  # MPa/mm
 
 
@@ -38,11 +38,11 @@ def twice(points):
 def mesh(length, angle):
     """Nodes (x, y), elements of eight nodes, and the columns of both faces (mouth to tip)."""
     depth = length * np.sin(np.radians(angle))
-    half = graded(0.0, SIZE, 0.04, 1.45)
+    half = graded(0.0, SIZE, 0.1, 1.7)
     across = twice(np.concatenate([-half[:0:-1], half]))
-    up = graded(depth, 0.5 * depth, 0.02, 1.4)
-    top = graded(0.0, 0.5 * depth, 0.1, 1.35)
-    down = twice(np.concatenate([top[:-1], up[::-1], graded(depth, SIZE, 0.02, 1.45)[1:]]))
+    up = graded(depth, 0.5 * depth, 0.03, 1.6)
+    top = graded(0.0, 0.5 * depth, 0.15, 1.5)
+    down = twice(np.concatenate([top[:-1], up[::-1], graded(depth, SIZE, 0.03, 1.7)[1:]]))
     crack = len(across) // 2
     tip = int(np.argmin(np.abs(down - depth)))
     number, nodes = {}, []
@@ -76,7 +76,7 @@ def mesh(length, angle):
 
 def border_forces(nodes, border, stress):
     """Forces of the tractions of `stress(x, y)` at the nodes of the border, by Simpson's three nodes and Gauss points."""
-    points, weights = np.polynomial.legendre.leggauss(5)
+    points, weights = np.polynomial.legendre.leggauss(40)
     shape = np.stack([0.5 * points * (points - 1), 1 - points**2, 0.5 * points * (points + 1)])
     forces = np.zeros((len(nodes), 2))
     for line in border:
@@ -169,8 +169,8 @@ def main(name="45deg-faces0.3-contact+0.3"):
         problem = tomllib.load(file)
     part = next(p for p in problem["part"] if p["name"] == name)
     part = {"elasticity": problem["elasticity"], **problem["common"], **part}
-    # From afar in long steps, then in steps of 0.05 a over the crack.
-    positions = np.concatenate([np.arange(-6.0, -2.0, 0.25), np.arange(-2.0, 4.0 + 1e-9, 0.05)])
+    # From afar in long steps, then in steps of 0.1 a over the crack.
+    positions = np.concatenate([[-6.0, -4.0, -3.0, -2.5, -2.0, -1.75], np.arange(-1.5, 3.0 + 1e-9, 0.1)])
     crack = deck(part, positions)
     subprocess.run(["ccx", "crack"], cwd=HERE, check=True, stdout=open(HERE / "crack.log", "w"))
     lines = ["# problem: 03", "# CalculiX, see README.md", "part,xc_over_a,ki_mpa_sqrt_m,kii_mpa_sqrt_m"]
