@@ -49,9 +49,9 @@ class Crack:
         effective = modulus / (1.0 - poisson**2)
         self.along = np.exp(-1j * np.radians(angle))
         self.normal = 1j * self.along
-        # Nodes are uniform in g, but denser towards the mouth.
-        t = np.linspace(0.0, 1.0, n + 1)
-        g = np.sqrt(length) * (1.0 - t) * (1.0 + t - 0.9 * t * (1.0 - t))
+        # Nodes are uniform in g at the tip and denser towards the mouth, where the flap is thin.
+        g = np.sqrt(length) * np.cos(0.5 * np.pi * np.linspace(0.0, 1.0, n + 1))
+        g[-1] = 0.0
         points, weights = np.polynomial.legendre.leggauss(8)
         q = (0.5 * (g[:-1] + g[1:])[:, None] + 0.5 * np.diff(g)[:, None] * points).ravel()
         self.z = (length - q**2) * self.along
