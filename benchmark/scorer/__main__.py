@@ -1,0 +1,7 @@
+"""`python -m railcrack_benchmark`."""
+
+import sys
+
+from railcrack_benchmark import main
+
+sys.exit(main())
