@@ -9,7 +9,6 @@
 //! * `console` are commands behind `$ ` with what they print, `…` for anything; of one that fails,
 //!   its message;
 //! * `console png` is run where the command has the feature `png`;
-//! * `console slow` is not run here: `.ci/run cases` runs it and looks for its lines;
 //! * `python` is run with a Python that has meshio;
 //! * `text`, or of no language, is not run.
 //!
@@ -60,7 +59,7 @@ fn blocks(page: &str) -> Vec<Block> {
                 let (language, feature) = language.trim().split_once(' ').unwrap_or((language.trim(), ""));
                 let is_run = match feature {
                     "png" => cfg!(feature = "png"),
-                    other => other != "slow",
+                    _ => true,
                 };
                 let language = if is_run { language } else { "text" }.to_owned();
                 open = Some(Block { line: i + 1, language, text: String::new() });

@@ -133,8 +133,21 @@ fn a_search_widens_its_bracket_and_refuses_an_end() {
     let told = done(&folder, &[&line[..], &["--out", "fit"]].concat());
     let value: f64 = told["growth.paris_c = ".len()..].split(',').next().unwrap().parse().unwrap();
     assert!((value / 1e-10 - 1.0).abs() < 5e-3, "{told}");
+    // With errors that are known; by its scatter alone, one wrong value is as good as another.
+    let exact = depths(&folder, 20.0).replacen("depth_mm\n", "depth_mm,std_mm\n", 1);
+    let exact: Vec<String> = exact
+        .lines()
+        .enumerate()
+        .map(|(i, line)| match i {
+            0 => line.to_owned(),
+            _ => format!("{line},0.01"),
+        })
+        .collect();
+    fs::write(folder.join("exact.csv"), exact.join("\n")).unwrap();
+    let end =
+        ["calibrate", "case.toml", "--measured", "exact.csv", "--parameter", "growth.paris_c", "--quiet"];
     let refused =
-        stderr(&ends(&folder, &[&line[..], &["--between", "1e-9,4e-9", "--out", "end"]].concat(), 2));
+        stderr(&ends(&folder, &[&end[..], &["--between", "1e-9,4e-9", "--out", "end"]].concat(), 2));
     assert!(refused.contains("is at an end, 1.0000e-9: it is no result"), "{refused}");
     let outside = ["--parameter", "contact.friction", "--between", "0.1,7", "--out", "outside"];
     let line = ["calibrate", "case.toml", "--measured", "measured.csv", "--quiet"];

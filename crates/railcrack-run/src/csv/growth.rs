@@ -35,7 +35,7 @@ table! {
         delta_ki: f64 = "delta_ki_mpa_sqrt_m";
         /// Range of K_II, MPa√m.
         delta_kii: f64 = "delta_kii_mpa_sqrt_m";
-        /// ΔK_eq of the actual tip, MPa√m.
+        /// ΔK_eq of the actual tip, MPa√m: ΔK_I alone where its shear adds nothing to the rate.
         delta_keq: f64 = "delta_keq_mpa_sqrt_m";
         /// Chosen kink angle, degrees; empty for a tip that is not loaded.
         kink_deg: Option<f64> = "kink_angle_deg";

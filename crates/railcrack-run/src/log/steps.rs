@@ -30,6 +30,8 @@ pub(crate) struct Present {
     pub residual_table: Option<Seal>,
     /// Other runs of the same cracks that the decision needs; none before the run has ended.
     pub companions: Option<Vec<Companion>>,
+    /// The case with more steps with which the run went on after its end; none of another run.
+    pub longer_case: Option<String>,
     /// Wall time of the finished steps, resumptions counted, seconds.
     pub wall_s: f64,
     /// Part of it that went into writing, seconds.

@@ -16,7 +16,7 @@ use std::path::Path;
 const MAGIC: [u8; 8] = *b"RAILCRCK";
 
 /// Raised whenever the layout of [`Checkpoint`] or of what it holds changes.
-const FORMAT: u32 = 20;
+const FORMAT: u32 = 21;
 
 /// Magic, format, checksum.
 const HEADER: usize = 8 + 4 + CHECKSUM_BYTES;
@@ -102,7 +102,10 @@ impl LogFile {
         let bytes =
             bytes.ok_or_else(|| OutputError::damaged(&path, "does not hold what was written (checksum)"))?;
         let damaged = |reason: postcard::Error| OutputError::damaged(&path, reason.to_string());
-        let (case, mut rest) = postcard::take_from_bytes(bytes).map_err(damaged)?;
+        let (mut case, mut rest): (CaseFiles, _) = postcard::take_from_bytes(bytes).map_err(damaged)?;
+        if let Some(toml) = &checkpoint.now.longer_case {
+            case.toml.clone_from(toml);
+        }
         let mut steps: Vec<StepDigest> = Vec::new();
         while !rest.is_empty() {
             let (step, behind) = postcard::take_from_bytes(rest).map_err(damaged)?;

@@ -98,6 +98,7 @@ impl Recorder {
                 return Ok((Self::from_the_beginning(folder, &case, info, presentation)?, None));
             };
             checkpoint = Checkpoint::of(*before, None);
+            checkpoint.now.longer_case = Some(case.toml.clone());
             checkpoint.write(folder, Durability::Synced)?;
             log = LogFile::read(folder, &checkpoint)?.1;
         }

@@ -5,6 +5,7 @@ use super::front_spread::{CrackLine, FrontSpread, PlaceOnCrack, StressesByPositi
 use super::patch_directions::{PatchDirections, PatchLoad, Spread};
 use crate::material::IsotropicElastic;
 use crate::math::{Stress, Vec2};
+use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 /// A wheel on the half-space. Its stress and displacement are those in the plane y = 0 of the
@@ -109,7 +110,7 @@ impl StressesOnCracks for OnCracks<'_> {
             let (start, weights) = self.cracks[place.crack].between(place.s);
             (before + start, weights)
         };
-        let places: Vec<(usize, [f64; LEAST_NODES])> = places.iter().map(between).collect();
+        let places: Vec<(usize, [f64; MOST_POINTS])> = places.iter().map(between).collect();
         Box::new(move |xc| {
             let nodes: Vec<Stress> = used
                 .iter()
@@ -126,9 +127,10 @@ impl StressesOnCracks for OnCracks<'_> {
     }
 }
 
-/// Nodes within a quarter turn of the parameter of a crack, and the least of one of its legs.
+/// Nodes within a quarter turn of the parameter of a crack, and the most between which a stress is
+/// interpolated.
 const NODES: usize = 14;
-const LEAST_NODES: usize = 4;
+const MOST_POINTS: usize = 4;
 /// A vertex at which a crack turns by more (radians) is an end of a leg.
 const KINK: f64 = 0.05;
 
@@ -161,11 +163,12 @@ impl CrackTable {
         let (mut nodes, mut legs) = (Vec::new(), Vec::new());
         for pair in ends.windows(2) {
             let (from, to) = (spread.parameter(pair[0]), spread.parameter(pair[1]));
-            let count = ((NODES as f64 * (to - from) / std::f64::consts::FRAC_PI_2).ceil() as usize + 1)
-                .max(LEAST_NODES);
+            let count = nodes_of_leg(NODES as f64 * (to - from) / FRAC_PI_2);
             let step = (to - from) / (count - 1) as f64;
-            legs.push(Leg { from, step, count, first: nodes.len() });
-            for i in 0..count {
+            // Its first node is the last one of the leg before.
+            let shared = usize::from(!nodes.is_empty());
+            legs.push(Leg { from, step, count, first: nodes.len() - shared });
+            for i in shared..count {
                 let s = spread.arc(from + step * i as f64).clamp(pair[0], pair[1]);
                 nodes.push(NodeTable::new(wheel, position(&line.points, &arcs, s), spread.at(s)));
             }
@@ -178,24 +181,40 @@ impl CrackTable {
 
     /// The first of the nodes between which the stress at the arc length `s` (mm) is interpolated,
     /// and their weights.
-    fn between(&self, s: f64) -> (usize, [f64; LEAST_NODES]) {
+    fn between(&self, s: f64) -> (usize, [f64; MOST_POINTS]) {
         let parameter = self.spread.parameter(s);
         let next = self.legs.partition_point(|leg| leg.from <= parameter);
         let leg = self.legs[next.max(1) - 1];
         let place = (parameter - leg.from) / leg.step;
-        let start = (place.floor() as usize).saturating_sub(1).min(leg.count - LEAST_NODES);
-        (leg.first + start, lagrange(place - start as f64))
+        let points = leg.count.min(MOST_POINTS);
+        let start = (place.floor() as usize).saturating_sub(1).min(leg.count - points);
+        (leg.first + start, lagrange(place - start as f64, points))
     }
 }
 
-/// Weights of the values at 0, 1, 2, 3 in the cubic through them.
-fn lagrange(x: f64) -> [f64; 4] {
+/// Nodes of a leg that is as long as so many of their distances: fewer than four where a curve of a
+/// lower degree is as close over its length.
+fn nodes_of_leg(length: f64) -> usize {
+    match length {
+        ..0.5 => 2,
+        ..1.5 => 3,
+        _ => (length.ceil() as usize + 1).max(MOST_POINTS),
+    }
+}
+
+/// Weights of the values at 0, 1, … in the curve of the lowest degree through `points` of them, two
+/// to four.
+fn lagrange(x: f64, points: usize) -> [f64; MOST_POINTS] {
     let (a, b, c, d) = (x, x - 1.0, x - 2.0, x - 3.0);
-    [-b * c * d / 6.0, a * c * d / 2.0, -a * b * d / 2.0, a * b * c / 6.0]
+    match points {
+        ..=2 => [-b, a, 0.0, 0.0],
+        3 => [b * c / 2.0, -a * c, a * b / 2.0, 0.0],
+        _ => [-b * c * d / 6.0, a * c * d / 2.0, -a * b * d / 2.0, a * b * c / 6.0],
+    }
 }
 
 /// The sum of `values` from `start` on, with `weights`.
-fn weighted(values: &[Stress], start: usize, weights: &[f64; LEAST_NODES]) -> Stress {
+fn weighted(values: &[Stress], start: usize, weights: &[f64; MOST_POINTS]) -> Stress {
     let own = values[start..].iter().zip(weights);
     own.fold(Stress::ZERO, |sum, (value, weight)| sum + *value * *weight)
 }
@@ -263,11 +282,11 @@ impl NodeTable {
     fn at(&self, wheel: &PatchWheel, xc: f64) -> Stress {
         let u = self.point.x - xc;
         let place = (u / self.width).asinh() / self.step + self.middle as f64;
-        let last = self.values.len() - LEAST_NODES;
+        let last = self.values.len() - MOST_POINTS;
         if !(1.0..=last as f64 + 1.0).contains(&place) {
             return wheel.spread_stress(u, self.point.y, self.spread);
         }
         let start = (place.floor() as usize - 1).min(last);
-        weighted(&self.values, start, &lagrange(place - start as f64))
+        weighted(&self.values, start, &lagrange(place - start as f64, MOST_POINTS))
     }
 }
