@@ -187,14 +187,14 @@ fn in_full_slip_with_spin_the_shear_opposes_the_rigid_slip_at_every_point() {
         let patch = RollingPatch { theory, ..patch([6.0, 5.0], 90e3, 0.3, creepage) };
         for y in [-4.0, -1.0, 0.0, 2.0, 4.5] {
             let strip = patch.strip(y, 80).unwrap();
-            // The elastic slip turns the shear: but for the edges it is about L1 μp0/a = 0.0033.
+            // The elastic slip turns the shear: L1 μp0/a = 0.0033 times x/√(a² − x²), up to 2.1.
             for point in strip.points.iter().filter(|point| point.x.abs() < 0.9 * strip.half_length) {
                 let rigid = [creepage[0] - creepage[2] * y, creepage[1] + creepage[2] * point.x];
                 let limit = 0.3 * point.pressure;
                 let size = f64::hypot(rigid[0], rigid[1]);
                 let error = [0, 1].map(|i| point.shear[i] / limit + rigid[i] / size);
                 let error = error[0].hypot(error[1]);
-                assert!(point.slips && error * size < 0.004, "{theory:?} {y} {point:?} {error}");
+                assert!(point.slips && error * size < 0.0069, "{theory:?} {y} {point:?} {error}");
             }
         }
     }
