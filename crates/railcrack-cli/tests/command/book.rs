@@ -57,10 +57,7 @@ fn blocks(page: &str) -> Vec<Block> {
         match (&mut open, line.strip_prefix("```")) {
             (None, Some(language)) => {
                 let (language, feature) = language.trim().split_once(' ').unwrap_or((language.trim(), ""));
-                let is_run = match feature {
-                    "png" => cfg!(feature = "png"),
-                    _ => true,
-                };
+                let is_run = feature != "png" || cfg!(feature = "png");
                 let language = if is_run { language } else { "text" }.to_owned();
                 open = Some(Block { line: i + 1, language, text: String::new() });
             }

@@ -89,7 +89,7 @@ fn two_patches_are_one_history() {
     let whole = tabled("whole", 0.0, (HEADER, "1,100,0,0.1,0,0,0.3,6,5\n"), "");
     let mut both = whole.clone();
     let patches = &mut both.wheel_table.as_mut().unwrap().wheels[0].wheel.patches;
-    patches.push(patches[0].clone());
+    patches.push(patches[0]);
     for (patch, part) in patches.iter_mut().zip([0.6, 0.4]) {
         patch.patch.ellipse.peak_pressure *= part;
     }

@@ -16,7 +16,7 @@
 //! Gegenbauer polynomials, whose Φ are Legendre functions of the second kind.
 
 use crate::load::HertzEllipse;
-use crate::math::{LegendreSecond, Stress, gauss_legendre, legendre_zeroth};
+use crate::math::{Stress, gauss_legendre, legendre_second, legendre_zeroth};
 use num_complex::Complex64 as Complex;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
@@ -337,7 +337,7 @@ impl Direction {
             });
         }
         // With (u² − 1) Q_m′ = m (u Q_m − Q_{m−1}) and Legendre's equation for Q_m″.
-        let q = LegendreSecond::<{ ORDER + 1 }>::new(u).values;
+        let q = legendre_second::<{ ORDER + 1 }>(u);
         let [mut values, mut first, mut before, mut second] = [[Complex::new(0.0, 0.0); 3]; 4];
         for (n, coefficients) in self.coefficients.iter().enumerate() {
             let (lower, own, m) = (q[n], q[n + 1], (n + 1) as f64);
@@ -400,10 +400,10 @@ impl Direction {
     /// u_x and u_y (upwards), times 2G.
     fn displacement(&self, [x, y]: [f64; 2], depth: f64, poisson: f64) -> [f64; 2] {
         let u = Complex::new(x * self.cos + y * self.sin, depth) / self.reach;
-        let q = LegendreSecond::<{ ORDER + 2 }>::new(u);
-        let [p, n, _] = self.sum(|m| q.values[m]);
+        let q = legendre_second::<{ ORDER + 2 }>(u);
+        let [p, n, _] = self.sum(|m| q[m]);
         // ∫ Q_m du = (Q_{m+1} − Q_{m−1})/(2m + 1).
-        let integral = |m: usize| self.reach * (q.values[m + 1] - q.values[m - 1]) / (2.0 * m as f64 + 1.0);
+        let integral = |m: usize| self.reach * (q[m + 1] - q[m - 1]) / (2.0 * m as f64 + 1.0);
         let [of_p, of_n, of_t] = self.sum(integral);
         let (near, stiff) = (1.0 - 2.0 * poisson, 2.0 * (1.0 - poisson));
         let i = Complex::I;

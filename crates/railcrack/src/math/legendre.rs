@@ -2,15 +2,6 @@
 
 use num_complex::Complex64 as Complex;
 
-/// Q_0 … Q_{N−1} at a complex u off the interval [−1, 1]: Q_m(u) = ½ ∫ P_m(t)/(u − t) dt over it.
-#[derive(Debug, Clone)]
-pub(crate) struct LegendreSecond<const N: usize> {
-    /// u.
-    pub at: Complex,
-    /// Q_0 … Q_{N−1}.
-    pub values: [Complex; N],
-}
-
 /// |u + √(u² − 1)| below which the recurrence upwards may be used.
 const NEAR: f64 = 1.8;
 
@@ -23,24 +14,20 @@ const ABOVE: usize = 40;
 /// Largest share by which the recurrence upwards may multiply round-off.
 const UPWARDS: f64 = 1e5;
 
-impl<const N: usize> LegendreSecond<N> {
-    /// Q_0 … Q_{N−1} at `u`.
-    ///
-    /// The recurrence (m + 1) Q_{m+1} = (2m + 1) u Q_m − m Q_{m−1} is stable upwards next to the
-    /// interval, downwards elsewhere (Olver). Downwards, its start is forgotten as |u + √(u² − 1)|
-    /// to the power of twice the number of orders.
-    pub fn new(u: Complex) -> Self {
-        let apart = |end: f64| ((u.re - end) * (u.re - end) + u.im * u.im).sqrt();
-        let mean = (0.5 * (apart(1.0) + apart(-1.0))).max(1.0);
-        let growth = mean + (mean * mean - 1.0).sqrt();
-        let values = if growth < NEAR && growth.powi(2 * N as i32 - 2) < UPWARDS {
-            upwards(u)
-        } else {
-            let above = (-0.5 * FORGOTTEN.ln() / growth.ln()).ceil() as usize;
-            downwards(u, above.clamp(1, ABOVE))
-        };
-        Self { at: u, values }
+/// Q_0 … Q_{N−1} at a complex `u` off the interval [−1, 1]: Q_m(u) = ½ ∫ P_m(t)/(u − t) dt over it.
+///
+/// The recurrence (m + 1) Q_{m+1} = (2m + 1) u Q_m − m Q_{m−1} is stable upwards next to the
+/// interval, downwards elsewhere (Olver). Downwards, its start is forgotten as |u + √(u² − 1)| to
+/// the power of twice the number of orders.
+pub(crate) fn legendre_second<const N: usize>(u: Complex) -> [Complex; N] {
+    let apart = |end: f64| ((u.re - end) * (u.re - end) + u.im * u.im).sqrt();
+    let mean = (0.5 * (apart(1.0) + apart(-1.0))).max(1.0);
+    let growth = mean + (mean * mean - 1.0).sqrt();
+    if growth < NEAR && growth.powi(2 * N as i32 - 2) < UPWARDS {
+        return upwards(u);
     }
+    let above = (-0.5 * FORGOTTEN.ln() / growth.ln()).ceil() as usize;
+    downwards(u, above.clamp(1, ABOVE))
 }
 
 /// Q_0 = ½ ln((u + 1)/(u − 1)), cut along [−1, 1].
@@ -134,11 +121,11 @@ mod tests {
     fn neumann_integrals_near_and_far() {
         for u in [(0.3, 0.2), (-0.9, 0.1), (1.2, 0.05), (0.0, 1.0), (2.0, 1.0), (-30.0, 4.0), (0.1, 25.0)] {
             let u = Complex::new(u.0, u.1);
-            let known = LegendreSecond::<12>::new(u);
+            let known = legendre_second::<12>(u);
             for m in 0..=11 {
                 let want = by_quadrature(m, u);
-                let off = (known.values[m] - want).norm();
-                assert!(off < 1e-9 * want.norm() + 1e-15, "Q_{m}({u}): {} {want}", known.values[m]);
+                let off = (known[m] - want).norm();
+                assert!(off < 1e-9 * want.norm() + 1e-15, "Q_{m}({u}): {} {want}", known[m]);
             }
         }
     }

@@ -16,7 +16,7 @@ mod vector;
 pub(crate) use anderson::Anderson;
 pub(crate) use ball::{Orientation, orientation, segments_touch, smallest_ball};
 pub use golden::{Ties, golden_section};
-pub(crate) use legendre::{LegendreSecond, legendre_zeroth};
+pub(crate) use legendre::{legendre_second, legendre_zeroth};
 pub use matrix::Matrix;
 pub(crate) use matrix::{add_rows_to_each, axpy, dot, inlined};
 pub use quadrature::gauss_legendre;
