@@ -31,7 +31,7 @@ wear_mm_per_mgt = 0.001
 wear_limit_mm = 9.0
 [inspection]
 detectable_depth_mm = 2.05
-critical_depth_mm = 2.5
+critical_depth_mm = 2.1
 [calibration]
 sites = 1
 [solver]
@@ -201,10 +201,10 @@ fn refusals_say_what_is_missing() {
         place.join("tonnes.toml"),
         CASE.replace("[traffic]\naxle_load_t = 20.0\nmgt_per_year = 12.0\n", "")
             .replace("[maintenance]\nwear_mm_per_mgt = 0.001\nwear_limit_mm = 9.0\n", "")
-            .replace("[inspection]\ndetectable_depth_mm = 2.05\ncritical_depth_mm = 2.5\n", ""),
+            .replace("[inspection]\ndetectable_depth_mm = 2.05\ncritical_depth_mm = 2.1\n", ""),
     )
     .unwrap();
-    fs::write(place.join("safe.toml"), CASE.replace("critical_depth_mm = 2.5\n", "")).unwrap();
+    fs::write(place.join("safe.toml"), CASE.replace("critical_depth_mm = 2.1\n", "")).unwrap();
     for (line, says) in [
         (&["plan", "tonnes.toml"][..], "add a [traffic] section with axle_load_t"),
         (&["plan", "safe.toml"], "add critical_depth_mm to [inspection]"),

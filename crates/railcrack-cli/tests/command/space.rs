@@ -227,7 +227,7 @@ fn maintained_mix() -> String {
     let wheels = wheel("left", -4.0, "") + &wheel("right", 4.0, water);
     CASE.replace(&CASE[contact], &wheels)
         .replace("positions = 13", "positions = 7")
-        .replace("steps = 2", "steps = 2\nincrement = 0.1")
+        .replace("steps = 2", "steps = 2\nincrement = 0.1\nstop_after_cycles = 3.2e4")
         + r#"mgt_per_year = 20.0
 [maintenance]
 wear_mm_per_mgt = 0.01
