@@ -131,7 +131,7 @@ fn a_plan_is_the_run_with_its_grinding() {
         assert!(page.contains(what), "{what}");
     }
     // As every decision it says how well rates are known.
-    let known = "he growth law is calibrated by one measured site";
+    let known = "he growth law is calibrated by 1 measured site";
     assert!(told.contains(&format!("t{known}")) && page.contains(&format!("T{known}")), "{told}");
     assert!(read(&place.join("plan/plots/plan.svg")).contains("worn away"));
     // It is rebuilt to the byte, and its files are checked.
