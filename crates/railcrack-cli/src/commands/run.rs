@@ -246,7 +246,11 @@ fn build(count: usize, pool: rayon::ThreadPoolBuilder) -> Result<(), Failure> {
         action: format!("start {count} threads"),
         reason: reason.to_string(),
     };
-    Ok(pool.build_global().map_err(refused)?)
+    match pool.build_global() {
+        // In Python an earlier command has made the pool, which serves this one too.
+        Err(reason) if std::error::Error::source(&reason).is_none() => Ok(()),
+        made => Ok(made.map_err(refused)?),
+    }
 }
 
 /// One line for each reason of a verdict.
