@@ -301,7 +301,7 @@ fn the_first_lines_say_cycles_tonnes_direction_stop_and_warnings() {
         "<dt>Million gross tonnes</dt><dd>2.82",
         "<dt>Direction</dt><dd>downward",
         "<dt>Ended by</dt><dd>steps done<small>after step 4 of 4",
-        "Near ties of the direction criterion: the path is sensitive to this choice. Step 1: ",
+        "Near ties of the direction criterion: the path is sensitive to this choice (docs/warnings.md#near-tie). Step 1: ",
         "<th scope=\"row\">6.80</th>",
         "faces no initial gap, unilateral contact, Coulomb friction; stick and slip are reset at the start of each growth step; friction 0.5",
     ] {
