@@ -42,7 +42,8 @@ def test_a_data_frame_of_wheels_comes_back_with_what_they_do() -> None:
     force = joined["fx_kn"].to_numpy()
     assert force[0] < 0.0 < force[1] and force[2] == 0.0
     assert joined["growth_share"].sum() == pytest.approx(1.0)
-    assert joined["delta_keq_mpa_sqrt_m"][2] == 0.0 and np.isnan(joined["representative"][2])
+    # 35 mm beside the crack.
+    assert 0.0 < joined["growth_share"][2] < 0.01 * joined["growth_share"][0]
     # 85 kN on 6 × 5 mm: 3 N/(2π a b).
     assert joined["p0_mpa"][0] == pytest.approx(1.5 * 85e3 / (np.pi * 30.0))
 
