@@ -115,12 +115,12 @@ impl DeferredGrowth {
     /// Smooth growth of this fraction of the length of the crack is not deferred: the shortest
     /// increment behind a kink. A lag of 0.4 % changes K by 0.2 %, and the rate by 0.6 % at most.
     pub(crate) const LEAST_SMOOTH: f64 = AFTER_KINK;
-    /// Growth below this part of a full increment is deferred where the surface is removed.
-    pub(crate) const LEAST_DRAWN: f64 = 0.1;
     /// Where paths turn over a length, growth behind a kink of this fraction is not deferred
     /// either: kinks are rare, and the second increment of the fastest tip behind one is as long.
     /// The rates change abruptly with the kink.
     pub(crate) const LEAST_KINKED: f64 = 2.0 * AFTER_KINK;
+    /// Growth below this part of a full increment is deferred where the surface is removed.
+    pub(crate) const LEAST_DRAWN: f64 = 0.1;
 
     /// The deferred growth after a further `increment` (mm) in `direction` (a unit vector).
     ///
