@@ -3,7 +3,7 @@
 use crate::built::{Built, FolderKind, put, write_run};
 use crate::page_data::PageData;
 use crate::pages::RunFolder;
-use crate::recomputed::{AtEnd, Collected, recomputed};
+use crate::recomputed::{Again, AtEnd, Collected, recomputed};
 use railcrack_case::Output;
 use railcrack_run::files::{REPORT_FILE, STUDY_PLOTS};
 use railcrack_run::study::{StudyFolder, StudyResults};
@@ -45,10 +45,12 @@ pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
 /// from a repeated computation.
 fn rebuild_run(folder: &Path) -> Result<(), OutputError> {
     let mut run = RunFolder::read(folder)?;
-    let page_data = if !run.case.output.is_whole() || run.lacks_samples() {
-        let (page_data, decision) = recomputed(&run)?;
+    let page_data = if run.lacks_samples() {
+        let (page_data, decision) = recomputed(&run, Again::WithItsDecision)?;
         run.summary.decision = decision;
         page_data
+    } else if !run.case.output.is_whole() {
+        recomputed(&run, Again::StepsAlone)?.0
     } else {
         PageData::read(folder, run.summary.steps_recorded)?
     };

@@ -17,17 +17,26 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// Subfolder of the run folder in which its steps are computed again.
 const SCRATCH: &str = "again.partial";
 
-/// The data of the page of `run`, computed again, with the decision block of its summary.
+/// What of a run is computed again.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Again {
+    /// Its steps, for data that its tables lack.
+    StepsAlone,
+    /// All that its decision needs, too: other runs and samples.
+    WithItsDecision,
+}
+
+/// The data of the page of `run`, computed `again`, with the decision block of its summary.
 ///
 /// Errors: it has not ended; what is computed is not what the folder has; it cannot be computed;
 /// the system refuses.
-pub(crate) fn recomputed(run: &RunFolder) -> Result<(PageData, Option<Decision>), OutputError> {
+pub(crate) fn recomputed(run: &RunFolder, what: Again) -> Result<(PageData, Option<Decision>), OutputError> {
     let folder = &run.path;
     if run.summary.stop.is_none() {
         return Err(not_recomputed(folder, "it has not ended: --resume continues it"));
     }
     let scratch = inner_folder(folder, SCRATCH)?;
-    let again = computed(&run.case, &scratch, &run.growth);
+    let again = computed(&run.case, &scratch, &run.growth, what);
     // Best effort: the error of the computation is the one to report.
     let removed = std::fs::remove_dir_all(&scratch);
     let again = again.map_err(|reason| not_recomputed(folder, reason))?;
@@ -37,11 +46,20 @@ pub(crate) fn recomputed(run: &RunFolder) -> Result<(PageData, Option<Decision>)
 
 /// The data of the page and the decision block of the run of `case`, computed in `scratch`;
 /// `growth` is what it must come to.
-fn computed(case: &Case, scratch: &Path, growth: &[TipRow]) -> Result<(PageData, Option<Decision>), String> {
+fn computed(
+    case: &Case,
+    scratch: &Path,
+    growth: &[TipRow],
+    what: Again,
+) -> Result<(PageData, Option<Decision>), String> {
     let mut case = case.clone();
     case.output = Output { report: true, ..Output::LEAST };
     let collecting = Collecting::default();
     let simulation = Simulation::new(&case).presented_by(&collecting);
+    let simulation = match what {
+        Again::WithItsDecision => simulation,
+        Again::StepsAlone => simulation.of_a_study().sampled_by_its_study(),
+    };
     let finished = simulation.run_in(scratch, RunEntry::Replace);
     let finished = finished.map_err(|error: RunError| error.to_string())?;
     let again = railcrack_run::RunFolder::open(scratch).and_then(|run| run.growth());

@@ -132,6 +132,12 @@ pub enum ValidityWarning {
         /// Its distance from the cracks over b.
         offset: f64,
     },
+    /// Fluid in cracks in the plane under a contact patch.
+    #[error(
+        "the fluid opens a plane crack along its whole front, as a contact patch does not: K_I is too high, twofold where it is \
+         trapped and threefold with pressure from the mouth in a semicircle of 4 mm; engine = \"space\" has the shape of the crack"
+    )]
+    FluidUnderPatch,
     /// A crack in the plane that is narrower than a semicircle.
     #[error(
         "a crack is {ratio:.2} times as long on the surface as down the dip, and below 2 the plane computes it as a semicircle: \
@@ -409,6 +415,12 @@ pub fn out_of_plane(angle: f64, ratio: f64) -> Option<ValidityWarning> {
 pub fn patch_beside(offset: f64) -> Option<ValidityWarning> {
     let (near, far) = PATCH_BESIDE;
     (offset > near && offset < far).then_some(ValidityWarning::PatchBeside { offset })
+}
+
+/// Where cracks in the plane contain fluid, checks that no contact patch rolls over them: `patches`
+/// is their number.
+pub fn fluid_under_patches(patches: usize) -> Option<ValidityWarning> {
+    (patches > 0).then_some(ValidityWarning::FluidUnderPatch)
 }
 
 /// Checks the length on the surface over that down the dip of a crack in the plane.

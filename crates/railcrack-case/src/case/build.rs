@@ -230,7 +230,7 @@ fn case_of(parts: Parts, upkeep: Upkeep, sections: &Sections) -> Option<Case> {
     let (solver, output) = (sections.one(&SOLVER)?, sections.one(&OUTPUT)?);
     // A crack in space has no kink to test.
     let arresting = fracture.as_ref().filter(|_| matches!(geometry, Geometry::Plane(_)));
-    Some(Case {
+    let case = Case {
         title: sections.one(&TOP)?.get(TITLE)?,
         steel: parts.steel?,
         rail: parts.rail?.extent,
@@ -251,7 +251,7 @@ fn case_of(parts: Parts, upkeep: Upkeep, sections: &Sections) -> Option<Case> {
         growth_rates: growth.rates,
         fracture,
         geometry,
-        network: solver.get(NETWORK)?,
+        network: NetworkContact::Whole,
         fields: FieldOutput::read(output)?,
         output: Output::read(output)?,
         axle_load,
@@ -262,7 +262,29 @@ fn case_of(parts: Parts, upkeep: Upkeep, sections: &Sections) -> Option<Case> {
         scatter: upkeep.scatter.ok()?,
         calibration: calibration(sections),
         written: Written::of(sections),
-    })
+    };
+    let network = solver.get(NETWORK).unwrap_or_else(|| network_by_default(&case));
+    Some(Case { network, ..case })
+}
+
+/// Cracks from which on groups are faster than all cracks together, twice at 30.
+const MANY_CRACKS: usize = 24;
+
+/// How the contact conditions of `case` are solved where it does not say.
+fn network_by_default(case: &Case) -> NetworkContact {
+    let is_trapped = |wheel: &TrafficWheel| {
+        wheel.fluid.as_ref().is_some_and(|fluid| matches!(fluid.model, FluidModel::Trapped { .. }))
+    };
+    let allows_groups = case.engine() == Engine::Plane(PlaneEngine::Dislocation)
+        && case.contact_solver() == ContactSolver::Newton
+        && case.plane().is_some_and(|plane| plane.section.is_none())
+        && case.fields.every == 0
+        && !case.has_coupled_wheel()
+        && !case.wheels.iter().any(is_trapped);
+    match allows_groups && case.cracks.cracks().len() >= MANY_CRACKS {
+        true => NetworkContact::Groups,
+        false => NetworkContact::Whole,
+    }
 }
 
 /// The `settings` in a case with `inspection` whose rail may break if it `has_fracture`: without a

@@ -7,7 +7,9 @@ section! {
     SOLVER "solver", Defaulted, "Engine and solvers.";
     ENGINE: Engine = choice("engine", "Engine used for the cracked rail.");
     SOLVER_CONTACT: ContactSolver = choice("contact", "Solver of the contact conditions on the crack faces.");
-    NETWORK: NetworkContact = choice("network", "How the contact conditions of many cracks are solved.");
+    NETWORK: NetworkContact = choice("network",
+        "How the contact conditions of many cracks are solved. By default cracks are followed together up to 23 of them, and from 24 on in groups where these can be: with the dislocation engine, in a half-plane.")
+        .optional();
 }
 
 read_by_word!(Engine, ContactSolver, NetworkContact);

@@ -114,17 +114,38 @@ impl Speeds {
     /// How well samples between the run `course` and these repeat each of them that lies between
     /// two others; none without any.
     pub fn accuracy(&self, course: &Course, question: &Question) -> Option<CourseAccuracy> {
-        let others = || self.0.iter().filter(|(speed, _)| *speed != 1.0);
-        let runs = others().count() + 1;
-        let inner = others().skip(1).take(runs.saturating_sub(3));
+        let runs = self.others().count() + 1;
+        let errors = self.left_out(course, question).into_iter();
+        let left_out_percent = errors.map(|(_, error)| 100.0 * error).reduce(f64::max);
+        (runs > 1).then_some(CourseAccuracy { runs, left_out_percent })
+    }
+
+    /// Speeds that would halve the gaps beside each of them that the others repeat with an error of
+    /// more than `accepted`.
+    pub fn finer(&self, course: &Course, question: &Question, accepted: f64) -> Vec<f64> {
+        let mut all: Vec<f64> = self.others().map(|(speed, _)| *speed).chain([1.0]).collect();
+        all.sort_by(f64::total_cmp);
+        let errors = self.left_out(course, question);
+        let is_coarse = |speed: &f64| errors.iter().any(|(own, error)| own == speed && *error > accepted);
+        let gaps = all.windows(2).filter(|pair| pair.iter().any(is_coarse));
+        gaps.map(|pair| (pair[0] * pair[1]).sqrt()).collect()
+    }
+
+    fn others(&self) -> impl Iterator<Item = &(f64, Course)> {
+        self.0.iter().filter(|(speed, _)| *speed != 1.0)
+    }
+
+    /// The speeds between two others, and the error of the life at each of them by samples between
+    /// the other runs, relative to its own.
+    fn left_out(&self, course: &Course, question: &Question) -> Vec<(f64, f64)> {
+        let inner = self.others().skip(1).take(self.others().count().saturating_sub(2));
         let error = |(speed, left_out): &(f64, Course)| {
             let family = self.family_without(Some(*speed), course);
             let own = Nominal::of(left_out, &question.at_speed(*speed));
             let found = Nominal::mgt_at_speed(&family, *speed, question)?;
-            Some(100.0 * (found * speed / own.failure.mgt? - 1.0).abs())
+            Some((*speed, (found * speed / own.failure.mgt? - 1.0).abs()))
         };
-        let left_out_percent = inner.filter_map(error).reduce(f64::max);
-        (runs > 1).then_some(CourseAccuracy { runs, left_out_percent })
+        inner.filter_map(error).collect()
     }
 }
 

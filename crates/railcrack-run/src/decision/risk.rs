@@ -188,8 +188,12 @@ pub struct Risk<'a> {
 }
 
 /// Positions of the inspections in all, shared by the lives, and limits for each of them.
-const PHASES: usize = 1 << 18;
+const PHASES: usize = 1 << 16;
 const PHASES_OF_A_LIFE: (usize, usize) = (4, 4096);
+/// Places of the traffic of a life at which 1 − POD is kept, and positions of a life, over them, from
+/// one in how many on.
+const TABULATED: usize = 2048;
+const MANY: usize = 16;
 /// Lives that a thread takes at a time: their sums do not depend on the number of threads.
 const AT_A_TIME: usize = 1024;
 /// Golden ratio: the positions of successive lives fill the gaps of each other.
@@ -250,17 +254,28 @@ impl<'a> Risk<'a> {
         }
         let shift = (GOLDEN * index as f64 + 0.5).fract();
         let count = self.phases as f64;
+        let by_traffic = (self.phases > TABULATED / MANY).then(|| self.missed_by_traffic(life));
+        let at = |left: f64| match &by_traffic {
+            Some(table) => between(table, left / life.failure * TABULATED as f64),
+            None => self.missed(life.depths.at(life.failure - left)),
+        };
         let missed = (0..self.phases).map(|k| {
             let w = (k as f64 + shift) / count;
             let mut missed = 1.0;
             let mut left = w * interval;
             while left <= life.failure && missed > FOUND {
-                missed *= self.missed(life.depths.at(life.failure - left));
+                missed *= at(left);
                 left += interval;
             }
             if missed > FOUND { missed } else { 0.0 }
         });
         missed.sum::<f64>() / count
+    }
+
+    /// 1 − POD with even shares of the traffic left until the failure of `life`.
+    fn missed_by_traffic(&self, life: &Life) -> Vec<f64> {
+        let left = |i: usize| life.failure * (1.0 - i as f64 / TABULATED as f64);
+        (0..=TABULATED).map(|i| self.missed(life.depths.at(left(i)))).collect()
     }
 
     /// 1 − POD of a crack of `depth` (mm).
@@ -270,8 +285,7 @@ impl<'a> Risk<'a> {
         };
         let z = if depth > 0.0 { (depth / median).ln() / log_std } else { -TABLE.0 };
         let place = (0.5 * (z / TABLE.0 + 1.0) * TABLE.1 as f64).clamp(0.0, TABLE.1 as f64);
-        let i = (place as usize).min(TABLE.1 - 1);
-        self.missed[i] + (place - i as f64) * (self.missed[i + 1] - self.missed[i])
+        between(&self.missed, place)
     }
 
     /// The largest interval up to which the probability stays at or below `target`, to 0.1 %. It is
@@ -289,9 +303,10 @@ impl<'a> Risk<'a> {
         let most = SEARCH * longest / (1.0 - target / share);
         let keeps = |interval: f64| self.probability(interval) <= target;
         let stride = self.lives.len().div_ceil(THINNED).max(1);
-        let mut low = least;
-        while low < most && self.over(SEARCH * low, stride) <= target {
-            low *= SEARCH;
+        let (mut low, mut beyond) = (least, most);
+        while beyond > SEARCH * low {
+            let middle = (low * beyond).sqrt();
+            if self.over(middle, stride) <= target { low = middle } else { beyond = middle }
         }
         while low > least && !keeps(low) {
             low = (low / SEARCH).max(least);
@@ -309,6 +324,12 @@ impl<'a> Risk<'a> {
         }
         IntervalForTarget::Mgt(low)
     }
+}
+
+/// Linear between the values of a `table` at 0, 1, ….
+fn between(table: &[f64], place: f64) -> f64 {
+    let i = (place as usize).min(table.len() - 2);
+    table[i] + (place - i as f64) * (table[i + 1] - table[i])
 }
 
 /// The share of w in [0, 1) of which no (w + i) `interval` lies in one of `found`.

@@ -3,7 +3,7 @@
 use super::carried::{CarriedStress, CarriedStressError, plastic_field};
 use super::engine::{engine_with, finite_elements};
 use super::plane::plane_rail;
-use super::shared::SharedRail;
+use super::shared::{Shared, SharedWheels};
 use super::space::space_rail;
 use railcrack::field::StressField;
 use railcrack::growth::{CrackedRail, Growth, GrowthState, StepSource, TipJudge};
@@ -19,6 +19,7 @@ pub struct PreparedRun<'a> {
     /// run in space.
     meshed: Option<XfemEngine>,
     residual: CarriedStress,
+    wheels: Option<&'a SharedWheels>,
 }
 
 impl<'a> PreparedRun<'a> {
@@ -28,24 +29,24 @@ impl<'a> PreparedRun<'a> {
     ///
     /// Errors: the residual stress cannot be computed.
     pub fn new(case: &'a Case, rolled: Option<&PlasticField>) -> Result<Self, CarriedStressError> {
-        Self::sharing(case, rolled, None)
+        Self::sharing(case, rolled, Shared::default())
     }
 
-    /// [`PreparedRun::new`] with mesh, factor and columns of another run: the same bits, sooner.
+    /// [`PreparedRun::new`] with what is `shared` with other runs.
     ///
     /// Errors: the same.
     pub fn sharing(
         case: &'a Case,
         rolled: Option<&PlasticField>,
-        shared: Option<&SharedRail>,
+        shared: Shared<'a>,
     ) -> Result<Self, CarriedStressError> {
         let plastic = plastic_field(case, rolled)?;
         let mut meshed = case.plane().map(|plane| finite_elements(case, plane, plastic.as_ref()));
-        if let Some((shared, meshed)) = shared.zip(meshed.as_mut()) {
-            shared.give_to(meshed);
+        if let Some((rail, meshed)) = shared.rail.zip(meshed.as_mut()) {
+            rail.give_to(meshed);
         }
         let residual = CarriedStress::balanced(case, plastic.as_ref(), meshed.as_mut())?;
-        Ok(Self { case, meshed, residual })
+        Ok(Self { case, meshed, residual, wheels: shared.wheels })
     }
 
     /// The residual stress that the rail carries.
@@ -73,7 +74,7 @@ impl<'a> PreparedRun<'a> {
         state: Option<GrowthState>,
         judge: Option<Arc<dyn TipJudge>>,
     ) -> Box<dyn StepSource> {
-        let Self { case, meshed, residual } = self;
+        let Self { case, meshed, residual, wheels } = self;
         let residual: Option<Arc<dyn StressField>> = residual.field.map(Arc::from);
         match &case.geometry {
             Geometry::Space(space) => {
@@ -83,7 +84,7 @@ impl<'a> PreparedRun<'a> {
             }
             Geometry::Plane(plane) => {
                 let engine = engine_with(case, plane, meshed.expect("cracks in the plane"));
-                let rail = plane_rail(case, plane, engine, residual.as_ref());
+                let rail = plane_rail(case, plane, engine, residual.as_ref(), wheels);
                 boxed(rail, state.unwrap_or_else(|| GrowthState::initial(&case.cracks)), judge)
             }
         }

@@ -58,6 +58,13 @@ pub fn patch_beside(case: &Case, number: usize) -> Option<f64> {
     patches.iter().map(|own| own.middle[1].abs() / own.ellipse.across).reduce(f64::min)
 }
 
+/// Number of wheels of `case` that load cracks in the plane by their patches.
+#[must_use]
+pub fn wheels_on_patches(case: &Case) -> usize {
+    let is_patch = |number: &usize| case.plane().is_some() && given_patches(case, *number).is_some();
+    (0..case.wheels.len()).filter(is_patch).count()
+}
+
 /// The patches of a wheel, the heaviest first, with lateral places relative to cracks in the plane
 /// or to the middle of those in space; none of a line contact.
 fn given_patches(case: &Case, number: usize) -> Option<Vec<GivenPatch>> {

@@ -8,22 +8,28 @@ use super::job::Stage;
 use super::observer::{AskedAlone, RunObserver};
 use super::run::Simulation;
 use super::variations::{variations, varied};
-use crate::decision::{Course, NominalRun, Question, deciding, from_run};
+use crate::decision::{Companions, Course, NominalRun, Question, deciding, from_run};
 use crate::log::{Companion, CompanionKind, RunInfo, RunLog, StepDigest};
+use crate::setup::Shared;
+use railcrack::bulk::Boundary;
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::growth::{GrowthState, SurfaceRemoval, Turning};
-use railcrack_case::{Case, Engine, PlaneEngine, Scatter};
+use railcrack_case::{Case, Engine, Geometry, PlaneEngine, Scatter};
 use rayon::prelude::*;
 use std::path::Path;
 
 /// The largest deviation of the speed, over that of all samples together, at which cracks are
 /// followed against the removal of the surface.
 const FARTHEST: f64 = 2.2;
-/// Distance of the logarithms of two speeds at most: quantiles between them are within 1 % of whole
-/// runs, and the error grows with the square of it.
+/// Distance of the logarithms of two speeds beyond which quantiles between them may be 1 % off; the
+/// error grows with the square of it.
 pub(super) const APART: f64 = 0.35;
-/// Speeds on each side at most.
-const MOST_SPEEDS: usize = 6;
+/// Speeds on each side at first, and in all at most.
+const FIRST_SPEEDS: usize = 2;
+const MOST_SPEEDS: usize = 12;
+/// Error of the life at a speed that is left out from which on its neighbours are halved: four times
+/// that of the samples.
+const LEFT_OUT: f64 = 0.02;
 /// Runs at most between a speed at which the rail fails and one at which it does not, and the
 /// distance, as a fraction of the largest deviation, at which these are near enough.
 const MOST_BETWEEN: usize = 5;
@@ -39,6 +45,9 @@ const FRICTIONS: [f64; 2] = [0.1, 0.5];
 const BEYOND_CRITICAL: f64 = 1.1;
 /// Removal over the wear limit up to which cracks at other speeds are followed.
 const BEYOND_LIMIT: f64 = 1.3;
+/// Difference of the lives by both engines, relative to that of the run, up to which the
+/// dislocations compute the companions.
+const ENGINES_AGREE: f64 = 0.02;
 /// Steps of a companion over those of the run: slower cracks and the limit path take more.
 const MORE_STEPS: usize = 3;
 /// Steps of the limit path at most.
@@ -54,6 +63,8 @@ struct Beside<'a> {
     /// Holds the plastic state of a rolled rail.
     folder: &'a Path,
     observer: &'a dyn RunObserver,
+    /// The engine that computes the companions.
+    engine: Engine,
 }
 
 impl Simulation<'_> {
@@ -68,18 +79,20 @@ impl Simulation<'_> {
         state: &GrowthState,
         folder: &Path,
     ) -> Result<Option<Vec<Companion>>, RunError> {
-        let kinds = self.kinds(info, log);
-        if kinds.is_empty() {
+        if self.kinds(info, log, self.case.engine()).is_empty() {
             return Ok(None);
         }
+        let asked = AskedAlone(self.observer);
+        let engine = self.case.engine();
+        let mut beside = Beside { state, folder, observer: &asked, engine };
+        beside.engine = self.quick_engine(info, log, &beside)?;
+        let kinds = self.kinds(info, log, beside.engine);
         let count = kinds.iter().filter(|kind| !is_the_run(self.case, **kind)).count();
         if count > 0 {
             let text =
                 format!("{count} more runs for the decision: other speeds, paths, friction of the faces");
             self.observer.stage(&text);
         }
-        let asked = AskedAlone(self.observer);
-        let beside = Beside { state, folder, observer: &asked };
         let part = match count {
             0 => None,
             _ => self.part_of_row(info, log, &beside)?,
@@ -92,19 +105,55 @@ impl Simulation<'_> {
             },
         };
         // The finite elements of several bodies at once may not fit into the memory.
-        let all: Result<Vec<Companion>, RunError> =
-            if self.case.engine() == Engine::Plane(PlaneEngine::Dislocation) {
-                kinds.par_iter().map(of).collect()
-            } else {
-                kinds.iter().map(of).collect()
-            };
-        let mut all = all?;
+        let computed = |kinds: &[CompanionKind]| -> Result<Vec<Companion>, RunError> {
+            match beside.engine {
+                Engine::Plane(PlaneEngine::Dislocation) => kinds.par_iter().map(of).collect(),
+                _ => kinds.iter().map(of).collect(),
+            }
+        };
+        let mut all = computed(&kinds)?;
+        loop {
+            let finer: Vec<CompanionKind> =
+                self.finer(info, &all, log).into_iter().map(CompanionKind::Speed).collect();
+            if finer.is_empty() {
+                break;
+            }
+            all.extend(computed(&finer)?);
+        }
         for _ in 0..MOST_BETWEEN {
             let Some(speed) = self.doubtful(info, &all, log) else { break };
             all.push(of(&CompanionKind::Speed(speed))?);
         }
         all.extend(part.map(|part| part.run));
         Ok(Some(all))
+    }
+
+    /// The engine that computes the companions: the dislocations where they repeat a run of finite
+    /// elements, otherwise its own.
+    ///
+    /// Errors: an interruption.
+    fn quick_engine(&self, info: &RunInfo, log: &RunLog, beside: &Beside) -> Result<Engine, RunError> {
+        let own = self.case.engine();
+        let is_half_plane = self.case.boundary() == Boundary::HalfPlane;
+        if own != Engine::Plane(PlaneEngine::Xfem) || !is_half_plane {
+            return Ok(own);
+        }
+        self.observer.stage("the run again with dislocations, for the runs that its decision needs");
+        let quick = Beside { engine: Engine::Plane(PlaneEngine::Dislocation), ..*beside };
+        let again = self.companion(CompanionKind::PartOfRow, None, &quick)?;
+        let agrees = from_run(info, log, &again).is_some_and(|difference| difference <= ENGINES_AGREE);
+        Ok(if agrees { quick.engine } else { own })
+    }
+
+    /// Speeds between which samples would be too far from whole runs; none where there are enough.
+    fn finer(&self, info: &RunInfo, all: &[Companion], log: &RunLog) -> Vec<f64> {
+        let run = Question::of(info).and_then(|question| NominalRun::of(&log.steps, question));
+        let Some(NominalRun { course, question, found, .. }) = run else { return Vec::new() };
+        let speeds = Companions { all, question, found }.speeds();
+        let mut finer = speeds.finer(&course, &question, LEFT_OUT);
+        let known = all.iter().filter(|companion| matches!(companion.kind, CompanionKind::Speed(_)));
+        finer.truncate(MOST_SPEEDS.saturating_sub(known.count()));
+        finer
     }
 
     /// A speed between two neighbours of which one fails and the other does not; none where these
@@ -135,7 +184,7 @@ impl Simulation<'_> {
         Some((pair[0].0 * pair[1].0).sqrt())
     }
 
-    fn kinds(&self, info: &RunInfo, log: &RunLog) -> Vec<CompanionKind> {
+    fn kinds(&self, info: &RunInfo, log: &RunLog, engine: Engine) -> Vec<CompanionKind> {
         let case = self.case;
         let Some(NominalRun { course, nominal, .. }) =
             Question::of(info).and_then(|question| NominalRun::of(&log.steps, question))
@@ -168,7 +217,7 @@ impl Simulation<'_> {
         // A rail that holds with the friction of the case may fail with another one.
         let one = case.crack_friction.first().copied();
         let is_one = case.crack_friction.iter().all(|friction| Some(*friction) == one);
-        let varied = variations(case);
+        let varied = variations(case, engine);
         let has_others = info.scatter.is_some() || !varied.is_empty();
         if has_others && is_one && course.points.len() > 1 {
             kinds.extend(FRICTIONS.map(CompanionKind::Friction));
@@ -199,8 +248,11 @@ impl Simulation<'_> {
         };
         let part = kept.and_then(|kept| case.with_cracks(kept));
         // A rail that is shared has the mesh of all cracks.
-        let shared = self.shared.filter(|_| part.is_none());
+        let shared = Shared { rail: self.shared.rail.filter(|_| part.is_none()), ..self.shared };
         case = part.unwrap_or(case);
+        if let (Engine::Plane(engine), Geometry::Plane(plane)) = (beside.engine, &mut case.geometry) {
+            plane.engine = engine;
+        }
         let simulation = Simulation { case: &case, observer: beside.observer, shared, ..*self };
         // The plastic state that the run has computed is read back.
         let stage = Stage {
@@ -255,9 +307,8 @@ fn is_the_run(case: &Case, kind: CompanionKind) -> bool {
 /// the logarithm of the speed, the fastest first.
 fn speeds(deviation: f64) -> Vec<f64> {
     let farthest = FARTHEST * deviation;
-    let count = ((farthest / APART).ceil() as usize).clamp(2, MOST_SPEEDS);
-    let at = |i: usize| (farthest * i as f64 / count as f64).exp();
-    (1..=count).rev().map(at).chain((1..=count).map(|i| at(i).recip())).collect()
+    let at = |i: usize| (farthest * i as f64 / FIRST_SPEEDS as f64).exp();
+    (1..=FIRST_SPEEDS).rev().map(at).chain((1..=FIRST_SPEEDS).map(|i| at(i).recip())).collect()
 }
 
 /// The standard deviation of the logarithm of growth over removal in the samples of `scatter`.

@@ -55,7 +55,7 @@ impl Residual {
 /// be balanced.
 pub(super) fn prepare<'a>(
     case: &'a Case,
-    stage: &Stage,
+    stage: &Stage<'a>,
 ) -> Result<(PreparedRun<'a>, Option<Residual>), RunError> {
     let started = Stopwatch::start();
     let rolled = match case.plastic_stress() {

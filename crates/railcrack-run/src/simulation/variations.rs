@@ -14,9 +14,9 @@ const MANY_CRACKS: usize = 12;
 /// Tolerance of the life of these runs: differences between them are larger.
 const TOLERANCE: f64 = 0.05;
 
-/// The variations of `case`: nothing where each run would take long.
-pub(super) fn variations(case: &Case) -> Vec<Variation> {
-    let is_quick = case.engine() == Engine::Plane(PlaneEngine::Dislocation);
+/// The variations of `case`, which `engine` computes: nothing where each run would take long.
+pub(super) fn variations(case: &Case, engine: Engine) -> Vec<Variation> {
+    let is_quick = engine == Engine::Plane(PlaneEngine::Dislocation);
     if !is_quick || case.cracks.cracks().len() > MANY_CRACKS {
         return Vec::new();
     }

@@ -56,6 +56,10 @@ fn with_effect(case: &Case, effect: impl Fn() -> Option<EffectInPlane>) -> Vec<W
     let widths = case.plane().map_or(&[][..], |plane| &plane.widths);
     let narrowest = 2.0 * widths.iter().copied().fold(f64::INFINITY, f64::min);
     warnings.extend(validity::crack_width(narrowest).iter().map(|warning| at_step(0, warning)));
+    if case.has_fluid() {
+        let warning = validity::fluid_under_patches(setup::wheels_on_patches(case));
+        warnings.extend(warning.iter().map(|warning| at_step(0, warning)));
+    }
     if let Some(steel) = case.growth_steel
         && let Some(typical) = steel.typical()
     {

@@ -51,7 +51,7 @@ impl Scores {
         let mut text = String::new();
         for (name, of) in self.by_grade() {
             text.push_str(&format!(
-            "{}: {}, {} within 95 %, {} within a factor of 2, {} of 5; predicted over measured {:.2} in the mean, CRPS of ln {:.2}\n",
+            "{}: {}, {} within 95 %, {} within a factor of 2, {} within a factor of 5; predicted over measured {:.2} in the mean, CRPS of ln {:.2}\n",
             name,
             entries(of.entries),
             of.inside,

@@ -318,6 +318,16 @@ impl Wheel for BendingWheel {
         Stress { xx: self.bending.stress(point.x - xc, -point.y), ..Stress::ZERO }
     }
 
+    fn stresses(&self, points: &[Vec2], xc: f64) -> Vec<Stress> {
+        let x: Vec<f64> = points.iter().map(|point| point.x - xc).collect();
+        let moments = self.bending.moments(&x).into_iter();
+        let at = |(moment, point): (f64, &Vec2)| Stress {
+            xx: self.bending.stress_by(moment, -point.y),
+            ..Stress::ZERO
+        };
+        moments.zip(points).map(at).collect()
+    }
+
     /// The displacement of Euler's beam: the deflection w, and u_x = (h − d) w′.
     fn displacement(&self, point: Vec2, xc: f64) -> Vec2 {
         let (deflection, slope) = self.bending.deflection(point.x - xc);
@@ -360,6 +370,14 @@ mod tests {
             let stress = wheel.stress(Vec2::new(x, y), 30.0);
             assert!((210e3 * (at(0.5) - at(-0.5)) - stress.xx).abs() < 1e-4, "{x} {y}");
             assert_eq!((stress.yy, stress.zz, stress.xy), (0.0, 0.0, 0.0));
+        }
+        // Beside both axles, under one of them, and far apart.
+        for along in [[400.0, 430.0, 380.0], [1815.0, 1860.0, 1825.0], [-900.0, 200.0, 1700.0]] {
+            let points = along.map(|x| Vec2::new(x, -12.0));
+            for (point, together) in points.iter().zip(wheel.stresses(&points, 30.0)) {
+                let alone = wheel.stress(*point, 30.0);
+                assert!((together.xx - alone.xx).abs() < 1e-9, "{point:?}: {together:?} {alone:?}");
+            }
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::material::IsotropicElastic;
 use crate::math::OutOfRange;
+use num_complex::Complex64 as Complex;
 
 /// An axle of the train.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,6 +64,10 @@ pub struct Bending {
 /// βs beyond which e^(−βs) is less than round-off.
 const NO_MORE: f64 = 40.0;
 
+/// Terms of the series of the moment, and β times the largest distance for it: 1e-12 of its value.
+const ORDER: usize = 10;
+const OF_SERIES: f64 = 0.15;
+
 impl Bending {
     /// The track.
     pub fn track(&self) -> &Track {
@@ -76,24 +81,59 @@ impl Bending {
 
     /// M (N mm) at `x` (mm from x_c).
     pub fn moment(&self, x: f64) -> f64 {
-        let of = |axle: &Axle| {
-            let s = self.beta * (x - axle.at).abs();
-            if s > NO_MORE {
-                return 0.0;
+        self.track.axles.iter().map(|axle| self.moment_of(axle, x)).sum()
+    }
+
+    fn moment_of(&self, axle: &Axle, x: f64) -> f64 {
+        let s = self.beta * (x - axle.at).abs();
+        if s > NO_MORE {
+            return 0.0;
+        }
+        0.25 * axle.wheel_load / self.beta * (-s).exp() * (s.cos() - s.sin())
+    }
+
+    /// M (N mm) at each `x` (mm from x_c): where they are close together, by the series about the
+    /// first of them under the axles that are beside all of them.
+    pub fn moments(&self, x: &[f64]) -> Vec<f64> {
+        let Some(&first) = x.first() else { return Vec::new() };
+        let (least, most) = x.iter().fold((first, first), |(a, b), x| (a.min(*x), b.max(*x)));
+        let is_near = self.beta * (most - first).max(first - least) <= OF_SERIES;
+        let (beside, over): (Vec<&Axle>, Vec<&Axle>) =
+            self.track.axles.iter().partition(|axle| is_near && !(least..=most).contains(&axle.at));
+        let mut series = [0.0; ORDER];
+        for axle in beside {
+            // M = Q/(4β) Re (1 + i) e^((−1 + i) s), and s grows or falls with x.
+            let s = self.beta * (first - axle.at);
+            let scale = 0.25 * axle.wheel_load / self.beta * (-s.abs()).exp();
+            let (sin, cos) = s.abs().sin_cos();
+            let mut term = Complex::new(1.0, 1.0) * Complex::new(cos, sin) * scale;
+            let step = Complex::new(-1.0, 1.0) * (self.beta * s.signum());
+            for (power, coefficient) in series.iter_mut().enumerate() {
+                *coefficient += term.re;
+                term *= step / (power as f64 + 1.0);
             }
-            0.25 * axle.wheel_load / self.beta * (-s).exp() * (s.cos() - s.sin())
+        }
+        let at = |x: &f64| {
+            let along = x - first;
+            let beside = series.iter().rev().fold(0.0, |sum, coefficient| sum * along + coefficient);
+            beside + over.iter().map(|axle| self.moment_of(axle, *x)).sum::<f64>()
         };
-        self.track.axles.iter().map(of).sum()
+        x.iter().map(at).collect()
     }
 
     /// σ_xx (MPa) at `x` (mm from x_c) and `depth` (mm): linear through the height of the rail,
     /// zero below its foot.
     pub fn stress(&self, x: f64, depth: f64) -> f64 {
+        self.stress_by(self.moment(x), depth)
+    }
+
+    /// σ_xx (MPa) at `depth` (mm) under a `moment` (N mm).
+    pub fn stress_by(&self, moment: f64, depth: f64) -> f64 {
         let RailSection { second_moment, neutral_axis_depth, height } = self.track.section;
         if height.is_some_and(|height| depth > height) {
             return 0.0;
         }
-        -self.moment(x) * (neutral_axis_depth - depth.max(0.0)) / second_moment
+        -moment * (neutral_axis_depth - depth.max(0.0)) / second_moment
     }
 
     /// Deflection w (mm, downwards) and its slope w′ at `x` (mm from x_c): w = Qβ/(2k) e^(−β|s|)
