@@ -120,4 +120,14 @@ impl Case {
             }
         }
     }
+
+    /// The word that the case gives for `key`; none where it gives none.
+    #[must_use]
+    pub fn word(&self, key: &str) -> Option<&str> {
+        let (section, number, found) = place_of(key).ok()?;
+        match self.written.value(&section.path(number.unwrap_or(1)), found.name)? {
+            Value::Text(word) => Some(word),
+            _ => None,
+        }
+    }
 }

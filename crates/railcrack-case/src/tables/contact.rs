@@ -74,8 +74,11 @@ section! {
         "Lateral position, in CONTACT's own frame, of the strip along the rail that is taken from a .mat file.")
         .only_with(KIND, TABLE, "lateral_mm chooses the strip of an ellipse").optional();
     FRICTION: f64 = number("friction", "", closed(-1.0, 1.0), 0.025,
-        "Wheel-rail friction coefficient. With hertz it is signed: > 0 drags the rail along +x (a braking wheel running towards +x). With carter it is that of the slip zone and not negative. With rolling it is that of the slip zone and not negative. With table it is optional; if given, |q| <= friction p is required.")
+        "Wheel-rail friction coefficient. With hertz it is signed, unless torque is given: > 0 drags the rail along +x (a braking wheel running towards +x). With carter it is that of the slip zone and not negative. With rolling it is that of the slip zone and not negative. With table it is optional; if given, |q| <= friction p is required.")
         .required_but_with(KIND, TABLE, "a table defines its own shear");
+    TORQUE: Torque = choice("torque",
+        "Which way the shear acts, so that friction needs no sign: with this key it is not negative.")
+        .only_with(KIND, "hertz", "the sign of the shear is that of traction or creepage").optional();
     LATERAL_FRICTION: f64 = number("lateral_friction", "", closed(-1.0, 1.0), 0.0,
         "Ratio of lateral shear to pressure, > 0 towards +z, 0 if not given; in the plane only its stress beside the middle of the ellipse loads the cracks.")
         .only_with(KIND, "hertz", "no other contact has lateral shear of its own").optional();
@@ -127,7 +130,7 @@ section! {
         .only_with_words(KIND, &["hertz", "carter", "rolling"], "a wheel that feels the cracks needs a half-ellipse of pressure on the uncracked rail").optional();
 }
 
-read_by_word!(ContactKind, CreepageSign, RollingTheory, ContactExtent, ProfileAxes);
+read_by_word!(Torque, ContactKind, CreepageSign, RollingTheory, ContactExtent, ProfileAxes);
 
 /// Origin of the numbers of a contact.
 #[derive(Debug, Clone, PartialEq)]
@@ -234,6 +237,34 @@ impl Choice for ContactExtent {
     ];
 }
 
+/// Which way the torque of a wheel acts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Torque {
+    /// It drives the train.
+    Driven,
+    /// It brakes it.
+    Braked,
+}
+
+impl Choice for Torque {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Driven, Word::now("driven", "a wheel that drives the train drags the rail backwards")),
+        (Self::Braked, Word::now("braked", "a wheel that brakes it drags the rail forwards")),
+    ];
+}
+
+impl Torque {
+    /// `friction`, which is not negative, with the sign of the shear on the rail along +x of a wheel
+    /// that runs towards `travel`.
+    fn signed(self, friction: f64, travel: Travel) -> f64 {
+        let forwards = if travel == Travel::Forward { friction } else { -friction };
+        match self {
+            Self::Driven => -forwards,
+            Self::Braked => forwards,
+        }
+    }
+}
+
 /// Contact, of a kind other than rolling, of a wheel that runs towards `travel` with a rail of
 /// `steel`; files are relative to `folder`. For a whole ellipse, this is its middle strip.
 pub(crate) fn read_contact(
@@ -254,6 +285,14 @@ pub(crate) fn read_contact(
         report.add(section.fault(FRICTION, "must be a number in [0, 1]").help(help));
         return None;
     }
+    let friction = match section.get(TORQUE) {
+        Some(_) if friction < 0.0 => {
+            let help = "torque says which way the shear acts; without it, friction has its sign";
+            report.add(section.fault(FRICTION, "must be a number in [0, 1]").help(help));
+            return None;
+        }
+        torque => torque.map_or(friction, |torque| torque.signed(friction, travel)),
+    };
     let (contact, origin) = read_hertz(section, steel, friction, extent, report)?;
     let contact = match kind {
         ContactKind::Carter => Contact::Carter(CarterContact {

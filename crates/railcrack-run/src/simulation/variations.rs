@@ -46,6 +46,12 @@ pub(super) fn varied(case: &Case, variation: Variation, folder: &Path) -> Option
 /// Settings that turn the tangential force of each wheel round.
 fn other_sign(case: &Case) -> Vec<String> {
     let of_contact = |section: String| {
+        let torque = format!("{section}.torque");
+        match case.word(&torque) {
+            Some("driven") => return Some(format!("{torque}=\"braked\"")),
+            Some(_) => return Some(format!("{torque}=\"driven\"")),
+            None => {}
+        }
         ["creepage_x", "traction", "friction"].iter().find_map(|key| {
             let path = format!("{section}.{key}");
             let value = case.number(&path).ok().filter(|value| *value != 0.0)?;

@@ -486,6 +486,24 @@ fn wet(
     rolling.on(&problem.with_wheel(surface.filter(|_| coupled)).unwrap(), solver)
 }
 
+/// The place of the wheel at which it covers the mouth does not depend on the nodes of the surface.
+#[test]
+fn a_mouth_is_covered_where_the_contact_ends() {
+    let rolling = Rolling::over(vec![surface_crack(0.0, 6.0, 15.0)], 0.1, 0.025);
+    let body = rolling.body();
+    let mouth = FluidModel::Mouth { cap: f64::INFINITY };
+    let fluid = CrackFluid { model: mouth, profile: PressureProfile::Constant, cracks: None };
+    let fluid = fluid.on(&CrackNetwork::new(rolling.cracks.clone()).unwrap(), &body.faces);
+    let with = |nodes_per_half_width: f64| {
+        let surface = WheelCoupling { nodes_per_half_width, ..coupling(rolling.contact(), &steel()) };
+        let problem = FaceProblem::new(&body, &[0.1]).unwrap().with_fluid(Some(fluid.clone()));
+        rolling.on(&problem.with_wheel(surface.on(&body.faces)).unwrap(), &Newton::default())
+    };
+    let off = apart(&with(160.0), &with(NODES));
+    println!("{off}");
+    close(off, 0.0, Absolute(0.02), "of the peak, at the position where the flap snaps");
+}
+
 #[test]
 fn water_under_a_wheel_that_bridges_the_mouth() {
     let cracks = || vec![surface_crack(0.0, 6.0, 15.0)];
