@@ -2,7 +2,7 @@
 
 use super::row::Row;
 use crate::numbers::short;
-use crate::setup::{HeaviestWheel, contact_bounds};
+use crate::setup::{HeaviestWheel, bounds_under};
 use crate::simulation::{plastic_stress_left_out, rolled_by};
 use railcrack::shakedown::DepthBounds;
 use railcrack::words::Choice;
@@ -101,9 +101,7 @@ pub(super) fn bounds(case: &Case) -> Vec<Row> {
     let heaviest = &case.wheels[number];
     let Some(contact) = heaviest.wheel.contact() else { return Vec::new() };
     let ratio = contact.peak_pressure() / shear_yield;
-    let all = contact_bounds(&heaviest.wheel, &case.steel, |bounds| {
-        (bounds.first_yield(), bounds.shakedown_limit(), bounds.by_depth(&BOUND_DEPTHS))
-    });
+    let all = bounds_under(case, number, &BOUND_DEPTHS);
     let Some((first_yield, shakedown, by_depth)) = all else { return Vec::new() };
     let a = contact.half_width();
     let limit = |name: &'static str, ratio: f64, depth_over_a: f64| {
