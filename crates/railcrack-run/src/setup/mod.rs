@@ -33,7 +33,7 @@ pub use rates_across::rates_across;
 pub use represented::{represented, represented_in};
 pub use rolled::{
     HeaviestWheel, WheelBounds, bounds_under, contact_bounds, rail_in_space, rolled_rail, rolling_wheels,
-    stabilisation, stabilisation_in_space,
+    stabilisation, stabilisation_in_space, wheel_pressure,
 };
 pub use shared::{RailKey, SharedRail, SharedRailError};
 pub use size::RunSize;

@@ -9,6 +9,7 @@ use railcrack::shakedown::space::{RailInSpace, RolledPatch, SpaceStabilisation};
 use railcrack::shakedown::{
     ContactBounds, DepthBounds, FirstYield, RolledRail, ShakedownLimit, Stabilisation,
 };
+use railcrack::validity::ContactPressure;
 use railcrack_case::{Case, GivenWheel, RollingWheels, ShakedownSettings, TrafficWheel};
 
 /// The wheel of a mix that comes nearest to its limit of elastic shakedown, or exceeds it most.
@@ -128,6 +129,27 @@ pub fn bounds_under(case: &Case, number: usize, depths_over_a: &[f64]) -> Option
         ShakedownLimit { ratio: limit.ratio, depth_over_a: limit.depth_over_a },
         bounds.by_depth(limit.y_over_b, depths_over_a),
     ))
+}
+
+/// The largest pressure of the wheel `number` (from 0) of `case` and its bounds: of its whole patch,
+/// or of its line contact; none where it misses the cracks.
+#[must_use]
+pub fn wheel_pressure(case: &Case, number: usize) -> Option<ContactPressure> {
+    let wheel = &case.wheels.get(number)?.wheel;
+    let contact = wheel.contact()?;
+    let of = |peak_pressure: f64, first_yield: f64, shakedown_limit: f64| ContactPressure {
+        peak_pressure,
+        adhesion: contact.adhesion(),
+        first_yield,
+        shakedown_limit,
+    };
+    let Some(patch) = rolled_patch(case, number) else {
+        return contact_bounds(wheel, &case.steel, |bounds| {
+            of(contact.peak_pressure(), bounds.first_yield().ratio, bounds.shakedown_limit().ratio)
+        });
+    };
+    let bounds = patch.bounds();
+    Some(of(patch.peak_pressure, bounds.first_yield().ratio, bounds.shakedown_limit().ratio))
 }
 
 /// First yield and shakedown of a rail of `steel` under the contact of `wheel` alone, as `of` asks

@@ -195,3 +195,86 @@ fn each_grid() {
         assert!(apart < allowed, "{name}: {apart}");
     }
 }
+
+/// Largest difference of stress (MPa) and of plastic strain between two sections on one grid.
+fn apart(one: &StabilisedSpace, other: &StabilisedSpace) -> [f64; 2] {
+    assert_eq!(one.grid(), other.grid());
+    let both = one.section.iter().zip(&other.section);
+    both.fold([0.0; 2], |[stress, strain], (a, b)| {
+        [f64::max(stress, (a.stress - b.stress).largest()), f64::max(strain, (a.strain - b.strain).largest())]
+    })
+}
+
+/// A wheel far below first yield changes nothing that a heavy one has left, though it runs the other
+/// way: to round-off, signs of the shears included.
+#[test]
+fn a_light_wheel_leaves_the_rail_as_it_is() {
+    let heavy = patch(1300.0, [6.0, 6.0], 0.1);
+    let light = RolledPatch { travel: Travel::Backward, ..patch(300.0, [6.0, 6.0], -0.1) };
+    let alone = stabilised(&rail(heavy.clone()), COARSE, 1);
+    let both = RailInSpace { patches: vec![heavy.clone(), light], ..rail(heavy) };
+    let both = stabilised(&both, COARSE, 2);
+    assert_eq!(both.passes[1].plastic_path, 0.0);
+    let ([stress, strain], peak) = (apart(&alone, &both), alone.peak().unwrap().stress.largest());
+    assert!(stress < 1e-9 * peak && strain < 1e-14, "{stress:e} of {peak}, {strain:e}");
+    assert!(alone.section.iter().any(|layer| layer.strain.xz.abs() > 1e-4));
+}
+
+/// Wheels alike in turn are one wheel: to what the iteration within a passage leaves.
+#[test]
+fn wheels_alike_in_turn_are_one() {
+    let own = patch(1300.0, [6.0, 6.0], 0.1);
+    let one = stabilised(&rail(own.clone()), COARSE, 4);
+    let two = RailInSpace { patches: vec![own.clone(), own.clone()], ..rail(own) };
+    let two = stabilised(&two, COARSE, 4);
+    let ([stress, _], peak) = (apart(&one, &two), one.peak().unwrap().stress.largest());
+    // 1e-5 of the yield strain in each passage.
+    assert!(stress < 1e-3 * peak, "{stress} of {peak}");
+    assert_eq!(two.cycles.len(), 2);
+}
+
+/// Two wheels that run beside each other leave a stress on both sides; the lateral places are those
+/// of the wheels.
+#[test]
+fn each_wheel_rolls_at_its_lateral_place() {
+    let own = patch(1300.0, [6.0, 6.0], 0.0);
+    let at = |lateral: f64| {
+        let wheel = EllipticWheel {
+            peak_pressure: 1300.0,
+            half_width: 6.0,
+            lateral_half_width: 6.0,
+            lateral,
+            friction: 0.0,
+            lateral_friction: 0.0,
+        };
+        let stress = move |x: f64, y: f64, depth: f64| Tensor::of(wheel.stress(0.0, [x, y, depth], POISSON));
+        RolledPatch { lateral, stress: Arc::new(stress), ..own.clone() }
+    };
+    let one = stabilised(&rail(own.clone()), COARSE, 1);
+    let two = RailInSpace { patches: vec![at(-12.0), at(12.0)], ..rail(own.clone()) };
+    let two = stabilised(&two, COARSE, 2);
+    let depth = one.peak().unwrap().depth;
+    let strain = |state: &StabilisedSpace, y: f64| {
+        let layers = state.layers_at(y);
+        let below = layers.iter().find(|layer| layer.depth >= depth).unwrap();
+        below.strain.equivalent()
+    };
+    let alone = strain(&one, 0.0);
+    for y in [-12.0, 12.0] {
+        // Two lateral half-widths apart: one wheel yields hardly where the other one rolls.
+        let own = strain(&two, y);
+        assert!((own / alone - 1.0).abs() < 0.05, "{y}: {own} of {alone}");
+    }
+    assert!(strain(&two, 0.0) < 0.1 * alone);
+}
+
+/// The same bits on any number of threads.
+#[test]
+fn threads_do_not_change_the_state() {
+    let rail = rail(patch(1300.0, [6.0, 6.0], 0.1));
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| stabilised(&rail, COARSE, 2))
+    };
+    assert_eq!(on(1), on(2));
+}
