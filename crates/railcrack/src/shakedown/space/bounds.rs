@@ -39,7 +39,7 @@ impl<'a> PatchBounds<'a> {
     /// p0/k at first yield: 1 / max √J2 over the half-space, for p0 = 1.
     #[must_use]
     pub fn first_yield(&self) -> PlaceBound {
-        self.bound(|deviators| longest(deviators))
+        self.bound(longest)
     }
 
     /// p0/k at the limit of elastic shakedown for kinematic hardening: at every place of the
