@@ -10,7 +10,7 @@ use super::choice::{Reached, Zone};
 use super::eigenstress::SpaceEigenstress;
 use super::grid::{Across, SpaceGrid};
 use super::rail::{RailInSpace, RolledPatch, Symmetry};
-use super::stabilise::SpaceStabilisation;
+use super::settings::SpaceStabilisation;
 use crate::interruption::Interruption;
 use crate::math::Tensor;
 use rayon::prelude::*;

@@ -3,30 +3,13 @@
 use super::super::rail::ShakedownError;
 use super::super::stabilise::EXTENSIONS;
 use super::super::state::PassRecord;
-use super::choice::{Reached, SpaceResolution, Zone};
+use super::choice::{Reached, Zone};
 use super::grid::SpaceGrid;
 use super::passes::SpacePasses;
 use super::rail::RailInSpace;
+use super::settings::SpaceStabilisation;
 use super::state::StabilisedSpace;
 use crate::interruption::Interruption;
-
-/// Settings of the stabilisation in space.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SpaceStabilisation {
-    /// Resolution in columns, rows and layers.
-    pub resolution: SpaceResolution,
-    /// Number of passages after which the rail counts as not stabilised.
-    pub max_passes: usize,
-    /// Change of the residual stress by a passage, over the largest residual stress left by
-    /// passages, below which it counts as stabilised.
-    pub pass_tolerance: f64,
-}
-
-impl Default for SpaceStabilisation {
-    fn default() -> Self {
-        Self { resolution: SpaceResolution::default(), max_passes: 500, pass_tolerance: 5e-4 }
-    }
-}
 
 /// The state to which repeated passages over `rail` lead, each from the state that the previous one
 /// has left. `watch` receives every passage, and starts again with the first one if the plastic
