@@ -38,6 +38,6 @@ pub use study::{Axis, Distribution, Input, Keeping, SampleTable, Study, StudyRun
 pub use tables::{
     CalibrationPrior, Combine, ContactExtent, ContactOrigin, ContactSolver, Detection, Engine, FieldOutput,
     FileKey, Fracture, GivenContact, GivenWheel, Inspection, InspectionRisk, Kept, MeshSettings, Output,
-    PlaneEngine, PlasticSource, ProfileOrigin, SECTIONS, STUDY, Scatter, ShakedownSettings, WheelLoading,
-    file_keys, init_text, json_schema, markdown,
+    PlaneEngine, PlasticSource, ProfileOrigin, RollingWheels, SECTIONS, STUDY, Scatter, ShakedownSettings,
+    WheelLoading, file_keys, init_text, json_schema, markdown,
 };

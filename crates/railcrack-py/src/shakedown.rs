@@ -39,7 +39,7 @@ pub fn shakedown<'py>(
         let existing = if replace { Existing::Replace } else { Existing::Refuse };
         let asked = || observer.is_interrupted();
         let interruption = Interruption::when(&asked);
-        let summary = roll(&case, folder, existing, presentation, interruption, |pass| {
+        let summary = roll(&case, 0.0, (folder, existing), presentation, interruption, |pass| {
             observer.stage(&pass_text(pass));
         })?;
         Ok((summary, ShakedownFolder::open(folder)?))

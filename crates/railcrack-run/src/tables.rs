@@ -3,7 +3,7 @@
 use crate::compare::{PositionRow, TipComparison};
 use crate::csv::{ContactRow, FaceRow, ResidualRow, SifRow, Table, TipRow, markdown};
 use crate::planner::PlanRow;
-use crate::shakedown::{LayerRow, PassRow};
+use crate::shakedown::{LayerRow, PassRow, SectionRow};
 use crate::study::{StudySummaryRow, TimesRow};
 
 /// Name and columns (a table of Markdown) of every table.
@@ -23,6 +23,7 @@ pub fn table_descriptions() -> Vec<(&'static str, String)> {
         of::<TimesRow>(),
         of::<PassRow>(),
         of::<LayerRow>(),
+        of::<SectionRow>(),
         of::<PlanRow>(),
     ]
 }

@@ -101,7 +101,8 @@ impl Parts {
         let temperature = wheels.and_then(|wheels| wheels.first()?.wheel.temperature);
         let geometry = match engine {
             Some(Engine::Space) => {
-                read_space(sections, placed.as_ref(), wheels, rail.as_ref(), report).map(Geometry::Space)
+                read_space(sections, placed.as_ref(), wheels, rail.as_ref(), folder, report)
+                    .map(Geometry::Space)
             }
             _ => read_plane(sections, placed.as_ref(), rail.as_ref(), folder, report).map(Geometry::Plane),
         };

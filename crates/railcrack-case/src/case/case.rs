@@ -112,7 +112,10 @@ impl Case {
     /// Plastic stress, still to be balanced, where it is given.
     #[must_use]
     pub fn plastic_stress(&self) -> Option<&PlasticSource> {
-        self.plane()?.plastic_stress.as_ref()
+        match &self.geometry {
+            Geometry::Plane(plane) => plane.plastic_stress.as_ref(),
+            Geometry::Space(space) => space.plastic_stress.as_ref(),
+        }
     }
 
     /// The first wheel, by which positions are measured and whose faces and fields are written.

@@ -7,7 +7,6 @@ use railcrack::load::NamedSection;
 
 /// The geometry of the cracks of a case, with the parts that only its engines know.
 #[derive(Debug, Clone, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "a case has one")]
 pub enum Geometry {
     /// Cracks in the plane.
     Plane(PlaneCase),

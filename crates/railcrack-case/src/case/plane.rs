@@ -41,7 +41,7 @@ pub(super) fn read_plane(
 
 /// The plastic stress. A residual stress is a total, and the state that rolling leaves starts from
 /// a manufacturing stress of its own: both would be counted twice.
-fn read_plastic_stress(
+pub(super) fn read_plastic_stress(
     section: &SectionValues,
     sections: &Sections,
     folder: &Path,

@@ -2,19 +2,21 @@
 
 use super::cracks::PlacedCracks;
 use super::front_shape::front_shape;
+use super::plane::read_plastic_stress;
 use super::space_case::SpaceCase;
 use super::traffic_wheel::TrafficWheel;
 use crate::schema::{Fault, Report, SectionValues, Sections};
 use crate::tables::{
     CONTACT, CRACK, ContactOrigin, ContactSolver, FRONT, FRONT_HARMONICS, FrontForm, GROWTH, GivenContact,
-    GivenWheel, KIND, LATERAL_HALF_WIDTH, LAW, MESH, MODE_3_WEIGHT, PLASTIC_STRESS, RAIL, Rail, SOLVER,
-    SOLVER_CONTACT, SPACE_SURFACE_ROWS, SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL, WHEEL_CONTACT,
-    read_resolution,
+    GivenWheel, KIND, LATERAL_HALF_WIDTH, LAW, MESH, MODE_3_WEIGHT, PLASTIC_STRESS, PlasticSource, RAIL,
+    Rail, SOLVER, SOLVER_CONTACT, SPACE_SURFACE_ROWS, SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL,
+    WHEEL_CONTACT, read_resolution,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::Crack;
 use railcrack::growth::{FrontDeviation, FrontShape};
 use railcrack::space::{CellDivision, CloseCracks, LEAST_STRIP, SpaceCrack};
+use std::path::Path;
 
 /// The cracks, the wheel and the law of the engine in space; none if something is wrong or missing;
 /// errors are added to `report`.
@@ -23,12 +25,19 @@ pub(super) fn read_space(
     placed: Option<&PlacedCracks>,
     wheels: Option<&[TrafficWheel]>,
     rail: Option<&Rail>,
+    folder: &Path,
     report: &mut Report,
 ) -> Option<SpaceCase> {
-    if let Some(plastic) = sections.one(&PLASTIC_STRESS) {
-        let says = "the space engine accepts residual stress only as a balanced profile ([residual_stress])";
-        let help = "use engine = \"dislocation\" or \"xfem\", or leave the section out";
-        report.add(plastic.fault_of_all(says).help(help));
+    let plastic_stress = match sections.one(&PLASTIC_STRESS) {
+        Some(section) => Some(read_plastic_stress(section, sections, folder, report)?),
+        None => None,
+    };
+    if let Some((section, source)) = sections.one(&PLASTIC_STRESS).zip(plastic_stress.as_ref())
+        && *source != PlasticSource::Rolled
+    {
+        let says = "the space engine balances no plastic stress that is given";
+        let help = "use from = \"passages\" or a balanced profile ([residual_stress])";
+        report.add(section.fault_of_all(says).help(help));
     }
     let solver = sections.one(&SOLVER)?;
     if solver.get(SOLVER_CONTACT) == Some(ContactSolver::Latin) {
@@ -70,7 +79,7 @@ pub(super) fn read_space(
     }
     let shapes = shapes?.into_iter().map(|shape| FrontShape { deviation, ..shape }).collect();
     let (resolution, mode_3_weight) = (read_resolution(mesh), growth.get(MODE_3_WEIGHT));
-    let space = SpaceCase { shapes, resolution, mode_3_weight };
+    let space = SpaceCase { shapes, resolution, mode_3_weight, plastic_stress };
     judge_harmonics(&space, growth, report);
     judge_surface_rows(&space, mesh, report);
     Some(space)

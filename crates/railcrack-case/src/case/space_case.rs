@@ -1,5 +1,6 @@
 //! The parts of a case that only the engine in space knows, and its size.
 
+use crate::tables::PlasticSource;
 use railcrack::growth::FrontShape;
 use railcrack::space::{CellDivision, FoldedResolution, SpaceResolution};
 
@@ -12,6 +13,8 @@ pub struct SpaceCase {
     pub resolution: SpaceResolution,
     /// Weight of mode III in the range of Hourlier and Pineau, where it is given.
     pub mode_3_weight: Option<f64>,
+    /// Plastic stress: that of the rolled rail, where the case asks for it.
+    pub plastic_stress: Option<PlasticSource>,
 }
 
 impl SpaceCase {

@@ -35,7 +35,7 @@ pub use fracture::Fracture;
 pub use inspection::{Detection, Inspection, InspectionRisk, Scatter};
 pub use mesh::MeshSettings;
 pub use output::{FieldOutput, Kept, Output};
-pub use shakedown::ShakedownSettings;
+pub use shakedown::{RollingWheels, ShakedownSettings};
 pub use solver::{ContactSolver, Engine, PlaneEngine};
 pub use stress::PlasticSource;
 pub use study::{Combine, STUDY, Sampling};

@@ -19,6 +19,7 @@ section! {
     HARDENING_MODULUS: f64 = number("hardening_modulus_mpa", "MPa", closed(1.0, 1e7), 20e3,
         "Modulus C of the linear kinematic hardening X = (2/3) C eps_p.");
     METHOD: Method = choice("method", "Method of computing the stabilised state.");
+    WHEELS: RollingWheels = choice("wheels", "Wheels of a mix that roll the rail with their patches, each at its lateral place; a line contact is that of the heaviest wheel alone.");
     MAX_PASSES: usize = integer("max_passes", (1, 100_000), 500,
         "Maximum number of passages, after which the rail counts as not stabilised.");
     INITIAL_RESIDUAL: String = file("initial_residual", "inputs/initial-residual.csv", "manufacturing.csv",
@@ -28,7 +29,7 @@ section! {
         "Fatigue limit in pure shear of the Dang Van criterion.");
 }
 
-read_by_word!(Method, YieldingSteel);
+read_by_word!(Method, RollingWheels, YieldingSteel);
 
 /// The steels whose yield stress is known by name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -42,6 +43,22 @@ impl Choice for YieldingSteel {
         &[(Self::R260, Word::now("R260", "480 MPa")), (Self::R350Ht, Word::now("R350HT", "800 MPa"))];
 }
 
+/// The wheels of a mix that roll the rail with their patches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RollingWheels {
+    /// All of them.
+    InTurn,
+    /// One of them.
+    Heaviest,
+}
+
+impl Choice for RollingWheels {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::InTurn, Word::now("in turn", "all wheels one after the other, the heaviest first")),
+        (Self::Heaviest, Word::now("heaviest", "the wheel nearest to its limit of elastic shakedown alone")),
+    ];
+}
+
 /// Plastic behaviour of the rail and the criterion of crack initiation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShakedownSettings {
@@ -51,6 +68,8 @@ pub struct ShakedownSettings {
     pub steel: Option<&'static RailSteel>,
     /// Method of computing the stabilised state.
     pub method: Method,
+    /// The wheels that roll the rail with their patches.
+    pub wheels: RollingWheels,
     /// Maximum number of passages, after which the rail counts as not stabilised.
     pub max_passes: usize,
     /// Balanced profile present before the first passage.
@@ -89,6 +108,7 @@ impl ShakedownSettings {
             hardening,
             steel,
             method: section.get(METHOD)?,
+            wheels: section.get(WHEELS)?,
             max_passes: section.get(MAX_PASSES)?,
             initial_residual,
             dang_van: DangVan { slope: section.get(DANG_VAN_A)?, limit: section.get(DANG_VAN_B)? },

@@ -1,7 +1,7 @@
 //! `[residual_stress]` and `[plastic_stress]`: stress that rolling or manufacture left in the rail.
 
 use crate::files::{Companion, FieldFile, ProfileFile, read_field, read_profile};
-use crate::schema::{Report, SectionValues, file, section};
+use crate::schema::{Choice, Report, SectionValues, Word, choice, file, read_by_word, section};
 use railcrack::residual::{PlasticField, PlasticFieldError};
 use std::path::Path;
 
@@ -14,13 +14,27 @@ section! {
 
 section! {
     PLASTIC_STRESS "plastic_stress", Optional,
-        "A plastic stress K:eps_p = 2 G eps_p, which the run balances on the crack mesh. With neither key, it is that of the stabilised state of [shakedown], which the run computes first.",
-        forms [[PLASTIC_FIELD], [PLASTIC_PROFILE]];
+        "A plastic stress K:eps_p = 2 G eps_p, which the run balances on the crack mesh. With neither key, as with from = \"passages\", it is that of the stabilised state of [shakedown], which the run computes first; under a patch the balanced stress of that state.",
+        forms [[PLASTIC_FIELD], [PLASTIC_PROFILE], [PLASTIC_FROM]];
     PLASTIC_FIELD: String = file("field", "inputs/plastic-stress.vtu", "shakedown/plastic.vtu",
         "VTU file with plastic_stress_mpa at points or cells, written by `railcrack shakedown` or by any other program.")
         .optional();
     PLASTIC_PROFILE: String = file("profile", "inputs/plastic-stress.csv", "plastic.csv",
         "CSV file in the format of [residual_stress], read as a plastic stress.").optional();
+    PLASTIC_FROM: PlasticFrom = choice("from", "Origin other than a file: the passages of the wheels.").optional();
+}
+
+read_by_word!(PlasticFrom);
+
+/// Origin of a plastic stress that no file gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum PlasticFrom {
+    Passages,
+}
+
+impl Choice for PlasticFrom {
+    const WORDS: &'static [(Self, Word)] =
+        &[(Self::Passages, Word::now("passages", "the stabilised state, computed first"))];
 }
 
 /// Origin of a plastic stress.

@@ -30,6 +30,9 @@ pub struct ShakedownArguments {
     /// Folder for the results [default: name of the case file without its extension, next to it]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Lateral place (mm) of the profile and of the plane of the fields, under a patch
+    #[arg(long, value_name = "MM", default_value_t = 0.0, allow_negative_numbers = true)]
+    pub lateral: f64,
     /// Suppress progress output
     #[arg(long)]
     pub quiet: bool,
@@ -46,11 +49,12 @@ pub fn shakedown(arguments: &ShakedownArguments) -> Result<Exit, Failure> {
     let interruption = listen(Remains::Nothing)?;
     let asked = || interruption.asked();
     let existing = if arguments.force { Existing::Replace } else { Existing::Refuse };
-    let rolled = roll(&case, &folder, existing, &Pages, Interruption::when(&asked), |pass| {
-        if !arguments.quiet {
-            terminal::stderr(&format!("{}\n", pass_text(pass)));
-        }
-    });
+    let rolled =
+        roll(&case, arguments.lateral, (&folder, existing), &Pages, Interruption::when(&asked), |pass| {
+            if !arguments.quiet {
+                terminal::stderr(&format!("{}\n", pass_text(pass)));
+            }
+        });
     let summary = match rolled {
         Err(error) if error.is_interruption() => return Ok(print::interrupted()),
         rolled => rolled?,

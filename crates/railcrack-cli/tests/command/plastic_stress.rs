@@ -191,3 +191,62 @@ fn free_sides_of_a_block_release_a_part_and_the_run_says_so() {
         assert!(shed > 5.0 && shed < 60.0, "{name}: {held} {free}");
     }
 }
+
+/// A wheel with a patch, and a short passage over a crack in the plane or in space.
+const PATCH_CASE: &str = "\
+[contact]
+peak_pressure_mpa = 1300.0
+half_width_mm = 6.0
+lateral_half_width_mm = 6.0
+friction = 0.1
+[passage]
+from_over_a = -2.0
+to_over_a = 2.0
+positions = 9
+[[crack]]
+mouth_mm = 0.0
+length_mm = 6.0
+surface_half_length_mm = 6.0
+angle_deg = 15.0
+friction = 0.5
+[growth]
+steps = 1
+[shakedown]
+max_passes = 2
+";
+
+/// Under a patch the stress of the run is that of the state in space, in the plane of the cracks;
+/// progress is shown by passage.
+#[test]
+fn a_real_wheel_leaves_its_stress_in_the_plane_and_in_space() {
+    let folder = common::folder("plastic-stress-command", "plastic-patch");
+    for (engine, mesh) in [("dislocation", ""), ("space", "[mesh]\nspace_cells = 4\n")] {
+        let solver = format!("{mesh}[solver]\nengine = \"{engine}\"\n");
+        let with = format!("{PATCH_CASE}{solver}[plastic_stress]\nfrom = \"passages\"\n");
+        std::fs::write(folder.join(format!("{engine}.toml")), with).unwrap();
+        let said = succeeds(&folder, &["run", &format!("{engine}.toml")]);
+        let order = ["plastic state, passage 1:", "plastic state, passage 2:", "step 1/1"];
+        let places: Vec<usize> =
+            order.iter().map(|text| said.find(text).unwrap_or_else(|| panic!("{said}"))).collect();
+        assert!(places.is_sorted(), "{said}");
+        let run = folder.join(engine);
+        let stage = run.join("shakedown");
+        for stress in ["sxx_mpa", "syy_mpa", "szz_mpa", "sxy_mpa"] {
+            let both =
+                [&run.join("residual.csv"), &stage.join("profile.csv")].map(|path| column(path, stress));
+            let peak = both[1].iter().fold(0.0f64, |m, v| m.max(v.abs()));
+            // The run reports every layer; digits of the tables.
+            let pairs = both[0].iter().zip(&both[1]);
+            let most = pairs.fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
+            assert!(most < 1e-6 * peak.max(1.0), "{engine} {stress}: {most} of {peak}");
+        }
+        std::fs::write(folder.join("without.toml"), format!("{PATCH_CASE}{solver}")).unwrap();
+        succeeds(&folder, &["run", "without.toml", "--quiet", "--force"]);
+        let largest = |run: &str| {
+            let k = column(&folder.join(run).join("sif.csv"), "kii_mpa_sqrt_m");
+            k.into_iter().fold(0.0f64, |m, v| m.max(v.abs()))
+        };
+        let change = largest(engine) / largest("without") - 1.0;
+        assert!(change.abs() > 0.01, "{engine}: {change}");
+    }
+}

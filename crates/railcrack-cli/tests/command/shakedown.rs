@@ -138,3 +138,62 @@ fn bad_input_exits_with_2_and_writes_nothing() {
         assert!(!folder.join(name).exists(), "{name} wrote a folder");
     }
 }
+
+/// Two wheels with patches at lateral places, each beyond first yield.
+const MIX: &str = "\
+title = \"Mix\"
+[[wheel]]
+name = \"inside\"
+share = 0.4
+contact = { peak_pressure_mpa = 1300.0, half_width_mm = 6.0, lateral_half_width_mm = 6.0, lateral_mm = 2.0, friction = 0.1 }
+[[wheel]]
+name = \"outside\"
+share = 0.6
+contact = { peak_pressure_mpa = 1200.0, half_width_mm = 6.0, lateral_half_width_mm = 6.0, lateral_mm = -4.0, friction = 0.1 }
+[[crack]]
+mouth_mm = 0.0
+length_mm = 6.0
+angle_deg = 15.0
+friction = 0.5
+";
+
+/// Wheels roll in turn at their places, or the heaviest alone; the profile is that of any lateral
+/// place, and its resultant across the rail vanishes.
+#[test]
+fn wheels_of_a_mix_roll_in_turn_or_alone() {
+    let folder = common::folder("shakedown-command", "shakedown-mix");
+    let lateral = |run: &str| -> Vec<f64> {
+        let (header, rows) = table(&folder.join(run).join("section.csv"));
+        let of = |name: &str| header.split(',').position(|own| own == name).unwrap();
+        let (lateral, strain) = (of("y_mm"), of("plastic_per_pass"));
+        rows.iter().filter(|row| row[strain] > 0.0).map(|row| row[lateral]).collect()
+    };
+    let ends = |places: &[f64]| {
+        let of = |pick: fn(f64, f64) -> f64| places.iter().copied().reduce(pick).unwrap();
+        [of(f64::min), of(f64::max)]
+    };
+    for (name, wheels, ended) in [("turn", "in turn", 2), ("alone", "heaviest", 1)] {
+        let case = format!("{MIX}[shakedown]\nwheels = \"{wheels}\"\nmax_passes = {ended}\n");
+        std::fs::write(folder.join("mix.toml"), case).unwrap();
+        let output = railcrack(&folder, &["shakedown", "mix.toml", "--out", name, "--lateral", "1.5"]);
+        assert_eq!(output.status.code(), Some(3), "{}", stderr(&output));
+        let says = if ended == 2 { "under 2 wheels in turn" } else { "under the wheel \"inside\" alone" };
+        assert!(stdout(&output).contains(says), "{}", stdout(&output));
+        let (header, profile) = table(&folder.join(name).join("profile.csv"));
+        let of = |name: &str| header.split(',').position(|own| own == name).unwrap();
+        let (depth, across) = (of("depth_mm"), of("szz_mpa"));
+        // Layers lie between the middles of their neighbours' borders: their borders from the surface.
+        let (mut top, mut sum, mut size) = (0.0, 0.0, 0.0);
+        for row in &profile {
+            let thickness = 2.0 * (row[depth] - top);
+            sum += thickness * row[across];
+            size += thickness * row[across].abs();
+            top += thickness;
+        }
+        // What lies below the layers carries the rest.
+        assert!(sum.abs() < 0.08 * size, "{name}: {sum} of {size}");
+    }
+    let [turn, alone] = ["turn", "alone"].map(|run| ends(&lateral(run)));
+    // The second wheel yields further out, on its side only.
+    assert!(turn[0] < alone[0] - 4.0 && (turn[1] - alone[1]).abs() < 1.0, "{turn:?} {alone:?}");
+}

@@ -10,6 +10,7 @@ mod plan;
 mod plot;
 mod row;
 mod run;
+mod section;
 mod shakedown;
 mod sif;
 mod space;

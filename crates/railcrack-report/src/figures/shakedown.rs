@@ -2,6 +2,7 @@
 
 use super::cells::{CellMap, level_colour, level_words};
 use super::plot::Plot;
+use super::section::section_map;
 use crate::chart::{
     Chart, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour, CurveDots, CurveLook, HEADING, draw_heading,
 };
@@ -44,9 +45,11 @@ pub(crate) fn shakedown_plots(state: &ShakedownFolder) -> Vec<Plot> {
         ("shakedown-map.svg", "Shakedown map", map(state)),
     ]
     .into_iter()
+    .filter(|(file, ..)| *file != "shakedown-map.svg" || !state.summary.map.is_empty())
     .map(of)
     .collect();
     plots.push(Plot::picture("field.svg", rolled_field(state)));
+    plots.extend(section_map(state).map(|map| Plot::picture("section.svg", map)));
     plots
 }
 

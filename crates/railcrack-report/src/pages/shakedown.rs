@@ -22,7 +22,16 @@ pub(crate) fn shakedown_page(state: &ShakedownFolder, case: &Case, plots: &[Plot
     lead.push(Block::Heading("Assumptions".to_owned()));
     lead.push(Block::List(assumptions(summary, case)));
     let charts = |ids: &[&str]| vec![charts(plots, ids)];
-    let field = plots.iter().find(|plot| plot.file == "field.svg");
+    let picture = |file: &str, caption: &str| -> Vec<Block> {
+        let plot = plots.iter().find(|plot| plot.file == file);
+        plot.map(|plot| Block::Picture { svg: plot.svg.clone(), caption: caption.to_owned() })
+            .into_iter()
+            .collect()
+    };
+    let across = picture(
+        "section.svg",
+        "Residual stress, plastic strain and the Dang Van criterion by lateral place and depth, from section.csv.",
+    );
     Page {
         title: summary.title.clone(),
         kind: "Stabilised plastic state under repeated passages".to_owned(),
@@ -30,26 +39,30 @@ pub(crate) fn shakedown_page(state: &ShakedownFolder, case: &Case, plots: &[Plot
         verdict: verdict(summary),
         facts: facts(summary),
         lead,
-        sections: vec![
-            Section::new("depth", "Residual stress and plastic strain", charts(&["residual-stress", "plastic-strain"])),
-            Section::new("initiation", "Crack initiation", charts(&["dang-van"])),
-            Section::new("passages", "Evolution over the passages", charts(&["passes", "passes-change"])),
-            Section::new("limits", "Shakedown limits", charts(&["bounds", "shakedown-map"])),
-            Section::new(
-                "around",
-                "Around the contact",
-                field
-                    .map(|plot| Block::Picture {
-                        svg: plot.svg.clone(),
-                        caption: "Von Mises stress and equivalent plastic strain in the last passage, from cycle.vtu."
-                            .to_owned(),
-                    })
-                    .into_iter()
-                    .collect(),
-            ),
-            Section::new("numbers", "Key figures", vec![Block::Table(numbers(summary))]),
-            case_section(&state.case_text),
-        ],
+        sections: [(!across.is_empty()).then(|| Section::new("across", "Across the rail", across))]
+            .into_iter()
+            .flatten()
+            .chain([
+                Section::new(
+                    "depth",
+                    "Residual stress and plastic strain",
+                    charts(&["residual-stress", "plastic-strain"]),
+                ),
+                Section::new("initiation", "Crack initiation", charts(&["dang-van"])),
+                Section::new("passages", "Evolution over the passages", charts(&["passes", "passes-change"])),
+                Section::new("limits", "Shakedown limits", charts(&["bounds", "shakedown-map"])),
+                Section::new(
+                    "around",
+                    "Around the contact",
+                    picture(
+                        "field.svg",
+                        "Von Mises stress and equivalent plastic strain in the last passage, from cycle.vtu.",
+                    ),
+                ),
+                Section::new("numbers", "Key figures", vec![Block::Table(numbers(summary))]),
+                case_section(&state.case_text),
+            ])
+            .collect(),
     }
 }
 
@@ -59,10 +72,14 @@ fn passages(count: usize) -> String {
 
 fn verdict(summary: &ShakedownSummary) -> String {
     let dang_van = &summary.dang_van;
-    let place = if dang_van.critical_depth_mm == 0.0 {
+    let depth = if dang_van.critical_depth_mm == 0.0 {
         "at the running surface".to_owned()
     } else {
         format!("at a depth of {} mm", fixed(dang_van.critical_depth_mm, 2))
+    };
+    let place = match dang_van.critical_lateral_mm {
+        Some(lateral) => format!("{depth}, at the lateral place {} mm", fixed(lateral, 2)),
+        None => depth,
     };
     let starts = if dang_van.margin_mpa < 0.0 {
         format!(
@@ -151,9 +168,15 @@ fn assumptions(summary: &ShakedownSummary, case: &Case) -> Vec<String> {
             "The {} passes again and again, over a rail without initial plastic strain.",
             if case.is_mix() { "heaviest wheel" } else { "same wheel" }
         ),
-        "Steel: unbounded linear kinematic hardening, which leads to elastic or plastic shakedown, never to \
-         ratchetting. Plane strain, half-plane."
-            .to_owned(),
+        format!(
+            "Steel: unbounded linear kinematic hardening, which leads to elastic or plastic shakedown, never to \
+             ratchetting. {}.",
+            if summary.grid.is_some() {
+                "Half-space under the whole patch; the rail cannot lengthen"
+            } else {
+                "Plane strain, half-plane"
+            }
+        ),
         format!(
             "The stabilised state was computed {}; in elastic shakedown the residual stress depends on the \
              first passages.",
@@ -214,6 +237,13 @@ fn numbers(summary: &ShakedownSummary) -> Table {
         significant(summary.admissibility.imbalance),
         String::new(),
     ]);
+    if let Some([columns, rows, layers]) = summary.grid {
+        table.row([
+            "Columns along, rows across, layers".to_owned(),
+            format!("{columns} × {rows} × {layers}"),
+            String::new(),
+        ]);
+    }
     table.row([
         "Elastic redistributions".to_owned(),
         summary.redistributions.to_string(),

@@ -8,7 +8,7 @@ use crate::disk::VERSION;
 use crate::error::OutputError;
 use railcrack::contact::FaceStatus;
 use railcrack::growth::{Jump, MOST_WHEELS, RunStop, WheelShares};
-use railcrack::math::Stress;
+use railcrack::math::{Stress, Tensor};
 use railcrack::shakedown::PlasticStrain;
 use railcrack::words::Choice;
 
@@ -198,6 +198,21 @@ impl<T: Cell> Cell for Option<T> {
 
     fn take(fields: &mut Fields) -> Result<Self, OutputError> {
         if fields.skip_empty() { Ok(None) } else { T::take(fields).map(Some) }
+    }
+}
+
+/// Components xx, yy, zz, yz, xz, xy.
+impl Cell for Tensor {
+    fn put(&self, rows: &mut Rows, columns: &[&'static str]) {
+        self.entries().put(rows, columns);
+    }
+
+    fn keep(value: Option<&Self>, columns: &mut Columns) {
+        Cell::keep(value.map(|own| own.entries()).as_ref(), columns);
+    }
+
+    fn take(fields: &mut Fields) -> Result<Self, OutputError> {
+        Cell::take(fields).map(Self::of)
     }
 }
 

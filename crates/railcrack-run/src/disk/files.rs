@@ -29,6 +29,8 @@ pub const SHAKEDOWN_FILE: &str = "shakedown.json";
 pub const PLASTIC_FILE: &str = "plastic.vtu";
 /// Stress and plastic strain around the contact.
 pub const CYCLE_FILE: &str = "cycle.vtu";
+/// The plastic state across the rail.
+pub const SECTION_FILE: &str = "section.vtu";
 /// Folder of the stabilised plastic state that a run computed first.
 pub const ROLLED_FOLDER: &str = "shakedown";
 /// Groups of the wheels of a table, as the run made them.
@@ -68,7 +70,7 @@ pub(crate) const STUDY_TABLES: [&str; 6] =
 pub const STUDY_PLOTS: [&str; 4] = ["ki.svg", "kii.svg", "paths.svg", "length-cycles.svg"];
 
 /// Every plot of a run or of a stabilised plastic state.
-pub(crate) const PLOT_FILES: [&str; 18] = [
+pub(crate) const PLOT_FILES: [&str; 19] = [
     "ki.svg",
     "kii.svg",
     "kiii.svg",
@@ -86,12 +88,13 @@ pub(crate) const PLOT_FILES: [&str; 18] = [
     "shakedown-map.svg",
     "dang-van.svg",
     "field.svg",
+    "section.svg",
     "plan.svg",
 ];
 
 /// Results of a run, in the order in which a replaced run is removed: a run without its checkpoint
 /// counts as not started.
-const RUN_RESULTS: [&str; 19] = [
+const RUN_RESULTS: [&str; 21] = [
     CHECKPOINT_FILE,
     RUN_LOG_FILE,
     OUTCOME_FILE,
@@ -104,9 +107,11 @@ const RUN_RESULTS: [&str; 19] = [
     SUMMARY_FILE,
     "passes.csv",
     "profile.csv",
+    "section.csv",
     SHAKEDOWN_FILE,
     PLASTIC_FILE,
     CYCLE_FILE,
+    SECTION_FILE,
     PLANS_FILE,
     "plan.csv",
     REPORT_FILE,

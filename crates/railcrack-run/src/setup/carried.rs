@@ -1,5 +1,6 @@
 //! Residual stress that the rail of a run carries.
 
+use super::layered::{LayeredStress, SectionStress};
 use railcrack::bulk::{
     BottomSupport, Boundary, BulkError, BulkRail, ElasticField, SideSupport, StressAtPoints,
 };
@@ -8,6 +9,7 @@ use railcrack::math::{Stress, Vec2};
 use railcrack::residual::{
     BalancedStress, PlasticField, PlasticFieldError, ProjectionLoss, RecoveryLoss, projection_loss,
 };
+use railcrack::space::StandingStress;
 use railcrack::xfem::{XfemEngine, XfemError};
 use railcrack_case::{Case, PlasticSource};
 use std::sync::Arc;
@@ -35,6 +37,9 @@ pub enum CarriedStressError {
 pub struct CarriedStress {
     /// Their sum; none where the rail carries nothing.
     pub field: Option<Box<dyn StressField>>,
+    /// In space, what rolling has left under a patch, which varies across the rail; it adds to the
+    /// field.
+    pub standing: Option<Arc<dyn StandingStress>>,
     /// Depths at which it is reported, increasing, mm.
     pub depths: Vec<f64>,
     /// Losses of a plastic stress in its projection onto the mesh.
@@ -84,37 +89,63 @@ impl ElasticField for Cut<'_> {
     }
 }
 
-/// The plastic stress of `case`. `rolled` is that of the stabilised state.
+/// What rolling leaves in the rail of a case in the plane.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RolledStress {
+    /// Under a line contact: a plastic stress, still to be balanced.
+    Plastic(PlasticField),
+    /// Under a patch: the balanced stress in the plane of the cracks, that of manufacturing
+    /// included. The rail beside the plane balances it, which the plane cannot do.
+    Balanced(LayeredStress),
+    /// The same for cracks in space, across the rail.
+    Across(Arc<SectionStress>),
+}
+
+/// The plastic stress of `case` that is still to be balanced. `rolled` is what the stabilised state
+/// leaves.
 ///
 /// Errors: it cannot be made; it is that of the stabilised state, which was not computed.
 pub fn plastic_field(
     case: &Case,
-    rolled: Option<&PlasticField>,
+    rolled: Option<&RolledStress>,
 ) -> Result<Option<PlasticField>, CarriedStressError> {
-    Ok(match case.plastic_stress() {
-        None => None,
-        Some(PlasticSource::Rolled) => Some(rolled.ok_or(CarriedStressError::NotRolled)?.clone()),
-        Some(source) => source.given_field()?,
+    Ok(match (case.plastic_stress(), rolled) {
+        (None, _)
+        | (Some(PlasticSource::Rolled), Some(RolledStress::Balanced(_) | RolledStress::Across(_))) => None,
+        (Some(PlasticSource::Rolled), Some(RolledStress::Plastic(field))) => Some(field.clone()),
+        (Some(PlasticSource::Rolled), None) => return Err(CarriedStressError::NotRolled),
+        (Some(source), _) => source.given_field()?,
     })
 }
 
 impl CarriedStress {
-    /// The residual stress of a run of `case`: the stress given as balanced, and the balance of
-    /// `plastic` on the mesh of `engine`, the finite-element engine of the case, whichever engine
-    /// computes the cracks; none in space.
+    /// The residual stress of a run of `case`: the stress given as balanced, that of `rolled` under
+    /// a patch, and the balance of `plastic` on the mesh of `engine`, the finite-element engine of
+    /// the case, whichever engine computes the cracks; none in space.
     ///
     /// Errors: the plastic stress cannot be balanced.
     pub(super) fn balanced(
         case: &Case,
+        rolled: Option<&RolledStress>,
         plastic: Option<&PlasticField>,
         mut engine: Option<&mut XfemEngine>,
     ) -> Result<Self, CarriedStressError> {
         let mut parts: Vec<Box<dyn StressField>> = Vec::new();
         let mut depths: Vec<f64> = Vec::new();
-        let mut release = None;
+        let (mut release, mut standing) = (None, None);
         let free_sides = matches!(case.boundary(), Boundary::Block { sides: SideSupport::Free, .. });
-        let initial = match case.plastic_stress() {
-            Some(PlasticSource::Rolled) => case.shakedown.initial_residual.as_ref(),
+        let initial = match (case.plastic_stress(), rolled) {
+            (Some(PlasticSource::Rolled), Some(RolledStress::Balanced(field))) => {
+                depths.extend(field.depths().filter(|depth| *depth <= case.rail.depth));
+                parts.push(Box::new(field.clone()));
+                None
+            }
+            (Some(PlasticSource::Rolled), Some(RolledStress::Across(section))) => {
+                depths.extend(section.depths());
+                standing = Some(Arc::clone(section) as Arc<dyn StandingStress>);
+                None
+            }
+            (Some(PlasticSource::Rolled), _) => case.shakedown.initial_residual.as_ref(),
             _ => None,
         };
         for file in case.residual_stress.iter().chain(initial) {
@@ -147,7 +178,7 @@ impl CarriedStress {
             1 => parts.pop(),
             _ => Some(Box::new(Sum(parts)) as Box<dyn StressField>),
         };
-        Ok(Self { field, depths, projection, release })
+        Ok(Self { field, standing, depths, projection, release })
     }
 }
 

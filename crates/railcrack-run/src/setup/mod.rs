@@ -9,6 +9,7 @@ mod demand;
 mod engine;
 mod fields;
 mod grouping;
+mod layered;
 mod plane;
 mod prepared;
 mod rates_across;
@@ -22,14 +23,18 @@ mod wheel;
 mod wheel_demands;
 mod wheel_patch;
 
-pub use carried::{CarriedStress, CarriedStressError, Projection, Release, plastic_field};
+pub use carried::{CarriedStress, CarriedStressError, Projection, Release, RolledStress, plastic_field};
 pub use coupling_estimate::{EffectInPlane, uncoupled_gap};
 pub use demand::{DemandError, WheelDemand};
 pub use engine::{body_engine, finite_elements};
+pub use layered::{LayeredStress, SectionStress};
 pub use prepared::PreparedRun;
 pub use rates_across::rates_across;
 pub use represented::{represented, represented_in};
-pub use rolled::{HeaviestWheel, contact_bounds, rolled_rail, stabilisation};
+pub use rolled::{
+    HeaviestWheel, WheelBounds, bounds_under, contact_bounds, rail_in_space, rolled_rail, rolling_wheels,
+    stabilisation, stabilisation_in_space, wheel_pressure,
+};
 pub use shared::{RailKey, Shared, SharedRail, SharedRailError, SharedWheels};
 pub use size::RunSize;
 pub use wheel::{plane_field, wheel_field};

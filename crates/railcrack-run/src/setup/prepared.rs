@@ -1,13 +1,12 @@
 //! Engine and residual stress of a run, built once from its case.
 
-use super::carried::{CarriedStress, CarriedStressError, plastic_field};
+use super::carried::{CarriedStress, CarriedStressError, RolledStress, plastic_field};
 use super::engine::{engine_with, finite_elements};
 use super::plane::plane_rail;
 use super::shared::{Shared, SharedWheels};
 use super::space::space_rail;
 use railcrack::field::StressField;
 use railcrack::growth::{CrackedRail, Growth, GrowthState, StepSource, TipJudge};
-use railcrack::residual::PlasticField;
 use railcrack::xfem::XfemEngine;
 use railcrack_case::{Case, Geometry};
 use std::sync::Arc;
@@ -23,12 +22,12 @@ pub struct PreparedRun<'a> {
 }
 
 impl<'a> PreparedRun<'a> {
-    /// Everything that is made once for the run of `case`. `rolled` is the plastic stress of the
+    /// Everything that is made once for the run of `case`. `rolled` is the stress of the
     /// stabilised state, for a case that requires it
     /// ([`PlasticSource::Rolled`](railcrack_case::PlasticSource)).
     ///
     /// Errors: the residual stress cannot be computed.
-    pub fn new(case: &'a Case, rolled: Option<&PlasticField>) -> Result<Self, CarriedStressError> {
+    pub fn new(case: &'a Case, rolled: Option<&RolledStress>) -> Result<Self, CarriedStressError> {
         Self::sharing(case, rolled, Shared::default())
     }
 
@@ -37,7 +36,7 @@ impl<'a> PreparedRun<'a> {
     /// Errors: the same.
     pub fn sharing(
         case: &'a Case,
-        rolled: Option<&PlasticField>,
+        rolled: Option<&RolledStress>,
         shared: Shared<'a>,
     ) -> Result<Self, CarriedStressError> {
         let plastic = plastic_field(case, rolled)?;
@@ -45,7 +44,7 @@ impl<'a> PreparedRun<'a> {
         if let Some((rail, meshed)) = shared.rail.zip(meshed.as_mut()) {
             rail.give_to(meshed);
         }
-        let residual = CarriedStress::balanced(case, plastic.as_ref(), meshed.as_mut())?;
+        let residual = CarriedStress::balanced(case, rolled, plastic.as_ref(), meshed.as_mut())?;
         Ok(Self { case, meshed, residual, wheels: shared.wheels })
     }
 
@@ -55,9 +54,9 @@ impl<'a> PreparedRun<'a> {
         &self.residual
     }
 
-    /// The field of that residual stress; none where the rail carries nothing.
-    pub(super) fn into_residual(self) -> Option<Box<dyn StressField>> {
-        self.residual.field
+    /// That residual stress.
+    pub(super) fn into_residual(self) -> CarriedStress {
+        self.residual
     }
 
     /// The growth loop from `state` on, or from the beginning where there is none.
@@ -75,12 +74,14 @@ impl<'a> PreparedRun<'a> {
         judge: Option<Arc<dyn TipJudge>>,
     ) -> Box<dyn StepSource> {
         let Self { case, meshed, residual, wheels } = self;
+        let standing = residual.standing;
         let residual: Option<Arc<dyn StressField>> = residual.field.map(Arc::from);
         match &case.geometry {
             Geometry::Space(space) => {
                 let initial =
                     || GrowthState::initial_in_space(space.shapes.clone()).expect("the case is checked");
-                boxed(space_rail(case, space, residual.as_ref()), state.unwrap_or_else(initial), judge)
+                let rail = space_rail(case, space, residual.as_ref(), standing.as_ref());
+                boxed(rail, state.unwrap_or_else(initial), judge)
             }
             Geometry::Plane(plane) => {
                 let engine = engine_with(case, plane, meshed.expect("cracks in the plane"));

@@ -1,11 +1,16 @@
-//! The rail that the wheels of a case roll plastically: its heaviest wheel, and the bounds of
+//! The rail that the wheels of a case roll plastically: the order of its wheels, and the bounds of
 //! shakedown under a contact.
 
+use super::wheel_patch::rolled_patch;
 use railcrack::field::wheel_under;
 use railcrack::load::WheelLoad;
 use railcrack::material::IsotropicElastic;
-use railcrack::shakedown::{ContactBounds, RolledRail, Stabilisation};
-use railcrack_case::{Case, GivenWheel, ShakedownSettings, TrafficWheel};
+use railcrack::shakedown::space::{RailInSpace, RolledPatch, SpaceStabilisation};
+use railcrack::shakedown::{
+    ContactBounds, DepthBounds, FirstYield, RolledRail, ShakedownLimit, Stabilisation,
+};
+use railcrack::validity::ContactPressure;
+use railcrack_case::{Case, GivenWheel, RollingWheels, ShakedownSettings, TrafficWheel};
 
 /// The wheel of a mix that comes nearest to its limit of elastic shakedown, or exceeds it most.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -25,17 +30,42 @@ impl HeaviestWheel {
     /// heaviest wheel elastic leave room for the smaller paths of the others.
     #[must_use]
     pub fn of_case(case: &Case) -> Self {
+        let heavier = |most: Self, next: Self| {
+            if next.of_limit > most.of_limit { next } else { most }
+        };
         let shear_yield = case.shakedown.hardening.shear_yield_stress();
         let of = |(wheel, given): (usize, &TrafficWheel)| {
             let peak = given.wheel.contact()?.peak_pressure();
             let limit = contact_bounds(&given.wheel, &case.steel, |bounds| bounds.shakedown_limit().ratio);
             Some(Self { wheel, of_limit: limit.map_or(0.0, |limit| peak / shear_yield / limit) })
         };
-        let heavier = |most: Self, next: Self| {
-            if next.of_limit > most.of_limit { next } else { most }
-        };
         case.wheels.iter().enumerate().filter_map(of).reduce(heavier).unwrap_or_default()
     }
+}
+
+/// The patches of the wheels of `case` that roll the rail, by the numbers of the wheels: the
+/// heaviest first, the others by their peak pressure. A wheel that misses the
+/// cracks leaves stress beside them, and rolls too.
+///
+/// None where the heaviest wheel has a line contact.
+fn rolling_patches(case: &Case) -> Option<Vec<(usize, RolledPatch)>> {
+    let heaviest = HeaviestWheel::of_case(case).wheel;
+    let first = (heaviest, rolled_patch(case, heaviest)?);
+    if case.shakedown.wheels == RollingWheels::Heaviest {
+        return Some(vec![first]);
+    }
+    let others = (0..case.wheels.len()).filter(|wheel| *wheel != heaviest);
+    let mut others: Vec<(usize, RolledPatch)> =
+        others.filter_map(|wheel| Some((wheel, rolled_patch(case, wheel)?))).collect();
+    others.sort_by(|a, b| b.1.peak_pressure.total_cmp(&a.1.peak_pressure));
+    Some(std::iter::once(first).chain(others).collect())
+}
+
+/// The numbers of the wheels of `case` that roll the rail in turn, in their order; one in the plane.
+#[must_use]
+pub fn rolling_wheels(case: &Case) -> Vec<usize> {
+    let one = || vec![HeaviestWheel::of_case(case).wheel];
+    rolling_patches(case).map_or_else(one, |patches| patches.iter().map(|own| own.0).collect())
 }
 
 /// The rail of `case` without its cracks under the repeated passage of the contact of one wheel,
@@ -53,11 +83,73 @@ pub fn rolled_rail(case: &Case) -> RolledRail {
     }
 }
 
+/// The same in space under the patches of all wheels that roll it; none where the heaviest has a
+/// line contact.
+#[must_use]
+pub fn rail_in_space(case: &Case) -> Option<RailInSpace> {
+    Some(RailInSpace {
+        steel: case.steel,
+        hardening: case.shakedown.hardening,
+        patches: rolling_patches(case)?.into_iter().map(|own| own.1).collect(),
+        initial: case.shakedown.initial_residual.as_ref().map(|file| file.content().clone()),
+    })
+}
+
+/// Settings of the computation of the stabilised state of `case` in space.
+#[must_use]
+pub fn stabilisation_in_space(case: &Case) -> SpaceStabilisation {
+    SpaceStabilisation { max_passes: case.shakedown.max_passes, ..SpaceStabilisation::default() }
+}
+
 /// Settings of the computation of the stabilised state of `case`.
 #[must_use]
 pub fn stabilisation(case: &Case) -> Stabilisation {
     let ShakedownSettings { method, max_passes, .. } = case.shakedown;
     Stabilisation { method, max_passes, ..Stabilisation::default() }
+}
+
+/// First yield, the limit of elastic shakedown, and both by depth.
+pub type WheelBounds = (FirstYield, ShakedownLimit, Vec<DepthBounds>);
+
+/// Those under the wheel `number` (from 0) of `case`, at depths over its half-width: of its whole
+/// patch, by depth at the lateral place of the limit, or of its line contact; none where it misses
+/// the cracks.
+#[must_use]
+pub fn bounds_under(case: &Case, number: usize, depths_over_a: &[f64]) -> Option<WheelBounds> {
+    let wheel = &case.wheels.get(number)?.wheel;
+    let Some(patch) = rolled_patch(case, number) else {
+        return contact_bounds(wheel, &case.steel, |bounds| {
+            (bounds.first_yield(), bounds.shakedown_limit(), bounds.by_depth(depths_over_a))
+        });
+    };
+    let bounds = patch.bounds();
+    let (first, limit) = (bounds.first_yield(), bounds.shakedown_limit());
+    Some((
+        FirstYield { ratio: first.ratio, x_over_a: 0.0, depth_over_a: first.depth_over_a },
+        ShakedownLimit { ratio: limit.ratio, depth_over_a: limit.depth_over_a },
+        bounds.by_depth(limit.y_over_b, depths_over_a),
+    ))
+}
+
+/// The largest pressure of the wheel `number` (from 0) of `case` and its bounds: of its whole patch,
+/// or of its line contact; none where it misses the cracks.
+#[must_use]
+pub fn wheel_pressure(case: &Case, number: usize) -> Option<ContactPressure> {
+    let wheel = &case.wheels.get(number)?.wheel;
+    let contact = wheel.contact()?;
+    let of = |peak_pressure: f64, first_yield: f64, shakedown_limit: f64| ContactPressure {
+        peak_pressure,
+        adhesion: contact.adhesion(),
+        first_yield,
+        shakedown_limit,
+    };
+    let Some(patch) = rolled_patch(case, number) else {
+        return contact_bounds(wheel, &case.steel, |bounds| {
+            of(contact.peak_pressure(), bounds.first_yield().ratio, bounds.shakedown_limit().ratio)
+        });
+    };
+    let bounds = patch.bounds();
+    Some(of(patch.peak_pressure, bounds.first_yield().ratio, bounds.shakedown_limit().ratio))
 }
 
 /// First yield and shakedown of a rail of `steel` under the contact of `wheel` alone, as `of` asks

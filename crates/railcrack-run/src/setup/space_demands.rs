@@ -8,7 +8,7 @@ use railcrack::field::StressField;
 use railcrack::growth::{CrackedRail, GrowthState, StepStart, TipRecord, Unobserved, WornSurface};
 use railcrack::interruption::Interruption;
 use railcrack::math::MPA_SQRT_MM;
-use railcrack::space::{CracksInSpace, SpaceRail};
+use railcrack::space::{CracksInSpace, SpaceRail, StandingStress};
 use railcrack_case::{Case, SpaceCase, TabledWheel, WheelGroups, WheelTable};
 use std::sync::Arc;
 
@@ -19,9 +19,10 @@ use std::sync::Arc;
 pub(super) fn demands_in_space(
     case: &Case,
     residual: Option<&Arc<dyn StressField>>,
+    standing: Option<&Arc<dyn StandingStress>>,
 ) -> Result<Vec<WheelDemand>, DemandError> {
     let space = case.space().ok_or(DemandError::NoFront)?;
-    let computed = passages_in_space(space, space_rail(case, space, residual))?;
+    let computed = passages_in_space(space, space_rail(case, space, residual, standing))?;
     let Some((table, groups)) =
         case.wheel_table.as_ref().and_then(|table| Some((table, table.groups.as_ref()?)))
     else {

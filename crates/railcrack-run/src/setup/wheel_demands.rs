@@ -24,9 +24,10 @@ use std::sync::Arc;
 /// Errors: the first wheel whose passage cannot be computed.
 pub fn wheel_demands(case: &Case, run: &Case) -> Result<Vec<WheelDemand>, DemandError> {
     let prepared = PreparedRun::new(case, None)?;
-    let residual: Option<Arc<dyn StressField>> = prepared.into_residual().map(Arc::from);
+    let carried = prepared.into_residual();
+    let residual: Option<Arc<dyn StressField>> = carried.field.map(Arc::from);
     if case.space().is_some() {
-        return demands_in_space(run, residual.as_ref());
+        return demands_in_space(run, residual.as_ref(), carried.standing.as_ref());
     }
     let body = body_engine(case).ok_or(DemandError::NoFront)?.body(&case.cracks)?;
     let body = body.with_widths(case.plane().map_or(&[], |plane| &plane.widths));

@@ -2,7 +2,9 @@
 
 use railcrack::field::{PatchLoad, StripTraction};
 use railcrack::load::{CarterContact, Contact, HertzEllipse, Travel};
+use railcrack::math::Tensor;
 use railcrack::rolling::{PlacedPatch, RollingPatch, StripPoint};
+use railcrack::shakedown::space::{RolledPatch, Symmetry};
 use railcrack::space::{BilinearPatch, EllipticWheel, WheelPatch};
 use railcrack_case::{Case, ContactExtent, ContactOrigin, GivenContact};
 use std::sync::Arc;
@@ -40,6 +42,39 @@ pub(super) fn wheel_patch(case: &Case, number: usize) -> Option<WheelPatch> {
     Some(match patches.len() {
         1 => patches.remove(0).1,
         _ => WheelPatch::Several(patches.into()),
+    })
+}
+
+/// The whole patches under which the wheel `number` (from 0) of `case` rolls the rail, in the plane
+/// too, with lateral places relative to the cracks; none of a line contact.
+pub(super) fn rolled_patch(case: &Case, number: usize) -> Option<RolledPatch> {
+    let patches = given_patches(case, number)?;
+    let over = |of: &dyn Fn(&GivenPatch) -> f64, pick: fn(f64, f64) -> f64| {
+        patches.iter().map(of).reduce(pick).unwrap_or(0.0)
+    };
+    let from = over(&|own| own.middle[1] - own.ellipse.across, f64::min);
+    let to = over(&|own| own.middle[1] + own.ellipse.across, f64::max);
+    let half_width = over(&|own| own.middle[0].abs() + own.ellipse.along, f64::max);
+    let peak_pressure = over(&|own| own.ellipse.peak_pressure, f64::max);
+    let symmetry = match &patches[..] {
+        [one] if one.is_mirrored() => Symmetry::Mirrored,
+        _ => Symmetry::None,
+    };
+    let loads: Vec<(f64, WheelPatch)> = patches.into_iter().map(GivenPatch::in_space).collect();
+    let poisson = case.steel.poisson();
+    let stress = move |x: f64, y: f64, depth: f64| {
+        let of =
+            |(ahead, patch): &(f64, WheelPatch)| Tensor::of(patch.stress(*ahead, [x, y, depth], poisson));
+        loads.iter().map(of).fold(Tensor::ZERO, |sum, own| sum + own)
+    };
+    Some(RolledPatch {
+        peak_pressure,
+        half_width,
+        lateral_half_width: 0.5 * (to - from),
+        lateral: 0.5 * (from + to),
+        symmetry,
+        travel: case.wheels[number].passages.passage.travel(),
+        stress: Arc::new(stress),
     })
 }
 
@@ -163,6 +198,11 @@ fn placed_patches(patches: &[PlacedPatch], travel: Travel) -> Option<Vec<GivenPa
 }
 
 impl GivenPatch {
+    /// Whether it is its own mirror image in the vertical plane along the rail through its middle.
+    fn is_mirrored(&self) -> bool {
+        matches!(self.tractions, Tractions::Sliding([_, across]) if across == 0.0)
+    }
+
     fn in_plane(self) -> PatchLoad {
         let half = [self.ellipse.along, self.ellipse.across];
         match self.tractions {

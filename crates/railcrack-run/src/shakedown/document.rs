@@ -31,6 +31,15 @@ pub struct ShakedownSummary {
     pub peak_pressure_mpa: f64,
     /// Half-width a of the wheel contact, mm.
     pub half_width_mm: f64,
+    /// Under a patch: half-width b across the rail, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lateral_half_width_mm: Option<f64>,
+    /// Under a patch: the lateral place of the profile, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lateral_mm: Option<f64>,
+    /// Under a patch: columns along the rail, rows across it and layers.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub grid: Option<[usize; 3]>,
     /// Q/P, signed: the friction of the wheel in full sliding.
     pub friction: f64,
     /// `contact.kind`.
@@ -165,6 +174,9 @@ pub struct PeakStress {
     pub stress_mpa: f64,
     /// mm.
     pub depth_mm: f64,
+    /// Under a patch: lateral place, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lateral_mm: Option<f64>,
 }
 
 /// The Dang Van criterion.
@@ -176,6 +188,10 @@ pub struct DangVanSummary {
     pub b_mpa: f64,
     /// Where a crack starts first.
     pub critical_depth_mm: f64,
+    /// Under a patch: lateral place where a crack starts first, mm; surface and subsurface are
+    /// those of the profile.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub critical_lateral_mm: Option<f64>,
     /// τ + a p_h there, MPa.
     pub critical_value_mpa: f64,
     /// b less that; negative where a crack starts.
@@ -244,6 +260,9 @@ impl ShakedownSummary {
             redistributions: state.iterations(),
             peak_pressure_mpa: rail.contact.peak_pressure(),
             half_width_mm: a,
+            lateral_half_width_mm: results.section.as_ref().map(|section| section.lateral_half_width),
+            lateral_mm: results.section.as_ref().map(|section| section.lateral),
+            grid: results.section.as_ref().map(|section| section.state.grid()),
             friction: rail.contact.adhesion(),
             contact: rail.contact.kind().word().to_owned(),
             p0_over_k: ratio,
@@ -320,6 +339,15 @@ fn bounds_row(bounds: &DepthBounds, half_width: f64, ratio: f64) -> BoundsRow {
 }
 
 fn peak(results: &ShakedownResults) -> PeakStress {
+    if let Some(layer) = results.section.as_ref().and_then(|section| section.state.peak()) {
+        let (along, across) = (layer.stress.xx, layer.stress.yy);
+        let (component, stress_mpa) = if along.abs() >= across.abs() {
+            (StressComponent::Sxx, along)
+        } else {
+            (StressComponent::Szz, across)
+        };
+        return PeakStress { component, stress_mpa, depth_mm: layer.depth, lateral_mm: Some(layer.lateral) };
+    }
     let components = results.stabilised.profile.iter().flat_map(|layer| {
         [
             (StressComponent::Sxx, layer.stress.xx, layer.depth),
@@ -328,7 +356,7 @@ fn peak(results: &ShakedownResults) -> PeakStress {
     });
     let largest = components.reduce(|best, here| if here.1.abs() > best.1.abs() { here } else { best });
     let (component, stress_mpa, depth_mm) = largest.unwrap_or((StressComponent::Sxx, 0.0, 0.0));
-    PeakStress { component, stress_mpa, depth_mm }
+    PeakStress { component, stress_mpa, depth_mm, lateral_mm: None }
 }
 
 fn dang_van(results: &ShakedownResults) -> DangVanSummary {
@@ -340,11 +368,13 @@ fn dang_van(results: &ShakedownResults) -> DangVanSummary {
         hydrostatic_mpa: at.worst.hydrostatic,
         margin_mpa: criterion.margin(at.worst.value),
     };
-    let critical = point(results.initiation.critical());
+    let in_section = results.section.as_ref().and_then(|section| section.critical());
+    let critical = point(in_section.map_or_else(|| results.initiation.critical(), |own| own.1));
     DangVanSummary {
         a: criterion.slope,
         b_mpa: criterion.limit,
         critical_depth_mm: critical.depth_mm,
+        critical_lateral_mm: in_section.map(|own| own.0),
         critical_value_mpa: critical.value_mpa,
         margin_mpa: critical.margin_mpa,
         surface: point(results.initiation.surface),

@@ -1,8 +1,9 @@
-//! `plastic.vtu`, the plastic state as a field of the rail, and `cycle.vtu`, stress and strain
-//! around the contact.
+//! `plastic.vtu`, the plastic state as a field of the rail, `cycle.vtu`, stress and strain around
+//! the contact, and `section.vtu`, the state across the rail.
 
-use super::results::ShakedownResults;
-use railcrack::math::{Stress, Vec2};
+use super::results::{SectionResults, ShakedownResults};
+use super::tables::SectionRow;
+use railcrack::math::{Stress, Tensor, Vec2};
 use railcrack::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
 use railcrack::shakedown::PlasticStrain;
 
@@ -59,6 +60,39 @@ pub(super) fn cycle_grid(results: &ShakedownResults) -> UnstructuredGrid {
     let strains: Vec<Stress> = cells().map(|at| as_tensor(cycle.strain[at])).collect();
     grid.cell_data =
         vec![Array::stresses("stress_mpa", &stresses), Array::stresses("plastic_strain", &strains)];
+    grid
+}
+
+/// The state across the rail: cells around the rows and layers of `rows`, with y across the rail
+/// and heights upwards, and tensors in axes along the rail, across it and downwards.
+pub(super) fn section_grid(section: &SectionResults, rows: &[SectionRow]) -> UnstructuredGrid {
+    let layers = section.state.layers.count();
+    let laterals: Vec<f64> = rows.iter().step_by(layers.max(1)).map(|row| row.lateral).collect();
+    let spacing = laterals.windows(2).map(|pair| pair[1] - pair[0]).next().unwrap_or(1.0);
+    let first = laterals.first().map(|lateral| lateral - 0.5 * spacing);
+    let borders: Vec<f64> =
+        first.into_iter().chain(laterals.iter().map(|lateral| lateral + 0.5 * spacing)).collect();
+    let mut grid = quadrilaterals(&borders, section.state.layers.interfaces());
+    // VTK's order is XX, YY, ZZ, XY, YZ, XZ.
+    let tensors = |name: &str, of: fn(&SectionRow) -> Tensor| Array {
+        name: name.to_owned(),
+        components: 6,
+        values: rows
+            .iter()
+            .map(of)
+            .flat_map(|own| [own.xx, own.yy, own.zz, own.xy, own.yz, own.xz])
+            .collect(),
+    };
+    let scalars =
+        |name: &str, of: fn(&SectionRow) -> f64| Array::scalars(name, rows.iter().map(of).collect());
+    grid.cell_data = vec![
+        tensors("residual_stress_mpa", |row| row.stress),
+        tensors("plastic_strain", |row| row.strain),
+        scalars("plastic_per_pass", |row| row.plastic_per_pass),
+        scalars("yield_utilisation", |row| row.yield_utilisation),
+        scalars("shakedown_utilisation", |row| row.shakedown_utilisation),
+        scalars("dang_van_mpa", |row| row.dang_van),
+    ];
     grid
 }
 

@@ -1,8 +1,8 @@
 //! The results of `railcrack shakedown`, read back.
 
 use super::document::ShakedownSummary;
-use super::tables::{LayerRow, PassRow};
-use crate::csv::read_table;
+use super::tables::{LayerRow, PassRow, SectionRow};
+use crate::csv::{Table, read_table};
 use crate::disk::files::{CYCLE_FILE, SHAKEDOWN_FILE};
 use crate::disk::read_json;
 use crate::error::OutputError;
@@ -42,6 +42,8 @@ pub struct ShakedownFolder {
     pub passes: Vec<PassRow>,
     /// `cycle.vtu`.
     pub cycle: CycleField,
+    /// `section.csv`: by lateral place, then by depth; empty under a line contact.
+    pub section: Vec<SectionRow>,
 }
 
 impl ShakedownFolder {
@@ -52,6 +54,7 @@ impl ShakedownFolder {
         let summary = read_json(path, SHAKEDOWN_FILE)?;
         let profile: Vec<LayerRow> = read_table(path)?;
         Ok(Self {
+            section: if path.join(SectionRow::FILE).is_file() { read_table(path)? } else { Vec::new() },
             cycle: read_cycle(&path.join(CYCLE_FILE), profile.len())?,
             passes: read_table(path)?,
             case_text: stored_case(path)?.unwrap_or_default(),

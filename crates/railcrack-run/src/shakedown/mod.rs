@@ -14,5 +14,5 @@ pub use document::{
 };
 pub use folder::{CycleField, ShakedownFolder};
 pub(crate) use recorder::ShakedownRecorder;
-pub(crate) use results::ShakedownResults;
-pub use tables::{LayerRow, PassRow};
+pub(crate) use results::{SectionResults, ShakedownResults};
+pub use tables::{LayerRow, PassRow, SectionRow};

@@ -3,9 +3,9 @@
 use super::document::ShakedownSummary;
 use super::fields;
 use super::results::ShakedownResults;
-use super::tables::{LayerRow, PassRow};
+use super::tables::{LayerRow, PassRow, SectionRow};
 use crate::csv::{CsvFile, Rows, Table, header, whole};
-use crate::disk::files::{CASE_FILE, CYCLE_FILE, PLASTIC_FILE, SHAKEDOWN_FILE};
+use crate::disk::files::{CASE_FILE, CYCLE_FILE, PLASTIC_FILE, SECTION_FILE, SHAKEDOWN_FILE};
 use crate::disk::{Durability, checksums, replace_file, write_json, write_sums};
 use crate::error::OutputError;
 use crate::run_folder::{CaseFiles, Existing, begin};
@@ -55,7 +55,13 @@ impl ShakedownRecorder {
             let path = self.folder.join(name);
             write_vtu(&path, &grid)?;
         }
-        let files = [CASE_FILE, PassRow::FILE, LayerRow::FILE, PLASTIC_FILE, CYCLE_FILE];
+        let mut files = vec![CASE_FILE, PassRow::FILE, LayerRow::FILE, PLASTIC_FILE, CYCLE_FILE];
+        if let Some(section) = &results.section {
+            let rows = SectionRow::of(section);
+            write_vtu(&self.folder.join(SECTION_FILE), &fields::section_grid(section, &rows))?;
+            put(SectionRow::FILE, &whole(rows)?)?;
+            files.extend([SectionRow::FILE, SECTION_FILE]);
+        }
         let checksums = checksums(&self.folder, files)?;
         write_sums(&self.folder, &checksums)?;
         let summary = ShakedownSummary { checksums, ..ShakedownSummary::of(results) };

@@ -1,8 +1,9 @@
-//! `passes.csv` and `profile.csv`.
+//! `passes.csv`, `profile.csv` and `section.csv`.
 
+use super::results::SectionResults;
 use crate::csv::table;
 use railcrack::fatigue::Initiation;
-use railcrack::math::Stress;
+use railcrack::math::{Stress, Tensor};
 use railcrack::shakedown::{PassRecord, PlasticStrain, StabilisedRail};
 
 table! {
@@ -75,5 +76,61 @@ impl LayerRow {
             plastic_per_pass: layer.plastic_per_pass,
             dang_van: value.worst.value,
         })
+    }
+}
+
+table! {
+    /// The unloaded rail in a layer at a lateral place.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct SectionRow in "section.csv", [
+        "State of the unloaded rail across it: residual stress (including that of manufacturing), plastic strain (tensor components)",
+        "Axes of this table: x along the rail, y across it, z down; y_mm: lateral place, mm; depth_mm: middle of the layer, mm; stress: MPa, tension positive",
+        "yield_utilisation, shakedown_utilisation: more than 1 where the elastic passage yields, and where no elastic shakedown is possible (Melan)",
+    ] {
+        /// Lateral place from the cracks, mm.
+        lateral: f64 = "y_mm";
+        /// Depth of the middle of the layer, mm.
+        depth: f64 = "depth_mm";
+        /// Residual stress, including that of manufacturing, MPa: y across the rail, z down.
+        stress: Tensor = "sxx_mpa" "syy_mpa" "szz_mpa" "syz_mpa" "sxz_mpa" "sxy_mpa";
+        /// Plastic strain; shears are tensor components.
+        strain: Tensor = "ep_xx" "ep_yy" "ep_zz" "ep_yz" "ep_xz" "ep_xy";
+        /// Plastic strain accumulated per passage in the stabilised state, √(2/3) ∫ \|dε_p\|.
+        plastic_per_pass: f64 = "plastic_per_pass";
+        /// Largest \|s\| of the elastic passage over the radius of the yield surface.
+        yield_utilisation: f64 = "yield_utilisation";
+        /// Radius of the smallest ball around the path of s over that of the yield surface.
+        shakedown_utilisation: f64 = "shakedown_utilisation";
+        /// Largest τ + a p_h of the stabilised cycle, MPa.
+        dang_van: f64 = "dang_van_mpa";
+    }
+}
+
+impl SectionRow {
+    /// The computed rows of `section` and, of a state that is its own mirror image, their images:
+    /// by lateral place, then by depth.
+    pub(super) fn of(section: &SectionResults) -> Vec<Self> {
+        let state = &section.state;
+        let (count, computed) = (state.layers.count(), state.computed_rows());
+        let all = state.laterals.len();
+        let first = if computed.start == all / 2 { all - computed.end + 1 } else { computed.start };
+        let row = |m: usize| {
+            let by_depth = &section.by_row[state.computed_row(state.laterals[m])].by_depth;
+            let layer = move |l: usize| {
+                let own = &state.section[m * count + l];
+                Self {
+                    lateral: own.lateral,
+                    depth: own.depth,
+                    stress: own.stress,
+                    strain: own.strain,
+                    plastic_per_pass: own.plastic_per_pass,
+                    yield_utilisation: own.yield_utilisation,
+                    shakedown_utilisation: own.shakedown_utilisation,
+                    dang_van: by_depth[l + 1].worst.value,
+                }
+            };
+            (0..count).map(layer)
+        };
+        (first..computed.end).flat_map(row).collect()
     }
 }

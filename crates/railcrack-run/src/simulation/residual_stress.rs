@@ -5,22 +5,26 @@ use super::job::Stage;
 use super::observer::RunObserver;
 use super::recorder::Recorder;
 use super::rolling::{pass_text, roll};
-use crate::csv::ResidualRow;
+use crate::csv::{ResidualRow, read_table};
 use crate::disk::files::{PLASTIC_FILE, ROLLED_FOLDER, SHAKEDOWN_FILE};
 use crate::disk::own_folder;
 use crate::error::OutputError;
 use crate::log::{PlasticOrigin, ProjectionSummary, ReleaseSummary, ResidualSummary, RolledSummary};
 use crate::run_folder::Existing;
-use crate::setup::{CarriedStress, HeaviestWheel, PreparedRun, Projection, Release, contact_bounds};
-use crate::shakedown::ShakedownSummary;
+use crate::setup::{
+    CarriedStress, HeaviestWheel, LayeredStress, PreparedRun, Projection, Release, RolledStress,
+    SectionStress, wheel_pressure,
+};
+use crate::shakedown::{LayerRow, SectionRow, ShakedownSummary};
 use railcrack::interruption::Interruption;
-use railcrack::math::Vec2;
+use railcrack::math::{Stress, Tensor, Vec2};
 use railcrack::residual::PlasticField;
 use railcrack::shakedown::RailState;
 use railcrack::stopwatch::Stopwatch;
 use railcrack_case::{Case, PlasticSource};
 use railcrack_vtu::read_vtu;
 use std::path::Path;
+use std::sync::Arc;
 
 /// Residual stress of a run, for its folder.
 #[derive(Debug, Clone)]
@@ -65,7 +69,7 @@ pub(super) fn prepare<'a>(
     if case.plastic_stress().is_some() {
         stage.observer.stage("projecting and balancing the plastic stress");
     }
-    let prepared = PreparedRun::sharing(case, rolled.as_ref().map(|(field, _)| field), stage.shared)?;
+    let prepared = PreparedRun::sharing(case, rolled.as_ref().map(|(stress, _)| stress), stage.shared)?;
     let carried = prepared.residual();
     let Some(rows) = rows(case, carried) else { return Ok((prepared, None)) };
     let mut notes = Vec::new();
@@ -105,14 +109,22 @@ fn origin(source: &PlasticSource) -> PlasticOrigin {
 
 /// The stress on the middle line; none where the rail carries none.
 fn rows(case: &Case, carried: &CarriedStress) -> Option<Vec<ResidualRow>> {
-    let field = carried.field.as_ref()?;
-    let at = |&depth: &f64| ResidualRow { depth, stress: field.stress(Vec2::new(case.rail.centre, -depth)) };
+    if carried.field.is_none() && carried.standing.is_none() {
+        return None;
+    }
+    let at = |&depth: &f64| {
+        let field = carried.field.as_ref();
+        let own = field.map_or(Stress::ZERO, |field| field.stress(Vec2::new(case.rail.centre, -depth)));
+        let standing = carried.standing.as_ref();
+        let [xx, yy, zz, _, xz, _] = standing.map_or([0.0; 6], |field| field.stress([0.0, 0.0, depth]));
+        ResidualRow { depth, stress: own + Stress { xx, yy: zz, zz: yy, xy: -xz } }
+    };
     Some(carried.depths.iter().map(at).collect())
 }
 
 /// The stabilised state of the rail, in a folder of its own: computed, or taken from there by a run
 /// that goes on.
-fn rolled_state(case: &Case, stage: &Stage) -> Result<(PlasticField, ShakedownSummary), RunError> {
+fn rolled_state(case: &Case, stage: &Stage) -> Result<(RolledStress, ShakedownSummary), RunError> {
     let folder = own_folder(stage.folder, ROLLED_FOLDER)?;
     let asked = || stage.observer.interrupted();
     let stored = match stage.state {
@@ -121,17 +133,35 @@ fn rolled_state(case: &Case, stage: &Stage) -> Result<(PlasticField, ShakedownSu
     };
     let summary = match stored {
         Some(summary) => summary,
-        None => {
-            roll(case, &folder, Existing::Replace, stage.presentation, Interruption::when(&asked), |pass| {
+        None => roll(
+            case,
+            0.0,
+            (&folder, Existing::Replace),
+            stage.presentation,
+            Interruption::when(&asked),
+            |pass| {
                 stage.observer.stage(&format!("plastic state, {}", pass_text(pass)));
-            })?
-        }
+            },
+        )?,
     };
+    if summary.grid.is_some() && case.space().is_some() {
+        let rows: Vec<SectionRow> = read_table(&folder)?;
+        let places: Vec<(f64, f64, Tensor)> =
+            rows.iter().map(|row| (row.lateral, row.depth, row.stress)).collect();
+        let damaged = || RunError::Rolled("section.csv has no rows of the same layers".to_owned());
+        let section = SectionStress::new(&places).ok_or_else(damaged)?;
+        return Ok((RolledStress::Across(Arc::new(section)), summary));
+    }
+    if summary.grid.is_some() {
+        let layers: Vec<LayerRow> = read_table(&folder)?;
+        let rows = layers.iter().map(|layer| (layer.depth, layer.stress)).collect();
+        return Ok((RolledStress::Balanced(LayeredStress::new(rows)), summary));
+    }
     // As if a case named this file.
     let path = folder.join(PLASTIC_FILE);
     let grid = read_vtu(&path).map_err(|error| RunError::Rolled(error.to_string()))?;
     let field = PlasticField::from_grid(&grid).map_err(|error| RunError::Rolled(error.to_string()))?;
-    Ok((field, summary))
+    Ok((RolledStress::Plastic(field), summary))
 }
 
 /// The state that stands in `folder`; none where it is not whole.
@@ -190,11 +220,12 @@ pub fn plastic_stress_left_out(case: &Case) -> Option<String> {
     if case.plastic_stress().is_some() || case.residual_stress.is_some() {
         return None;
     }
-    let heaviest = &case.wheels[HeaviestWheel::of_case(case).wheel];
-    let ratio = heaviest.wheel.contact()?.peak_pressure() / case.shakedown.hardening.shear_yield_stress();
-    let first = contact_bounds(&heaviest.wheel, &case.steel, |bounds| bounds.first_yield())?.ratio;
+    let number = HeaviestWheel::of_case(case).wheel;
+    let contact = wheel_pressure(case, number)?;
+    let ratio = contact.peak_pressure / case.shakedown.hardening.shear_yield_stress();
+    let first = contact.first_yield;
     let under = match case.is_mix() {
-        true => format!(" under the wheel \"{}\"", heaviest.name),
+        true => format!(" under the wheel \"{}\"", case.wheels[number].name),
         false => String::new(),
     };
     (ratio > first).then(|| {

@@ -7,7 +7,7 @@ use railcrack::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
 use railcrack::residual::PlasticField;
 use railcrack::shakedown::stabilise;
 use railcrack_case::{Case, Overrides};
-use railcrack_run::setup::{PreparedRun, rolled_rail, stabilisation};
+use railcrack_run::setup::{PreparedRun, RolledStress, rolled_rail, stabilisation};
 use std::path::Path;
 
 /// Accuracy of the finite-element engine as promised to users, relative to the largest |K|.
@@ -33,7 +33,7 @@ fn case(engine: &str, pressure: f64, friction: f64, sections: &str) -> Case {
     Case::parse_with(&text, "case.toml", &folder, &overrides).unwrap()
 }
 
-fn first_step(case: &Case, rolled: Option<&PlasticField>) -> StepRecord {
+fn first_step(case: &Case, rolled: Option<&RolledStress>) -> StepRecord {
     PreparedRun::new(case, rolled).unwrap().growth(None).next_step(&Unobserved).unwrap().unwrap()
 }
 
@@ -98,7 +98,7 @@ fn rolled_rail_balances_to_its_own_residual_stress() {
         cell_data: vec![Array::stresses("plastic_stress_mpa", &stresses)],
     };
     let plastic = PlasticField::from_grid(&grid).unwrap();
-    let prepared = PreparedRun::new(&case, Some(&plastic)).unwrap();
+    let prepared = PreparedRun::new(&case, Some(&RolledStress::Plastic(plastic))).unwrap();
     let carried = prepared.residual();
     let field = carried.field.as_ref().unwrap();
     let peak = state.profile.iter().map(|layer| layer.stress.xx.abs()).fold(0.0, f64::max);

@@ -1,6 +1,6 @@
 //! Crack initiation by the criterion of Dang Van.
 
-use crate::math::{Stress, smallest_ball};
+use crate::math::{Stress, Tensor, smallest_ball};
 
 /// The criterion of crack initiation: no crack initiates where τ(t) + a p_h(t) ≤ b at all times of
 /// the stabilised cycle.
@@ -31,16 +31,35 @@ impl DangVan {
     /// max over time of τ + a p_h on a cycle of stresses `path` (MPa, in any order, residual stress
     /// included); s* is the centre of the smallest ball (Frobenius norm) around the deviators. None
     /// for an empty path.
-    pub(crate) fn value(&self, path: &[Stress]) -> Option<DangVanValue> {
+    pub fn value(&self, path: &[Stress]) -> Option<DangVanValue> {
         let deviators: Vec<[f64; 3]> = path.iter().map(|stress| stress.deviator()).collect();
-        let centre = smallest_ball(&deviators).centre;
-        let at = |(time, (stress, deviator)): (usize, (&Stress, &[f64; 3]))| {
-            let meso = [0, 1, 2].map(|c| deviator[c] - centre[c]);
-            let (shear, hydrostatic) = (largest_shear(meso), (stress.xx + stress.yy + stress.zz) / 3.0);
+        let hydrostatic = |time: usize| (path[time].xx + path[time].yy + path[time].zz) / 3.0;
+        self.worst(&deviators, largest_shear, hydrostatic)
+    }
+
+    /// [`DangVan::value`] of stresses with six components.
+    pub fn value_in_space(&self, path: &[Tensor]) -> Option<DangVanValue> {
+        let deviators: Vec<[f64; 5]> = path.iter().map(|stress| stress.deviator()).collect();
+        let shear = |deviator| Tensor::from_deviator(deviator).largest_shear();
+        self.worst(&deviators, shear, |time| path[time].mean())
+    }
+
+    /// The worst time of a path of deviators, with the largest shear of a deviator and the
+    /// hydrostatic stress by time.
+    fn worst<const N: usize>(
+        &self,
+        deviators: &[[f64; N]],
+        shear: impl Fn([f64; N]) -> f64,
+        hydrostatic: impl Fn(usize) -> f64,
+    ) -> Option<DangVanValue> {
+        let centre = smallest_ball(deviators).centre;
+        let at = |(time, deviator): (usize, &[f64; N])| {
+            let shear = shear(std::array::from_fn(|c| deviator[c] - centre[c]));
+            let hydrostatic = hydrostatic(time);
             DangVanValue { value: shear + self.slope * hydrostatic, shear, hydrostatic, time }
         };
-        path.iter()
-            .zip(&deviators)
+        deviators
+            .iter()
             .enumerate()
             .map(at)
             .reduce(|worst, here| if here.value > worst.value { here } else { worst })
@@ -91,7 +110,11 @@ impl Initiation {
         let value = |(depth, path): (f64, Vec<Stress>)| {
             criterion.value(&path).map(|worst| DepthValue { depth, worst })
         };
-        let by_depth: Vec<DepthValue> = paths.into_iter().filter_map(value).collect();
+        Self::of(paths.into_iter().filter_map(value).collect())
+    }
+
+    /// The values at depths that increase from the surface. None without a value.
+    pub fn of(by_depth: Vec<DepthValue>) -> Option<Self> {
         let surface = *by_depth.first()?;
         let rises =
             |w: &&[DepthValue]| w[1].worst.value > w[0].worst.value && w[1].worst.value >= w[2].worst.value;

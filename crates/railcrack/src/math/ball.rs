@@ -1,13 +1,12 @@
 //! Exact orientation of points, and smallest enclosing balls.
 
 use super::Vec2;
-use super::vector::dot3;
 
-/// A ball in three dimensions.
+/// A ball in N dimensions.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Ball {
+pub(crate) struct Ball<const N: usize> {
     /// Centre.
-    pub centre: [f64; 3],
+    pub centre: [f64; N],
     /// Radius.
     pub radius: f64,
 }
@@ -28,8 +27,8 @@ const PIVOTS: usize = 1000;
 ///
 /// Source: Welzl 1991, Smallest enclosing disks; Gärtner 1999, Fast and robust smallest enclosing
 /// balls (pivoting).
-pub(crate) fn smallest_ball(points: &[[f64; 3]]) -> Ball {
-    let Some(&first) = points.first() else { return Ball { centre: [0.0; 3], radius: 0.0 } };
+pub(crate) fn smallest_ball<const N: usize>(points: &[[f64; N]]) -> Ball<N> {
+    let Some(&first) = points.first() else { return Ball { centre: [0.0; N], radius: 0.0 } };
     let mut pivots = vec![first];
     let mut ball = Ball { centre: first, radius: 0.0 };
     for _ in 0..PIVOTS {
@@ -44,7 +43,7 @@ pub(crate) fn smallest_ball(points: &[[f64; 3]]) -> Ball {
             break;
         }
         pivots.insert(0, farthest);
-        let larger = ball_with(&pivots, &mut Vec::with_capacity(4));
+        let larger = ball_with(&pivots, &mut Vec::with_capacity(N + 1));
         if larger.radius <= ball.radius {
             break;
         }
@@ -54,9 +53,9 @@ pub(crate) fn smallest_ball(points: &[[f64; 3]]) -> Ball {
 }
 
 /// The smallest ball around `points` that has all of `boundary` on its surface (Welzl).
-fn ball_with(points: &[[f64; 3]], boundary: &mut Vec<[f64; 3]>) -> Ball {
+fn ball_with<const N: usize>(points: &[[f64; N]], boundary: &mut Vec<[f64; N]>) -> Ball<N> {
     let mut ball = circumscribed(boundary);
-    if boundary.len() == 4 {
+    if boundary.len() == N + 1 {
         return ball;
     }
     for (i, &point) in points.iter().enumerate() {
@@ -71,23 +70,23 @@ fn ball_with(points: &[[f64; 3]], boundary: &mut Vec<[f64; 3]>) -> Ball {
     ball
 }
 
-/// The smallest ball with up to four points on its surface; radius −1 for none. A point that lies
+/// The smallest ball with up to N + 1 points on its surface; radius −1 for none. A point that lies
 /// in the plane of the others to working precision is left out.
 ///
 /// centre = p0 + Σ λ_i q_i in the orthogonalised edges q_i, from
 /// (c − p0)·(p_i − p0) = |p_i − p0|²/2.
-fn circumscribed(boundary: &[[f64; 3]]) -> Ball {
+fn circumscribed<const N: usize>(boundary: &[[f64; N]]) -> Ball<N> {
     let Some((&origin, others)) = boundary.split_first() else {
-        return Ball { centre: [0.0; 3], radius: -1.0 };
+        return Ball { centre: [0.0; N], radius: -1.0 };
     };
-    let mut offset = [0.0; 3];
-    let mut axes: Vec<[f64; 3]> = Vec::with_capacity(3);
+    let mut offset = [0.0; N];
+    let mut axes: Vec<[f64; N]> = Vec::with_capacity(N);
     for &point in others {
         let edge = difference(point, origin);
-        let axis = axes.iter().fold(edge, |rest, q| added(rest, *q, -dot3(rest, *q) / squared(*q)));
+        let axis = axes.iter().fold(edge, |rest, q| added(rest, *q, -dot(rest, *q) / squared(*q)));
         let height = squared(axis);
         if height > FLAT * squared(edge) {
-            let missing = 0.5 * squared(edge) - dot3(offset, edge);
+            let missing = 0.5 * squared(edge) - dot(offset, edge);
             offset = added(offset, axis, missing / height);
             axes.push(axis);
         }
@@ -95,16 +94,20 @@ fn circumscribed(boundary: &[[f64; 3]]) -> Ball {
     Ball { centre: added(origin, offset, 1.0), radius: squared(offset).sqrt() }
 }
 
-fn difference(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+fn difference<const N: usize>(a: [f64; N], b: [f64; N]) -> [f64; N] {
     added(a, b, -1.0)
 }
 
-fn added(a: [f64; 3], b: [f64; 3], times: f64) -> [f64; 3] {
-    [a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]]
+fn added<const N: usize>(a: [f64; N], b: [f64; N], times: f64) -> [f64; N] {
+    std::array::from_fn(|c| a[c] + times * b[c])
 }
 
-fn squared(a: [f64; 3]) -> f64 {
-    dot3(a, a)
+fn dot<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
+    (0..N).map(|c| a[c] * b[c]).sum()
+}
+
+fn squared<const N: usize>(a: [f64; N]) -> f64 {
+    dot(a, a)
 }
 
 /// The side of a directed line on which a point lies.
@@ -204,7 +207,7 @@ mod tests {
             );
             for _ in 0..500 {
                 let direction = [next(), next(), next()];
-                let nearest = on.iter().map(|p| dot3(*p, direction)).fold(f64::INFINITY, f64::min);
+                let nearest = on.iter().map(|p| dot(*p, direction)).fold(f64::INFINITY, f64::min);
                 assert!(nearest <= 1e-9, "round {round}: {nearest:e}");
             }
         }

@@ -10,6 +10,7 @@ mod matrix;
 pub(crate) mod nonnegative;
 pub(crate) mod periodic;
 mod quadrature;
+mod tensor;
 mod track;
 mod vector;
 
@@ -21,6 +22,7 @@ pub use matrix::Matrix;
 pub(crate) use matrix::{add_rows_to_each, axpy, dot, inlined};
 pub use quadrature::gauss_legendre;
 pub(crate) use quadrature::{complete_elliptic, quantiles};
+pub use tensor::Tensor;
 pub(crate) use track::{Track, every_second};
 pub(crate) use vector::dot3;
 pub use vector::{MPA_SQRT_MM, OutOfRange, RailBox, Stress, Vec2};

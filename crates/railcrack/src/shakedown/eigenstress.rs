@@ -1,13 +1,15 @@
 //! Residual stress of a plastic strain in the half-plane, by elastic redistribution exact in every
 //! layer.
 
+use super::complex::Complex;
 use super::fourier::{Fourier, Layers, Signals};
-use super::wave::{Complex, LayerFactors, Strains, Wave};
+use super::in_plane::PlaneWave;
+use super::layer_factors::LayerFactors;
+use super::streamline::Field;
 use crate::material::IsotropicElastic;
 
-/// Fields on columns (evenly spaced abscissae) and layers: component c of column i and layer j is
-/// at `[c][i · layers + j]`.
-pub(super) type Columns = [Vec<f64>; 3];
+/// Fields of three components in the plane, where each layer is a streamline.
+pub(super) type Columns = Field<3>;
 
 /// Linear elasticity of the half-plane y ≤ 0 with a free surface under plastic strains that are
 /// constant across each layer.
@@ -40,16 +42,16 @@ pub(super) struct Eigenstress {
     /// The response to each of [`LONG_WAVES`], ordered likewise.
     long_factors: Vec<LayerFactors>,
     signals: Signals,
-    wave: Wave,
+    wave: PlaneWave,
 }
 
 /// The wave that represents all waves longer than the period, over Δk.
-const LONG_WAVE: f64 = 1.0 / 6.0;
+pub(super) const LONG_WAVE: f64 = 1.0 / 6.0;
 /// Only the part linear in k is needed. It is extrapolated from two waves that are longer by this
 /// factor and twice this factor, …
-const NEAR: f64 = 0.01;
+pub(super) const NEAR: f64 = 0.01;
 /// … over Δk.
-const LONG_WAVES: [f64; 2] = [NEAR * LONG_WAVE, 2.0 * NEAR * LONG_WAVE];
+pub(super) const LONG_WAVES: [f64; 2] = [NEAR * LONG_WAVE, 2.0 * NEAR * LONG_WAVE];
 
 impl Eigenstress {
     /// The operator on `columns` (a power of two) abscissae at a `spacing` (mm), for the `layers`
@@ -73,7 +75,7 @@ impl Eigenstress {
             factors,
             long_factors,
             signals: Signals::zeros(columns * lanes),
-            wave: Wave::new(layers.count()),
+            wave: PlaneWave::new(layers.count()),
             layers,
         }
     }
@@ -149,9 +151,9 @@ impl Eigenstress {
         let (plus, minus) = (k * lanes, (self.columns - k) * lanes);
         let signals = &self.signals;
         for j in 0..layers {
-            let (xx, yy) = separate(signals, plus + j, minus + j);
+            let (xx, yy) = signals.separated(plus + j, minus + j);
             let pair = layers + j / 2;
-            let (even, odd) = separate(signals, plus + pair, minus + pair);
+            let (even, odd) = signals.separated(plus + pair, minus + pair);
             self.wave.strains[j] = [xx, yy, if j % 2 == 0 { even } else { odd }];
         }
         self.wave.balance(&self.factors[(k - 1) * layers..k * layers]);
@@ -170,12 +172,12 @@ impl Eigenstress {
         let scale = -self.plane_strain_modulus / self.columns as f64;
         for j in 0..layers {
             let [xx, yy, xy] = self.wave.stresses[j].map(|s| s * scale);
-            combine(signals, plus + j, minus + j, xx, yy);
+            signals.combine(plus + j, minus + j, xx, yy);
             if j % 2 == 1 {
                 let even = self.wave.stresses[j - 1][2] * scale;
-                combine(signals, plus + layers + j / 2, minus + layers + j / 2, even, xy);
+                signals.combine(plus + layers + j / 2, minus + layers + j / 2, even, xy);
             } else if j + 1 == layers {
-                combine(signals, plus + layers + j / 2, minus + layers + j / 2, xy, Complex::ZERO);
+                signals.combine(plus + layers + j / 2, minus + layers + j / 2, xy, Complex::ZERO);
             }
         }
     }
@@ -258,6 +260,14 @@ impl Eigenstress {
     }
 }
 
+/// The in-plane strain: (ε_xx + ν ε_zz, ε_yy + ν ε_zz, ε_xy).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct Strains {
+    xx: f64,
+    yy: f64,
+    xy: f64,
+}
+
 /// Stresses in a layer, MPa, due to the waves longer than the period: σ_xx in the first column and
 /// its rise over a period, σ_xy.
 #[derive(Debug, Clone, Copy)]
@@ -265,25 +275,6 @@ struct LongWaves {
     xx: f64,
     slope_xx: f64,
     xy: f64,
-}
-
-/// Waves k of two real signals that were transformed as one complex one.
-#[inline(always)]
-fn separate(signals: &Signals, plus: usize, minus: usize) -> (Complex, Complex) {
-    let (a, b) = (signals.re[plus], signals.im[plus]);
-    let (c, d) = (signals.re[minus], signals.im[minus]);
-    (Complex { re: 0.5 * (a + c), im: 0.5 * (b - d) }, Complex { re: 0.5 * (b + d), im: 0.5 * (c - a) })
-}
-
-/// The inverse of [`separate`].
-#[inline(always)]
-fn combine(signals: &mut Signals, plus: usize, minus: usize, one: Complex, other: Complex) {
-    if plus == minus {
-        (signals.re[plus], signals.im[plus]) = (one.re, other.re);
-        return;
-    }
-    (signals.re[plus], signals.im[plus]) = (one.re - other.im, one.im + other.re);
-    (signals.re[minus], signals.im[minus]) = (one.re + other.im, other.re - one.im);
 }
 
 #[cfg(test)]

@@ -1,8 +1,10 @@
 //! Fourier transforms along the rail of many signals, on the grid and its layers.
 
 use super::bounds;
+use super::complex::Complex;
 use super::rail::{RolledRail, ShakedownError};
 use pulp::{Arch, Simd, WithSimd};
+use std::ops::Range;
 
 /// The transform X_k = Σ_n x_n e^(−2π i k n / N) of signals of length N, a power of two.
 ///
@@ -33,6 +35,32 @@ impl Signals {
         let zeros = || vec![0.0; samples];
         Self { re: zeros(), im: zeros(), spare_re: zeros(), spare_im: zeros() }
     }
+
+    /// Waves k and −k, at `plus` and `minus`, of the two real signals that a complex one consists
+    /// of.
+    #[inline(always)]
+    pub(super) fn separated(&self, plus: usize, minus: usize) -> (Complex, Complex) {
+        let (a, b) = (self.re[plus], self.im[plus]);
+        let (c, d) = (self.re[minus], self.im[minus]);
+        (Complex { re: 0.5 * (a + c), im: 0.5 * (b - d) }, Complex { re: 0.5 * (b + d), im: 0.5 * (c - a) })
+    }
+
+    /// The inverse of [`Signals::separated`].
+    #[inline(always)]
+    pub(super) fn combine(&mut self, plus: usize, minus: usize, one: Complex, other: Complex) {
+        if plus == minus {
+            (self.re[plus], self.im[plus]) = (one.re, other.re);
+            return;
+        }
+        (self.re[plus], self.im[plus]) = (one.re - other.im, one.im + other.re);
+        (self.re[minus], self.im[minus]) = (one.re + other.im, other.re - one.im);
+    }
+
+    /// Makes the spare samples the samples.
+    fn exchange(&mut self) {
+        std::mem::swap(&mut self.re, &mut self.spare_re);
+        std::mem::swap(&mut self.im, &mut self.spare_im);
+    }
 }
 
 impl Fourier {
@@ -45,42 +73,69 @@ impl Fourier {
 
     /// Transforms `signals` in place.
     pub(super) fn forward(&self, signals: &mut Signals) {
-        self.stages(signals);
+        let Signals { re, im, spare_re, spare_im } = signals;
+        if self.stages([re, im], [spare_re, spare_im]) {
+            signals.exchange();
+        }
     }
 
     /// The inverse of [`Fourier::forward`] times N: the same with real and imaginary parts
     /// interchanged.
     pub(super) fn backward(&self, signals: &mut Signals) {
+        let Signals { re, im, spare_re, spare_im } = signals;
+        if self.stages([im, re], [spare_im, spare_re]) {
+            signals.exchange();
+        }
+    }
+
+    /// [`Fourier::forward`] of every block of `block` samples of `signals`, one after the other.
+    pub(super) fn forward_blocks(&self, signals: &mut Signals, block: usize) {
+        for from in (0..signals.re.len()).step_by(block) {
+            let Signals { re, im, spare_re, spare_im } = &mut *signals;
+            let part = from..from + block;
+            let [re, im] = [&mut re[part.clone()], &mut im[part.clone()]];
+            let [to_re, to_im] = [&mut spare_re[part.clone()], &mut spare_im[part]];
+            if self.stages([re, im], [to_re, to_im]) {
+                re.copy_from_slice(to_re);
+                im.copy_from_slice(to_im);
+            }
+        }
+    }
+
+    /// [`Fourier::backward`] of every block of `block` samples of `signals`, one after the other.
+    pub(super) fn backward_blocks(&self, signals: &mut Signals, block: usize) {
         let exchange = |s: &mut Signals| {
             std::mem::swap(&mut s.re, &mut s.im);
             std::mem::swap(&mut s.spare_re, &mut s.spare_im);
         };
         exchange(signals);
-        self.stages(signals);
+        self.forward_blocks(signals, block);
         exchange(signals);
     }
 
-    fn stages(&self, signals: &mut Signals) {
-        let lanes = signals.re.len() / self.length;
-        let (mut rest, mut stride) = (self.length, 1);
+    /// Transforms the signals `one`, real and imaginary parts, with `other` for every second stage.
+    /// Returns whether the result is in `other`.
+    fn stages(&self, one: [&mut [f64]; 2], other: [&mut [f64]; 2]) -> bool {
+        let lanes = one[0].len() / self.length;
+        let ([mut re, mut im], [mut to_re, mut to_im]) = (one, other);
+        let (mut rest, mut stride, mut is_in_other) = (self.length, 1, false);
         while rest > 1 {
             let radix = if rest.is_multiple_of(4) { 4 } else { 2 };
-            let Signals { re, im, spare_re, spare_im } = &mut *signals;
             for part in 0..rest / radix {
                 let root = |power: usize| self.roots[power * part * stride];
                 let from = ButterflyInput { re, im, block: stride * lanes, part, parts: rest / radix };
-                let first = part * radix * stride * lanes;
-                let to = (first, spare_re.as_mut_slice(), spare_im.as_mut_slice());
+                let to = (part * radix * stride * lanes, &mut *to_re, &mut *to_im);
                 if radix == 4 {
                     Arch::new().dispatch(Four { from, to, roots: [root(1), root(2), root(3)] });
                 } else {
                     Arch::new().dispatch(Two { from, to });
                 }
             }
-            std::mem::swap(&mut signals.re, &mut signals.spare_re);
-            std::mem::swap(&mut signals.im, &mut signals.spare_im);
-            (rest, stride) = (rest / radix, stride * radix);
+            std::mem::swap(&mut re, &mut to_re);
+            std::mem::swap(&mut im, &mut to_im);
+            (rest, stride, is_in_other) = (rest / radix, stride * radix, !is_in_other);
         }
+        is_in_other
     }
 }
 
@@ -211,7 +266,13 @@ const MARGIN: f64 = 1.15;
 /// larger in all directions.
 const COARSER_BEYOND: f64 = 4.0;
 /// Half-widths on each side of the contact in which flow is admitted and the extrapolation acts.
-pub(super) const ACTIVE: f64 = 3.0;
+const ACTIVE: f64 = 3.0;
+
+/// The columns in which flow is admitted around a contact of half-width `a` (mm).
+pub(super) fn active_columns(a: f64, spacing: f64, columns: usize) -> Range<usize> {
+    let (half, middle) = ((ACTIVE * a / spacing).round() as usize, columns / 2);
+    middle - half..middle + half
+}
 
 impl RailGrid {
     /// The grid for `rail`, with even layers to slightly below the depth at which its elastic
@@ -314,7 +375,7 @@ impl Layers {
     }
 
     /// Number of layers.
-    pub(crate) fn count(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.interfaces.len() - 1
     }
 

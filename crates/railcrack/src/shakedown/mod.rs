@@ -1,10 +1,17 @@
 //! Plasticity under repeated passages: the stabilised state of a rolled rail, and its shakedown
 //! limits.
 
+mod antiplane;
 mod bounds;
+mod complex;
 mod eigenstress;
 mod fourier;
+mod in_plane;
+mod layer_factors;
+mod passages;
+mod plane_strain;
 mod rail;
+pub mod space;
 mod stabilise;
 mod state;
 mod streamline;

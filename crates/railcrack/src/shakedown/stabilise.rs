@@ -1,8 +1,9 @@
 //! Iteration over passages up to the stabilised state.
 
 use super::bounds::{ShakedownLimit, utilisation};
-use super::eigenstress::{Columns, Eigenstress};
-use super::fourier::{ACTIVE, RailGrid, Resolution};
+use super::fourier::{Layers, RailGrid, Resolution, active_columns};
+use super::passages::Passages;
+use super::plane_strain::PlaneStrain;
 use super::rail::{PlasticStrain, RolledRail, ShakedownError};
 use super::state::{
     DepthRange, LayerState, Method, PassRecord, RailState, StabilisedRail, layer_stress, mirror_sign,
@@ -41,19 +42,19 @@ impl Default for Stabilisation {
 
 /// Change of the plastic strain at which the iteration within a passage ends, times 2 G over R:
 /// some 1e-3 MPa.
-const TOLERANCE: f64 = 1e-5;
+pub(super) const TOLERANCE: f64 = 1e-5;
 /// The same tolerance for the direct method, whose plastic strain drifts by this amount in each
 /// iteration without any change of the stress.
 const DIRECT_TOLERANCE: f64 = 2e-4;
 /// Change of the plastic strain by a passage, over the yield strain, above which the rail has not
 /// stabilised even if the stress has: a shear along the rail leaves no residual stress and may
 /// continue.
-const STRAIN_TOLERANCE: f64 = 1e-2;
+pub(super) const STRAIN_TOLERANCE: f64 = 1e-2;
 /// Number of redistributions after which a passage has failed; the softest steels (C = E/10⁴) take
 /// some hundreds.
-const MOST_ITERATIONS: usize = 3000;
+pub(super) const MOST_ITERATIONS: usize = 3000;
 /// Number of times that the even layers are extended downwards because there is flow below them.
-const EXTENSIONS: usize = 8;
+pub(super) const EXTENSIONS: usize = 8;
 /// A layer alternates if its accumulated plastic strain in a passage is this many times the plastic
 /// strain that it retains: in a layer that settles the two are equal; …
 const ALTERNATING: f64 = 4.0;
@@ -123,11 +124,7 @@ struct PassIteration<'a> {
     rail: &'a RolledRail,
     settings: &'a Stabilisation,
     grid: &'a RailGrid,
-    problem: SteadyProblem,
-    /// Plastic strain of the last two passages.
-    last: Option<SteadyPassage>,
-    before: Option<Columns>,
-    entering: Vec<[f64; 3]>,
+    passages: Passages<PlaneStrain, 3>,
     passes: Vec<PassRecord>,
     stabilised: bool,
 }
@@ -150,13 +147,11 @@ impl<'a> PassIteration<'a> {
                 }
             }
         }
-        let half_active = (ACTIVE * rail.contact.half_width() / grid.spacing).round() as usize;
-        let middle = grid.columns / 2;
         let problem = SteadyProblem {
-            eigenstress: Eigenstress::new(&rail.steel, grid.columns, grid.spacing, grid.layers.clone()),
+            elasticity: PlaneStrain::new(&rail.steel, grid),
             law: FlowLaw::new(&rail.steel, &rail.hardening),
             background,
-            active: middle - half_active..middle + half_active,
+            active: active_columns(rail.contact.half_width(), grid.spacing, grid.columns),
             strain_scale: 2.0 * rail.steel.shear_modulus() / rail.hardening.yield_radius(),
             tolerance: match settings.method {
                 Method::PassByPass => TOLERANCE,
@@ -164,18 +159,8 @@ impl<'a> PassIteration<'a> {
             },
             max_iterations: MOST_ITERATIONS,
         };
-        let entering = vec![[0.0; 3]; layers.len()];
-        Ok(Self {
-            rail,
-            settings,
-            grid,
-            problem,
-            last: None,
-            before: None,
-            entering,
-            passes: Vec::new(),
-            stabilised: false,
-        })
+        let passages = Passages::new(problem, layers.len());
+        Ok(Self { rail, settings, grid, passages, passes: Vec::new(), stabilised: false })
     }
 
     /// Computes all passages and returns the greatest depth with plastic strain, mm. Ends early if
@@ -207,100 +192,33 @@ impl<'a> PassIteration<'a> {
 
     /// The next passage.
     fn pass(&mut self, interruption: Interruption<'_>) -> Result<PassRecord, ShakedownError> {
-        let layers = self.entering.len();
         let upstream = match self.settings.method {
             Method::PassByPass => Upstream::Given,
             Method::Direct => Upstream::Downstream,
         };
-        let start = self.guess();
-        let passage = self.problem.solve(start, &self.entering, upstream, interruption)?;
-        if passage.change.is_nan() || passage.change > self.problem.tolerance {
-            return Err(ShakedownError::NotConverged {
-                pass: self.passes.len() + 1,
-                iterations: passage.iterations,
-                change: passage.change,
-                tolerance: self.problem.tolerance,
-            });
-        }
-        let leaving = first_column(&passage.strain, layers);
-        let record = self.record(&passage.entering, &leaving, &passage);
-        self.entering = leaving;
-        self.before = self.last.take().map(|last| last.strain);
-        self.last = Some(passage);
-        Ok(record)
-    }
-
-    /// Predictor of the plastic strain of the next passage from the previous ones: their last
-    /// change times the ratio of the last two.
-    fn guess(&self) -> Columns {
-        let Some(last) = &self.last else { return unstrained(self.grid) };
-        let mut guess = last.strain.clone();
-        let Some(before) = &self.before else { return guess };
-        let layers = self.entering.len();
-        let (mut product, mut square) = (0.0, 0.0);
-        for c in 0..3 {
-            for j in 0..layers {
-                // Upstream is the passage before the last.
-                let upstream = last.strain[c].len() - layers + j;
-                let newer = last.strain[c][j] - last.strain[c][upstream];
-                let older = before[c][j] - before[c][upstream];
-                product += newer * older;
-                square += older * older;
-            }
-        }
-        let ratio = if square > 0.0 { (product / square).clamp(0.0, 1.0) } else { 0.0 };
-        for c in 0..3 {
-            for (g, b) in guess[c].iter_mut().zip(&before[c]) {
-                *g += ratio * (*g - b);
-            }
-        }
-        guess
-    }
-
-    fn record(&self, came: &[[f64; 3]], leaving: &[[f64; 3]], passage: &SteadyPassage) -> PassRecord {
-        let mut record = PassRecord {
-            pass: self.passes.len() + 1,
-            iterations: passage.iterations,
-            stress_change: 0.0,
-            strain_change: 0.0,
-            largest_strain: 0.0,
-            plastic_path: passage.path.iter().copied().fold(0.0, f64::max),
-            left_stress: 0.0,
-        };
-        for j in 0..came.len() {
-            let change = PlasticStrain::from_deviator([0, 1, 2].map(|c| leaving[j][c] - came[j][c]));
-            let by = layer_stress(&self.rail.steel, change);
-            let strain = PlasticStrain::from_deviator(leaving[j]);
-            let stress = layer_stress(&self.rail.steel, strain);
-            record.stress_change = record.stress_change.max(by.xx.abs()).max(by.zz.abs());
-            record.strain_change = record.strain_change.max(change.equivalent());
-            record.largest_strain = record.largest_strain.max(strain.equivalent());
-            record.left_stress = record.left_stress.max(stress.xx.abs()).max(stress.zz.abs());
-        }
-        record
+        let start = self.passages.guess();
+        let passage = self.passages.advance(start, upstream, interruption)?;
+        let leaving = first_column(&passage.strain, passage.entering.len());
+        Ok(record(self.rail, self.passes.len() + 1, &leaving, passage))
     }
 
     /// The greatest depth with plastic strain, mm; 0 for none.
     fn flown(&self) -> f64 {
-        let Some(last) = &self.last else { return 0.0 };
+        let Some(last) = &self.passages.last else { return 0.0 };
         let deepest = last.path.iter().rposition(|&path| path > 0.0);
         deepest.map_or(0.0, |j| self.grid.layers.interfaces()[j + 1])
     }
 
-    fn finish(mut self) -> Result<StabilisedRail, ShakedownError> {
-        let layers = self.entering.len();
-        let passage = self.last.take().unwrap_or_else(|| SteadyPassage {
-            strain: unstrained(self.grid),
-            entering: self.entering.clone(),
-            path: vec![0.0; layers],
-            iterations: 0,
-            change: 0.0,
-        });
-        let (cycle, admissibility) = stabilised_cycle(self.rail, self.grid, &mut self.problem, &passage)?;
+    fn finish(self) -> Result<StabilisedRail, ShakedownError> {
+        let leaving = self.passages.entering.clone();
+        let layers = leaving.len();
+        let (limit, state) = (self.rail.shakedown_limit()?, self.state()?);
+        let (mut problem, passage) = self.passages.into_last();
+        let (cycle, admissibility) = stabilised_cycle(self.rail, self.grid, &mut problem, &passage)?;
         let depths = self.grid.layers.middles();
         let mirror = mirror_sign(self.rail.travel);
         let layer = |j: usize| {
-            let strain = PlasticStrain::from_deviator(self.entering[j]);
+            let strain = PlasticStrain::from_deviator(leaving[j]);
             let residual = layer_stress(&self.rail.steel, strain);
             LayerState {
                 depth: depths[j],
@@ -310,10 +228,8 @@ impl<'a> PassIteration<'a> {
             }
         };
         let profile: Vec<LayerState> = (0..layers).map(layer).collect();
-        let limit = self.rail.shakedown_limit()?;
-        let state = self.state(limit)?;
         let alternating = match state {
-            RailState::PlasticShakedown => Some(self.alternating(&passage, limit)),
+            RailState::PlasticShakedown => Some(alternating(self.rail, &self.grid.layers, &passage, limit)),
             _ => None,
         };
         Ok(StabilisedRail {
@@ -332,8 +248,9 @@ impl<'a> PassIteration<'a> {
     /// residual stress exist with which the passage is elastic, it becomes elastic in the end
     /// (Melan 1938); both are known at every depth without layers. So once the passages repeat, the
     /// loads alone distinguish the states, without discretisation error.
-    fn state(&self, limit: ShakedownLimit) -> Result<RailState, ShakedownError> {
+    fn state(&self) -> Result<RailState, ShakedownError> {
         let rail = self.rail;
+        let limit = rail.shakedown_limit()?;
         let initial = |depth: f64| rail.initial_stress(depth).deviator();
         let radius = rail.hardening.yield_radius();
         let field = rail.forward_field()?;
@@ -349,25 +266,59 @@ impl<'a> PassIteration<'a> {
             RailState::PlasticShakedown
         })
     }
+}
 
-    /// The depth range of alternating plastic strain, from the layers or, if the zone is thinner
-    /// than one layer, from the elastic paths.
-    fn alternating(&self, passage: &SteadyPassage, limit: ShakedownLimit) -> DepthRange {
-        let layers = self.entering.len();
-        let (came, leaving) = (&passage.entering, first_column(&passage.strain, layers));
-        let longest = passage.path.iter().copied().fold(0.0, f64::max);
-        let alternates = |j: usize| {
-            let kept =
-                PlasticStrain::from_deviator([0, 1, 2].map(|c| leaving[j][c] - came[j][c])).equivalent();
-            passage.path[j] > ALTERNATING * kept && passage.path[j] > ALTERNATING_SHARE * longest
-        };
-        let interfaces = self.grid.layers.interfaces();
-        let from = (0..layers).find(|&j| alternates(j)).map(|j| interfaces[j]);
-        let to = (0..layers).rfind(|&j| alternates(j)).map(|j| interfaces[j + 1]);
-        let (from, to) = from.zip(to).unwrap_or_else(|| {
-            let depth = limit.depth_over_a * self.rail.contact.half_width();
-            (depth, depth)
-        });
-        DepthRange { from, to }
+/// What `passage`, the given number from 1, has changed.
+fn record(rail: &RolledRail, pass: usize, leaving: &[[f64; 3]], passage: &SteadyPassage<3>) -> PassRecord {
+    let came = &passage.entering;
+    let mut record = PassRecord {
+        pass,
+        iterations: passage.iterations,
+        stress_change: 0.0,
+        strain_change: 0.0,
+        largest_strain: 0.0,
+        plastic_path: passage.path.iter().copied().fold(0.0, f64::max),
+        left_stress: 0.0,
+    };
+    for j in 0..came.len() {
+        let change = PlasticStrain::from_deviator([0, 1, 2].map(|c| leaving[j][c] - came[j][c]));
+        let by = layer_stress(&rail.steel, change);
+        let strain = PlasticStrain::from_deviator(leaving[j]);
+        let stress = layer_stress(&rail.steel, strain);
+        record.stress_change = record.stress_change.max(by.xx.abs()).max(by.zz.abs());
+        record.strain_change = record.strain_change.max(change.equivalent());
+        record.largest_strain = record.largest_strain.max(strain.equivalent());
+        record.left_stress = record.left_stress.max(stress.xx.abs()).max(stress.zz.abs());
     }
+    record
+}
+
+/// The depth range of alternating plastic strain, from the layers or, if the zone is thinner than
+/// one layer, from the elastic paths.
+fn alternating(
+    rail: &RolledRail,
+    layers: &Layers,
+    passage: &SteadyPassage<3>,
+    limit: ShakedownLimit,
+) -> DepthRange {
+    let (came, leaving) = (&passage.entering, first_column(&passage.strain, layers.count()));
+    let kept =
+        |j: usize| PlasticStrain::from_deviator([0, 1, 2].map(|c| leaving[j][c] - came[j][c])).equivalent();
+    let alternates = alternating_streamlines(&passage.path, kept);
+    let interfaces = layers.interfaces();
+    let from = alternates.iter().position(|own| *own).map(|j| interfaces[j]);
+    let to = alternates.iter().rposition(|own| *own).map(|j| interfaces[j + 1]);
+    let (from, to) = from.zip(to).unwrap_or_else(|| {
+        let depth = limit.depth_over_a * rail.contact.half_width();
+        (depth, depth)
+    });
+    DepthRange { from, to }
+}
+
+/// Which streamlines alternate, from the accumulated plastic strain of a passage (`path`) and the
+/// plastic strain that each one keeps of it.
+pub(super) fn alternating_streamlines(path: &[f64], kept: impl Fn(usize) -> f64) -> Vec<bool> {
+    let longest = path.iter().copied().fold(0.0, f64::max);
+    let alternates = |j: usize| path[j] > ALTERNATING * kept(j) && path[j] > ALTERNATING_SHARE * longest;
+    (0..path.len()).map(alternates).collect()
 }

@@ -2,6 +2,7 @@
 
 use super::eigenstress::Columns;
 use super::fourier::{Layers, RailGrid};
+use super::plane_strain::PlaneStrain;
 use super::rail::{PlasticStrain, RolledRail, ShakedownError, Travel};
 use super::streamline::{SteadyPassage, SteadyProblem, first_column};
 use crate::material::IsotropicElastic;
@@ -232,16 +233,16 @@ pub(super) fn mirror_sign(travel: Travel) -> f64 {
 pub(super) fn stabilised_cycle(
     rail: &RolledRail,
     grid: &RailGrid,
-    problem: &mut SteadyProblem,
-    passage: &SteadyPassage,
+    problem: &mut SteadyProblem<PlaneStrain, 3>,
+    passage: &SteadyPassage<3>,
 ) -> Result<(Cycle, Admissibility), ShakedownError> {
     let depths = grid.layers.middles();
     let layers = depths.len();
     let strain_at = |at: usize| [0, 1, 2].map(|c| passage.strain[c][at]);
     let entering = &passage.entering;
     let mut residual = unstrained(grid);
-    problem.eigenstress.stress(&passage.strain, entering, &mut residual);
-    let imbalance = problem.eigenstress.imbalance(&passage.strain, entering);
+    problem.elasticity.eigenstress.stress(&passage.strain, entering, &mut residual);
+    let imbalance = problem.elasticity.eigenstress.imbalance(&passage.strain, entering);
     let field = rail.forward_field()?;
     let (poisson, young) = (rail.steel.poisson(), rail.steel.young());
     let (radius, back) = (rail.hardening.yield_radius(), rail.hardening.back_stress_modulus());

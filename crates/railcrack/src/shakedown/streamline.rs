@@ -1,31 +1,59 @@
-//! Return mapping along streamlines, and the steady state that moves with the wheel.
+//! Return mapping along streamlines, and the steady state that moves with the wheel: the same in
+//! the plane and in space.
 
-use super::eigenstress::{Columns, Eigenstress};
 use crate::interruption::{Interrupted, Interruption};
 use crate::material::{IsotropicElastic, KinematicHardening};
 use crate::math::Anderson;
-use pulp::{Arch, Simd, WithSimd};
+use std::array::from_fn;
 use std::ops::Range;
+
+/// N components on columns (evenly spaced abscissae) and streamlines: component c of column i and
+/// streamline j is at `[c][i · streamlines + j]`.
+pub(super) type Field<const N: usize> = [Vec<f64>; N];
+
+/// Elasticity of the rail: the stress of a plastic strain, whose deviators have N coordinates.
+pub(super) trait Elasticity<const N: usize> {
+    /// Redistributes `strain`, which enters as `upstream` in the last column and leaves by the
+    /// first.
+    fn redistribute(&mut self, strain: &Field<N>, upstream: &[[f64; N]]);
+
+    /// B and |ξ|² of all streamlines of a column, from the stress of the last redistribution.
+    fn drive(&self, column: Driven<'_, N>);
+}
+
+/// One column of the fields that drive the flow.
+pub(super) struct Driven<'a, const N: usize> {
+    /// The column in all fields.
+    pub at: Range<usize>,
+    pub law: &'a FlowLaw,
+    /// Deviators of all stress but that of the plastic strain.
+    pub background: &'a Field<N>,
+    /// The plastic strain that was redistributed.
+    pub old: &'a Field<N>,
+    /// The plastic strain that arrives at the column.
+    pub strain: &'a Field<N>,
+    /// B.
+    pub driver: &'a mut Field<N>,
+    /// |ξ|².
+    pub size: &'a mut [f64],
+}
 
 /// Integration of the constitutive law along horizontal streamlines.
 ///
-/// In the frame of the load a material point passes the stresses of its layer one after the other,
-/// d/dt = −V ∂/∂x. With B = s + H ε_p of the previous iterate, which the redistribution leaves
-/// unchanged if H is the stiffness of the response of the surroundings, the plastic strain is such
-/// that ξ = B − (H + 2 C/3) ε_p stays in the yield ball: return mapping along the normal (Wilkins
-/// 1964; Simo & Hughes 1998, Computational Inelasticity, 3.3). At the fixed point B − H ε_p is the
-/// stress deviator s itself for any H.
+/// In the frame of the load a material point passes the stresses of its streamline one after the
+/// other, d/dt = −V ∂/∂x. With B = s + H ε_p of the previous iterate, which the redistribution
+/// leaves unchanged if H is the stiffness of the response of the surroundings, the plastic strain
+/// is such that ξ = B − (H + 2 C/3) ε_p stays in the yield ball: return mapping along the normal
+/// (Wilkins 1964; Simo & Hughes 1998, Computational Inelasticity, 3.3). At the fixed point B − H
+/// ε_p is the stress deviator s itself for any H. Deviators have any number of coordinates in which
+/// their Euclidean norm is the Frobenius norm.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FlowLaw {
     radius: f64,
     /// H, MPa.
-    stiffness: f64,
+    pub stiffness: f64,
     /// H + 2 C/3, MPa.
-    modulus: f64,
-    /// Factors of the stress deviator from σ_xx + σ_yy and from ε_zz: √(3/2) (2 ν − 1)/3 and −2
-    /// E/3.
-    out_of_trace: f64,
-    out_of_strain: f64,
+    pub modulus: f64,
 }
 
 /// H over 2 G. The redistribution has stiffnesses from 0 (a shear that the surroundings follow) to
@@ -44,53 +72,52 @@ impl FlowLaw {
             radius: hardening.yield_radius(),
             stiffness,
             modulus: stiffness + hardening.back_stress_modulus(),
-            out_of_trace: 1.5_f64.sqrt() * (2.0 * steel.poisson() - 1.0) / 3.0,
-            out_of_strain: -2.0 / 3.0 * steel.young(),
         }
     }
 
     /// Computes the plastic strain `new` of material points that enter with `upstream` at the last
-    /// column, from the plastic strain `old`, its residual `stress` and the deviators `background`
-    /// of all other stress. Returns the accumulated plastic strain √(2/3) ∫ |dε_p| of each layer.
-    pub(super) fn follow(
+    /// column, from the plastic strain `old`, which `elasticity` has redistributed, and the
+    /// deviators `background` of all other stress. Returns the accumulated plastic strain
+    /// √(2/3) ∫ |dε_p| of each streamline.
+    pub(super) fn follow<const N: usize>(
         &self,
-        stress: &Columns,
-        background: &Columns,
-        old: &Columns,
-        upstream: &[[f64; 3]],
-        new: &mut Columns,
+        elasticity: &impl Elasticity<N>,
+        background: &Field<N>,
+        old: &Field<N>,
+        upstream: &[[f64; N]],
+        new: &mut Field<N>,
     ) -> Vec<f64> {
-        let layers = upstream.len();
-        let columns = old[0].len() / layers;
-        let mut strain = [0, 1, 2].map(|c| upstream.iter().map(|u| u[c]).collect::<Vec<f64>>());
-        let zeros = || [vec![0.0; layers], vec![0.0; layers], vec![0.0; layers]];
-        let (mut before, mut here) = (zeros(), zeros());
-        let mut size = vec![0.0; layers];
-        let mut path = vec![0.0; layers];
+        let streamlines = upstream.len();
+        let columns = old[0].len() / streamlines;
+        let mut strain: Field<N> = from_fn(|c| upstream.iter().map(|u| u[c]).collect());
+        let zeros = || from_fn(|_| vec![0.0; streamlines]);
+        let (mut before, mut here): (Field<N>, Field<N>) = (zeros(), zeros());
+        let mut size = vec![0.0; streamlines];
+        let mut path = vec![0.0; streamlines];
         for i in (0..columns).rev() {
-            let column = i * layers..(i + 1) * layers;
-            Arch::new().dispatch(Drive {
+            let column = i * streamlines..(i + 1) * streamlines;
+            elasticity.drive(Driven {
+                at: column.clone(),
                 law: self,
-                stress: part(stress, column.clone()),
-                background: part(background, column.clone()),
-                old: part(old, column.clone()),
-                strain: part(&strain, 0..layers),
+                background,
+                old,
+                strain: &strain,
                 driver: &mut here,
                 size: &mut size,
             });
-            for j in 0..layers {
+            for j in 0..streamlines {
                 if size[j] > self.radius * self.radius {
-                    let to = [0, 1, 2].map(|c| here[c][j]);
-                    let from = if i + 1 == columns { to } else { [0, 1, 2].map(|c| before[c][j]) };
-                    let mut flowing = [0, 1, 2].map(|c| strain[c][j]);
+                    let to: [f64; N] = from_fn(|c| here[c][j]);
+                    let from = if i + 1 == columns { to } else { from_fn(|c| before[c][j]) };
+                    let mut flowing = from_fn(|c| strain[c][j]);
                     path[j] += self.flow(from, to, &mut flowing);
-                    for c in 0..3 {
+                    for c in 0..N {
                         strain[c][j] = flowing[c];
                     }
                 }
             }
             std::mem::swap(&mut before, &mut here);
-            for c in 0..3 {
+            for c in 0..N {
                 new[c][column.clone()].copy_from_slice(&strain[c]);
             }
         }
@@ -99,15 +126,15 @@ impl FlowLaw {
 
     /// Plastic flow on the straight path of the driving variable B; returns the accumulated plastic
     /// strain.
-    fn flow(&self, from: [f64; 3], to: [f64; 3], strain: &mut [f64; 3]) -> f64 {
+    fn flow<const N: usize>(&self, from: [f64; N], to: [f64; N], strain: &mut [f64; N]) -> f64 {
         let mut path = 0.0;
         for part in 1..=PARTS {
             let t = part as f64 / PARTS as f64;
-            let xi = [0, 1, 2].map(|c| from[c] + t * (to[c] - from[c]) - self.modulus * strain[c]);
-            let size = (xi[0] * xi[0] + xi[1] * xi[1] + xi[2] * xi[2]).sqrt();
+            let xi: [f64; N] = from_fn(|c| from[c] + t * (to[c] - from[c]) - self.modulus * strain[c]);
+            let size = xi.iter().map(|x| x * x).sum::<f64>().sqrt();
             if size > self.radius {
                 let step = (size - self.radius) / (self.modulus * size);
-                for c in 0..3 {
+                for c in 0..N {
                     strain[c] += step * xi[c];
                 }
                 path += step * size;
@@ -117,55 +144,15 @@ impl FlowLaw {
     }
 }
 
-/// One column of a field.
-fn part(field: &Columns, column: Range<usize>) -> [&[f64]; 3] {
-    [0, 1, 2].map(|c| &field[c][column.clone()])
-}
-
-/// B and |ξ|² of all layers of a column.
-struct Drive<'a> {
-    law: &'a FlowLaw,
-    stress: [&'a [f64]; 3],
-    background: [&'a [f64]; 3],
-    old: [&'a [f64]; 3],
-    strain: [&'a [f64]; 3],
-    driver: &'a mut Columns,
-    size: &'a mut [f64],
-}
-
-impl WithSimd for Drive<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        const ROOT_2: f64 = std::f64::consts::SQRT_2;
-        let FlowLaw { stiffness, modulus, out_of_trace, out_of_strain, .. } = *self.law;
-        let n = self.size.len();
-        let [xx, yy, xy] = self.stress.map(|s| &s[..n]);
-        let [b0, b1, b2] = self.background.map(|s| &s[..n]);
-        let [o0, o1, o2] = self.old.map(|s| &s[..n]);
-        let [p0, p1, p2] = self.strain.map(|s| &s[..n]);
-        let [d0, d1, d2] = self.driver;
-        let (d0, d1, d2) = (&mut d0[..n], &mut d1[..n], &mut d2[..n]);
-        for j in 0..n {
-            d0[j] = (xx[j] - yy[j]) / ROOT_2 + b0[j] + stiffness * o0[j];
-            d1[j] = out_of_trace * (xx[j] + yy[j]) + b1[j] + (stiffness + out_of_strain) * o1[j];
-            d2[j] = ROOT_2 * xy[j] + b2[j] + stiffness * o2[j];
-            let (x0, x1, x2) = (d0[j] - modulus * p0[j], d1[j] - modulus * p1[j], d2[j] - modulus * p2[j]);
-            self.size[j] = x0 * x0 + x1 * x1 + x2 * x2;
-        }
-    }
-}
-
 /// Steady state of one passage: stress and plastic strain around the load, which are constant in
 /// its frame.
 #[derive(Debug, Clone)]
-pub(super) struct SteadyPassage {
+pub(super) struct SteadyPassage<const N: usize> {
     /// Plastic strain in coordinates of a deviator.
-    pub strain: Columns,
-    /// The entering plastic strain by layer.
-    pub entering: Vec<[f64; 3]>,
-    /// √(2/3) ∫ |dε_p| of each layer.
+    pub strain: Field<N>,
+    /// The entering plastic strain by streamline.
+    pub entering: Vec<[f64; N]>,
+    /// √(2/3) ∫ |dε_p| of each streamline.
     pub path: Vec<f64>,
     /// Number of elastic redistributions.
     pub iterations: usize,
@@ -184,11 +171,11 @@ pub(super) enum Upstream {
 }
 
 /// The data that are common to all passages.
-pub(super) struct SteadyProblem {
-    pub eigenstress: Eigenstress,
+pub(super) struct SteadyProblem<E, const N: usize> {
+    pub elasticity: E,
     pub law: FlowLaw,
     /// Stress deviators of wheel and initial residual stress, MPa.
-    pub background: Columns,
+    pub background: Field<N>,
     /// Columns around the contact in which the extrapolation acts; the values outside follow from
     /// these.
     pub active: Range<usize>,
@@ -204,75 +191,84 @@ pub(super) struct SteadyProblem {
 /// redistributions is about the same.
 const DEPTH: usize = 6;
 
-impl SteadyProblem {
+impl<E: Elasticity<N>, const N: usize> SteadyProblem<E, N> {
     /// Alternates redistribution and return mapping from `start` until the plastic strain repeats,
-    /// or until `max_iterations`; `entering` is the plastic strain upstream, by layer.
+    /// or until `max_iterations`; `entering` is the plastic strain upstream, by streamline.
     ///
     /// Errors: an interruption.
     pub(super) fn solve(
         &mut self,
-        start: Columns,
-        entering: &[[f64; 3]],
+        start: Field<N>,
+        entering: &[[f64; N]],
         upstream: Upstream,
         interruption: Interruption<'_>,
-    ) -> Result<SteadyPassage, Interrupted> {
-        let layers = entering.len();
+    ) -> Result<SteadyPassage<N>, Interrupted> {
+        let streamlines = entering.len();
         let mut entering = entering.to_vec();
         let mut strain = start;
         if upstream == Upstream::Given {
-            for c in 0..3 {
-                for at in self.active.end * layers..strain[c].len() {
-                    strain[c][at] = entering[at % layers][c];
+            for (c, component) in strain.iter_mut().enumerate() {
+                for (at, value) in component.iter_mut().enumerate().skip(self.active.end * streamlines) {
+                    *value = entering[at % streamlines][c];
                 }
             }
         }
         let mut image = strain.clone();
-        let mut stress = strain.clone();
         let mut anderson = Anderson::new(DEPTH);
         let mut iterations = 0;
         loop {
             interruption.check()?;
             iterations += 1;
             if upstream == Upstream::Downstream {
-                entering = first_column(&strain, layers);
+                entering = first_column(&strain, streamlines);
             }
-            self.eigenstress.stress(&strain, &entering, &mut stress);
-            let path = self.law.follow(&stress, &self.background, &strain, &entering, &mut image);
+            self.elasticity.redistribute(&strain, &entering);
+            let path = self.law.follow(&self.elasticity, &self.background, &strain, &entering, &mut image);
             let change = largest_difference(&image, &strain) * self.strain_scale;
             if change <= self.tolerance || iterations >= self.max_iterations || !change.is_finite() {
                 return Ok(SteadyPassage { strain: image, entering, path, iterations, change });
             }
-            let active = self.active.start * layers..self.active.end * layers;
-            let part = |field: &Columns| -> Vec<f64> {
-                field.iter().flat_map(|component| &component[active.clone()]).copied().collect()
-            };
-            let mut next = part(&strain);
-            let residual: Vec<f64> = part(&image).iter().zip(&next).map(|(g, x)| g - x).collect();
-            anderson.advance(&mut next, &residual);
-            for (c, values) in next.chunks_exact(active.len()).enumerate() {
-                strain[c][active.clone()].copy_from_slice(values);
-                strain[c][active.end..].copy_from_slice(&image[c][active.end..]);
-                // Downstream of the active columns the extrapolated strain continues like its image
-                // under the iteration.
-                for at in (0..active.start).rev() {
-                    strain[c][at] = strain[c][at + layers] + (image[c][at] - image[c][at + layers]);
-                }
+            self.extrapolate(&mut anderson, &mut strain, &image, streamlines);
+        }
+    }
+
+    /// The next iterate, from the last one and its image.
+    fn extrapolate(
+        &self,
+        anderson: &mut Anderson,
+        strain: &mut Field<N>,
+        image: &Field<N>,
+        streamlines: usize,
+    ) {
+        let active = self.active.start * streamlines..self.active.end * streamlines;
+        let part = |field: &Field<N>| -> Vec<f64> {
+            field.iter().flat_map(|component| &component[active.clone()]).copied().collect()
+        };
+        let mut next = part(strain);
+        let residual: Vec<f64> = part(image).iter().zip(&next).map(|(g, x)| g - x).collect();
+        anderson.advance(&mut next, &residual);
+        for (c, values) in next.chunks_exact(active.len()).enumerate() {
+            strain[c][active.clone()].copy_from_slice(values);
+            strain[c][active.end..].copy_from_slice(&image[c][active.end..]);
+            // Downstream of the active columns the extrapolated strain continues like its image
+            // under the iteration.
+            for at in (0..active.start).rev() {
+                strain[c][at] = strain[c][at + streamlines] + (image[c][at] - image[c][at + streamlines]);
             }
         }
     }
 }
 
-/// The strain of the first column, by layer.
-pub(super) fn first_column(strain: &Columns, layers: usize) -> Vec<[f64; 3]> {
-    (0..layers).map(|j| [0, 1, 2].map(|c| strain[c][j])).collect()
+/// The strain of the first column, by streamline.
+pub(super) fn first_column<const N: usize>(strain: &Field<N>, streamlines: usize) -> Vec<[f64; N]> {
+    (0..streamlines).map(|j| from_fn(|c| strain[c][j])).collect()
 }
 
 /// Largest Frobenius norm of a − b; NaN if either contains one.
-fn largest_difference(a: &Columns, b: &Columns) -> f64 {
+fn largest_difference<const N: usize>(a: &Field<N>, b: &Field<N>) -> f64 {
     let mut largest = 0.0_f64;
     for at in 0..a[0].len() {
-        let d = [0, 1, 2].map(|c| a[c][at] - b[c][at]);
-        let square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        let square: f64 = (0..N).map(|c| (a[c][at] - b[c][at]) * (a[c][at] - b[c][at])).sum();
         // `max` would ignore NaN.
         if square.is_nan() {
             return f64::NAN;

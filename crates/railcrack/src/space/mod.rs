@@ -51,7 +51,7 @@ pub use fold::{FoldError, FoldedBodyError, FoldedCrack, FoldedResolution};
 pub use load::{SpaceFluidLoad, SpaceLoad};
 pub use passage::{SpacePassages, space_passage};
 pub use plane::{PlaneFrame, Surroundings, Symmetric, image_stress, kelvin_stress, moment, traction};
-pub use rail::{CracksInSpace, SpaceRail, SpaceWheel};
+pub use rail::{CracksInSpace, SpaceRail, SpaceWheel, StandingStress};
 pub use shape::{CloseCracks, Extent, ShapeError, SpaceCrack, SpaceError};
 pub use shapes::{ShapesError, body_of};
 pub use states::{SpaceFaces, SpaceHistory, SpacePassageSettings, SpaceStatus};

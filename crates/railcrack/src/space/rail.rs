@@ -33,10 +33,17 @@ use crate::load::Bending;
 use crate::material::IsotropicElastic;
 use crate::math::{RailBox, Vec2};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// A warning is issued where rates differ from those of the ellipse by more than this share of the
 /// largest rate.
 const MISFIT: f64 = 0.25;
+
+/// A stress of the uncracked rail that is there with and without the wheels, and varies across it.
+pub trait StandingStress: Send + Sync {
+    /// The stress (MPa) at x, lateral and depth (mm).
+    fn stress(&self, point: [f64; 3]) -> Symmetric;
+}
 
 /// Everything that does not change in a run with cracks in space.
 pub struct SpaceRail {
@@ -44,6 +51,9 @@ pub struct SpaceRail {
     pub steel: IsotropicElastic,
     /// The wheels, at least one; recorded faces and jumps are those under the first one.
     pub wheels: Vec<SpaceWheel>,
+    /// Stress that adds to the residual stress of the wheels; `None` where nothing varies across
+    /// the rail.
+    pub standing: Option<Arc<dyn StandingStress>>,
     /// Crack-face friction coefficient of each crack.
     pub friction: Vec<f64>,
     /// Treatment of the contact of many cracks; in groups, trapped fluid is not sealed.
@@ -304,11 +314,17 @@ impl CrackedRail for SpaceRail {
             let over = |position: f64, at: [f64; 2]| wheel.pressure(position, at);
             let wheel = PatchOnRail { patch: wheel, poisson };
             let uncovered = residual.as_deref().map(|field| Uncovered { field, removed });
-            let stays = |point: [f64; 3]| residual_stress(uncovered.as_ref(), point);
+            let standing = self.standing.as_deref();
+            let stays = |point: [f64; 3]| {
+                let residual = residual_stress(uncovered.as_ref(), point);
+                let [x, lateral, depth] = point;
+                let across = standing.map_or([0.0; 6], |field| field.stress([x, lateral, depth + removed]));
+                std::array::from_fn(|c| residual[c] + across[c])
+            };
             let load = SpaceLoad {
                 wheel: &wheel,
                 bending: bending.as_ref(),
-                constant: uncovered.is_some().then_some(&stays as &StressAt),
+                constant: (uncovered.is_some() || standing.is_some()).then_some(&stays as &StressAt),
                 fluid: fluid.as_ref().map(|fluid| SpaceFluidLoad { fluid, over: &over }),
             };
             let passage = stabilised_over(&contact, groups.as_deref(), &load, passages, observer)

@@ -3,6 +3,7 @@
 
 mod brute_force;
 mod direct;
+mod in_space;
 mod invariance;
 mod limits;
 mod manufacturing;

@@ -59,6 +59,7 @@ fn first_step(cracks: &[[f64; 4]], fluid: Option<CrackFluid>, network: NetworkCo
     };
     let rail = SpaceRail {
         network,
+        standing: None,
         steel: steel(),
         wheels: vec![wheel],
         friction: (0..cracks.len()).map(|k| 0.2 + 0.05 * k as f64).collect(),

@@ -50,6 +50,7 @@ fn rail(wheels: Vec<SpaceWheel>, friction: f64, wear: f64) -> SpaceRail {
     let maintenance = SurfaceRemoval { wear, stress: StressMoves::WithSurface, ..SurfaceRemoval::NONE };
     SpaceRail {
         network: NetworkContact::Whole,
+        standing: None,
         steel: steel(),
         wheels,
         friction: vec![friction],

@@ -230,6 +230,7 @@ fn of_the_2d_engine_under_a_mix_with_wear() {
     };
     let rail = SpaceRail {
         network: NetworkContact::Whole,
+        standing: None,
         steel: steel(),
         wheels: MIX.iter().map(in_space).collect(),
         friction: vec![friction],
