@@ -2,7 +2,7 @@
 
     python_gallery.py
 
-Needs the package with `railcrack[all]`. Writes docs/figures/python/*.svg.
+Needs the package with `railcrack[all]`. Writes docs/figures/python/*.png.
 """
 
 import re
@@ -15,8 +15,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs/python/gallery.md"
 PICTURES = ROOT / "docs/figures/python"
-# The same file from the same picture, with text as text.
-SETTINGS = 'backend: Agg\nsvg.hashsalt: railcrack\nsvg.fonttype: none\n'
+SETTINGS = "backend: Agg\nsavefig.dpi: 72\n"
 
 
 def main():
@@ -26,9 +25,9 @@ def main():
         shutil.copytree(ROOT / "cases", place / "cases")
         (place / "matplotlibrc").write_text(SETTINGS)
         for block in re.findall(r"```python\n(.*?)```", PAGE.read_text(), re.S):
-            code = block.replace('.svg")', '.svg", metadata={"Date": None})')
+            code = block.replace('.png")', '.png", metadata={"Software": None})')
             subprocess.run([sys.executable, "-c", code], cwd=place, check=True)
-        for picture in sorted(place.glob("*.svg")):
+        for picture in sorted(place.glob("*.png")):
             shutil.copy(picture, PICTURES)
             print(f"{picture.name}: {picture.stat().st_size} bytes")
 

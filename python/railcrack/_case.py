@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _errors, _railcrack
+from . import _errors, _railcrack, _toml
 from ._errors import PUBLIC, BadInput, FolderError, RailcrackError
 from ._html import facts
 from ._packed import packed, unpack
@@ -108,6 +108,11 @@ class Case(Sourced):
         return self._core.steps
 
     @property
+    def _is_open_ended(self) -> bool:
+        """Whether the run ends when the answer is known, with `steps` as a limit."""
+        return "steps" not in _toml.read(self.text).get("growth", {})
+
+    @property
     def engine(self) -> str:
         """`xfem` or `dislocation`."""
         return self._core.engine
@@ -174,7 +179,7 @@ class Case(Sourced):
         Raises `NotConverged` and, on Ctrl-C, within one load step, `Interrupted`; the finished
         steps are in their `partial_run`. Other Python threads continue to run.
         """
-        told = teller(progress, self.steps + 1)
+        told = teller(progress, self.steps + 1, ends_before=self._is_open_ended)
         try:
             before = resume._core if resume is not None else None
             if before is not None and not resume._is_in_memory:  # type: ignore[union-attr]
@@ -199,7 +204,8 @@ class Case(Sourced):
         return hash(self.to_toml())
 
     def __repr__(self) -> str:
-        return f"<railcrack.Case {self.title!r}: {len(self._core.cracks)} cracks, {self.steps} steps, {self.engine}>"
+        limit = "at most " if self._is_open_ended else ""
+        return f"<railcrack.Case {self.title!r}: {len(self._core.cracks)} cracks, {limit}{self.steps} steps, {self.engine}>"
 
     def _repr_html_(self) -> str:
         rows = [("engine", self.engine), ("cracks", len(self._core.cracks)), ("increments", self.steps)]

@@ -16,7 +16,7 @@ def table(name: str, rows: int, columns: Mapping[str, Any], meanings: Mapping[st
     body = ""
     for place, row in enumerate(shown):
         if rows > ROWS and place == ROWS // 2:
-            body += f"<tr><td colspan='{len(columns)}'>…</td></tr>"
+            body += f"<tr><td colspan='{len(list(columns))}'>…</td></tr>"
         body += "<tr>" + "".join(f"<td>{_number(columns[c][row])}</td>" for c in columns) + "</tr>"
     return (
         f"<div><b>{escape(name)}</b>: {rows} rows<table><thead><tr>{head}</tr></thead>"

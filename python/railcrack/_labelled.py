@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
@@ -59,7 +60,9 @@ def dataset(table: Columns) -> xarray.Dataset:
     import xarray
 
     def attributes(column: str) -> dict[str, str]:
-        return {"units": table.units.get(column, ""), "long_name": table.meanings.get(column, "")}
+        meaning, unit = table.meanings.get(column, ""), table.units.get(column, "")
+        named = {"long_name": _short(meaning) or column, "description": meaning}
+        return named | {"units": unit} if unit else named
 
     kept, keys = _keys(table)
     labels: dict[str, NDArray[Any]] = {}
@@ -80,7 +83,9 @@ def dataset(table: Columns) -> xarray.Dataset:
             continue
         values = _spread(table[column][kept], flat, shape)
         if column in _COORDINATES:
-            coordinates[column] = (*_along(_COORDINATES[column], dimensions, values), attributes(column))
+            along, values = _along(_COORDINATES[column], dimensions, values)
+            whole = table[column].dtype.kind == "i" and np.isfinite(values).all()
+            coordinates[column] = (along, values.astype(np.int64) if whole else values, attributes(column))
         else:
             variables[column] = (dimensions, values, attributes(column))
     return xarray.Dataset(variables, coordinates, attrs={"table": table.name})
@@ -139,3 +144,9 @@ def _along(wanted: tuple[str, ...], dimensions: list[str], values: NDArray[Any])
     first = low.squeeze(axes)
     kept = np.where(np.isfinite(first), first, np.nan) if values.dtype.kind == "f" else first.astype(values.dtype)
     return [name for name in dimensions if name in wanted], kept
+
+
+def _short(meaning: str) -> str:
+    """The subject of a meaning, for axes: `K_II` of `K_II, MPa√m.`"""
+    subject = re.split(r"[,;:.(]", meaning)[0].strip()
+    return "" if subject.startswith("As in") else subject

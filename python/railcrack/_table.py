@@ -133,8 +133,8 @@ class Table(Mapping[str, NDArray[Any]]):
     def to_xarray(self) -> xarray.Dataset:
         """An `xarray.Dataset` with the dimensions `step`, `wheel` (of a mix), `crack`, `tip` and
         `position`, of the faces `point`, as far as the table has them; in space the tips are the
-        points of the front, with the coordinate `phi_deg`, their angle. Each variable has `units`
-        and `long_name`. Missing rows are NaN.
+        points of the front, with the coordinate `phi_deg`, their angle. Each variable has
+        `long_name`, `description`, and `units` if it has a unit. Missing rows are NaN.
 
         Of the passages of a step the dataset has the last one, which is the stabilised one;
         `table.where(passage=1).to_xarray()` has another. A table without such columns has the

@@ -37,7 +37,7 @@ def table(name: str, rows: int, columns: Mapping[str, Any], units: Mapping[str, 
         else:
             blocks.append(cells)
     text = "\n\n".join("\n".join(line.rstrip() for line in block) for block in blocks)
-    return f"{name}: {rows} rows of {len(columns)} columns\n{text}"
+    return f"{name}: {rows} rows of {len(list(columns))} columns\n{text}"
 
 
 def number(value: Any) -> str:

@@ -74,7 +74,8 @@ impl StudyCore {
     }
 
     /// Opens the folder `out` to compute the runs `own`; returns the numbers of the remaining runs
-    /// and of those that have failed permanently. `entry` is begin, of the whole study, resume or replace.
+    /// and of those that have failed permanently. `entry` is begin, of the whole study, resume or
+    /// replace.
     fn enter(
         &self,
         py: Python<'_>,

@@ -193,7 +193,8 @@ fn key_schema(key: &Key) -> Value {
             schema.insert("items".into(), group);
         }
     }
-    // Not of the vocabulary: readers of a schema ignore such keywords, generators of classes use them.
+    // Not of the vocabulary: readers of a schema ignore such keywords, generators of classes use
+    // them.
     if let Some(unit) = unit_of(key.kind) {
         schema.insert("x-unit".into(), unit.into());
     }
