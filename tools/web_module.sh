@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# The engine of the pages as a WebAssembly module, in target/web/railcrack-VERSION.wasm:
+# The engine of the pages as a WebAssembly module, in target/web/railcrack-VERSION.wasm, and where it is given in FOLDER:
 #
-#     tools/web_module.sh
+#     tools/web_module.sh [FOLDER]
 #
 # Needs Rust with rustup, which brings the target. It is compiled below target/web, so that nothing that other builds made is
 # compiled again.
 set -euo pipefail
+folder=${1:+$(mkdir -p "$1" && cd "$1" && pwd)}
 cd "$(dirname "$0")/.."
 
 target=wasm32-unknown-unknown
@@ -16,4 +17,5 @@ cargo rustc --quiet --locked --profile web --target "$target" --target-dir targe
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
 module=target/web/railcrack-$version.wasm
 cp "target/web/$target/web/railcrack_web.wasm" "$module"
-printf '%s: %s bytes\n' "$module" "$(stat -c %s "$module")"
+[ -z "$folder" ] || cp "$module" "$folder"
+printf '%s: %s bytes\n' "${folder:-target/web}/railcrack-$version.wasm" "$(stat -c %s "$module")"

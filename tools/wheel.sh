@@ -30,6 +30,9 @@ else
     how=(--zig --target "$machine-unknown-linux-gnu")
 fi
 rm -rf "target/wheels/$machine"
+# The engine of pages comes with the package.
+tools/web_module.sh python/railcrack
+trap 'rm -rf "$scratch" python/railcrack/railcrack-*.wasm' EXIT
 (
     cd python
     PATH=$tools/bin:$PATH maturin build --quiet --release --locked --compatibility manylinux2014 \

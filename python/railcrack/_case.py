@@ -2,27 +2,30 @@
 
 from __future__ import annotations
 
-import io
 import os
 import tempfile
-import zipfile
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from html import escape
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _errors, _railcrack
+from . import _errors, _railcrack, _toml
 from ._errors import PUBLIC, BadInput, FolderError, RailcrackError
 from ._html import facts
+from ._packed import packed, unpack
 from ._plot import RunPlots
 from ._progress import Progress, teller
 from ._results import RunResults
+from ._sections import Changes, Sections
 from ._source import Source, Sourced
 from ._table import Table
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 History = NDArray[np.float64]
 """K through the stabilised passage: shape (samples, 2), K_I and K_II in MPa√m, in the order of
@@ -62,10 +65,11 @@ class Check:
 class Case(Sourced):
     """A validated case: rail, wheel, cracks, growth.
 
-    >>> case = Case({"contact": {"peak_pressure_mpa": 845.0, "half_width_mm": 6.75},
-    ...              "crack": [{"mouth_mm": 0.0, "length_mm": 6.0, "angle_deg": 15.0}]})
+    >>> case = Case(contact=rc.Hertz(845.0, 6.75, friction=0.1), growth=rc.Growth(steps=5),
+    ...             cracks=[rc.Crack(mouth_mm=0.0, length_mm=6.0, angle_deg=15.0, friction=0.3)])
 
-    The keys are those of the case file (docs/case-file.md). A case never changes; `with_` makes
+    The keys are those of the case file (docs/case-file.md); a section is an object of its class or
+    a dictionary. A case never changes; `with_` makes
     another one. It can be pickled together with the files that it names.
 
     Raises `CaseError` with all errors at once, each with file, line, column and key.
@@ -74,23 +78,24 @@ class Case(Sourced):
     _core: _railcrack.Case
     _parse = staticmethod(_railcrack.Case.parse)
 
-    def __init__(self, sections: Mapping[str, Any] | str) -> None:
-        """A case from a dictionary of sections or from the text of a case file. File names are
-        relative to the working directory."""
-        self._set(Source.of(sections, "case"))
+    def __init__(self, sections: Mapping[str, Any] | str | None = None, **given: Unpack[Sections]) -> None:
+        """A case from its sections (`contact`, `cracks` or `wheels`, `growth`, …), from a
+        dictionary of them, or from the text of a case file. File names are relative to the working
+        directory."""
+        self._set(Source.of(_sections(sections, given), "case"))
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Case:
         """The case in the file `path`."""
         return cls._read(path)
 
-    def with_(self, **sections: Mapping[str, Any] | list[Any] | str | None) -> Case:
-        """The case with other values: `case.with_(growth={"steps": 5}, crack={"friction": 0.2})`.
+    def with_(self, **sections: Unpack[Changes]) -> Case:
+        """The case with other values: `case.with_(growth={"steps": 5}, cracks={"friction": 0.2})`.
 
         Sections are changed key by key and added if missing; None removes a key or a section. A
-        dictionary for `crack` changes every crack, a list of dictionaries replaces them.
+        dictionary for `cracks` changes every crack, a list replaces them.
         """
-        return Case._of(self._source.changed(sections))
+        return Case._of(self._source.changed(_singular(sections)))
 
     @property
     def title(self) -> str:
@@ -101,6 +106,11 @@ class Case(Sourced):
     def steps(self) -> int:
         """Number of increments."""
         return self._core.steps
+
+    @property
+    def _is_open_ended(self) -> bool:
+        """Whether the run ends when the answer is known, with `steps` as a limit."""
+        return "steps" not in _toml.read(self.text).get("growth", {})
 
     @property
     def engine(self) -> str:
@@ -169,7 +179,7 @@ class Case(Sourced):
         Raises `NotConverged` and, on Ctrl-C, within one load step, `Interrupted`; the finished
         steps are in their `partial_run`. Other Python threads continue to run.
         """
-        told = teller(progress, self.steps + 1)
+        told = teller(progress, self.steps + 1, ends_before=self._is_open_ended)
         try:
             before = resume._core if resume is not None else None
             if before is not None and not resume._is_in_memory:  # type: ignore[union-attr]
@@ -194,12 +204,31 @@ class Case(Sourced):
         return hash(self.to_toml())
 
     def __repr__(self) -> str:
-        return f"<railcrack.Case {self.title!r}: {len(self._core.cracks)} cracks, {self.steps} steps, {self.engine}>"
+        limit = "at most " if self._is_open_ended else ""
+        return f"<railcrack.Case {self.title!r}: {len(self._core.cracks)} cracks, {limit}{self.steps} steps, {self.engine}>"
 
     def _repr_html_(self) -> str:
         rows = [("engine", self.engine), ("cracks", len(self._core.cracks)), ("increments", self.steps)]
         text = f"<details><summary>all values</summary><pre>{escape(self.to_toml())}</pre></details>"
         return facts(self.title, rows, text)
+
+
+def _singular(sections: Mapping[str, Any]) -> dict[str, Any]:
+    """`sections` with the names of the case file for lists: `crack` of `cracks`."""
+    names = {"cracks": "crack", "wheels": "wheel"}
+    for several, one in names.items():
+        if several in sections and one in sections:
+            raise TypeError(f"{several}, {one}: only one of them")
+    return {names.get(name, name): section for name, section in sections.items()}
+
+
+def _sections(sections: Mapping[str, Any] | str | None, given: Mapping[str, Any]) -> Mapping[str, Any] | str:
+    """The sections of a case, given as one argument or as several."""
+    if isinstance(sections, str) and given:
+        raise TypeError(f"{', '.join(given)}: not beside a text; Case(text).with_(…) changes it")
+    if isinstance(sections, str):
+        return sections
+    return _singular({**(sections or {}), **given})
 
 
 _COUNTS = ("wheel", "representative")
@@ -249,23 +278,17 @@ class Run(RunResults):
     def __reduce__(self) -> tuple[Any, ...]:
         with tempfile.TemporaryDirectory(prefix="railcrack-") as scratch:
             folder = self.save(Path(scratch) / "run", report=False) if self._is_in_memory else self._folder
-            packed = io.BytesIO()
-            with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive:
-                for file in sorted(Path(folder or "").rglob("*")):
-                    if file.is_file() and file.name != "report.html" and "plots" not in file.parts:
-                        archive.write(file, file.relative_to(folder or ""))
-        return _unpacked, (packed.getvalue(),)
+            return _unpacked, (packed(folder or Path()),)
 
     def __repr__(self) -> str:
         where = "in memory" if self._is_in_memory else str(self._folder)
         return f"<railcrack.Run {self.title!r}: {self.steps} steps, {self.stop or 'not ended'}, {where}>"
 
 
-def _unpacked(packed: bytes) -> Run:
+def _unpacked(content: bytes) -> Run:
     """A run from its packed folder, which is kept as long as the run."""
     folder = tempfile.TemporaryDirectory(prefix="railcrack-")
-    with zipfile.ZipFile(io.BytesIO(packed)) as archive:
-        archive.extractall(folder.name)
+    unpack(content, Path(folder.name))
     run = Run.open(folder.name)
     run._keeps = folder
     return run

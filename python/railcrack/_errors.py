@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 PUBLIC = "railcrack.errors"
@@ -49,6 +49,12 @@ class Fault:
     def __str__(self) -> str:
         return self.text
 
+    def by_argument(self) -> Fault:
+        """The error of a value that was given in Python: with the argument instead of a line."""
+        text = ": ".join(filter(None, [self.key, self.message]))
+        text += f" ({self.help})" if self.help else ""
+        return replace(self, line=None, column=None, text=text)
+
 
 class CaseError(BadInput):
     """An invalid case or study; `errors` lists all its errors."""
@@ -60,6 +66,10 @@ class CaseError(BadInput):
     def __init__(self, errors: list[Any]) -> None:
         self.errors = [e if isinstance(e, Fault) else Fault(*e) for e in errors]
         super().__init__(self.errors)
+
+    def by_argument(self, name: str) -> CaseError:
+        """The same errors, those of the text called `name` with their arguments instead of lines."""
+        return CaseError([fault.by_argument() if fault.file == name else fault for fault in self.errors])
 
     def __str__(self) -> str:
         return "\n".join(map(str, self.errors))

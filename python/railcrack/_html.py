@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from html import escape
 from typing import Any
 
-ROWS = 10
+from ._text import ROWS, number
 
 
 def table(name: str, rows: int, columns: Mapping[str, Any], meanings: Mapping[str, str]) -> str:
@@ -16,7 +16,7 @@ def table(name: str, rows: int, columns: Mapping[str, Any], meanings: Mapping[st
     body = ""
     for place, row in enumerate(shown):
         if rows > ROWS and place == ROWS // 2:
-            body += f"<tr><td colspan='{len(columns)}'>…</td></tr>"
+            body += f"<tr><td colspan='{len(list(columns))}'>…</td></tr>"
         body += "<tr>" + "".join(f"<td>{_number(columns[c][row])}</td>" for c in columns) + "</tr>"
     return (
         f"<div><b>{escape(name)}</b>: {rows} rows<table><thead><tr>{head}</tr></thead>"
@@ -34,5 +34,4 @@ def facts(title: str, rows: list[tuple[str, Any]], below: str = "") -> str:
 
 
 def _number(value: Any) -> str:
-    text = f"{value:.6g}" if isinstance(value, float) else str(value)
-    return escape("" if text == "nan" else text)
+    return escape(number(value))

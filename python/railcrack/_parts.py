@@ -19,6 +19,7 @@ from ._case import Case, History
 from ._errors import BadInput
 from ._html import facts
 from ._progress import Progress, teller
+from ._sections import Hertz
 from ._table import Table
 
 Array = NDArray[np.float64]
@@ -188,16 +189,6 @@ class DislocationBody(Body):
 
 
 @dataclass(frozen=True)
-class Hertz:
-    """A wheel in Hertzian line contact, in full sliding."""
-
-    peak_pressure_mpa: float
-    half_width_mm: float
-    friction: float = 0.0
-    """Signed: > 0 drags the rail along +x."""
-
-
-@dataclass(frozen=True)
 class OwnWheel:
     """A user-defined wheel on the half-plane y ≤ 0: a field in equilibrium that moves with x_c."""
 
@@ -209,7 +200,7 @@ class OwnWheel:
     edges of the contact."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Passage:
     """The stabilised passage of a wheel over fixed cracks: m output positions, p face points, q
     tips."""
@@ -242,6 +233,12 @@ class Passage:
     """Change of K between the last two passages relative to its peak; None after a single
     passage."""
 
+    def __repr__(self) -> str:
+        peak = max(float(np.abs(k).max(initial=0.0)) for k in (self.ki_mpa_sqrt_m, self.kii_mpa_sqrt_m))
+        tips, positions = self.ki_mpa_sqrt_m.shape
+        count = f"{tips} tip{'s' if tips != 1 else ''}, {positions} positions, {self.passages} passages"
+        return f"<railcrack.Passage: {count}, peak K {peak:.4g} MPa√m>"
+
 
 def passage(
     body: Body,
@@ -262,7 +259,7 @@ def passage(
     """The stabilised passage of a wheel over the cracks of `body`, with unilateral contact and
     friction on their faces.
 
-    load: `Hertz`, or an `OwnWheel` whose stress is a function.
+    load: `Hertz` with peak pressure and half-width, or an `OwnWheel` whose stress is a function.
     friction: of the crack faces, one number or one for each crack.
     residual: a balanced residual stress as a function of points (n, 2) in mm: shape (n, 3), sxx, syy
         and sxy in MPa.
@@ -276,8 +273,10 @@ def passage(
     frictions = [float(f) for f in (np.full(cracks, given) if given.ndim == 0 else given)]
     wheel: tuple[Any, ...]
     if isinstance(load, Hertz):
-        half_width = load.half_width_mm
-        wheel = (load.peak_pressure_mpa, load.half_width_mm, load.friction)
+        if load.peak_pressure_mpa is None or load.half_width_mm is None:
+            raise BadInput("Hertz: a passage in the plane needs peak_pressure_mpa and half_width_mm")
+        half_width = float(load.half_width_mm)
+        wheel = (float(load.peak_pressure_mpa), half_width, float(load.friction or 0.0))
     else:
         edges = [float(edge) for edge in load.edges_mm]
         half_width = 0.5 * (max(edges) - min(edges)) if edges else 1.0

@@ -74,8 +74,9 @@ class _Lines:
 
 
 class _Bar:
-    def __init__(self, total: int, unit: str, tqdm: Any) -> None:
-        self.bar = tqdm(total=total, unit=f" {unit}", bar_format="{l_bar}{bar}| {n:.2f}/{total} [{elapsed}<{remaining}]")
+    def __init__(self, total: int | None, unit: str, tqdm: Any) -> None:
+        known = "{l_bar}{bar}| {n:.2f}/{total} [{elapsed}<{remaining}]"
+        self.bar = tqdm(total=total, unit=f" {unit}", bar_format=known if total else "{n:.2f}{unit}s [{elapsed}]{postfix}")
 
     def __call__(self, kind: str, value: Any) -> None:
         if kind == "said":
@@ -90,8 +91,9 @@ class _Bar:
         self.bar.close()
 
 
-def teller(progress: Progress, total: int, unit: str = "step") -> Teller:
-    """The listener for a computation of `total` steps or runs."""
+def teller(progress: Progress, total: int, unit: str = "step", *, ends_before: bool = False) -> Teller:
+    """The listener for a computation of `total` steps or runs; one that `ends_before` may have
+    fewer."""
     if progress is True:
         try:
             with warnings.catch_warnings():
@@ -100,5 +102,5 @@ def teller(progress: Progress, total: int, unit: str = "step") -> Teller:
                 from tqdm.auto import tqdm
         except ImportError:
             return _Lines(total, unit)
-        return _Bar(total, unit, tqdm)
+        return _Bar(None if ends_before else total, unit, tqdm)
     return _ToFunction(progress, total) if callable(progress) else _Silent()

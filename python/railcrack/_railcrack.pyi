@@ -16,6 +16,7 @@ __all__ = [
     "case_body",
     "command",
     "dislocation_body",
+    "engine_folders",
     "hourlier_pineau",
     "kink_functions",
     "passage",
@@ -31,6 +32,7 @@ _Failed = tuple[int, str, str]
 _Tell = Callable[[str, Any], object]
 
 def command(arguments: Sequence[str]) -> int: ...
+def engine_folders(folders: list[Path]) -> None: ...
 def version() -> str: ...
 
 @final

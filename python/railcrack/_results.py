@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _railcrack
+from ._decision import InspectionInterval, Life, Verdict, inspection_of, life_of, verdict_of
 from ._errors import BadInput, FolderError
 from ._grid import FieldGrid
 from ._html import facts
@@ -72,6 +73,30 @@ class RunResults:
         return dict(json.loads(self._core.summary_json()))
 
     @property
+    def verdict(self) -> Verdict | None:
+        """The verdict: `level`, and `reasons` with their sentences. Without axle loads
+        (`[traffic]`, `[[wheel]]`) there is one only if the model does not describe the run."""
+        return verdict_of(self.summary)
+
+    @property
+    def life(self) -> Life:
+        """Million gross tonnes until the first failure, its mode, crack and tip, and the load
+        cycles of the run."""
+        return life_of(self.summary)
+
+    @property
+    def inspection(self) -> InspectionInterval | None:
+        """The inspection interval, and what it rests on; None without `[inspection]`, and if the
+        verdict is `stop` or `outside`."""
+        return inspection_of(self.summary)
+
+    @property
+    def decision(self) -> dict[str, Any] | None:
+        """The whole decision, as in `summary.json`: risk, paths, scatter, wheels; None without
+        axle loads."""
+        return self.summary["decision"]  # type: ignore[no-any-return]
+
+    @property
     def title(self) -> str:
         """Title of the case."""
         return str(self.summary["title"])
@@ -91,6 +116,13 @@ class RunResults:
     def warnings(self) -> list[str]:
         """Warnings, in order."""
         return [w["text"] if isinstance(w, dict) else str(w) for w in self.summary["warnings"]]
+
+    def to_xarray(self) -> Any:
+        """K and growth as one `xarray.Dataset` with the dimensions `step`, `wheel` (of a mix),
+        `crack`, `tip` and `position`; in space the tips are the points of the front, with their
+        angle `phi_deg`. Stabilised passages only; `run.faces.to_xarray()` has the faces."""
+        data = self.sif.to_xarray().merge(self.growth.to_xarray(), compat="override", join="outer")
+        return data.assign_attrs(title=self.title, table="sif, growth")
 
     def cracks(self, step: int | None = None) -> list[NDArray[np.float64]]:
         """Each crack: shape (points, 2), x and y in mm; at the start of `step` 0, or of the last

@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 
 from . import _toml
 from ._errors import CaseError
+from ._section import plain
 
 
 @dataclass(frozen=True)
@@ -19,6 +20,8 @@ class Source:
     text: str
     name: str
     files: tuple[tuple[str, bytes], ...] = ()
+    is_written: bool = True
+    """Whether the user wrote the text, so that its lines mean something in errors."""
 
     @classmethod
     def of(cls, sections: Mapping[str, Any] | str, name: str) -> Source:
@@ -26,9 +29,9 @@ class Source:
         working directory."""
         if isinstance(sections, str):
             return cls.gathered(sections, name, Path())
-        named, tables = _toml.without_tables(sections, "table")
+        named, tables = _toml.without_tables(plain(sections), "table")
         source = cls.gathered(_toml.write(named), name, Path())
-        return cls(source.text, name, (*source.files, *tables))
+        return cls(source.text, name, (*source.files, *tables), is_written=False)
 
     @classmethod
     def gathered(cls, text: str, name: str, folder: Path, under: str = "") -> Source:
@@ -56,10 +59,10 @@ class Source:
 
     def changed(self, changes: Mapping[str, Any]) -> Source:
         """The source with `changes`, whose file names are relative to the working directory."""
-        changes, tables = _toml.without_tables(changes, f"changed-{len(self.files)}")
+        changes, tables = _toml.without_tables(plain(changes), f"changed-{len(self.files)}")
         new = Source.gathered(_toml.write(changes), self.name, Path(), f"changed-{len(self.files)}")
         text = _toml.write(_toml.changed(_toml.read(self.text), _toml.read(new.text) | _removed(changes)))
-        return Source(text, self.name, (*self.files, *new.files, *tables))
+        return Source(text, self.name, (*self.files, *new.files, *tables), is_written=False)
 
 
 Made = TypeVar("Made", bound="Sourced")
@@ -86,7 +89,14 @@ class Sourced:
 
     def _set(self, source: Source, core: Any = None) -> None:
         self._source = source
-        self._core = core or self._parse(source.text, source.name, Path(), list(source.files))
+        if core is None:
+            try:
+                core = self._parse(source.text, source.name, Path(), list(source.files))
+            except CaseError as error:
+                if source.is_written:
+                    raise
+                raise error.by_argument(source.name) from None
+        self._core = core
 
     @classmethod
     def _read(cls: type[Made], path: str | os.PathLike[str]) -> Made:

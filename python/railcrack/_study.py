@@ -5,7 +5,8 @@ from __future__ import annotations
 import os
 import queue
 import tempfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,9 +14,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _railcrack
-from ._case import Case, Interrupted, Run
+from ._case import Case, Interrupted, Run, _singular
 from ._errors import PUBLIC, BadInput, RailcrackError
 from ._html import facts
+from ._packed import packed, unpack
 from ._plot import StudyPlots
 from ._progress import Progress, teller
 from ._source import Source, Sourced
@@ -31,8 +33,9 @@ Failed = tuple[int, str, str]
 class Study(Sourced):
     """A study, which is a case with lists of values, and its results.
 
-    `map` computes it, in this process or in several; `table` has one row per run. A study can be
-    pickled; its results stay in their folder.
+    `map` computes it, in this process or in several; `table` has one row per run, and
+    `for run in study` gives the runs. A study can be pickled; results in a temporary folder travel
+    with it, those in a folder of the user stay there.
 
     Raises `CaseError` with all errors of all its cases at once.
     """
@@ -45,7 +48,14 @@ class Study(Sourced):
     def __init__(self, sections: Mapping[str, Any] | str) -> None:
         """A study from a dictionary of sections with lists of values, or from the text of a study
         file. File names are relative to the working directory."""
-        self._set(Source.of(sections, "study"))
+        self._set(Source.of(sections if isinstance(sections, str) else _singular(sections), "study"))
+
+    @classmethod
+    def of(cls, case: Case, **lists: Mapping[str, Any]) -> Study:
+        """The study of `case` with lists instead of values:
+        `Study.of(case, contact={"friction": [0.1, 0.2]}, cracks={"angle_deg": [15.0, 30.0]})`."""
+        source = case._source.changed(_singular(lists))
+        return cls._of(replace(source, name="study"))
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Study:
@@ -78,6 +88,16 @@ class Study(Sourced):
     def __len__(self) -> int:
         return len(self._core.runs)
 
+    def __iter__(self) -> Iterator[Run]:
+        """The runs of a computed study; those that could not be computed are left out."""
+        states = self.results["state"]
+        return (self.run(number) for number, state in zip(self.numbers, states, strict=True) if state == "done")
+
+    @property
+    def cases(self) -> Iterator[Case]:
+        """The case of each run."""
+        return (self.case(number) for number in self.numbers)
+
     def case(self, number: int) -> Case:
         """The case of a run."""
         core = self._core.case(number)
@@ -92,6 +112,7 @@ class Study(Sourced):
         *,
         out: str | os.PathLike[str] | None = None,
         resume: bool = False,
+        replace: bool = False,
         progress: Progress = False,
         threads: int | None = None,
         report: bool = False,
@@ -99,11 +120,12 @@ class Study(Sourced):
         """Computes the runs and returns the study with its results.
 
         executor: anything with `submit` (`concurrent.futures`, the client of `dask.distributed`,
-            `mpi4py.futures`) or with `map` (a pool of `multiprocessing`); None computes in this
-            process, on `threads` threads. Workers return the files of the run folders.
+            `mpi4py.futures`) or with `map` (a pool of `multiprocessing`), or a `joblib.Parallel`;
+            None computes in this process, on `threads` threads. Workers return the files of the run folders.
         out: the folder of the study, as written by `railcrack sweep`; None: a temporary folder,
             kept as long as the returned study.
         resume: continue the study in `out` without computing finished runs again.
+        replace: remove what `out` holds of another study.
         threads: threads of each run; by default 1 with an executor, otherwise all processors.
         report: plots and report of every run too, not only of the study.
 
@@ -112,7 +134,7 @@ class Study(Sourced):
         """
         keeps = None if out is not None else tempfile.TemporaryDirectory(prefix="railcrack-study-")
         folder = Path(out) if out is not None else Path(keeps.name if keeps else "") / "study"
-        waiting, failed = self._core.enter(folder, self.numbers, "resume" if resume else "begin")
+        waiting, failed = self._core.enter(folder, self.numbers, "resume" if resume else "replace" if replace else "begin")
         told = teller(progress, len(waiting), "run")
         lost: list[int] = []
         interrupted = False
@@ -193,6 +215,13 @@ class Study(Sourced):
         """Plots with matplotlib."""
         return StudyPlots(self)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self._out is None:
+            return _unpacked, (self._source, None, None)
+        if self._keeps is None:
+            return _unpacked, (self._source, self._out.absolute(), None)
+        return _unpacked, (self._source, None, packed(self._out))
+
     def __repr__(self) -> str:
         where = "not computed" if self._out is None else str(self._out)
         return f"<railcrack.Study {self.title!r}: {len(self)} runs, {where}>"
@@ -201,6 +230,17 @@ class Study(Sourced):
         rows: list[tuple[str, Any]] = [("runs", len(self))]
         rows.extend((key, ", ".join(values)) for key, values in self.keys.items())
         return facts(self.title, rows, self.results._repr_html_() if self._out is not None else "")
+
+
+def _unpacked(source: Source, folder: Path | None, content: bytes | None) -> Study:
+    """A study with its results, if it has any."""
+    study = Study._of(source)
+    study._out = folder
+    if content is not None:
+        study._keeps = tempfile.TemporaryDirectory(prefix="railcrack-study-")
+        study._out = Path(study._keeps.name) / "study"
+        unpack(content, study._out)
+    return study
 
 
 class StudyIncomplete(RailcrackError):
@@ -261,6 +301,9 @@ def _study_of(source: Source) -> Study:
 
 def _results(executor: Any, task: _Task, numbers: list[int]) -> Iterable[tuple[int, Any]]:
     """The results, or the exceptions of lost workers, in order of completion."""
+    if hasattr(executor, "n_jobs") and callable(executor):  # joblib
+        yield from zip(numbers, executor((task, (number,), {}) for number in numbers), strict=True)
+        return
     if not hasattr(executor, "submit"):
         mapped = getattr(executor, "imap", None) or executor.map
         yield from zip(numbers, mapped(task, numbers), strict=True)

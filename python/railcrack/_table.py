@@ -8,32 +8,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _arrow, _html
+from . import _arrow, _html, _labelled, _text
+from ._units import unit_of
 
 if TYPE_CHECKING:
     import pandas
     import polars
     import xarray
-
-_UNITS = {
-    "mpa_sqrt_m": "MPa m^(1/2)",
-    "mm_per_cycle": "mm",
-    "mpa": "MPa",
-    "mm2": "mm^2",
-    "mm": "mm",
-    "angle_deg": "degree",
-    "deg": "degree",
-    "mgt": "Mt",
-    "tonnes": "Mt",
-}
-
-
-def unit_of(column: str) -> str:
-    """The unit given by the suffix of a column name: `ki_mpa_sqrt_m` is in `MPa m^(1/2)`; empty
-    without a unit."""
-    endings = [ending for ending in _UNITS if column.endswith("_" + ending)]
-    return _UNITS[max(endings, key=len)] if endings else ""
-
 
 def under(rows: Table, wheel: int = 1) -> Table:
     """Of the rows of a mix those of one wheel; all rows of a single wheel."""
@@ -48,15 +29,15 @@ class Table(Mapping[str, NDArray[Any]]):
     arrays of str, empty for missing values. Columns, units and signs are those of the CSV file of
     the same name (docs/file-formats.md); `units` and `meanings` list them by column.
 
-    A table is a mapping, has a length in rows (`rows`), converts (`to_pandas`, `to_polars`,
-    `to_xarray`), and is an Arrow stream (`__arrow_c_stream__`), so that pyarrow, polars, duckdb or
-    nanoarrow can read it directly.
+    A table is a mapping from names to columns whose `len` is its rows; it prints its numbers,
+    converts (`to_pandas`, `to_polars`, `to_xarray`), and is an Arrow stream
+    (`__arrow_c_stream__`), so that pyarrow, polars, duckdb or nanoarrow can read it directly.
     """
 
     name: str
     """`sif`, `growth`, `faces`, `residual`, …"""
     units: dict[str, str]
-    """Unit of each column; empty without a unit."""
+    """Unit of each column, as pint reads it: `MPa m^(1/2)`, `mm/cycle`; empty without a unit."""
     meanings: dict[str, str]
     """Meaning of each column."""
 
@@ -78,6 +59,8 @@ class Table(Mapping[str, NDArray[Any]]):
         return list(self._columns)
 
     def __getitem__(self, column: str) -> NDArray[Any]:
+        if column not in self._columns:
+            raise KeyError(_text.unknown(column, self._columns, f"the table {self.name} has no column"))
         values, words = self._columns[column]
         if words is None and isinstance(values, np.ndarray):
             return values
@@ -87,9 +70,10 @@ class Table(Mapping[str, NDArray[Any]]):
         return self._texts[column]
 
     def __getattr__(self, column: str) -> NDArray[Any]:
-        if not column.startswith("_") and column in self._columns:
+        if not column.startswith("_") and column in self.__dict__.get("_columns", {}):
             return self[column]
-        raise AttributeError(f"the table {self.__dict__.get('name')} has no column {column}")
+        columns = self.__dict__.get("_columns", {})
+        raise AttributeError(_text.unknown(column, columns, f"the table {self.__dict__.get('name')} has no column"))
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._columns]
@@ -98,7 +82,15 @@ class Table(Mapping[str, NDArray[Any]]):
         return iter(self._columns)
 
     def __len__(self) -> int:
-        return len(self._columns)
+        return self.rows
+
+    def __contains__(self, column: object) -> bool:
+        return column in self._columns
+
+    def __eq__(self, other: object) -> bool:
+        return self is other
+
+    __hash__ = object.__hash__
 
     def where(self, **values: Any) -> Table:
         """Rows in which the named columns have the given values: `sif.where(step=0, crack=1)`."""
@@ -139,14 +131,16 @@ class Table(Mapping[str, NDArray[Any]]):
         return frame if isinstance(frame, polars.DataFrame) else polars.DataFrame(frame)
 
     def to_xarray(self) -> xarray.Dataset:
-        """An `xarray.Dataset` along the dimension `row`, each variable with `units` and
-        `long_name`."""
-        import xarray
+        """An `xarray.Dataset` with the dimensions `step`, `wheel` (of a mix), `crack`, `tip` and
+        `position`, of the faces `point`, as far as the table has them; in space the tips are the
+        points of the front, with the coordinate `phi_deg`, their angle. Each variable has
+        `long_name`, `description`, and `units` if it has a unit. Missing rows are NaN.
 
-        variables = {
-            key: ("row", self[key], {"units": self.units[key], "long_name": self.meanings[key]}) for key in self
-        }
-        return xarray.Dataset(variables, attrs={"table": self.name})
+        Of the passages of a step the dataset has the last one, which is the stabilised one;
+        `table.where(passage=1).to_xarray()` has another. A table without such columns has the
+        dimension `row`.
+        """
+        return _labelled.dataset(self)
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
         """The table as a capsule with an Arrow stream; numbers are not copied."""
@@ -157,7 +151,10 @@ class Table(Mapping[str, NDArray[Any]]):
         return Table, (self.name, columns)
 
     def __repr__(self) -> str:
-        return f"<railcrack.Table {self.name}: {self.rows} rows of {', '.join(self)}>"
+        return f"<railcrack.Table {self.name}: {self.rows} rows of {len(self._columns)} columns>"
+
+    def __str__(self) -> str:
+        return _text.table(self.name, self.rows, self, self.units)
 
     def _repr_html_(self) -> str:
         return _html.table(self.name, self.rows, self, self.meanings)

@@ -27,7 +27,7 @@ pub use files::{
     DetectionFile, DetectionTable, FieldFile, PointFile, ProfileFile, RatesFile, TablePatch, TableWheel,
     ToughnessFile, WheelTableFile,
 };
-pub use plausible::{ANY, Implausible, Topic, USUAL, Usual, implausible, usual_ranges};
+pub use plausible::{ANY, Implausible, Topic, USUAL, Usual, implausible, json_schema, usual_ranges};
 pub use regular_file::open_regular;
 pub use schema::{
     CaseError, CaseErrors, Choice, Form, Key, Kind, NumberRange, OnlyWith, Pair, Presence, Preset, RangeEnd,
@@ -39,5 +39,5 @@ pub use tables::{
     CalibrationPrior, Combine, ContactExtent, ContactOrigin, ContactSolver, Detection, Engine, FieldOutput,
     FileKey, Fracture, GivenContact, GivenWheel, Inspection, InspectionRisk, Kept, MeshSettings, Output,
     PlaneEngine, PlasticSource, ProfileOrigin, RollingWheels, SECTIONS, STUDY, Scatter, ShakedownSettings,
-    WheelLoading, file_keys, init_text, json_schema, markdown,
+    WheelLoading, file_keys, init_text, markdown,
 };

@@ -1,7 +1,7 @@
 //! Cases.
 
 use crate::background::{Watch, compute, detached};
-use crate::errors::{bad_input, case_error, class_of};
+use crate::errors::{bad_input, case_error, class_of, in_python};
 use crate::judge::OwnJudge;
 use crate::run::RunCore;
 use crate::scratch::{reading, scratch_folder};
@@ -145,7 +145,7 @@ impl CaseCore {
         Ok(match ending {
             Ok(Ending::Ended) => (run, String::new(), String::new()),
             Ok(Ending::Interrupted) => (run, "interrupted".into(), String::new()),
-            Err(error) => (run, class_of(&error).into(), error.to_string()),
+            Err(error) => (run, class_of(&error).into(), in_python(&error.to_string())),
         })
     }
 }

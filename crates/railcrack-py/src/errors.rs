@@ -30,7 +30,21 @@ pub fn case_error(py: Python<'_>, errors: &CaseErrors) -> PyErr {
 
 /// `FolderError`: an unsuitable folder, or a file that cannot be read or written.
 pub fn output_error(py: Python<'_>, error: &OutputError) -> PyErr {
-    exception(py, "FolderError", (error.to_string(),))
+    exception(py, "FolderError", (in_python(&error.to_string()),))
+}
+
+/// `text` with the arguments of functions for the options of the command.
+pub fn in_python(text: &str) -> String {
+    let words = [
+        ("take it up again with `railcrack run --resume`, ", ""),
+        ("another folder with --out", "another folder"),
+        ("name its folder with --out", "name its folder"),
+        ("--resume", "resume=True"),
+        ("--force", "replace=True"),
+        ("--steps", "growth.steps"),
+        ("--engine", "solver.engine"),
+    ];
+    words.iter().fold(text.to_owned(), |text, (option, argument)| text.replace(option, argument))
 }
 
 /// Name of the exception for `error`.
@@ -48,7 +62,7 @@ pub fn class_of(error: &RunError) -> &'static str {
 
 /// The exception for `error`.
 pub fn run_error(py: Python<'_>, error: &RunError) -> PyErr {
-    exception(py, class_of(error), (error.to_string(),))
+    exception(py, class_of(error), (in_python(&error.to_string()),))
 }
 
 /// A `UserWarning` for each damage in the folder of a study.

@@ -29,7 +29,7 @@ mod _railcrack {
     #[pymodule_export]
     use crate::case::CaseCore;
     #[pymodule_export]
-    use crate::command::{command, version};
+    use crate::command::{command, engine_folders, version};
     #[pymodule_export]
     use crate::fatigue::{hourlier_pineau, kink_functions};
     #[pymodule_export]

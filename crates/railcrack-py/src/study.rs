@@ -74,7 +74,8 @@ impl StudyCore {
     }
 
     /// Opens the folder `out` to compute the runs `own`; returns the numbers of the remaining runs
-    /// and of those that have failed permanently. `entry` is begin, of the whole study, or resume.
+    /// and of those that have failed permanently. `entry` is begin, of the whole study, resume or
+    /// replace.
     fn enter(
         &self,
         py: Python<'_>,
@@ -84,6 +85,7 @@ impl StudyCore {
     ) -> PyResult<(Vec<usize>, Vec<Failed>)> {
         let entry = match entry {
             "resume" => part(&own),
+            "replace" => Entry { part: None, existing: ExistingRuns::Replace },
             _ => Entry { part: None, existing: ExistingRuns::Refuse },
         };
         let entered = py.detach(|| {

@@ -7,6 +7,7 @@ use railcrack_run::{OutputError, VERSION};
 use serde_json::{Value, json};
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 /// Variable of the environment that names the file.
 const VARIABLE: &str = "RAILCRACK_ENGINE";
@@ -18,6 +19,9 @@ const CHECKSUM: Option<&str> = option_env!("RAILCRACK_ENGINE_SHA256");
 const MOST: u64 = 50_000_000;
 /// How every module begins: the name of the format and its version 1.
 const MAGIC: [u8; 8] = *b"\0asm\x01\0\0\0";
+
+/// The folders of the package.
+static PACKAGED: OnceLock<Vec<PathBuf>> = OnceLock::new();
 
 const ENGINE: &str = include_str!("assets/engine.js");
 const WORKER: &str = include_str!("assets/worker.js");
@@ -36,8 +40,8 @@ impl PageEngine {
     }
 
     /// The module that the variable `RAILCRACK_ENGINE` names; without it the file
-    /// [`PageEngine::file_name`] beside the program, or in `share/railcrack` beside the folder of
-    /// the program.
+    /// [`PageEngine::file_name`] in the folders of the package ([`PageEngine::come_with`]), or
+    /// beside the program and in `share/railcrack` beside the folder of the program.
     ///
     /// Errors: there is no such file; those of [`PageEngine::read`].
     pub fn find() -> Result<Self, OutputError> {
@@ -49,6 +53,12 @@ impl PageEngine {
             Some(place) => Self::read(place),
             None => Err(OutputError::NoPageEngine { file: Self::file_name(), places }),
         }
+    }
+
+    /// Looks for the module in `folders` from now on, and not beside the program: a package of an
+    /// interpreter knows its environment, its process only the interpreter. The first call counts.
+    pub fn come_with(folders: Vec<PathBuf>) {
+        let _ = PACKAGED.set(folders);
     }
 
     /// The module in the file `path`.
@@ -95,13 +105,18 @@ fn fault(bytes: &[u8], checksum: Option<&str>) -> Option<String> {
     Some(format!("is not the engine that this program was released with (SHA-256 {expected})"))
 }
 
-/// Where the module is looked for; nowhere if the folder of the program is not known.
+/// Where the module is looked for: beside the program only where no package brings it.
 fn places() -> Vec<PathBuf> {
-    let Some(program) = program() else { return Vec::new() };
-    let Some(folder) = program.parent() else { return Vec::new() };
+    let folders = PACKAGED.get().cloned().or_else(folders_of_program).unwrap_or_default();
+    folders.into_iter().map(|place| place.join(PageEngine::file_name())).collect()
+}
+
+/// None if the folder of the program is not known.
+fn folders_of_program() -> Option<Vec<PathBuf>> {
+    let program = program()?;
+    let folder = program.parent()?;
     let shared = folder.parent().map(|above| above.join(SHARED));
-    let folders = [Some(folder.to_path_buf()), shared].into_iter().flatten();
-    folders.map(|place| place.join(PageEngine::file_name())).collect()
+    Some([Some(folder.to_path_buf()), shared].into_iter().flatten().collect())
 }
 
 /// The file of the program; as it was called where the system does not say (Linux without `/proc`).

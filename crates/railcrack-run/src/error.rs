@@ -20,8 +20,9 @@ pub enum OutputError {
     },
     /// A page that is to compute, without the module that does.
     #[error(
-        "a page that computes (`[output] explorer = true`) needs the file {file}, which is not there: looked for {}; the variable RAILCRACK_ENGINE names another place",
-        shown(places)
+        "a page that computes (`[output] explorer = true`) needs the file {file}, which is not there: looked for {}; the variable RAILCRACK_ENGINE names another place; releases have it, and in the sources `tools/web_module.sh {}` makes it",
+        shown(places),
+        places.last().and_then(|place| place.parent()).unwrap_or(Path::new("")).display()
     )]
     NoPageEngine {
         /// Its name.

@@ -168,6 +168,9 @@ fn key_schema(key: &Key) -> Value {
             let switches = words().into_iter().filter_map(|word| word.switch);
             let all = names.into_iter().map(Value::from).chain(switches.map(Value::from));
             schema.insert("enum".into(), all.collect());
+            let words = words();
+            let meanings = words.iter().chain(words.iter().filter(|word| word.switch.is_some()));
+            schema.insert("enumDescriptions".into(), meanings.map(|word| Value::from(word.doc)).collect());
         }
         Kind::Numbers { range, .. } => {
             let mut number = Map::new();
@@ -190,6 +193,14 @@ fn key_schema(key: &Key) -> Value {
             schema.insert("items".into(), group);
         }
     }
+    // Not of the vocabulary: readers of a schema ignore such keywords, generators of classes use
+    // them.
+    if let Some(unit) = unit_of(key.kind) {
+        schema.insert("x-unit".into(), unit.into());
+    }
+    if let Some(with) = &key.only_with {
+        schema.insert("x-only-with".into(), with.shown().into());
+    }
     if let Presence::Default(preset) = key.presence {
         // JSON has no infinity: such a default is left to the description.
         match preset {
@@ -202,6 +213,17 @@ fn key_schema(key: &Key) -> Value {
         };
     }
     Value::Object(schema)
+}
+
+/// The unit of the numbers of a key; none of words and pure numbers.
+fn unit_of(kind: Kind) -> Option<&'static str> {
+    match kind {
+        Kind::Number { unit, .. }
+        | Kind::NumberOr { unit, .. }
+        | Kind::Numbers { unit, .. }
+        | Kind::Points { unit, .. } => Some(unit).filter(|unit| !unit.is_empty()),
+        _ => None,
+    }
 }
 
 fn insert_range(schema: &mut Map<String, Value>, range: NumberRange) {

@@ -1,7 +1,8 @@
 //! JSON Schema of a study.
 
+use crate::plausible::json_schema;
 use crate::schema::section_schema;
-use crate::tables::{SECTIONS, STUDY, json_schema};
+use crate::tables::{SECTIONS, STUDY};
 use serde_json::{Map, Value, json};
 
 /// The JSON Schema (draft 2020-12) of a study: that of a case, with a list allowed instead of any

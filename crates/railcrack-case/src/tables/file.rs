@@ -85,7 +85,7 @@ pub fn file_keys() -> Vec<FileKey> {
     keys
 }
 
-/// The JSON Schema (draft 2020-12) of a case file, for editors.
+/// The JSON Schema (draft 2020-12) of a case file, without the usual ranges.
 #[must_use]
 pub fn json_schema() -> serde_json::Value {
     file_schema(&CASE_FILE)

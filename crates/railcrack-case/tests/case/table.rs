@@ -78,6 +78,11 @@ fn the_schema_says_what_the_reader_accepts() {
     let schema = json_schema();
     let key = |section: &str, key: &str| schema["properties"][section]["properties"][key].clone();
     assert_eq!(key("solver", "engine")["enum"], json!(["xfem", "dislocation", "space"]));
+    assert_eq!(key("rail", "sides")["enumDescriptions"][0], json!("no traction"));
+    let pressure = key("contact", "peak_pressure_mpa");
+    assert_eq!((&pressure["x-unit"], &pressure["x-usual"]), (&json!("MPa"), &json!([50.0, 4000.0])));
+    let of_wheel = &schema["properties"]["wheel"]["items"]["properties"]["contact"]["properties"];
+    assert_eq!(of_wheel["peak_pressure_mpa"]["x-usual"], pressure["x-usual"]);
     assert_eq!(key("growth", "increment")["minimum"], json!(1e-4));
     assert_eq!(key("growth", "increment")["maximum"], json!(0.5));
     assert_eq!(key("passage", "positions")["minimum"], json!(2));
