@@ -17,7 +17,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// Subfolder of the run folder in which its steps are computed again.
 const SCRATCH: &str = "again.partial";
 
-/// What of a run is computed again.
+/// The part of a run that is computed again.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Again {
     /// Its steps, for data that its tables lack.

@@ -254,8 +254,8 @@ impl Choice for Torque {
 }
 
 impl Torque {
-    /// `friction`, which is not negative, with the sign of the shear on the rail along +x of a wheel
-    /// that runs towards `travel`.
+    /// `friction`, which is not negative, with the sign of the shear on the rail along +x under a
+    /// wheel that runs towards `travel`.
     fn signed(self, friction: f64, travel: Travel) -> f64 {
         let forwards = if travel == Travel::Forward { friction } else { -friction };
         match self {

@@ -321,8 +321,8 @@ fn a_pipe_is_no_file_of_a_run() {
 fn a_case_larger_than_the_machine_is_refused() {
     let folder = workplace("budget");
     let cracks = "angle_deg = 40.0\ncount = 30\nspacing_mm = 5.0\n";
-    let large =
-        DISLOCATION_CASE.replace("angle_deg = 40.0", cracks).replace("16", "400").replace("41", "2001");
+    let whole = DISLOCATION_CASE.replace("[solver]\n", "[solver]\nnetwork = \"whole\"\n");
+    let large = whole.replace("angle_deg = 40.0", cracks).replace("16", "400").replace("41", "2001");
     fs::write(folder.join("large.toml"), large).unwrap();
     let told = done(&folder, &["check", "large.toml"]);
     assert!(told.contains("\nmachine\n") && told.contains("--no-limits"), "{told}");
@@ -340,8 +340,8 @@ fn a_case_larger_than_the_machine_is_refused() {
 fn a_signal_ends_a_run_within_its_assembly() {
     let folder = workplace("signal");
     let cracks = "angle_deg = 40.0\ncount = 25\nspacing_mm = 6.0\n";
-    let long =
-        DISLOCATION_CASE.replace("angle_deg = 40.0", cracks).replace("elements = 16", "elements = 400");
+    let whole = DISLOCATION_CASE.replace("[solver]\n", "[solver]\nnetwork = \"whole\"\n");
+    let long = whole.replace("angle_deg = 40.0", cracks).replace("elements = 16", "elements = 400");
     fs::write(folder.join("long.toml"), long).unwrap();
     for signal in ["-INT", "-TERM"] {
         let line = ["run", "long.toml", "--no-limits", "--out", &signal[1..]];

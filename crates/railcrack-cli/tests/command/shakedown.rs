@@ -182,7 +182,8 @@ fn wheels_of_a_mix_roll_in_turn_or_alone() {
         let (header, profile) = table(&folder.join(name).join("profile.csv"));
         let of = |name: &str| header.split(',').position(|own| own == name).unwrap();
         let (depth, across) = (of("depth_mm"), of("szz_mpa"));
-        // Layers lie between the middles of their neighbours' borders: their borders from the surface.
+        // Layers lie between the middles of their neighbours' borders: their borders from the
+        // surface.
         let (mut top, mut sum, mut size) = (0.0, 0.0, 0.0);
         for row in &profile {
             let thickness = 2.0 * (row[depth] - top);

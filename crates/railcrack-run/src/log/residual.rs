@@ -57,8 +57,8 @@ pub struct RolledSummary {
     pub passes: usize,
     /// p0 over the yield stress in shear.
     pub p0_over_k: f64,
-    /// The wheel of a mix that has rolled the rail, or the first of those in turn: the heaviest; null
-    /// for one wheel.
+    /// The wheel of a mix that has rolled the rail, or the first of those in turn: the heaviest;
+    /// null for one wheel.
     pub wheel: Option<String>,
 }
 

@@ -89,7 +89,7 @@ impl ElasticField for Cut<'_> {
     }
 }
 
-/// What rolling leaves in the rail of a case in the plane.
+/// Stress or strain that rolling leaves in the rail of a case in the plane.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RolledStress {
     /// Under a line contact: a plastic stress, still to be balanced.

@@ -61,7 +61,8 @@ fn rolling_patches(case: &Case) -> Option<Vec<(usize, RolledPatch)>> {
     Some(std::iter::once(first).chain(others).collect())
 }
 
-/// The numbers of the wheels of `case` that roll the rail in turn, in their order; one in the plane.
+/// The numbers of the wheels of `case` that roll the rail in turn, in their order; one in the
+/// plane.
 #[must_use]
 pub fn rolling_wheels(case: &Case) -> Vec<usize> {
     let one = || vec![HeaviestWheel::of_case(case).wheel];
@@ -108,6 +109,13 @@ pub fn stabilisation(case: &Case) -> Stabilisation {
     Stabilisation { method, max_passes, ..Stabilisation::default() }
 }
 
+/// The patch under which the bounds of the wheel `number` (from 0) of `case` are searched; none of
+/// a line contact, and of the many wheels of a table, which count by their strips.
+fn patch_for_bounds(case: &Case, number: usize) -> Option<RolledPatch> {
+    let is_tabled = case.wheel_table.as_ref().is_some_and(|table| number >= table.first);
+    if is_tabled { None } else { rolled_patch(case, number) }
+}
+
 /// First yield, the limit of elastic shakedown, and both by depth.
 pub type WheelBounds = (FirstYield, ShakedownLimit, Vec<DepthBounds>);
 
@@ -117,7 +125,7 @@ pub type WheelBounds = (FirstYield, ShakedownLimit, Vec<DepthBounds>);
 #[must_use]
 pub fn bounds_under(case: &Case, number: usize, depths_over_a: &[f64]) -> Option<WheelBounds> {
     let wheel = &case.wheels.get(number)?.wheel;
-    let Some(patch) = rolled_patch(case, number) else {
+    let Some(patch) = patch_for_bounds(case, number) else {
         return contact_bounds(wheel, &case.steel, |bounds| {
             (bounds.first_yield(), bounds.shakedown_limit(), bounds.by_depth(depths_over_a))
         });
@@ -131,8 +139,8 @@ pub fn bounds_under(case: &Case, number: usize, depths_over_a: &[f64]) -> Option
     ))
 }
 
-/// The largest pressure of the wheel `number` (from 0) of `case` and its bounds: of its whole patch,
-/// or of its line contact; none where it misses the cracks.
+/// The largest pressure of the wheel `number` (from 0) of `case` and its bounds: of its whole
+/// patch, or of its line contact; none where it misses the cracks.
 #[must_use]
 pub fn wheel_pressure(case: &Case, number: usize) -> Option<ContactPressure> {
     let wheel = &case.wheels.get(number)?.wheel;
@@ -143,7 +151,7 @@ pub fn wheel_pressure(case: &Case, number: usize) -> Option<ContactPressure> {
         first_yield,
         shakedown_limit,
     };
-    let Some(patch) = rolled_patch(case, number) else {
+    let Some(patch) = patch_for_bounds(case, number) else {
         return contact_bounds(wheel, &case.steel, |bounds| {
             of(contact.peak_pressure(), bounds.first_yield().ratio, bounds.shakedown_limit().ratio)
         });

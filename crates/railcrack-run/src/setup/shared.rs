@@ -1,4 +1,4 @@
-//! What several runs of like cases share: meshes and factors of a rail, tables of wheels.
+//! Parts that several runs of like cases share: meshes and factors of a rail, tables of wheels.
 
 use super::carried::{CarriedStressError, plastic_field};
 use super::engine::finite_elements;
@@ -11,7 +11,7 @@ use std::collections::VecDeque;
 use std::sync::{Mutex, PoisonError};
 use thiserror::Error;
 
-/// What a run shares with others: the same bits, sooner.
+/// Parts of a run that others have built: the same bits, sooner.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Shared<'a> {
     /// The rail of another run whose cracks begin the same.

@@ -27,8 +27,8 @@ pub(super) const APART: f64 = 0.35;
 /// Speeds on each side at first, and in all at most.
 const FIRST_SPEEDS: usize = 2;
 const MOST_SPEEDS: usize = 12;
-/// Error of the life at a speed that is left out from which on its neighbours are halved: four times
-/// that of the samples.
+/// Error of the life at a speed that is left out from which on the gaps beside it are halved: four
+/// times that of the samples.
 const LEFT_OUT: f64 = 0.02;
 /// Runs at most between a speed at which the rail fails and one at which it does not, and the
 /// distance, as a fraction of the largest deviation, at which these are near enough.

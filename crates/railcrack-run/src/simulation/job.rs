@@ -18,7 +18,7 @@ pub struct Stage<'a> {
     pub observer: &'a dyn RunObserver,
     /// Maker of plots and pages.
     pub presentation: &'a dyn Presentation,
-    /// What other runs have built.
+    /// Parts that other runs have built.
     pub shared: Shared<'a>,
     /// The state to continue from; none at the beginning.
     pub state: Option<GrowthState>,

@@ -319,27 +319,6 @@ impl SurfaceSystem {
         Some((at(first), at(last)))
     }
 
-    /// Abscissae (mm) at which the contact of the nodes `loaded` ends: next to its ends the square of
-    /// the pressure, in `jump`, falls evenly. None without contact.
-    pub fn ends(&self, jump: &[f64], loaded: &[bool]) -> Option<(f64, f64)> {
-        let first = loaded.iter().position(|&loaded| loaded)?;
-        let last = loaded.iter().rposition(|&loaded| loaded)?;
-        let x = |node: usize| self.surface.nodes[node].x;
-        let end = |outer: usize, inner: Option<usize>, beyond: Option<usize>| {
-            let (Some(inner), Some(beyond)) = (inner, beyond) else { return x(outer) };
-            let [own, more] = [outer, inner].map(|node| self.pressure(jump, node).max(0.0).powi(2));
-            let share = if more > own { own / (more - own) } else { 1.0 };
-            let to = x(outer) + share * (x(outer) - x(inner));
-            to.clamp(x(outer).min(x(beyond)), x(outer).max(x(beyond)))
-        };
-        let within = |node: usize| Some(node).filter(|&node| node < self.nodes() && loaded[node]);
-        let outside = |node: usize| Some(node).filter(|&node| node < self.nodes());
-        Some((
-            end(first, within(first + 1), first.checked_sub(1)),
-            end(last, last.checked_sub(1).and_then(within), outside(last + 1)),
-        ))
-    }
-
     /// The mean pressure (MPa) over 0.1 a on either side of `mouth` (mm).
     pub fn mean(&self, jump: &[f64], mouth: f64) -> f64 {
         self.surface.mean_over(mouth).into_iter().map(|(i, share)| share * self.pressure(jump, i)).sum()

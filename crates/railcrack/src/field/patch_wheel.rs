@@ -19,7 +19,7 @@ pub struct PatchWheel {
     shear_modulus: f64,
     /// Step of its tables on cracks over that of a fine wheel.
     coarseness: usize,
-    /// What many cracks share; none for a few.
+    /// The table that many cracks share; none for a few.
     table: Option<Arc<PatchTable>>,
 }
 

@@ -139,7 +139,7 @@ pub(super) fn over_mouths(problem: &FaceProblem, solution: &FaceSolution, covere
 /// `problem`.
 pub(super) fn covered(problem: &FaceProblem, solution: &FaceSolution) -> Vec<bool> {
     let pockets = problem.fluid().map_or(&[][..], |fluid| &fluid.pockets);
-    let extent = problem.wheel().and_then(|wheel| wheel.ends(&solution.jump, &solution.loaded));
+    let extent = problem.wheel().and_then(|wheel| wheel.extent(&solution.loaded));
     let covers = |mouth: f64| extent.is_some_and(|(from, to)| from <= mouth && mouth <= to);
     pockets.iter().map(|pocket| pocket.mouth.is_some_and(|mouth| covers(mouth.x))).collect()
 }

@@ -46,7 +46,7 @@ impl<E: Elasticity<N>, const N: usize> Passages<E, N> {
         Ok(self.last.insert(passage))
     }
 
-    /// The plastic strain of the next passage of the same wheel, as the previous ones suggest: their
+    /// The plastic strain of the next passage of the same wheel, as earlier ones suggest: their
     /// last change times the ratio of the last two.
     pub(super) fn guess(&self) -> Field<N> {
         let Some(last) = &self.last else { return self.unstrained() };

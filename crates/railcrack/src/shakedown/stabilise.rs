@@ -268,7 +268,7 @@ impl<'a> PassIteration<'a> {
     }
 }
 
-/// What `passage`, the given number from 1, has changed.
+/// The change by `passage`, a number from 1.
 fn record(rail: &RolledRail, pass: usize, leaving: &[[f64; 3]], passage: &SteadyPassage<3>) -> PassRecord {
     let came = &passage.entering;
     let mut record = PassRecord {

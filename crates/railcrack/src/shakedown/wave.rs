@@ -31,7 +31,7 @@ pub(super) trait Effect<const N: usize, const T: usize>: Copy + Default {
     /// Mean stress in a layer of its own strain.
     fn own_stress(layer: &LayerFactors, strain: &[Complex; N]) -> [Complex; N];
 
-    /// What removes the tractions of this effect, that of all sources, on the surface.
+    /// The part that removes the tractions of all sources on the surface.
     fn image(self) -> Self::Image;
 
     /// The stress of an image with e^(−κd) = `plain` and κ d e^(−κd) = `moment`.
@@ -114,8 +114,8 @@ impl<E: Effect<N, T>, const N: usize, const T: usize> Wave<E, N, T> {
         tractions
     }
 
-    /// The largest out-of-balance force, in the unit of stress, per wave length/2π on a layer, or on
-    /// the surface, after a balance.
+    /// The largest out-of-balance force, in the unit of stress, per wave length/2π on a layer, or
+    /// on the surface, after a balance.
     pub(super) fn imbalance(&self, layers: &[LayerFactors]) -> f64 {
         let borders = self.tractions(layers);
         let mut largest = borders[0].iter().map(|own| own.size()).fold(0.0, f64::max);

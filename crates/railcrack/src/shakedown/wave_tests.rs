@@ -1,4 +1,4 @@
-//! What every wave obeys, in the plane of its direction and across it.
+//! Laws that every wave obeys, in the plane of its direction and across it.
 
 use super::super::antiplane::{Antiplane, AntiplaneWave};
 use super::super::in_plane::{InPlane, PlaneWave};

@@ -486,9 +486,10 @@ fn wet(
     rolling.on(&problem.with_wheel(surface.filter(|_| coupled)).unwrap(), solver)
 }
 
-/// The place of the wheel at which it covers the mouth does not depend on the nodes of the surface.
+/// Constant pressure from the mouth snaps the flap open at one place of the wheel, which the nodes of
+/// the surface move by less than one position; before and behind it K does not depend on them.
 #[test]
-fn a_mouth_is_covered_where_the_contact_ends() {
+fn a_flap_snaps_at_one_position_whatever_the_nodes() {
     let rolling = Rolling::over(vec![surface_crack(0.0, 6.0, 15.0)], 0.1, 0.025);
     let body = rolling.body();
     let mouth = FluidModel::Mouth { cap: f64::INFINITY };
@@ -497,11 +498,13 @@ fn a_mouth_is_covered_where_the_contact_ends() {
     let with = |nodes_per_half_width: f64| {
         let surface = WheelCoupling { nodes_per_half_width, ..coupling(rolling.contact(), &steel()) };
         let problem = FaceProblem::new(&body, &[0.1]).unwrap().with_fluid(Some(fluid.clone()));
-        rolling.on(&problem.with_wheel(surface.on(&body.faces)).unwrap(), &Newton::default())
+        histories(&rolling.on(&problem.with_wheel(surface.on(&body.faces)).unwrap(), &Newton::default()))
     };
-    let off = apart(&with(160.0), &with(NODES));
-    println!("{off}");
-    close(off, 0.0, Absolute(0.02), "of the peak, at the position where the flap snaps");
+    let (fine, usual) = (with(160.0), with(NODES));
+    let peak = largest(fine.iter().copied().flatten());
+    let off = fine.iter().zip(&usual).map(|(a, b)| (a[0] - b[0]).abs().max((a[1] - b[1]).abs()) / peak);
+    let apart = off.filter(|off| *off > 0.005).count();
+    assert!(apart <= 1, "{apart} positions differ by more than 0.5 % of the peak");
 }
 
 #[test]

@@ -31,11 +31,15 @@ const SECTIONS: usize = 16;
 /// Every so many-th place of the path is taken in the coarse search.
 const COARSE: usize = 4;
 
-impl<'a> PatchBounds<'a> {
-    pub(super) fn new(patch: &'a RolledPatch) -> Self {
-        Self(patch)
+impl RolledPatch {
+    /// Its bounds on a rail.
+    #[must_use]
+    pub fn bounds(&self) -> PatchBounds<'_> {
+        PatchBounds(self)
     }
+}
 
+impl PatchBounds<'_> {
     /// p0/k at first yield: 1 / max √J2 over the half-space, for p0 = 1.
     #[must_use]
     pub fn first_yield(&self) -> PlaceBound {

@@ -9,7 +9,7 @@ use super::super::streamline::{Driven, Elasticity, Field, SteadyPassage};
 use super::grid::{Image, SpaceGrid};
 use super::rail::Symmetry;
 
-use super::section::{Section, Slow};
+use super::section_waves::{Section, Slow};
 use super::wave_pair::{Direction, Entries, WavePair};
 use crate::material::IsotropicElastic;
 use crate::math::Tensor;

@@ -4,7 +4,7 @@ use super::super::fourier::Layers;
 use super::rail::Symmetry;
 use std::ops::Range;
 
-/// What the strain does across the rail.
+/// Extent of the strain across the rail.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Across {
     /// It is confined to the active rows of an endlessly wide rail.

@@ -8,6 +8,7 @@ mod outcome;
 mod passes;
 mod rail;
 mod section;
+mod section_waves;
 mod settings;
 mod stabilise;
 mod state;

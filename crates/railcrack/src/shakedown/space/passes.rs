@@ -126,7 +126,7 @@ impl<'a> SpacePasses<'a> {
         }
     }
 
-    /// What the last passage has changed.
+    /// The change by the last passage.
     fn record(&self) -> PassRecord {
         let leaving = &self.passages.entering;
         let none = vec![[0.0; 5]; leaving.len()];

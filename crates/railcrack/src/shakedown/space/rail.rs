@@ -1,7 +1,6 @@
 //! Rails rolled under contacts whose stress varies across them.
 
 use super::super::rail::ShakedownError;
-use super::bounds::PatchBounds;
 use crate::field::{DepthProfile, StressField};
 use crate::load::Travel;
 use crate::material::{IsotropicElastic, KinematicHardening};
@@ -65,12 +64,6 @@ impl Debug for RolledPatch {
 }
 
 impl RolledPatch {
-    /// Its bounds on a rail.
-    #[must_use]
-    pub fn bounds(&self) -> PatchBounds<'_> {
-        PatchBounds::new(self)
-    }
-
     /// Its stress (MPa) at `x` (mm) from its wheel's centre ahead in the direction of travel, in
     /// axes of which x points there.
     pub(super) fn forward_stress(&self, x: f64, y: f64, depth: f64) -> Tensor {

@@ -201,7 +201,7 @@ fn each_period() {
     let rail = rail(patch(1300.0, [6.0, 6.0], 0.1));
     let usual = stabilised(&rail, COARSE, 1);
     for (name, resolution, doubled) in [
-        ("along", SpaceResolution { period: 24, ..COARSE }, 0),
+        ("along", SpaceResolution { period: 16, ..COARSE }, 0),
         ("across", SpaceResolution { lateral_period: 16, ..COARSE }, 1),
     ] {
         let longer = stabilised(&rail, resolution, 1);
@@ -221,8 +221,8 @@ fn apart(one: &StabilisedSpace, other: &StabilisedSpace) -> [f64; 2] {
     })
 }
 
-/// A wheel far below first yield changes nothing that a heavy one has left, though it runs the other
-/// way: to round-off, signs of the shears included.
+/// A wheel far below first yield changes nothing that a heavy one has left, though it runs the
+/// other way: to round-off, signs of the shears included.
 #[test]
 fn a_light_wheel_leaves_the_rail_as_it_is() {
     let heavy = patch(1300.0, [6.0, 6.0], 0.1);
@@ -277,8 +277,8 @@ fn each_wheel_rolls_at_its_lateral_place() {
     };
     let alone = strain(&one, 0.0);
     for y in [-12.0, 12.0] {
-        // Four half-widths apart the stress that the first wheel leaves still changes the flow under
-        // the second one a little: by 6 %.
+        // Four half-widths apart the stress that the first wheel leaves changes the flow under the
+        // second one by 6 %.
         let own = strain(&two, y);
         assert!((own / alone - 1.0).abs() < 0.1, "{y}: {own} of {alone}");
     }
