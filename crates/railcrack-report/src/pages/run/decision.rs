@@ -1,7 +1,7 @@
 //! The decision block of a run: depth over traffic, wheels, interval, scatter.
 
 use super::stored::RunFolder;
-use crate::numbers::{fixed, given, significant, tonnage};
+use crate::numbers::{fixed, given, rounded, significant, tonnage};
 use crate::page::{Banner, Block};
 use crate::pages::phrases::{calibration, detectable_to_critical, sentence};
 use crate::table::{MISSING, Table};
@@ -36,6 +36,12 @@ pub(super) fn decision(run: &RunFolder) -> Vec<Block> {
     vec![Block::Heading("Decision".to_owned()), Block::List(sentences)]
 }
 
+/// What the answer hangs on; none where nothing was varied.
+pub(super) fn sensitivities(run: &RunFolder) -> Option<Table> {
+    let bars = &run.summary.decision.as_ref()?.tornado;
+    (!bars.is_empty()).then(|| tornado(bars))
+}
+
 /// The tables behind it.
 pub(super) fn tables(run: &RunFolder) -> Vec<Block> {
     let Some(decision) = &run.summary.decision else { return Vec::new() };
@@ -45,9 +51,6 @@ pub(super) fn tables(run: &RunFolder) -> Vec<Block> {
     }
     if !decision.risk.risk.is_empty() {
         blocks.push(Block::Table(risks(&decision.risk)));
-    }
-    if !decision.tornado.is_empty() {
-        blocks.push(Block::Table(tornado(&decision.tornado)));
     }
     if !decision.wheels.is_empty() {
         blocks.push(Block::Table(wheels(&decision.wheels)));
@@ -198,8 +201,9 @@ fn tornado(bars: &[TornadoBar]) -> Table {
         "What the answer hangs on, the widest first: lives with other values of what is seldom known"
             .to_owned();
     for bar in bars {
-        let life = bar.mgt.map_or_else(|| "no failure within the run".to_owned(), tonnage);
-        table.row([bar.quantity.clone(), bar.setting.clone(), life, bar.level.word().to_owned()]);
+        let life = bar.mgt.map_or_else(|| "no failure".to_owned(), |mgt| given(rounded(mgt, 2)));
+        let setting = bar.setting.replace('-', "\u{2212}");
+        table.row([bar.quantity.clone(), setting, life, bar.level.word().to_owned()]);
     }
     table
 }
