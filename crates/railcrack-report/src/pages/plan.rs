@@ -35,7 +35,7 @@ pub(crate) fn plan_page(plans: &PlanFolder, case: &Case) -> Page {
                 vec![Block::Table(table(summary)), Block::Table(least(summary))],
             ),
             Section::new("assumptions", "Assumptions", assumptions(summary, case)),
-            Section::new("approval", "Approval", vec![Block::Table(approval(summary))]),
+            Section::new("approval", "Approval", vec![Block::Approval(approval(summary))]),
             case_section(&plans.case_text),
         ],
     }

@@ -257,3 +257,17 @@ fn histories(
     };
     run.growth.iter().filter(|row| row.step == step).map(of_tip).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_straight_path_passes_the_tips_of_its_steps() {
+        let ends = [[0.0, 0.0], [4.0, -3.0]];
+        assert!(passes(&ends, [2.0, -1.5]));
+        assert!(
+            ![[0.0, 0.0], [4.0, -3.0], [2.0, -1.6], [8.0, -6.0]].into_iter().any(|tip| passes(&ends, tip))
+        );
+    }
+}

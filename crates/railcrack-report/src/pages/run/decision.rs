@@ -194,18 +194,23 @@ fn window(inspection: &InspectionSummary) -> String {
     format!("{found}; {critical}.")
 }
 
-/// The inputs on which the answer depends.
+/// The inputs on which the answer depends, a row each.
 fn tornado(bars: &[TornadoBar]) -> Table {
-    let mut table = Table::new(["Quantity", "With", "Life (MGT)", "Verdict"]);
+    let mut table = Table::new(["Quantity", "Value: life, verdict"]);
     table.caption =
-        "What the answer hangs on, the widest first: lives with other values of what is seldom known"
+        "What the answer hangs on, the widest first: lives (MGT) and verdicts with other values of what is seldom known"
             .to_owned();
-    for bar in bars {
-        let life = bar.mgt.map_or_else(|| "no failure".to_owned(), |mgt| given(rounded(mgt, 2)));
-        let setting = bar.setting.replace('-', "\u{2212}");
-        table.row([bar.quantity.clone(), setting, life, bar.level.word().to_owned()]);
+    for bars in bars.chunk_by(|one, next| one.quantity == next.quantity) {
+        let words: Vec<String> = bars.iter().map(bar).collect();
+        table.row(bars.first().map(|bar| bar.quantity.clone()).into_iter().chain([words.join("; ")]));
     }
     table
+}
+
+/// Value, life and verdict of a bar.
+fn bar(bar: &TornadoBar) -> String {
+    let life = bar.mgt.map_or_else(|| "no failure".to_owned(), |mgt| given(rounded(mgt, 2)));
+    format!("{}: {life}, {}", bar.setting.replace('-', "\u{2212}"), bar.level.word())
 }
 
 fn risks(risk: &RiskSummary) -> Table {

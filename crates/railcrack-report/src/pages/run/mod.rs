@@ -72,9 +72,11 @@ pub(crate) fn run_page(
         (!warnings.is_empty()).then_some(Block::Warnings(warnings)).into_iter().collect();
     let mut lead: Vec<Block> = decision::decision(run);
     if run.is_signed() {
-        // The first printed sheet is signed: what the answer hangs on comes before the warnings.
-        lead.extend(parts.growth.into_iter().chain(inputs(run)).chain(warnings));
-        lead.push(Block::Table(approval(format!("Computed with railcrack {VERSION} from the case below"))));
+        // The first printed sheet is signed; what the answer hangs on is part of it.
+        lead.extend(parts.growth.into_iter().chain(inputs(run)));
+        let caption = format!("Computed with railcrack {VERSION} from the case below");
+        lead.push(Block::Approval(approval(caption)));
+        lead.extend(warnings);
     } else {
         lead.extend(warnings.into_iter().chain(parts.growth));
     }
