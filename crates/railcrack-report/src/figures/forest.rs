@@ -30,7 +30,7 @@ const INSIDE: f64 = 300.0;
 const ABOVE: f64 = 24.0;
 const BELOW: f64 = 50.0;
 /// Letters of a name.
-const LETTERS: usize = 38;
+const LETTERS: usize = 33;
 /// Half of the thickness of the bar of a measured range, pixels.
 const BAR: f64 = 6.0;
 /// Ratios that are marked.
@@ -45,8 +45,8 @@ pub fn forest(description: &str, rows: &[ForestRow]) -> String {
     let height = ROW * rows.len() as f64;
     let axes = Axes {
         frame: Frame { left: NAMES, top: ABOVE, width: INSIDE, height },
-        x: Axis::logarithmic(0.8 * low, high / 0.8),
-        // The rows have names, no numbers.
+        x: Axis::logarithmic(0.8 * low, high / 0.8).without_ticks(),
+        // The rows have names, and the ratios their words.
         y: Axis::exact(-(rows.len() as f64), 0.0, 1).without_ticks(),
     };
     let mut svg = Svg::new(NAMES + INSIDE + 16.0, ABOVE + height + BELOW);

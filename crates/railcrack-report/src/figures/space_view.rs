@@ -104,7 +104,9 @@ pub(crate) fn space_view(summary: &Summary, growth: &[TipRow]) -> (String, f64) 
         [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]) + 16.0]
     };
     svg.text(below([corners[0], corners[1]]), &quantity("x along the rail"), style);
-    svg.text(below([corners[1], corners[2]]), &quantity("z across"), style);
+    // The cracks are in front of the right edge.
+    let [x, y] = below([corners[3], corners[0]]);
+    svg.text([x - 10.0, y - 24.0], &quantity("z across"), TextStyle { anchor: Anchor::End, ..style });
     (svg.finish("Cracks below the running surface"), step)
 }
 

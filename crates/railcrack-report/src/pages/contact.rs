@@ -27,8 +27,8 @@ pub fn contact_page(case: &Case, rows: &[WheelRow], drawn: &[usize], across: Opt
             let caption = format!(
                 "Wheel {}: {} % of the axles, {} % of the growth.",
                 row.number,
-                significant(100.0 * row.share),
-                significant(100.0 * row.growth_share)
+                fixed(100.0 * row.share, 1),
+                fixed(100.0 * row.growth_share, 1)
             );
             Some(Block::Picture { svg: patches_picture(row, PatchKey::OnPage)?, caption })
         })
