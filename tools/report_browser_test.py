@@ -96,7 +96,7 @@ NEAREST_COLOURS = """
 ALIKE = """
 [...railcrack.charts].flatMap(([id, chart]) => {
   const looks = new Map();
-  for (const { name, note, look } of chart.curves().filter((curve) => curve.name && !/ %( of the runs| quantile of the samples)?$/.test(curve.name))) {
+  for (const { name, note, look } of chart.curves().filter((curve) => curve.name && !/( %( of the runs)?|of the samples are (less deep|deeper))$/.test(curve.name))) {
     if (!looks.has(look)) looks.set(look, new Set());
     looks.get(look).add(`${name} ${note}`);
   }

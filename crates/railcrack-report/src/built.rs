@@ -104,7 +104,7 @@ impl Built {
             FolderKind::Plan => {
                 let plans = PlanFolder::open(folder)?;
                 let plots = plan_plots(&plans.summary);
-                let page = plan_page(&plans, &plans.case()?, &plots);
+                let page = plan_page(&plans, &plans.case()?);
                 (plots, page)
             }
             FolderKind::Comparison => {

@@ -63,7 +63,7 @@ pub use chart::{
 };
 pub use choices::{AtFirst, Choice, ChoiceGroup, ChoiceMark, Choices};
 pub use engine::PageEngine;
-pub use figures::{CalibratedRun, calibration_charts, patches_picture};
+pub use figures::{CalibratedRun, PatchKey, calibration_charts, patches_picture};
 pub use live_page::{LivePage, live_page};
 pub use numbers::{fixed, grouped, significant, tonnage};
 pub use page::{Banner, Block, Fact, Page, Section};

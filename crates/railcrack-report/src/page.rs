@@ -36,6 +36,8 @@ pub enum Block {
     Warnings(Vec<String>),
     /// A table.
     Table(Table),
+    /// Lines to sign, which end a printed sheet.
+    Approval(Table),
     /// A chart.
     Chart(Chart),
     /// Switches for curves and rows, once on a page.
@@ -236,6 +238,11 @@ fn write_blocks(page: &mut String, blocks: &[Block], scripts: &mut Vec<&'static 
             Block::Table(table) => {
                 table.write(page);
                 Ok(())
+            }
+            Block::Approval(table) => {
+                page.push_str("<div class=\"approval\">");
+                table.write(page);
+                writeln!(page, "</div>")
             }
             Block::Chart(chart) => {
                 chart.write(page);

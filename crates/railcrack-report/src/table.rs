@@ -14,6 +14,8 @@ pub enum CellTone {
     Holds,
     /// A statement that does not hold.
     Fails,
+    /// A statement that is not known to hold.
+    Doubtful,
 }
 
 /// A cell of a table. Its text is plain; `K_{I}` sets an index.
@@ -138,6 +140,7 @@ impl Table {
                     (0, ..) => write!(page, "<th scope=\"row\">{text}</th>"),
                     (_, CellTone::Holds, _) => write!(page, "<td class=\"holds\">{text}</td>"),
                     (_, CellTone::Fails, _) => write!(page, "<td class=\"fails\">{text}</td>"),
+                    (_, CellTone::Doubtful, _) => write!(page, "<td class=\"doubtful\">{text}</td>"),
                     (_, CellTone::Plain, true) => write!(page, "<td class=\"number\">{text}</td>"),
                     (_, CellTone::Plain, false) if short.get(column) == Some(&true) => {
                         write!(page, "<td class=\"short\">{text}</td>")

@@ -7,7 +7,7 @@ use crate::interruption::Remains;
 use crate::print;
 use clap::Args;
 use railcrack_case::Case;
-use railcrack_report::{contact_page, patches_picture};
+use railcrack_report::{PatchKey, contact_page, patches_picture};
 use railcrack_run::contact::{
     GrowthAcross, WheelRow, across_table, by_growth, patch_table, patches_table, sentences, strips_table,
     wheels_table,
@@ -95,7 +95,7 @@ fn files(
     files.extend(across.map(|across| ("across.csv".to_owned(), across_table(across))));
     let picture = |wheel: &usize| {
         let row = &rows[*wheel];
-        Some((format!("plots/{OF_A_WHEEL}{}.svg", row.number), patches_picture(row)?))
+        Some((format!("plots/{OF_A_WHEEL}{}.svg", row.number), patches_picture(row, PatchKey::InPicture)?))
     };
     files.extend(drawn.iter().filter_map(picture));
     if arguments.patches {

@@ -127,7 +127,8 @@ fn a_plan_is_the_run_with_its_grinding() {
     // The page has what is needed to sign it.
     let page = read(&place.join("plan/report.html"));
     let checksum = plan["case_checksum"].as_str().unwrap();
-    for what in [today, then, checksum, "railcrack 0", "Approved by", "counter(pages)", "Assumptions"] {
+    // A year is what is known of a replacement.
+    for what in [today, &then[..4], checksum, "railcrack 0", "Approved by", "counter(pages)", "Assumptions"] {
         assert!(page.contains(what), "{what}");
     }
     // As every decision it says how well rates are known.

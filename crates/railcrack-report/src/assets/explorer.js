@@ -305,17 +305,20 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     }
   }
 
+  /** Fills a list, which is hidden while it is empty. @param {HTMLElement} place @param {string[]} texts */
+  function list(place, texts) {
+    const items = texts.map((textContent) => Object.assign(document.createElement("li"), { textContent }));
+    place.replaceChildren(...items);
+    place.hidden = !texts.length;
+  }
+
   /** @param {{ message: string, line: number | null, help: string | null }[]} errors */
   function refuse(errors) {
     isNow("refused");
-    errorList.replaceChildren(
-      ...errors.map(({ message, line, help }) => {
-        const item = document.createElement("li");
-        item.textContent = `${line ? `line ${line}: ` : ""}${message}${help ? ` (${help})` : ""}`;
-        return item;
-      }),
-    );
-    errorList.hidden = false;
+    /** @param {typeof errors[number]} error */
+    const text = ({ message, line, help }) =>
+      `${line ? `line ${line}: ` : ""}${message}${help ? ` (${help})` : ""}`;
+    list(errorList, errors.map(text));
     readout.textContent = "The case is not computed: its errors are listed below the charts.";
   }
 
@@ -344,8 +347,9 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
 
   // ---- Words ------------------------------------------------------------------------------------
 
+  const OUTSIDE = "Outside of what the model describes";
   /** @type {Record<string, string>} */
-  const LEVELS = { ok: "OK", act: "Act", stop: "Stop", outside: "Outside of what the model describes" };
+  const LEVELS = { ok: "OK", act: "Act", unknown: "Not known", stop: "Stop", outside: OUTSIDE };
   /** @param {Life} life */
   const lifeWords = ({ summary }) => {
     const failure = summary.decision?.failure;
@@ -366,10 +370,18 @@ railcrack.viewer("what-if-engine", "What if", "the program computes the same cas
     banner.hidden = false;
     banner.className = `decision ${verdict?.level ?? "act"}`;
     within(banner, "strong").textContent = verdict ? LEVELS[verdict.level] : "Life";
-    const interval = summary.decision?.inspection?.interval_mgt;
-    within(banner, "span").textContent = verdict
-      ? `${verdict.reasons[0]?.text ?? ""}.${interval ? ` Inspection interval: ${words(interval)} MGT.` : ""}`
-      : `${lifeWords(whole)}.`;
+    within(banner, "span").textContent = `${verdict ? (verdict.reasons[0]?.text ?? "") : lifeWords(whole)}.`;
+    const { paths, act_on, calibration } = summary.decision ?? {};
+    /** @param {number | null} mgt */
+    const life = (mgt) => (mgt === null ? "no failure" : `${words(mgt)} MGT`);
+    const says = [
+      act_on && `inspection interval ${life(act_on.interval_mgt)}, P(missed) ${words(act_on.probability)}`,
+      paths &&
+        `straight ahead ${life(paths.straight)}, as computed ${life(paths.nominal)}, limit path ${life(paths.limit)}`,
+      calibration,
+    ];
+    for (const { step, text } of summary.warnings) says.push(`warning, step ${step}: ${text}`);
+    list(element("what-if-says"), says.filter(Boolean));
     const tip = steps[0]?.tips[0];
     const before = first && first !== whole ? ` As at first: ${lifeWords(first)}.` : "";
     const rest = place.dataset.state === "deciding" ? " The rest of the decision is being computed." : "";

@@ -216,14 +216,17 @@ interface FieldData {
 
 // ---- A run in space ---------------------------------------------------------------------------
 
-interface FrontPoint {
-  /** Parametric angle along the front, degrees; 90 at the deepest point. */
-  phi: number;
+interface FrontPlace {
   x: number;
   depth: number;
   /** Distance from the mouth down the dip, over a fold. */
   down: number;
   z: number;
+}
+
+interface FrontPoint extends FrontPlace {
+  /** Parametric angle along the front, degrees; 90 at the deepest point. */
+  phi: number;
   delta_keq: number;
   rate: number;
   /** Kink that the direction criterion asks for, degrees. */
@@ -249,7 +252,14 @@ interface SpaceData {
     step: number;
     cycles: number;
     /** With the distance of the fold of a folded crack from the mouth. */
-    cracks: { depth: number; half_length: number; fold: number | null; front: FrontPoint[] }[];
+    cracks: {
+      depth: number;
+      half_length: number;
+      fold: number | null;
+      /** A smooth line through the points of the front, closed for a buried crack. */
+      outline: FrontPlace[];
+      front: FrontPoint[];
+    }[];
   }[];
 }
 

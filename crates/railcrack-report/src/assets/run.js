@@ -9,6 +9,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   const { wheels, steps } = data;
   const first = steps[0];
   const isRow = wheels[0].windows !== null;
+  const isMany = isRow || first.tips.length > 4;
 
   // ---- Histories and faces ----------------------------------------------------------------------
 
@@ -104,9 +105,9 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   /** @param {TipData} tip */
   const tipName = (tip) => (hasSecondTips ? `crack ${tip.crack}, tip ${tip.tip}` : `crack ${tip.crack}`);
   const isSingle = data.cracks.length === 1 && !hasSecondTips;
-  /** Of a row the chosen crack stands out. @param {number} crack @param {number} [tip] */
+  /** Of a row or a network the chosen crack stands out. @param {number} crack @param {number} [tip] */
   function colourOf(crack, tip) {
-    if (isRow) return crack === state.crack ? "var(--ink)" : "var(--quiet)";
+    if (isMany) return crack === state.crack ? "var(--ink)" : "var(--quiet)";
     if (isSingle) return "var(--ink)";
     const place = first.tips.findIndex((other) => other.crack === crack && (tip ?? other.tip) === other.tip);
     return `var(--c${Math.max(place, 0) % 9})`;
@@ -337,7 +338,8 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
         const name = isSingle ? `step ${step().step}` : `${tipName(tip)}, step ${step().step}`;
         return figure.curve(name, points, { stroke: colour, "stroke-width": 2.8 });
       });
-      figure.background(state.wheel === 0);
+      // Of many tips the curves of all steps show nothing.
+      figure.background(state.wheel === 0 && (isRow || !isMany));
       figure.show("step", curves);
     }
   }

@@ -18,7 +18,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   const crackAt = (step, crack = state.crack) => steps[step].cracks[crack - 1];
   /** @param {number} step */
   const front = (step, crack = state.crack) => crackAt(step, crack).front;
-  /** A place of a front point on a chart. @typedef {(point: FrontPoint) => Pair} Place */
+  /** A place of a front point on a chart. @typedef {(point: FrontPlace) => Pair} Place */
 
   /** K of the modes over the positions of each wheel, by step, crack and point of its front. */
   const all = await Promise.all(
@@ -51,11 +51,8 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
 
   // ---- Drawing ----------------------------------------------------------------------------------
 
-  /** The front of a crack as a line, closed for a buried one. @param {number} step @param {number} crack */
-  function outline(step, crack) {
-    const points = front(step, crack);
-    return cracks[crack - 1].buried ? [...points, points[0]] : points;
-  }
+  /** The front of a crack as a smooth line. @param {number} step @param {number} crack */
+  const outline = (step, crack) => crackAt(step, crack).outline;
 
   /** The faces of the cracks and their fronts in the first, the last and this step, and the chosen point. @param {ReturnType<typeof chart>} figure @param {Place} place */
   function fronts(figure, place) {
@@ -116,18 +113,9 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     /** @type {Place} */
     const place = ({ x, z, down }) => [(z - middle[1]) * cos - (x - middle[0]) * sin, down];
     const dashed = { stroke: "var(--quiet)", "stroke-dasharray": "6 4" };
+    const across = [figure.x.from, figure.x.to].map((x) => /** @type {Pair} */ ([x, fold ?? 0]));
     figure.show("fronts", [
-      ...(fold === null
-        ? []
-        : [
-            figure.line(
-              [
-                [figure.x.from, fold],
-                [figure.x.to, fold],
-              ],
-              dashed,
-            ),
-          ]),
+      ...(fold === null ? [] : [figure.line(across, dashed)]),
       ...steps.map((_, step) =>
         figure.line(outline(step, state.crack).map(place), {
           stroke: shade(lastStep ? step / lastStep : 0.5),

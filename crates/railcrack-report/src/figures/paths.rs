@@ -74,7 +74,7 @@ fn area(piece: &PieceSummary) -> ChartArea {
 pub(super) fn plot(summary: &Summary, model: &str) -> Plot {
     let cracks = &summary.cracks;
     let curve = |(i, crack): (usize, &CrackSummary)| {
-        let grown = whole(crack).len() > crack.initial_points_mm.len();
+        let grown = whole(crack) != crack.initial_points_mm.as_slice();
         let name = match cracks.len() {
             _ if !grown => String::new(),
             1 => format!("growth, {} increments", summary.steps),

@@ -4,6 +4,7 @@ use super::plot::Plot;
 use crate::chart::{HEADING, draw_heading};
 use crate::numbers::{fixed, given, rounded};
 use crate::svg::{Anchor, GREY, INK, Svg, TextStyle, text};
+use crate::table::CellTone;
 use railcrack_run::decision::VerdictLevel;
 use railcrack_run::planner::{PlanOutcome, PlanSummary, PlannedGrinding};
 
@@ -85,13 +86,19 @@ fn mgt(value: f64) -> String {
 }
 
 fn ground(plan: &PlannedGrinding) -> &'static str {
-    if plan.holds {
-        HOLDS
-    } else if plan.level < VerdictLevel::Stop
-        && (plan.outcome.is_safe() || plan.outcome == PlanOutcome::Unknown)
-    {
-        DOUBTFUL
-    } else {
-        FAILS
+    match tone(plan) {
+        CellTone::Holds => HOLDS,
+        CellTone::Doubtful => DOUBTFUL,
+        _ => FAILS,
+    }
+}
+
+/// Whether a plan holds, is not known to, or fails.
+pub(crate) fn tone(plan: &PlannedGrinding) -> CellTone {
+    let is_safe = plan.outcome.is_safe() || plan.outcome == PlanOutcome::Unknown;
+    match plan.level < VerdictLevel::Stop && is_safe {
+        _ if plan.holds => CellTone::Holds,
+        true => CellTone::Doubtful,
+        false => CellTone::Fails,
     }
 }

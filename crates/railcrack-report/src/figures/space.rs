@@ -3,6 +3,7 @@
 
 use super::plot::Plot;
 use super::sif::far_chart;
+use super::smooth::{LineEnds, smooth};
 use super::wheel_passage::{near, origin};
 use crate::chart::{
     Chart, ChartAspect, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour, CurveDots, CurveLook,
@@ -265,14 +266,14 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
         "From above",
         "Crack fronts from above, to scale.",
         [across(), along()],
-        front_curves(summary, growth, FrontEnds::Joined, |row| Some([row.lateral?, row.place[0]])),
+        front_curves(summary, growth, |row| Some([row.lateral?, row.place[0]])),
     );
     let side = view(
         "from-the-front",
         "Along the rail",
         "Crack fronts viewed along the rail, to scale.",
         [across(), ChartAxis::depth()],
-        front_curves(summary, growth, FrontEnds::Joined, |row| Some([row.lateral?, -row.place[1]])),
+        front_curves(summary, growth, |row| Some([row.lateral?, -row.place[1]])),
     );
     let folded = growth.iter().filter_map(|row| row.phi_deg).any(is_on_strip).then(|| {
         view(
@@ -281,7 +282,7 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
             "Fronts of the folded crack from the side, to scale: the sides of the strip from the mouth to the fold, and the \
              branch below it.",
             [along(), ChartAxis::depth()],
-            front_curves(summary, growth, FrontEnds::Apart, |row| Some([row.place[0], -row.place[1]])),
+            front_curves(summary, growth, |row| Some([row.place[0], -row.place[1]])),
         )
     });
     let sheet = ChartSheet {
@@ -293,31 +294,40 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     Plot::sheet("paths.svg", sheet)
 }
 
-/// The ends of closed fronts.
-#[derive(Clone, Copy, PartialEq)]
-enum FrontEnds {
-    Joined,
-    Apart,
+/// The steps whose fronts are drawn.
+pub(super) fn front_steps(summary: &Summary) -> Vec<usize> {
+    let last = summary.steps_recorded.saturating_sub(1);
+    let parts = last.clamp(1, FRONTS - 1);
+    let mut steps: Vec<usize> = (0..=parts).map(|part| (part * last + parts / 2) / parts).collect();
+    steps.dedup();
+    steps
+}
+
+/// How the points of the fronts of `crack` are joined by a smooth curve; none of a folded crack,
+/// whose front has corners.
+pub(crate) fn front_ends(growth: &[TipRow], crack: usize) -> Option<LineEnds> {
+    let own = growth.iter().filter(|row| row.crack == crack);
+    if own.clone().filter_map(|row| row.phi_deg).any(is_on_strip) {
+        return None;
+    }
+    Some(if has_closed_front(own) { LineEnds::Joined } else { LineEnds::Apart })
 }
 
 /// The fronts of all cracks in some of the steps, at the places `of` their points.
 fn front_curves(
     summary: &Summary,
     growth: &[TipRow],
-    ends: FrontEnds,
     of: impl Fn(&TipRow) -> Option<[f64; 2]>,
 ) -> Vec<Curve> {
-    let last = summary.steps_recorded - 1;
-    let parts = last.clamp(1, FRONTS - 1);
-    let mut steps: Vec<usize> = (0..=parts).map(|part| (part * last + parts / 2) / parts).collect();
-    steps.dedup();
-    let is_closed = |crack: usize| has_closed_front(growth.iter().filter(|row| row.crack == crack));
+    let steps = front_steps(summary);
     let curve = |place: usize, crack: usize| {
         let step = steps[place];
         let rows = rows_of(growth, step).filter(|row| row.crack == crack);
-        let mut points: Vec<[f64; 2]> = rows.filter_map(&of).collect();
-        let first = points.first().copied().filter(|_| ends == FrontEnds::Joined && is_closed(crack));
-        points.extend(first);
+        let points: Vec<[f64; 2]> = rows.filter_map(&of).collect();
+        let points = match front_ends(growth, crack) {
+            Some(ends) => smooth(&points, ends),
+            None => points,
+        };
         let (name, colour) = match step {
             0 => ("initial front".to_owned(), CurveColour::Ink),
             step => (format!("step {step}"), CurveColour::Along(place as f64 / steps.len() as f64)),

@@ -2,7 +2,7 @@
 
 use super::described::described;
 use crate::chart::{Chart, ChartAxis, Curve, CurveLook};
-use crate::figures::patches_picture;
+use crate::figures::{PATCH_KEY, PatchKey, patches_picture};
 use crate::numbers::{fixed, significant};
 use crate::page::{Block, Fact, Page, Section};
 use crate::table::{MISSING, Table};
@@ -27,23 +27,20 @@ pub fn contact_page(case: &Case, rows: &[WheelRow], drawn: &[usize], across: Opt
             let caption = format!(
                 "Wheel {}: {} % of the axles, {} % of the growth.",
                 row.number,
-                significant(100.0 * row.share),
-                significant(100.0 * row.growth_share)
+                fixed(100.0 * row.share, 1),
+                fixed(100.0 * row.growth_share, 1)
             );
-            Some(Block::Picture { svg: patches_picture(row)?, caption })
+            Some(Block::Picture { svg: patches_picture(row, PatchKey::OnPage)?, caption })
         })
         .collect();
     let mut sections = vec![Section::new("wheels", "Wheels", vec![Block::Table(table(rows))])];
     if !pictures.is_empty() {
-        sections.push(Section::new("patches", "Patches", pictures));
+        let key = Block::Text(PATCH_KEY.to_owned());
+        sections.push(Section::new("patches", "Patches", vec![key, Block::Beside(pictures)]));
     }
     let charts = charts(rows, across);
     if !charts.is_empty() {
-        sections.push(Section::new(
-            "places",
-            "Lateral places",
-            charts.into_iter().map(Block::Chart).collect(),
-        ));
+        sections.push(Section::new("places", "Lateral places", vec![Block::charts(charts)]));
     }
     sections.push(Section::new("meaning", "Meaning of the numbers", vec![Block::List(meaning(case))]));
     sections.push(Section::new("assumptions", "Assumptions", vec![Block::List(described(case, &ASSUMED))]));
@@ -86,7 +83,8 @@ const IN_SPACE: [&str; 2] = [
 fn table(rows: &[WheelRow]) -> Table {
     let mut table = Table::new([
         "Wheel",
-        "Share (%)",
+        "Axles (%)",
+        "Growth (%)",
         "p0 (MPa)",
         "a (mm)",
         "b (mm)",
@@ -95,13 +93,13 @@ fn table(rows: &[WheelRow]) -> Table {
         "Slips (%)",
         "Tγ (N)",
         "ΔKeq (MPa√m)",
-        "Growth (%)",
     ]);
     let or_missing = |value: Option<String>| value.unwrap_or_else(|| MISSING.to_owned());
     for row in by_growth(rows).iter().take(SHOWN).map(|wheel| &rows[*wheel]) {
         table.row([
             row.number.to_string(),
             significant(100.0 * row.share),
+            fixed(100.0 * row.growth_share, 1),
             fixed(row.peak_pressure, 0),
             fixed(row.along, 2),
             or_missing(row.across.map(|across| fixed(across, 2))),
@@ -110,7 +108,6 @@ fn table(rows: &[WheelRow]) -> Table {
             or_missing(row.slip_share.map(|share| fixed(100.0 * share, 0))),
             or_missing(row.t_gamma.map(|work| fixed(work, 1))),
             fixed(row.delta_keq, 2),
-            fixed(100.0 * row.growth_share, 1),
         ]);
     }
     if rows.len() > SHOWN {

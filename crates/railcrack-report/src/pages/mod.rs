@@ -1,5 +1,6 @@
 //! The pages, one for each kind of folder.
 
+mod approval;
 mod calibration;
 mod compare;
 mod contact;

@@ -3,12 +3,16 @@
 use crate::numbers::{given, grouped, tonnage};
 use railcrack_run::decision::{Quantiles, ScatterSummary};
 
+/// The quantiles of the depth, by what they are of the growth: the deep cracks are the fast ones.
+pub(super) const SLOW_GROWTH: &str = "slow growth: 5 % of the samples are less deep";
+pub(super) const FAST_GROWTH: &str = "fast growth: 5 % of the samples are deeper";
+
 /// Traffic from detectable to critical in the samples; none if fewer than half become critical.
 pub(super) fn detectable_to_critical(scatter: &ScatterSummary) -> Option<String> {
     let Quantiles { p05, p50, p95 } = scatter.mgt_detectable_to_critical;
     let shown = |mgt: Option<f64>| mgt.map_or_else(|| "more than computed".to_owned(), tonnage);
     let mut text = format!(
-        "Traffic from the detectable to the critical crack: median {} MGT of {} samples, 5 % quantile {}, 95 % quantile {}.",
+        "Traffic from the detectable to the critical crack: median {} MGT of {} samples, 5 % quantile {} (fast growth), 95 % quantile {} (slow growth).",
         shown(Some(p50?)),
         grouped(scatter.samples as f64),
         shown(p05),

@@ -1,6 +1,6 @@
 //! The report of grinding plans: a page that can be printed and signed.
 
-use crate::figures::Plot;
+use crate::figures::{tone, words};
 use crate::numbers::{fixed, given, rounded, significant};
 use crate::page::{Banner, Block, Fact, Page, Section};
 use crate::pages::described::{OF_GROWTH, case_section, described};
@@ -12,21 +12,15 @@ use railcrack_run::decision::VerdictLevel;
 use railcrack_run::files::CASE_FILE;
 use railcrack_run::planner::{LeastGrinding, PlanSummary, PlannedGrinding};
 
-/// The page of `plans` for `case`, with their plots.
-pub(crate) fn plan_page(plans: &PlanFolder, case: &Case, plots: &[Plot]) -> Page {
+/// The page of `plans` for `case`.
+pub(crate) fn plan_page(plans: &PlanFolder, case: &Case) -> Page {
     let summary = &plans.summary;
     let mut lead: Vec<Block> =
         calibration(&summary.calibration).map(|text| Block::List(vec![text])).into_iter().collect();
-    lead.extend(
-        plots.iter().map(|plot| Block::Picture {
-            svg: plot.svg.clone(),
-            caption: "What becomes of the rail by depth and interval of grinding; plan.csv has the numbers."
-                .to_owned(),
-        }),
-    );
     if !summary.warnings.is_empty() {
         lead.push(Block::Warnings(summary.warnings.iter().map(|text| format!("{text}.")).collect()));
     }
+    lead.push(Block::Table(map(summary)));
     Page {
         title: summary.title.clone(),
         kind: "Grinding plan".to_owned(),
@@ -41,10 +35,29 @@ pub(crate) fn plan_page(plans: &PlanFolder, case: &Case, plots: &[Plot]) -> Page
                 vec![Block::Table(table(summary)), Block::Table(least(summary))],
             ),
             Section::new("assumptions", "Assumptions", assumptions(summary, case)),
-            Section::new("approval", "Approval", vec![Block::Table(approval(summary))]),
+            Section::new("approval", "Approval", vec![Block::Approval(approval(summary))]),
             case_section(&plans.case_text),
         ],
     }
+}
+
+/// What becomes of the rail by depth, the deepest on top, and interval of grinding: as a table,
+/// which a phone shows whole.
+fn map(summary: &PlanSummary) -> Table {
+    let intervals = summary.grinding_interval_mgt.iter().map(|mgt| format!("every {} MGT", given(*mgt)));
+    let mut table = Table::new([String::new()].into_iter().chain(intervals));
+    table.caption = format!(
+        "What becomes of the rail by depth and interval of grinding, up to a horizon of {} MGT; plan.csv has the numbers",
+        given(rounded(summary.horizon_mgt, 4))
+    );
+    for (row, depth) in summary.grinding_mm.iter().enumerate().rev() {
+        let cells = (0..summary.grinding_interval_mgt.len()).map(|column| {
+            let plan = summary.plan(row, column);
+            plan.map_or_else(Cell::default, |plan| Cell::toned(&words(plan).join("; "), tone(plan)))
+        });
+        table.row([Cell::from(format!("{} mm", given(*depth)))].into_iter().chain(cells));
+    }
+    table
 }
 
 /// Those of the plans, and the case from which they begin.
@@ -100,6 +113,11 @@ fn traffic(mgt: f64, months: Option<f64>) -> String {
     format!("{} MGT{months}", given(rounded(mgt, 4)))
 }
 
+/// The year of an ISO `date`.
+fn year(date: &str) -> &str {
+    date.split('-').next().unwrap_or(date)
+}
+
 fn facts(summary: &PlanSummary) -> Vec<Fact> {
     let without = &summary.without_grinding;
     let mut facts = vec![Fact::new(
@@ -115,7 +133,8 @@ fn facts(summary: &PlanSummary) -> Vec<Fact> {
                 format!("at a removal of {} mm, with the least grinding", fixed(limit, 1))
             });
             let when = match &least.replacement_date {
-                Some(date) => format!("{date}, after {}", traffic(mgt, least.months_to_wear_limit)),
+                // A day years ahead would promise more than is known.
+                Some(date) => format!("{}, after {}", year(date), traffic(mgt, least.months_to_wear_limit)),
                 None => format!("after {}", traffic(mgt, least.months_to_wear_limit)),
             };
             facts.push(Fact::new("Replacement", when, limit));
@@ -196,14 +215,8 @@ fn least(summary: &PlanSummary) -> Table {
 
 /// Space for names.
 fn approval(summary: &PlanSummary) -> Table {
-    let mut table = Table::new(["", "Name", "Date", "Signature"]);
-    table.caption = format!(
+    super::approval::approval(format!(
         "Computed on {} with railcrack {} from the case {}",
         summary.date, summary.version, summary.case_checksum
-    );
-    for role in ["Prepared by", "Checked by", "Approved by"] {
-        let line = "_".repeat(18);
-        table.row([role.to_owned(), line.clone(), line.clone(), line]);
-    }
-    table
+    ))
 }

@@ -3,6 +3,7 @@
 use crate::chart::{
     Chart, ChartArea, ChartAxis, ChartSheet, Curve, CurveColour, CurveDots, CurveLook, CurveWidth,
 };
+use crate::figures::{ForestRatio, ForestRow, forest};
 use crate::numbers::significant;
 use crate::page::{Block, Fact, Page, Section};
 use crate::table::Table;
@@ -87,7 +88,7 @@ impl<'a> ValidationPage<'a> {
             decision: None,
             verdict: self.verdict(),
             facts: facts.collect(),
-            lead: Vec::new(),
+            lead: self.forest().to_vec(),
             sections: self.sections(),
         }
     }
@@ -124,14 +125,37 @@ impl<'a> ValidationPage<'a> {
             let prior = vec![Block::Table(self.prior()), Block::List(vec![PRIOR.to_owned()])];
             sections.push(Section::new("prior", "Prior of the coefficient", prior));
         }
-        let numbered = self.charts.iter().enumerate();
-        sections.extend(numbered.map(|(i, (_, heading, chart))| {
-            Section::new(format!("chart-{}", i + 1), heading, vec![Block::Chart(chart.clone())])
+        let over_depth = self.charts.iter().filter(|(name, ..)| name == OVER_DEPTH);
+        sections.extend(over_depth.map(|(_, heading, chart)| {
+            Section::new("over-depth", heading, vec![Block::charts([chart.clone()])])
         }));
-        let (compared, sources) = (vec![Block::Table(self.compared())], vec![Block::Table(self.sources())]);
-        sections.push(Section::new("compared", "Compared entries", compared));
-        sections.push(Section::new("entries", "All entries and their sources", sources));
+        let charts = self.charts.iter().filter(|(name, ..)| name != OVER_DEPTH);
+        let charts = Block::charts(charts.map(|(_, heading, chart)| {
+            let caption = format!("{heading}. {}", chart.caption);
+            Chart { caption, ..chart.clone() }
+        }));
+        sections.push(folded("charts", "Predicted against measured, by grade", charts));
+        sections.push(folded("compared", "Compared entries", Block::Table(self.compared())));
+        sections.push(folded("entries", "All entries and their sources", Block::Table(self.sources())));
         sections
+    }
+
+    /// Every compared entry by its name, grade by grade, and what its marks mean.
+    fn forest(&self) -> [Block; 2] {
+        let mut rows = Vec::new();
+        for (grade, name) in GRADES {
+            let of_grade = self.validated.iter().filter(|one| one.entry.grade == grade);
+            let own: Vec<ForestRow> = of_grade.filter_map(forest_row).collect();
+            if !own.is_empty() {
+                rows.push(ForestRow { name: name.to_owned(), ratios: Vec::new() });
+                rows.extend(own);
+            }
+        }
+        let title = "Predicted over measured of every entry";
+        [
+            Block::Picture { svg: forest(title, &rows), caption: FOREST.to_owned() },
+            Block::Text(FOREST_NOTE.to_owned()),
+        ]
     }
 
     fn by_grade(&self) -> Table {
@@ -225,6 +249,33 @@ impl<'a> ValidationPage<'a> {
         table
     }
 }
+
+/// A section that opens on demand.
+fn folded(id: &str, heading: &str, block: Block) -> Section {
+    Section::new(id, heading, vec![Block::Folded { heading: heading.to_owned(), blocks: vec![block] }])
+}
+
+/// The row of an entry that is compared with a number of its own.
+fn forest_row(one: &Validated) -> Option<ForestRow> {
+    let measured = one.entry.comparison.as_ref()?.measured;
+    let ratio = |score: Score, category: usize| ForestRatio {
+        predicted: score.predicted.map(|predicted| predicted / score.measured),
+        measured: [measured.0 / score.measured, measured.1 / score.measured],
+        category: if one.entry.is_scored() { category } else { NOT_SCORED },
+    };
+    let ratios = one.score.map(|score| ratio(score, 0)).into_iter();
+    let ratios: Vec<ForestRatio> = ratios.chain(one.in_space.map(|score| ratio(score, 2))).collect();
+    let name = format!("{} {}", one.entry.id, one.entry.quantity);
+    (!ratios.is_empty()).then_some(ForestRow { name, ratios })
+}
+
+/// The colour of entries that are not scored.
+const NOT_SCORED: usize = 3;
+
+const FOREST: &str = "Predicted over measured of every compared entry. Dot: median; line: 95 % of the samples; grey bar: the range \
+     that was measured. A line that meets its bar agrees with the measurement; a dot between the lines of 1/2 and 2 is right \
+     within a factor of 2.";
+const FOREST_NOTE: &str = "Blue: in the plane. Green: with an elliptical contact and a curved front. Purple: from memory, not scored.";
 
 const MEANING: [&str; 4] = [
     "PIT: the probability, by the samples and the error of measurement, of a value at or below the measured one; over many entries it is even between 0 and 1. An entry is within 95 % if it lies between 0.025 and 0.975.",

@@ -108,6 +108,12 @@ impl Axis {
         self
     }
 
+    /// The axis without ticks: its rows have names.
+    pub(crate) fn without_ticks(mut self) -> Self {
+        self.ticks.clear();
+        self
+    }
+
     /// Letters of the longest label.
     pub(crate) fn widest(&self) -> f64 {
         let letters = |&tick: &f64| self.label(tick).iter().map(Span::letters).sum();

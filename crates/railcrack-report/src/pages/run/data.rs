@@ -57,8 +57,8 @@ pub(super) fn explorer(run: &RunFolder, page_data: &PageData, named: Option<&[Na
         "origin": origin(summary),
         "axle_load": run.case.axle_load,
         "last_step": summary.steps_recorded.saturating_sub(1),
-        "cracks": summary.cracks.iter().map(|crack| json!({
-            "points": crack.points_mm.iter().map(|p| numbers(*p)).collect::<Vec<_>>(),
+        "cracks": (1..=summary.cracks.len()).map(|crack| json!({
+            "points": with_tips(run, crack).iter().map(|p| numbers(*p)).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
         "mouths": numbers((1..=summary.cracks.len()).map(|crack| mouth(run, crack))),
         "pieces": pieces(run),
@@ -100,17 +100,47 @@ pub(super) fn explored_steps(
 /// a tip is that of the final crack: a mouth, or where the crack has joined another one.
 fn polylines(run: &RunFolder, step: usize) -> Value {
     let of_crack = |(i, crack): (usize, &railcrack_run::CrackSummary)| {
-        let mut ends = [0, crack.points_mm.len().saturating_sub(1)];
+        let points = with_tips(run, i + 1);
+        let mut ends = [0, points.len().saturating_sub(1)];
         for row in run.growth.iter().filter(|row| (row.step, row.crack) == (step, i + 1)) {
             let first = run.history(row.crack, row.tip).next().unwrap_or(row);
             // Which end of the crack is the tip's, the initial crack says.
             let end = usize::from(nearest(&crack.initial_points_mm, first.place) > 0);
-            ends[end] = nearest(&crack.points_mm, row.place);
+            ends[end] = nearest(&points, row.place);
         }
         ends
     };
     run.summary.cracks.iter().enumerate().map(of_crack).map(|ends| json!(ends)).collect()
 }
+
+/// The final path of `crack` with a point at its tip of every step: a path that goes straight ahead
+/// has none there.
+fn with_tips(run: &RunFolder, crack: usize) -> Vec<[f64; 2]> {
+    let Some(summary) = run.summary.cracks.get(crack - 1) else { return Vec::new() };
+    let mut points = summary.path_mm.as_ref().unwrap_or(&summary.points_mm).clone();
+    for row in run.growth.iter().filter(|row| row.crack == crack) {
+        // A path under wear is that below the surface as it was at the beginning.
+        let removed = row.removed.filter(|_| summary.path_mm.is_some()).unwrap_or(0.0);
+        let tip = [row.place[0], row.place[1] - removed];
+        let on = points.windows(2).position(|ends| passes(ends, tip));
+        points.splice(on.map_or(0..0, |at| at + 1..at + 1), on.map(|_| tip));
+    }
+    points
+}
+
+/// Whether the segment between two points passes a `place` that is neither of them.
+fn passes(ends: &[[f64; 2]], place: [f64; 2]) -> bool {
+    let &[from, to] = ends else { return false };
+    let along = [to[0] - from[0], to[1] - from[1]];
+    let off = [place[0] - from[0], place[1] - from[1]];
+    let length = along[0].hypot(along[1]);
+    let s = (off[0] * along[0] + off[1] * along[1]) / length;
+    let away = (off[0] * along[1] - off[1] * along[0]).abs() / length;
+    away < ON_PATH && s > ON_PATH && s < length - ON_PATH
+}
+
+/// Distance (mm) from a path up to which a point lies on it: the digits of its file.
+const ON_PATH: f64 = 1e-6;
 
 /// Extent of a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -125,15 +155,9 @@ enum Until {
 fn worn(run: &RunFolder, step: usize, until: Until) -> Option<Vec<Vec<Value>>> {
     let removed = run.growth.iter().find(|row| row.step == step)?.removed?;
     run.summary.cracks.iter().any(|crack| crack.path_mm.is_some()).then_some(())?;
-    let of_crack = |(i, crack): (usize, &railcrack_run::CrackSummary)| {
-        let path: Vec<[f64; 2]> = crack
-            .path_mm
-            .as_ref()
-            .unwrap_or(&crack.points_mm)
-            .iter()
-            .map(|p| [p[0], p[1] + removed])
-            .collect();
-        let row = run.growth.iter().rfind(|row| (row.step, row.crack) == (step, i + 1));
+    let of_crack = |crack: usize| {
+        let path: Vec<[f64; 2]> = with_tips(run, crack).into_iter().map(|[x, y]| [x, y + removed]).collect();
+        let row = run.growth.iter().rfind(|row| (row.step, row.crack) == (step, crack));
         let row = row.filter(|_| until == Until::Now);
         let last = row.map_or(path.len() - 1, |row| nearest(&path, row.place));
         let below = |i: usize| path[i][1] < 0.0;
@@ -146,7 +170,7 @@ fn worn(run: &RunFolder, step: usize, until: Until) -> Option<Vec<Vec<Value>>> {
         let points = mouth.into_iter().chain(path[from..=last].iter().copied());
         points.map(|p| json!(numbers(p))).collect()
     };
-    Some(run.summary.cracks.iter().enumerate().map(of_crack).collect())
+    Some((1..=run.summary.cracks.len()).map(of_crack).collect())
 }
 
 /// The enclosed pieces and the cracks that have joined others, with the first step in which they
@@ -232,4 +256,18 @@ fn histories(
         })
     };
     run.growth.iter().filter(|row| row.step == step).map(of_tip).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_straight_path_passes_the_tips_of_its_steps() {
+        let ends = [[0.0, 0.0], [4.0, -3.0]];
+        assert!(passes(&ends, [2.0, -1.5]));
+        assert!(
+            ![[0.0, 0.0], [4.0, -3.0], [2.0, -1.6], [8.0, -6.0]].into_iter().any(|tip| passes(&ends, tip))
+        );
+    }
 }

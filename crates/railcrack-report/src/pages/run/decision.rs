@@ -1,7 +1,7 @@
 //! The decision block of a run: depth over traffic, wheels, interval, scatter.
 
 use super::stored::RunFolder;
-use crate::numbers::{fixed, given, significant, tonnage};
+use crate::numbers::{fixed, given, rounded, significant, tonnage};
 use crate::page::{Banner, Block};
 use crate::pages::phrases::{calibration, detectable_to_critical, sentence};
 use crate::table::{MISSING, Table};
@@ -36,6 +36,12 @@ pub(super) fn decision(run: &RunFolder) -> Vec<Block> {
     vec![Block::Heading("Decision".to_owned()), Block::List(sentences)]
 }
 
+/// What the answer hangs on; none where nothing was varied.
+pub(super) fn sensitivities(run: &RunFolder) -> Option<Table> {
+    let bars = &run.summary.decision.as_ref()?.tornado;
+    (!bars.is_empty()).then(|| tornado(bars))
+}
+
 /// The tables behind it.
 pub(super) fn tables(run: &RunFolder) -> Vec<Block> {
     let Some(decision) = &run.summary.decision else { return Vec::new() };
@@ -45,9 +51,6 @@ pub(super) fn tables(run: &RunFolder) -> Vec<Block> {
     }
     if !decision.risk.risk.is_empty() {
         blocks.push(Block::Table(risks(&decision.risk)));
-    }
-    if !decision.tornado.is_empty() {
-        blocks.push(Block::Table(tornado(&decision.tornado)));
     }
     if !decision.wheels.is_empty() {
         blocks.push(Block::Table(wheels(&decision.wheels)));
@@ -191,17 +194,23 @@ fn window(inspection: &InspectionSummary) -> String {
     format!("{found}; {critical}.")
 }
 
-/// The inputs on which the answer depends.
+/// The inputs on which the answer depends, a row each.
 fn tornado(bars: &[TornadoBar]) -> Table {
-    let mut table = Table::new(["Quantity", "With", "Life (MGT)", "Verdict"]);
+    let mut table = Table::new(["Quantity", "Value: life, verdict"]);
     table.caption =
-        "What the answer hangs on, the widest first: lives with other values of what is seldom known"
+        "What the answer hangs on, the widest first: lives (MGT) and verdicts with other values of what is seldom known"
             .to_owned();
-    for bar in bars {
-        let life = bar.mgt.map_or_else(|| "no failure within the run".to_owned(), tonnage);
-        table.row([bar.quantity.clone(), bar.setting.clone(), life, bar.level.word().to_owned()]);
+    for bars in bars.chunk_by(|one, next| one.quantity == next.quantity) {
+        let words: Vec<String> = bars.iter().map(bar).collect();
+        table.row(bars.first().map(|bar| bar.quantity.clone()).into_iter().chain([words.join("; ")]));
     }
     table
+}
+
+/// Value, life and verdict of a bar.
+fn bar(bar: &TornadoBar) -> String {
+    let life = bar.mgt.map_or_else(|| "no failure".to_owned(), |mgt| given(rounded(mgt, 2)));
+    format!("{}: {life}, {}", bar.setting.replace('-', "\u{2212}"), bar.level.word())
 }
 
 fn risks(risk: &RiskSummary) -> Table {

@@ -13,10 +13,11 @@ use railcrack_run::csv::TipRow;
 use railcrack_run::decision::{Verdict, VerdictLevel};
 use railcrack_run::run_folder::representative_tip as representative;
 
-/// The first and the last row of the representative tip.
+/// The first row of the representative tip, and that in which it has failed, or its last.
 fn representative_tip(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
     let rows = representative(&run.growth)?;
-    Some((rows.first()?, rows.last()?))
+    let last = rows.iter().rfind(|row| run.is_before_failure(row.step))?;
+    Some((rows.first()?, last))
 }
 
 /// How the crack of a tip is called.

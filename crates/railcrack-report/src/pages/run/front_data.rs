@@ -3,7 +3,7 @@
 use super::stored::RunFolder;
 use super::wheels::passage_of;
 use crate::chart::{Chart, ChartAspect, ChartAxis, ChartRange};
-use crate::figures::WheelPassage;
+use crate::figures::{WheelPassage, front_ends, smooth};
 use crate::numbers::{number, numbers};
 use crate::page::{Block, Section};
 use crate::page_data::{Deflated, PageData};
@@ -203,6 +203,21 @@ impl WayDown {
     }
 }
 
+/// The smooth line through the points `own` of the front of `crack`.
+fn outline(run: &RunFolder, crack: usize, own: &[&TipRow], way: Option<&WayDown>) -> Vec<Value> {
+    let point = |row: &&TipRow| [row.place[0], -row.place[1], row.lateral.unwrap_or(0.0)];
+    let points: Vec<[f64; 3]> = own.iter().map(point).collect();
+    let line = match front_ends(&run.growth, crack) {
+        Some(ends) => smooth(&points, ends),
+        None => points,
+    };
+    let place = |[x, depth, z]: &[f64; 3]| {
+        let down = way.map(|way| number(way.to(*depth)));
+        json!({ "x": number(*x), "depth": number(*depth), "z": number(*z), "down": down })
+    };
+    line.iter().map(place).collect()
+}
+
 fn step_data(
     run: &RunFolder,
     space: &SpaceCase,
@@ -244,6 +259,7 @@ fn step_data(
             "depth": own.first().map(|row| number(row.length)),
             "fold": fold,
             "half_length": own.first().and_then(|row| row.half_length).map(number),
+            "outline": outline(run, number_of, &own, way.as_ref()),
             "front": own.iter().map(|row| point(row, way.as_ref())).collect::<Vec<_>>(),
         })
     };

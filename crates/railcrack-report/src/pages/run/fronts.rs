@@ -4,8 +4,8 @@ use super::assumptions::assumptions;
 use super::facts::{at_rest, ending, stop_of, stop_sentence, tonnes_of};
 use super::front_data::cracks;
 use super::stored::RunFolder;
-use super::{RunParts, front_data, front_wheels, steps_section, warnings};
-use crate::figures::{Plot, charts};
+use super::{RunParts, decision, front_data, front_wheels, steps_section, warnings};
+use crate::figures::{Plot, charts, space_view};
 use crate::numbers::{fixed, given, grouped, significant, tonnage};
 use crate::page::{Block, Fact, Section};
 use crate::page_data::PageData;
@@ -17,6 +17,7 @@ use railcrack_run::csv::TipRow;
 pub(super) fn parts(run: &RunFolder, space: &SpaceCase, page_data: &PageData, plots: &[Plot]) -> RunParts {
     let (mut growth, mut sections) = (Vec::new(), Vec::new());
     if run.summary.steps_recorded > 0 {
+        growth.extend(decision::sensitivities(run).map(Block::Table));
         growth.push(charts(plots, &["length-cycles", "along-front"]));
         growth.push(front_table(run));
         growth.extend(front_wheels::wheels(run));
@@ -26,7 +27,7 @@ pub(super) fn parts(run: &RunFolder, space: &SpaceCase, page_data: &PageData, pl
         sections.push(Section::new(
             "fronts",
             "Fronts and K over the passage",
-            vec![charts(plots, &["from-above", "from-the-front", "from-the-side", "ki", "kii", "kiii"])],
+            vec![in_space(run), charts(plots, &["from-the-side", "ki", "kii", "kiii"])],
         ));
         sections.push(steps(run));
     }
@@ -39,6 +40,17 @@ pub(super) fn parts(run: &RunFolder, space: &SpaceCase, page_data: &PageData, pl
         assumptions: assumptions(run),
         sections,
     }
+}
+
+/// The cracks below the running surface, at an angle from above.
+fn in_space(run: &RunFolder) -> Block {
+    let (svg, grid) = space_view(&run.summary, &run.growth);
+    let caption = format!(
+        "The fronts of the growth steps below the running surface, to scale; black: the first; filled: the last. Lines on the \
+         surface are {} mm apart.",
+        given(grid)
+    );
+    Block::Picture { svg, caption }
 }
 
 /// The deepest point of a crack, counted from 1, in the first and in the last step.

@@ -17,16 +17,20 @@ mod rail_bending;
 mod row_map;
 mod stored;
 mod tiles;
+mod traffic;
 mod warnings;
 mod wheels;
 
-use super::described::case_section;
+use super::approval::approval;
+use super::described::{case_section, described};
 use super::what_if;
 use crate::engine::PageEngine;
 use crate::figures::Plot;
 use crate::page::{Block, Fact, Page, Section};
 use crate::page_data::PageData;
 use crate::table::Table;
+use railcrack_run::VERSION;
+use railcrack_run::description::Subject;
 
 pub(crate) use stored::RunFolder;
 
@@ -64,9 +68,18 @@ pub(crate) fn run_page(
         None => plane::parts(run, page_data, plots),
     };
     let warnings = warnings::warnings(run);
-    let warnings = (!warnings.is_empty()).then_some(Block::Warnings(warnings));
+    let warnings: Vec<Block> =
+        (!warnings.is_empty()).then_some(Block::Warnings(warnings)).into_iter().collect();
     let mut lead: Vec<Block> = decision::decision(run);
-    lead.extend(warnings.into_iter().chain(parts.growth));
+    if run.is_signed() {
+        // The first printed sheet is signed; what the answer hangs on is part of it.
+        lead.extend(parts.growth.into_iter().chain(inputs(run)));
+        let caption = format!("Computed with railcrack {VERSION} from the case below");
+        lead.push(Block::Approval(approval(caption)));
+        lead.extend(warnings);
+    } else {
+        lead.extend(warnings.into_iter().chain(parts.growth));
+    }
     lead.extend(decision::tables(run));
     lead.extend(parts.tables);
     lead.push(Block::Heading("Assumptions".to_owned()));
@@ -79,10 +92,16 @@ pub(crate) fn run_page(
         kind: parts.kind.to_owned(),
         decision: decision::banner(run),
         verdict: parts.verdict,
-        facts: tiles::tiles(run).into_iter().chain(parts.facts).collect(),
+        facts: tiles::of_page(run, parts.facts),
         lead,
         sections,
     }
+}
+
+/// The inputs that matter most to the answer: wheels and cracks.
+fn inputs(run: &RunFolder) -> [Block; 2] {
+    let paragraphs = described(&run.case, &[Subject::Wheels, Subject::Cracks]);
+    [Block::Heading("Inputs".to_owned()), Block::List(paragraphs)]
 }
 
 /// The growth steps, of which `table` has the first rows.

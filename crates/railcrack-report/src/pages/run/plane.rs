@@ -1,18 +1,17 @@
 //! Cracks in the plane on the page of a run: growth, passage, tables.
 
 use super::{
-    RunParts, assumptions, crack_feedback, data, events, facts, fields, lengths, passage, rail_bending,
-    row_map, steps_section, stored::RunFolder, warnings,
+    RunParts, assumptions, crack_feedback, data, decision, events, facts, fields, lengths, passage,
+    rail_bending, row_map, steps_section, stored::RunFolder, traffic, warnings,
 };
-use crate::chart::{Chart, ChartAxis, Curve, CurveColour, CurveDots, CurveLook};
+use crate::chart::{Chart, ChartAxis, Curve, CurveColour, CurveDots};
 use crate::figures::{Plot, bundle, chart};
-use crate::numbers::{fixed, given, grouped, significant, tonnage};
+use crate::numbers::{fixed, grouped, significant, tonnage};
 use crate::page::{Block, Section};
 use crate::page_data::PageData;
 use crate::row::{CrackRow, NamedCrack, is_many, named};
 use crate::table::Table;
 use railcrack_run::csv::TipRow;
-use railcrack_run::decision::Quantiles;
 
 const EXPLORER_SCRIPT: &str = include_str!("../../assets/run.js");
 /// Maximum number of columns of a table with a chart to its right, also in print.
@@ -26,8 +25,10 @@ pub(super) fn parts(run: &RunFolder, page_data: &PageData, plots: &[Plot]) -> Ru
     let named = named.as_deref();
     let lengths = lengths::lengths(run, named);
     let mut by_cycles = chart(plots, "length-cycles").filter(|_| lengths.is_some());
-    let depths = depth_by_tonnage(run, named)
-        .map(|depths| Block::charts([depths].into_iter().chain(by_cycles.take())));
+    let depths = traffic::depth_by_tonnage(run, named).map(|depths| match decision::sensitivities(run) {
+        Some(table) => Block::Beside(vec![Block::Table(table), Block::Chart(depths)]),
+        None => Block::charts([depths].into_iter().chain(by_cycles.take())),
+    });
     let mut after = match (lengths, by_cycles) {
         // A table of many cracks needs the whole width.
         (Some(table), Some(chart)) if table.headings.len() <= BESIDE_COLUMNS => {
@@ -95,12 +96,13 @@ fn growth(run: &RunFolder, named: Option<&[NamedCrack]>, remarks: Vec<String>) -
             curves: curves(run, named, point),
             ..Chart::default()
         };
-        blocks.push(Block::charts([chart(
+        let by_length = chart(
             "rate-length",
             "Growth rate against crack length.",
             ChartAxis::linear("Crack length", "mm"),
             |row| [row.length, row.rate],
-        )]));
+        );
+        blocks.push(Block::charts([by_length].into_iter().chain(traffic::rate_by_depth(run))));
     }
     if !remarks.is_empty() {
         blocks.push(Block::List(remarks));
@@ -108,53 +110,13 @@ fn growth(run: &RunFolder, named: Option<&[NamedCrack]>, remarks: Vec<String>) -
     Section::new("growth", "Growth", blocks)
 }
 
-/// Quantiles of the depth over traffic, where there is scatter.
-fn quantiles(run: &RunFolder) -> Vec<Curve> {
-    let decision = run.summary.decision.as_ref();
-    let Some(scatter) = decision.and_then(|decision| decision.scatter.as_ref()) else { return Vec::new() };
-    let of = |name: &str, quantile: fn(&Quantiles) -> Option<f64>| {
-        let points = scatter.depth.iter().filter_map(|at| Some([at.mgt, quantile(&at.depth_mm)?]));
-        Curve::line(name, points.collect()).with_look(CurveLook::Dashed)
-    };
-    vec![
-        of("5 % quantile of the samples, slow growth", |depth| depth.p05),
-        of("95 % quantile of the samples, fast growth", |depth| depth.p95),
-    ]
-}
-
-/// The `curves` of the run and others: then the curve of a single tip needs a name, too.
-fn named_beside(mut curves: Vec<Curve>, others: Vec<Curve>) -> Vec<Curve> {
-    if let ([only], false) = (&mut curves[..], others.is_empty())
-        && only.name.is_empty()
-    {
-        only.name = "this run".to_owned();
-    }
-    curves.extend(others);
-    curves
-}
-
-/// Depth of the tips against million gross tonnes; none without growth or without axle loads.
-fn depth_by_tonnage(run: &RunFolder, named: Option<&[NamedCrack]>) -> Option<Chart> {
-    let load = run.case.axle_load.filter(|_| run.summary.steps_recorded > 1)?;
-    Some(Chart {
-        id: "depth-mgt".to_owned(),
-        caption: format!(
-            "Depth of the tip below the running surface against traffic, at {} t per axle.",
-            given(load)
-        ),
-        x: ChartAxis::linear("Traffic", "million gross tonnes"),
-        y: ChartAxis::depth(),
-        curves: named_beside(
-            curves(run, named, |row| [1e-6 * load * row.load_cycles, -row.place[1]]),
-            quantiles(run),
-        ),
-        ..Chart::default()
-    })
-}
-
 /// A curve for each tip, unnamed for a single tip, which needs no legend. For many cracks only the
 /// `named` ones are named.
-fn curves(run: &RunFolder, named: Option<&[NamedCrack]>, point: impl Fn(&TipRow) -> [f64; 2]) -> Vec<Curve> {
+pub(super) fn curves(
+    run: &RunFolder,
+    named: Option<&[NamedCrack]>,
+    point: impl Fn(&TipRow) -> [f64; 2],
+) -> Vec<Curve> {
     let tips = run.tips();
     let has_two = tips.iter().any(|&(_, tip)| tip > 1);
     let curve = |(place, &(crack, tip)): (usize, &(usize, usize))| {

@@ -49,6 +49,24 @@ impl RunFolder {
             && self.summary.decision.as_ref().is_some_and(grows)
     }
 
+    /// The first step at whose start the failure of the decision has happened: what comes later is
+    /// of a rail that has been replaced. None where nothing fails.
+    pub(super) fn failed_by(&self) -> Option<usize> {
+        let decision = self.summary.decision.as_ref()?;
+        let axles = decision.failure.mgt? * 1e6 / decision.axle_load_t;
+        self.growth.iter().find(|row| row.load_cycles >= (1.0 - 1e-9) * axles).map(|row| row.step)
+    }
+
+    /// Whether `step` begins before the rail has failed.
+    pub(super) fn is_before_failure(&self, step: usize) -> bool {
+        self.failed_by().is_none_or(|failed| step <= failed)
+    }
+
+    /// Whether somebody signs the page: an inspection is decided on.
+    pub(super) fn is_signed(&self) -> bool {
+        self.case.inspection.is_some() && self.summary.decision.is_some()
+    }
+
     /// The rows of a tip, by step.
     pub(super) fn history(&self, crack: usize, tip: usize) -> impl Iterator<Item = &TipRow> {
         self.growth.iter().filter(move |row| (row.crack, row.tip) == (crack, tip))

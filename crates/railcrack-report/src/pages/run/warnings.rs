@@ -27,24 +27,30 @@ pub(super) fn warnings(run: &RunFolder) -> Vec<String> {
                 .to_owned(),
         );
     }
-    let all = &run.summary.warnings;
+    let all: Vec<&WarningSummary> = before_failure(run).collect();
     let mut kinds: Vec<WarningKind> = Vec::new();
-    for warning in all {
+    for warning in &all {
         if !kinds.contains(&warning.kind) {
             kinds.push(warning.kind);
         }
     }
     for kind in kinds {
-        let of_kind: Vec<&WarningSummary> = all.iter().filter(|warning| warning.kind == kind).collect();
+        let of_kind: Vec<&WarningSummary> =
+            all.iter().copied().filter(|warning| warning.kind == kind).collect();
         texts.push(grouped_text(kind, &of_kind));
     }
     texts
 }
 
+/// The warnings on steps that begin before the rail has failed.
+fn before_failure(run: &RunFolder) -> impl Iterator<Item = &WarningSummary> {
+    run.summary.warnings.iter().filter(|warning| run.is_before_failure(warning.step))
+}
+
 /// Number of warnings, each counted, which [`warnings`] groups by kind.
 pub(super) fn count(run: &RunFolder) -> usize {
     let notes = [!run.summary.complete, run.case.boundary() != Boundary::HalfPlane];
-    run.summary.warnings.len() + notes.into_iter().filter(|is_so| *is_so).count()
+    before_failure(run).count() + notes.into_iter().filter(|is_so| *is_so).count()
 }
 
 fn grouped_text(kind: WarningKind, warnings: &[&WarningSummary]) -> String {
@@ -104,6 +110,10 @@ pub(super) fn remarks(run: &RunFolder, page_data: &PageData, named: Option<&[Nam
             significant(ratio),
             fixed(kink, 0)
         ));
+    }
+    let later = run.summary.warnings.len() - before_failure(run).count();
+    if later > 0 {
+        texts.push(format!("{later} more warnings are on steps after the failure; summary.json has them."));
     }
     let steps = explored_steps(run, page_data, named).len();
     if steps < run.summary.steps_recorded {

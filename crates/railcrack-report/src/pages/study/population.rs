@@ -3,7 +3,7 @@
 use crate::chart::{Chart, ChartAxis, ChartRange, Curve, CurveLook};
 use crate::numbers::{fixed, significant, tonnage};
 use crate::page::Block;
-use crate::pages::phrases::detectable_to_critical;
+use crate::pages::phrases::{FAST_GROWTH, SLOW_GROWTH, detectable_to_critical};
 use crate::table::Table;
 use railcrack_run::decision::{DepthQuantiles, Quantiles, ScatterSummary};
 use railcrack_run::study::Population;
@@ -69,8 +69,8 @@ fn depths(place: usize, depths: &[DepthQuantiles]) -> Option<Chart> {
     type OfShare = fn(&Quantiles) -> Option<f64>;
     let shares: [(&str, OfShare, CurveLook); 3] = [
         ("median", |quantiles| quantiles.p50, CurveLook::Line),
-        ("5 %, slow growth", |quantiles| quantiles.p05, CurveLook::Dashed),
-        ("95 %, fast growth", |quantiles| quantiles.p95, CurveLook::Dashed),
+        (SLOW_GROWTH, |quantiles| quantiles.p05, CurveLook::Dashed),
+        (FAST_GROWTH, |quantiles| quantiles.p95, CurveLook::Dashed),
     ];
     let curve = |(name, of, look): (&str, OfShare, CurveLook)| {
         let points: Vec<[f64; 2]> =
@@ -81,7 +81,7 @@ fn depths(place: usize, depths: &[DepthQuantiles]) -> Option<Chart> {
     (!curves.is_empty()).then(|| Chart {
         id: format!("population-{}", place + 1),
         caption:
-            "Depth of the crack against traffic: median, 5 % and 95 % quantiles of the samples, as far as \
+            "Depth of the crack against traffic: median of the samples, and the 5 % that grow fastest and slowest, as far as \
                   the computed runs extend."
                 .to_owned(),
         x: ChartAxis::linear("Million gross tonnes", "").over(ChartRange::AroundZero),
