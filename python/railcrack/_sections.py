@@ -61,13 +61,13 @@ class Rail(Section):
     sides: Literal["free", "rollers", "clamped"] | None = None
     """Support of the sides of a block. Default: "free"; only with boundary = "block". "free": no
     traction; "rollers": no horizontal displacement; "clamped": no displacement."""
-    section: Literal["60E1", "54E1", "49E1", "UIC60", "UIC54", "S49"] | None = None
+    section: Literal["60E1", "54E1", "49E1", "UIC60", "UIC54", "S49", "track"] | None = None
     """Rail section whose head, web and foot make the cracked rail more compliant than a half-plane,
     on the foundation of [track]; cracks then stay in its head. By default the cracked rail is a
     half-plane, which is too stiff for cracks deeper than 5 mm. Only with boundary = "half-plane".
     "60E1": 60 kg/m; "54E1": 54 kg/m; "49E1": 49 kg/m; "UIC60": the same section under its older
     name; "UIC54": the same section under its older name; "S49": the same section under its older
-    name."""
+    name; "track": that of [track], which then has a section with a name."""
 
 
 class RailKeys(TypedDict, total=False):
@@ -81,7 +81,7 @@ class RailKeys(TypedDict, total=False):
     boundary: Literal["half-plane", "block"] | None
     bottom: Literal["clamped", "rollers"] | None
     sides: Literal["free", "rollers", "clamped"] | None
-    section: Literal["60E1", "54E1", "49E1", "UIC60", "UIC54", "S49"] | None
+    section: Literal["60E1", "54E1", "49E1", "UIC60", "UIC54", "S49", "track"] | None
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
@@ -143,10 +143,14 @@ class Contact(Section):
     """Lateral position, in CONTACT's own frame, of the strip along the rail that is taken from a
     .mat file. In mm; accepted: -1000 to 1000; only with kind = "table"."""
     friction: Number | None = None
-    """Wheel-rail friction coefficient. With hertz it is signed: > 0 drags the rail along +x (a
-    braking wheel running towards +x). With carter it is that of the slip zone and not negative.
-    With rolling it is that of the slip zone and not negative. With table it is optional; if given,
-    |q| <= friction p is required. Usual: 0.001 to 0.8; accepted: -1 to 1."""
+    """Wheel-rail friction coefficient. With hertz it is signed, unless torque is given: > 0 drags
+    the rail along +x (a braking wheel running towards +x). With carter it is that of the slip zone
+    and not negative. With rolling it is that of the slip zone and not negative. With table it is
+    optional; if given, |q| <= friction p is required. Usual: 0.001 to 0.8; accepted: -1 to 1."""
+    torque: Literal["driven", "braked"] | None = None
+    """Which way the shear acts, so that friction needs no sign: with this key it is not negative.
+    Only with kind = "hertz". "driven": a wheel that drives the train drags the rail backwards;
+    "braked": a wheel that brakes it drags the rail forwards."""
     lateral_friction: Number | None = None
     """Ratio of lateral shear to pressure, > 0 towards +z, 0 if not given; in the plane only its
     stress beside the middle of the ellipse loads the cracks. Usual: 0.001 to 0.8; accepted: -1 to
@@ -238,10 +242,10 @@ class Hertz(Section):
     """Half-width a of the contact; below 0.01 mm it would be smaller than the roughness of a rail.
     In mm; usual: 0.3 to 30; accepted: 0.01 to 100."""
     friction: Number | None = None
-    """Wheel-rail friction coefficient. With hertz it is signed: > 0 drags the rail along +x (a
-    braking wheel running towards +x). With carter it is that of the slip zone and not negative.
-    With rolling it is that of the slip zone and not negative. With table it is optional; if given,
-    |q| <= friction p is required. Usual: 0.001 to 0.8; accepted: -1 to 1."""
+    """Wheel-rail friction coefficient. With hertz it is signed, unless torque is given: > 0 drags
+    the rail along +x (a braking wheel running towards +x). With carter it is that of the slip zone
+    and not negative. With rolling it is that of the slip zone and not negative. With table it is
+    optional; if given, |q| <= friction p is required. Usual: 0.001 to 0.8; accepted: -1 to 1."""
     _: KW_ONLY
     line_load_n_per_mm: Number | None = None
     """Wheel load per unit width. In N/mm; usual: 100 to 1e5; accepted: 1e-5 to 1e7."""
@@ -271,6 +275,10 @@ class Hertz(Section):
     """What of an ellipse or a patch loads cracks in the plane; in space it is always the whole
     patch. "patch": the whole patch, averaged along the crack front; "strip": the strip at
     lateral_mm as a line contact, for comparison."""
+    torque: Literal["driven", "braked"] | None = None
+    """Which way the shear acts, so that friction needs no sign: with this key it is not negative.
+    "driven": a wheel that drives the train drags the rail backwards; "braked": a wheel that brakes
+    it drags the rail forwards."""
     lateral_friction: Number | None = None
     """Ratio of lateral shear to pressure, > 0 towards +z, 0 if not given; in the plane only its
     stress beside the middle of the ellipse loads the cracks. Usual: 0.001 to 0.8; accepted: -1 to
@@ -331,10 +339,10 @@ class Carter(Section):
     patch. "patch": the whole patch, averaged along the crack front; "strip": the strip at
     lateral_mm as a line contact, for comparison."""
     friction: Number | None = None
-    """Wheel-rail friction coefficient. With hertz it is signed: > 0 drags the rail along +x (a
-    braking wheel running towards +x). With carter it is that of the slip zone and not negative.
-    With rolling it is that of the slip zone and not negative. With table it is optional; if given,
-    |q| <= friction p is required. Usual: 0.001 to 0.8; accepted: -1 to 1."""
+    """Wheel-rail friction coefficient. With hertz it is signed, unless torque is given: > 0 drags
+    the rail along +x (a braking wheel running towards +x). With carter it is that of the slip zone
+    and not negative. With rolling it is that of the slip zone and not negative. With table it is
+    optional; if given, |q| <= friction p is required. Usual: 0.001 to 0.8; accepted: -1 to 1."""
     traction: Number | None = None
     """Traction ratio Q/(friction P), with the sign of the shear on the rail along +x: < 0 drives a
     wheel that runs towards +x; 1 and -1 are full sliding. Accepted: -1 to 1."""
@@ -370,10 +378,10 @@ class ContactTable(Section):
     """Lateral position, in CONTACT's own frame, of the strip along the rail that is taken from a
     .mat file. In mm; accepted: -1000 to 1000."""
     friction: Number | None = None
-    """Wheel-rail friction coefficient. With hertz it is signed: > 0 drags the rail along +x (a
-    braking wheel running towards +x). With carter it is that of the slip zone and not negative.
-    With rolling it is that of the slip zone and not negative. With table it is optional; if given,
-    |q| <= friction p is required. Usual: 0.001 to 0.8; accepted: -1 to 1."""
+    """Wheel-rail friction coefficient. With hertz it is signed, unless torque is given: > 0 drags
+    the rail along +x (a braking wheel running towards +x). With carter it is that of the slip zone
+    and not negative. With rolling it is that of the slip zone and not negative. With table it is
+    optional; if given, |q| <= friction p is required. Usual: 0.001 to 0.8; accepted: -1 to 1."""
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
@@ -400,10 +408,10 @@ class Rolling(Section):
     patch. "patch": the whole patch, averaged along the crack front; "strip": the strip at
     lateral_mm as a line contact, for comparison."""
     friction: Number | None = None
-    """Wheel-rail friction coefficient. With hertz it is signed: > 0 drags the rail along +x (a
-    braking wheel running towards +x). With carter it is that of the slip zone and not negative.
-    With rolling it is that of the slip zone and not negative. With table it is optional; if given,
-    |q| <= friction p is required. Usual: 0.001 to 0.8; accepted: -1 to 1."""
+    """Wheel-rail friction coefficient. With hertz it is signed, unless torque is given: > 0 drags
+    the rail along +x (a braking wheel running towards +x). With carter it is that of the slip zone
+    and not negative. With rolling it is that of the slip zone and not negative. With table it is
+    optional; if given, |q| <= friction p is required. Usual: 0.001 to 0.8; accepted: -1 to 1."""
     normal_kn: Number | None = None
     """Normal force of the patch, with the radii of wheel and rail or with semi_axes_mm. In kN;
     usual: 1 to 300; accepted: 0.001 to 10000."""
@@ -488,6 +496,7 @@ class ContactKeys(TypedDict, total=False):
     scale: Number | None
     strip_mm: Number | None
     friction: Number | None
+    torque: Literal["driven", "braked"] | None
     lateral_friction: Number | None
     traction: Number | None
     normal_kn: Number | None
@@ -558,8 +567,15 @@ class Temperature(Section):
     tension."""
 
     _section: ClassVar[str] = "temperature"
-    rail_c: Number
+    rail_c: Number | None = None
     """Temperature of the rail. In degrees C; usual: 0 to 75; accepted: -200 to 200."""
+    seasons_c: Numbers | None = None
+    """Temperatures of the rail over the year, such as those of summer, spring and frost: every
+    wheel becomes one at each of them, and the wheels a mix. The toughness is the lowest at any of
+    them. In degrees C; usual: 0 to 75; accepted: -200 to 200."""
+    season_shares: Numbers | None = None
+    """Share of the axles at each of these temperatures; the shares add up to 1. Accepted: 1e-9 to
+    1."""
     neutral_c: Number
     """Neutral temperature, at which the rail carries no longitudinal force. In degrees C; usual: 0
     to 50; accepted: -200 to 200."""
@@ -572,6 +588,8 @@ class TemperatureKeys(TypedDict, total=False):
     """Keys of `temperature`, those of `Temperature`."""
 
     rail_c: Number | None
+    seasons_c: Numbers | None
+    season_shares: Numbers | None
     neutral_c: Number | None
     expansion_per_k: Number | None
 
@@ -720,6 +738,12 @@ class Crack(Section):
     """Points of a polyline, the first on the surface (y = 0), or below it for a buried crack with
     two tips. In the space engine two points, or three of a folded crack: mouth, fold and deepest
     point. In mm."""
+    table: File | None = None
+    """CSV file with a row for each crack of an inspection: mouth_mm, or position_m along the track,
+    of which the smallest lies at x = 0; depth_mm or length_mm, a number or a class of sizes such as
+    0.5-1.0, which counts as its upper end, or at_most_mm. Optional are surface_length_mm, the
+    length on the surface, half of which is surface_half_length_mm, angle_deg and lateral_mm; a row
+    without them has those of the section, and all rows have its friction."""
     friction: Number
     """Crack-face friction coefficient. Usual: 0.001 to 1; accepted: 0 to 2."""
     surface_half_length_mm: Number | None = None
@@ -763,6 +787,7 @@ class CrackKeys(TypedDict, total=False):
     depth_mm: Number | None
     angle_deg: Number | None
     points_mm: Sequence[Numbers] | Numbers | None
+    table: File | None
     friction: Number | None
     surface_half_length_mm: Number | None
     lateral_mm: Number | None
@@ -795,7 +820,8 @@ class ResidualStressKeys(TypedDict, total=False):
 @dataclass(frozen=True, repr=False, kw_only=True)
 class PlasticStress(Section):
     """A plastic stress K:eps_p = 2 G eps_p, which the run balances on the crack mesh. With neither
-    key, it is that of the stabilised state of [shakedown], which the run computes first."""
+    key, as with from = "passages", it is that of the stabilised state of [shakedown], which the run
+    computes first; under a patch the balanced stress of that state."""
 
     _section: ClassVar[str] = "plastic_stress"
     field: File | None = None
@@ -871,6 +897,11 @@ class ShakedownSettings(Section):
     """Method of computing the stabilised state. Default: "pass-by-pass". "pass-by-pass": each
     passage starts from the state left by the previous one; "direct": the downstream state becomes
     the upstream state in every iteration: cheaper, but possibly a different admissible state."""
+    wheels: Literal["in turn", "heaviest"] | None = None
+    """Wheels of a mix that roll the rail with their patches, each at its lateral place; a line
+    contact is that of the heaviest wheel alone. Default: "in turn". "in turn": all wheels one after
+    the other, the heaviest first; "heaviest": the wheel nearest to its limit of elastic shakedown
+    alone."""
     max_passes: Count | None = None
     """Maximum number of passages, after which the rail counts as not stabilised. Accepted: 1 to
     1e5; default: 500."""
@@ -890,6 +921,7 @@ class ShakedownSettingsKeys(TypedDict, total=False):
     steel: Literal["R260", "R350HT"] | None
     hardening_modulus_mpa: Number | None
     method: Literal["pass-by-pass", "direct"] | None
+    wheels: Literal["in turn", "heaviest"] | None
     max_passes: Count | None
     initial_residual: File | None
     dang_van_a: Number | None
@@ -1175,10 +1207,12 @@ class Solver(Section):
     """Solver of the contact conditions on the crack faces. Default: "newton". "newton": active
     sets, exact complementarity; "latin": the LATIN method of the paper."""
     network: Literal["whole", "groups"] | None = None
-    """How the contact conditions of many cracks are solved. Default: "whole". "whole": all cracks
-    together; the cost grows with the square of their number; "groups": each crack with its
-    neighbours, in sweeps until they agree within network_tolerance; for dozens of cracks, with the
-    dislocation or the space engine and the newton solver, without trapped fluid and without fields."""
+    """How the contact conditions of many cracks are solved. By default cracks are followed together
+    up to 23 of them, and from 24 on in groups where these can be: with the dislocation engine, in a
+    half-plane. "whole": all cracks together; the cost grows with the square of their number;
+    "groups": each crack with its neighbours, in sweeps until they agree within network_tolerance;
+    for dozens of cracks, with the dislocation or the space engine and the newton solver, without
+    trapped fluid and without fields."""
 
 
 class SolverKeys(TypedDict, total=False):
@@ -1353,11 +1387,11 @@ class Calibration(Section):
     _section: ClassVar[str] = "calibration"
     prior_log_mean: Number | Literal["suite"] | None = None
     """Mean of ln C before the measurements, relative to the coefficient of the case; "suite" takes
-    that of the residuals of `railcrack validate`: -0.08 in the plane, 0.26 in space. Accepted: -20
+    that of the residuals of `railcrack validate`: -0.09 in the plane, 0.26 in space. Accepted: -20
     to 20; default: "suite"."""
     prior_log_std: Number | Literal["suite"] | None = None
     """Standard deviation of ln C before the measurements; "suite" takes that of the residuals of
-    `railcrack validate`: 1.24 in the plane, 1.28 in space. Accepted: above 0 to 10; default:
+    `railcrack validate`: 1.26 in the plane, 1.28 in space. Accepted: above 0 to 10; default:
     "suite"."""
     discrepancy_log_std: Number | Literal["evidence"] | None = None
     """Standard deviation by which ln C differs from site to site; "evidence" takes the value under
