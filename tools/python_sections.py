@@ -9,6 +9,7 @@ and comes from the tables of keys by which cases are read. With --check nothing 
 
 import argparse
 import json
+import keyword
 import subprocess
 import sys
 import textwrap
@@ -164,8 +165,13 @@ def is_of(kind, schema):
     return not only.startswith("kind = ") or f'"{kind}"' in only
 
 
+def attributes(schema):
+    """The keys that may be names in Python: others, such as `from`, are left to case files."""
+    return {key: of for key, of in schema["properties"].items() if not keyword.iskeyword(key)}
+
+
 def section_class(name, section, schema, fixed=None):
-    keys = dict(schema["properties"])
+    keys = attributes(schema)
     if fixed:
         keys = {key: of for key, of in keys.items() if key != "kind" and is_of(fixed, of)}
     positional = BY_POSITION.get(name, [])
@@ -197,7 +203,7 @@ def section_class(name, section, schema, fixed=None):
 def section_keys(section, schema):
     text = f"\n\nclass {class_name(section)}Keys(TypedDict, total=False):\n"
     text += quoted(f"Keys of `{section}`, those of `{class_name(section)}`.", 4) + "\n"
-    for key, of in schema["properties"].items():
+    for key, of in attributes(schema).items():
         text += f"    {key}: {type_of(key, of)} | None\n"
     return text
 

@@ -79,6 +79,11 @@ pub fn cases() -> Vec<CaseWithFile> {
             "wheel,normal_kn,y_rail_mm,creepage_x,creepage_y,spin_per_mm,mu,a_mm,b_mm,place_m\n\
              7,85,1,0.001,0.0005,0.0002,0.3,6,4,10.5\n8,60,0,0.002,0,0,0.3,6,5,20\n",
         ),
+        of(
+            "inputs/cracks",
+            "[[crack]]\ntable = \"input\"\nangle_deg = 25.0\nfriction = 0.3\n",
+            "mouth_mm,depth_mm\n20,0.5-1.0\n32,1.5\n",
+        ),
         of_profile(RAIL),
         of_profile(WHEEL),
     ]

@@ -61,13 +61,13 @@ class Rail(Section):
     sides: Literal["free", "rollers", "clamped"] | None = None
     """Support of the sides of a block. Default: "free"; only with boundary = "block". "free": no
     traction; "rollers": no horizontal displacement; "clamped": no displacement."""
-    section: Literal["60E1", "54E1", "49E1", "UIC60", "UIC54", "S49"] | None = None
+    section: Literal["60E1", "54E1", "49E1", "UIC60", "UIC54", "S49", "track"] | None = None
     """Rail section whose head, web and foot make the cracked rail more compliant than a half-plane,
     on the foundation of [track]; cracks then stay in its head. By default the cracked rail is a
     half-plane, which is too stiff for cracks deeper than 5 mm. Only with boundary = "half-plane".
     "60E1": 60 kg/m; "54E1": 54 kg/m; "49E1": 49 kg/m; "UIC60": the same section under its older
     name; "UIC54": the same section under its older name; "S49": the same section under its older
-    name."""
+    name; "track": that of [track], which then has a section with a name."""
 
 
 class RailKeys(TypedDict, total=False):
@@ -81,7 +81,7 @@ class RailKeys(TypedDict, total=False):
     boundary: Literal["half-plane", "block"] | None
     bottom: Literal["clamped", "rollers"] | None
     sides: Literal["free", "rollers", "clamped"] | None
-    section: Literal["60E1", "54E1", "49E1", "UIC60", "UIC54", "S49"] | None
+    section: Literal["60E1", "54E1", "49E1", "UIC60", "UIC54", "S49", "track"] | None
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
@@ -567,8 +567,15 @@ class Temperature(Section):
     tension."""
 
     _section: ClassVar[str] = "temperature"
-    rail_c: Number
+    rail_c: Number | None = None
     """Temperature of the rail. In degrees C; usual: 0 to 75; accepted: -200 to 200."""
+    seasons_c: Numbers | None = None
+    """Temperatures of the rail over the year, such as those of summer, spring and frost: every
+    wheel becomes one at each of them, and the wheels a mix. The toughness is the lowest at any of
+    them. In degrees C; usual: 0 to 75; accepted: -200 to 200."""
+    season_shares: Numbers | None = None
+    """Share of the axles at each of these temperatures; the shares add up to 1. Accepted: 1e-9 to
+    1."""
     neutral_c: Number
     """Neutral temperature, at which the rail carries no longitudinal force. In degrees C; usual: 0
     to 50; accepted: -200 to 200."""
@@ -581,6 +588,8 @@ class TemperatureKeys(TypedDict, total=False):
     """Keys of `temperature`, those of `Temperature`."""
 
     rail_c: Number | None
+    seasons_c: Numbers | None
+    season_shares: Numbers | None
     neutral_c: Number | None
     expansion_per_k: Number | None
 
@@ -729,6 +738,12 @@ class Crack(Section):
     """Points of a polyline, the first on the surface (y = 0), or below it for a buried crack with
     two tips. In the space engine two points, or three of a folded crack: mouth, fold and deepest
     point. In mm."""
+    table: File | None = None
+    """CSV file with a row for each crack of an inspection: mouth_mm, or position_m along the track,
+    of which the smallest lies at x = 0; depth_mm or length_mm, a number or a class of sizes such as
+    0.5-1.0, which counts as its upper end, or at_most_mm. Optional are surface_length_mm, the
+    length on the surface, half of which is surface_half_length_mm, angle_deg and lateral_mm; a row
+    without them has those of the section, and all rows have its friction."""
     friction: Number
     """Crack-face friction coefficient. Usual: 0.001 to 1; accepted: 0 to 2."""
     surface_half_length_mm: Number | None = None
@@ -772,6 +787,7 @@ class CrackKeys(TypedDict, total=False):
     depth_mm: Number | None
     angle_deg: Number | None
     points_mm: Sequence[Numbers] | Numbers | None
+    table: File | None
     friction: Number | None
     surface_half_length_mm: Number | None
     lateral_mm: Number | None

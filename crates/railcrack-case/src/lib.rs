@@ -24,8 +24,8 @@ pub use case::{
 pub use entries::{Comparison, Entry, EntryValue, Grade, HowRead, Quantity, entry_schema};
 pub use files::{
     CampaignCrack, CampaignSize, Campaigns, CaseFile, Column, Columned, Columns, Companion, ContactFile,
-    DetectionFile, DetectionTable, FieldFile, PointFile, ProfileFile, RatesFile, TablePatch, TableWheel,
-    ToughnessFile, WheelTableFile,
+    CrackTableFile, DetectionFile, DetectionTable, FieldFile, InspectedCrack, InspectedSize, PointFile,
+    ProfileFile, RatesFile, TablePatch, TableWheel, ToughnessFile, WheelTableFile,
 };
 pub use plausible::{ANY, Implausible, Topic, USUAL, Usual, implausible, json_schema, usual_ranges};
 pub use regular_file::open_regular;

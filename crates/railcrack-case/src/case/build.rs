@@ -3,6 +3,7 @@
 use super::by_geometry::ByGeometry;
 use super::case::Case;
 use super::coupled::check_coupled;
+use super::crack_rows::write_out;
 use super::cracks::{PlacedCracks, check_fit, place_cracks};
 use super::finite_section::check_section;
 use super::geometry::Geometry;
@@ -13,7 +14,7 @@ use super::space::read_space;
 use super::traffic::{Traffic, read_traffic, require_axle_load};
 use super::traffic_wheel::TrafficContext;
 use super::traffic_wheel::{TrafficWheel, mean_axle_load};
-use crate::files::{ProfileFile, read_profile};
+use crate::files::{CrackTableFile, ProfileFile, read_profile};
 use crate::schema::{KeyRow, Report, SectionValues, Sections, Value, Written, short};
 use crate::tables::{
     BOUNDARY, BoundaryKind, CALIBRATION, CENTRE, CRACK, CalibrationPrior, ContactSolver, ENGINE, Engine,
@@ -29,26 +30,28 @@ use railcrack::bulk::Boundary;
 use railcrack::contact::{CrackFluid, FluidModel};
 use railcrack::fatigue::RailSteel;
 use railcrack::growth::{Answer, GrowthSettings, Mgt, NetworkContact, SurfaceRemoval};
+use railcrack::load::Temperature;
 use railcrack::material::IsotropicElastic;
 use railcrack::math::MPA_SQRT_MM;
 use std::path::Path;
 
-/// The case that `sections` describe; none if something is wrong or missing; errors are added to
+/// The case that the sections `given` describe; none if something is wrong or missing; errors are added to
 /// `report`.
 ///
 /// Every part is built, even where another is wrong, so that all errors are found at once. `sizes`
 /// are those of other cases of the same study.
 pub(crate) fn build(
-    mut sections: Sections,
+    mut given: Sections,
     folder: &Path,
     sizes: &ByGeometry<WantedSize>,
     report: &mut Report,
 ) -> Option<Case> {
+    let (sections, crack_table) = write_out(&given, folder, report);
     let parts = Parts::read(&sections, folder, report);
     parts.check(&sections, report);
     let upkeep = Upkeep::read(&parts, &sections, folder, report);
-    parts.settle(&mut sections);
-    let case = case_of(parts, upkeep, &sections)?;
+    parts.settle(&mut given);
+    let case = case_of(parts, upkeep, &sections, (Written::of(&given), crack_table))?;
     let is_possible = check_size(&case, &sections, sizes, report);
     if is_possible {
         check_explorer(&case, &sections, report);
@@ -95,10 +98,14 @@ impl Parts {
         let context = TrafficContext { sections, steel: steel.as_ref(), network, extent, folder };
         let traffic = read_traffic(context, report);
         let wheels = traffic.as_ref().map(|traffic| traffic.wheels.as_slice());
-        let rail = rail.and_then(|section| Rail::read(section, network));
+        let rail = rail.and_then(|section| {
+            let track = sections.one(&TRACK).or_else(|| sections.all(&WHEEL_TRACK).next());
+            Rail::read(section, track, network)
+        });
         let of_law = growth.as_ref().and_then(|growth| growth.steel);
         let shakedown = sections.one(&SHAKEDOWN);
-        let temperature = wheels.and_then(|wheels| wheels.first()?.wheel.temperature);
+        let temperatures: Vec<Temperature> =
+            wheels.into_iter().flatten().filter_map(|wheel| wheel.wheel.temperature).collect();
         let geometry = match engine {
             Some(Engine::Space) => {
                 read_space(sections, placed.as_ref(), wheels, rail.as_ref(), folder, report)
@@ -113,8 +120,8 @@ impl Parts {
             shakedown: shakedown.and_then(|section| ShakedownSettings::read(section, of_law, folder, report)),
             fracture: optional(sections.one(&FRACTURE), |section| {
                 // A temperature with errors is not an absent one.
-                let is_known = temperature.is_some() || sections.one(&TEMPERATURE).is_none();
-                is_known.then(|| Fracture::read(section, temperature.as_ref(), folder, report)).flatten()
+                let is_known = !temperatures.is_empty() || sections.one(&TEMPERATURE).is_none();
+                is_known.then(|| Fracture::read(section, &temperatures, folder, report)).flatten()
             }),
             steel,
             rail,
@@ -220,8 +227,13 @@ impl Upkeep {
     }
 }
 
-/// The case of parts without errors.
-fn case_of(parts: Parts, upkeep: Upkeep, sections: &Sections) -> Option<Case> {
+/// The case of parts without errors, with its text and the list of its cracks.
+fn case_of(
+    parts: Parts,
+    upkeep: Upkeep,
+    sections: &Sections,
+    (written, crack_table): (Written, Option<CrackTableFile>),
+) -> Option<Case> {
     let goes_straight = parts.goes_straight(sections);
     let Traffic { wheels, table: wheel_table } = parts.traffic?;
     let (placed, growth, fracture, geometry) =
@@ -239,6 +251,7 @@ fn case_of(parts: Parts, upkeep: Upkeep, sections: &Sections) -> Option<Case> {
         wheel_table,
         cracks: placed.network,
         crack_friction: placed.friction,
+        crack_table,
         residual_stress: parts.residual_stress.ok()?,
         shakedown: parts.shakedown?,
         growth: GrowthSettings {
@@ -262,7 +275,7 @@ fn case_of(parts: Parts, upkeep: Upkeep, sections: &Sections) -> Option<Case> {
         mgt_per_year: sections.one(&TRAFFIC).and_then(|section| section.get(MGT_PER_YEAR)),
         scatter: upkeep.scatter.ok()?,
         calibration: calibration(sections),
-        written: Written::of(sections),
+        written,
     };
     let network = solver.get(NETWORK).unwrap_or_else(|| network_by_default(&case));
     Some(Case { network, ..case })

@@ -4,7 +4,7 @@ use super::geometry::{Geometry, PlaneCase};
 use super::space_case::SpaceCase;
 use super::traffic_wheel::{TrafficWheel, mean_axle_load};
 use super::wheel_table::{WheelGroups, WheelTable};
-use crate::files::{CaseFile, Companion, ProfileFile, RatesFile};
+use crate::files::{CaseFile, Companion, CrackTableFile, ProfileFile, RatesFile};
 use crate::schema::{Value, Written};
 use crate::tables::{
     CONTACT, CalibrationPrior, ContactSolver, Detection, Engine, FieldOutput, Fracture, Inspection,
@@ -38,6 +38,8 @@ pub struct Case {
     pub cracks: CrackNetwork,
     /// Crack-face friction coefficient of each crack, in the order of `cracks`.
     pub crack_friction: Vec<f64>,
+    /// The list of an inspection of which cracks are, where one is given.
+    pub crack_table: Option<CrackTableFile>,
     /// Balanced residual stress that adds to the wheel.
     pub residual_stress: Option<ProfileFile>,
     /// Plastic behaviour under the repeated passage.
@@ -265,6 +267,7 @@ impl Case {
         });
         let others = [
             self.wheel_table.as_ref().map(|table| table.file.companion()),
+            self.crack_table.as_ref().map(CaseFile::companion),
             self.residual_stress.as_ref().map(CaseFile::companion),
             self.plastic_stress().and_then(PlasticSource::companion),
             self.shakedown.initial_residual.as_ref().map(CaseFile::companion),

@@ -2,7 +2,8 @@
 
 use crate::schema::{Report, Sections};
 use crate::tables::{
-    CONTACT, COUPLED, CRACKED_SECTION, ENGINE, Engine, NETWORK, RAIL, Rail, SOLVER, WHEEL_CONTACT,
+    CONTACT, COUPLED, CRACKED_SECTION, CrackedSection, ENGINE, Engine, NETWORK, RAIL, Rail, SOLVER,
+    WHEEL_CONTACT,
 };
 use railcrack::growth::NetworkContact;
 use railcrack::load::Track;
@@ -15,7 +16,13 @@ pub(super) fn check_section<'t>(
     mut tracks: impl Iterator<Item = &'t Track>,
     report: &mut Report,
 ) {
-    let (Some(given), Some(section)) = (sections.one(&RAIL), rail.and_then(|rail| rail.section)) else {
+    let (Some(given), Some(rail)) = (sections.one(&RAIL), rail) else { return };
+    let Some(section) = rail.section else {
+        if given.get(CRACKED_SECTION) == Some(CrackedSection::OfTrack) {
+            let says = "is that of [track], which gives none with a name";
+            let help = "give [track] a section, such as section = \"60E1\", or give it here";
+            report.add(given.fault(CRACKED_SECTION, says).help(help));
+        }
         return;
     };
     let mut refuse = |says: &str, help: &str| report.add(given.fault(CRACKED_SECTION, says).help(help));

@@ -6,6 +6,7 @@ mod by_geometry;
 #[expect(clippy::module_inception, reason = "the type gives its file the name")]
 mod case;
 mod coupled;
+mod crack_rows;
 mod cracks;
 mod discretisation;
 mod finite_section;
@@ -18,6 +19,7 @@ mod overrides;
 mod plane;
 mod read;
 mod row_scatter;
+mod seasons;
 mod setting;
 mod space;
 mod space_case;

@@ -1,6 +1,7 @@
 //! The wheels that pass: the one of `[contact]`, or those of `[[wheel]]` with their shares of the
 //! axles.
 
+use super::seasons::over_seasons;
 use super::traffic_wheel::{TrafficContext, TrafficWheel};
 use super::wheel_table::WheelTable;
 use super::wheels_of_table::{TableContext, read_wheels_of_table};
@@ -33,7 +34,7 @@ pub(super) fn read_traffic(context: TrafficContext<'_>, report: &mut Report) -> 
         None => read_single(context, fluid, report),
     };
     let moves = sections.one(&PASSAGE).is_some_and(|passage| check_passage(passage, report));
-    traffic.filter(|_| moves)
+    over_seasons(traffic.filter(|_| moves)?, sections, report)
 }
 
 /// The wheel of `[contact]`.

@@ -5,6 +5,7 @@ mod columns;
 mod companion;
 mod contact_mat;
 mod contact_table;
+mod crack_table;
 mod csv_rows;
 mod detection;
 mod detection_table;
@@ -24,10 +25,12 @@ pub use columns::{Column, Columned, Columns};
 pub use companion::{
     CaseFile, Companion, ContactFile, DetectionFile, FieldFile, ProfileFile, RatesFile, ToughnessFile,
 };
+pub use crack_table::{CrackTableFile, InspectedCrack, InspectedSize};
 pub use detection_table::DetectionTable;
 
 pub(crate) use columns::of_another_kind;
 pub(crate) use contact_table::{ContactReading, read_contact_table};
+pub(crate) use crack_table::{CrackKeys, read_crack_table};
 pub(crate) use csv_rows::csv_rows;
 pub(crate) use detection::read_detection;
 pub(crate) use field::read_field;

@@ -126,7 +126,13 @@ pub const USUAL: &[Usual] = &[
         (500.0, 1e6),
         "bogies of 1.5 to 3 m; a train of 1 km",
     ),
-    usual("the temperature of a rail", (&["temperature.rail_c"], &[]), "degrees C", (0.0, 75.0), STEEL),
+    usual(
+        "the temperature of a rail",
+        (&["temperature.rail_c", "temperature.seasons_c"], &[]),
+        "degrees C",
+        (0.0, 75.0),
+        STEEL,
+    ),
     usual(
         "the neutral temperature",
         (&["temperature.neutral_c"], &[]),
@@ -384,6 +390,7 @@ pub const ANY: &[&str] = &[
     "passage.network_tolerance",
     "rail.centre_mm",
     "shakedown.dang_van_a",
+    "temperature.season_shares",
     "wheel.share",
     "wheel.representatives_error",
     "wheel.place_m",

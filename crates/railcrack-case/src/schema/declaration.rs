@@ -71,6 +71,16 @@ pub enum SectionPresence {
 pub struct Form {
     /// Names of its keys.
     pub keys: &'static [&'static str],
+    /// Names of keys of other forms that may be given with it.
+    pub also: &'static [&'static str],
+}
+
+impl Form {
+    /// Whether the key `name` goes with it.
+    #[must_use]
+    pub fn admits(&self, name: &str) -> bool {
+        self.keys.contains(&name) || self.also.contains(&name)
+    }
 }
 
 /// A key of a section.
@@ -340,7 +350,8 @@ impl Kind {
             Self::Switch => "true or false".into(),
             Self::Path { .. } => "the name of a file".into(),
             Self::Numbers { unit, range } => {
-                format!("a list of at most {} numbers in {range} {unit}", Self::MOST_NUMBERS)
+                let numbers = Self::Number { unit, range: *range }.accepted();
+                numbers.replacen("a number", &format!("a list of at most {} numbers", Self::MOST_NUMBERS), 1)
             }
             Self::Points { unit, .. } => format!("a list of at least two points [x, y] in {unit}"),
             Self::Groups { .. } => "a list of groups, each a list of at least two keys".into(),

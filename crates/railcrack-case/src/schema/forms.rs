@@ -18,17 +18,17 @@ pub(super) fn choose_form(
 ) -> Option<&'static Form> {
     let section = read.section;
     let open: Vec<&'static Form> = section.forms.iter().filter(|form| is_open(read, form)).collect();
-    let forms_of = |name: &str| open.iter().filter(|form| form.keys.contains(&name)).count();
+    let forms_of = |name: &str| open.iter().filter(|form| form.admits(name)).count();
     // A key of several forms chooses none of them.
-    let own = |form: &Form| given.iter().find(|(k, _)| form.keys.contains(&k.name) && forms_of(k.name) == 1);
+    let own = |form: &Form| given.iter().find(|(k, _)| form.admits(k.name) && forms_of(k.name) == 1);
     let used: Vec<(&'static Form, &Given)> =
         open.iter().filter_map(|form| Some((*form, own(form)?))).collect();
     let needs_one = open.iter().any(|form| !required_keys(section, form).is_empty());
     match used.as_slice() {
         [(form, one)] => {
-            let stray = given.iter().find(|(k, _)| forms_of(k.name) > 0 && !form.keys.contains(&k.name));
+            let stray = given.iter().find(|(k, _)| forms_of(k.name) > 0 && !form.admits(k.name));
             let Some(stray) = stray else { return Some(form) };
-            let other = open.iter().find(|form| form.keys.contains(&stray.0.name))?;
+            let other = open.iter().find(|form| form.admits(stray.0.name))?;
             let fault = said_twice(read, [(form, one), (other, stray)], report);
             report.add(fault);
             None

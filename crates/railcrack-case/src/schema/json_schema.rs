@@ -123,7 +123,7 @@ fn form_schema(section: &Section, form: &Form) -> Value {
         .forms
         .iter()
         .flat_map(|f| f.keys)
-        .filter(|k| !form.keys.contains(k))
+        .filter(|k| !form.admits(k))
         .map(|k| json!({ "required": [k] }))
         .collect();
     json!({ "required": required, "not": { "anyOf": others } })

@@ -51,9 +51,16 @@ fn forms(section: &Section) -> String {
     let ways: Vec<String> = section
         .forms
         .iter()
-        .map(|f| f.keys.iter().map(|k| format!("`{k}`")).collect::<Vec<_>>().join(", "))
+        .map(|form| match form.also {
+            [] => in_words(form.keys),
+            also => format!("{}, perhaps with {}", in_words(form.keys), in_words(also)),
+        })
         .collect();
     if ways.is_empty() { String::new() } else { format!("\nEither {}.\n", ways.join("; or ")) }
+}
+
+fn in_words(keys: &[&str]) -> String {
+    keys.iter().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(", ")
 }
 
 fn row(key: &Key) -> String {

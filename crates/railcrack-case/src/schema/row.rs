@@ -244,11 +244,12 @@ pub(crate) const fn joined<const N: usize>(parts: &[&[Key]]) -> [Key; N] {
 
 /// Declares a section: a constant for each row, and the [`Section`](super::Section) of all of them.
 ///
-/// `NAME "name", Presence, "Sentence." [, forms [[ROW, …], …]] [, parts [SECTION, …]] [, instead
-/// "name"]; ROW: Type = row; [..KEYS;] …`, where KEYS are keys that are declared elsewhere.
+/// `NAME "name", Presence, "Sentence." [, forms [[ROW, … [; ROW, …]], …]] [, parts [SECTION, …]]
+/// [, instead "name"]; ROW: Type = row; [..KEYS;] …`, where KEYS are keys that are declared
+/// elsewhere, and rows after the semicolon of a form may be given with it.
 macro_rules! section {
     (
-        $SECTION:ident $name:literal, $presence:ident, $doc:literal $(, forms [$([$($OF:ident),+]),+])?
+        $SECTION:ident $name:literal, $presence:ident, $doc:literal $(, forms [$([$($OF:ident),+ $(; $($ALSO:ident),+)?]),+])?
             $(, parts [$($PART:expr),+])? $(, instead $instead:literal)?;
         $($ROW:ident: $Type:ty = $row:expr; $(..$MORE:expr;)?)+
     ) => {
@@ -263,7 +264,10 @@ macro_rules! section {
                 const PARTS: &[&[$crate::schema::Key]] = &[$(&[$ROW.key], $($MORE,)?)+];
                 &$crate::schema::joined::<{ $crate::schema::count(PARTS) }>(PARTS)
             },
-            forms: &[$($($crate::schema::Form { keys: &[$($OF.key.name),+] }),+)?],
+            forms: &[$($($crate::schema::Form {
+                keys: &[$($OF.key.name),+],
+                also: &[$($($ALSO.key.name),+)?],
+            }),+)?],
             parts: &[$($($PART),+)?],
             instead: $crate::schema::given!($($instead)?),
             off: None,

@@ -40,6 +40,12 @@ impl Sections {
         }
     }
 
+    /// The same sections but for those of `section`, which are the `others`.
+    pub fn with(&self, section: &Section, others: Vec<SectionValues>) -> Self {
+        let rest = self.0.iter().filter(|read| read.section.name != section.name).cloned();
+        Self(rest.chain(others).collect())
+    }
+
     /// Sets a key that is not given to `value`.
     pub fn settle<T>(&mut self, section: &Section, row: KeyRow<T>, value: Value) {
         let Some(key) = section.key(row.key.name) else { return };
@@ -98,6 +104,26 @@ impl SectionValues {
             is_given: true,
         };
         Some(Self { section, path, span, entries: vec![entry], refused: Vec::new() })
+    }
+
+    /// The section as it is where the row `number` (from 1) of the file that the key `table` names
+    /// gives the `values`: faults of it stand at that key.
+    pub fn of_row<T>(
+        &self,
+        table: KeyRow<T>,
+        number: usize,
+        values: impl IntoIterator<Item = (KeyRow<f64>, f64)>,
+    ) -> Self {
+        let span = self.span_of(table);
+        let mut row =
+            Self { path: format!("{}.row[{number}]", self.path), span: span.clone(), ..self.clone() };
+        for (own, value) in values {
+            row.entries.retain(|entry| entry.key.name != own.key.name);
+            let Some(key) = self.section.key(own.key.name) else { continue };
+            let (value, span) = (Value::Number(value), Some(span.clone()));
+            row.entries.push(Entry { key, value, span, parts: Vec::new(), is_given: true });
+        }
+        row
     }
 
     /// The value of a key; none where it is not given and has no default.

@@ -112,6 +112,7 @@ fn init_line(section: &Section, key: &Key) -> String {
         Kind::Number { unit, range } => comment.push_str(&format!(" In {range} {unit}.")),
         Kind::NumberOr { range, word, .. } => comment.push_str(&format!(" In {range}, or \"{word}\".")),
         Kind::Integer { min, max } => comment.push_str(&format!(" From {min} to {max}.")),
+        Kind::Numbers { unit: "", range } => comment.push_str(&format!(" Each in {range}.")),
         Kind::Numbers { unit, range } => comment.push_str(&format!(" Each in {range} {unit}.")),
         Kind::Switch
         | Kind::Text
@@ -135,7 +136,7 @@ fn replaced_by(section: &Section, key: &Key) -> Option<Vec<&'static str>> {
     if own.is_empty() || first.keys.contains(&key.name) {
         return None;
     }
-    let is_shared = |name: &&str| own.iter().all(|form| form.keys.contains(name));
+    let is_shared = |name: &&str| own.iter().all(|form| form.admits(name));
     Some(first.keys.iter().copied().filter(|name| !is_shared(name)).collect())
 }
 

@@ -1,6 +1,6 @@
-//! `[[crack]]`: a crack, or a row of equal ones.
+//! `[[crack]]`: a crack, a row of equal ones, or those of an inspection.
 
-use crate::schema::{NumberRange, closed, integer, number, points, positive, section, within};
+use crate::schema::{NumberRange, closed, file, integer, number, points, positive, section, within};
 
 /// Flatter cracks lie closer to the surface than face elements are long: their systems are
 /// singular.
@@ -8,7 +8,7 @@ pub(crate) const ANGLES: NumberRange = NumberRange::closed(0.5, 179.5);
 
 section! {
     CRACK "crack", Repeated, "A crack or a row of cracks; the section is repeated for each.",
-        forms [[MOUTH, LENGTH, ANGLE], [MOUTH, CRACK_DEPTH, ANGLE], [POINTS]];
+        forms [[MOUTH, LENGTH, ANGLE], [MOUTH, CRACK_DEPTH, ANGLE], [POINTS], [CRACK_TABLE; ANGLE]];
     MOUTH: f64 = number("mouth_mm", "mm", within(1e6), 0.0, "x coordinate of the crack mouth.").required();
     LENGTH: f64 = number("length_mm", "mm", closed(1e-3, 1e4), 6.0, "Length of a straight crack.").required();
     CRACK_DEPTH: f64 = number("depth_mm", "mm", closed(1e-3, 1e4), 1.5,
@@ -17,6 +17,9 @@ section! {
         .required();
     POINTS: Vec<[f64; 2]> = points("points_mm", "mm", within(1e6), &[[0.0, 0.0], [4.0, -1.0], [6.0, -1.2]],
         "Points of a polyline, the first on the surface (y = 0), or below it for a buried crack with two tips. In the space engine two points, or three of a folded crack: mouth, fold and deepest point.")
+        .required();
+    CRACK_TABLE: String = file("table", "inputs/cracks", "inspection.csv",
+        "CSV file with a row for each crack of an inspection: mouth_mm, or position_m along the track, of which the smallest lies at x = 0; depth_mm or length_mm, a number or a class of sizes such as 0.5-1.0, which counts as its upper end, or at_most_mm. Optional are surface_length_mm, the length on the surface, half of which is surface_half_length_mm, angle_deg and lateral_mm; a row without them has those of the section, and all rows have its friction.")
         .required();
     CRACK_FRICTION: f64 = number("friction", "", closed(0.0, 2.0), 0.5, "Crack-face friction coefficient.")
         .required();

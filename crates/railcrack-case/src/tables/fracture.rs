@@ -61,7 +61,7 @@ impl Choice for SteelName {
 pub struct Fracture {
     /// The toughness over temperature.
     pub toughness: Toughness,
-    /// K_Ic at the temperature of the rail, MPa√m.
+    /// K_Ic at the temperature of the rail, of several the lowest, MPa√m.
     pub at_rail: f64,
     /// The name of the steel where it is one with a name.
     pub steel: Option<&'static str>,
@@ -73,10 +73,10 @@ pub struct Fracture {
 }
 
 impl Fracture {
-    /// Files are relative to `folder`; `temperature` is that of the rail, where it is given.
+    /// Files are relative to `folder`; `temperatures` are those of the rail, where they are given.
     pub(crate) fn read(
         section: &SectionValues,
-        temperature: Option<&Temperature>,
+        temperatures: &[Temperature],
         folder: &Path,
         report: &mut Report,
     ) -> Option<Self> {
@@ -85,7 +85,8 @@ impl Fracture {
             FractureCriterion::K1 => None,
         };
         let of = |toughness: Toughness, steel, file| {
-            let at_rail = toughness.at(temperature.map_or(20.0, |temperature| temperature.rail));
+            let lowest = temperatures.iter().map(|at| toughness.at(at.rail)).reduce(f64::min);
+            let at_rail = lowest.unwrap_or_else(|| toughness.at(20.0));
             Some(Self { toughness, at_rail, steel, file, pop_in })
         };
         if let Some(toughness) = section.get(TOUGHNESS) {
@@ -98,7 +99,7 @@ impl Fracture {
             return of(steel.toughness()?, Some(steel.name), None);
         }
         let file = read_toughness(section, FRACTURE_PROFILE, folder, report)?;
-        if temperature.is_none() {
+        if temperatures.is_empty() {
             let says = "depends on temperature, and no [temperature] gives that of the rail";
             let help =
                 "add a [temperature] section, with rail_c = neutral_c for a rail without thermal stress";

@@ -44,8 +44,8 @@ pub use wheel_load::{GivenContact, GivenWheel, WheelLoading};
 pub(crate) use calibration::{CALIBRATION, read_calibration};
 pub(crate) use contact::{CONTACT, COUPLED, KIND, LATERAL_EXTENT, LATERAL_HALF_WIDTH, PossibleExtent};
 pub(crate) use crack::{
-    ANGLE, ANGLE_SD, ANGLES, COUNT, CRACK, CRACK_DEPTH, CRACK_FRICTION, CRACK_LATERAL, LENGTH, LENGTH_SD,
-    MOUTH, POINTS, ROW_SEED, SPACING, SPACING_SD, STRIKE, SURFACE_HALF_LENGTH,
+    ANGLE, ANGLE_SD, ANGLES, COUNT, CRACK, CRACK_DEPTH, CRACK_FRICTION, CRACK_LATERAL, CRACK_TABLE, LENGTH,
+    LENGTH_SD, MOUTH, POINTS, ROW_SEED, SPACING, SPACING_SD, STRIKE, SURFACE_HALF_LENGTH,
 };
 pub(crate) use file::CASE_FILE;
 pub(crate) use fluid::{FLUID, read_fluid};
@@ -63,13 +63,17 @@ pub(crate) use mesh::{
 };
 pub(crate) use output::{EXPLORER, OF_STUDY, OUTPUT, RUN_FOLDERS};
 pub(crate) use passage::{FROM, PASSAGE, POSITIONS, TO, check_passage, read_passages, read_travel};
-pub(crate) use rail::{BOUNDARY, BoundaryKind, CENTRE, CRACKED_SECTION, RAIL, Rail, WIDTH, read_steel};
+pub(crate) use rail::{
+    BOUNDARY, BoundaryKind, CENTRE, CRACKED_SECTION, CrackedSection, RAIL, Rail, WIDTH, read_steel,
+};
 pub(crate) use shakedown::{SHAKEDOWN, YIELD_STRESS};
 pub(crate) use solver::{ENGINE, NETWORK, SOLVER, SOLVER_CONTACT, engine_of};
 pub(crate) use stress::{PLASTIC_STRESS, PROFILE, RESIDUAL_STRESS};
 pub(crate) use study::{COLOUR_BY, COMBINE, SAMPLES, SAMPLES_BY_DEFAULT, SAMPLING, SEED, TOGETHER};
 pub(crate) use title::{TITLE, TOP};
-pub(crate) use track::{FOUNDATION, RAIL_TEMPERATURE, TEMPERATURE, TRACK, read_temperature, read_track};
+pub(crate) use track::{
+    FOUNDATION, RAIL_TEMPERATURE, SEASONS, TEMPERATURE, TRACK, read_seasons, read_temperature, read_track,
+};
 pub(crate) use traffic::{
     AXLE_LOAD, DIRECTION, MGT_PER_YEAR, PLACE, PLACE_WINDOW, REPRESENTATIVES, REPRESENTATIVES_ERROR, SHARE,
     TABLE, TABLE_EXTENT, TABLE_SIGN, TABLE_THEORY, TRAFFIC, WHEEL, WHEEL_AXLE_LOAD, WHEEL_CONTACT,

@@ -1,6 +1,6 @@
 //! `[rail]`: elasticity, extent and boundary of the rail.
 
-use super::track::SectionName;
+use super::track::{RAIL_SECTION, SectionName};
 use crate::schema::{
     Choice, NumberRange, Report, SectionValues, Word, choice, closed, number, read_by_word, section, within,
 };
@@ -39,12 +39,34 @@ section! {
         .only_with(BOUNDARY, BLOCK.name, NO_SUPPORTS);
     SIDES: SideSupport = choice("sides", "Support of the sides of a block.")
         .only_with(BOUNDARY, BLOCK.name, NO_SUPPORTS);
-    CRACKED_SECTION: SectionName = choice("section", "Rail section whose head, web and foot make the cracked rail more compliant than a half-plane, on the foundation of [track]; cracks then stay in its head. By default the cracked rail is a half-plane, which is too stiff for cracks deeper than 5 mm.")
+    CRACKED_SECTION: CrackedSection = choice("section", "Rail section whose head, web and foot make the cracked rail more compliant than a half-plane, on the foundation of [track]; cracks then stay in its head. By default the cracked rail is a half-plane, which is too stiff for cracks deeper than 5 mm.")
         .optional()
         .only_with(BOUNDARY, HALF_PLANE.name, NO_SECTION);
 }
 
-read_by_word!(BoundaryKind, BottomSupport, SideSupport);
+read_by_word!(BoundaryKind, BottomSupport, SideSupport, CrackedSection);
+
+/// The section of a cracked rail.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum CrackedSection {
+    Named(SectionName),
+    /// That of the track.
+    OfTrack,
+}
+
+const NAMES: &[(SectionName, Word)] = SectionName::WORDS;
+
+impl Choice for CrackedSection {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Named(NAMES[0].0), NAMES[0].1),
+        (Self::Named(NAMES[1].0), NAMES[1].1),
+        (Self::Named(NAMES[2].0), NAMES[2].1),
+        (Self::Named(NAMES[3].0), NAMES[3].1),
+        (Self::Named(NAMES[4].0), NAMES[4].1),
+        (Self::Named(NAMES[5].0), NAMES[5].1),
+        (Self::OfTrack, Word::now("track", "that of [track], which then has a section with a name")),
+    ];
+}
 
 /// The two kinds of [`Boundary`], without their supports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,8 +95,12 @@ pub(crate) struct Rail {
 }
 
 impl Rail {
-    /// The rail of the cracks `network`.
-    pub(crate) fn read(section: &SectionValues, network: Option<&CrackNetwork>) -> Option<Self> {
+    /// The rail of the cracks `network` on the `track`.
+    pub(crate) fn read(
+        section: &SectionValues,
+        track: Option<&SectionValues>,
+        network: Option<&CrackNetwork>,
+    ) -> Option<Self> {
         if section.is_refused(CENTRE) || section.is_refused(WIDTH) {
             return None;
         }
@@ -94,7 +120,10 @@ impl Rail {
             // The width of a block belongs to its supports.
             (None, ..) => USUAL_WIDTH,
         };
-        let named = section.get(CRACKED_SECTION).and_then(|name| NamedSection::of(name.word()));
+        let named = section.get(CRACKED_SECTION).and_then(|given| match given {
+            CrackedSection::Named(name) => NamedSection::of(name.word()),
+            CrackedSection::OfTrack => NamedSection::of(track?.get(RAIL_SECTION)?.word()),
+        });
         let head = named.and_then(SectionLayers::of).map_or(f64::INFINITY, |layers| layers.head.height);
         let depth = section.get(DEPTH)?.min(SectionEngine::DEEPEST * head);
         Some(Self { extent: RailBox { width, depth, centre }, boundary, section: named })

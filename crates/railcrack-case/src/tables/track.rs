@@ -26,8 +26,14 @@ section! {
 }
 
 section! {
-    TEMPERATURE "temperature", Optional, "Temperature of a rail that is restrained lengthwise; below the neutral temperature it is in tension.";
+    TEMPERATURE "temperature", Optional, "Temperature of a rail that is restrained lengthwise; below the neutral temperature it is in tension.",
+        forms [[RAIL_TEMPERATURE], [SEASONS, SEASON_SHARES]];
     RAIL_TEMPERATURE: f64 = number("rail_c", "degrees C", within(200.0), -5.0, "Temperature of the rail.").required();
+    SEASONS: Vec<f64> = numbers("seasons_c", "degrees C", within(200.0), &[35.0, 15.0, -5.0],
+        "Temperatures of the rail over the year, such as those of summer, spring and frost: every wheel becomes one at each of them, and the wheels a mix. The toughness is the lowest at any of them.")
+        .required();
+    SEASON_SHARES: Vec<f64> = numbers("season_shares", "", closed(1e-9, 1.0), &[0.3, 0.6, 0.1],
+        "Share of the axles at each of these temperatures; the shares add up to 1.").required();
     NEUTRAL_TEMPERATURE: f64 = number("neutral_c", "degrees C", within(200.0), 25.0,
         "Neutral temperature, at which the rail carries no longitudinal force.").required();
     EXPANSION: f64 = number("expansion_per_k", "1/K", closed(1e-9, 1e-3), Temperature::RAIL_STEEL_EXPANSION,
@@ -101,13 +107,42 @@ fn read_section(section: &SectionValues) -> Option<RailSection> {
     Some(NamedSection::of(section.get(RAIL_SECTION)?.word())?.section())
 }
 
-/// The temperature.
+/// The temperature; of seasons that of the first one.
 pub(crate) fn read_temperature(section: &SectionValues, report: &mut Report) -> Option<Temperature> {
+    let rail = section.get(RAIL_TEMPERATURE).or_else(|| section.get(SEASONS)?.first().copied());
     let temperature = Temperature {
-        rail: section.get(RAIL_TEMPERATURE)?,
+        rail: rail?,
         neutral: section.get(NEUTRAL_TEMPERATURE)?,
         expansion: section.get(EXPANSION)?,
     };
     temperature.check().map_err(|error| report.add(section.fault_of_all(error))).ok()?;
     Some(temperature)
+}
+
+/// Shares whose sum differs from 1 by less add up to 1: they were rounded to six digits.
+const SUM: f64 = 1e-6;
+
+/// The temperatures (degrees C) of the seasons of `section` with their shares of the axles, each
+/// once; empty where it has one temperature. None after a fault in `report`.
+pub(crate) fn read_seasons(section: &SectionValues, report: &mut Report) -> Option<Vec<(f64, f64)>> {
+    let (Some(given), Some(shares)) = (section.get(SEASONS), section.get(SEASON_SHARES)) else {
+        return Some(Vec::new());
+    };
+    let sum: f64 = shares.iter().sum();
+    let says = match given.len() == shares.len() {
+        false => format!("{} shares of {} temperatures; one of each", shares.len(), given.len()),
+        true if (sum - 1.0).abs() > SUM => format!("the shares add up to {sum}; they must add up to 1"),
+        true => {
+            let mut seasons: Vec<(f64, f64)> = Vec::new();
+            for (rail, share) in given.into_iter().zip(shares) {
+                match seasons.iter_mut().find(|(other, _)| *other == rail) {
+                    Some((_, known)) => *known += share,
+                    None => seasons.push((rail, share)),
+                }
+            }
+            return Some(seasons);
+        }
+    };
+    report.add(section.fault(SEASON_SHARES, says));
+    None
 }

@@ -1,6 +1,7 @@
 //! The case file: reading, errors, studies, and what derives from the table of keys.
 
 mod bad_input;
+mod crack_table;
 mod fitted;
 mod limits;
 mod modules;
@@ -8,6 +9,7 @@ mod plausible;
 mod reading;
 mod rows;
 mod samples;
+mod seasons;
 mod studies;
 mod table;
 mod wheels;

@@ -36,6 +36,9 @@ pub(super) fn varied(case: &Case, variation: Variation, folder: &Path) -> Option
         Variation::Neutral(by) => warmer(case, by),
         Variation::Deeper(by) => deeper(case, by),
     };
+    if settings.is_empty() {
+        return None;
+    }
     let overrides = Overrides { settings, ..Overrides::default() };
     let varied = Case::parse_with(&case.to_toml(), "case.toml", folder, &overrides).ok()?;
     let mut varied = represented(&varied).into_owned();
@@ -69,8 +72,11 @@ fn warmer(case: &Case, by: f64) -> Vec<String> {
     }
 }
 
-/// Settings of straight cracks that are deeper by `by` (mm).
+/// Settings of straight cracks that are deeper by `by` (mm); none where a file has their depths.
 fn deeper(case: &Case, by: f64) -> Vec<String> {
+    if case.crack_table.is_some() {
+        return Vec::new();
+    }
     let of_section = |index: usize| {
         let number = |key: &str| case.number(&format!("crack[{index}].{key}")).ok();
         let sine = number("angle_deg")?.to_radians().sin();
