@@ -21,7 +21,10 @@ fn law_folder(name: &str) -> std::path::PathBuf {
 fn a_folder_of_entries_is_scored() {
     let folder = law_folder("law");
     let told = done(&folder, &["validate", ".", "--quiet"]);
-    assert!(told.starts_with("law: 1 entry, 1 within 95 %, 1 within a factor of 2, 1 of 5"), "{told}");
+    assert!(
+        told.starts_with("law: 1 entry, 1 within 95 %, 1 within a factor of 2, 1 within a factor of 5"),
+        "{told}"
+    );
     assert!(told.contains("3 entries, 1 scored; 1 from memory, never scored"), "{told}");
     let table = folder.join("validation.csv");
     assert_eq!(column(&table, "id"), ["L1", "X1"]);

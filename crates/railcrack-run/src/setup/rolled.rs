@@ -109,55 +109,31 @@ pub fn stabilisation(case: &Case) -> Stabilisation {
     Stabilisation { method, max_passes, ..Stabilisation::default() }
 }
 
-/// The patch under which the bounds of the wheel `number` (from 0) of `case` are searched; none of
-/// a line contact, and of the many wheels of a table, which count by their strips.
-fn patch_for_bounds(case: &Case, number: usize) -> Option<RolledPatch> {
-    let is_tabled = case.wheel_table.as_ref().is_some_and(|table| number >= table.first);
-    if is_tabled { None } else { rolled_patch(case, number) }
-}
-
 /// First yield, the limit of elastic shakedown, and both by depth.
 pub type WheelBounds = (FirstYield, ShakedownLimit, Vec<DepthBounds>);
 
-/// Those under the wheel `number` (from 0) of `case`, at depths over its half-width: of its whole
-/// patch, by depth at the lateral place of the limit, or of its line contact; none where it misses
-/// the cracks.
+/// Those under the wheel `number` (from 0) of `case`, at depths over its half-width: of its line
+/// contact, a patch by its strip, whose limit of shakedown is lower; none where it misses the
+/// cracks. The search below a whole patch takes a second, which a study cannot spend on each run.
 #[must_use]
 pub fn bounds_under(case: &Case, number: usize, depths_over_a: &[f64]) -> Option<WheelBounds> {
-    let wheel = &case.wheels.get(number)?.wheel;
-    let Some(patch) = patch_for_bounds(case, number) else {
-        return contact_bounds(wheel, &case.steel, |bounds| {
-            (bounds.first_yield(), bounds.shakedown_limit(), bounds.by_depth(depths_over_a))
-        });
-    };
-    let bounds = patch.bounds();
-    let (first, limit) = (bounds.first_yield(), bounds.shakedown_limit());
-    Some((
-        FirstYield { ratio: first.ratio, x_over_a: 0.0, depth_over_a: first.depth_over_a },
-        ShakedownLimit { ratio: limit.ratio, depth_over_a: limit.depth_over_a },
-        bounds.by_depth(limit.y_over_b, depths_over_a),
-    ))
+    contact_bounds(&case.wheels.get(number)?.wheel, &case.steel, |bounds| {
+        (bounds.first_yield(), bounds.shakedown_limit(), bounds.by_depth(depths_over_a))
+    })
 }
 
-/// The largest pressure of the wheel `number` (from 0) of `case` and its bounds: of its whole
-/// patch, or of its line contact; none where it misses the cracks.
+/// The largest pressure of the wheel `number` (from 0) of `case` and its bounds, as
+/// [`bounds_under`]; none where it misses the cracks.
 #[must_use]
 pub fn wheel_pressure(case: &Case, number: usize) -> Option<ContactPressure> {
     let wheel = &case.wheels.get(number)?.wheel;
     let contact = wheel.contact()?;
-    let of = |peak_pressure: f64, first_yield: f64, shakedown_limit: f64| ContactPressure {
-        peak_pressure,
+    contact_bounds(wheel, &case.steel, |bounds| ContactPressure {
+        peak_pressure: contact.peak_pressure(),
         adhesion: contact.adhesion(),
-        first_yield,
-        shakedown_limit,
-    };
-    let Some(patch) = patch_for_bounds(case, number) else {
-        return contact_bounds(wheel, &case.steel, |bounds| {
-            of(contact.peak_pressure(), bounds.first_yield().ratio, bounds.shakedown_limit().ratio)
-        });
-    };
-    let bounds = patch.bounds();
-    Some(of(patch.peak_pressure, bounds.first_yield().ratio, bounds.shakedown_limit().ratio))
+        first_yield: bounds.first_yield().ratio,
+        shakedown_limit: bounds.shakedown_limit().ratio,
+    })
 }
 
 /// First yield and shakedown of a rail of `steel` under the contact of `wheel` alone, as `of` asks
