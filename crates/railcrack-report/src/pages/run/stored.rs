@@ -52,7 +52,7 @@ impl RunFolder {
     /// The first step at whose start the failure of the decision has happened: what comes later is
     /// of a rail that has been replaced. None where nothing fails.
     pub(super) fn failed_by(&self) -> Option<usize> {
-        let decision = self.summary.decision.as_ref()?;
+        let decision = self.summary.decision.as_ref().filter(|_| self.is_signed())?;
         let axles = decision.failure.mgt? * 1e6 / decision.axle_load_t;
         self.growth.iter().find(|row| row.load_cycles >= (1.0 - 1e-9) * axles).map(|row| row.step)
     }
