@@ -7,7 +7,7 @@ use railcrack::growth::{GrowthError, Observer, StepRecord};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack_case::Case;
 use railcrack_run::csv::TipRow;
-use railcrack_run::setup::{PreparedRun, Shared, SharedRail};
+use railcrack_run::setup::{PreparedRun, SharedRail};
 
 /// K_I and K_II of one tip of the initial cracks over the stabilised passage.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -72,8 +72,7 @@ impl CaseRun {
     /// Errors: a stress that the rail cannot carry; the first step cannot be computed.
     pub fn compute(name: &str, case: &Case, rail: Option<&SharedRail>) -> Result<Self, PaperError> {
         let stress = |source| PaperError::Stress { name: name.to_owned(), source };
-        let mut growth =
-            PreparedRun::sharing(case, None, Shared { rail, wheels: None }).map_err(stress)?.growth(None);
+        let mut growth = PreparedRun::sharing(case, None, rail).map_err(stress)?.growth(None);
         let mut run = Self { grows: case.growth.steps > 0, ..Self::default() };
         loop {
             match growth.next_step(&Unobserved) {

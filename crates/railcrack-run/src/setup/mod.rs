@@ -35,7 +35,7 @@ pub use rolled::{
     HeaviestWheel, WheelBounds, bounds_under, contact_bounds, rail_in_space, rolled_rail, rolling_wheels,
     stabilisation, stabilisation_in_space, wheel_pressure,
 };
-pub use shared::{RailKey, Shared, SharedRail, SharedRailError, SharedWheels};
+pub use shared::{RailKey, SharedRail, SharedRailError};
 pub use size::RunSize;
 pub use wheel::{plane_field, wheel_field};
 pub use wheel_demands::wheel_demands;

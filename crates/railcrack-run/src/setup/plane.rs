@@ -1,8 +1,7 @@
 //! The rail with cracks in the plane.
 
 use super::fields::field_settings;
-use super::shared::SharedWheels;
-use super::wheel::{growing_field, toughness_under, with_temperature};
+use super::wheel::{plane_field, toughness_under, with_temperature};
 use railcrack::body::BodyEngine;
 use railcrack::contact::{self, Latin, Newton};
 use railcrack::fatigue::RailSteel;
@@ -14,13 +13,12 @@ use railcrack_case::{Case, ContactSolver, PlaneCase, TrafficWheel};
 use std::sync::Arc;
 
 /// The rail of `case`, which is `plane` and whose cracks the `engine` makes bodies of, with the
-/// `residual` stress and the wheels that it shares with others.
+/// `residual` stress.
 pub(super) fn plane_rail(
     case: &Case,
     plane: &PlaneCase,
     engine: Box<dyn BodyEngine>,
     residual: Option<&Arc<dyn StressField>>,
-    shared: Option<&SharedWheels>,
 ) -> PlaneRail {
     let newton: Box<dyn contact::ContactSolver> = Box::new(Newton::default());
     let latin: Box<dyn contact::ContactSolver> = Box::new(Latin::default());
@@ -29,9 +27,7 @@ pub(super) fn plane_rail(
         ContactSolver::Latin => (latin, newton),
     };
     let numbered = case.wheels.iter().enumerate();
-    let own = SharedWheels::default();
-    let shared = shared.unwrap_or(&own);
-    let wheels = numbered.map(|wheel| plane_wheel(case, wheel, residual, shared)).collect();
+    let wheels = numbered.map(|(number, wheel)| plane_wheel(case, (number, wheel), residual)).collect();
     let usual = MPA_SQRT_MM * case.growth_steel.unwrap_or(RailSteel::USUAL).mean_toughness;
     PlaneRail {
         widths: case.plane().map_or_else(Vec::new, |plane| plane.widths.clone()),
@@ -49,7 +45,6 @@ fn plane_wheel(
     case: &Case,
     (number, wheel): (usize, &TrafficWheel),
     residual: Option<&Arc<dyn StressField>>,
-    shared: &SharedWheels,
 ) -> PlaneWheel {
     PlaneWheel {
         share: wheel.share,
@@ -58,6 +53,6 @@ fn plane_wheel(
         residual: with_temperature(case, &wheel.wheel, residual),
         passages: wheel.passages,
         toughness: toughness_under(case, &wheel.wheel),
-        ..PlaneWheel::new(growing_field(case, number, shared).expect("the case is checked"))
+        ..PlaneWheel::new(plane_field(case, number).expect("the case is checked"))
     }
 }

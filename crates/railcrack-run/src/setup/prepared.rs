@@ -3,7 +3,7 @@
 use super::carried::{CarriedStress, CarriedStressError, RolledStress, plastic_field};
 use super::engine::{engine_with, finite_elements};
 use super::plane::plane_rail;
-use super::shared::{Shared, SharedWheels};
+use super::shared::SharedRail;
 use super::space::space_rail;
 use railcrack::field::StressField;
 use railcrack::growth::{CrackedRail, Growth, GrowthState, StepSource, TipJudge};
@@ -18,7 +18,6 @@ pub struct PreparedRun<'a> {
     /// run in space.
     meshed: Option<XfemEngine>,
     residual: CarriedStress,
-    wheels: Option<&'a SharedWheels>,
 }
 
 impl<'a> PreparedRun<'a> {
@@ -28,24 +27,24 @@ impl<'a> PreparedRun<'a> {
     ///
     /// Errors: the residual stress cannot be computed.
     pub fn new(case: &'a Case, rolled: Option<&RolledStress>) -> Result<Self, CarriedStressError> {
-        Self::sharing(case, rolled, Shared::default())
+        Self::sharing(case, rolled, None)
     }
 
-    /// [`PreparedRun::new`] with what is `shared` with other runs.
+    /// [`PreparedRun::new`] with mesh, factor and columns of another run: the same bits, sooner.
     ///
     /// Errors: the same.
     pub fn sharing(
         case: &'a Case,
         rolled: Option<&RolledStress>,
-        shared: Shared<'a>,
+        shared: Option<&SharedRail>,
     ) -> Result<Self, CarriedStressError> {
         let plastic = plastic_field(case, rolled)?;
         let mut meshed = case.plane().map(|plane| finite_elements(case, plane, plastic.as_ref()));
-        if let Some((rail, meshed)) = shared.rail.zip(meshed.as_mut()) {
+        if let Some((rail, meshed)) = shared.zip(meshed.as_mut()) {
             rail.give_to(meshed);
         }
         let residual = CarriedStress::balanced(case, rolled, plastic.as_ref(), meshed.as_mut())?;
-        Ok(Self { case, meshed, residual, wheels: shared.wheels })
+        Ok(Self { case, meshed, residual })
     }
 
     /// The residual stress that the rail carries.
@@ -73,7 +72,7 @@ impl<'a> PreparedRun<'a> {
         state: Option<GrowthState>,
         judge: Option<Arc<dyn TipJudge>>,
     ) -> Box<dyn StepSource> {
-        let Self { case, meshed, residual, wheels } = self;
+        let Self { case, meshed, residual } = self;
         let standing = residual.standing;
         let residual: Option<Arc<dyn StressField>> = residual.field.map(Arc::from);
         match &case.geometry {
@@ -85,7 +84,7 @@ impl<'a> PreparedRun<'a> {
             }
             Geometry::Plane(plane) => {
                 let engine = engine_with(case, plane, meshed.expect("cracks in the plane"));
-                let rail = plane_rail(case, plane, engine, residual.as_ref(), wheels);
+                let rail = plane_rail(case, plane, engine, residual.as_ref());
                 boxed(rail, state.unwrap_or_else(|| GrowthState::initial(&case.cracks)), judge)
             }
         }

@@ -1,54 +1,11 @@
-//! Parts that several runs of like cases share: meshes and factors of a rail, tables of wheels.
+//! Meshes and factors that several runs of a study share.
 
 use super::carried::{CarriedStressError, plastic_field};
 use super::engine::finite_elements;
 use railcrack::body::{BodyEngine, BodyError};
-use railcrack::field::{PatchLoad, PatchWheel};
-use railcrack::material::IsotropicElastic;
 use railcrack::xfem::{XfemEngine, XfemError};
 use railcrack_case::{Case, Engine, PlaneEngine, PlasticSource};
-use std::collections::VecDeque;
-use std::sync::{Mutex, PoisonError};
 use thiserror::Error;
-
-/// Parts of a run that others have built: the same bits, sooner.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Shared<'a> {
-    /// The rail of another run whose cracks begin the same.
-    pub rail: Option<&'a SharedRail>,
-    /// Wheels of other runs.
-    pub wheels: Option<&'a SharedWheels>,
-}
-
-/// Wheels over cracks in the plane, with the tables that their patches have filled.
-#[derive(Debug, Default)]
-pub struct SharedWheels(Mutex<VecDeque<SharedWheel>>);
-
-#[derive(Debug)]
-struct SharedWheel {
-    patches: Vec<PatchLoad>,
-    steel: IsotropicElastic,
-    wheel: PatchWheel,
-}
-
-/// Wheels that are kept: those of the mixes of two cases.
-const MOST_WHEELS: usize = 64;
-
-impl SharedWheels {
-    /// The wheel with `patches` on a rail of `steel`.
-    pub(super) fn wheel(&self, patches: &[PatchLoad], steel: &IsotropicElastic) -> PatchWheel {
-        let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(known) = kept.iter().find(|known| known.patches == patches && known.steel == *steel) {
-            return known.wheel.clone();
-        }
-        let wheel = PatchWheel::new(patches, steel).tabled();
-        if kept.len() == MOST_WHEELS {
-            kept.pop_front();
-        }
-        kept.push_back(SharedWheel { patches: patches.to_vec(), steel: *steel, wheel: wheel.clone() });
-        wheel
-    }
-}
 
 /// Mesh, factor and columns of a rail for several runs whose cracks begin the same.
 #[derive(Debug, Clone)]

@@ -1,8 +1,7 @@
 //! Stress in the rail from a wheel of a case.
 
-use super::shared::SharedWheels;
 use super::wheel_patch::patches_in_plane;
-use railcrack::field::{PatchLoad, PatchWheel, StressField, Sum, Wheel, on_track, wheel_under};
+use railcrack::field::{PatchWheel, StressField, Sum, Wheel, on_track, wheel_under};
 use railcrack::load::{Contact, HertzianContact, WheelLoad};
 use railcrack::material::IsotropicElastic;
 use railcrack::math::{MPA_SQRT_MM, OutOfRange};
@@ -18,36 +17,12 @@ const NO_PRESSURE: f64 = 1e-3;
 ///
 /// Errors: [`wheel_under`]; the wheel of a checked case has none.
 pub fn plane_field(case: &Case, number: usize) -> Result<Box<dyn Wheel>, OutOfRange> {
-    field_with(case, number, |patches| PatchWheel::new(patches, &case.steel))
-}
-
-/// Steps from which on the cracks of a run share the table of a wheel.
-const MANY_STEPS: usize = 4;
-
-/// [`plane_field`] for the growth of the cracks, with the tables that its wheel has in `shared`.
-///
-/// Errors: the same.
-pub(super) fn growing_field(
-    case: &Case,
-    number: usize,
-    shared: &SharedWheels,
-) -> Result<Box<dyn Wheel>, OutOfRange> {
-    match case.growth.steps < MANY_STEPS {
-        true => plane_field(case, number),
-        false => field_with(case, number, |patches| shared.wheel(patches, &case.steel)),
-    }
-}
-
-fn field_with(
-    case: &Case,
-    number: usize,
-    wheel_of: impl Fn(&[PatchLoad]) -> PatchWheel,
-) -> Result<Box<dyn Wheel>, OutOfRange> {
     let Some(wheel) = case.wheels.get(number) else {
         return wheel_field(&case.first_wheel().wheel, &case.steel);
     };
     let Some(patches) = patches_in_plane(case, number) else { return wheel_field(&wheel.wheel, &case.steel) };
-    on_track(Box::new(wheel_of(&patches)), wheel.wheel.track.as_ref(), &case.steel)
+    let contact = Box::new(PatchWheel::new(&patches, &case.steel));
+    on_track(contact, wheel.wheel.track.as_ref(), &case.steel)
 }
 
 /// The field of the line contact of `wheel` on a rail of `steel`, and of its bending.

@@ -10,7 +10,6 @@ use super::run::Simulation;
 use super::variations::{variations, varied};
 use crate::decision::{Companions, Course, NominalRun, Question, deciding, from_run};
 use crate::log::{Companion, CompanionKind, RunInfo, RunLog, StepDigest};
-use crate::setup::Shared;
 use railcrack::bulk::Boundary;
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::growth::{GrowthState, SurfaceRemoval, Turning};
@@ -248,7 +247,7 @@ impl Simulation<'_> {
         };
         let part = kept.and_then(|kept| case.with_cracks(kept));
         // A rail that is shared has the mesh of all cracks.
-        let shared = Shared { rail: self.shared.rail.filter(|_| part.is_none()), ..self.shared };
+        let shared = self.shared.filter(|_| part.is_none());
         case = part.unwrap_or(case);
         if let (Engine::Plane(engine), Geometry::Plane(plane)) = (beside.engine, &mut case.geometry) {
             plane.engine = engine;

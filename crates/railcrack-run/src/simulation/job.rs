@@ -4,7 +4,7 @@ use super::observer::RunObserver;
 use crate::log::{RunInfo, WheelInfo};
 use crate::presentation::Presentation;
 use crate::run_folder::CaseFiles;
-use crate::setup::Shared;
+use crate::setup::SharedRail;
 use crate::summary::validity;
 use railcrack::growth::GrowthState;
 use railcrack_case::{Case, TrafficWheel};
@@ -18,8 +18,8 @@ pub struct Stage<'a> {
     pub observer: &'a dyn RunObserver,
     /// Maker of plots and pages.
     pub presentation: &'a dyn Presentation,
-    /// Parts that other runs have built.
-    pub shared: Shared<'a>,
+    /// A rail built by another run.
+    pub shared: Option<&'a SharedRail>,
     /// The state to continue from; none at the beginning.
     pub state: Option<GrowthState>,
 }

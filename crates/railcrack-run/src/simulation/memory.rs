@@ -15,7 +15,7 @@ use crate::log::{Companion, RunInfo, RunLog};
 use crate::machine::peak_memory_mb;
 use crate::presentation::Presentation;
 use crate::run_folder::Existing;
-use crate::setup::{SharedWheels, represented};
+use crate::setup::represented;
 use crate::summary::Summary;
 use railcrack::growth::{GrowthState, StepRecord, StepSource};
 use railcrack::stopwatch::Stopwatch;
@@ -49,8 +49,7 @@ impl Simulation<'_> {
     ) -> (RunInMemory, Result<Ending, RunError>) {
         let started = Stopwatch::start();
         let case = represented(self.case);
-        let wheels = SharedWheels::default();
-        let simulation = Simulation { case: &case, ..self.keeping(&wheels) };
+        let simulation = Simulation { case: &case, ..*self };
         let mut run = before.unwrap_or_else(|| RunInMemory::begun(simulation.job()));
         let ending = simulation.go_on(&mut run, scratch);
         self.observer.close();
@@ -273,8 +272,7 @@ impl Simulation<'_> {
     /// Errors: an interruption.
     pub fn accompany_by_step(&self, by_step: &mut RunByStep, scratch: &Path) -> Result<(), RunError> {
         let case = represented(self.case);
-        let wheels = SharedWheels::default();
-        Simulation { case: &case, ..self.keeping(&wheels) }.accompany(&mut by_step.run, scratch)
+        Simulation { case: &case, ..*self }.accompany(&mut by_step.run, scratch)
     }
 
     /// Computes the next step of `by_step`; none where the run has ended.

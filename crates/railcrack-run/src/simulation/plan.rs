@@ -9,7 +9,7 @@ use crate::decision::{NominalRun, Question, Verdict, VerdictLevel};
 use crate::log::{Companion, RunInfo, RunLog};
 use crate::planner::{PlanSummary, write_plan};
 use crate::run_folder::{Existing, OF_A_RUN, ResultFolder, begin};
-use crate::setup::{SharedWheels, represented};
+use crate::setup::represented;
 use railcrack::growth::{Axles, Grinding, GrowthState, Mgt, SurfaceRemoval};
 use railcrack_case::{Case, Engine, PlaneEngine};
 use rayon::prelude::*;
@@ -66,8 +66,7 @@ impl Simulation<'_> {
         }
         let entered = ResultFolder::enter(folder, &OF_A_RUN, existing)?;
         entered.mark()?;
-        let wheels = SharedWheels::default();
-        let simulation = Simulation { case: &case, ..self.keeping(&wheels) };
+        let simulation = Simulation { case: &case, ..*self };
         let planning = Planning { simulation, folder, tonnes, info: Job::of(&case).info };
         let planned = planning.written(request);
         self.observer.close();

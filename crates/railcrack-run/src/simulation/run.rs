@@ -10,7 +10,7 @@ use crate::disk::FolderLock;
 use crate::error::OutputError;
 use crate::presentation::{Presentation, TablesOnly};
 use crate::run_folder::{Existing, wheel_groups};
-use crate::setup::{Shared, SharedWheels, represented, represented_in};
+use crate::setup::{SharedRail, represented, represented_in};
 use crate::summary::Summary;
 use railcrack::growth::{GrowthState, StepSource, TipJudge};
 use railcrack_case::Case;
@@ -40,7 +40,7 @@ pub struct Simulation<'a> {
     pub(super) case: &'a Case,
     pub(super) observer: &'a dyn RunObserver,
     pub(super) presentation: &'a dyn Presentation,
-    pub(super) shared: Shared<'a>,
+    pub(super) shared: Option<&'a SharedRail>,
     pub(super) judge: Option<&'a Arc<dyn TipJudge>>,
     pub(super) is_sampled: bool,
     /// Whether the decision has lives along other paths and with other friction.
@@ -54,7 +54,7 @@ impl<'a> Simulation<'a> {
             case,
             observer: &Silent,
             presentation: &TablesOnly,
-            shared: Shared::default(),
+            shared: None,
             judge: None,
             is_sampled: true,
             has_variants: true,
@@ -73,9 +73,10 @@ impl<'a> Simulation<'a> {
         Self { presentation, ..self }
     }
 
-    /// Reuses what other runs have built: the results are bitwise identical and computed sooner.
+    /// Reuses the mesh and factors of another run of the same rail: the results are bitwise
+    /// identical and computed sooner.
     #[must_use]
-    pub fn sharing(self, shared: Shared<'a>) -> Self {
+    pub fn sharing(self, shared: Option<&'a SharedRail>) -> Self {
         Self { shared, ..self }
     }
 
@@ -110,8 +111,7 @@ impl<'a> Simulation<'a> {
             Some(case) => Cow::Owned(case),
             None => represented(self.case),
         };
-        let wheels = SharedWheels::default();
-        Simulation { case: &case, ..self.keeping(&wheels) }.represented_run_in(folder, entry)
+        Simulation { case: &case, ..*self }.represented_run_in(folder, entry)
     }
 
     fn represented_run_in(&self, folder: &Path, entry: RunEntry) -> Result<Finished, RunError> {
@@ -133,13 +133,6 @@ impl<'a> Simulation<'a> {
 }
 
 impl Simulation<'_> {
-    /// The run and all that it calls for with the same wheels: its `own`, unless it shares those of
-    /// other runs.
-    pub(super) fn keeping<'b>(&'b self, own: &'b SharedWheels) -> Simulation<'b> {
-        let shared = Shared { wheels: self.shared.wheels.or(Some(own)), ..self.shared };
-        Simulation { shared, ..*self }
-    }
-
     /// The run before anything is computed.
     pub(super) fn job(&self) -> Job {
         let mut job = Job::of(self.case);
@@ -202,14 +195,13 @@ pub fn run_steps<S: StepSource>(
         observer.close();
         return Ok(finished(ended(accompanied, &mut recorder)?));
     }
-    let (source, residual) =
-        match start(Stage { folder, observer, presentation, shared: Shared::default(), state }) {
-            Err(error) if error.is_interruption() => {
-                observer.close();
-                return Ok(finished((Ending::Interrupted, recorder.finish()?)));
-            }
-            started => started?,
-        };
+    let (source, residual) = match start(Stage { folder, observer, presentation, shared: None, state }) {
+        Err(error) if error.is_interruption() => {
+            observer.close();
+            return Ok(finished((Ending::Interrupted, recorder.finish()?)));
+        }
+        started => started?,
+    };
     if let Some(residual) = residual {
         residual.record(&mut recorder, observer)?;
     }

@@ -9,7 +9,6 @@ use crate::disk::VERSION;
 use crate::error::OutputError;
 use crate::presentation::Presentation;
 use crate::run_folder::check_numbers;
-use crate::setup::{Shared, SharedWheels};
 use crate::study::{Between, PlannedRun, PopulationPlan, StudyAxis, StudyFolder, StudyKey, StudyPlan};
 use crate::summary::{Outcome, RunEnd, Summary};
 use railcrack::growth::RunStop;
@@ -56,7 +55,6 @@ impl StudyComputation<'_> {
         };
         let queue = RunQueue::new(waiting.iter().map(of_run));
         let failed = Mutex::new(Vec::new());
-        let wheels = SharedWheels::default();
         let at_once = threads.min(waiting.len());
         let pools: Result<Vec<_>, _> = (0..at_once)
             .map(|i| {
@@ -71,14 +69,14 @@ impl StudyComputation<'_> {
         })?;
         std::thread::scope(|scope| {
             for pool in &pools {
-                let (queue, failed, wheels) = (&queue, &failed, &wheels);
+                let (queue, failed) = (&queue, &failed);
                 scope.spawn(move || {
                     pool.install(|| {
                         let mut last = None;
                         while !self.observer.interrupted()
                             && let Some(next) = queue.take(last.as_ref())
                         {
-                            let end = self.compute_run(&next, wheels);
+                            let end = self.compute_run(&next);
                             failed.lock().unwrap_or_else(PoisonError::into_inner).extend(end);
                             last = Some(next);
                         }
@@ -91,9 +89,9 @@ impl StudyComputation<'_> {
 
     /// Computes a run, or the missing part of it, into its run folder, and records there how it
     /// ended. An interrupted run has not ended.
-    fn compute_run(&self, next: &NextRun, wheels: &SharedWheels) -> Option<FailedRun> {
+    fn compute_run(&self, next: &NextRun) -> Option<FailedRun> {
         let (run, planned) = (&self.study.runs[next.run], &self.folder.plan().runs[next.run]);
-        let computed = self.steps(run, planned, next, wheels);
+        let computed = self.steps(run, planned, next);
         let (outcome, told) = match &computed {
             Ok((Ending::Interrupted, _)) => return None,
             Err(error @ RunError::Output(OutputError::InUse { .. })) => {
@@ -114,14 +112,13 @@ impl StudyComputation<'_> {
         run: &StudyRun,
         planned: &PlannedRun,
         next: &NextRun,
-        wheels: &SharedWheels,
     ) -> Result<(Ending, Summary), RunError> {
         self.folder.reopen(planned)?;
         let observer = self.observer.of_run(run.case.growth.expected_steps() + 1);
         let simulation = Simulation::new(&run.case)
             .observed_by(observer.as_ref())
             .presented_by(self.presentation)
-            .sharing(Shared { rail: next.shared_rail(&run.case), wheels: Some(wheels) })
+            .sharing(next.shared_rail(&run.case))
             .of_a_study();
         let simulation = match &self.folder.plan().population {
             Some(plan) if plan.between == Between::Paths => simulation.sampled_by_its_study(),

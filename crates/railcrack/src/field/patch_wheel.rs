@@ -3,7 +3,6 @@
 use super::Wheel;
 use super::front_spread::{CrackLine, FrontSpread, PlaceOnCrack, StressesByPosition, StressesOnCracks};
 use super::patch_directions::{PatchDirections, PatchLoad, Spread};
-use super::patch_table::PatchTable;
 use crate::material::IsotropicElastic;
 use crate::math::{Stress, Vec2};
 use std::f64::consts::FRAC_PI_2;
@@ -11,16 +10,14 @@ use std::sync::Arc;
 
 /// A wheel on the half-space. Its stress and displacement are those in the plane y = 0 of the
 /// cracks; what loads them is the mean along their fronts ([`Wheel::on_cracks`]).
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct PatchWheel {
-    patches: Arc<[PatchDirections]>,
+    patches: Vec<PatchDirections>,
     edges: Vec<f64>,
     half_width: f64,
     shear_modulus: f64,
     /// Step of its tables on cracks over that of a fine wheel.
     coarseness: usize,
-    /// The table that many cracks share; none for a few.
-    table: Option<Arc<PatchTable>>,
 }
 
 impl PatchWheel {
@@ -36,16 +33,6 @@ impl PatchWheel {
         Self::of_coarseness(patches, steel, 2)
     }
 
-    /// The same for many cracks: they share a table, which costs as much as some ten of them would
-    /// alone, and which copies of the wheel share, too.
-    #[must_use]
-    pub fn tabled(self) -> Self {
-        let smallest = self.patches.iter().map(PatchDirections::smallest).fold(f64::INFINITY, f64::min);
-        let scale = NodeScale::shared(&self);
-        let table = PatchTable::new(smallest, scale.places().collect());
-        Self { table: Some(Arc::new(table)), ..self }
-    }
-
     fn of_coarseness(patches: &[PatchLoad], steel: &IsotropicElastic, coarseness: usize) -> Self {
         let ends = |patch: &PatchLoad| {
             let (x, a) = (patch.middle()[0], patch.half()[0]);
@@ -59,7 +46,6 @@ impl PatchWheel {
                 .map(|patch| PatchDirections::new(patch, steel.poisson(), coarseness))
                 .collect(),
             edges,
-            table: None,
             half_width: patches.iter().map(|patch| patch.half()[0]).fold(0.0, f64::max),
             shear_modulus: steel.shear_modulus(),
             coarseness,
@@ -266,84 +252,39 @@ fn position(points: &[Vec2], arcs: &[f64], s: f64) -> Vec2 {
 /// Step of the abscissa τ of a fine table, u = w sinh τ, and the largest u over a.
 const STEP: f64 = 0.09;
 const TABLED: f64 = 40.0;
-/// The same in a table that cracks share: the wheel of a rail that bends runs over metres.
-const SHARED_TABLED: f64 = 1000.0;
-/// w over a: in a table that cracks share, and at the surface in that of one crack.
-const SHARED_WIDTH: f64 = 0.7;
-
-/// Places of the wheel from a point.
-#[derive(Debug, Clone, Copy)]
-struct NodeScale {
-    /// w, mm.
-    width: f64,
-    step: f64,
-    /// The place of u = 0.
-    middle: usize,
-}
-
-impl NodeScale {
-    fn new(wheel: &PatchWheel, width: f64, tabled: f64) -> Self {
-        let reach =
-            tabled * wheel.half_width + wheel.edges.iter().fold(0.0, |most: f64, e| most.max(e.abs()));
-        let step = STEP * wheel.coarseness as f64;
-        let middle = ((reach / width).asinh() / step).ceil() as usize + 2;
-        Self { width, step, middle }
-    }
-
-    /// Of a table that cracks share.
-    fn shared(wheel: &PatchWheel) -> Self {
-        Self::new(wheel, SHARED_WIDTH * wheel.half_width, SHARED_TABLED)
-    }
-
-    /// u (mm) of a place.
-    fn of(self, place: usize) -> f64 {
-        self.width * (self.step * (place as f64 - self.middle as f64)).sinh()
-    }
-
-    /// u (mm) of all places.
-    fn places(self) -> impl Iterator<Item = f64> {
-        (0..=2 * self.middle).map(move |place| self.of(place))
-    }
-}
 
 /// The stress at a point of a crack by the place of the wheel.
 struct NodeTable {
     point: Vec2,
     spread: Spread,
-    scale: NodeScale,
-    /// At the places of the scale.
+    /// w, mm.
+    width: f64,
+    /// At τ = (i − middle) `step`.
     values: Vec<Stress>,
+    step: f64,
+    middle: usize,
 }
 
 impl NodeTable {
     fn new(wheel: &PatchWheel, point: Vec2, spread: Spread) -> Self {
-        let shared = |table: &Arc<PatchTable>| table.stresses(&wheel.patches, -point.y, spread);
-        if let Some(values) = wheel.table.as_ref().and_then(shared) {
-            let scale = NodeScale::shared(wheel);
-            return Self { point, spread, scale, values };
-        }
-        let width = SHARED_WIDTH * wheel.half_width + 0.3 * (point.y.abs() + spread.reach);
-        let scale = NodeScale::new(wheel, width, TABLED);
-        let values = scale.places().map(|u| wheel.spread_stress(u, point.y, spread)).collect();
-        Self { point, spread, scale, values }
-    }
-
-    /// The stress beyond the last place, which falls with the square of the distance: there it is a
-    /// millionth of the peak pressure.
-    fn beyond(&self, u: f64) -> Stress {
-        let place = if u > 0.0 { self.values.len() - 1 } else { 0 };
-        self.values[place] * (self.scale.of(place) / u).powi(2)
+        let width = 0.7 * wheel.half_width + 0.3 * (point.y.abs() + spread.reach);
+        let reach =
+            TABLED * wheel.half_width + wheel.edges.iter().fold(0.0, |most: f64, e| most.max(e.abs()));
+        let step = STEP * wheel.coarseness as f64;
+        let middle = ((reach / width).asinh() / step).ceil() as usize + 2;
+        let at = |i: usize| {
+            let u = width * (step * (i as f64 - middle as f64)).sinh();
+            wheel.spread_stress(u, point.y, spread)
+        };
+        Self { point, spread, width, values: (0..=2 * middle).map(at).collect(), step, middle }
     }
 
     fn at(&self, wheel: &PatchWheel, xc: f64) -> Stress {
         let u = self.point.x - xc;
-        let place = (u / self.scale.width).asinh() / self.scale.step + self.scale.middle as f64;
+        let place = (u / self.width).asinh() / self.step + self.middle as f64;
         let last = self.values.len() - MOST_POINTS;
         if !(1.0..=last as f64 + 1.0).contains(&place) {
-            return match wheel.table {
-                None => wheel.spread_stress(u, self.point.y, self.spread),
-                Some(_) => self.beyond(u),
-            };
+            return wheel.spread_stress(u, self.point.y, self.spread);
         }
         let start = (place.floor() as usize - 1).min(last);
         weighted(&self.values, start, &lagrange(place - start as f64, MOST_POINTS))
