@@ -829,9 +829,6 @@ class PlasticStress(Section):
     any other program."""
     profile: File | None = None
     """CSV file in the format of [residual_stress], read as a plastic stress."""
-    from: Literal["passages"] | None = None
-    """Origin other than a file: the passages of the wheels. "passages": the stabilised state,
-    computed first."""
 
 
 class PlasticStressKeys(TypedDict, total=False):
@@ -839,7 +836,6 @@ class PlasticStressKeys(TypedDict, total=False):
 
     field: File | None
     profile: File | None
-    from: Literal["passages"] | None
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
