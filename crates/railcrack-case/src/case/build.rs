@@ -35,8 +35,8 @@ use railcrack::material::IsotropicElastic;
 use railcrack::math::MPA_SQRT_MM;
 use std::path::Path;
 
-/// The case that the sections `given` describe; none if something is wrong or missing; errors are added to
-/// `report`.
+/// The case that the sections `given` describe; none if something is wrong or missing; errors are
+/// added to `report`.
 ///
 /// Every part is built, even where another is wrong, so that all errors are found at once. `sizes`
 /// are those of other cases of the same study.

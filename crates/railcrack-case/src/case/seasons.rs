@@ -1,15 +1,18 @@
 //! `[temperature] seasons_c`: every wheel at each temperature of the rail.
 
-use super::traffic::Traffic;
 use super::traffic_wheel::TrafficWheel;
 use crate::schema::{Report, SectionValues, Sections, short};
 use crate::tables::{SEASONS, TABLE, TEMPERATURE, WHEEL, WHEEL_TEMPERATURE, read_seasons};
 use railcrack::growth::MOST_WHEELS;
 use railcrack::load::Temperature;
 
-/// The `traffic` with a wheel for each wheel and season, whose share is the product of theirs: the
+/// A wheel for each of `passing` and each season, whose share is the product of theirs: the
 /// wheels in their first seasons, then the others. None after a fault in `report`.
-pub(super) fn over_seasons(traffic: Traffic, sections: &Sections, report: &mut Report) -> Option<Traffic> {
+pub(super) fn over_seasons(
+    passing: Vec<TrafficWheel>,
+    sections: &Sections,
+    report: &mut Report,
+) -> Option<Vec<TrafficWheel>> {
     let (tables, wheels): (Vec<_>, Vec<_>) =
         sections.all(&WHEEL).partition(|wheel| wheel.get(TABLE).is_some());
     let of_case = sections.one(&TEMPERATURE);
@@ -22,11 +25,11 @@ pub(super) fn over_seasons(traffic: Traffic, sections: &Sections, report: &mut R
     }
     let given = if wheels.is_empty() { vec![of_case] } else { wheels.into_iter().map(own).collect() };
     if !given.iter().flatten().any(at_seasons) {
-        return Some(traffic);
+        return Some(passing);
     }
     let (mut first, mut others) = (Vec::new(), Vec::new());
     let mut places = given.iter().copied();
-    for wheel in traffic.wheels {
+    for wheel in passing {
         let seasons = match places.next().flatten() {
             Some(section) => read_seasons(section, report)?,
             None => Vec::new(),
@@ -42,7 +45,7 @@ pub(super) fn over_seasons(traffic: Traffic, sections: &Sections, report: &mut R
         report.add(section.fault(SEASONS, says));
         return None;
     }
-    Some(Traffic { wheels: first, ..traffic })
+    Some(first)
 }
 
 /// The `wheel` in one of `count` seasons, with its temperature (degrees C) and share.

@@ -34,7 +34,9 @@ pub(super) fn read_traffic(context: TrafficContext<'_>, report: &mut Report) -> 
         None => read_single(context, fluid, report),
     };
     let moves = sections.one(&PASSAGE).is_some_and(|passage| check_passage(passage, report));
-    over_seasons(traffic.filter(|_| moves)?, sections, report)
+    let traffic = traffic.filter(|_| moves)?;
+    let wheels = over_seasons(traffic.wheels, sections, report)?;
+    Some(Traffic { wheels, ..traffic })
 }
 
 /// The wheel of `[contact]`.

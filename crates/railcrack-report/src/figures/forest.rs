@@ -6,7 +6,7 @@ use crate::svg::{quantity, text};
 /// A row of the picture: an entry, or the heading of those below.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ForestRow {
-    /// What is predicted.
+    /// The prediction.
     pub name: String,
     /// Predicted over measured; none in a heading.
     pub ratios: Vec<ForestRatio>,

@@ -41,7 +41,7 @@ pub(crate) fn plan_page(plans: &PlanFolder, case: &Case) -> Page {
     }
 }
 
-/// What becomes of the rail by depth, the deepest on top, and interval of grinding: as a table,
+/// The fate of the rail by depth, the deepest on top, and interval of grinding: as a table,
 /// which a phone shows whole.
 fn map(summary: &PlanSummary) -> Table {
     let intervals = summary.grinding_interval_mgt.iter().map(|mgt| format!("every {} MGT", given(*mgt)));

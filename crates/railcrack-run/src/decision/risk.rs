@@ -190,8 +190,8 @@ pub struct Risk<'a> {
 /// Positions of the inspections in all, shared by the lives, and limits for each of them.
 const PHASES: usize = 1 << 16;
 const PHASES_OF_A_LIFE: (usize, usize) = (4, 4096);
-/// Places of the traffic of a life at which 1 − POD is kept where a life has more positions than one
-/// in so many of them.
+/// Places of the traffic of a life at which 1 − POD is kept where a life has more positions than
+/// one in so many of them.
 const TABULATED: usize = 2048;
 const MANY: usize = 16;
 /// Lives that a thread takes at a time: their sums do not depend on the number of threads.

@@ -486,8 +486,8 @@ fn wet(
     rolling.on(&problem.with_wheel(surface.filter(|_| coupled)).unwrap(), solver)
 }
 
-/// Constant pressure from the mouth snaps the flap open at one place of the wheel, which the nodes of
-/// the surface move by less than one position; before and behind it K does not depend on them.
+/// Constant pressure from the mouth snaps the flap open at one place of the wheel, which the nodes
+/// of the surface move by less than one position; before and behind it K does not depend on them.
 #[test]
 fn a_flap_snaps_at_one_position_whatever_the_nodes() {
     let rolling = Rolling::over(vec![surface_crack(0.0, 6.0, 15.0)], 0.1, 0.025);

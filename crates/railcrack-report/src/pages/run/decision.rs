@@ -36,7 +36,7 @@ pub(super) fn decision(run: &RunFolder) -> Vec<Block> {
     vec![Block::Heading("Decision".to_owned()), Block::List(sentences)]
 }
 
-/// What the answer hangs on; none where nothing was varied.
+/// The quantities that decide the answer; none where nothing was varied.
 pub(super) fn sensitivities(run: &RunFolder) -> Option<Table> {
     let bars = &run.summary.decision.as_ref()?.tornado;
     (!bars.is_empty()).then(|| tornado(bars))

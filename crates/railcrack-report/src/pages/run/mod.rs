@@ -2,6 +2,7 @@
 
 mod assumptions;
 mod crack_feedback;
+mod curves;
 mod data;
 mod decision;
 mod events;

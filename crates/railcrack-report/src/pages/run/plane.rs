@@ -1,11 +1,11 @@
 //! Cracks in the plane on the page of a run: growth, passage, tables.
 
 use super::{
-    RunParts, assumptions, crack_feedback, data, decision, events, facts, fields, lengths, passage,
-    rail_bending, row_map, steps_section, stored::RunFolder, traffic, warnings,
+    RunParts, assumptions, crack_feedback, curves::curves, data, decision, events, facts, fields, lengths,
+    passage, rail_bending, row_map, steps_section, stored::RunFolder, traffic, warnings,
 };
-use crate::chart::{Chart, ChartAxis, Curve, CurveColour, CurveDots};
-use crate::figures::{Plot, bundle, chart};
+use crate::chart::{Chart, ChartAxis};
+use crate::figures::{Plot, chart};
 use crate::numbers::{fixed, grouped, significant, tonnage};
 use crate::page::{Block, Section};
 use crate::page_data::PageData;
@@ -108,32 +108,6 @@ fn growth(run: &RunFolder, named: Option<&[NamedCrack]>, remarks: Vec<String>) -
         blocks.push(Block::List(remarks));
     }
     Section::new("growth", "Growth", blocks)
-}
-
-/// A curve for each tip, unnamed for a single tip, which needs no legend. For many cracks only the
-/// `named` ones are named.
-pub(super) fn curves(
-    run: &RunFolder,
-    named: Option<&[NamedCrack]>,
-    point: impl Fn(&TipRow) -> [f64; 2],
-) -> Vec<Curve> {
-    let tips = run.tips();
-    let has_two = tips.iter().any(|&(_, tip)| tip > 1);
-    let curve = |(place, &(crack, tip)): (usize, &(usize, usize))| {
-        let name = match (tips.len(), has_two) {
-            (1, _) => String::new(),
-            (_, false) => format!("crack {crack}"),
-            (_, true) => format!("crack {crack}, tip {tip}"),
-        };
-        Curve::line(&name, run.history(crack, tip).map(&point).collect())
-            .with_dots(CurveDots::All)
-            .with_colour(CurveColour::of(place, tips.len()))
-    };
-    let curves: Vec<Curve> = tips.iter().enumerate().map(curve).collect();
-    match named {
-        Some(named) => bundle(named, tips.iter().map(|&(crack, _)| crack).zip(curves).collect()),
-        None => curves,
-    }
 }
 
 fn steps(run: &RunFolder) -> Section {

@@ -1,7 +1,7 @@
 //! Depth of a crack against traffic, and its growth in depth against that which is measured in
 //! track.
 
-use super::plane::curves;
+use super::curves::curves;
 use super::stored::RunFolder;
 use super::tiles::shortest;
 use crate::chart::{Chart, ChartArea, ChartAxis, ChartRange, Curve, CurveColour, CurveLook};
