@@ -571,8 +571,8 @@ class Temperature(Section):
     """Temperature of the rail. In degrees C; usual: 0 to 75; accepted: -200 to 200."""
     seasons_c: Numbers | None = None
     """Temperatures of the rail over the year, such as those of summer, spring and frost: every
-    wheel becomes one at each of them, and the wheels a mix. The toughness is the lowest at any of
-    them. In degrees C; usual: 0 to 75; accepted: -200 to 200."""
+    wheel becomes one at each of them, and the wheels a mix. Each has the toughness at its
+    temperature. In degrees C; usual: 0 to 75; accepted: -200 to 200."""
     season_shares: Numbers | None = None
     """Share of the axles at each of these temperatures; the shares add up to 1. Accepted: 1e-9 to
     1."""

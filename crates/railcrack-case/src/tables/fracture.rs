@@ -61,7 +61,7 @@ impl Choice for SteelName {
 pub struct Fracture {
     /// The toughness over temperature.
     pub toughness: Toughness,
-    /// K_Ic at the temperature of the rail, of several the lowest, MPa√m.
+    /// K_Ic at the temperature of the rail, under the first wheel, MPa√m.
     pub at_rail: f64,
     /// The name of the steel where it is one with a name.
     pub steel: Option<&'static str>,
@@ -85,8 +85,7 @@ impl Fracture {
             FractureCriterion::K1 => None,
         };
         let of = |toughness: Toughness, steel, file| {
-            let lowest = temperatures.iter().map(|at| toughness.at(at.rail)).reduce(f64::min);
-            let at_rail = lowest.unwrap_or_else(|| toughness.at(20.0));
+            let at_rail = toughness.at(temperatures.first().map_or(20.0, |first| first.rail));
             Some(Self { toughness, at_rail, steel, file, pop_in })
         };
         if let Some(toughness) = section.get(TOUGHNESS) {

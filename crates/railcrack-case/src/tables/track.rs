@@ -30,7 +30,7 @@ section! {
         forms [[RAIL_TEMPERATURE], [SEASONS, SEASON_SHARES]];
     RAIL_TEMPERATURE: f64 = number("rail_c", "degrees C", within(200.0), -5.0, "Temperature of the rail.").required();
     SEASONS: Vec<f64> = numbers("seasons_c", "degrees C", within(200.0), &[35.0, 15.0, -5.0],
-        "Temperatures of the rail over the year, such as those of summer, spring and frost: every wheel becomes one at each of them, and the wheels a mix. The toughness is the lowest at any of them.")
+        "Temperatures of the rail over the year, such as those of summer, spring and frost: every wheel becomes one at each of them, and the wheels a mix. Each has the toughness at its temperature.")
         .required();
     SEASON_SHARES: Vec<f64> = numbers("season_shares", "", closed(1e-9, 1.0), &[0.3, 0.6, 0.1],
         "Share of the axles at each of these temperatures; the shares add up to 1.").required();

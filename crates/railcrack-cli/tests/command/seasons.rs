@@ -39,7 +39,7 @@ fn the_life_over_the_seasons_lies_between_those_of_each() {
     let cycles = |growth: &str| -> f64 {
         let mut rows = growth.lines().filter(|line| !line.starts_with('#'));
         let column = rows.next().unwrap().split(',').position(|name| name == "load_cycles").unwrap();
-        rows.last().unwrap().split(',').nth(column).unwrap().parse().unwrap()
+        rows.next_back().unwrap().split(',').nth(column).unwrap().parse().unwrap()
     };
     let summer = growth("summer", "rail_c = 20.0");
     let frost = growth("frost", "rail_c = 0.0");
