@@ -2,6 +2,7 @@
 
 use crate::load::{Contact, Track};
 use crate::math::MPA_SQRT_MM;
+use crate::shakedown::ContactBounds;
 use thiserror::Error;
 
 /// A case, or a result, outside the limits of the model.
@@ -337,34 +338,23 @@ pub(crate) const DRY_FRICTION: f64 = 0.6;
 /// of da/dN tests. It is assumed for laws that do not state their measured range.
 pub(crate) const MEASURED_GROWTH: (f64, f64) = (4.0, 50.0);
 
-/// The largest pressure of a contact, a line or a patch, and its bounds of plasticity.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ContactPressure {
-    /// p0, MPa.
-    pub peak_pressure: f64,
-    /// Q/P, signed.
-    pub adhesion: f64,
-    /// p0/k at first yield.
-    pub first_yield: f64,
-    /// p0/k at the limit of elastic shakedown.
-    pub shakedown_limit: f64,
-}
-
-/// Compares `contact` with first yield and with the limit of elastic shakedown; σ_y =
-/// `yield_stress` (MPa). With a residual stress only the latter counts.
+/// Compares the largest pressure of `contact` with first yield and with the limit of elastic
+/// shakedown, given by its `bounds`; σ_y = `yield_stress` (MPa). With a residual stress only the
+/// latter counts.
 pub fn pressure(
-    contact: ContactPressure,
+    contact: &Contact,
+    bounds: &ContactBounds,
     yield_stress: f64,
     residual: ResidualStress,
 ) -> Option<ValidityWarning> {
-    let ContactPressure { peak_pressure, adhesion, first_yield, shakedown_limit } = contact;
+    let (peak_pressure, adhesion) = (contact.peak_pressure(), contact.adhesion());
     let shear_yield = yield_stress / 3f64.sqrt();
-    let limit = shear_yield * first_yield;
+    let limit = shear_yield * bounds.first_yield().ratio;
     if peak_pressure <= limit {
         return None;
     }
     let beyond = ValidityWarning::BeyondFirstYield { peak_pressure, limit, adhesion, yield_stress };
-    let limit = shear_yield * shakedown_limit;
+    let limit = shear_yield * bounds.shakedown_limit().ratio;
     if peak_pressure > limit {
         return Some(ValidityWarning::BeyondShakedown { peak_pressure, limit, adhesion, yield_stress });
     }
@@ -427,12 +417,6 @@ pub fn patch_beside(offset: f64) -> Option<ValidityWarning> {
     (offset > near && offset < far).then_some(ValidityWarning::PatchBeside { offset })
 }
 
-/// Where cracks in the plane contain fluid, checks that no contact patch rolls over them: `patches`
-/// is their number.
-pub fn fluid_under_patches(patches: usize) -> Option<ValidityWarning> {
-    (patches > 0).then_some(ValidityWarning::FluidUnderPatch)
-}
-
 /// Checks the length on the surface over that down the dip of a crack in the plane.
 pub fn crack_width(ratio: f64) -> Option<ValidityWarning> {
     (ratio < NARROWEST_CRACK).then_some(ValidityWarning::NarrowCrack { ratio })
@@ -449,20 +433,12 @@ mod tests {
     use crate::field::wheel_under;
     use crate::load::{HertzianContact, WheelLoad};
     use crate::material::IsotropicElastic;
-    use crate::shakedown::ContactBounds;
 
     fn warned(peak_pressure: f64, friction: f64, residual: ResidualStress) -> Option<ValidityWarning> {
         let contact = Contact::Hertz(HertzianContact { peak_pressure, half_width: 6.75, friction });
         let load = WheelLoad { contact: contact.clone(), track: None, temperature: None };
         let wheel = wheel_under(&load, &IsotropicElastic::new(210e3, 0.3).unwrap()).unwrap();
-        let bounds = ContactBounds::new(&contact, wheel.as_ref());
-        let contact = ContactPressure {
-            peak_pressure,
-            adhesion: friction,
-            first_yield: bounds.first_yield().ratio,
-            shakedown_limit: bounds.shakedown_limit().ratio,
-        };
-        pressure(contact, 500.0, residual)
+        pressure(&contact, &ContactBounds::new(&contact, wheel.as_ref()), 500.0, residual)
     }
 
     #[test]

@@ -156,7 +156,6 @@ impl Parts {
         check_coupled(sections, boundary, fluids(), report);
         let tracks = wheels.iter().filter_map(|wheel| wheel.wheel.track.as_ref());
         check_section(sections, self.rail.as_ref(), tracks, report);
-        let traps = |fluid: &CrackFluid| matches!(fluid.model, FluidModel::Trapped { .. });
         check_network(sections, (fluids().any(traps), block.is_some()), report);
     }
 
@@ -281,20 +280,22 @@ fn case_of(
     Some(Case { network, ..case })
 }
 
+/// Whether `fluid` is trapped, so that its pressure depends on when the mouth is sealed.
+fn traps(fluid: &CrackFluid) -> bool {
+    matches!(fluid.model, FluidModel::Trapped { .. })
+}
+
 /// Cracks from which on groups are faster than all cracks together, twice at 30.
 const MANY_CRACKS: usize = 24;
 
 /// How the contact conditions of `case` are solved where it does not say.
 fn network_by_default(case: &Case) -> NetworkContact {
-    let is_trapped = |wheel: &TrafficWheel| {
-        wheel.fluid.as_ref().is_some_and(|fluid| matches!(fluid.model, FluidModel::Trapped { .. }))
-    };
     let allows_groups = case.engine() == Engine::Plane(PlaneEngine::Dislocation)
         && case.contact_solver() == ContactSolver::Newton
         && case.plane().is_some_and(|plane| plane.section.is_none())
         && case.fields.every == 0
         && !case.has_coupled_wheel()
-        && !case.wheels.iter().any(is_trapped);
+        && !case.wheels.iter().filter_map(|wheel| wheel.fluid.as_ref()).any(traps);
     match allows_groups && case.cracks.cracks().len() >= MANY_CRACKS {
         true => NetworkContact::Groups,
         false => NetworkContact::Whole,

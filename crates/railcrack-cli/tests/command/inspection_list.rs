@@ -1,22 +1,7 @@
 //! A list of cracks from an inspection, computed.
 
-use super::common::{done, folder, read};
+use super::common::{DISLOCATION_CASE, done, folder, read};
 use std::fs;
-
-const REST: &str = "\
-[contact]
-peak_pressure_mpa = 845.0
-half_width_mm = 6.75
-friction = 0.1
-[solver]
-engine = \"dislocation\"
-[passage]
-positions = 21
-[mesh]
-interface_elements = 10
-[growth]
-steps = 1
-";
 
 /// The run of a list has the stress intensity factors of the same cracks written out, also where it
 /// starts from the folder of its first run, and replaces it.
@@ -25,14 +10,16 @@ fn a_list_is_computed_as_its_cracks_written_out() {
     let place = folder("inspection-list", "same");
     fs::write(place.join("inspection.csv"), "mouth_mm;depth_mm;angle_deg\n0;0,5\u{2013}1,0;\n20;1,5;30\n")
         .unwrap();
-    let listed = format!("{REST}[[crack]]\ntable = \"inspection.csv\"\nangle_deg = 25.0\nfriction = 0.3\n");
+    let (before, crack_and_after) = DISLOCATION_CASE.split_once("[[crack]]").unwrap();
+    let rest = format!("{before}{}", &crack_and_after[crack_and_after.find("[passage]").unwrap()..]);
+    let listed = format!("{rest}[[crack]]\ntable = \"inspection.csv\"\nangle_deg = 25.0\nfriction = 0.3\n");
     let crack = |mouth: f64, depth: f64, angle: f64| {
         format!("[[crack]]\nmouth_mm = {mouth}\ndepth_mm = {depth}\nangle_deg = {angle}\nfriction = 0.3\n")
     };
     fs::write(place.join("listed.toml"), listed).unwrap();
     fs::write(
         place.join("written.toml"),
-        format!("{REST}{}{}", crack(0.0, 1.0, 25.0), crack(20.0, 1.5, 30.0)),
+        format!("{rest}{}{}", crack(0.0, 1.0, 25.0), crack(20.0, 1.5, 30.0)),
     )
     .unwrap();
     done(&place, &["run", "written.toml", "--quiet", "--out", "written"]);

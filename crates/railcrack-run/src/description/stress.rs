@@ -2,7 +2,7 @@
 
 use super::row::Row;
 use crate::numbers::short;
-use crate::setup::{HeaviestWheel, bounds_under, wheel_pressure};
+use crate::setup::{HeaviestWheel, contact_bounds};
 use crate::simulation::{plastic_stress_left_out, rolled_by};
 use railcrack::shakedown::DepthBounds;
 use railcrack::words::Choice;
@@ -97,14 +97,13 @@ const BOUND_DEPTHS: [f64; 8] = [0.0, 0.125, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0];
 /// Peak pressure compared with first yield and the shakedown limit, of the heaviest wheel.
 pub(super) fn bounds(case: &Case) -> Vec<Row> {
     let shear_yield = case.shakedown.hardening.shear_yield_stress();
-    let number = HeaviestWheel::of_case(case).wheel;
+    let HeaviestWheel { wheel: number, of_limit } = HeaviestWheel::of_case(case);
     let heaviest = &case.wheels[number];
-    let Some((contact, of_bounds)) = heaviest.wheel.contact().zip(wheel_pressure(case, number)) else {
-        return Vec::new();
-    };
-    let ratio = of_bounds.peak_pressure / shear_yield;
-    let of_limit = ratio / of_bounds.shakedown_limit;
-    let all = bounds_under(case, number, &BOUND_DEPTHS);
+    let Some(contact) = heaviest.wheel.contact() else { return Vec::new() };
+    let ratio = contact.peak_pressure() / shear_yield;
+    let all = contact_bounds(&heaviest.wheel, &case.steel, |bounds| {
+        (bounds.first_yield(), bounds.shakedown_limit(), bounds.by_depth(&BOUND_DEPTHS))
+    });
     let Some((first_yield, shakedown, by_depth)) = all else { return Vec::new() };
     let a = contact.half_width();
     let limit = |name: &'static str, ratio: f64, depth_over_a: f64| {

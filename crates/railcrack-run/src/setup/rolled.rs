@@ -6,10 +6,7 @@ use railcrack::field::wheel_under;
 use railcrack::load::WheelLoad;
 use railcrack::material::IsotropicElastic;
 use railcrack::shakedown::space::{RailInSpace, RolledPatch, SpaceStabilisation};
-use railcrack::shakedown::{
-    ContactBounds, DepthBounds, FirstYield, RolledRail, ShakedownLimit, Stabilisation,
-};
-use railcrack::validity::ContactPressure;
+use railcrack::shakedown::{ContactBounds, RolledRail, Stabilisation};
 use railcrack_case::{Case, GivenWheel, RollingWheels, ShakedownSettings, TrafficWheel};
 
 /// The wheel of a mix that comes nearest to its limit of elastic shakedown, or exceeds it most.
@@ -109,35 +106,9 @@ pub fn stabilisation(case: &Case) -> Stabilisation {
     Stabilisation { method, max_passes, ..Stabilisation::default() }
 }
 
-/// First yield, the limit of elastic shakedown, and both by depth.
-pub type WheelBounds = (FirstYield, ShakedownLimit, Vec<DepthBounds>);
-
-/// Those under the wheel `number` (from 0) of `case`, at depths over its half-width: of its line
-/// contact, a patch by its strip, whose limit of shakedown is lower; none where it misses the
-/// cracks. The search below a whole patch takes a second, which a study cannot spend on each run.
-#[must_use]
-pub fn bounds_under(case: &Case, number: usize, depths_over_a: &[f64]) -> Option<WheelBounds> {
-    contact_bounds(&case.wheels.get(number)?.wheel, &case.steel, |bounds| {
-        (bounds.first_yield(), bounds.shakedown_limit(), bounds.by_depth(depths_over_a))
-    })
-}
-
-/// The largest pressure of the wheel `number` (from 0) of `case` and its bounds, as
-/// [`bounds_under`]; none where it misses the cracks.
-#[must_use]
-pub fn wheel_pressure(case: &Case, number: usize) -> Option<ContactPressure> {
-    let wheel = &case.wheels.get(number)?.wheel;
-    let contact = wheel.contact()?;
-    contact_bounds(wheel, &case.steel, |bounds| ContactPressure {
-        peak_pressure: contact.peak_pressure(),
-        adhesion: contact.adhesion(),
-        first_yield: bounds.first_yield().ratio,
-        shakedown_limit: bounds.shakedown_limit().ratio,
-    })
-}
-
-/// First yield and shakedown of a rail of `steel` under the contact of `wheel` alone, as `of` asks
-/// for them; none where it misses the cracks.
+/// First yield and shakedown of a rail of `steel` under the contact of `wheel` alone, of a patch
+/// under its strip, as `of` asks for them; none where it misses the cracks. The search below a
+/// whole patch takes a second, which a study cannot spend on each run.
 #[must_use]
 pub fn contact_bounds<T>(
     wheel: &GivenWheel,

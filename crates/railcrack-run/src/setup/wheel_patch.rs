@@ -93,11 +93,11 @@ pub fn patch_beside(case: &Case, number: usize) -> Option<f64> {
     patches.iter().map(|own| own.middle[1].abs() / own.ellipse.across).reduce(f64::min)
 }
 
-/// Number of wheels of `case` that load cracks in the plane by their patches.
+/// Whether a wheel of `case` loads cracks in the plane by its patches.
 #[must_use]
-pub fn wheels_on_patches(case: &Case) -> usize {
-    let is_patch = |number: &usize| case.plane().is_some() && given_patches(case, *number).is_some();
-    (0..case.wheels.len()).filter(is_patch).count()
+pub fn rolls_on_patches(case: &Case) -> bool {
+    let is_patch = |number: usize| given_patches(case, number).is_some();
+    case.plane().is_some() && (0..case.wheels.len()).any(is_patch)
 }
 
 /// The patches of a wheel, the heaviest first, with lateral places relative to cracks in the plane

@@ -6,7 +6,7 @@ use crate::presentation::Presentation;
 use crate::run_folder::{Existing, OF_A_RUN, ResultFolder};
 use crate::setup::{
     HeaviestWheel, rail_in_space, represented, rolled_rail, rolling_wheels, stabilisation,
-    stabilisation_in_space, wheel_pressure,
+    stabilisation_in_space,
 };
 use crate::shakedown::{SectionResults, ShakedownRecorder, ShakedownResults, ShakedownSummary};
 use railcrack::fatigue::{DangVan, DangVanValue, DepthValue, Initiation};
@@ -254,12 +254,9 @@ pub fn rolled_by(case: &Case) -> Option<String> {
             case.wheels[heaviest.wheel].name
         ));
     } else if case.is_mix() {
-        let of_limit = wheel_pressure(case, heaviest.wheel).map_or(heaviest.of_limit, |own| {
-            own.peak_pressure / case.shakedown.hardening.shear_yield_stress() / own.shakedown_limit
-        });
         parts.push(format!(
             "under the wheel \"{}\" alone, whose pressure is largest relative to its limit of elastic shakedown ({:.2} of it)",
-            case.wheels[heaviest.wheel].name, of_limit
+            case.wheels[heaviest.wheel].name, heaviest.of_limit
         ));
     }
     let is_heated = case.wheels.iter().any(|wheel| wheel.wheel.temperature.is_some());

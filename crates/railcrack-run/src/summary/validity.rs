@@ -3,11 +3,12 @@
 use super::parts::WarningSummary;
 use crate::decision::deepening;
 use crate::log::{RunInfo, RunLog, StepDigest};
-use crate::setup::{self, EffectInPlane, bounds_under, wheel_pressure};
+use crate::setup::{self, EffectInPlane, contact_bounds};
 use railcrack::bulk::Boundary;
 use railcrack::fatigue::RailSteel;
 use railcrack::growth::{TipRecord, Warning, WarningKind};
 use railcrack::math::MPA_SQRT_MM;
+use railcrack::shakedown::ContactBounds;
 use railcrack::validity::{self, LineContact, ResidualStress, Steel, SteelOrigin, ValidityWarning};
 use railcrack_case::{Case, GivenWheel, Implausible, Topic, implausible};
 use std::cell::LazyCell;
@@ -55,9 +56,8 @@ fn with_effect(case: &Case, effect: impl Fn() -> Option<EffectInPlane>) -> Vec<W
     let widths = case.plane().map_or(&[][..], |plane| &plane.widths);
     let narrowest = 2.0 * widths.iter().copied().fold(f64::INFINITY, f64::min);
     warnings.extend(validity::crack_width(narrowest).iter().map(|warning| at_step(0, warning)));
-    if case.has_fluid() {
-        let warning = validity::fluid_under_patches(setup::wheels_on_patches(case));
-        warnings.extend(warning.iter().map(|warning| at_step(0, warning)));
+    if case.has_fluid() && setup::rolls_on_patches(case) {
+        warnings.push(at_step(0, &ValidityWarning::FluidUnderPatch));
     }
     if let Some(steel) = case.growth_steel
         && let Some(typical) = steel.typical()
@@ -190,8 +190,9 @@ fn of_wheel(case: &Case, number: usize) -> Vec<Warning> {
     let is_given = case.residual_stress.is_some() || case.plastic_stress().is_some();
     let residual = if is_given { ResidualStress::Given } else { ResidualStress::Absent };
     let yield_stress = case.shakedown.hardening.yield_stress();
+    let of_bounds = |bounds: &ContactBounds| validity::pressure(contact, bounds, yield_stress, residual);
     let all = [
-        wheel_pressure(case, number).and_then(|own| validity::pressure(own, yield_stress, residual)),
+        contact_bounds(wheel, &case.steel, of_bounds).flatten(),
         validity::shear(contact),
         setup::patch_beside(case, number).and_then(validity::patch_beside),
         strip_of_patch(case, wheel),
@@ -216,19 +217,21 @@ fn strip_of_patch(case: &Case, wheel: &GivenWheel) -> Option<ValidityWarning> {
 pub(crate) fn flowing(case: &Case) -> Option<[f64; 2]> {
     let shear_yield = case.shakedown.hardening.yield_stress() / 3f64.sqrt();
     let depths: Vec<f64> = (0..=FLOW_DEPTHS).map(|i| i as f64 * DEEPEST_FLOW / FLOW_DEPTHS as f64).collect();
-    let of_wheel = |number: usize| {
-        let contact = wheel_pressure(case, number)?;
-        if contact.peak_pressure <= shear_yield * contact.shakedown_limit {
-            return None;
-        }
-        let (_, _, by_depth) = bounds_under(case, number, &depths)?;
-        let half_width = case.wheels[number].wheel.half_width();
-        let flows = by_depth.iter().filter(|depth| contact.peak_pressure > shear_yield * depth.shakedown);
-        flows.map(|depth| depth.depth_over_a * half_width).fold(None, |range: Option<[f64; 2]>, depth| {
-            Some(range.map_or([depth; 2], |[top, bottom]| [top.min(depth), bottom.max(depth)]))
+    let of_wheel = |wheel: &GivenWheel| {
+        let (peak, half_width) = (wheel.contact()?.peak_pressure(), wheel.half_width());
+        contact_bounds(wheel, &case.steel, |bounds: &ContactBounds| {
+            if peak <= shear_yield * bounds.shakedown_limit().ratio {
+                return None;
+            }
+            let by_depth = bounds.by_depth(&depths);
+            let flows = by_depth.iter().filter(|depth| peak > shear_yield * depth.shakedown);
+            let all = flows.map(|depth| depth.depth_over_a * half_width);
+            all.fold(None, |range: Option<[f64; 2]>, depth| {
+                Some(range.map_or([depth; 2], |[top, bottom]| [top.min(depth), bottom.max(depth)]))
+            })
         })
     };
-    let ranges = (0..case.wheels.len()).filter_map(of_wheel);
+    let ranges = case.wheels.iter().filter_map(|wheel| of_wheel(&wheel.wheel).flatten());
     ranges.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
 }
 

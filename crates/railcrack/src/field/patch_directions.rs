@@ -183,36 +183,23 @@ impl PatchDirections {
         Self { middle: patch.middle, half: patch.half, rules, poisson }
     }
 
-    /// The smaller semi-axis, mm.
-    pub fn smallest(&self) -> f64 {
-        self.half[0].min(self.half[1])
-    }
-
     /// The stress (MPa, with y the depth turned upwards) at x (mm) from the wheel's centre and
     /// `depth` (mm), in the plane y = 0, averaged along the front with `spread`.
     pub fn stress(&self, x: f64, depth: f64, spread: Spread) -> Stress {
-        let [even, odd] = self.parts(x, depth, spread.reach);
-        (even + odd * spread.beta) * spread.share
-    }
-
-    /// [`PatchDirections::stress`] with the weight e^(−q), and what β = 1 adds to it; `reach` is ρ
-    /// (mm).
-    pub fn parts(&self, x: f64, depth: f64, reach: f64) -> [Stress; 2] {
-        let mut sum = [Stress::ZERO; 2];
+        let mut sum = Stress::ZERO;
         let (x, y) = (x - self.middle[0], -self.middle[1]);
         let depth = depth.max(SHALLOWEST * self.half[0]);
-        for direction in &self.rules[self.rule(x, y, depth, reach)] {
-            let [even, odd] = direction.stress([x, y], depth, reach, self.poisson);
-            sum = [sum[0] + even, sum[1] + odd];
+        for direction in &self.rules[self.rule(x, y, depth, spread)] {
+            sum = sum + direction.stress([x, y], depth, spread, self.poisson);
         }
-        sum
+        sum * spread.share
     }
 
     /// The displacement along x and upwards (mm), times 2G, in the plane y = 0.
     pub fn displacement(&self, x: f64, depth: f64) -> [f64; 2] {
         let (x, y) = (x - self.middle[0], -self.middle[1]);
         let depth = depth.max(SHALLOWEST * self.half[0]);
-        let rule = &self.rules[self.rule(x, y, depth, 0.0)];
+        let rule = &self.rules[self.rule(x, y, depth, Spread::NONE)];
         rule.iter().fold([0.0; 2], |sum, direction| {
             let own = direction.displacement([x, y], depth, self.poisson);
             [sum[0] + own[0], sum[1] + own[1]]
@@ -221,9 +208,9 @@ impl PatchDirections {
 
     /// The rule for a point: the integrand varies over an angle of its distance below or beside the
     /// load over the distance from its middle.
-    fn rule(&self, x: f64, y: f64, depth: f64, reach: f64) -> usize {
+    fn rule(&self, x: f64, y: f64, depth: f64, spread: Spread) -> usize {
         let away = (x / self.half[0]).hypot(y / self.half[1]);
-        let below = (depth + 0.3 * reach) / self.smallest();
+        let below = (depth + 0.3 * spread.reach) / self.half[0].min(self.half[1]);
         match (away, below) {
             (2.5.., _) if below > 0.5 * away => 0,
             (2.5.., 0.4..) => 4,
@@ -317,9 +304,9 @@ fn gegenbauer_moments(samples: &[Sample], [cos, sin]: [f64; 2], reach: f64) -> V
 /// Q_1, Q_1′ and Q_1″ at `u` off the interval [−1, 1].
 fn first_legendre(u: Complex) -> [Complex; 3] {
     let square = u * u;
-    let inverse = (square - 1.0).inv();
+    let inverse = 1.0 / (square - 1.0);
     if u.norm_sqr() > SERIES {
-        let w = square.inv();
+        let w = 1.0 / square;
         let value = w * (1.0 / 3.0 + w * (0.2 + w * (1.0 / 7.0 + w / 9.0)));
         let slope = -w * (2.0 / 3.0 + w * (0.8 + w * (6.0 / 7.0 + w * 8.0 / 9.0))) / u;
         return [value, slope, 2.0 * inverse * inverse];
@@ -378,18 +365,16 @@ impl Direction {
         sum
     }
 
-    /// The stress with a load along the front weighted with e^(−q), and what β = 1 adds to it.
-    fn stress(&self, [x, y]: [f64; 2], depth: f64, reach: f64, poisson: f64) -> [Stress; 2] {
-        let lowered = reach * self.sin.abs();
-        let inverse = 1.0 / self.reach;
-        let u = Complex::new((x * self.cos + y * self.sin) * inverse, (depth + lowered) * inverse);
-        let [potentials, slopes, curvatures] = self.potentials(u);
-        let added =
-            [slopes, curvatures].map(|of| of.map(|own| Complex::new(lowered * own.im, -lowered * own.re)));
-        [
-            self.in_the_plane(potentials, slopes, depth, poisson),
-            self.in_the_plane(added[0], added[1], depth, poisson),
-        ]
+    fn stress(&self, [x, y]: [f64; 2], depth: f64, spread: Spread, poisson: f64) -> Stress {
+        let lowered = spread.reach * self.sin.abs();
+        let u = Complex::new(x * self.cos + y * self.sin, depth + lowered) / self.reach;
+        let [mut potentials, mut sloped, curvatures] = self.potentials(u);
+        let share = Complex::new(0.0, spread.beta * lowered);
+        for i in 0..3 {
+            potentials[i] -= share * sloped[i];
+            sloped[i] -= share * curvatures[i];
+        }
+        self.in_the_plane(potentials, sloped, depth, poisson)
     }
 
     /// σ_xx, σ_yy, σ_zz (across the plane) and σ_xy from Φ and Φ′ of the loads.
