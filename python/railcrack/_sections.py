@@ -1387,11 +1387,11 @@ class Calibration(Section):
     _section: ClassVar[str] = "calibration"
     prior_log_mean: Number | Literal["suite"] | None = None
     """Mean of ln C before the measurements, relative to the coefficient of the case; "suite" takes
-    that of the residuals of `railcrack validate`: -0.09 in the plane, 0.26 in space. Accepted: -20
+    that of the residuals of `railcrack validate`: -0.02 in the plane, 0.26 in space. Accepted: -20
     to 20; default: "suite"."""
     prior_log_std: Number | Literal["suite"] | None = None
     """Standard deviation of ln C before the measurements; "suite" takes that of the residuals of
-    `railcrack validate`: 1.26 in the plane, 1.28 in space. Accepted: above 0 to 10; default:
+    `railcrack validate`: 1.27 in the plane, 1.28 in space. Accepted: above 0 to 10; default:
     "suite"."""
     discrepancy_log_std: Number | Literal["evidence"] | None = None
     """Standard deviation by which ln C differs from site to site; "evidence" takes the value under

@@ -219,25 +219,6 @@ impl FrontSpread {
         };
         Spread { share, reach: reach * l, beta }
     }
-
-    /// The parameter φ of an arc length in which ρ is smooth: s = l sin φ from a mouth.
-    pub fn parameter(&self, s: f64) -> f64 {
-        let part = (s / self.length).clamp(0.0, 1.0);
-        match self.tips {
-            [true, true] => (1.0 - 2.0 * part).acos(),
-            [true, false] => std::f64::consts::FRAC_PI_2 - (1.0 - part).asin(),
-            [false, _] => part.asin(),
-        }
-    }
-
-    /// The arc length of a parameter.
-    pub fn arc(&self, parameter: f64) -> f64 {
-        match self.tips {
-            [true, true] => 0.5 * self.length * (1.0 - parameter.cos()),
-            [true, false] => self.length * (1.0 - parameter.cos()),
-            [false, _] => self.length * parameter.sin(),
-        }
-    }
 }
 
 /// Linear between the places of the table, and beyond the first one.

@@ -8,6 +8,7 @@ mod front_spread;
 mod hertz_displacement;
 mod hertz_half_plane;
 mod patch_directions;
+mod patch_table;
 #[cfg(test)]
 mod patch_tests;
 mod patch_wheel;

@@ -109,12 +109,34 @@ impl PatchLoad {
         self.half
     }
 
+    /// Unit loads with their middle at x = 0 and the factors with which their sum is this one:
+    /// ellipses of its shape with a = 1 mm, or itself.
+    pub(super) fn in_units(&self) -> (Vec<Self>, Vec<f64>) {
+        let [a, b] = self.half;
+        let Tractions::Sliding(force) = &self.tractions else {
+            let middle = [0.0, self.middle[1]];
+            return (vec![Self { middle, ..self.clone() }], vec![1.0]);
+        };
+        // Loads that differ by round-off have one shape.
+        let rounded = |length: f64| (length / a * SHAPES).round() / SHAPES;
+        let (middle, half) = ([0.0, rounded(self.middle[1])], [1.0, rounded(b)]);
+        let loads = if force[2] == 0.0 { 2 } else { 3 };
+        let unit = |own: usize| {
+            let tractions = Tractions::Sliding(std::array::from_fn(|i| f64::from(u8::from(i == own))));
+            Self { middle, half, tractions }
+        };
+        ((0..loads).map(unit).collect(), force[..loads].iter().map(|force| force / (a * a)).collect())
+    }
+
     /// x from the wheel's centre and lateral place of its middle, mm.
     #[must_use]
     pub fn middle(&self) -> [f64; 2] {
         self.middle
     }
 }
+
+/// Shapes of ellipses are told apart to one in so many.
+const SHAPES: f64 = 1e9;
 
 /// The points of a strip `across` mm wide at the lateral place `y` (mm).
 fn sample_strip(points: &[StripTraction], y: f64, across: f64, samples: &mut Vec<Sample>) {
@@ -186,20 +208,33 @@ impl PatchDirections {
     /// The stress (MPa, with y the depth turned upwards) at x (mm) from the wheel's centre and
     /// `depth` (mm), in the plane y = 0, averaged along the front with `spread`.
     pub fn stress(&self, x: f64, depth: f64, spread: Spread) -> Stress {
-        let mut sum = Stress::ZERO;
+        let [even, odd] = self.parts(x, depth, spread.reach);
+        (even + odd * spread.beta) * spread.share
+    }
+
+    /// [`PatchDirections::stress`] with the weight e^(−q), and what β = 1 adds to it; `reach` is ρ
+    /// (mm).
+    pub fn parts(&self, x: f64, depth: f64, reach: f64) -> [Stress; 2] {
+        let mut sum = [Stress::ZERO; 2];
         let (x, y) = (x - self.middle[0], -self.middle[1]);
         let depth = depth.max(SHALLOWEST * self.half[0]);
-        for direction in &self.rules[self.rule(x, y, depth, spread)] {
-            sum = sum + direction.stress([x, y], depth, spread, self.poisson);
+        for direction in &self.rules[self.rule(x, y, depth, reach)] {
+            let [even, odd] = direction.stress([x, y], depth, reach, self.poisson);
+            sum = [sum[0] + even, sum[1] + odd];
         }
-        sum * spread.share
+        sum
+    }
+
+    /// Semi-axis along the rail, mm.
+    pub fn half(&self) -> f64 {
+        self.half[0]
     }
 
     /// The displacement along x and upwards (mm), times 2G, in the plane y = 0.
     pub fn displacement(&self, x: f64, depth: f64) -> [f64; 2] {
         let (x, y) = (x - self.middle[0], -self.middle[1]);
         let depth = depth.max(SHALLOWEST * self.half[0]);
-        let rule = &self.rules[self.rule(x, y, depth, Spread::NONE)];
+        let rule = &self.rules[self.rule(x, y, depth, 0.0)];
         rule.iter().fold([0.0; 2], |sum, direction| {
             let own = direction.displacement([x, y], depth, self.poisson);
             [sum[0] + own[0], sum[1] + own[1]]
@@ -208,13 +243,13 @@ impl PatchDirections {
 
     /// The rule for a point: the integrand varies over an angle of its distance below or beside the
     /// load over the distance from its middle.
-    fn rule(&self, x: f64, y: f64, depth: f64, spread: Spread) -> usize {
+    fn rule(&self, x: f64, y: f64, depth: f64, reach: f64) -> usize {
         let away = (x / self.half[0]).hypot(y / self.half[1]);
-        let below = (depth + 0.3 * spread.reach) / self.half[0].min(self.half[1]);
+        let below = (depth + 0.3 * reach) / self.half[0].min(self.half[1]);
         match (away, below) {
             (2.5.., _) if below > 0.5 * away => 0,
             (2.5.., 0.4..) => 4,
-            (1.2.., ..0.4) => 5,
+            (1.2.., ..0.4) | (1.0.., ..0.1) => 5,
             (_, 1.2..) => 1,
             (_, 0.25..) => 2,
             _ => 3,
@@ -365,16 +400,17 @@ impl Direction {
         sum
     }
 
-    fn stress(&self, [x, y]: [f64; 2], depth: f64, spread: Spread, poisson: f64) -> Stress {
-        let lowered = spread.reach * self.sin.abs();
+    /// The stress with a load along the front weighted with e^(−q), and what β = 1 adds to it.
+    fn stress(&self, [x, y]: [f64; 2], depth: f64, reach: f64, poisson: f64) -> [Stress; 2] {
+        let lowered = reach * self.sin.abs();
         let u = Complex::new(x * self.cos + y * self.sin, depth + lowered) / self.reach;
-        let [mut potentials, mut sloped, curvatures] = self.potentials(u);
-        let share = Complex::new(0.0, spread.beta * lowered);
-        for i in 0..3 {
-            potentials[i] -= share * sloped[i];
-            sloped[i] -= share * curvatures[i];
-        }
-        self.in_the_plane(potentials, sloped, depth, poisson)
+        let [potentials, slopes, curvatures] = self.potentials(u);
+        let share = Complex::new(0.0, -lowered);
+        let added = [slopes, curvatures].map(|of| of.map(|own| share * own));
+        [
+            self.in_the_plane(potentials, slopes, depth, poisson),
+            self.in_the_plane(added[0], added[1], depth, poisson),
+        ]
     }
 
     /// σ_xx, σ_yy, σ_zz (across the plane) and σ_xy from Φ and Φ′ of the loads.

@@ -100,6 +100,18 @@ fn averaged_along_the_front() {
             assert!(error < 2e-3, "s {s}, x_c {xc}: {error:.1e} p0");
         }
     }
+    // Next to the mouth, with an edge of the contact over it.
+    for s in [0.03f64, 0.1, 0.3] {
+        let point = line().points[1] * (s / 6.0);
+        for from_edge in [-0.5, -0.1, 0.0, 0.1, 0.5] {
+            for edge in [-5.0, 5.0] {
+                let xc = point.x - edge - from_edge;
+                let stress = Arc::clone(&cracks).at(&[PlaceOnCrack { point, crack: 0, s }])(xc)[0];
+                let error = off(stress, averaged(&space, [point.x - xc, -point.y], line().spread(s)));
+                assert!(error < 4e-3, "s {s}, x_c {xc}: {error:.1e} p0");
+            }
+        }
+    }
     let over = cracks.over_mouth(0, 1.0);
     let want = -averaged(&space, [-1.0, 1e-4], line().spread(3.0))[2];
     assert!((over - want).abs() < 2e-3 * PEAK, "{over} {want}");
