@@ -35,6 +35,19 @@ impl CrackLine {
         self.points.windows(2).map(|pair| (pair[1] - pair[0]).length()).sum()
     }
 
+    /// The point at the arc length `s` (mm).
+    pub(super) fn position(&self, s: f64) -> Vec2 {
+        let mut before = 0.0;
+        for pair in self.points.windows(2) {
+            let length = (pair[1] - pair[0]).length();
+            if s <= before + length {
+                return pair[0] + (pair[1] - pair[0]) * ((s - before) / length);
+            }
+            before += length;
+        }
+        self.points.last().copied().unwrap_or_default()
+    }
+
     /// How a load along the front counts at the arc length `s` (mm).
     #[must_use]
     pub fn spread(&self, s: f64) -> Spread {

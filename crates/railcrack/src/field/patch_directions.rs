@@ -230,6 +230,11 @@ impl PatchDirections {
         self.half[0]
     }
 
+    /// x of its middle from the wheel's centre, mm.
+    pub fn middle(&self) -> f64 {
+        self.middle[0]
+    }
+
     /// The displacement along x and upwards (mm), times 2G, in the plane y = 0.
     pub fn displacement(&self, x: f64, depth: f64) -> [f64; 2] {
         let (x, y) = (x - self.middle[0], -self.middle[1]);
