@@ -8,6 +8,7 @@ mod combinations;
 mod common;
 mod compare;
 mod contact;
+mod counts;
 mod coupled;
 mod decision;
 mod documents;

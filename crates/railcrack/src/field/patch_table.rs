@@ -274,13 +274,9 @@ mod tests {
         let load = PatchLoad::sliding(&ellipse, [0.5, 1.0], [0.3, 0.05]);
         let (patch, tabled) = (PatchDirections::new(&load, 0.3, 1), TabledPatch::new(&load, 0.3));
         // Smaller ones are next to the surface, where the directions of the patch are seen.
-        for (length, angle, accepted) in [
-            (0.3, 15.0, 4e-3),
-            (1.0, 25.0, 2e-3),
-            (3.0, 20.0, 2e-3),
-            (12.0, 20.0, 2e-3),
-            (40.0, 60.0, 2e-3),
-        ] {
+        for (length, angle, accepted) in
+            [(0.3, 15.0, 4e-3), (1.0, 25.0, 2e-3), (3.0, 20.0, 2e-3), (12.0, 20.0, 2e-3), (40.0, 60.0, 2e-3)]
+        {
             let (sin, cos) = f64::to_radians(angle).sin_cos();
             let line = CrackLine {
                 points: vec![Vec2::default(), Vec2::new(length * cos, -length * sin)],
