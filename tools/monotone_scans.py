@@ -1,7 +1,7 @@
 """Lives of a decision over one input at a time: where more load, cold or friction lengthens them.
 
 python3 tools/monotone_scans.py RAILCRACK computes verification/monotone/lives.csv with that program;
-without arguments it prints the table of docs/dev/monotone.md.
+without arguments it prints the numbers of docs/dev/monotone.md.
 """
 
 import csv
@@ -108,6 +108,9 @@ def show():
     for quantity, (sign, _) in SCANS.items():
         own = [row for row in rows if row["quantity"] == quantity]
         lives = [float(row["shortest"]) if row["shortest"] else float("inf") for row in own]
+        if quantity.startswith("axle load"):
+            axles = ", ".join(f"{life / float(row['value']):.3g}" for life, row in zip(lives, own))
+            print(f"| the same, million axles | | {axles} | |")
         against = [f"{row['value']}: × {b / a:.2f}" for a, b, row in zip(lives, lives[1:], own[1:]) if sign and sign * (b - a) < 0]
         print(f"| {quantity} | {', '.join(row['value'] for row in own)} | {', '.join(f'{life:.3g}' for life in lives)} | {', '.join(against)} |")
 

@@ -135,7 +135,7 @@ impl PatchLoad {
     }
 }
 
-/// Shapes of ellipses are told apart to one in so many.
+/// Shapes of ellipses differ by one in so many at least.
 const SHAPES: f64 = 1e9;
 
 /// The points of a strip `across` mm wide at the lateral place `y` (mm).
