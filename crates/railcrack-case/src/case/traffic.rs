@@ -123,17 +123,24 @@ fn read_mix(
             return None;
         }
     }
-    let sum: f64 = wheels.iter().map(|wheel| wheel.share).sum();
-    if table.is_none() && (sum - 1.0).abs() > SUM {
-        let says = format!("the shares of all wheels add up to {sum}; they must add up to 1");
-        report.add(
-            last.fault(SHARE, says).help("shares are fractions of the number of axles, not of the tonnes"),
-        );
-        return None;
+    if table.is_none() {
+        check_shares(last, &wheels, report)?;
     }
     check_axle_loads(&given, &wheels, report)?;
     check_files(&given, &wheels, report)?;
     Some(Traffic { wheels, table })
+}
+
+/// The shares of `wheels`, of which `last` is the last section, must add up to 1.
+fn check_shares(last: &SectionValues, wheels: &[TrafficWheel], report: &mut Report) -> Option<()> {
+    let sum: f64 = wheels.iter().map(|wheel| wheel.share).sum();
+    if (sum - 1.0).abs() <= SUM {
+        return Some(());
+    }
+    let says = format!("the shares of all wheels add up to {sum}; they must add up to 1");
+    report
+        .add(last.fault(SHARE, says).help("shares are fractions of the number of axles, not of the tonnes"));
+    None
 }
 
 /// The wheel of the `given` section, from 0, that is no table.

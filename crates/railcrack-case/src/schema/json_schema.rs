@@ -129,90 +129,64 @@ fn form_schema(section: &Section, form: &Form) -> Value {
     json!({ "required": required, "not": { "anyOf": others } })
 }
 
-fn key_schema(key: &Key) -> Value {
-    let mut schema = Map::new();
-    schema.insert("description".into(), key.doc.into());
-    match key.kind {
-        Kind::Number { range, .. } => {
-            schema.insert("type".into(), "number".into());
-            insert_range(&mut schema, range);
-        }
-        Kind::NumberOr { range, word, .. } => {
-            let mut number = Map::new();
-            number.insert("type".into(), "number".into());
-            insert_range(&mut number, range);
-            schema.insert("anyOf".into(), json!([number, { "const": word }]));
-        }
-        Kind::Integer { min, max } => {
-            schema.insert("type".into(), "integer".into());
-            schema.insert("minimum".into(), min.into());
-            schema.insert("maximum".into(), max.into());
-        }
-        Kind::Switch => {
-            schema.insert("type".into(), "boolean".into());
-        }
-        Kind::Text => {
-            schema.insert("type".into(), "string".into());
-            schema.insert("maxLength".into(), 200.into());
-        }
-        Kind::LongText => {
-            schema.insert("type".into(), "string".into());
-            schema.insert("maxLength".into(), Kind::LONG_TEXT.into());
-        }
-        Kind::Path { .. } => {
-            schema.insert("type".into(), "string".into());
-            schema.insert("minLength".into(), 1.into());
-        }
+/// What a value of this kind is.
+fn kind_schema(kind: Kind) -> Value {
+    match kind {
+        Kind::Number { range, .. } => number_schema(range),
+        Kind::NumberOr { range, word, .. } => json!({ "anyOf": [number_schema(range), { "const": word }] }),
+        Kind::Integer { min, max } => json!({ "type": "integer", "minimum": min, "maximum": max }),
+        Kind::Switch => json!({ "type": "boolean" }),
+        Kind::Text => json!({ "type": "string", "maxLength": 200 }),
+        Kind::LongText => json!({ "type": "string", "maxLength": Kind::LONG_TEXT }),
+        Kind::Path { .. } => json!({ "type": "string", "minLength": 1 }),
         Kind::Choice(words) => {
-            let names: Vec<&str> = words().into_iter().map(|word| word.name).collect();
-            let switches = words().into_iter().filter_map(|word| word.switch);
-            let all = names.into_iter().map(Value::from).chain(switches.map(Value::from));
-            schema.insert("enum".into(), all.collect());
             let words = words();
-            let meanings = words.iter().chain(words.iter().filter(|word| word.switch.is_some()));
-            schema.insert("enumDescriptions".into(), meanings.map(|word| Value::from(word.doc)).collect());
+            let switches = || words.iter().filter(|word| word.switch.is_some());
+            let names = words.iter().map(|word| Value::from(word.name));
+            let all: Vec<Value> = names.chain(switches().map(|word| word.switch.into())).collect();
+            let meanings: Vec<&str> = words.iter().chain(switches()).map(|word| word.doc).collect();
+            json!({ "enum": all, "enumDescriptions": meanings })
         }
         Kind::Numbers { range, .. } => {
-            let mut number = Map::new();
-            number.insert("type".into(), "number".into());
-            insert_range(&mut number, range);
-            schema.insert("type".into(), "array".into());
-            schema.insert("maxItems".into(), Kind::MOST_NUMBERS.into());
-            schema.insert("items".into(), Value::Object(number));
+            json!({ "type": "array", "maxItems": Kind::MOST_NUMBERS, "items": number_schema(range) })
         }
         Kind::Points { .. } => {
-            schema.insert("type".into(), "array".into());
-            schema.insert("minItems".into(), 2.into());
-            let number = json!({ "type": "number" });
-            let pair = json!({ "type": "array", "items": number, "minItems": 2, "maxItems": 2 });
-            schema.insert("items".into(), pair);
+            let pair =
+                json!({ "type": "array", "items": { "type": "number" }, "minItems": 2, "maxItems": 2 });
+            json!({ "type": "array", "minItems": 2, "items": pair })
         }
         Kind::Groups { .. } => {
-            schema.insert("type".into(), "array".into());
-            let group = json!({ "type": "array", "items": { "type": "string" }, "minItems": 2 });
-            schema.insert("items".into(), group);
+            json!({ "type": "array", "items": { "type": "array", "items": { "type": "string" }, "minItems": 2 } })
         }
     }
+}
+
+fn key_schema(key: &Key) -> Value {
+    let mut schema = kind_schema(key.kind);
+    schema["description"] = key.doc.into();
     // Not of the vocabulary: readers of a schema ignore such keywords, generators of classes use
     // them.
     if let Some(unit) = unit_of(key.kind) {
-        schema.insert("x-unit".into(), unit.into());
+        schema["x-unit"] = unit.into();
     }
     if let Some(with) = &key.only_with {
-        schema.insert("x-only-with".into(), with.shown().into());
+        schema["x-only-with"] = with.shown().into();
     }
     if let Presence::Default(preset) = key.presence {
         // JSON has no infinity: such a default is left to the description.
-        match preset {
-            Preset::Number(x) if x.is_finite() => schema.insert("default".into(), x.into()),
-            Preset::Integer(n) => schema.insert("default".into(), n.into()),
-            Preset::Text(text) => schema.insert("default".into(), text.into()),
-            Preset::Switch(value) => schema.insert("default".into(), value.into()),
-            Preset::Numbers(numbers) => schema.insert("default".into(), numbers.into()),
+        let value = match preset {
+            Preset::Number(x) if x.is_finite() => Some(x.into()),
+            Preset::Integer(n) => Some(n.into()),
+            Preset::Text(text) => Some(text.into()),
+            Preset::Switch(value) => Some(value.into()),
+            Preset::Numbers(numbers) => Some(numbers.into()),
             Preset::Number(_) | Preset::Points(_) | Preset::Groups(_) => None,
         };
+        if let Some(value) = value {
+            schema["default"] = value;
+        }
     }
-    Value::Object(schema)
+    schema
 }
 
 /// The unit of the numbers of a key; none of words and pure numbers.
@@ -226,18 +200,20 @@ fn unit_of(kind: Kind) -> Option<&'static str> {
     }
 }
 
-fn insert_range(schema: &mut Map<String, Value>, range: NumberRange) {
-    let mut insert = |name: &str, bound: f64| {
-        if bound.is_finite() {
-            schema.insert(name.into(), bound.into());
-        }
-    };
-    match range.min {
-        RangeEnd::Closed(min) => insert("minimum", min),
-        RangeEnd::Open(min) => insert("exclusiveMinimum", min),
+fn number_schema(range: NumberRange) -> Value {
+    let mut schema = json!({ "type": "number" });
+    let bounds = [
+        match range.min {
+            RangeEnd::Closed(min) => ("minimum", min),
+            RangeEnd::Open(min) => ("exclusiveMinimum", min),
+        },
+        match range.max {
+            RangeEnd::Closed(max) => ("maximum", max),
+            RangeEnd::Open(max) => ("exclusiveMaximum", max),
+        },
+    ];
+    for (name, bound) in bounds.into_iter().filter(|(_, bound)| bound.is_finite()) {
+        schema[name] = bound.into();
     }
-    match range.max {
-        RangeEnd::Closed(max) => insert("maximum", max),
-        RangeEnd::Open(max) => insert("exclusiveMaximum", max),
-    }
+    schema
 }

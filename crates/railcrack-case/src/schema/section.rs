@@ -54,11 +54,31 @@ pub(crate) fn read_section(
         }
     }
     given.sort_by_key(|(_, span)| span.start);
+    read_overrides(&mut read, &mut given, number, reading, report);
+    leave_out_of_runs(&mut read, &mut given, &varied);
+    fill(&mut read, &given, reading, report);
+    // A section of the command line alone has no place in the file.
+    let only = reading.overrides.iter().find(|given| given.section == section.name && given.value.is_some());
+    if let (None, Some(only)) = (table, only) {
+        report.move_to_command_line(before, &only.shown);
+    }
+    read
+}
+
+/// Reads the values that the command line gives instead of those of the table.
+fn read_overrides(
+    read: &mut SectionValues,
+    given: &mut Vec<(&'static Key, Range<usize>)>,
+    number: usize,
+    reading: Reading,
+    report: &mut Report,
+) {
+    let section = read.section;
     for key in section.keys {
         let Some(given_instead) = reading.override_of(section.name, number, key.name) else { continue };
         let Some(instead) = &given_instead.value else { continue };
         given.push((key, 0..0));
-        match key.kind.accept(instead, file.list) {
+        match key.kind.accept(instead, reading.file.list) {
             Ok(value) => {
                 read.entries.push(Entry { key, value, span: None, parts: Vec::new(), is_given: true })
             }
@@ -72,14 +92,6 @@ pub(crate) fn read_section(
             }
         }
     }
-    leave_out_of_runs(&mut read, &mut given, &varied);
-    fill(&mut read, &given, reading, report);
-    // A section of the command line alone has no place in the file.
-    let only = reading.overrides.iter().find(|given| given.section == section.name && given.value.is_some());
-    if let (None, Some(only)) = (table, only) {
-        report.move_to_command_line(before, &only.shown);
-    }
-    read
 }
 
 /// The words of a list.
