@@ -129,7 +129,7 @@ fn form_schema(section: &Section, form: &Form) -> Value {
     json!({ "required": required, "not": { "anyOf": others } })
 }
 
-/// What a value of this kind is.
+/// The schema of a value of this kind.
 fn kind_schema(kind: Kind) -> Value {
     match kind {
         Kind::Number { range, .. } => number_schema(range),
