@@ -57,15 +57,13 @@ fn read_rows(section: &SectionValues, folder: &Path, report: &mut Report) -> Opt
     let count = section.get(COUNT).filter(|count| *count > 1).map(|_| COUNT.key.name);
     if let Some(name) = count.or(given).or(seed) {
         let says = "applies to the copies of a crack, and a table has a row for each crack";
-        report.add(section.fault_of_name(name, says).help("leave it out, or table"));
-        return None;
+        return report.refuse(section.fault_of_name(name, says).help("leave it out, or table"));
     }
     let file = read_crack_table(section, CRACK_TABLE, &KEYS, folder, report)?;
     let without = file.content().iter().position(|crack| crack.angle.is_none());
     if let (Some(row), None, false) = (without, section.get(ANGLE), section.is_refused(ANGLE)) {
         let says = format!("row {} has no angle_deg, and neither has the section", row + 1);
-        report.add(section.fault(CRACK_TABLE, says).help(ANGLE.key.doc));
-        return None;
+        return report.refuse(section.fault(CRACK_TABLE, says).help(ANGLE.key.doc));
     }
     Some(file)
 }

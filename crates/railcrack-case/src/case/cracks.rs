@@ -57,8 +57,7 @@ pub(super) fn place_cracks(
         };
         if cracks.len() + row.len() > MOST_CRACKS {
             let fault = section.fault_of_all(format!("more than {MOST_CRACKS} cracks in the case"));
-            report.add(Fault { span: Some(section.span_of(COUNT)), ..fault });
-            return None;
+            return report.refuse(Fault { span: Some(section.span_of(COUNT)), ..fault });
         }
         friction.resize(friction.len() + row.len(), coefficient);
         owner.resize(owner.len() + row.len(), index);

@@ -20,8 +20,8 @@ pub(super) fn over_seasons(
     let at_seasons = |section: &&SectionValues| section.get(SEASONS).is_some();
     if let Some(section) = tables.into_iter().filter_map(own).find(at_seasons) {
         let says = "are several temperatures, and the wheels of a table pass at one";
-        report.add(section.fault(SEASONS, says).help("use rail_c, or wheels with sections of their own"));
-        return None;
+        return report
+            .refuse(section.fault(SEASONS, says).help("use rail_c, or wheels with sections of their own"));
     }
     let given = if wheels.is_empty() { vec![of_case] } else { wheels.into_iter().map(own).collect() };
     if !given.iter().flatten().any(at_seasons) {
@@ -42,8 +42,7 @@ pub(super) fn over_seasons(
     if first.len() > MOST_WHEELS {
         let section = given.into_iter().flatten().find(at_seasons)?;
         let says = format!("make a mix of {} wheels; the limit is {MOST_WHEELS}", first.len());
-        report.add(section.fault(SEASONS, says));
-        return None;
+        return report.refuse(section.fault(SEASONS, says));
     }
     Some(first)
 }

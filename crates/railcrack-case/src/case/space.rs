@@ -93,8 +93,7 @@ fn read_deviation(growth: &SectionValues, report: &mut Report) -> Option<FrontDe
     }
     let harmonics = growth.get(FRONT_HARMONICS)?;
     let Some(deviation) = FrontDeviation::none(harmonics) else {
-        report.add(growth.fault(FRONT_HARMONICS, "must be even").help("use 2, 4, 6 or 8"));
-        return None;
+        return report.refuse(growth.fault(FRONT_HARMONICS, "must be even").help("use 2, 4, 6 or 8"));
     };
     Some(deviation)
 }
@@ -143,8 +142,7 @@ fn read_shapes(
             shapes.len()
         );
         let fault = given[placed.owner[folded]].fault_of_name("points_mm", says);
-        report.add(fault.help("give one crack, or cracks of two points"));
-        return None;
+        return report.refuse(fault.help("give one crack, or cracks of two points"));
     }
     let cracks: Vec<SpaceCrack> = shapes.iter().filter_map(|shape| shape.crack().ok()).collect();
     let Some(close) = CloseCracks::among(&cracks) else { return Some(shapes) };
@@ -156,8 +154,7 @@ fn read_shapes(
         Fault::of(second.path.clone(), second.span.clone(), close.to_string())
             .also(first.span.clone(), "the other crack")
     };
-    report.add(fault.help(help));
-    None
+    report.refuse(fault.help(help))
 }
 
 fn read_shape(
@@ -168,8 +165,7 @@ fn read_shape(
 ) -> Option<FrontShape> {
     let Some(shape) = front_shape(crack, half_length, section) else {
         let says = "the space engine computes planar cracks, of two points, and folded ones, of three: mouth, fold and deepest point";
-        report.add(section.fault_of_name("points_mm", says));
-        return None;
+        return report.refuse(section.fault_of_name("points_mm", says));
     };
     if let Err(error) = shape.crack() {
         let name = if section.is_given_name("angle_deg") { "angle_deg" } else { "points_mm" };
@@ -185,12 +181,11 @@ fn read_shape(
         let says = format!(
             "the semi-axes of the crack have the ratio {aspect:.3}; the cells of the space engine resolve 1/{LARGEST_ASPECT} to {LARGEST_ASPECT}"
         );
-        report.add(
+        return report.refuse(
             section
                 .fault(SURFACE_HALF_LENGTH, says)
                 .help("a plane engine computes the limit of very wide cracks"),
         );
-        return None;
     }
     Some(shape)
 }

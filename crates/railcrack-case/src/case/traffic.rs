@@ -81,16 +81,14 @@ fn read_mix(
     }
     if given.len() > MOST_WHEELS {
         let says = format!("is wheel {} of a mix; the limit is {MOST_WHEELS}", given.len());
-        report.add(last.fault(SHARE, says));
-        return None;
+        return report.refuse(last.fault(SHARE, says));
     }
     let travel = sections.one(&PASSAGE).and_then(read_travel)?;
     let (tables, single): (Vec<_>, Vec<_>) =
         given.iter().copied().enumerate().partition(|(_, wheel)| wheel.get(TABLE).is_some());
     if let Some((_, second)) = tables.get(1) {
         let says = "is the second table of a mix, which takes one";
-        report.add(second.fault(TABLE, says).help("one table holds all wheels"));
-        return None;
+        return report.refuse(second.fault(TABLE, says).help("one table holds all wheels"));
     }
     // All of them, so that all errors are found at once.
     let wheels: Vec<Option<TrafficWheel>> =
@@ -101,8 +99,7 @@ fn read_mix(
         let others: f64 = wheels.iter().map(|wheel| wheel.share).sum();
         if others >= 1.0 {
             let says = format!("the other wheels have {others} of all axles and leave none for the table");
-            report.add(given.fault(TABLE, says));
-            return None;
+            return report.refuse(given.fault(TABLE, says));
         }
         let table_context = TableContext {
             of_traffic: context,
@@ -119,8 +116,7 @@ fn read_mix(
         if computed > MOST_WHEELS {
             let says =
                 format!("has {computed} wheels with the others of the mix; the limit is {MOST_WHEELS}");
-            report.add(given.fault(TABLE, says).help("use fewer representatives"));
-            return None;
+            return report.refuse(given.fault(TABLE, says).help("use fewer representatives"));
         }
     }
     if table.is_none() {
@@ -204,8 +200,7 @@ fn check_axle_loads(given: &[&SectionValues], wheels: &[TrafficWheel], report: &
     );
     let help =
         "give axle_load_t to every wheel or to none; [traffic] axle_load_t applies to wheels without one";
-    report.add(Fault::of(dotted, section.span.clone(), message).help(help));
-    None
+    report.refuse(Fault::of(dotted, section.span.clone(), message).help(help))
 }
 
 /// Traffic is counted in tonnes: `[traffic]` needs the axle load that no wheel gives.
@@ -225,6 +220,5 @@ fn check_files(given: &[&SectionValues], wheels: &[TrafficWheel], report: &mut R
     let named: Vec<(usize, Vec<Companion<'_>>)> = all.filter(|(_, files)| !files.is_empty()).collect();
     let Some(&(other, _)) = named.iter().find(|(_, files)| *files != named[0].1) else { return Some(()) };
     let says = "all contact tables of a mix must be the same file, with different scales where wheels differ, and so must its profiles";
-    report.add(given[other].fault_of_all(says).help("use kind = \"hertz\" or \"carter\" for the others"));
-    None
+    report.refuse(given[other].fault_of_all(says).help("use kind = \"hertz\" or \"carter\" for the others"))
 }

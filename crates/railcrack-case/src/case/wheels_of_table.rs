@@ -38,8 +38,7 @@ pub(super) fn read_wheels_of_table(
     let TrafficContext { sections, steel, network, extent, folder } = of_traffic;
     if let Some(contact) = sections.part(given, &WHEEL_CONTACT) {
         let says = "says the same thing as `table`, whose rows are the contacts: give one or the other";
-        report.add(contact.fault_of_all(says));
-        return None;
+        return report.refuse(contact.fault_of_all(says));
     }
     let extent = extent.chosen(given, TABLE_EXTENT, report);
     let is_whole = extent == ContactExtent::Patch;
@@ -58,8 +57,7 @@ pub(super) fn read_wheels_of_table(
         let says =
             format!("no patch of its {} wheels meets the crack at lateral_mm = {lateral}", wheels.len());
         let help = "lateral_mm of [[crack]] and y_rail_mm of the table are measured from the same origin";
-        report.add(given.fault(TABLE, says).help(help));
-        return None;
+        return report.refuse(given.fault(TABLE, says).help(help));
     }
     let track = match sections.part(given, &WHEEL_TRACK).or_else(|| sections.one(&TRACK)) {
         Some(section) => Some(read_track(section, None, report)?),
@@ -128,8 +126,7 @@ fn lateral_place(sections: &Sections, report: &mut Report) -> Option<f64> {
         let says = format!(
             "must be {place} as of the first crack: a wheel of a table meets all cracks of a plane at one place"
         );
-        report.add(other.fault(CRACK_LATERAL, says));
-        return None;
+        return report.refuse(other.fault(CRACK_LATERAL, says));
     }
     Some(place)
 }
@@ -150,8 +147,7 @@ fn passing(
     let here: Vec<&TableWheel> = file.content().iter().filter(is_here).collect();
     if here.is_empty() {
         let says = format!("no wheel of the table has a place_m within {} m of it", 0.5 * window);
-        report.add(given.fault(PLACE, says));
-        return None;
+        return report.refuse(given.fault(PLACE, says));
     }
     let sum: f64 = here.iter().map(|wheel| wheel.share.unwrap_or(1.0)).sum();
     let of = |wheel: &&TableWheel| TabledWheel {

@@ -47,14 +47,13 @@ fn of_sections(sections: &Sections, report: &mut Report) -> Option<Entry> {
     let grade = top.get(GRADE)?;
     if let (Some(section), false) = (sections.one(&COMPARE), grade.is_compared()) {
         let says = format!("the grade `{}` is not compared with the model", grade.word());
-        report.add(section.fault_of_all(says).help("leave [compare] out, or choose track, rig or law"));
-        return None;
+        return report
+            .refuse(section.fault_of_all(says).help("leave [compare] out, or choose track, rig or law"));
     }
     let (read, certainty) = (top.get(READ)?, top.get(CERTAINTY)?);
     if (read == HowRead::Memory) != (certainty == 1) {
         let says = "and `read` disagree: what is known from memory has the certainty 1, and nothing else has";
-        report.add(top.fault(CERTAINTY, says));
-        return None;
+        return report.refuse(top.fault(CERTAINTY, says));
     }
     Some(Entry {
         id: top.get(ID)?,
@@ -125,8 +124,7 @@ fn ascending(
     if from < to {
         return Some((from, to));
     }
-    report.add(section.fault(high, format!("must be more than {} = {from}", low.key.name)));
-    None
+    report.refuse(section.fault(high, format!("must be more than {} = {from}", low.key.name)))
 }
 
 #[cfg(test)]

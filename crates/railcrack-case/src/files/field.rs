@@ -18,10 +18,7 @@ pub(crate) fn read_field(
     let given = section.get(row)?;
     match read(&folder.join(&given)) {
         Ok((text, field)) => Some(FieldFile::new(row, given, text, field)),
-        Err((message, help)) => {
-            report.add(section.fault(row, message).help(help));
-            None
-        }
+        Err((message, help)) => report.refuse(section.fault(row, message).help(help)),
     }
 }
 

@@ -162,8 +162,8 @@ pub(crate) fn parse_document<'i>(text: &'i str, report: &mut Report) -> Option<S
         // Messages about its keys would show what it holds.
         let name = &report.source.name;
         let says = format!("`{name}` is a file of another kind: none of its lines begins a known section");
-        report.add(Fault::new(says).help("a known section begins a line, as in [section] or [[section]]"));
-        return None;
+        return report
+            .refuse(Fault::new(says).help("a known section begins a line, as in [section] or [[section]]"));
     }
     let (document, errors) = DeTable::parse_recoverable(text);
     let mut places = Vec::new();
@@ -242,14 +242,12 @@ fn read_part(
         Some((span, _)) => {
             let or = if part.off.is_some() { " or `false`" } else { "" };
             let message = format!("`{path}` must be a section `[{}]`{or}", part.name);
-            report.add(Fault::of(path, span, message).help(part.doc));
-            None
+            report.refuse(Fault::of(path, span, message).help(part.doc))
         }
         None if part.must_be_written() && !part.instead.is_some_and(|key| table.contains_key(key)) => {
             let end = report.source.text.len();
             let message = format!("`{path}` is missing: it has no default");
-            report.add(Fault::of(path, end..end, message).help(part.doc));
-            None
+            report.refuse(Fault::of(path, end..end, message).help(part.doc))
         }
         None => None,
     }

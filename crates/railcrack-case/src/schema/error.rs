@@ -328,6 +328,12 @@ impl Report {
         self.add_to(&source, fault);
     }
 
+    /// Adds an error about the file; nothing is read.
+    pub fn refuse<T>(&mut self, fault: Fault) -> Option<T> {
+        self.add(fault);
+        None
+    }
+
     /// Adds an error about another file.
     pub fn add_to(&mut self, source: &Source, fault: Fault) {
         self.found += 1;

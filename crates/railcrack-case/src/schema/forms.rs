@@ -30,20 +30,17 @@ pub(super) fn choose_form(
             let Some(stray) = stray else { return Some(form) };
             let other = open.iter().find(|form| form.admits(stray.0.name))?;
             let fault = said_twice(read, [(form, one), (other, stray)], report);
-            report.add(fault);
-            None
+            report.refuse(fault)
         }
         [] if !needs_one => None,
         [] => {
             let ways: Vec<String> = open.iter().map(|f| required_keys(section, f)).collect();
             let message = format!("`{}` needs {}", read.path, ways.join(", or "));
-            report.add(Fault::of(read.path.clone(), read.span.clone(), message));
-            None
+            report.refuse(Fault::of(read.path.clone(), read.span.clone(), message))
         }
         [(first, one), (second, other), ..] => {
             let fault = said_twice(read, [(first, one), (second, other)], report);
-            report.add(fault);
-            None
+            report.refuse(fault)
         }
     }
 }

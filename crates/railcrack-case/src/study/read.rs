@@ -200,8 +200,7 @@ fn plan(axes: &[Axis], report: &mut Report) -> Option<Plan> {
         let span = axes.first().and_then(|axis| axis.variations.first()).map(|v| v.span.clone());
         let fault = Fault::new(format!("{} are more than {MOST_RUNS} runs", lengths.join(" x ")))
             .help("use shorter lists, [study] combine = \"zip\", or several studies");
-        report.add(Fault { span, ..fault });
-        return None;
+        return report.refuse(Fault { span, ..fault });
     };
     let labelled = |(i, choice): (usize, Vec<usize>)| (i + 1, run_label(axes, &choice), choice);
     Some(choices.into_iter().enumerate().map(labelled).map(|(i, label, choice)| (i, choice, label)).collect())

@@ -282,14 +282,12 @@ pub(crate) fn read_contact(
     let friction = section.get(FRICTION)?;
     if kind == ContactKind::Carter && friction < 0.0 {
         let help = "the friction of the slip zone; the sign of the shear is that of traction";
-        report.add(section.fault(FRICTION, "must be a number in [0, 1]").help(help));
-        return None;
+        return report.refuse(section.fault(FRICTION, "must be a number in [0, 1]").help(help));
     }
     let friction = match section.get(TORQUE) {
         Some(_) if friction < 0.0 => {
             let help = "torque says which way the shear acts; without it, friction has its sign";
-            report.add(section.fault(FRICTION, "must be a number in [0, 1]").help(help));
-            return None;
+            return report.refuse(section.fault(FRICTION, "must be a number in [0, 1]").help(help));
         }
         torque => torque.map_or(friction, |torque| torque.signed(friction, travel)),
     };
@@ -316,8 +314,7 @@ fn read_table(
     let friction = section.get(FRICTION);
     if friction.is_some_and(|friction| friction < 0.0) {
         let help = "with a table, it is the upper limit of |q|/p";
-        report.add(section.fault(FRICTION, "must be a number in [0, 1]").help(help));
-        return None;
+        return report.refuse(section.fault(FRICTION, "must be a number in [0, 1]").help(help));
     }
     let reading = ContactReading { friction, lateral: section.get(STRIP), travel };
     let file = read_contact_table(section, CONTACT_PROFILE, reading, folder, report)?;
@@ -326,8 +323,8 @@ fn read_table(
     let refusal = out_of_range(HALF_WIDTH, table.half_width())
         .or_else(|| out_of_range(PEAK_PRESSURE, table.peak_pressure()));
     if let Some(says) = refusal {
-        report.add(section.fault(CONTACT_PROFILE, says).help("u in mm, p and q in MPa, times scale"));
-        return None;
+        return report
+            .refuse(section.fault(CONTACT_PROFILE, says).help("u in mm, p and q in MPa, times scale"));
     }
     Some((Contact::Table(table), ContactOrigin::Table(file)))
 }
@@ -358,8 +355,7 @@ fn read_hertz(
     };
     if let Some(says) = refusal {
         let help = "line load and radii together define the peak pressure and the half-width";
-        report.add(section.fault(LINE_LOAD, says).help(help));
-        return None;
+        return report.refuse(section.fault(LINE_LOAD, says).help(help));
     }
     let radius = 1.0 / (1.0 / wheel + 1.0 / rail);
     Some((contact.ok()?, ContactOrigin::LineLoad { radius }))
@@ -391,8 +387,7 @@ fn refuse_lateral(section: &SectionValues, report: &mut Report) -> Option<()> {
     }
     let says = "is an offset within the contact ellipse, whose lateral semi-axis is missing";
     let help = "give lateral_half_width_mm, or wheel_load_kn with the radii of wheel and rail, or leave lateral_mm out";
-    report.add(section.fault(LATERAL, says).help(help));
-    None
+    report.refuse(section.fault(LATERAL, says).help(help))
 }
 
 /// Parts of contact patches by which a case can load its cracks.
@@ -494,8 +489,7 @@ fn read_ellipse(
         .or_else(|| out_of_range(HALF_WIDTH, contact.half_width));
     if let Some(says) = refusal {
         let help = "wheel load and radii together define the ellipse, and lateral_mm its place";
-        report.add(section.fault(WHEEL_LOAD, says).help(help));
-        return None;
+        return report.refuse(section.fault(WHEEL_LOAD, says).help(help));
     }
     let lateral_friction = section.get(LATERAL_FRICTION).unwrap_or(0.0);
     Some((contact, ContactOrigin::Ellipse { wheel, ellipse, lateral, lateral_friction }))

@@ -68,8 +68,7 @@ pub(crate) fn read_fluid(
     let wrong = cracks.iter().flatten().find(|number| number.fract() != 0.0 || **number > count as f64);
     if let Some(number) = wrong {
         let says = format!("no crack {number}; the case has {count}, numbered from 1 with copies counted");
-        report.add(section.fault(WET_CRACKS, says));
-        return None;
+        return report.refuse(section.fault(WET_CRACKS, says));
     }
     let cracks: Option<Vec<usize>> =
         cracks.map(|numbers| numbers.into_iter().map(|number| number as usize - 1).collect());
@@ -84,8 +83,7 @@ pub(crate) fn read_fluid(
                     crack + 1
                 );
                 let help = "cracks = [\u{2026}] lists the cracks that contain fluid";
-                report.add(section.fault(MODEL, says).help(help));
-                return None;
+                return report.refuse(section.fault(MODEL, says).help(help));
             }
             FluidModel::Mouth { cap: section.get(PRESSURE_CAP)? }
         }

@@ -102,8 +102,7 @@ impl Fracture {
             let says = "depends on temperature, and no [temperature] gives that of the rail";
             let help =
                 "add a [temperature] section, with rail_c = neutral_c for a rail without thermal stress";
-            report.add(section.fault(FRACTURE_PROFILE, says).help(help));
-            return None;
+            return report.refuse(section.fault(FRACTURE_PROFILE, says).help(help));
         }
         of(file.content().clone(), None, Some(file))
     }

@@ -56,8 +56,7 @@ pub(crate) fn read_growth(section: &SectionValues, folder: &Path, report: &mut R
                 "leave out tolerance or turning = \"kink\"",
             ),
         };
-        report.add(section.fault(TOLERANCE, says).help(help));
-        return None;
+        return report.refuse(section.fault(TOLERANCE, says).help(help));
     }
     let is_given = increment.is_some() || turning.is_kink();
     let steps = section.get(STEPS);

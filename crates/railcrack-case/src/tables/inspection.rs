@@ -124,8 +124,7 @@ pub(crate) fn read_inspection(
         && critical <= detectable
     {
         let says = format!("must be more than detectable_depth_mm = {detectable}");
-        report.add(section.fault(CRITICAL_DEPTH, says));
-        return None;
+        return report.refuse(section.fault(CRITICAL_DEPTH, says));
     }
     Some(read)
 }
@@ -167,15 +166,15 @@ pub(crate) fn read_risk(
         (Some(_), median, _) => {
             let given = if median.is_some() { POD_MEDIAN } else { POD_LOG_STD };
             let help = "give either pod or pod_median_mm and pod_log_std";
-            report.add(section.fault(given, "is given beside pod, which is a curve of its own").help(help));
-            return None;
+            return report
+                .refuse(section.fault(given, "is given beside pod, which is a curve of its own").help(help));
         }
         (None, median, _) => {
             let (given, other) =
                 if median.is_some() { (POD_MEDIAN, POD_LOG_STD) } else { (POD_LOG_STD, POD_MEDIAN) };
             let help = "give both pod_median_mm and pod_log_std";
-            report.add(section.fault(given, format!("needs {} as well", other.key.name)).help(help));
-            return None;
+            return report
+                .refuse(section.fault(given, format!("needs {} as well", other.key.name)).help(help));
         }
     };
     Some(InspectionRisk { target: section.get(TARGET_RISK), detection })
@@ -204,21 +203,20 @@ pub(crate) fn read_scatter(section: &SectionValues, of: Scattering, report: &mut
     let (wear_std, share_log_std) = (section.get(WEAR_STD)?, section.get(SHARE_LOG_STD)?);
     if wear_std > 0.0 && !is_maintained {
         let help = "add a [maintenance] section with the mean wear";
-        report.add(section.fault(WEAR_STD, "there is no [maintenance] with a mean wear").help(help));
-        return None;
+        return report
+            .refuse(section.fault(WEAR_STD, "there is no [maintenance] with a mean wear").help(help));
     }
     if share_log_std > 0.0 && !is_mix {
         let says = "the case has a single wheel, whose share is 1";
-        report.add(
+        return report.refuse(
             section.fault(SHARE_LOG_STD, says).help("it applies to a mix of [[wheel]] sections with shares"),
         );
-        return None;
     }
     let toughness_std = section.get(TOUGHNESS_STD)?;
     if toughness_std > 0.0 && toughness.is_none() {
         let help = "add a [fracture] section with the mean toughness";
-        report.add(section.fault(TOUGHNESS_STD, "there is no [fracture] with a mean toughness").help(help));
-        return None;
+        return report
+            .refuse(section.fault(TOUGHNESS_STD, "there is no [fracture] with a mean toughness").help(help));
     }
     // Scatter of tests in a laboratory is that of a rail only where the rates of its site are
     // known.
@@ -244,6 +242,6 @@ pub(super) fn needs_tonnes(section: &SectionValues, has_tonnes: bool, report: &m
         return Some(());
     }
     let help = "add a [traffic] section with axle_load_t, or axle_load_t to every [[wheel]]";
-    report.add(section.fault_of_all("counts in million gross tonnes, and no axle load is given").help(help));
-    None
+    report
+        .refuse(section.fault_of_all("counts in million gross tonnes, and no axle load is given").help(help))
 }

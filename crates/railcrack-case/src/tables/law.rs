@@ -62,8 +62,7 @@ pub(super) fn read_law(section: &SectionValues, folder: &Path, report: &mut Repo
     {
         let says = format!("{}, with a threshold of both modes", own.reason);
         let help = "leave `threshold_2_mpa_sqrt_m` out, or choose another law";
-        report.add(section.fault(THRESHOLD_2, says).help(help));
-        return None;
+        return report.refuse(section.fault(THRESHOLD_2, says).help(help));
     }
     let law = GrowthLaw { rate, equivalent, threshold_2 };
     check_pace(section, declaration, &law, report)?;
@@ -92,8 +91,7 @@ fn check_pace(
         "{with}a crack grows by {rate:.3e} mm per cycle at dKeq = {range} MPa sqrt(m); it must not exceed {fastest}"
     );
     let help = "rail steels grow by about 1e-5 mm per cycle there";
-    report.add(section.fault_of_name(key, says).help(help));
-    None
+    report.refuse(section.fault_of_name(key, says).help(help))
 }
 
 /// A steel defines its own law and constants.

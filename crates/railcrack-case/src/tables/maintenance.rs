@@ -39,24 +39,21 @@ pub(crate) fn read_maintenance(
             let (given, other) =
                 if depth.is_some() { (GRINDING, GRINDING_INTERVAL) } else { (GRINDING_INTERVAL, GRINDING) };
             let says = format!("needs {} as well", other.key.name);
-            report.add(
+            return report.refuse(
                 section
                     .fault(given, says)
                     .help("give both the depth of each grinding and the tonnes between grindings"),
             );
-            return None;
         }
     };
     if first.is_some() && grinding.is_none() {
         let help = "give grinding_mm and grinding_interval_mgt as well";
-        report.add(section.fault(FIRST_GRINDING, "there is no grinding").help(help));
-        return None;
+        return report.refuse(section.fault(FIRST_GRINDING, "there is no grinding").help(help));
     }
     let (wear, limit) = (section.get(WEAR)?, section.get(WEAR_LIMIT));
     if limit.is_some() && wear == 0.0 && grinding.is_none() {
         let help = "give wear_mm_per_mgt, or grinding_mm and grinding_interval_mgt";
-        report.add(section.fault(WEAR_LIMIT, "is never reached: nothing is removed").help(help));
-        return None;
+        return report.refuse(section.fault(WEAR_LIMIT, "is never reached: nothing is removed").help(help));
     }
     let (stress, least_spall) = (section.get(STRESS)?, section.get(LEAST_SPALL));
     Some(SurfaceRemoval { wear, grinding, limit, stress, least_spall })

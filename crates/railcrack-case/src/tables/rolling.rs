@@ -28,8 +28,7 @@ pub(super) fn read_rolling(
     let friction = section.get(FRICTION)?;
     if friction < 0.0 {
         let help = "the friction of the slip zone; the signs of the shear follow from the creepages";
-        report.add(section.fault(FRICTION, "must be a number in [0, 1]").help(help));
-        return None;
+        return report.refuse(section.fault(FRICTION, "must be a number in [0, 1]").help(help));
     }
     let given = Creepage {
         longitudinal: section.get(CREEPAGE_X)?,
@@ -55,8 +54,7 @@ pub(super) fn read_rolling(
     let Ok(contact) = patch.plane_contact(place, travel) else {
         let across = ellipse.across;
         let says = format!("is outside the patch, which reaches {across:.3} mm to either side");
-        report.add(section.fault(LATERAL, says).help("choose a strip within the patch"));
-        return None;
+        return report.refuse(section.fault(LATERAL, says).help("choose a strip within the patch"));
     };
     let contact = within_limits(section, contact, report)?;
     Some((contact, ContactOrigin::Rolling { patch: Box::new(patch), lateral, travel }))
@@ -65,12 +63,11 @@ pub(super) fn read_rolling(
 /// The patch, if it can roll as described.
 fn checked(section: &SectionValues, patch: RollingPatch, report: &mut Report) -> Option<RollingPatch> {
     if let Err(error) = patch.check() {
-        report.add(match error {
+        return report.refuse(match error {
             PatchError::NoFriction => section.fault(FRICTION, error),
             PatchError::Saturated { .. } => section.fault(THEORY, error),
             PatchError::Range(_) => section.fault_of_all(error),
         });
-        return None;
     }
     Some(patch)
 }
@@ -81,8 +78,7 @@ fn within_limits(section: &SectionValues, contact: Contact, report: &mut Report)
         .or_else(|| out_of_range(HALF_WIDTH, contact.half_width()));
     if let Some(says) = refusal {
         let help = "normal force and radii, semi-axes or profiles together define the patch, and lateral_mm its strip";
-        report.add(section.fault(NORMAL, says).help(help));
-        return None;
+        return report.refuse(section.fault(NORMAL, says).help(help));
     }
     Some(contact)
 }
@@ -117,8 +113,7 @@ fn read_profiles(
                 SearchError::NoApproach { .. } | SearchError::Range(_) => NORMAL,
                 SearchError::Apart { .. } | SearchError::AtEnd { .. } => SHIFT,
             };
-            report.add(section.fault(row, error));
-            return None;
+            return report.refuse(section.fault(row, error));
         }
     };
     let load = |i: usize| contacts[i].normal_force;
@@ -145,8 +140,7 @@ fn read_profiles(
         };
         let all: Vec<String> = contacts.iter().map(reach).collect();
         let says = format!("is outside the patches, which reach from {}", all.join(" and "));
-        report.add(section.fault(LATERAL, says).help("y of the crack on the profile of the rail"));
-        return None;
+        return report.refuse(section.fault(LATERAL, says).help("y of the crack on the profile of the rail"));
     };
     let contact = within_limits(section, contact, report)?;
     let origin = ProfileOrigin { rail, wheel, contacts, placed, lateral, travel };
@@ -164,8 +158,7 @@ fn check_sides(section: &SectionValues, rail: &Profile, wheel: &Profile, report:
         "the flange of the wheel lies at y = {flange:.1} mm, but the rail falls to {named} y, where its gauge face is: one of the profiles is mirrored"
     );
     let help = "wheel_profile_axes = \"mirrored\" or rail_profile_axes = \"mirrored\" turns the file over";
-    report.add(section.fault(WHEEL_PROFILE, says).help(help));
-    None
+    report.refuse(section.fault(WHEEL_PROFILE, says).help(help))
 }
 
 /// The ellipse of the normal force with the semi-axes or the radii.
@@ -178,10 +171,9 @@ fn read_ellipse(
     if let Some(axes) = section.get(SEMI_AXES) {
         let [along, across] = axes[..] else {
             let says = format!("{} numbers; must be two, [a, b]", axes.len());
-            report.add(
+            return report.refuse(
                 section.fault(SEMI_AXES, says).help("half the length of the patch, then half its width"),
             );
-            return None;
         };
         return Some(HertzEllipse { peak_pressure: 1.5 * normal / (PI * along * across), along, across });
     }

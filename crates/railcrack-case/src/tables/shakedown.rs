@@ -92,8 +92,7 @@ impl ShakedownSettings {
         let is_given = section.is_given(YIELD_STRESS) || section.is_refused(YIELD_STRESS);
         if named.is_some() && is_given {
             let says = "says the same thing as `yield_stress_mpa`: give one or the other";
-            report.add(section.fault(YIELDING_STEEL, says));
-            return None;
+            return report.refuse(section.fault(YIELDING_STEEL, says));
         }
         let steel = named.or(of_law.filter(|_| !is_given));
         let yield_stress = match steel {

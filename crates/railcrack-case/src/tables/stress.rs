@@ -60,8 +60,7 @@ impl PlasticSource {
             if file.content().rows().last().is_none_or(|deepest| deepest.0 <= 0.0) {
                 let says =
                     "a plastic stress must extend below the surface: a row with depth_mm > 0 is missing";
-                report.add(section.fault(PLASTIC_PROFILE, says));
-                return None;
+                return report.refuse(section.fault(PLASTIC_PROFILE, says));
             }
             return Some(Self::Profile(file));
         }

@@ -73,15 +73,13 @@ pub(crate) fn read_track(
     let axles = section.get(AXLES)?;
     let loads = section.get(AXLE_LOADS);
     if axles.is_empty() {
-        report.add(section.fault(AXLES, "at least one axle, that of this wheel: [0.0]"));
-        return None;
+        return report.refuse(section.fault(AXLES, "at least one axle, that of this wheel: [0.0]"));
     }
     if let Some(loads) = &loads
         && loads.len() != axles.len()
     {
         let says = format!("{} loads of {} axles; one of each", loads.len(), axles.len());
-        report.add(section.fault(AXLE_LOADS, says));
-        return None;
+        return report.refuse(section.fault(AXLE_LOADS, says));
     }
     if load.is_none() && loads.is_none() {
         if !section.is_refused(TRACK_LOAD) && !section.is_refused(AXLE_LOADS) {
@@ -143,6 +141,5 @@ pub(crate) fn read_seasons(section: &SectionValues, report: &mut Report) -> Opti
             return Some(seasons);
         }
     };
-    report.add(section.fault(SEASON_SHARES, says));
-    None
+    report.refuse(section.fault(SEASON_SHARES, says))
 }

@@ -43,15 +43,13 @@ fn read(source: &Source, report: &mut Report) -> Option<Vec<(String, Substitute)
     let mut rows = csv_rows(source);
     let help = "the table begins with a header of keys such as contact.friction,crack[1].angle_deg, followed by a row per run";
     let Some(header) = rows.next() else {
-        report.add(Fault::new("there is no header").help(help));
-        return None;
+        return report.refuse(Fault::new("there is no header").help(help));
     };
     let section = |name: &str| name.trim().split(['.', '[']).next().unwrap_or_default().to_owned();
     let is_known = |name: &str| !name.is_empty() && SECTIONS.iter().any(|section| section.name == name);
     let separated = |field: &str| field.split([';', '\t']).any(|name| is_known(&section(name)));
     if !header.fields().any(separated) {
-        report.add(of_another_kind(help));
-        return None;
+        return report.refuse(of_another_kind(help));
     }
     let mut columns = Vec::new();
     for name in header.fields() {
@@ -80,8 +78,7 @@ fn read(source: &Source, report: &mut Report) -> Option<Vec<(String, Substitute)
     for row in rows {
         if row.len() != columns.len() {
             let says = row.wrong_length(columns.len());
-            report.add(Fault { span: Some(row.span), ..Fault::new(says).help(help) });
-            return None;
+            return report.refuse(Fault { span: Some(row.span), ..Fault::new(says).help(help) });
         }
         for (field, column) in row.fields().zip(&mut columns) {
             if let Some((_, kind, substitute)) = column {
