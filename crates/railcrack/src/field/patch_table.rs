@@ -22,11 +22,12 @@ const ANGLES: usize = 10;
 /// Places between which a stress is interpolated.
 const POINTS: usize = 6;
 
-/// σ_xx, σ_yy, σ_zz and σ_xy, to the digits of single precision.
-type Components = [f32; 4];
+/// σ_xx, σ_yy, σ_zz and σ_xy.
+const COMPONENTS: usize = 4;
 
-/// F and G of each unit load at each place along the rail: `[load][along]`.
-type Column = Box<[[Components; 2]]>;
+/// F and G of each unit load at each place along the rail, to the digits of single precision:
+/// `[load][part][along][component]`.
+type Column = Box<[f32]>;
 
 /// The table of one patch, or of all ellipses of one shape.
 #[derive(Debug)]
@@ -60,7 +61,8 @@ pub(super) struct PlaceColumn {
     along: &'static Along,
     half: f64,
     middle: f64,
-    values: Box<[Components]>,
+    /// `[along][component]`, MPa
+    values: Box<[f32]>,
 }
 
 impl TabledPatch {
@@ -85,15 +87,15 @@ impl PlaceColumn {
         let (half, middle) = (patch.half(), patch.middle());
         let at = |x: &f64| components(patch.stress(middle + half * x, depth, spread));
         let along = &*COARSELY_ALONG;
-        Self { along, half, middle, values: along.places.iter().map(at).collect() }
+        Self { along, half, middle, values: along.places.iter().flat_map(at).collect() }
     }
 
     /// The stress between places of one patch, with a weight each.
     pub fn between(columns: &[&Self], weights: &[f64]) -> Self {
         let first = columns[0];
-        let mut values = vec![Components::default(); first.values.len()].into_boxed_slice();
+        let mut values = vec![0.0; first.values.len()].into_boxed_slice();
         for (column, weight) in columns.iter().zip(weights) {
-            values.iter_mut().zip(&column.values).for_each(|(sum, own)| add(sum, own, *weight as f32));
+            add(&mut values, &column.values, *weight as f32);
         }
         Self { values, ..*first }
     }
@@ -105,10 +107,9 @@ impl PlaceColumn {
         let nearer = x.clamp(-FARTHEST, FARTHEST);
         let place = Along::parameter(nearer) / self.along.step + self.along.middle;
         let (first, weights) = between(place, self.along.places.len());
-        let mut sum = Components::default();
-        for (value, weight) in self.values[first..].iter().zip(weights) {
-            add(&mut sum, value, weight as f32);
-        }
+        let mut sum = [0.0f32; COMPONENTS];
+        let around = self.values[COMPONENTS * first..].chunks_exact(COMPONENTS);
+        around.zip(weights).for_each(|(value, weight)| add(&mut sum, value, weight as f32));
         let [xx, yy, zz, xy] = sum.map(f64::from);
         let stress = Stress { xx, yy, zz, xy };
         if nearer == x { stress } else { stress * (nearer / x).powi(2) }
@@ -143,16 +144,15 @@ impl PatchTable {
     }
 
     /// The stress at the places along the rail; lengths over a.
-    fn stresses(&self, factors: &[f64], depth: f64, spread: Spread) -> Box<[Components]> {
+    fn stresses(&self, factors: &[f64], depth: f64, spread: Spread) -> Box<[f32]> {
         let radius = (depth + spread.reach).max(SMALLEST);
         let (radius_first, by_radius) = between((radius / SMALLEST).ln() / RADIUS_STEP, RADII);
         let angle = (depth / radius).clamp(0.0, 1.0).sqrt();
         let (angle_first, by_angle) = between(angle * (ANGLES - 1) as f64, ANGLES);
-        let count = ALONG.places.len();
         (0..POINTS * POINTS).into_par_iter().for_each(|cell| {
             self.column(radius_first + cell / POINTS, angle_first + cell % POINTS);
         });
-        let mut sum = vec![Components::default(); count].into_boxed_slice();
+        let mut sum = vec![0.0; COMPONENTS * ALONG.places.len()].into_boxed_slice();
         for (i, of_radius) in by_radius.iter().enumerate() {
             for (j, of_angle) in by_angle.iter().enumerate() {
                 let weight = spread.share * of_radius * of_angle;
@@ -160,12 +160,12 @@ impl PatchTable {
                     continue;
                 }
                 let column = self.column(radius_first + i, angle_first + j);
-                for (values, factor) in column.chunks_exact(count).zip(factors) {
+                for (values, factor) in column.chunks_exact(2 * sum.len()).zip(factors) {
                     let even = (weight * factor) as f32;
                     let odd = (weight * factor * spread.beta) as f32;
-                    for (sum, [of_even, of_odd]) in sum.iter_mut().zip(values) {
-                        add(sum, of_even, even);
-                        add(sum, of_odd, odd);
+                    let (of_even, of_odd) = values.split_at(sum.len());
+                    for ((sum, of_even), of_odd) in sum.iter_mut().zip(of_even).zip(of_odd) {
+                        *sum = (*sum + of_even * even) + of_odd * odd;
                     }
                 }
             }
@@ -173,25 +173,27 @@ impl PatchTable {
         sum
     }
 
-    fn column(&self, radius: usize, angle: usize) -> &[[Components; 2]] {
+    fn column(&self, radius: usize, angle: usize) -> &[f32] {
         self.columns[radius * ANGLES + angle].get_or_init(|| {
             let radius = SMALLEST * (RADIUS_STEP * radius as f64).exp();
             let depth = radius * (angle as f64 / (ANGLES - 1) as f64).powi(2);
             let of = |load: &PatchDirections| {
                 let a = load.half();
-                let at = |x: &f64| load.parts(x * a, depth * a, (radius - depth) * a).map(components);
-                ALONG.places.iter().map(at).collect::<Vec<_>>()
+                let at = |x: &f64| load.parts(x * a, depth * a, (radius - depth) * a);
+                let parts: Vec<[Stress; 2]> = ALONG.places.iter().map(at).collect();
+                let flat = |part: usize| parts.iter().flat_map(move |own| components(own[part]));
+                flat(0).chain(flat(1)).collect::<Vec<f32>>()
             };
             self.loads.iter().flat_map(of).collect()
         })
     }
 }
 
-fn components(stress: Stress) -> Components {
+fn components(stress: Stress) -> [f32; COMPONENTS] {
     [stress.xx, stress.yy, stress.zz, stress.xy].map(|component| component as f32)
 }
 
-fn add(sum: &mut Components, values: &Components, factor: f32) {
+fn add(sum: &mut [f32], values: &[f32], factor: f32) {
     for (sum, value) in sum.iter_mut().zip(values) {
         *sum += value * factor;
     }

@@ -106,11 +106,11 @@ pub(super) fn rate_by_depth(run: &RunFolder) -> Option<Chart> {
     let limit = MEASURED_DEPTHS.map(|depth| [depth, fast_growth(depth)]).to_vec();
     Some(Chart {
         id: "rate-depth".to_owned(),
-        caption: "Growth in depth against the depth of the tip. The band is what is measured in track; growth above the dashed \
-                  line needs a reason."
+        caption: "Growth in depth against the depth of the tip, in mm per million gross tonnes (MGT). The band is what is measured \
+                  in track; growth above the dashed line needs a reason."
             .to_owned(),
         x: ChartAxis::logarithmic("Depth", "mm"),
-        y: ChartAxis::logarithmic("Growth in depth", "mm per million gross tonnes"),
+        y: ChartAxis::logarithmic("Growth in depth", "mm per MGT"),
         areas: vec![measured_band()],
         curves: vec![
             Curve::line("this run", points).with_colour(CurveColour::Category(0)),
