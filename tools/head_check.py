@@ -1,9 +1,11 @@
 """The head check that rate_over_depth.py and parameters_tornado.py vary: its case, its run, the table of its growth."""
 
 import csv
+import json
 import pathlib
 import subprocess
 import sys
+import tempfile
 
 root = pathlib.Path(__file__).resolve().parent.parent
 
@@ -60,6 +62,19 @@ def grown(program, text, folder, residual, settings=()):
         return None
     with open(folder / "out/growth.csv") as lines:
         return list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+
+def summary(program, text, settings=()):
+    """summary.json of the case `text`, which runs in a folder of its own; ends the program where there is none."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "case.toml").write_text(text)
+        line = [program, "run", "case.toml", "--out", "out", "--quiet"]
+        for setting in settings:
+            line += ["--set", setting]
+        done = subprocess.run(line, cwd=folder, capture_output=True, text=True)
+        found = folder / "out/summary.json"
+        return json.loads(found.read_text()) if found.exists() else sys.exit(done.stderr)
 
 
 def plots():

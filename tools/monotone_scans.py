@@ -5,13 +5,10 @@ without arguments it prints the numbers of docs/dev/monotone.md.
 """
 
 import csv
-import json
 import pathlib
-import subprocess
 import sys
-import tempfile
 
-from head_check import root
+from head_check import root, summary
 
 table = root / "verification/monotone/lives.csv"
 
@@ -71,16 +68,7 @@ SCANS = {
 
 def lives(program, settings):
     """Lives (MGT) straight ahead, as computed and along the limit path, the shortest of all, the interval, the verdict."""
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        (folder / "case.toml").write_text(CASE)
-        line = [program, "run", "case.toml", "--out", "out", "--quiet"]
-        for key, value in settings.items():
-            line += ["--set", f"{key}={value}"]
-        done = subprocess.run(line, cwd=folder, capture_output=True, text=True)
-        if not (folder / "out/summary.json").exists():
-            sys.exit(done.stderr)
-        decision = json.loads((folder / "out/summary.json").read_text())["decision"]
+    decision = summary(program, CASE, [f"{key}={value}" for key, value in settings.items()])["decision"]
     paths = decision.get("paths") or {}
     values = [paths.get(name) for name in ["straight", "nominal", "limit"]]
     known = [life for life in values if life is not None]

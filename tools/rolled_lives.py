@@ -5,13 +5,10 @@ without arguments it draws docs/figures/rolled-lives.svg, which needs matplotlib
 """
 
 import csv
-import json
 import pathlib
-import subprocess
 import sys
-import tempfile
 
-from head_check import plots, root
+from head_check import plots, root, summary
 
 table = root / "verification/rolled-lives/lives.csv"
 
@@ -53,15 +50,9 @@ PATHS = {"straight": "coplanar", "free": "max-rate"}
 
 def life(program, text):
     """Million axles until the crack is half as long again, and its depth then (mm)."""
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        (folder / "case.toml").write_text(text)
-        done = subprocess.run([program, "run", "case.toml", "--out", "out", "--quiet"], cwd=folder, capture_output=True, text=True)
-        if not (folder / "out/summary.json").exists():
-            sys.exit(done.stderr)
-        summary = json.loads((folder / "out/summary.json").read_text())
-    reached = summary["stop"] == "critical-length"
-    return 1e-6 * summary["load_cycles"] if reached else None, -summary["tips"][0]["y_mm"], summary["stop"]
+    found = summary(program, text)
+    reached = found["stop"] == "critical-length"
+    return 1e-6 * found["load_cycles"] if reached else None, -found["tips"][0]["y_mm"], found["stop"]
 
 
 def compute(program):

@@ -169,9 +169,9 @@ fn read_shape(
     };
     if let Err(error) = shape.crack() {
         let name = if section.is_given_name("angle_deg") { "angle_deg" } else { "points_mm" };
-        report
-            .add(section.fault_of_name(name, format!("the space engine cannot compute this crack: {error}")));
-        return None;
+        return report.refuse(
+            section.fault_of_name(name, format!("the space engine cannot compute this crack: {error}")),
+        );
     }
     if !accepts_fold(&shape, section, report) {
         return None;

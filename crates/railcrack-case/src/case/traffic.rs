@@ -134,9 +134,9 @@ fn check_shares(last: &SectionValues, wheels: &[TrafficWheel], report: &mut Repo
         return Some(());
     }
     let says = format!("the shares of all wheels add up to {sum}; they must add up to 1");
-    report
-        .add(last.fault(SHARE, says).help("shares are fractions of the number of axles, not of the tonnes"));
-    None
+    report.refuse(
+        last.fault(SHARE, says).help("shares are fractions of the number of axles, not of the tonnes"),
+    )
 }
 
 /// The wheel of the `given` section, from 0, that is no table.

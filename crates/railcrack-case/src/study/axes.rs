@@ -73,9 +73,9 @@ impl<'a> Settings<'a> {
         if self.combine == Combine::Zip {
             if entry.is_some() {
                 let says = "in a zip, all lists are combined element by element";
-                report
-                    .add(self.fault(TOGETHER, span, says).help("leave it out, or use combine = \"product\""));
-                return None;
+                return report.refuse(
+                    self.fault(TOGETHER, span, says).help("leave it out, or use combine = \"product\""),
+                );
             }
             return Some(vec![(0..variations.len()).collect()]);
         }

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use std::collections::VecDeque;
 use std::sync::{Arc, LazyLock, Mutex, OnceLock, PoisonError};
 
-/// The smallest r over a, places of r and the difference of their logarithms: up to 1000 a.
+/// The smallest r over a, places of r and the difference of their logarithms: up to 4800 a.
 const SMALLEST: f64 = 0.004;
 const RADII: usize = 29;
 const RADIUS_STEP: f64 = 0.5;
@@ -149,9 +149,7 @@ impl PatchTable {
         let (radius_first, by_radius) = between((radius / SMALLEST).ln() / RADIUS_STEP, RADII);
         let angle = (depth / radius).clamp(0.0, 1.0).sqrt();
         let (angle_first, by_angle) = between(angle * (ANGLES - 1) as f64, ANGLES);
-        (0..POINTS * POINTS).into_par_iter().for_each(|cell| {
-            self.column(radius_first + cell / POINTS, angle_first + cell % POINTS);
-        });
+        self.fill(radius_first, angle_first);
         let mut sum = vec![0.0; COMPONENTS * ALONG.places.len()].into_boxed_slice();
         for (i, of_radius) in by_radius.iter().enumerate() {
             for (j, of_angle) in by_angle.iter().enumerate() {
@@ -171,6 +169,19 @@ impl PatchTable {
             }
         }
         sum
+    }
+
+    /// Computes the columns that are interpolated from these first places on and not yet known.
+    fn fill(&self, radius: usize, angle: usize) {
+        let around = (0..POINTS * POINTS).map(|cell| (radius + cell / POINTS, angle + cell % POINTS));
+        let is_known =
+            |(radius, angle): &(usize, usize)| self.columns[radius * ANGLES + angle].get().is_some();
+        let missing: Vec<_> = around.filter(|place| !is_known(place)).collect();
+        if !missing.is_empty() {
+            missing.into_par_iter().for_each(|(radius, angle)| {
+                self.column(radius, angle);
+            });
+        }
     }
 
     fn column(&self, radius: usize, angle: usize) -> &[f32] {

@@ -54,27 +54,20 @@ impl PatchWheel {
         }
     }
 
-    /// The stress (MPa) at x (mm) from the wheel's centre and y (mm), averaged with `spread`.
-    fn spread_stress(&self, x: f64, y: f64, spread: Spread) -> Stress {
-        self.patches.iter().fold(Stress::ZERO, |sum, patch| sum + patch.stress(x, -y, spread))
-    }
-
-    fn column(&self, patch: usize, depth: f64, spread: Spread) -> PlaceColumn {
-        match self.tabled.get(patch) {
-            Some(tabled) => tabled.at(depth, spread),
-            None => PlaceColumn::coarse(&self.patches[patch], depth, spread),
-        }
-    }
-
     fn place(&self, point: Vec2, spread: Spread) -> Place {
-        let column = |patch| self.column(patch, -point.y, spread);
-        Place { x: point.x, columns: (0..self.patches.len()).map(column).collect() }
+        let columns = if self.tabled.is_empty() {
+            self.patches.iter().map(|patch| PlaceColumn::coarse(patch, -point.y, spread)).collect()
+        } else {
+            self.tabled.iter().map(|patch| patch.at(-point.y, spread)).collect()
+        };
+        Place { x: point.x, columns }
     }
 }
 
 impl Wheel for PatchWheel {
     fn stress(&self, point: Vec2, xc: f64) -> Stress {
-        self.spread_stress(point.x - xc, point.y, Spread::NONE)
+        let of = |patch: &PatchDirections| patch.stress(point.x - xc, -point.y, Spread::NONE);
+        self.patches.iter().fold(Stress::ZERO, |sum, patch| sum + of(patch))
     }
 
     fn displacement(&self, point: Vec2, xc: f64) -> Vec2 {
