@@ -35,17 +35,15 @@ impl CrackLine {
         self.points.windows(2).map(|pair| (pair[1] - pair[0]).length()).sum()
     }
 
-    /// The point at the arc length `s` (mm).
-    pub(super) fn position(&self, s: f64) -> Vec2 {
-        let mut before = 0.0;
-        for pair in self.points.windows(2) {
-            let length = (pair[1] - pair[0]).length();
-            if s <= before + length {
-                return pair[0] + (pair[1] - pair[0]) * ((s - before) / length);
-            }
-            before += length;
-        }
-        self.points.last().copied().unwrap_or_default()
+    /// Arc lengths (mm) of the vertices at which it turns by `least` degrees or more.
+    pub(super) fn kinks(&self, least: f64) -> Vec<f64> {
+        let mut s = 0.0;
+        let turns = |around: &[Vec2]| {
+            let [before, after] = [around[1] - around[0], around[2] - around[1]];
+            s += before.length();
+            (before.cross(after).atan2(before.dot(after)).to_degrees().abs() >= least).then_some(s)
+        };
+        self.points.windows(3).filter_map(turns).collect()
     }
 
     /// How a load along the front counts at the arc length `s` (mm).

@@ -90,16 +90,6 @@ impl PlaceColumn {
         Self { along, half, middle, values: along.places.iter().flat_map(at).collect() }
     }
 
-    /// The stress between places of one patch, with a weight each.
-    pub fn between(columns: &[&Self], weights: &[f64]) -> Self {
-        let first = columns[0];
-        let mut values = vec![0.0; first.values.len()].into_boxed_slice();
-        for (column, weight) in columns.iter().zip(weights) {
-            add(&mut values, &column.values, *weight as f32);
-        }
-        Self { values, ..*first }
-    }
-
     /// The stress (MPa) at x (mm) from the wheel's centre.
     pub fn at(&self, x: f64) -> Stress {
         let x = (x - self.middle) / self.half;
@@ -255,7 +245,7 @@ impl Along {
 }
 
 /// The first of the places around `place` of so many, and their weights.
-pub(super) fn between(place: f64, count: usize) -> (usize, [f64; POINTS]) {
+fn between(place: f64, count: usize) -> (usize, [f64; POINTS]) {
     let first = (place as usize + 1).saturating_sub(POINTS / 2).min(count - POINTS);
     (first, weights(place - first as f64))
 }

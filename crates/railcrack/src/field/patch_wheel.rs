@@ -3,10 +3,9 @@
 use super::Wheel;
 use super::front_spread::{CrackLine, FrontSpread, PlaceOnCrack, StressesByPosition, StressesOnCracks};
 use super::patch_directions::{PatchDirections, PatchLoad, Spread};
-use super::patch_table::{PlaceColumn, TabledPatch, between};
+use super::patch_table::{PlaceColumn, TabledPatch};
 use crate::material::IsotropicElastic;
 use crate::math::{Stress, Vec2};
-use std::f64::consts::PI;
 use std::sync::{Arc, OnceLock};
 
 /// A wheel on the half-space. Its stress and displacement are those in the plane y = 0 of the
@@ -62,6 +61,11 @@ impl PatchWheel {
         };
         Place { x: point.x, columns }
     }
+
+    /// The largest distance over depth of places between which stresses are interpolated.
+    fn gap(&self) -> f64 {
+        if self.tabled.is_empty() { 1.0 } else { 0.2 }
+    }
 }
 
 impl Wheel for PatchWheel {
@@ -87,13 +91,7 @@ impl Wheel for PatchWheel {
     }
 
     fn on_cracks<'a>(&'a self, cracks: &[CrackLine]) -> Option<Arc<dyn StressesOnCracks + 'a>> {
-        let own = |line: &CrackLine| OnCrack {
-            spread: FrontSpread::of(line),
-            line: line.clone(),
-            nodes: OnceLock::new(),
-            mouth: OnceLock::new(),
-        };
-        Some(Arc::new(OnCracks { wheel: self, cracks: cracks.iter().map(own).collect() }))
+        Some(Arc::new(OnCracks { wheel: self, cracks: cracks.iter().map(OnCrack::new).collect() }))
     }
 }
 
@@ -120,39 +118,69 @@ struct OnCracks<'a> {
 struct OnCrack {
     line: CrackLine,
     spread: FrontSpread,
-    /// Under a coarse wheel, places along the crack between which all others are interpolated.
-    nodes: OnceLock<Vec<Place>>,
+    /// Arc lengths of its kinks, mm.
+    kinks: Vec<f64>,
     /// The running surface over its first point, spread as in the middle of the crack.
     mouth: OnceLock<Place>,
 }
 
 /// Share of the length at which the pressure over a mouth is spread as there.
 const INSIDE: f64 = 0.5;
-/// Places along a crack under a coarse wheel.
-const NODES: usize = 10;
+/// The turn (degrees) from which a vertex is a kink, across which nothing is interpolated.
+const KINK: f64 = 10.0;
 
 impl OnCrack {
-    fn place(&self, wheel: &PatchWheel, place: &PlaceOnCrack) -> Place {
-        if !wheel.tabled.is_empty() {
-            return wheel.place(place.point, self.spread.at(place.s));
+    fn new(line: &CrackLine) -> Self {
+        Self {
+            spread: FrontSpread::of(line),
+            kinks: line.kinks(KINK),
+            line: line.clone(),
+            mouth: OnceLock::new(),
         }
-        let length = self.line.length();
-        let nodes = self.nodes.get_or_init(|| {
-            // Dense towards both ends: s = l sin²(φ/2).
-            let at = |i: usize| {
-                let s = 0.5 * length * (1.0 - (PI * i as f64 / (NODES - 1) as f64).cos());
-                wheel.place(self.line.position(s), self.spread.at(s))
-            };
-            (0..NODES).map(at).collect()
-        });
-        let angle = (1.0 - 2.0 * place.s / length).clamp(-1.0, 1.0).acos();
-        let (first, weights) = between(angle / PI * (NODES - 1) as f64, NODES);
-        let column = |patch: usize| {
-            let around: Vec<&PlaceColumn> =
-                nodes[first..first + weights.len()].iter().map(|node| &node.columns[patch]).collect();
-            PlaceColumn::between(&around, &weights)
+    }
+
+    /// The number of kinks before a place.
+    fn part(&self, place: &PlaceOnCrack) -> usize {
+        self.kinks.partition_point(|kink| *kink < place.s)
+    }
+}
+
+/// The weights of the nodes from a first one on whose sum is the stress at a place.
+#[derive(Debug, Clone, Copy, Default)]
+struct Interpolated {
+    first: usize,
+    weights: [f64; 4],
+}
+
+/// Places among `places` between which the others are interpolated, `gap` times their depth from
+/// each other or closer.
+fn nodes_among(places: &[(usize, PlaceOnCrack)], gap: f64) -> Vec<PlaceOnCrack> {
+    let mut nodes: Vec<PlaceOnCrack> = Vec::new();
+    for (i, (_, place)) in places.iter().enumerate() {
+        let is_node = match (nodes.last(), places.get(i + 1)) {
+            (Some(before), _) if place.s <= before.s => false,
+            (Some(before), Some((_, next))) => next.s - before.s > -gap * before.point.y.max(next.point.y),
+            _ => true,
         };
-        Place { x: place.point.x, columns: (0..wheel.patches.len()).map(column).collect() }
+        if is_node {
+            nodes.push(*place);
+        }
+    }
+    nodes
+}
+
+impl Interpolated {
+    /// That of the arc length `s` (mm) by the curve of the third degree through four of `nodes`.
+    fn between(s: f64, nodes: &[PlaceOnCrack]) -> Self {
+        let above = nodes.partition_point(|node| node.s < s);
+        let first = above.saturating_sub(2).min(nodes.len().saturating_sub(4));
+        let around = &nodes[first..nodes.len().min(first + 4)];
+        let mut weights = [0.0; 4];
+        for (i, (weight, own)) in weights.iter_mut().zip(around).enumerate() {
+            let others = around.iter().enumerate().filter(|(j, _)| *j != i);
+            *weight = others.map(|(_, other)| (s - other.s) / (own.s - other.s)).product();
+        }
+        Self { first, weights }
     }
 }
 
@@ -161,9 +189,29 @@ impl StressesOnCracks for OnCracks<'_> {
     where
         Self: 'a,
     {
-        let on = |place: &PlaceOnCrack| self.cracks[place.crack].place(self.wheel, place);
-        let places: Vec<Place> = places.iter().map(on).collect();
-        Box::new(move |xc| places.iter().map(|place| place.at(xc)).collect())
+        let mut order: Vec<(usize, PlaceOnCrack)> = places.iter().copied().enumerate().collect();
+        order.sort_by(|(_, a), (_, b)| a.crack.cmp(&b.crack).then(a.s.total_cmp(&b.s)));
+        let part = |(_, place): &(usize, PlaceOnCrack)| (place.crack, self.cracks[place.crack].part(place));
+        let mut nodes: Vec<Place> = Vec::new();
+        let mut sums = vec![Interpolated::default(); places.len()];
+        for of_part in order.chunk_by(|a, b| part(a) == part(b)) {
+            let own = nodes_among(of_part, self.wheel.gap());
+            for (i, place) in of_part {
+                sums[*i] = Interpolated::between(place.s, &own);
+                sums[*i].first += nodes.len();
+            }
+            let at =
+                |node: &PlaceOnCrack| self.wheel.place(node.point, self.cracks[node.crack].spread.at(node.s));
+            nodes.extend(own.iter().map(at));
+        }
+        Box::new(move |xc| {
+            let at_nodes: Vec<Stress> = nodes.iter().map(|node| node.at(xc)).collect();
+            let sum = |own: &Interpolated| {
+                let around = at_nodes[own.first..].iter().zip(own.weights);
+                around.fold(Stress::ZERO, |sum, (stress, weight)| sum + *stress * weight)
+            };
+            sums.iter().map(sum).collect()
+        })
     }
 
     fn over_mouth(&self, crack: usize, xc: f64) -> f64 {
