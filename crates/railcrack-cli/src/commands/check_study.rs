@@ -138,7 +138,11 @@ fn warnings(study: &Study) -> Vec<(usize, String)> {
 fn axis_lines(axis: &Axis) -> String {
     let mut text = String::new();
     for (i, variation) in axis.variations.iter().enumerate() {
-        let values: Vec<String> = (0..axis.len()).map(|index| variation.shown(index)).collect();
+        let listed = axis.len().min(MOST_LISTED);
+        let mut values: Vec<String> = (0..listed).map(|index| variation.shown(index)).collect();
+        if axis.len() > listed {
+            values.push(format!("… ({} values)", axis.len()));
+        }
         let name = if i == 0 { "varies" } else { "  together with" };
         text.push_str(&format!("  {name:<20} {} = {}\n", variation.key, values.join(", ")));
     }

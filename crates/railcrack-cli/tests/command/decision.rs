@@ -41,6 +41,17 @@ friction = 0.3
 axle_load_t = 20.0
 ";
 
+const ELLIPSE: &str = "\
+[contact]
+wheel_load_kn = 98.0
+wheel_radius_mm = 460.0
+wheel_profile_radius_mm = -450.0
+rail_head_radius_mm = 300.0
+friction = 0.3
+[traffic]
+axle_load_t = 20.0
+";
+
 const MIX: &str = "\
 [[wheel]]
 name = \"loaded\"
@@ -94,10 +105,11 @@ fn number(value: &Value) -> Option<f64> {
     value.as_f64()
 }
 
-/// Without any scatter all samples are the run, whatever sections the case has.
+/// Without any scatter all samples are the run, and so are a run of a study and a plan that grinds
+/// as the case does, whatever sections the case has.
 #[test]
 #[ignore = "extra: minutes"]
-fn without_scatter_samples_are_the_run_in_full() {
+fn run_samples_study_and_plan_have_one_life_in_full() {
     let place = folder("decision", "product");
     let scatter = "[scatter]\nsamples = 20\nparis_c_log_std = 0.0\n";
     let parts = [NETWORK, MAINTENANCE, FLUID, FRACTURE, COLD];
@@ -109,10 +121,9 @@ fn without_scatter_samples_are_the_run_in_full() {
             continue;
         }
         let mixed = mask >> parts.len() & 1 == 1;
-        let mut text = format!("{RAIL}{}{CRACK}", if mixed { MIX } else { WHEEL });
+        let mut text = format!("{RAIL}{}{CRACK}", if mixed { MIX } else { ELLIPSE });
         let mut names = vec![if mixed { "mix" } else { "wheel" }];
-        for (i, part) in parts.iter().enumerate().filter(|(i, _)| mask >> i & 1 == 1) {
-            assert!(i < parts.len());
+        for (_, part) in parts.iter().enumerate().filter(|(i, _)| mask >> i & 1 == 1) {
             text.push_str(part.text);
             names.push(part.name);
         }
@@ -122,16 +133,37 @@ fn without_scatter_samples_are_the_run_in_full() {
         let decision = decision(&place.join("run"));
         let life = number(&decision["failure"]["mgt"]);
         failed += usize::from(life.is_some());
-        for key in ["p05", "p50", "p95"] {
-            let sampled = number(&decision["scatter"]["mgt_to_critical"][key]);
-            let is_same = match (life, sampled) {
-                (Some(life), Some(sampled)) => (sampled - life).abs() <= 1e-6 * life,
-                (life, sampled) => life.is_none() && sampled.is_none(),
+        let is = |found: Option<f64>, accepted: f64, by: &str| {
+            let is_same = match (life, found) {
+                (Some(life), Some(found)) => (found - life).abs() <= accepted * life,
+                (life, found) => life.is_none() && found.is_none(),
             };
-            assert!(is_same, "{names:?}: {life:?} in the run, {sampled:?} in the samples");
+            assert!(is_same, "{names:?}: {life:?} in the run, {found:?} {by}");
+        };
+        for key in ["p05", "p50", "p95"] {
+            is(number(&decision["scatter"]["mgt_to_critical"][key]), 1e-6, "in the samples");
+        }
+        let study = text.replace("paris_c = 2e-11", "paris_c = [2e-11, 4e-11]");
+        fs::write(place.join("study.toml"), study).unwrap();
+        done(&place, &["sweep", "study.toml", "--quiet", "--force", "--out", "study"]);
+        is(in_first_row(&read(&place.join("study/summary.csv")), "failure_mgt"), 1e-9, "in the study");
+        if let Some(life) = life.filter(|_| names.contains(&MAINTENANCE.name)) {
+            let horizon = format!("{}", 2.0 * life);
+            let grinding = ["--grinding", "0.05", "--interval", "20", "--horizon", &horizon];
+            let plan = [&["plan", "case.toml", "--quiet", "--force", "--out", "plan"], &grinding[..]];
+            done(&place, &plan.concat());
+            let plan: Value = serde_json::from_str(&read(&place.join("plan/plan.json"))).unwrap();
+            is(number(&plan["plans"][0]["mgt"]), 1e-3, "in the plan");
         }
     }
     assert!(failed > 15, "{failed}");
+}
+
+/// The number of a `column` in the first row of a table, if there is one.
+fn in_first_row(table: &str, column: &str) -> Option<f64> {
+    let mut rows = table.lines().filter(|line| !line.starts_with('#'));
+    let at = rows.next()?.split(',').position(|name| name == column).unwrap();
+    rows.next()?.split(',').nth(at)?.parse().ok()
 }
 
 /// A life in the decision of a run that ends with it is the traffic of that run: with wear, whose
