@@ -125,7 +125,7 @@ pub enum ValidityWarning {
     /// A contact patch beside cracks in the plane.
     #[error(
         "the contact patch lies {offset:.2} b beside the cracks (b is its lateral semi-axis), and a plane crack does not feel that it \
-         also shears their fronts sideways (mode III): Delta K_eq is too low, by 10 % at b/4, 20 to 30 % at b/2 and up to 70 % from b \
+         also shears their fronts sideways (mode III): Delta K_eq is too low, by up to 8 % at b/4, 27 % at b/2 and 70 % from b \
          on; engine = \"space\" has all three modes"
     )]
     PatchBeside {

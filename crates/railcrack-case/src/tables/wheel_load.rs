@@ -49,6 +49,18 @@ pub struct GivenContact {
     pub coupling: Option<WheelCoupling>,
 }
 
+impl GivenContact {
+    /// Whether a patch loads the cracks, and not a line contact.
+    #[must_use]
+    pub fn is_patch(&self) -> bool {
+        let is_line = matches!(
+            self.origin,
+            ContactOrigin::Given | ContactOrigin::LineLoad { .. } | ContactOrigin::Table(_)
+        );
+        self.extent == ContactExtent::Patch && !is_line
+    }
+}
+
 /// The sections of one wheel.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct WheelSections<'a> {

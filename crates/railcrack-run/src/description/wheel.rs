@@ -29,15 +29,19 @@ pub(super) fn wheels(case: &Case) -> Vec<Part> {
 }
 
 fn contact(case: &Case, wheel: &GivenWheel) -> Vec<Row> {
-    let Some(GivenContact { contact, origin, coupling, .. }) = wheel.given() else {
+    let Some(given) = wheel.given() else {
         return vec![Row::text("contact", "misses the cracks")];
     };
-    let mut rows = from_origin(case, origin);
+    let GivenContact { contact, origin, coupling, .. } = given;
+    let is_patch = given.is_patch();
+    let mut rows = from_origin(case, given);
     rows.extend([
         Row::number("peak pressure p0", contact.peak_pressure(), "MPa"),
         Row::number("half width a", contact.half_width(), "mm"),
-        Row::number("line load", contact.line_load(), "N/mm"),
     ]);
+    if !is_patch {
+        rows.push(Row::number("line load", contact.line_load(), "N/mm"));
+    }
     match contact {
         Contact::Hertz(contact) => rows.push(Row::number("friction", contact.friction, "")),
         Contact::Carter(carter) => rows.extend(partial_slip(carter, origin)),
@@ -60,7 +64,7 @@ fn contact(case: &Case, wheel: &GivenWheel) -> Vec<Row> {
         shear if shear > 0.0 => "drags the rail along +x",
         _ => "drags the rail along -x",
     };
-    rows.extend([Row::text("pressure", contact.kind().described()), Row::text("shear", drags)]);
+    rows.extend([Row::text("pressure", contact.kind().described(is_patch)), Row::text("shear", drags)]);
     rows.push(match coupling {
         Some(coupling) => Row::with(
             "cracks",
@@ -87,30 +91,35 @@ fn partial_slip(carter: &CarterContact, origin: &ContactOrigin) -> Vec<Row> {
 }
 
 /// The data from which the contact is computed.
-fn from_origin(case: &Case, origin: &ContactOrigin) -> Vec<Row> {
-    match origin {
+fn from_origin(case: &Case, given: &GivenContact) -> Vec<Row> {
+    let is_patch = given.is_patch();
+    match &given.origin {
         ContactOrigin::Given | ContactOrigin::LineLoad { .. } => Vec::new(),
         ContactOrigin::Ellipse { wheel, ellipse, lateral, .. } => vec![
             Row::number("wheel load", 1e-3 * wheel.wheel_load, "kN"),
             hertz_ellipse(ellipse),
-            offset(case, *lateral),
+            offset(case, is_patch, *lateral),
         ],
         ContactOrigin::GivenEllipse { ellipse, lateral, .. } => {
-            vec![hertz_ellipse(ellipse), offset(case, *lateral)]
+            vec![hertz_ellipse(ellipse), offset(case, is_patch, *lateral)]
         }
         ContactOrigin::Table(file) => vec![Row::text("table", file.given_name())],
-        ContactOrigin::Rolling { patch, lateral, .. } => rolling(case, patch, *lateral),
+        ContactOrigin::Rolling { patch, lateral, .. } => {
+            // The place of the crack in the patch.
+            let lateral = if is_patch { 0.0 - lateral } else { *lateral };
+            rolling(patch, offset(case, is_patch, lateral))
+        }
         ContactOrigin::Profiles(own) => profiles(own),
     }
 }
 
 /// A patch in rolling contact, with its forces.
-fn rolling(case: &Case, patch: &RollingPatch, lateral: f64) -> Vec<Row> {
+fn rolling(patch: &RollingPatch, offset: Row) -> Vec<Row> {
     let creepage = patch.creepage;
     vec![
         Row::number("normal force", 1e-3 * patch.normal_force(), "kN"),
         hertz_ellipse(&patch.ellipse),
-        offset(case, lateral),
+        offset,
         Row::with(
             "creepage",
             "x {x}, y {y}, spin {spin}",
@@ -197,12 +206,15 @@ fn hertz_ellipse(ellipse: &HertzEllipse) -> Row {
     )
 }
 
-/// Strip of the ellipse in a plane case, lateral position of the ellipse in a space case.
-fn offset(case: &Case, lateral: f64) -> Row {
+/// The lateral place of an ellipse, or of the strip of it that loads cracks.
+fn offset(case: &Case, is_patch: bool, lateral: f64) -> Row {
     let lateral = [("z", lateral, "mm")];
-    match case.space().is_some() {
-        true => Row::with("lateral", "middle at z = {z}", lateral),
-        false => Row::with("strip", "{z} to the side of its middle", lateral),
+    match (is_patch, case.space().is_some()) {
+        (false, _) => Row::with("strip", "{z} to the side of its middle", lateral),
+        (true, true) => Row::with("lateral", "middle at z = {z}", lateral),
+        (true, false) => {
+            Row::with("lateral", "middle at z = {z}, averaged along the fronts of the cracks", lateral)
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use railcrack::math::Tensor;
 use railcrack::rolling::{PlacedPatch, RollingPatch, StripPoint};
 use railcrack::shakedown::space::{RolledPatch, Symmetry};
 use railcrack::space::{BilinearPatch, EllipticWheel, WheelPatch};
-use railcrack_case::{Case, ContactExtent, ContactOrigin, GivenContact};
+use railcrack_case::{Case, ContactOrigin, GivenContact};
 use std::sync::Arc;
 
 /// Intervals along each strip.
@@ -118,7 +118,7 @@ fn given_patches(case: &Case, number: usize) -> Option<Vec<GivenPatch>> {
 
 /// The patches of a wheel that is no row of a table.
 fn own_patches(given: &GivenContact) -> Option<Vec<GivenPatch>> {
-    if given.extent == ContactExtent::Strip {
+    if !given.is_patch() {
         return None;
     }
     match &given.origin {

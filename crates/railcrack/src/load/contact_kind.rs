@@ -41,14 +41,17 @@ impl Choice for ContactKind {
 }
 
 impl ContactKind {
-    /// Pressure and shear, in words.
+    /// Pressure and shear, in words: of a patch, or of a strip of it as a line contact.
     #[must_use]
-    pub fn described(self) -> &'static str {
-        match self {
-            Self::Hertz => "Hertzian line contact in full sliding",
-            Self::Carter => "Hertzian line contact in partial slip (Carter)",
-            Self::Table => "contact from a table",
-            Self::Rolling => "strip of a patch in rolling contact",
+    pub fn described(self, is_patch: bool) -> &'static str {
+        match (self, is_patch) {
+            (Self::Hertz, false) => "Hertzian line contact in full sliding",
+            (Self::Hertz, true) => "Hertz ellipse in full sliding",
+            (Self::Carter, false) => "Hertzian line contact in partial slip (Carter)",
+            (Self::Carter, true) => "Hertz ellipse in partial slip, strip by strip (Carter)",
+            (Self::Table, _) => "contact from a table",
+            (Self::Rolling, false) => "strip of a patch in rolling contact",
+            (Self::Rolling, true) => "patch in rolling contact",
         }
     }
 }
