@@ -33,7 +33,6 @@ JOBS = {
     "one crack of it with its decision": [
         "run", CASES / "head-checks-in-a-curve.toml", *QUIET, "--set", "crack.count=1",
     ],
-    "500 wheels from a table, whole life": ["run", CASES / "curve-500.toml", *QUIET],
     "head check of the tutorial, whole life": HEAD_CHECK,
     "the same, first increment, one thread": [*HEAD_CHECK, "--steps", "1", *ONE_THREAD],
     "the same under a line contact": [*HEAD_CHECK, *STRIP],
@@ -43,7 +42,7 @@ JOBS = {
     ],
     "study of 100 of the head check": ["sweep", "study.toml", *QUIET],
     "the same under a line contact (100)": ["sweep", "study.toml", *QUIET, *STRIP],
-    "plan of twelve, one crack": [
+    "plan of twelve for the head check of the tutorial": [
         "plan", "plan.toml", *QUIET, "--grinding", "0.1,0.2,0.3", "--interval", "10,20,30,40",
     ],
     "head check in space, two increments": ["run", CASES / "head-check-space.toml", *QUIET, "--steps", "2"],
