@@ -87,7 +87,14 @@ friction = 0.2
 const NETWORK: Part = Part { name: "two cracks", text: SECOND };
 const MAINTENANCE: Part = Part {
     name: "wear and grinding",
-    text: "[maintenance]\nwear_mm_per_mgt = 0.001\ngrinding_mm = 0.05\ngrinding_interval_mgt = 20.0\n",
+    // A plan without a first grinding is followed by one at once where it does not hold.
+    text: "\
+[maintenance]
+wear_mm_per_mgt = 0.001
+grinding_mm = 0.05
+grinding_interval_mgt = 20.0
+first_grinding_mgt = 20.0
+",
 };
 const FLUID: Part = Part { name: "fluid", text: "[fluid]\nmodel = \"trapped\"\n" };
 const FRACTURE: Part = Part { name: "fracture", text: "[fracture]\ntoughness_mpa_sqrt_m = 20.0\n" };
