@@ -35,7 +35,7 @@ JOBS = {
     ],
     "head check of the tutorial, whole life": HEAD_CHECK,
     "the same, first increment, one thread": [*HEAD_CHECK, "--steps", "1", *ONE_THREAD],
-    "the same under a line contact": [*HEAD_CHECK, *STRIP],
+    "the same under a line contact, whole life": [*HEAD_CHECK, *STRIP],
     "straight ahead, whole life, one thread": [*HEAD_CHECK, *ONE_THREAD, "--set", "growth.direction=coplanar"],
     "the same under a line contact, one thread": [
         *HEAD_CHECK, *ONE_THREAD, "--set", "growth.direction=coplanar", *STRIP,

@@ -2,7 +2,7 @@
 
 use super::rail::{BulkError, BulkRail};
 use crate::material::IsotropicElastic;
-use crate::math::{Stress, Vec2};
+use crate::math::{Stress, Vec2, lagrange};
 use crate::mesh::shape_functions;
 
 /// Stress recovery at fixed points of a mesh from nodal displacements, prepared for many fields.
@@ -80,20 +80,6 @@ pub(crate) fn gauss_lines(lines: &[f64]) -> Vec<f64> {
         [middle - at * half, middle + at * half]
     };
     lines.windows(2).flat_map(pair).collect()
-}
-
-/// Weights of the Lagrange polynomial through the four points of `at` nearest to `x` (all, if there
-/// are fewer), and the index of the first.
-pub(super) fn lagrange(at: &[f64], x: f64) -> (usize, Vec<f64>) {
-    let count = at.len().min(4);
-    let above = at.partition_point(|&point| point <= x);
-    let first = above.saturating_sub(count / 2).min(at.len() - count);
-    let points = &at[first..first + count];
-    let weight = |j: usize| {
-        let others = points.iter().enumerate().filter(|(k, _)| *k != j);
-        others.map(|(_, point)| (x - point) / (points[j] - point)).product()
-    };
-    (first, (0..count).map(weight).collect())
 }
 
 #[cfg(test)]

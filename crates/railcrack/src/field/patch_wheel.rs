@@ -5,7 +5,7 @@ use super::front_spread::{CrackLine, FrontSpread, PlaceOnCrack, StressesByPositi
 use super::patch_directions::{PatchDirections, PatchLoad, Spread};
 use super::patch_table::{PlaceColumn, TabledPatch};
 use crate::material::IsotropicElastic;
-use crate::math::{Stress, Vec2};
+use crate::math::{Stress, Vec2, lagrange};
 use std::sync::{Arc, OnceLock};
 
 /// A wheel on the half-space. Its stress and displacement are those in the plane y = 0 of the
@@ -145,13 +145,6 @@ impl OnCrack {
     }
 }
 
-/// The weights of the nodes from a first one on whose sum is the stress at a place.
-#[derive(Debug, Clone, Copy, Default)]
-struct Interpolated {
-    first: usize,
-    weights: [f64; 4],
-}
-
 /// Places among `places` between which the others are interpolated, `gap` times their depth from
 /// each other or closer.
 fn nodes_among(places: &[(usize, PlaceOnCrack)], gap: f64) -> Vec<PlaceOnCrack> {
@@ -169,21 +162,6 @@ fn nodes_among(places: &[(usize, PlaceOnCrack)], gap: f64) -> Vec<PlaceOnCrack> 
     nodes
 }
 
-impl Interpolated {
-    /// That of the arc length `s` (mm) by the curve of the third degree through four of `nodes`.
-    fn between(s: f64, nodes: &[PlaceOnCrack]) -> Self {
-        let above = nodes.partition_point(|node| node.s < s);
-        let first = above.saturating_sub(2).min(nodes.len().saturating_sub(4));
-        let around = &nodes[first..nodes.len().min(first + 4)];
-        let mut weights = [0.0; 4];
-        for (i, (weight, own)) in weights.iter_mut().zip(around).enumerate() {
-            let others = around.iter().enumerate().filter(|(j, _)| *j != i);
-            *weight = others.map(|(_, other)| (s - other.s) / (own.s - other.s)).product();
-        }
-        Self { first, weights }
-    }
-}
-
 impl StressesOnCracks for OnCracks<'_> {
     fn at<'a>(self: Arc<Self>, places: &[PlaceOnCrack]) -> StressesByPosition<'a>
     where
@@ -193,12 +171,14 @@ impl StressesOnCracks for OnCracks<'_> {
         order.sort_by(|(_, a), (_, b)| a.crack.cmp(&b.crack).then(a.s.total_cmp(&b.s)));
         let part = |(_, place): &(usize, PlaceOnCrack)| (place.crack, self.cracks[place.crack].part(place));
         let mut nodes: Vec<Place> = Vec::new();
-        let mut sums = vec![Interpolated::default(); places.len()];
+        // Index of the first node of each place, and the weights of the nodes from it on.
+        let mut sums: Vec<(usize, Vec<f64>)> = vec![Default::default(); places.len()];
         for of_part in order.chunk_by(|a, b| part(a) == part(b)) {
             let own = nodes_among(of_part, self.wheel.gap());
+            let along: Vec<f64> = own.iter().map(|node| node.s).collect();
             for (i, place) in of_part {
-                sums[*i] = Interpolated::between(place.s, &own);
-                sums[*i].first += nodes.len();
+                let (first, weights) = lagrange(&along, place.s);
+                sums[*i] = (nodes.len() + first, weights);
             }
             let at =
                 |node: &PlaceOnCrack| self.wheel.place(node.point, self.cracks[node.crack].spread.at(node.s));
@@ -206,9 +186,9 @@ impl StressesOnCracks for OnCracks<'_> {
         }
         Box::new(move |xc| {
             let at_nodes: Vec<Stress> = nodes.iter().map(|node| node.at(xc)).collect();
-            let sum = |own: &Interpolated| {
-                let around = at_nodes[own.first..].iter().zip(own.weights);
-                around.fold(Stress::ZERO, |sum, (stress, weight)| sum + *stress * weight)
+            let sum = |(first, weights): &(usize, Vec<f64>)| {
+                let around = at_nodes[*first..].iter().zip(weights);
+                around.fold(Stress::ZERO, |sum, (stress, weight)| sum + *stress * *weight)
             };
             sums.iter().map(sum).collect()
         })

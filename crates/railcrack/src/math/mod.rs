@@ -21,7 +21,7 @@ pub(crate) use legendre::{legendre_second, legendre_zeroth};
 pub use matrix::Matrix;
 pub(crate) use matrix::{add_rows_to_each, axpy, dot, inlined};
 pub use quadrature::gauss_legendre;
-pub(crate) use quadrature::{complete_elliptic, quantiles};
+pub(crate) use quadrature::{complete_elliptic, lagrange, quantiles};
 pub use tensor::Tensor;
 pub(crate) use track::{Track, every_second};
 pub(crate) use vector::dot3;

@@ -1,4 +1,4 @@
-//! Quadrature rules, graded nodes and elliptic integrals.
+//! Quadrature rules, graded nodes, Lagrange polynomials and elliptic integrals.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -88,6 +88,20 @@ pub(crate) fn complete_elliptic(complement: f64) -> CompleteElliptic {
     let k = FRAC_PI_2 / (0.5 * (a + g));
     let d = k * sum;
     CompleteElliptic { k, e: k - modulus2 * d, d }
+}
+
+/// Weights of the Lagrange polynomial through the four points of `at` nearest to `x` (all, if there
+/// are fewer), and the index of the first.
+pub(crate) fn lagrange(at: &[f64], x: f64) -> (usize, Vec<f64>) {
+    let count = at.len().min(4);
+    let above = at.partition_point(|&point| point <= x);
+    let first = above.saturating_sub(count / 2).min(at.len() - count);
+    let points = &at[first..first + count];
+    let weight = |j: usize| {
+        let others = points.iter().enumerate().filter(|(k, _)| *k != j);
+        others.map(|(_, point)| (x - point) / (points[j] - point)).product()
+    };
+    (first, (0..count).map(weight).collect())
 }
 
 #[cfg(test)]
