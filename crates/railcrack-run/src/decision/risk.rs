@@ -60,7 +60,11 @@ impl DetectionCurve {
 /// The value of `rows` at `x`: linear between them, constant beyond the last; none before the
 /// first.
 pub(super) fn interpolated(rows: &[(f64, f64)], x: f64) -> Option<f64> {
-    let next = rows.partition_point(|row| row.0 <= x);
+    before(rows, rows.partition_point(|row| row.0 <= x), x)
+}
+
+/// The same where row `next` is the first beyond `x`.
+fn before(rows: &[(f64, f64)], next: usize, x: f64) -> Option<f64> {
     let from = rows.get(next.checked_sub(1)?)?;
     let between = |to: &(f64, f64)| from.1 + (x - from.0) / (to.0 - from.0) * (to.1 - from.1);
     Some(rows.get(next).map_or(from.1, between))
@@ -126,10 +130,9 @@ impl DepthCurve {
         Self { points: kept }
     }
 
-    /// The depth (mm) at `mgt`.
-    fn at(&self, mgt: f64) -> f64 {
-        let first = || self.points.first().map_or(0.0, |first| first.1);
-        interpolated(&self.points, mgt).unwrap_or_else(first)
+    /// The depths, to be read backwards.
+    fn backwards(&self) -> Backwards<'_> {
+        Backwards { points: &self.points, next: self.points.len() }
     }
 
     /// The traffic up to `end` during which the depth is at least `depth`.
@@ -151,6 +154,24 @@ impl DepthCurve {
             (to > from).then_some((from, to))
         };
         all.windows(2).filter_map(piece).collect()
+    }
+}
+
+/// A depth curve that is read at less and less traffic, without a search.
+struct Backwards<'a> {
+    points: &'a [(f64, f64)],
+    /// The first point beyond the traffic read last.
+    next: usize,
+}
+
+impl Backwards<'_> {
+    /// The depth (mm) at `mgt`, which is not more than that read before.
+    fn at(&mut self, mgt: f64) -> f64 {
+        while self.next > 0 && self.points[self.next - 1].0 > mgt {
+            self.next -= 1;
+        }
+        let first = || self.points.first().map_or(0.0, |first| first.1);
+        before(self.points, self.next, mgt).unwrap_or_else(first)
     }
 }
 
@@ -181,8 +202,8 @@ pub enum IntervalForTarget {
 pub struct Risk<'a> {
     lives: &'a [Life<'a>],
     detection: DetectionCurve,
-    /// 1 − POD over z in steps, for the lognormal curve.
-    missed: Vec<f64>,
+    /// 1 − POD of the lognormal curve.
+    missed: MissedByDepth,
     /// Positions w of the inspections of each life.
     phases: usize,
 }
@@ -200,8 +221,6 @@ const AT_A_TIME: usize = 1024;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// A crack that is missed with a smaller probability is found.
 const FOUND: f64 = 1e-12;
-/// Range and resolution of the table of the lognormal curve: its error is 1e-6.
-const TABLE: (f64, usize) = (8.0, 4096);
 /// The most frequent inspections, over the longest life.
 const MOST_FREQUENT: f64 = 1e-3;
 /// Relative accuracy of the interval for a target, and ratio of intervals in the search for it.
@@ -215,11 +234,8 @@ impl<'a> Risk<'a> {
     #[must_use]
     pub fn of(lives: &'a [Life<'a>], detection: DetectionCurve) -> Self {
         let missed = match detection {
-            DetectionCurve::LogNormal { .. } => {
-                let z = |i: usize| TABLE.0 * (2.0 * i as f64 / TABLE.1 as f64 - 1.0);
-                (0..=TABLE.1).map(|i| distribution(-z(i))).collect()
-            }
-            _ => Vec::new(),
+            DetectionCurve::LogNormal { median, log_std } => MissedByDepth::of(median, log_std),
+            _ => MissedByDepth::default(),
         };
         let phases = (PHASES / lives.len().max(1)).clamp(PHASES_OF_A_LIFE.0, PHASES_OF_A_LIFE.1);
         Self { lives, detection, missed, phases }
@@ -255,12 +271,13 @@ impl<'a> Risk<'a> {
         let shift = (GOLDEN * index as f64 + 0.5).fract();
         let count = self.phases as f64;
         let by_traffic = (self.phases > TABULATED / MANY).then(|| self.missed_by_traffic(life));
-        let at = |left: f64| match &by_traffic {
-            Some(table) => between(table, left / life.failure * TABULATED as f64),
-            None => self.missed(life.depths.at(life.failure - left)),
-        };
         let missed = (0..self.phases).map(|k| {
             let w = (k as f64 + shift) / count;
+            let mut depths = life.depths.backwards();
+            let mut at = |left: f64| match &by_traffic {
+                Some(table) => between(table, left / life.failure * TABULATED as f64),
+                None => self.missed(depths.at(life.failure - left)),
+            };
             let mut missed = 1.0;
             let mut left = w * interval;
             while left <= life.failure && missed > FOUND {
@@ -274,18 +291,17 @@ impl<'a> Risk<'a> {
 
     /// 1 − POD with even shares of the traffic left until the failure of `life`.
     fn missed_by_traffic(&self, life: &Life) -> Vec<f64> {
-        let left = |i: usize| life.failure * (1.0 - i as f64 / TABULATED as f64);
-        (0..=TABULATED).map(|i| self.missed(life.depths.at(left(i)))).collect()
+        let mut depths = life.depths.backwards();
+        let passed = |i: usize| life.failure * (1.0 - i as f64 / TABULATED as f64);
+        (0..=TABULATED).map(|i| self.missed(depths.at(passed(i)))).collect()
     }
 
     /// 1 − POD of a crack of `depth` (mm).
     fn missed(&self, depth: f64) -> f64 {
-        let DetectionCurve::LogNormal { median, log_std } = self.detection else {
-            return 1.0 - self.detection.at(depth);
-        };
-        let z = if depth > 0.0 { (depth / median).ln() / log_std } else { -TABLE.0 };
-        let place = (0.5 * (z / TABLE.0 + 1.0) * TABLE.1 as f64).clamp(0.0, TABLE.1 as f64);
-        between(&self.missed, place)
+        match self.detection {
+            DetectionCurve::LogNormal { .. } => self.missed.at(depth),
+            _ => 1.0 - self.detection.at(depth),
+        }
     }
 
     /// The largest interval up to which the probability stays at or below `target`, to 0.1 %. It is
@@ -323,6 +339,41 @@ impl<'a> Risk<'a> {
             if keeps(middle) { low = middle } else { high = middle }
         }
         IntervalForTarget::Mgt(low)
+    }
+}
+
+/// 1 − POD of the lognormal curve, linear in depth between depths with the same leading bits: their
+/// ratio is constant, and no logarithm is needed.
+#[derive(Debug, Clone, Default)]
+struct MissedByDepth {
+    /// Bits of a depth behind the leading ones.
+    rest: u32,
+    /// Leading bits of the first depth.
+    first: u64,
+    values: Vec<f64>,
+}
+
+/// Depths in σ, as a power of two: an error of 2e-7.
+const PARTS_OF_DEVIATION: f64 = 9.0;
+/// The depths ln(depth / median) = ± `REACH` σ, beyond which 1 − POD is 1 and 0.
+const REACH: f64 = 8.0;
+
+impl MissedByDepth {
+    fn of(median: f64, log_std: f64) -> Self {
+        let bits = (PARTS_OF_DEVIATION - log_std.log2()).ceil().clamp(1.0, 40.0) as u32;
+        let rest = f64::MANTISSA_DIGITS - 1 - bits;
+        let depth = |z: f64| (median * (z * log_std).exp()).clamp(f64::MIN_POSITIVE, f64::MAX);
+        let [first, last] = [-REACH, REACH].map(|z| depth(z).to_bits() >> rest);
+        let at = |leading: u64| distribution((median / f64::from_bits(leading << rest)).ln() / log_std);
+        Self { rest, first, values: (first..=last).map(at).collect() }
+    }
+
+    fn at(&self, depth: f64) -> f64 {
+        let bits = depth.max(0.0).to_bits();
+        let Some(i) = (bits >> self.rest).checked_sub(self.first) else { return 1.0 };
+        let Some([here, next]) = self.values.get(i as usize..i as usize + 2) else { return 0.0 };
+        let one = 1u64 << self.rest;
+        here + (bits & (one - 1)) as f64 / one as f64 * (next - here)
     }
 }
 
@@ -476,13 +527,13 @@ mod tests {
         assert!(thin.points.len() < 30, "{}", thin.points.len());
         for i in 0..=1200 {
             let mgt = 0.01 * i as f64;
-            close(thin.at(mgt), whole.at(mgt), 0.1 + 1e-9);
+            close(thin.backwards().at(mgt), whole.backwards().at(mgt), 0.1 + 1e-9);
         }
         // A depth that is asked for stays exact.
         let exact = whole.thinned(0.1, Some(at(37).1));
-        close(exact.at(3.7), at(37).1, 1e-12);
+        close(exact.backwards().at(3.7), at(37).1, 1e-12);
         // The grinding stays where it is.
-        assert_eq!((thin.at(10.0 - 1e-12) - thin.at(10.0)).round(), 1.0);
+        assert_eq!((thin.backwards().at(10.0 - 1e-12) - thin.backwards().at(10.0)).round(), 1.0);
     }
 
     #[test]
