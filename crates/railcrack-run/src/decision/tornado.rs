@@ -4,7 +4,7 @@ use super::companions::{Companions, PathLives, Speeds};
 use super::failure::{Nominal, NominalRun};
 use super::reason::VerdictLevel;
 use super::verdict::Verdict;
-use crate::log::{CompanionKind, RunInfo, RunLog, Variation};
+use crate::log::{CompanionKind, RunInfo, RunLog};
 use serde::{Deserialize, Serialize};
 
 /// The life with one quantity at another value.
@@ -57,15 +57,10 @@ pub(super) fn tornado(
 
 /// The bar of a companion with another value; none of the others.
 fn of_companion(info: &RunInfo, companions: &Companions<'_>, kind: CompanionKind) -> Option<TornadoBar> {
-    let (quantity, setting) = match kind {
-        CompanionKind::Friction(friction) => ("friction between the faces", format!("{friction}")),
-        CompanionKind::Varied(Variation::OtherSign) => {
-            ("sign of the wheel friction", "driven instead of braked, or the reverse".to_owned())
-        }
-        CompanionKind::Varied(Variation::Neutral(by)) => ("neutral temperature", format!("{by:+} K")),
-        CompanionKind::Varied(Variation::Deeper(by)) => ("depth at the start", format!("{by:+} mm")),
-        _ => return None,
-    };
+    if !matches!(kind, CompanionKind::Friction(_) | CompanionKind::Varied(_)) {
+        return None;
+    }
+    let (quantity, setting) = kind.in_words();
     let steps = companions.steps_of(kind)?;
     let run = NominalRun::of(steps, companions.question)?;
     let log = RunLog { steps: steps.to_vec(), ..RunLog::default() };
@@ -96,10 +91,14 @@ fn of_coefficient(info: &RunInfo, run: &NominalRun, speeds: &Speeds) -> Vec<Torn
 
 /// The paths besides that of the run.
 fn of_paths(paths: PathLives, level: VerdictLevel) -> [TornadoBar; 2] {
-    [("straight ahead", paths.straight), ("limit path", paths.limit)].map(|(setting, mgt)| TornadoBar {
-        quantity: "path".to_owned(),
-        setting: setting.to_owned(),
-        mgt,
-        level: if mgt.is_some() { level.max(VerdictLevel::Act) } else { level },
+    let lives = [(CompanionKind::Straight, paths.straight), (CompanionKind::Limit, paths.limit)];
+    lives.map(|(kind, mgt)| {
+        let (quantity, setting) = kind.in_words();
+        TornadoBar {
+            quantity: quantity.to_owned(),
+            setting,
+            mgt,
+            level: if mgt.is_some() { level.max(VerdictLevel::Act) } else { level },
+        }
     })
 }

@@ -22,6 +22,29 @@ pub(crate) enum CompanionKind {
     PartOfRow,
 }
 
+impl CompanionKind {
+    /// Whether the path differs.
+    pub fn is_path(&self) -> bool {
+        matches!(self, Self::Straight | Self::Limit)
+    }
+
+    /// The quantity that differs, and its value or the change of it.
+    pub fn in_words(self) -> (&'static str, String) {
+        match self {
+            Self::Speed(speed) => ("speed of growth", format!("\u{d7} {speed:.2}")),
+            Self::Straight => ("path", "straight ahead".to_owned()),
+            Self::Limit => ("path", "limit path".to_owned()),
+            Self::Friction(friction) => ("friction between the faces", friction.to_string()),
+            Self::Varied(Variation::OtherSign) => {
+                ("sign of the wheel friction", "driven instead of braked, or the reverse".to_owned())
+            }
+            Self::Varied(Variation::Neutral(by)) => ("neutral temperature", format!("{by:+} K")),
+            Self::Varied(Variation::Deeper(by)) => ("depth at the start", format!("{by:+} mm")),
+            Self::PartOfRow => ("cracks", "those that decide, with their neighbours".to_owned()),
+        }
+    }
+}
+
 /// A quantity of a case that is seldom known, with another value.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) enum Variation {

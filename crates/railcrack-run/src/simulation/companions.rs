@@ -10,6 +10,7 @@ use super::run::Simulation;
 use super::variations::{variations, varied};
 use crate::decision::{Companions, Course, NominalRun, Question, deciding, from_run};
 use crate::log::{Companion, CompanionKind, RunInfo, RunLog, StepDigest};
+use crate::numbers::short;
 use railcrack::bulk::Boundary;
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::growth::{GrowthState, SurfaceRemoval, Turning};
@@ -88,9 +89,8 @@ impl Simulation<'_> {
         let kinds = self.kinds(info, log, beside.engine);
         let count = kinds.iter().filter(|kind| !is_the_run(self.case, **kind)).count();
         if count > 0 {
-            let text =
-                format!("{count} more runs for the decision: other speeds, paths, friction of the faces");
-            self.observer.stage(&text);
+            let life = life_in_words(info, &log.steps).unwrap_or_default();
+            self.observer.note(&format!("as computed: {life}; {count} or more runs for the decision follow"));
         }
         let part = match count {
             0 => None,
@@ -98,10 +98,14 @@ impl Simulation<'_> {
         };
         let of = |kind: &CompanionKind| match is_the_run(self.case, *kind) {
             true => Ok(Companion { kind: *kind, steps: log.steps.clone(), reason: None }),
-            false => match &part {
-                Some(part) => self.companion_of_part(*kind, part, &beside),
-                None => self.companion(*kind, None, &beside),
-            },
+            false => {
+                let companion = match &part {
+                    Some(part) => self.companion_of_part(*kind, part, &beside),
+                    None => self.companion(*kind, None, &beside),
+                }?;
+                self.observer.stage(&told(info, &companion));
+                Ok(companion)
+            }
         };
         // The finite elements of several bodies at once may not fit into the memory.
         let computed = |kinds: &[CompanionKind]| -> Result<Vec<Companion>, RunError> {
@@ -202,27 +206,11 @@ impl Simulation<'_> {
                 kinds.extend(speeds(deviation).into_iter().map(CompanionKind::Speed));
             }
         }
-        if !self.has_variants || info.inspection.is_none() || case.space().is_some() {
-            return kinds;
-        }
-        // A rail that holds along the path of the run may fail along another one.
-        if course.points.len() > 1 || nominal.failure.mode.is_some() {
-            kinds.push(CompanionKind::Straight);
-            let is_limit = case.growth.criterion == DirectionCriterion::MaxRate
-                && case.growth.turning == Turning::Over(0.0)
-                && case.growth.straight_depth == 0.0;
-            kinds.extend((!is_limit).then_some(CompanionKind::Limit));
-        }
-        // A rail that holds with the friction of the case may fail with another one.
-        let one = case.crack_friction.first().copied();
-        let is_one = case.crack_friction.iter().all(|friction| Some(*friction) == one);
-        let varied = variations(case, engine);
-        let has_others = info.scatter.is_some() || !varied.is_empty();
-        if has_others && is_one && course.points.len() > 1 {
-            kinds.extend(FRICTIONS.map(CompanionKind::Friction));
-        }
-        if course.points.len() > 1 {
-            kinds.extend(varied.into_iter().map(CompanionKind::Varied));
+        if self.has_variants && course.points.len() > 1 {
+            kinds.extend(variants(case, engine));
+        } else if self.has_variants && nominal.failure.mode.is_some() {
+            // A rail that fails at once may hold along another path.
+            kinds.extend(variants(case, engine).into_iter().filter(CompanionKind::is_path));
         }
         kinds
     }
@@ -292,6 +280,48 @@ impl Simulation<'_> {
         }
         Ok(growth.state().clone())
     }
+}
+
+/// The companions of a crack of `case` that grows, by `engine`, besides those at other speeds: other
+/// paths, frictions between the faces and [variations]. A rail that holds in the run may fail with
+/// another of these.
+pub(super) fn variants(case: &Case, engine: Engine) -> Vec<CompanionKind> {
+    if case.inspection.is_none() || case.space().is_some() {
+        return Vec::new();
+    }
+    let mut kinds = vec![CompanionKind::Straight];
+    let is_limit = case.growth.criterion == DirectionCriterion::MaxRate
+        && case.growth.turning == Turning::Over(0.0)
+        && case.growth.straight_depth == 0.0;
+    kinds.extend((!is_limit).then_some(CompanionKind::Limit));
+    let one = case.crack_friction.first().copied();
+    let is_one = case.crack_friction.iter().all(|friction| Some(*friction) == one);
+    let varied = variations(case, engine);
+    if is_one && (case.scatter.is_some() || !varied.is_empty()) {
+        kinds.extend(FRICTIONS.map(CompanionKind::Friction));
+    }
+    kinds.extend(varied.into_iter().map(CompanionKind::Varied));
+    kinds
+}
+
+/// The failure of the run of `steps`; none where the case asks for no decision.
+fn life_in_words(info: &RunInfo, steps: &[StepDigest]) -> Option<String> {
+    let failure = NominalRun::of(steps, Question::of(info)?)?.nominal.failure;
+    Some(match (failure.mode, failure.mgt) {
+        (Some(mode), Some(mgt)) => format!("{} after {} million gross tonnes", mode.words(), short(mgt)),
+        _ => "no failure within the run".to_owned(),
+    })
+}
+
+/// What `companion` adds to the decision: a life, unless it is at another speed, for samples.
+fn told(info: &RunInfo, companion: &Companion) -> String {
+    let (quantity, setting) = companion.kind.in_words();
+    let life = match companion.kind {
+        CompanionKind::Speed(_) => None,
+        _ => life_in_words(info, &companion.steps),
+    };
+    let ending = companion.reason.clone().or(life).map_or_else(String::new, |ending| format!(": {ending}"));
+    format!("{quantity}, {setting}{ending}")
 }
 
 /// Whether the companion of `kind` is the run of `case` itself: cracks that grow straight ahead by
