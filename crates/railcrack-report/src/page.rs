@@ -113,7 +113,7 @@ impl Section {
 /// One line in the colour of its level, first on its page.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Banner {
-    /// The level, as the name of its colour: `ok`, `act`, `stop` or `outside`.
+    /// The level, as the name of its colour: `ok`, `act`, `unknown`, `stop` or `outside`.
     pub level: &'static str,
     /// The level in words.
     pub word: &'static str,

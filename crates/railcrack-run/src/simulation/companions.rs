@@ -103,7 +103,7 @@ impl Simulation<'_> {
                     Some(part) => self.companion_of_part(*kind, part, &beside),
                     None => self.companion(*kind, None, &beside),
                 }?;
-                self.observer.stage(&told(info, &companion));
+                self.observer.stage(&result_of(info, &companion));
                 Ok(companion)
             }
         };
@@ -282,9 +282,9 @@ impl Simulation<'_> {
     }
 }
 
-/// The companions of a crack of `case` that grows, by `engine`, besides those at other speeds: other
-/// paths, frictions between the faces and [variations]. A rail that holds in the run may fail with
-/// another of these.
+/// The companions of a crack of `case` that grows, by `engine`, except those at other speeds: other
+/// paths, frictions between the faces and [`variations`]. A rail that holds in the run may fail with
+/// one of these.
 pub(super) fn variants(case: &Case, engine: Engine) -> Vec<CompanionKind> {
     if case.inspection.is_none() || case.space().is_some() {
         return Vec::new();
@@ -313,8 +313,8 @@ fn life_in_words(info: &RunInfo, steps: &[StepDigest]) -> Option<String> {
     })
 }
 
-/// What `companion` adds to the decision: a life, unless it is at another speed, for samples.
-fn told(info: &RunInfo, companion: &Companion) -> String {
+/// The result of `companion`: a life, except at other speeds, which serve the samples.
+fn result_of(info: &RunInfo, companion: &Companion) -> String {
     let (quantity, setting) = companion.kind.in_words();
     let life = match companion.kind {
         CompanionKind::Speed(_) => None,

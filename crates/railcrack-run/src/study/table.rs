@@ -68,8 +68,8 @@ table! {
         warnings: Option<usize> = "warnings";
         /// Why a failed run failed.
         reason: Option<String> = "reason";
-        /// Level of the verdict: `ok`, `act`, `stop` or `outside`; without axle loads only
-        /// `outside`, or empty.
+        /// Level of the verdict: `ok`, `act`, `unknown`, `stop` or `outside`; without axle loads
+        /// only `outside`, or empty.
         verdict: Option<String> = "verdict";
         /// Kinds of the reasons of the verdict, the gravest first, separated by spaces.
         reasons: Option<String> = "reasons";
