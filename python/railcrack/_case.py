@@ -20,6 +20,7 @@ from ._packed import packed, unpack
 from ._plot import RunPlots
 from ._progress import Progress, teller
 from ._results import RunResults
+from ._section import Section
 from ._sections import Changes, Sections
 from ._source import Source, Sourced
 from ._table import Table
@@ -205,7 +206,9 @@ class Case(Sourced):
 
     def __repr__(self) -> str:
         limit = "at most " if self._is_open_ended else ""
-        return f"<railcrack.Case {self.title!r}: {len(self._core.cracks)} cracks, {limit}{self.steps} steps, {self.engine}>"
+        cracks = len(self._core.cracks)
+        what = f"{cracks} crack{'s' * (cracks != 1)}, {limit}{self.steps} steps, {self.engine}"
+        return f"<railcrack.Case {self.title!r}: {what}>"
 
     def _repr_html_(self) -> str:
         rows = [("engine", self.engine), ("cracks", len(self._core.cracks)), ("increments", self.steps)]
@@ -228,6 +231,9 @@ def _sections(sections: Mapping[str, Any] | str | None, given: Mapping[str, Any]
         raise TypeError(f"{', '.join(given)}: not beside a text; Case(text).with_(…) changes it")
     if isinstance(sections, str):
         return sections
+    for name, section in given.items():
+        if name in ("crack", "cracks", "wheel", "wheels") and isinstance(section, Section):
+            raise TypeError(f"{name}: a list, [{section!r}]")
     return _singular({**(sections or {}), **given})
 
 

@@ -109,6 +109,11 @@ class Life:
     paths: dict[str, float | None]
     """Million gross tonnes to failure along each path; empty where the others were not computed."""
 
+    def __str__(self) -> str:
+        if self.mgt is None:
+            return f"no failure known within {self.load_cycles:,.0f} axles"
+        return f"{self.mgt:.3g} million gross tonnes" + (f", {self.governed_by} path" if self.paths else "")
+
 
 def verdict_of(summary: Mapping[str, Any]) -> Verdict | None:
     """The verdict in `summary.json`."""

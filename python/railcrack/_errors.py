@@ -51,9 +51,11 @@ class Fault:
 
     def by_argument(self) -> Fault:
         """The error of a value that was given in Python: with the argument instead of a line."""
-        text = ": ".join(filter(None, [self.key, self.message]))
+        # A dictionary is written as a table, whose heading is not its value.
+        message = self.message.removeprefix(f"`{self.key} = [{self.key}]`: ")
+        text = ": ".join(filter(None, [self.key, message]))
         text += f" ({self.help})" if self.help else ""
-        return replace(self, line=None, column=None, text=text)
+        return replace(self, message=message, line=None, column=None, text=text)
 
 
 class CaseError(BadInput):

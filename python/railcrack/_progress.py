@@ -75,7 +75,8 @@ class _Lines:
 
 class _Bar:
     def __init__(self, total: int | None, unit: str, tqdm: Any) -> None:
-        known = "{l_bar}{bar}| {n:.2f}/{total} [{elapsed}<{remaining}]"
+        done = "{n:.0f}" if unit == "run" else "{n:.2f}"
+        known = f"{{l_bar}}{{bar}}| {done}/{{total}} [{{elapsed}}<{{remaining}}]"
         self.bar = tqdm(total=total, unit=f" {unit}", bar_format=known if total else "{n:.2f}{unit}s [{elapsed}]{postfix}")
 
     def __call__(self, kind: str, value: Any) -> None:

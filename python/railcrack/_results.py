@@ -134,7 +134,7 @@ class RunResults:
 
     def history(self, step: int = 0, crack: int = 1, tip: int = 1, wheel: int = 1) -> NDArray[np.float64]:
         """K of a tip over the stabilised passage of a step at the output positions, in a mix under
-        one wheel: shape (positions, 3), x_c/a, K_I and K_II (MPa√m)."""
+        one wheel: shape (positions, 3), x_c/a, K_I and K_II (MPa√m). `sif` has K_III in space."""
         rows = under(self.sif.where(step=step, crack=crack, tip=tip), wheel)
         if rows.rows == 0:
             raise BadInput(f"no K of step {step}, crack {crack}, tip {tip}, wheel {wheel}")

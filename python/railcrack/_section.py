@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import ast
+import inspect
+import textwrap
 from collections.abc import Mapping
 from dataclasses import fields
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -9,8 +12,34 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from ._text import unknown
 
 
+class Explained:
+    """The docstring of a class of a section, read when it is asked for: what the class is, and the
+    strings below its attributes, which editors show and `help` does not."""
+
+    def __init__(self, summary: str | None) -> None:
+        self.summary = summary
+
+    def __get__(self, _: object, cls: type) -> str | None:
+        # A dataclass in the making only asks whether there is one.
+        if "__match_args__" not in vars(cls):
+            return self.summary
+        try:
+            body = ast.parse(textwrap.dedent(inspect.getsource(cls))).body[0].body  # type: ignore[attr-defined]
+        except OSError:
+            return self.summary
+        keys = [
+            textwrap.fill(f"{ast.unparse(name.target)}: {' '.join(ast.literal_eval(text.value).split())}", 96, subsequent_indent="    ")
+            for name, text in zip(body, body[1:], strict=False)
+            if isinstance(name, ast.AnnAssign) and isinstance(text, ast.Expr)
+        ]
+        return "\n".join([inspect.cleandoc(self.summary or ""), "", *keys])
+
+
 class Section:
     """A section of a case: its attributes are the keys; those that are None have their defaults."""
+
+    def __init_subclass__(cls) -> None:
+        cls.__doc__ = Explained(cls.__doc__)  # type: ignore[assignment]
 
     _section: ClassVar[str] = ""
     _fixed: ClassVar[dict[str, str]] = {}

@@ -53,7 +53,9 @@ class Study(Sourced):
     @classmethod
     def of(cls, case: Case, **lists: Mapping[str, Any]) -> Study:
         """The study of `case` with lists instead of values:
-        `Study.of(case, contact={"friction": [0.1, 0.2]}, cracks={"angle_deg": [15.0, 30.0]})`."""
+        `Study.of(case, contact={"friction": [0.1, 0.2]}, cracks={"angle_deg": [15.0, 30.0]})`, or
+        with distributions: `study={"samples": 50}, contact={"friction": {"uniform": [0.1, 0.2]}}`.
+        `study={"combine": "zip"}` takes lists element by element."""
         source = case._source.changed(_singular(lists))
         return cls._of(replace(source, name="study"))
 

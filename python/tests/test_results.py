@@ -30,10 +30,12 @@ def test_the_decision_as_attributes(decided: rc.Run, run: rc.Run) -> None:
     # The path that governs the verdict, not that of the tables.
     assert life.mgt == decision["paths"][life.governed_by] == decided.inspection.mgt_to_critical
     assert f"after {life.mgt:.3g} million" in decided.verdict.reasons[0].text
+    assert str(life) == f"{life.mgt:.3g} million gross tonnes, {life.governed_by} path"
     assert decided.decision == decision
     assert pickle.loads(pickle.dumps(decided)).life == decided.life
     # Without axle loads.
     assert run.life.mgt is None and run.life.load_cycles == run.summary["load_cycles"] > 0.0
+    assert str(run.life).startswith("no failure known within ")
     assert run.inspection is None and run.decision is None
 
 

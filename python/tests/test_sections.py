@@ -75,6 +75,10 @@ def test_errors_name_the_argument(case: rc.Case, tmp_path: Path) -> None:
         rc.Case(contact=rc.Hertz(845.0, 6.75, friction=0.1), cracks=[rc.Crack(friction=-1.0, length_mm=3.0, mouth_mm=0.0, angle_deg=9.0)])
     with pytest.raises(TypeError, match=r"Growth\(\) has no argument stepz: did you mean steps\?"):
         rc.Growth(stepz=1)  # type: ignore[call-arg]
+    with pytest.raises(rc.CaseError, match=r"(?m)^contact.frictoin: unknown key .*`friction`"):
+        rc.Study.of(case, contact={"frictoin": {"uniform": [0.0, 0.1]}})
+    with pytest.raises(TypeError, match=r"^cracks: a list, \[Crack\("):
+        rc.Case(contact=rc.Hertz(845.0, 6.75, friction=0.1), cracks=rc.Crack(friction=0.1))  # type: ignore[typeddict-item]
     # Text of the user keeps its lines.
     with pytest.raises(rc.CaseError, match=r"case:\d+:\d+: "):
         rc.Case(case.text.replace("steps", "stepz"))
@@ -89,6 +93,8 @@ def test_every_attribute_has_its_docstring() -> None:
         body = source.split(f"\nclass {cls.__name__}(Section):\n")[1].split("\n\n\n")[0]
         for field in fields(cls):
             assert re.search(rf"    {field.name}: [^\n]*\n    \"\"\"[^\n]", body), f"{cls.__name__}.{field.name}"
+        # `help` shows it, too.
+        assert all(f"\n{field.name}: " in inspect.getdoc(cls) + "\n" for field in fields(cls)), cls.__name__
     source = " ".join(source.split())
     assert "usual: 50 to 4000" in source and "In MPa" in source and '"free": no traction' in source
 

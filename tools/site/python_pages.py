@@ -15,6 +15,7 @@ import pdoc.doc
 import pdoc.render
 from jinja2 import pass_context
 from pdoc.render_helpers import to_markdown_with_context
+from railcrack._section import Explained
 
 PACKAGE = "railcrack"
 HERE = Path(__file__).resolve().parent
@@ -57,6 +58,9 @@ def with_inherited(module):
     """The module, whose classes also show what they have from classes in private modules, which have no page."""
     for member in module.members.values():
         if member.kind == "class":
+            # The attributes have the rest.
+            if isinstance(explained := vars(member.obj).get("__doc__"), Explained):
+                member.docstring = explained.summary
             for (origin, _), inherited in member.inherited_members.items():
                 if origin.startswith(f"{PACKAGE}._"):
                     member.own_members.extend(inner for inner in inherited if not inner.name.startswith("_"))
