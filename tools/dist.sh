@@ -205,10 +205,14 @@ part_site() {
     hashed "$scratch/pages/bin/pip"
     "$scratch/pages/bin/pip" install --quiet --disable-pip-version-check target/wheels/x86_64/*.whl
     "$scratch/pages/bin/python" tools/site/python_pages.py "$scratch/python-pages"
+    # What runs the notebooks leaves text and pictures on the pages, no program.
+    "$scratch/pages/bin/pip" install --quiet --disable-pip-version-check --constraint python/tests/requirements.txt \
+        nbclient ipykernel matplotlib pandas
+    "$scratch/pages/bin/python" tools/site/notebooks.py "$scratch/notebooks"
     cargo build --release --locked --workspace --quiet
     target/release/railcrack explorer --force --out "$dist/$name-explorer.html"
     "$scratch/pages/bin/python" tools/site/build.py "$site" --explorer "$dist/$name-explorer.html" --rust target/doc \
-        --python "$scratch/python-pages"
+        --python "$scratch/python-pages" --notebooks "$scratch/notebooks"
     packed "$scratch" "$name-site" "$dist/$name-site.tar.gz"
 }
 

@@ -1,11 +1,11 @@
 """The book as a site of static pages.
 
-    build.py OUT [--explorer PAGE] [--rust FOLDER] [--python FOLDER]
+    build.py OUT [--explorer PAGE] [--rust FOLDER] [--python FOLDER] [--notebooks FOLDER]
 
-Every page of `docs`, of the root and of the recomputed paper becomes an HTML page in OUT, with contents, search and a dark theme; files
-of the project that a page links to are copied. PAGE is the explorer of the front page, the folders hold the pages of the crates that `cargo doc` wrote and
-those of the package that `python_pages.py` wrote. Nothing on the site asks another server for anything. Ends with 1 where a link or an
-anchor leads nowhere.
+Every page of `docs`, of the root and of the recomputed paper and every notebook becomes an HTML page in OUT, with contents, search and a
+dark theme; files of the project that a page links to are copied. PAGE is the explorer of the front page, the folders hold the pages of
+the crates that `cargo doc` wrote, those of the package that `python_pages.py` wrote, and the notebooks that `notebooks.py` ran: without
+that one they have no outputs. Nothing on the site asks another server for anything. Ends with 1 where a link or an anchor leads nowhere.
 """
 
 import argparse
@@ -18,6 +18,7 @@ import sys
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
+import notebooks
 from markdown_it import MarkdownIt
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -30,6 +31,8 @@ RESULTS = "validation/paper/results"
 EXPLORER = "explorer/index.html"
 # The first pages of the interfaces for programs; the first two folders are theirs.
 INTERFACES = {"Rust": "api/rust/railcrack/index.html", "Python": "api/python/railcrack.html"}
+# Headings of the contents, by the beginning of the places below them.
+GROUPS = {"how-to/": "How to", "python/notebooks/": "Notebooks", "python/": "Python", "dev/": "For developers"}
 # Files that a page may show as text are copied; folders become a list of theirs.
 FILES = "files"
 
@@ -51,12 +54,19 @@ def pages():
         inner = path.relative_to(ROOT / "docs")
         place = "book.html" if inner == Path("README.md") else str(inner.with_suffix(".html")).replace("README.html", "index.html")
         found[path.relative_to(ROOT)] = place
+    for path in sorted(notebooks.SOURCES.glob("*.ipynb")):
+        found[path.relative_to(ROOT)] = f"python/notebooks/{path.stem}.html"
     return found
 
 
+def plain(heading):
+    """The text of a heading."""
+    return "".join(child.content for child in heading.children if child.type in ("text", "code_inline"))
+
+
 class Site:
-    def __init__(self, out, explorer, interfaces):
-        self.out, self.explorer, self.interfaces = out, explorer, interfaces
+    def __init__(self, out, explorer, interfaces, executed):
+        self.out, self.explorer, self.interfaces, self.executed = out, explorer, interfaces, executed
         self.pages = pages()
         self.faults = []
         self.anchors = {}
@@ -116,23 +126,25 @@ class Site:
 
     # ---- Pages ----
 
-    def render(self, source):
-        """HTML and title of a page; its sections go into the index."""
-        text = (ROOT / source).read_text()
-        tokens = self.markdown.parse(text)
+    def parse(self, source):
+        if source.suffix == ".ipynb":
+            return list(notebooks.tokens(self.executed / source.name, self.markdown))
+        return self.markdown.parse((ROOT / source).read_text())
+
+    def render(self, source, tokens):
+        """HTML of a page; its sections go into the index."""
         place, seen, anchors = self.pages[source], {}, set()
         title, heading, anchor, words = None, None, "", []
         sections = []
         for i, token in enumerate(tokens):
             if token.type == "heading_open":
-                content = tokens[i + 1]
-                plain = "".join(child.content for child in content.children if child.type in ("text", "code_inline"))
-                own = slug(plain, seen)
+                text = plain(tokens[i + 1])
+                own = slug(text, seen)
                 token.attrSet("id", own)
                 anchors.add(own)
                 sections.append((heading, anchor, words))
-                title = title or plain
-                heading, anchor, words = plain, own if token.tag != "h1" else "", []
+                title = title or text
+                heading, anchor, words = text, own if token.tag != "h1" else "", []
             elif token.type == "inline":
                 for child in token.children:
                     if child.type == "link_open":
@@ -145,23 +157,23 @@ class Site:
                 words.append(token.content)
         sections.append((heading, anchor, words))
         self.anchors[place] = anchors
-        self.titles[place] = title or place
         for heading, anchor, words in sections:
             text = re.sub(r"\s+", " ", " ".join(words)).strip()
             if heading and text:
                 self.index.append({"page": place, "anchor": anchor, "title": title, "heading": heading, "text": text})
         body = self.markdown.renderer.render(tokens, self.markdown.options, {})
         body = re.sub(r'<(h[2-4]) id="([^"]*)">(.*?)</\1>', r'<\1 id="\2"><a class="own" href="#\2">\3</a></\1>', body)
+        if source.suffix == ".ipynb":
+            body += f'<p><a href="{posixpath.relpath(self.copy(source), posixpath.dirname(place))}">The notebook as a file</a></p>\n'
         # A heading with a link of its own keeps it.
         body = re.sub(r'<a class="own" href="#[^"]*">((?:(?!</h).)*<a .*?)</a>(</h[2-4]>)', r"\1\2", body)
         return body.replace("<table>", '<div class="table"><table>').replace("</table>", "</table></div>")
 
     def contents(self, place):
         """The list of pages, the one at `place` marked."""
-        groups = {"": [], "How to": [], "Python": [], "For developers": []}
+        groups = {name: [] for name in ["", "How to", "Python", "Notebooks", "For developers"]}
         for own in self.order:
-            group = {"how-to": "How to", "python": "Python", "dev": "For developers"}.get(own.split("/")[0], "") if "/" in own else ""
-            groups[group].append(own)
+            groups[next((name for start, name in GROUPS.items() if own.startswith(start)), "")].append(own)
         parts = []
         base = posixpath.dirname(place) or "."
         for name, own in groups.items():
@@ -212,16 +224,15 @@ class Site:
     def build(self):
         shutil.rmtree(self.out, ignore_errors=True)
         self.out.mkdir(parents=True)
-        bodies = {}
-        for source in self.pages:
+        parsed = {source: self.parse(source) for source in self.pages}
+        for source, tokens in parsed.items():
             # Titles first: every page has the list of all of them.
-            heading = re.search(r"^# (.*)$", (ROOT / source).read_text(), re.MULTILINE)
-            self.titles[self.pages[source]] = re.sub(r"[`*]", "", heading.group(1)) if heading else str(source)
+            headings = (plain(tokens[i + 1]) for i, token in enumerate(tokens) if token.type == "heading_open")
+            self.titles[self.pages[source]] = next(headings, str(source))
         first = [self.pages[path] for path in linked(ROOT / "docs/README.md", self.pages)]
         rest = [place for place in self.pages.values() if place not in first]
         self.order = list(dict.fromkeys(["book.html", *first, *rest]))
-        for source in self.pages:
-            bodies[source] = self.render(source)
+        bodies = {source: self.render(source, tokens) for source, tokens in parsed.items()}
         for source, body in bodies.items():
             self.write(self.pages[source], self.titles[self.pages[source]], body)
         for name in ["style.css", "site.js"]:
@@ -293,10 +304,11 @@ def main():
     arguments.add_argument("--explorer", type=Path)
     for language in INTERFACES:
         arguments.add_argument(f"--{language.lower()}", type=Path)
+    arguments.add_argument("--notebooks", type=Path, default=notebooks.SOURCES)
     given = arguments.parse_args()
     folders = {language: getattr(given, language.lower()) for language in INTERFACES}
     interfaces = {language: (folders[language], page) for language, page in INTERFACES.items() if folders[language]}
-    site = Site(given.out.resolve(), given.explorer, interfaces)
+    site = Site(given.out.resolve(), given.explorer, interfaces, given.notebooks)
     site.build()
     count, links = site.check()
     for fault in sorted(set(site.faults)):
