@@ -18,4 +18,4 @@ version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
 module=target/web/railcrack-$version.wasm
 cp "target/web/$target/web/railcrack_web.wasm" "$module"
 [ -z "$folder" ] || cp "$module" "$folder"
-printf '%s: %s bytes\n' "${folder:-target/web}/railcrack-$version.wasm" "$(stat -c %s "$module")"
+printf '%s: %s bytes\n' "${folder:-target/web}/railcrack-$version.wasm" "$(wc -c < "$module" | tr -d " ")"

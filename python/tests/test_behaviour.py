@@ -5,7 +5,6 @@ from __future__ import annotations
 import concurrent.futures
 import multiprocessing
 import os
-import resource
 import signal
 import threading
 import time
@@ -141,6 +140,7 @@ def compute(number: int) -> float:
 def test_a_run_costs_what_the_command_does(command: Callable[..., str], tmp_path: Path) -> None:
     """Processor time within 5 % of that of the command without tables, plots and page, the start of its
     process aside. Other work on the machine disturbs both: of several tries the best one counts."""
+    resource = pytest.importorskip("resource")
     nothing = {"faces": "none", "sif": "none", "plots": False, "report": False}
     case = CASES[0].with_(output=nothing)
     (tmp_path / "case.toml").write_text(case.to_toml())
