@@ -81,6 +81,21 @@ impl Table {
         Self { sorts: true, ..self }
     }
 
+    /// The table without columns in which every number is missing.
+    #[must_use]
+    pub fn without_empty_columns(mut self) -> Self {
+        let is_empty = |column: &usize| {
+            let mut cells = self.rows.iter().filter_map(|row| row.get(*column)).peekable();
+            cells.peek().is_some() && cells.all(|cell| cell.text == MISSING)
+        };
+        let empty: Vec<usize> = (0..self.headings.len()).filter(is_empty).collect();
+        for column in empty.into_iter().rev() {
+            self.headings.remove(column);
+            self.rows.iter_mut().for_each(|row| drop(row.remove(column)));
+        }
+        self
+    }
+
     /// Appends a row of cells, one for each heading.
     pub fn row(&mut self, cells: impl IntoIterator<Item = impl Into<Cell>>) {
         self.rows.push(cells.into_iter().map(Into::into).collect());

@@ -10,7 +10,7 @@ use railcrack::growth::Turning;
 section! {
     GROWTH "growth", Defaulted, "Crack growth: da/dN as a function of an equivalent range dKeq of dKI and dKII.";
     STEPS: usize = integer("steps", (0, 10_000), 25,
-        "The largest number of increments; 0 computes the initial cracks only. A grinding, or an increment that is cut to end at one, does not count. Without this key, a case that says what a failure is (critical_depth_mm, critical_length_mm, [fracture]) or stop_after_cycles goes on until its answer is known, for 1000 increments at most, and any other for 25.").optional();
+        "The largest number of increments; 0 computes the initial cracks only. A grinding does not count, nor does an increment that is cut short (by a grinding, a turn, a critical size). Without this key, a case that says what a failure is (critical_depth_mm, critical_length_mm, [fracture]) or stop_after_cycles goes on until its answer is known, for 1000 increments at most, and any other for 25.").optional();
     INCREMENT: f64 = number("increment", "", closed(1e-4, 0.5), 0.04,
         "Increment of the fastest tip, as a fraction of its crack's length; without this key, the increments are chosen for the tolerance. At the smallest value, doubling the length takes up to 10 000 steps.").optional();
     TOLERANCE: f64 = number("tolerance", "", closed(1e-5, 0.2), 0.01,

@@ -129,12 +129,7 @@ fn run_samples_study_and_plan_have_one_life_in_full() {
         }
         let mixed = mask >> parts.len() & 1 == 1;
         let taken = || parts.iter().enumerate().filter(|(i, _)| mask >> i & 1 == 1).map(|(_, part)| part);
-        let wheels = match mixed {
-            true => MIX,
-            // Trapped fluid under an ellipse takes minutes.
-            false if taken().any(|part| part.name == FLUID.name) => WHEEL,
-            false => ELLIPSE,
-        };
+        let wheels = if mixed { MIX } else { ELLIPSE };
         let mut text = format!("{RAIL}{wheels}{CRACK}");
         let mut names = vec![if mixed { "mix" } else { "wheel" }];
         for part in taken() {

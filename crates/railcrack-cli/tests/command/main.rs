@@ -1,5 +1,7 @@
 //! The command as a user meets it, and the book.
 
+// Pages run in a shell.
+#[cfg(unix)]
 mod book;
 mod calibrate;
 mod case;

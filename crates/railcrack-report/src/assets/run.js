@@ -159,11 +159,17 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   /** What a step encloses is there at the start of the next one; of the last step, at its end. @param {{ step: number }} thing */
   const isThere = (thing) => step().step >= thing.step || step().step === data.last_step;
 
+  /** The colours of a network. @param {ReturnType<typeof chart>} figure */
+  const explainColours = (figure) => {
+    const chosen = { name: `crack ${state.crack}`, colour: "var(--ink)" };
+    if (isMany && !isRow) figure.explain([chosen, { name: "other cracks", colour: "var(--quiet)" }]);
+  };
+
   function drawScene() {
     const from = origin();
     const numbers = range(data.cracks.length).map((i) => i + 1);
-    // Of the other cracks of a row, and below a surface that has come down, the program has no paths.
-    const whole = isRow || step().whole;
+    // Of a chosen crack among others, and below a surface that has come down, the program has no paths.
+    const whole = isMany || step().whole;
     const later = numbers.map((crack) =>
       scene.line(depths(step().whole?.[crack - 1] ?? data.cracks[crack - 1].points, from), {
         stroke: colourOf(crack),
@@ -175,6 +181,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
       scene.line(depths(pathOf(crack), from), { stroke: colourOf(crack), "stroke-width": 3 }),
     );
     scene.background(!whole);
+    explainColours(scene);
     scene.show("cracks", [...pieces(from), ...(whole ? later : []), ...grown]);
     scene.show("fluid", isWet ? numbers.flatMap((crack) => fluidIn(crack, from)) : []);
     scene.show("tips", [...tips(from), ...junctions(from)]);
@@ -341,6 +348,7 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
       // Of many tips the curves of all steps show nothing.
       figure.background(state.wheel === 0 && (isRow || !isMany));
       figure.show("step", curves);
+      explainColours(figure);
     }
   }
 

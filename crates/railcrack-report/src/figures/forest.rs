@@ -25,12 +25,12 @@ pub struct ForestRatio {
 
 /// Pixels: of a row, of the names, of the inside, around it.
 const ROW: f64 = 21.0;
-const NAMES: f64 = 232.0;
-const INSIDE: f64 = 300.0;
+const NAMES: f64 = 300.0;
+const INSIDE: f64 = 360.0;
 const ABOVE: f64 = 24.0;
 const BELOW: f64 = 50.0;
 /// Letters of a name.
-const LETTERS: usize = 33;
+const LETTERS: usize = 46;
 /// Half of the thickness of the bar of a measured range, pixels.
 const BAR: f64 = 6.0;
 /// Ratios that are marked.

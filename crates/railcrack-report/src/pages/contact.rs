@@ -66,16 +66,16 @@ fn meaning(case: &Case) -> Vec<String> {
 
 const ON_THE_RAIL: [&str; 2] = [
     "Forces act on the rail: x with the travel, y across; they are those of the whole patch.",
-    "Tγ = −(F_x ξ + F_y η) without the work of the spin, as damage functions use it; wheels.csv also has it with spin.",
+    "Tγ = −(F_{x} ξ + F_{y} η) without the work of the spin, as damage functions use it; wheels.csv also has it with spin.",
 ];
 
 const IN_THE_PLANE: [&str; 2] = [
-    "ΔK_eq and the share of the growth are of a stabilised passage over the cracks as they are at the beginning, of each wheel alone.",
+    "ΔK_{eq} and the share of the growth are of a stabilised passage over the cracks as they are at the beginning, of each wheel alone.",
     "The growth by lateral place ranks places by a crack whose faces are open: contact of the faces and friction are not part of it.",
 ];
 
 const IN_SPACE: [&str; 2] = [
-    "ΔK_eq is the largest along the fronts, and the share of the growth is that of the mean rate along them, in a stabilised passage over \
+    "ΔK_{eq} is the largest along the fronts, and the share of the growth is that of the mean rate along them, in a stabilised passage over \
      the cracks as they are at the beginning, of each wheel alone. Wheels that another one represents are scaled from a coarse crack.",
     "The growth by lateral place is the mean rate along the front of a coarse crack with contact and friction of its faces.",
 ];
@@ -85,14 +85,14 @@ fn table(rows: &[WheelRow]) -> Table {
         "Wheel",
         "Axles (%)",
         "Growth (%)",
-        "p0 (MPa)",
+        "p_{0} (MPa)",
         "a (mm)",
         "b (mm)",
-        "Fx (kN)",
-        "Fy (kN)",
+        "F_{x} (kN)",
+        "F_{y} (kN)",
         "Slips (%)",
         "Tγ (N)",
-        "ΔKeq (MPa√m)",
+        "ΔK_{eq} (MPa√m)",
     ]);
     let or_missing = |value: Option<String>| value.unwrap_or_else(|| MISSING.to_owned());
     for row in by_growth(rows).iter().take(SHOWN).map(|wheel| &rows[*wheel]) {
@@ -114,7 +114,7 @@ fn table(rows: &[WheelRow]) -> Table {
         table.caption =
             format!("The {SHOWN} wheels that grow the cracks most; wheels.csv has all {}", rows.len());
     }
-    table
+    table.without_empty_columns()
 }
 
 fn charts(rows: &[WheelRow], across: Option<&GrowthAcross>) -> Vec<Chart> {

@@ -55,7 +55,7 @@ fn map(summary: &PlanSummary) -> Table {
             let plan = summary.plan(row, column);
             plan.map_or_else(Cell::default, |plan| Cell::toned(&words(plan).join("; "), tone(plan)))
         });
-        table.row([Cell::from(format!("{} mm", given(*depth)))].into_iter().chain(cells));
+        table.row([Cell::from(format!("{}\u{a0}mm", given(*depth)))].into_iter().chain(cells));
     }
     table
 }
@@ -113,6 +113,9 @@ fn traffic(mgt: f64, months: Option<f64>) -> String {
     format!("{} MGT{months}", given(rounded(mgt, 4)))
 }
 
+/// Digits of a checksum in a tile.
+const CHECKSUM: usize = 12;
+
 /// The year of an ISO `date`.
 fn year(date: &str) -> &str {
     date.split('-').next().unwrap_or(date)
@@ -144,8 +147,8 @@ fn facts(summary: &PlanSummary) -> Vec<Fact> {
     facts.push(Fact::new("Date", summary.date.clone(), format!("railcrack {}", summary.version)));
     facts.push(Fact::new(
         "Case",
-        summary.case_checksum.clone(),
-        format!("SHA-256 of {CASE_FILE}, as sha256sum prints it"),
+        summary.case_checksum.chars().take(CHECKSUM).collect::<String>(),
+        format!("the beginning of the SHA-256 of {CASE_FILE}; all of it above the signatures"),
     ));
     facts
 }
@@ -181,7 +184,7 @@ fn table(summary: &PlanSummary) -> Table {
         ];
         table.row(cells);
     }
-    table
+    table.without_empty_columns()
 }
 
 /// The share of the samples that fail; with those whose fate is not known where there are any.

@@ -4,7 +4,7 @@ use crate::chart::{
     Chart, ChartArea, ChartAxis, ChartSheet, Curve, CurveColour, CurveDots, CurveLook, CurveWidth,
 };
 use crate::figures::{ForestRatio, ForestRow, forest};
-use crate::numbers::significant;
+use crate::numbers::{given, rounded, significant};
 use crate::page::{Block, Fact, Page, Section};
 use crate::table::Table;
 use railcrack_case::{Entry, Grade, Quantity};
@@ -27,6 +27,11 @@ const GRADES: [(Grade, &str); 3] =
 const UNITS: [&str; 3] = ["mm/MGT", "mm/cycle", ""];
 /// The plot of the rate over depth.
 const OVER_DEPTH: &str = "rate-over-depth.svg";
+
+/// A score in two digits.
+fn two_digits(score: f64) -> String {
+    given(rounded(score, 2))
+}
 
 /// Name of the plot of the entries of `grade` whose quantity has the `unit`, without its ending.
 fn id(grade: Grade, unit: &str) -> String {
@@ -79,7 +84,7 @@ impl<'a> ValidationPage<'a> {
     /// The page.
     pub fn page(&self) -> Page {
         let facts = self.scores.by_grade().map(|(name, of)| {
-            let note = format!("predicted over measured {}", significant(of.factor));
+            let note = format!("predicted over measured {}", two_digits(of.factor));
             Fact::new(format!("{name}: within 95 %"), format!("{} of {}", of.inside, of.entries), note)
         });
         Page {
@@ -105,7 +110,7 @@ impl<'a> ValidationPage<'a> {
                 space.inside,
                 space.entries,
                 space.within_5,
-                significant(space.factor)
+                two_digits(space.factor)
             )
         });
         format!(
@@ -113,7 +118,7 @@ impl<'a> ValidationPage<'a> {
             plane.entries,
             plane.inside,
             plane.within_5,
-            significant(plane.factor)
+            two_digits(plane.factor)
         )
     }
 
@@ -175,8 +180,8 @@ impl<'a> ValidationPage<'a> {
                 of.inside.to_string(),
                 of.within_2.to_string(),
                 of.within_5.to_string(),
-                significant(of.factor),
-                significant(of.crps),
+                two_digits(of.factor),
+                two_digits(of.crps),
             ]);
         }
         table
@@ -393,7 +398,7 @@ fn over_depth(validation: &Validation, validated: &[Validated], of: (&str, Optio
             "Growth in depth by depth: median and 95 % of the samples, and the ranges of the measured means."
                 .into(),
         x: ChartAxis::logarithmic("Depth", "mm"),
-        y: ChartAxis::logarithmic("Growth in depth", "mm per million gross tonnes"),
+        y: ChartAxis::logarithmic("Growth in depth", "mm/MGT"),
         areas,
         curves: all,
         ..Chart::default()

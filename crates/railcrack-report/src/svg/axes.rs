@@ -4,6 +4,10 @@ use super::element::{Anchor, Span, Svg, TextStyle, coordinate};
 use super::palette::{INK, LIGHT, ZERO};
 use crate::numbers::short;
 use serde_json::{Value, json};
+use std::ops::RangeInclusive;
+
+/// Where all ticks of a logarithmic axis lie, they are written without powers of ten.
+const PLAIN: RangeInclusive<f64> = 0.01..=1000.0;
 
 /// The rectangle inside the axes, pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -96,6 +100,9 @@ impl Axis {
             return vec![Span::Plain(tick_label(tick / unit, self.step / unit))];
         }
         let exponent = (tick.log10() + 1e-9).floor();
+        if self.ticks.iter().all(|tick| PLAIN.contains(tick)) {
+            return vec![Span::Plain(tick_label(tick, 10f64.powf(exponent)))];
+        }
         let digit = (tick / 10f64.powf(exponent)).round();
         let factor = if digit == 1.0 { String::new() } else { format!("{digit}\u{b7}") };
         let power = exponent.to_string().replace('-', "\u{2212}");
@@ -306,6 +313,11 @@ mod tests {
         assert_eq!(tick_label(-2.0, 2.0), "\u{2212}2");
         assert_eq!(tick_label(0.1 + 0.2, 0.05), "0.30");
         assert_eq!(tick_label(-1e-17, 0.5), "0.0");
+        let labels = |axis: Axis| axis.ticks.iter().map(|tick| axis.label(*tick)).collect::<Vec<_>>();
+        let plain = ["0.2", "0.5", "1", "2", "5"].map(|text| vec![Span::Plain(text.to_owned())]);
+        assert_eq!(labels(Axis::logarithmic(0.2, 8.0)), plain);
+        let small = labels(Axis::logarithmic(2e-3, 0.1));
+        assert_eq!(small[0], [Span::Plain("2\u{b7}10".to_owned()), Span::Super("\u{2212}3".to_owned())]);
         assert_eq!((scale_exponent(3.7e6), scale_exponent(900.0), scale_exponent(2e-7)), (6, 0, -9));
     }
 }
