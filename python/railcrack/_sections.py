@@ -43,15 +43,15 @@ class Rail(Section):
     poisson_ratio: Number | None = None
     """Poisson's ratio of rail and wheel. Usual: 0.25 to 0.33; accepted: 0 to 0.499; default: 0.3."""
     width_mm: Number | None = None
-    """Length of the rail along x; cracks must stay within it. By default 300; if centre_mm is not
-    given either, a half-plane whose cracks need more reaches 150 mm beyond the outermost ones. In
-    mm; usual: 20 to 1e5; accepted: 0.01 to 1e5."""
+    """Length of the rail along x; cracks must stay within it. By default 300; a half-plane without
+    centre_mm reaches 150 mm beyond cracks that need more. In mm; usual: 20 to 1e5; accepted: 0.01
+    to 1e5."""
     depth_mm: Number | None = None
     """Depth of the rail; cracks must stay above it. In mm; usual: 20 to 250; accepted: 0.01 to 1e5;
     default: 172.0."""
     centre_mm: Number | None = None
-    """x coordinate of the middle of the rail; by default the middle of the crack mouths. In mm;
-    accepted: -1e6 to 1e6."""
+    """x of the middle of the rail; by default the middle of the crack mouths. In mm; accepted: -1e6
+    to 1e6."""
     boundary: Literal["half-plane", "block"] | None = None
     """Boundary of the rail. Default: "half-plane". "half-plane": bounded by the running surface
     only; "block": a supported block of width_mm by depth_mm; finite-element engine only."""
@@ -62,12 +62,10 @@ class Rail(Section):
     """Support of the sides of a block. Default: "free"; only with boundary = "block". "free": no
     traction; "rollers": no horizontal displacement; "clamped": no displacement."""
     section: Literal["60E1", "54E1", "49E1", "UIC60", "UIC54", "S49", "track"] | None = None
-    """Rail section whose head, web and foot make the cracked rail more compliant than a half-plane,
-    on the foundation of [track]; cracks then stay in its head. By default the cracked rail is a
-    half-plane, which is too stiff for cracks deeper than 5 mm. Only with boundary = "half-plane".
-    "60E1": 60 kg/m; "54E1": 54 kg/m; "49E1": 49 kg/m; "UIC60": the same section under its older
-    name; "UIC54": the same section under its older name; "S49": the same section under its older
-    name; "track": that of [track], which then has a section with a name."""
+    """Section of the cracked rail, on the foundation of [track]; cracks must stay in its head. By
+    default a half-plane, too stiff for cracks deeper than 5 mm. Only with boundary = "half-plane".
+    "60E1": 60 kg/m; "54E1": 54 kg/m; "49E1": 49 kg/m; "UIC60": older name; "UIC54": older name;
+    "S49": older name; "track": the named section of [track]."""
 
 
 class RailKeys(TypedDict, total=False):
@@ -98,8 +96,8 @@ class Contact(Section):
     """Peak pressure p0. In MPa; usual: 50 to 4000; accepted: 0.001 to 10000; only with kind =
     "hertz" or "carter"."""
     half_width_mm: Number | None = None
-    """Half-width a of the contact; below 0.01 mm it would be smaller than the roughness of a rail.
-    In mm; usual: 0.3 to 30; accepted: 0.01 to 100; only with kind = "hertz" or "carter"."""
+    """Half-width a of the contact. In mm; usual: 0.3 to 30; accepted: 0.01 to 100; only with kind =
+    "hertz" or "carter"."""
     line_load_n_per_mm: Number | None = None
     """Wheel load per unit width. In N/mm; usual: 100 to 1e5; accepted: 1e-5 to 1e7; only with kind
     = "hertz" or "carter"."""
@@ -107,126 +105,111 @@ class Contact(Section):
     """Radius of the wheel. In mm; usual: 150 to 700; accepted: 0.01 to 1e5; only with kind =
     "hertz" or "carter" or "rolling"."""
     rail_radius_mm: Number | None = None
-    """Radius of the rail in the plane of the model; inf for a flat rail. In mm; usual: 5 to 1e6;
-    accepted: from 0.01; only with kind = "hertz" or "carter"."""
+    """Longitudinal radius of the rail; inf if flat. In mm; usual: 5 to 1e6; accepted: from 0.01;
+    only with kind = "hertz" or "carter"."""
     wheel_load_kn: Number | None = None
-    """Wheel load. Together with the radii it defines the Hertz contact ellipse. In kN; usual: 1 to
-    300; accepted: 0.001 to 10000; only with kind = "hertz" or "carter"."""
+    """Wheel load; with the radii it defines the contact ellipse. In kN; usual: 1 to 300; accepted:
+    0.001 to 10000; only with kind = "hertz" or "carter"."""
     rail_head_radius_mm: Number | None = None
-    """Transverse radius of the rail head; inf for a flat head. In mm; usual: 5 to 1e6; accepted:
-    from 0.01; only with kind = "hertz" or "carter" or "rolling"."""
+    """Transverse radius of the rail head; inf if flat. In mm; usual: 5 to 1e6; accepted: from 0.01;
+    only with kind = "hertz" or "carter" or "rolling"."""
     wheel_profile_radius_mm: Number | None = None
-    """Transverse radius of the wheel profile; inf for a straight profile, negative for a concave
-    one. In mm; usual: 5 to 1e6; accepted: from -1e6; only with kind = "hertz" or "carter" or
-    "rolling"."""
+    """Transverse radius of the wheel profile; inf if straight, negative if concave. In mm; usual: 5
+    to 1e6; accepted: from -1e6; only with kind = "hertz" or "carter" or "rolling"."""
     lateral_half_width_mm: Number | None = None
-    """Lateral semi-axis b of the contact ellipse; peak_pressure_mpa and half_width_mm then describe
-    the ellipse. The space engine needs this key or the radii; without either a contact is a line
-    contact. In mm; usual: 0.3 to 30; accepted: 0.1 to 1000; only with kind = "hertz" or "carter"."""
+    """Lateral semi-axis b of the contact ellipse; without it the contact is a line contact, which
+    the space engine refuses. In mm; usual: 0.3 to 30; accepted: 0.1 to 1000; only with kind =
+    "hertz" or "carter"."""
     lateral_mm: Number | None = None
-    """Lateral position of the middle of the ellipse relative to the cracks. With rolling, y of the
-    crack in the patch. With profiles, y of the crack on that of the rail; the middle of the most
-    loaded patch if not given. Otherwise 0 if not given. In mm; accepted: -100 to 100; only with
-    kind = "hertz" or "carter" or "rolling"."""
+    """Lateral position of the ellipse relative to the cracks, by default 0; with rolling, y of the
+    crack in the patch; with profiles, y of the crack on rail_profile, by default under the most
+    loaded patch. In mm; accepted: -100 to 100; only with kind = "hertz" or "carter" or "rolling"."""
     lateral: Literal["patch", "strip"] | None = None
-    """What of an ellipse or a patch loads cracks in the plane; in space it is always the whole
-    patch. Only with kind = "hertz" or "carter" or "rolling". "patch": the whole patch, averaged
-    along the crack front; "strip": the strip at lateral_mm as a line contact, for comparison."""
+    """Part of the contact that loads cracks in the plane: by default the patch, in a block or with
+    coupled the strip. Only with kind = "hertz" or "carter" or "rolling". "patch": averaged along
+    the crack front; "strip": at lateral_mm, as a line contact."""
     profile: File | None = None
-    """CSV file with the columns u_mm,p_mpa,q_mpa, where u is measured from the wheel centre along
-    +x; interpolated linearly between rows, zero outside. Or a .mat file written by the
-    rolling-contact program CONTACT. Only with kind = "table"."""
+    """CSV file with the columns u_mm,p_mpa,q_mpa, u from the wheel centre along +x, linear between
+    rows; or a .mat file of the program CONTACT. Only with kind = "table"."""
     scale: Number | None = None
-    """Factor applied to the pressure and shear of the table. Accepted: 1e-6 to 1e6; default: 1.0;
-    only with kind = "table"."""
+    """Factor on pressure and shear. Accepted: 1e-6 to 1e6; default: 1.0; only with kind = "table"."""
     strip_mm: Number | None = None
-    """Lateral position, in CONTACT's own frame, of the strip along the rail that is taken from a
-    .mat file. In mm; accepted: -1000 to 1000; only with kind = "table"."""
+    """Lateral position, in CONTACT's frame, of the strip of a .mat file. In mm; accepted: -1000 to
+    1000; only with kind = "table"."""
     friction: Number | None = None
-    """Wheel-rail friction coefficient. With hertz it is signed, unless torque is given: > 0 drags
-    the rail along +x (a braking wheel running towards +x). With carter it is that of the slip zone
-    and not negative. With rolling it is that of the slip zone and not negative. With table it is
-    optional; if given, |q| <= friction p is required. Usual: 0.001 to 0.8; accepted: -1 to 1."""
+    """Wheel-rail friction coefficient; with carter and rolling that of the slip zone, with table an
+    upper limit of abs(q)/p. Negative only with hertz without torque: > 0 drags the rail along +x (a
+    wheel braking towards +x). Usual: 0.001 to 0.8; accepted: -1 to 1."""
     torque: Literal["driven", "braked"] | None = None
-    """Which way the shear acts, so that friction needs no sign: with this key it is not negative.
-    Only with kind = "hertz". "driven": a wheel that drives the train drags the rail backwards;
-    "braked": a wheel that brakes it drags the rail forwards."""
+    """Direction of the shear; friction then has no sign. Only with kind = "hertz". "driven": drags
+    the rail backwards; "braked": drags the rail forwards."""
     lateral_friction: Number | None = None
-    """Ratio of lateral shear to pressure, > 0 towards +z, 0 if not given; in the plane only its
-    stress beside the middle of the ellipse loads the cracks. Usual: 0.001 to 0.8; accepted: -1 to
-    1; only with kind = "hertz"."""
+    """Ratio of lateral shear to pressure, > 0 towards +z; by default 0. In the plane it has no
+    effect at lateral_mm = 0. Usual: 0.001 to 0.8; accepted: -1 to 1; only with kind = "hertz"."""
     traction: Number | None = None
-    """Traction ratio Q/(friction P), with the sign of the shear on the rail along +x: < 0 drives a
-    wheel that runs towards +x; 1 and -1 are full sliding. Accepted: -1 to 1; only with kind =
-    "carter"."""
+    """Traction ratio Q/(friction P), signed like the shear on the rail along +x: < 0 drives a wheel
+    towards +x; 1 and -1 are full sliding. Accepted: -1 to 1; only with kind = "carter"."""
     normal_kn: Number | None = None
-    """Normal force of the patch, with the radii of wheel and rail or with semi_axes_mm. In kN;
-    usual: 1 to 300; accepted: 0.001 to 10000; only with kind = "rolling"."""
+    """Normal force; with profiles, the sum over the patches. In kN; usual: 1 to 300; accepted:
+    0.001 to 10000; only with kind = "rolling"."""
     semi_axes_mm: Numbers | None = None
     """Semi-axes [a, b] of the contact ellipse, along and across the rail. In mm; usual: 0.3 to 30;
     accepted: 0.01 to 100; only with kind = "rolling"."""
     rail_profile: File | None = None
-    """CSV file with the points y_mm,z_mm of the rail head in their order: y across the rail, z
-    downwards; or two columns without a header, or a file of MiniProf (.ban) or Simpack (.prr). The
-    contact patches then follow from the profiles; normal_kn is the sum of their normal forces. Only
-    with kind = "rolling"."""
+    """CSV file with the points y_mm,z_mm of the rail head in order, z downwards; or two columns
+    without a header, or a file of MiniProf (.ban) or Simpack (.prr). Only with kind = "rolling"."""
     wheel_profile: File | None = None
-    """CSV file with the points y_mm,z_mm of the wheel, with the axes of the rail, or another one as
-    for the rail (.whl, .prw); wheel_radius_mm is the radius at its z = 0. Only with kind =
-    "rolling"."""
+    """Wheel profile in the axes and formats of rail_profile (.whl, .prw); wheel_radius_mm is the
+    radius at z = 0. Only with kind = "rolling"."""
     rail_profile_axes: Literal["z-down", "z-up", "mirrored", "mirrored-z-up"] | None = None
-    """Axes of the file of the rail; those that a file of Simpack states are taken from it before. A
-    file of MiniProf may have z either way. Only with kind = "rolling". "z-down": y and z as those
-    of the rail here; "z-up": z points upwards; "mirrored": y points to the other side;
-    "mirrored-z-up": both."""
+    """Axes of rail_profile, after those that a Simpack file states; by default z-down, in MiniProf
+    files also z-up. Only with kind = "rolling". "z-down": y and z as those of the rail here;
+    "z-up": z points upwards; "mirrored": y points to the other side; "mirrored-z-up": both."""
     wheel_profile_axes: Literal["z-down", "z-up", "mirrored", "mirrored-z-up"] | None = None
-    """The same of the wheel. Only with kind = "rolling". "z-down": y and z as those of the rail
-    here; "z-up": z points upwards; "mirrored": y points to the other side; "mirrored-z-up": both."""
+    """Axes of wheel_profile, likewise. Only with kind = "rolling". "z-down": y and z as those of
+    the rail here; "z-up": z points upwards; "mirrored": y points to the other side;
+    "mirrored-z-up": both."""
     profile_smoothing_mm: Number | None = None
-    """Half the length along the profiles over which a parabola is fitted to their points, with
-    weights that fall to zero there: longer for measured points with scatter. In mm; accepted: 0.01
-    to 20; default: 1.0; only with kind = "rolling"."""
+    """Half the length of the parabolas fitted to the profiles; about 3 for measured points with
+    scatter. In mm; accepted: 0.01 to 20; default: 1.0; only with kind = "rolling"."""
     shift_mm: Number | None = None
-    """y of the origin of the wheel's profile in the frame of the rail's. In mm; accepted: -200 to
-    200; default: 0.0; only with kind = "rolling"."""
+    """y of the origin of wheel_profile on rail_profile. In mm; accepted: -200 to 200; default: 0.0;
+    only with kind = "rolling"."""
     yaw_deg: Number | None = None
-    """Angle of attack of the wheel: positive turns its direction of travel towards +y. In degrees;
-    usual: 0 to 5; accepted: -10 to 10; default: 0.0; only with kind = "rolling"."""
-    roll_deg: Number | None = None
-    """Rotation of the wheel's profile about its origin: positive lowers +y. In degrees; usual: 0 to
-    5; accepted: -10 to 10; default: 0.0; only with kind = "rolling"."""
-    creepage_x: Number | None = None
-    """Longitudinal creepage, signed as creepage_sign says. Usual: 0 to 0.05; accepted: -1 to 1;
+    """Angle of attack of the wheel, > 0 towards +y. In degrees; usual: 0 to 5; accepted: -10 to 10;
     default: 0.0; only with kind = "rolling"."""
+    roll_deg: Number | None = None
+    """Rotation of wheel_profile about its origin; > 0 lowers +y. In degrees; usual: 0 to 5;
+    accepted: -10 to 10; default: 0.0; only with kind = "rolling"."""
+    creepage_x: Number | None = None
+    """Longitudinal creepage, signed by creepage_sign. Usual: 0 to 0.05; accepted: -1 to 1; default:
+    0.0; only with kind = "rolling"."""
     creepage_y: Number | None = None
     """Lateral creepage. Usual: 0 to 0.05; accepted: -1 to 1; default: 0.0; only with kind =
     "rolling"."""
     spin_per_mm: Number | None = None
-    """Spin creepage; turns +x, the direction of travel, towards +y. In 1/mm; usual: 0 to
-    0.00666667; accepted: -1 to 1; default: 0.0; only with kind = "rolling"."""
+    """Spin creepage; with creepage_sign = "contact", > 0 turns +x (travel) towards +y. In 1/mm;
+    usual: 0 to 0.00666667; accepted: -1 to 1; default: 0.0; only with kind = "rolling"."""
     creepage_sign: Literal["contact", "vehicle"] | None = None
-    """Convention for the signs of creepages and spin. Only with kind = "rolling". "contact": of the
-    program CONTACT: longitudinal creepage > 0 of a driving wheel; "vehicle": of most vehicle codes,
-    (V - omega r)/V: longitudinal creepage > 0 of a braking wheel."""
+    """Sign convention of creepages and spin. Only with kind = "rolling". "contact": of the program
+    CONTACT: longitudinal creepage > 0 of a driving wheel; "vehicle": of most vehicle codes, (V -
+    omega r)/V: longitudinal creepage > 0 of a braking wheel."""
     theory: Literal["strip", "fastrip", "fastsim", "linear"] | None = None
     """Theory of the shear. Default: "strip"; only with kind = "rolling". "strip": strips of
     Carter's form by Kalker's strip theory, scaled to his coefficients; "fastrip": the same with the
     shear of Sichani et al. 2016; "fastsim": Kalker's simplified theory with a parabolic limit of
     the shear; "linear": Kalker's linear theory; its force is distributed like the pressure."""
     coupled: bool | None = None
-    """Whether the wheel feels the cracks: the contact pressure follows from a smooth elastic wheel
-    of the same steel on the rail with its cracks. If not, it is that on the uncracked rail. For
-    cracks in a half-plane with the plane engines, as a line contact: of an ellipse, that of the
-    strip at lateral_mm. Default: False; only with kind = "hertz" or "carter" or "rolling"."""
+    """Whether the wheel feels the cracks: the pressure is that of a smooth elastic wheel on the
+    cracked rail, as a line contact (of an ellipse, the strip at lateral_mm). Plane engines and
+    half-plane only. Default: False; only with kind = "hertz" or "carter" or "rolling"."""
     surface_nodes_per_half_width: Count | None = None
-    """With coupled = true, number of surface nodes per half-width a: they are half of a over this
-    number apart at the mouths, twice a over this number away from them, and up to eight times
-    farther than 1.2 a from them. Accepted: 10 to 160; only with kind = "hertz" or "carter" or
-    "rolling"."""
+    """Surface nodes per half-width of a coupled wheel, denser at the mouths; by default 40.
+    Accepted: 10 to 160; only with kind = "hertz" or "carter" or "rolling"."""
     coupled_within_over_a: Number | None = None
-    """With coupled = true, distance of the contact centre from the nearest mouth up to which the
-    wheel feels the cracks; beyond it, the contact is that on the uncracked rail. 3 if not given. In
-    a; accepted: 1.5 to 12; only with kind = "hertz" or "carter" or "rolling"."""
+    """Distance of the contact centre from the nearest mouth up to which a coupled wheel feels the
+    cracks; by default 3. In a; accepted: 1.5 to 12; only with kind = "hertz" or "carter" or
+    "rolling"."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -239,63 +222,53 @@ class Hertz(Section):
     peak_pressure_mpa: Number | None = None
     """Peak pressure p0. In MPa; usual: 50 to 4000; accepted: 0.001 to 10000."""
     half_width_mm: Number | None = None
-    """Half-width a of the contact; below 0.01 mm it would be smaller than the roughness of a rail.
-    In mm; usual: 0.3 to 30; accepted: 0.01 to 100."""
+    """Half-width a of the contact. In mm; usual: 0.3 to 30; accepted: 0.01 to 100."""
     friction: Number | None = None
-    """Wheel-rail friction coefficient. With hertz it is signed, unless torque is given: > 0 drags
-    the rail along +x (a braking wheel running towards +x). With carter it is that of the slip zone
-    and not negative. With rolling it is that of the slip zone and not negative. With table it is
-    optional; if given, |q| <= friction p is required. Usual: 0.001 to 0.8; accepted: -1 to 1."""
+    """Wheel-rail friction coefficient; with carter and rolling that of the slip zone, with table an
+    upper limit of abs(q)/p. Negative only with hertz without torque: > 0 drags the rail along +x (a
+    wheel braking towards +x). Usual: 0.001 to 0.8; accepted: -1 to 1."""
     _: KW_ONLY
     line_load_n_per_mm: Number | None = None
     """Wheel load per unit width. In N/mm; usual: 100 to 1e5; accepted: 1e-5 to 1e7."""
     wheel_radius_mm: Number | None = None
     """Radius of the wheel. In mm; usual: 150 to 700; accepted: 0.01 to 1e5."""
     rail_radius_mm: Number | None = None
-    """Radius of the rail in the plane of the model; inf for a flat rail. In mm; usual: 5 to 1e6;
-    accepted: from 0.01."""
+    """Longitudinal radius of the rail; inf if flat. In mm; usual: 5 to 1e6; accepted: from 0.01."""
     wheel_load_kn: Number | None = None
-    """Wheel load. Together with the radii it defines the Hertz contact ellipse. In kN; usual: 1 to
-    300; accepted: 0.001 to 10000."""
+    """Wheel load; with the radii it defines the contact ellipse. In kN; usual: 1 to 300; accepted:
+    0.001 to 10000."""
     rail_head_radius_mm: Number | None = None
-    """Transverse radius of the rail head; inf for a flat head. In mm; usual: 5 to 1e6; accepted:
-    from 0.01."""
+    """Transverse radius of the rail head; inf if flat. In mm; usual: 5 to 1e6; accepted: from 0.01."""
     wheel_profile_radius_mm: Number | None = None
-    """Transverse radius of the wheel profile; inf for a straight profile, negative for a concave
-    one. In mm; usual: 5 to 1e6; accepted: from -1e6."""
+    """Transverse radius of the wheel profile; inf if straight, negative if concave. In mm; usual: 5
+    to 1e6; accepted: from -1e6."""
     lateral_half_width_mm: Number | None = None
-    """Lateral semi-axis b of the contact ellipse; peak_pressure_mpa and half_width_mm then describe
-    the ellipse. The space engine needs this key or the radii; without either a contact is a line
-    contact. In mm; usual: 0.3 to 30; accepted: 0.1 to 1000."""
+    """Lateral semi-axis b of the contact ellipse; without it the contact is a line contact, which
+    the space engine refuses. In mm; usual: 0.3 to 30; accepted: 0.1 to 1000."""
     lateral_mm: Number | None = None
-    """Lateral position of the middle of the ellipse relative to the cracks. With rolling, y of the
-    crack in the patch. With profiles, y of the crack on that of the rail; the middle of the most
-    loaded patch if not given. Otherwise 0 if not given. In mm; accepted: -100 to 100."""
+    """Lateral position of the ellipse relative to the cracks, by default 0; with rolling, y of the
+    crack in the patch; with profiles, y of the crack on rail_profile, by default under the most
+    loaded patch. In mm; accepted: -100 to 100."""
     lateral: Literal["patch", "strip"] | None = None
-    """What of an ellipse or a patch loads cracks in the plane; in space it is always the whole
-    patch. "patch": the whole patch, averaged along the crack front; "strip": the strip at
-    lateral_mm as a line contact, for comparison."""
+    """Part of the contact that loads cracks in the plane: by default the patch, in a block or with
+    coupled the strip. "patch": averaged along the crack front; "strip": at lateral_mm, as a line
+    contact."""
     torque: Literal["driven", "braked"] | None = None
-    """Which way the shear acts, so that friction needs no sign: with this key it is not negative.
-    "driven": a wheel that drives the train drags the rail backwards; "braked": a wheel that brakes
-    it drags the rail forwards."""
+    """Direction of the shear; friction then has no sign. "driven": drags the rail backwards;
+    "braked": drags the rail forwards."""
     lateral_friction: Number | None = None
-    """Ratio of lateral shear to pressure, > 0 towards +z, 0 if not given; in the plane only its
-    stress beside the middle of the ellipse loads the cracks. Usual: 0.001 to 0.8; accepted: -1 to
-    1."""
+    """Ratio of lateral shear to pressure, > 0 towards +z; by default 0. In the plane it has no
+    effect at lateral_mm = 0. Usual: 0.001 to 0.8; accepted: -1 to 1."""
     coupled: bool | None = None
-    """Whether the wheel feels the cracks: the contact pressure follows from a smooth elastic wheel
-    of the same steel on the rail with its cracks. If not, it is that on the uncracked rail. For
-    cracks in a half-plane with the plane engines, as a line contact: of an ellipse, that of the
-    strip at lateral_mm. Default: False."""
+    """Whether the wheel feels the cracks: the pressure is that of a smooth elastic wheel on the
+    cracked rail, as a line contact (of an ellipse, the strip at lateral_mm). Plane engines and
+    half-plane only. Default: False."""
     surface_nodes_per_half_width: Count | None = None
-    """With coupled = true, number of surface nodes per half-width a: they are half of a over this
-    number apart at the mouths, twice a over this number away from them, and up to eight times
-    farther than 1.2 a from them. Accepted: 10 to 160."""
+    """Surface nodes per half-width of a coupled wheel, denser at the mouths; by default 40.
+    Accepted: 10 to 160."""
     coupled_within_over_a: Number | None = None
-    """With coupled = true, distance of the contact centre from the nearest mouth up to which the
-    wheel feels the cracks; beyond it, the contact is that on the uncracked rail. 3 if not given. In
-    a; accepted: 1.5 to 12."""
+    """Distance of the contact centre from the nearest mouth up to which a coupled wheel feels the
+    cracks; by default 3. In a; accepted: 1.5 to 12."""
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
@@ -308,57 +281,49 @@ class Carter(Section):
     peak_pressure_mpa: Number | None = None
     """Peak pressure p0. In MPa; usual: 50 to 4000; accepted: 0.001 to 10000."""
     half_width_mm: Number | None = None
-    """Half-width a of the contact; below 0.01 mm it would be smaller than the roughness of a rail.
-    In mm; usual: 0.3 to 30; accepted: 0.01 to 100."""
+    """Half-width a of the contact. In mm; usual: 0.3 to 30; accepted: 0.01 to 100."""
     line_load_n_per_mm: Number | None = None
     """Wheel load per unit width. In N/mm; usual: 100 to 1e5; accepted: 1e-5 to 1e7."""
     wheel_radius_mm: Number | None = None
     """Radius of the wheel. In mm; usual: 150 to 700; accepted: 0.01 to 1e5."""
     rail_radius_mm: Number | None = None
-    """Radius of the rail in the plane of the model; inf for a flat rail. In mm; usual: 5 to 1e6;
-    accepted: from 0.01."""
+    """Longitudinal radius of the rail; inf if flat. In mm; usual: 5 to 1e6; accepted: from 0.01."""
     wheel_load_kn: Number | None = None
-    """Wheel load. Together with the radii it defines the Hertz contact ellipse. In kN; usual: 1 to
-    300; accepted: 0.001 to 10000."""
+    """Wheel load; with the radii it defines the contact ellipse. In kN; usual: 1 to 300; accepted:
+    0.001 to 10000."""
     rail_head_radius_mm: Number | None = None
-    """Transverse radius of the rail head; inf for a flat head. In mm; usual: 5 to 1e6; accepted:
-    from 0.01."""
+    """Transverse radius of the rail head; inf if flat. In mm; usual: 5 to 1e6; accepted: from 0.01."""
     wheel_profile_radius_mm: Number | None = None
-    """Transverse radius of the wheel profile; inf for a straight profile, negative for a concave
-    one. In mm; usual: 5 to 1e6; accepted: from -1e6."""
+    """Transverse radius of the wheel profile; inf if straight, negative if concave. In mm; usual: 5
+    to 1e6; accepted: from -1e6."""
     lateral_half_width_mm: Number | None = None
-    """Lateral semi-axis b of the contact ellipse; peak_pressure_mpa and half_width_mm then describe
-    the ellipse. The space engine needs this key or the radii; without either a contact is a line
-    contact. In mm; usual: 0.3 to 30; accepted: 0.1 to 1000."""
+    """Lateral semi-axis b of the contact ellipse; without it the contact is a line contact, which
+    the space engine refuses. In mm; usual: 0.3 to 30; accepted: 0.1 to 1000."""
     lateral_mm: Number | None = None
-    """Lateral position of the middle of the ellipse relative to the cracks. With rolling, y of the
-    crack in the patch. With profiles, y of the crack on that of the rail; the middle of the most
-    loaded patch if not given. Otherwise 0 if not given. In mm; accepted: -100 to 100."""
+    """Lateral position of the ellipse relative to the cracks, by default 0; with rolling, y of the
+    crack in the patch; with profiles, y of the crack on rail_profile, by default under the most
+    loaded patch. In mm; accepted: -100 to 100."""
     lateral: Literal["patch", "strip"] | None = None
-    """What of an ellipse or a patch loads cracks in the plane; in space it is always the whole
-    patch. "patch": the whole patch, averaged along the crack front; "strip": the strip at
-    lateral_mm as a line contact, for comparison."""
+    """Part of the contact that loads cracks in the plane: by default the patch, in a block or with
+    coupled the strip. "patch": averaged along the crack front; "strip": at lateral_mm, as a line
+    contact."""
     friction: Number | None = None
-    """Wheel-rail friction coefficient. With hertz it is signed, unless torque is given: > 0 drags
-    the rail along +x (a braking wheel running towards +x). With carter it is that of the slip zone
-    and not negative. With rolling it is that of the slip zone and not negative. With table it is
-    optional; if given, |q| <= friction p is required. Usual: 0.001 to 0.8; accepted: -1 to 1."""
+    """Wheel-rail friction coefficient; with carter and rolling that of the slip zone, with table an
+    upper limit of abs(q)/p. Negative only with hertz without torque: > 0 drags the rail along +x (a
+    wheel braking towards +x). Usual: 0.001 to 0.8; accepted: -1 to 1."""
     traction: Number | None = None
-    """Traction ratio Q/(friction P), with the sign of the shear on the rail along +x: < 0 drives a
-    wheel that runs towards +x; 1 and -1 are full sliding. Accepted: -1 to 1."""
+    """Traction ratio Q/(friction P), signed like the shear on the rail along +x: < 0 drives a wheel
+    towards +x; 1 and -1 are full sliding. Accepted: -1 to 1."""
     coupled: bool | None = None
-    """Whether the wheel feels the cracks: the contact pressure follows from a smooth elastic wheel
-    of the same steel on the rail with its cracks. If not, it is that on the uncracked rail. For
-    cracks in a half-plane with the plane engines, as a line contact: of an ellipse, that of the
-    strip at lateral_mm. Default: False."""
+    """Whether the wheel feels the cracks: the pressure is that of a smooth elastic wheel on the
+    cracked rail, as a line contact (of an ellipse, the strip at lateral_mm). Plane engines and
+    half-plane only. Default: False."""
     surface_nodes_per_half_width: Count | None = None
-    """With coupled = true, number of surface nodes per half-width a: they are half of a over this
-    number apart at the mouths, twice a over this number away from them, and up to eight times
-    farther than 1.2 a from them. Accepted: 10 to 160."""
+    """Surface nodes per half-width of a coupled wheel, denser at the mouths; by default 40.
+    Accepted: 10 to 160."""
     coupled_within_over_a: Number | None = None
-    """With coupled = true, distance of the contact centre from the nearest mouth up to which the
-    wheel feels the cracks; beyond it, the contact is that on the uncracked rail. 3 if not given. In
-    a; accepted: 1.5 to 12."""
+    """Distance of the contact centre from the nearest mouth up to which a coupled wheel feels the
+    cracks; by default 3. In a; accepted: 1.5 to 12."""
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
@@ -369,19 +334,17 @@ class ContactTable(Section):
     _section: ClassVar[str] = "contact"
     _fixed: ClassVar[dict[str, str]] = {"kind": "table"}
     profile: File | None = None
-    """CSV file with the columns u_mm,p_mpa,q_mpa, where u is measured from the wheel centre along
-    +x; interpolated linearly between rows, zero outside. Or a .mat file written by the
-    rolling-contact program CONTACT."""
+    """CSV file with the columns u_mm,p_mpa,q_mpa, u from the wheel centre along +x, linear between
+    rows; or a .mat file of the program CONTACT."""
     scale: Number | None = None
-    """Factor applied to the pressure and shear of the table. Accepted: 1e-6 to 1e6; default: 1.0."""
+    """Factor on pressure and shear. Accepted: 1e-6 to 1e6; default: 1.0."""
     strip_mm: Number | None = None
-    """Lateral position, in CONTACT's own frame, of the strip along the rail that is taken from a
-    .mat file. In mm; accepted: -1000 to 1000."""
+    """Lateral position, in CONTACT's frame, of the strip of a .mat file. In mm; accepted: -1000 to
+    1000."""
     friction: Number | None = None
-    """Wheel-rail friction coefficient. With hertz it is signed, unless torque is given: > 0 drags
-    the rail along +x (a braking wheel running towards +x). With carter it is that of the slip zone
-    and not negative. With rolling it is that of the slip zone and not negative. With table it is
-    optional; if given, |q| <= friction p is required. Usual: 0.001 to 0.8; accepted: -1 to 1."""
+    """Wheel-rail friction coefficient; with carter and rolling that of the slip zone, with table an
+    upper limit of abs(q)/p. Negative only with hertz without torque: > 0 drags the rail along +x (a
+    wheel braking towards +x). Usual: 0.001 to 0.8; accepted: -1 to 1."""
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
@@ -394,87 +357,79 @@ class Rolling(Section):
     wheel_radius_mm: Number | None = None
     """Radius of the wheel. In mm; usual: 150 to 700; accepted: 0.01 to 1e5."""
     rail_head_radius_mm: Number | None = None
-    """Transverse radius of the rail head; inf for a flat head. In mm; usual: 5 to 1e6; accepted:
-    from 0.01."""
+    """Transverse radius of the rail head; inf if flat. In mm; usual: 5 to 1e6; accepted: from 0.01."""
     wheel_profile_radius_mm: Number | None = None
-    """Transverse radius of the wheel profile; inf for a straight profile, negative for a concave
-    one. In mm; usual: 5 to 1e6; accepted: from -1e6."""
+    """Transverse radius of the wheel profile; inf if straight, negative if concave. In mm; usual: 5
+    to 1e6; accepted: from -1e6."""
     lateral_mm: Number | None = None
-    """Lateral position of the middle of the ellipse relative to the cracks. With rolling, y of the
-    crack in the patch. With profiles, y of the crack on that of the rail; the middle of the most
-    loaded patch if not given. Otherwise 0 if not given. In mm; accepted: -100 to 100."""
+    """Lateral position of the ellipse relative to the cracks, by default 0; with rolling, y of the
+    crack in the patch; with profiles, y of the crack on rail_profile, by default under the most
+    loaded patch. In mm; accepted: -100 to 100."""
     lateral: Literal["patch", "strip"] | None = None
-    """What of an ellipse or a patch loads cracks in the plane; in space it is always the whole
-    patch. "patch": the whole patch, averaged along the crack front; "strip": the strip at
-    lateral_mm as a line contact, for comparison."""
+    """Part of the contact that loads cracks in the plane: by default the patch, in a block or with
+    coupled the strip. "patch": averaged along the crack front; "strip": at lateral_mm, as a line
+    contact."""
     friction: Number | None = None
-    """Wheel-rail friction coefficient. With hertz it is signed, unless torque is given: > 0 drags
-    the rail along +x (a braking wheel running towards +x). With carter it is that of the slip zone
-    and not negative. With rolling it is that of the slip zone and not negative. With table it is
-    optional; if given, |q| <= friction p is required. Usual: 0.001 to 0.8; accepted: -1 to 1."""
+    """Wheel-rail friction coefficient; with carter and rolling that of the slip zone, with table an
+    upper limit of abs(q)/p. Negative only with hertz without torque: > 0 drags the rail along +x (a
+    wheel braking towards +x). Usual: 0.001 to 0.8; accepted: -1 to 1."""
     normal_kn: Number | None = None
-    """Normal force of the patch, with the radii of wheel and rail or with semi_axes_mm. In kN;
-    usual: 1 to 300; accepted: 0.001 to 10000."""
+    """Normal force; with profiles, the sum over the patches. In kN; usual: 1 to 300; accepted:
+    0.001 to 10000."""
     semi_axes_mm: Numbers | None = None
     """Semi-axes [a, b] of the contact ellipse, along and across the rail. In mm; usual: 0.3 to 30;
     accepted: 0.01 to 100."""
     rail_profile: File | None = None
-    """CSV file with the points y_mm,z_mm of the rail head in their order: y across the rail, z
-    downwards; or two columns without a header, or a file of MiniProf (.ban) or Simpack (.prr). The
-    contact patches then follow from the profiles; normal_kn is the sum of their normal forces."""
+    """CSV file with the points y_mm,z_mm of the rail head in order, z downwards; or two columns
+    without a header, or a file of MiniProf (.ban) or Simpack (.prr)."""
     wheel_profile: File | None = None
-    """CSV file with the points y_mm,z_mm of the wheel, with the axes of the rail, or another one as
-    for the rail (.whl, .prw); wheel_radius_mm is the radius at its z = 0."""
+    """Wheel profile in the axes and formats of rail_profile (.whl, .prw); wheel_radius_mm is the
+    radius at z = 0."""
     rail_profile_axes: Literal["z-down", "z-up", "mirrored", "mirrored-z-up"] | None = None
-    """Axes of the file of the rail; those that a file of Simpack states are taken from it before. A
-    file of MiniProf may have z either way. "z-down": y and z as those of the rail here; "z-up": z
-    points upwards; "mirrored": y points to the other side; "mirrored-z-up": both."""
-    wheel_profile_axes: Literal["z-down", "z-up", "mirrored", "mirrored-z-up"] | None = None
-    """The same of the wheel. "z-down": y and z as those of the rail here; "z-up": z points upwards;
+    """Axes of rail_profile, after those that a Simpack file states; by default z-down, in MiniProf
+    files also z-up. "z-down": y and z as those of the rail here; "z-up": z points upwards;
     "mirrored": y points to the other side; "mirrored-z-up": both."""
+    wheel_profile_axes: Literal["z-down", "z-up", "mirrored", "mirrored-z-up"] | None = None
+    """Axes of wheel_profile, likewise. "z-down": y and z as those of the rail here; "z-up": z
+    points upwards; "mirrored": y points to the other side; "mirrored-z-up": both."""
     profile_smoothing_mm: Number | None = None
-    """Half the length along the profiles over which a parabola is fitted to their points, with
-    weights that fall to zero there: longer for measured points with scatter. In mm; accepted: 0.01
-    to 20; default: 1.0."""
+    """Half the length of the parabolas fitted to the profiles; about 3 for measured points with
+    scatter. In mm; accepted: 0.01 to 20; default: 1.0."""
     shift_mm: Number | None = None
-    """y of the origin of the wheel's profile in the frame of the rail's. In mm; accepted: -200 to
-    200; default: 0.0."""
+    """y of the origin of wheel_profile on rail_profile. In mm; accepted: -200 to 200; default: 0.0."""
     yaw_deg: Number | None = None
-    """Angle of attack of the wheel: positive turns its direction of travel towards +y. In degrees;
-    usual: 0 to 5; accepted: -10 to 10; default: 0.0."""
-    roll_deg: Number | None = None
-    """Rotation of the wheel's profile about its origin: positive lowers +y. In degrees; usual: 0 to
-    5; accepted: -10 to 10; default: 0.0."""
-    creepage_x: Number | None = None
-    """Longitudinal creepage, signed as creepage_sign says. Usual: 0 to 0.05; accepted: -1 to 1;
+    """Angle of attack of the wheel, > 0 towards +y. In degrees; usual: 0 to 5; accepted: -10 to 10;
     default: 0.0."""
+    roll_deg: Number | None = None
+    """Rotation of wheel_profile about its origin; > 0 lowers +y. In degrees; usual: 0 to 5;
+    accepted: -10 to 10; default: 0.0."""
+    creepage_x: Number | None = None
+    """Longitudinal creepage, signed by creepage_sign. Usual: 0 to 0.05; accepted: -1 to 1; default:
+    0.0."""
     creepage_y: Number | None = None
     """Lateral creepage. Usual: 0 to 0.05; accepted: -1 to 1; default: 0.0."""
     spin_per_mm: Number | None = None
-    """Spin creepage; turns +x, the direction of travel, towards +y. In 1/mm; usual: 0 to
-    0.00666667; accepted: -1 to 1; default: 0.0."""
+    """Spin creepage; with creepage_sign = "contact", > 0 turns +x (travel) towards +y. In 1/mm;
+    usual: 0 to 0.00666667; accepted: -1 to 1; default: 0.0."""
     creepage_sign: Literal["contact", "vehicle"] | None = None
-    """Convention for the signs of creepages and spin. "contact": of the program CONTACT:
-    longitudinal creepage > 0 of a driving wheel; "vehicle": of most vehicle codes, (V - omega r)/V:
-    longitudinal creepage > 0 of a braking wheel."""
+    """Sign convention of creepages and spin. "contact": of the program CONTACT: longitudinal
+    creepage > 0 of a driving wheel; "vehicle": of most vehicle codes, (V - omega r)/V: longitudinal
+    creepage > 0 of a braking wheel."""
     theory: Literal["strip", "fastrip", "fastsim", "linear"] | None = None
     """Theory of the shear. Default: "strip". "strip": strips of Carter's form by Kalker's strip
     theory, scaled to his coefficients; "fastrip": the same with the shear of Sichani et al. 2016;
     "fastsim": Kalker's simplified theory with a parabolic limit of the shear; "linear": Kalker's
     linear theory; its force is distributed like the pressure."""
     coupled: bool | None = None
-    """Whether the wheel feels the cracks: the contact pressure follows from a smooth elastic wheel
-    of the same steel on the rail with its cracks. If not, it is that on the uncracked rail. For
-    cracks in a half-plane with the plane engines, as a line contact: of an ellipse, that of the
-    strip at lateral_mm. Default: False."""
+    """Whether the wheel feels the cracks: the pressure is that of a smooth elastic wheel on the
+    cracked rail, as a line contact (of an ellipse, the strip at lateral_mm). Plane engines and
+    half-plane only. Default: False."""
     surface_nodes_per_half_width: Count | None = None
-    """With coupled = true, number of surface nodes per half-width a: they are half of a over this
-    number apart at the mouths, twice a over this number away from them, and up to eight times
-    farther than 1.2 a from them. Accepted: 10 to 160."""
+    """Surface nodes per half-width of a coupled wheel, denser at the mouths; by default 40.
+    Accepted: 10 to 160."""
     coupled_within_over_a: Number | None = None
-    """With coupled = true, distance of the contact centre from the nearest mouth up to which the
-    wheel feels the cracks; beyond it, the contact is that on the uncracked rail. 3 if not given. In
-    a; accepted: 1.5 to 12."""
+    """Distance of the contact centre from the nearest mouth up to which a coupled wheel feels the
+    cracks; by default 3. In a; accepted: 1.5 to 12."""
 
 
 class ContactKeys(TypedDict, total=False):
@@ -521,8 +476,7 @@ class ContactKeys(TypedDict, total=False):
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class Track(Section):
-    """Bending of the rail on its foundation under the passing axles; the bending stress moves with
-    the wheel."""
+    """Bending of the rail on its foundation under the passing axles."""
 
     _section: ClassVar[str] = "track"
     wheel_load_kn: Number | None = None
@@ -532,9 +486,8 @@ class Track(Section):
     """Foundation modulus k, N/mm per mm of deflection of one rail. In MPa; usual: 2 to 500;
     accepted: 0.01 to 1e5; default: 50.0."""
     section: Literal["60E1", "54E1", "49E1", "UIC60", "UIC54", "S49"] | None = None
-    """Rail section. "60E1": 60 kg/m; "54E1": 54 kg/m; "49E1": 49 kg/m; "UIC60": the same section
-    under its older name; "UIC54": the same section under its older name; "S49": the same section
-    under its older name."""
+    """Rail section. "60E1": 60 kg/m; "54E1": 54 kg/m; "49E1": 49 kg/m; "UIC60": older name;
+    "UIC54": older name; "S49": older name."""
     second_moment_mm4: Number | None = None
     """Second moment of area about the horizontal axis. In mm^4; usual: 2e6 to 6e7; accepted: 1000
     to 1e10."""
@@ -542,11 +495,11 @@ class Track(Section):
     """Depth of the neutral axis below the running surface. In mm; usual: 40 to 130; accepted: 1 to
     10000."""
     axles_mm: Numbers | None = None
-    """Positions along +x, relative to this wheel, of its own axle and the others of the train. In
-    mm; usual: 500 to 1e6; accepted: -1e6 to 1e6; default: [0.0]."""
+    """Positions of its own and other axles along +x, relative to this wheel. In mm; usual: 500 to
+    1e6; accepted: -1e6 to 1e6; default: [0.0]."""
     axle_loads_kn: Numbers | None = None
-    """Wheel load of each of these axles; by default wheel_load_kn for all of them. In kN; usual: 1
-    to 300; accepted: 0.001 to 10000."""
+    """Wheel load of each axle; by default wheel_load_kn. In kN; usual: 1 to 300; accepted: 0.001 to
+    10000."""
 
 
 class TrackKeys(TypedDict, total=False):
@@ -563,22 +516,19 @@ class TrackKeys(TypedDict, total=False):
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class Temperature(Section):
-    """Temperature of a rail that is restrained lengthwise; below the neutral temperature it is in
-    tension."""
+    """Temperature of a rail that is restrained lengthwise, in tension below neutral_c."""
 
     _section: ClassVar[str] = "temperature"
     rail_c: Number | None = None
     """Temperature of the rail. In degrees C; usual: 0 to 75; accepted: -200 to 200."""
     seasons_c: Numbers | None = None
-    """Temperatures of the rail over the year, such as those of summer, spring and frost: every
-    wheel becomes one at each of them, and the wheels a mix. Each has the toughness at its
-    temperature. In degrees C; usual: 0 to 75; accepted: -200 to 200."""
+    """Temperatures of the rail over the year; each wheel passes at each of them, as a mix, with the
+    toughness at that temperature. In degrees C; usual: 0 to 75; accepted: -200 to 200."""
     season_shares: Numbers | None = None
-    """Share of the axles at each of these temperatures; the shares add up to 1. Accepted: 1e-9 to
-    1."""
+    """Shares of the axles at seasons_c; their sum is 1. Accepted: 1e-9 to 1."""
     neutral_c: Number
-    """Neutral temperature, at which the rail carries no longitudinal force. In degrees C; usual: 0
-    to 50; accepted: -200 to 200."""
+    """Neutral temperature, at which there is no longitudinal force. In degrees C; usual: 0 to 50;
+    accepted: -200 to 200."""
     expansion_per_k: Number | None = None
     """Coefficient of thermal expansion. In 1/K; usual: 1e-5 to 1.4e-5; accepted: 1e-9 to 0.001;
     default: 1.15e-05."""
@@ -596,61 +546,57 @@ class TemperatureKeys(TypedDict, total=False):
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class Wheel(Section):
-    """A wheel of a traffic mix, replacing [contact]; growth rates are summed in proportion to the
-    shares of the axles."""
+    """A wheel of a traffic mix, instead of [contact]; growth rates are summed by the shares of the
+    axles."""
 
     _section: ClassVar[str] = "wheel"
     name: str | None = None
     """Name shown in reports."""
     share: Number | None = None
-    """Fraction of all axles; the shares of all wheels must add up to 1. Accepted: 1e-9 to 1."""
+    """Fraction of all axles; the shares add up to 1. Accepted: 1e-9 to 1."""
     axle_load_t: Number | None = None
-    """Load of one of its axles, used to count million gross tonnes; by default that of [traffic].
-    In t; usual: 3 to 45; accepted: 0.001 to 100."""
+    """Axle load for the count of tonnes; by default that of [traffic]. In t; usual: 3 to 45;
+    accepted: 0.001 to 100."""
     direction: Literal["+x", "-x"] | None = None
-    """Direction of travel, by default that of [passage]. A wheel that runs the other way starts as
-    far before the mouth that it meets first, and ends as far behind the last one. The sign of its
-    friction remains that of the shear on the rail along +x. "+x": towards +x; "-x": towards -x."""
+    """Direction of travel, by default that of [passage]; in the other one the passage is mirrored,
+    but not the sign of friction. "+x": towards +x; "-x": towards -x."""
     table: File | None = None
-    """CSV file with a row per wheel and patch, instead of share and contact: wheel, normal_kn,
-    y_rail_mm, creepage_x, creepage_y, spin_per_mm, mu, and a_mm, b_mm or rail_radius_mm,
-    wheel_radius_mm; optional are place_m, patch, share, axle_load_t, angle_deg, x_mm,
-    wheel_profile_radius_mm. lateral_mm of the cracks is their place among those of the patches."""
+    """CSV file with a row per wheel and patch: wheel, normal_kn, y_rail_mm (on the axis of
+    lateral_mm of the cracks), creepage_x, creepage_y, spin_per_mm, mu, and a_mm, b_mm or
+    rail_radius_mm, wheel_radius_mm; optionally place_m, patch, share, axle_load_t, angle_deg, x_mm,
+    wheel_profile_radius_mm."""
     creepage_sign: Literal["contact", "vehicle"] | None = None
-    """Convention for the signs of creepages and spin of the table. "contact": of the program
-    CONTACT: longitudinal creepage > 0 of a driving wheel; "vehicle": of most vehicle codes, (V -
-    omega r)/V: longitudinal creepage > 0 of a braking wheel."""
+    """Sign convention of creepages and spin. "contact": of the program CONTACT: longitudinal
+    creepage > 0 of a driving wheel; "vehicle": of most vehicle codes, (V - omega r)/V: longitudinal
+    creepage > 0 of a braking wheel."""
     theory: Literal["strip", "fastrip", "fastsim", "linear"] | None = None
-    """Theory of the shear of its patches. Default: "strip". "strip": strips of Carter's form by
-    Kalker's strip theory, scaled to his coefficients; "fastrip": the same with the shear of Sichani
-    et al. 2016; "fastsim": Kalker's simplified theory with a parabolic limit of the shear;
-    "linear": Kalker's linear theory; its force is distributed like the pressure."""
+    """Theory of the shear. Default: "strip". "strip": strips of Carter's form by Kalker's strip
+    theory, scaled to his coefficients; "fastrip": the same with the shear of Sichani et al. 2016;
+    "fastsim": Kalker's simplified theory with a parabolic limit of the shear; "linear": Kalker's
+    linear theory; its force is distributed like the pressure."""
     lateral: Literal["patch", "strip"] | None = None
-    """What of the patches of a wheel loads cracks in the plane; in space it is always the whole
-    patches. "patch": the whole patch, averaged along the crack front; "strip": the strip at
-    lateral_mm as a line contact, for comparison."""
+    """Part of the patches that loads cracks in the plane: by default the patch, in a block the
+    strip. "patch": averaged along the crack front; "strip": at lateral_mm, as a line contact."""
     representatives: Count | None = None
-    """Largest number of wheels that are computed; more wheels are grouped, and each group is
-    represented by one of its wheels. Accepted: 1 to 30; default: 30."""
+    """Largest number of computed wheels; more are grouped, and one of each group is computed.
+    Accepted: 1 to 30; default: 30."""
     representatives_error: Number | None = None
-    """Accepted error of the mean growth rate by the representatives; a larger one is a warning.
+    """Error of the mean growth rate by the representatives above which there is a warning.
     Accepted: 1e-6 to 1; default: 0.01."""
     place_m: Number | None = None
-    """Place along the track: only wheels of the table at this place pass, and their shares are
-    those among them. All wheels if not given. In m; accepted: -1e7 to 1e7."""
+    """Place along the track: only wheels at this place pass, with shares among them; by default all
+    wheels. In m; accepted: -1e7 to 1e7."""
     place_window_m: Number | None = None
-    """Length of track around place_m from which wheels are taken. In m; accepted: 0.001 to 1e7;
+    """Length of track around place_m that counts as this place. In m; accepted: 0.001 to 1e7;
     default: 1.0."""
     contact: Contact | Hertz | Carter | ContactTable | Rolling | ContactKeys | None = None
     """Wheel-rail contact; one passage is one axle."""
     track: Track | TrackKeys | None = None
-    """Bending of the rail on its foundation under the passing axles; the bending stress moves with
-    the wheel."""
+    """Bending of the rail on its foundation under the passing axles."""
     temperature: Temperature | TemperatureKeys | None = None
-    """Temperature of a rail that is restrained lengthwise; below the neutral temperature it is in
-    tension."""
+    """Temperature of a rail that is restrained lengthwise, in tension below neutral_c."""
     fluid: Literal[False] | Fluid | FluidKeys | None = None
-    """Water or grease in the cracks, which exerts pressure on their faces."""
+    """Pressure of water or grease in the cracks."""
 
 
 class WheelKeys(TypedDict, total=False):
@@ -676,30 +622,29 @@ class WheelKeys(TypedDict, total=False):
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class PassageSettings(Section):
-    """Passage of the wheel. If from_over_a > to_over_a, the wheel runs towards -x and meets the
-    rightmost crack first."""
+    """Passage of the wheel, towards -x if from_over_a > to_over_a."""
 
     _section: ClassVar[str] = "passage"
     from_over_a: Number | None = None
-    """First position of the contact centre, relative to the first mouth that the wheel meets. In a;
-    accepted: -1000 to 1000; default: -6.0."""
+    """First position of the contact centre, relative to the mouth met first. In a; accepted: -1000
+    to 1000; default: -6.0."""
     to_over_a: Number | None = None
-    """Last position of the contact centre, relative to the last mouth that the wheel meets. In a;
-    accepted: -1000 to 1000; default: 6.0."""
+    """Last position of the contact centre, relative to the mouth met last. In a; accepted: -1000 to
+    1000; default: 6.0."""
     positions: Count | None = None
     """Number of evenly spaced output positions. Accepted: 2 to 1e5; default: 241."""
     max_passages: Count | None = None
-    """Maximum number of passages of the wheel over an unchanged crack until the history of K
-    repeats. Accepted: 1 to 1000; default: 5."""
+    """Maximum number of passages over an unchanged crack until K repeats. Accepted: 1 to 1000;
+    default: 5."""
     passage_tolerance: Number | None = None
-    """The history of K counts as repeating when it changes by less than this between two passages,
-    relative to its peak. Accepted: 1e-9 to 0.1; default: 0.001."""
+    """Change of K between two passages, relative to its peak, below which it counts as repeating.
+    Accepted: 1e-9 to 0.1; default: 0.001."""
     step_tolerance: Number | None = None
-    """Load steps are refined until K changes by less than this, relative to its peak. Accepted:
-    1e-6 to 0.1; default: 0.002."""
+    """Change of K, relative to its peak, to which load steps are refined. Accepted: 1e-6 to 0.1;
+    default: 0.002."""
     network_tolerance: Number | None = None
-    """With solver.network = "groups", sweeps are repeated until the estimated error of K is less
-    than this, relative to its peak at the tip. Accepted: 1e-9 to 0.1; default: 0.0006."""
+    """Estimated error of K, relative to its peak at the tip, at which sweeps with solver.network =
+    "groups" end. Accepted: 1e-9 to 0.1; default: 0.0006."""
     step_control: Literal["adaptive", "fixed"] | None = None
     """Control of the load steps. Default: "adaptive". "adaptive": changes of contact status are
     resolved one after another, and load steps are refined to step_tolerance; "fixed": one load step
@@ -721,62 +666,54 @@ class PassageSettingsKeys(TypedDict, total=False):
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class Crack(Section):
-    """A crack or a row of cracks; the section is repeated for each."""
+    """A crack or a row of cracks."""
 
     _section: ClassVar[str] = "crack"
     mouth_mm: Number | None = None
-    """x coordinate of the crack mouth. In mm; accepted: -1e6 to 1e6."""
+    """x of the crack mouth. In mm; accepted: -1e6 to 1e6."""
     length_mm: Number | None = None
     """Length of a straight crack. In mm; usual: 0.05 to 200; accepted: 0.001 to 10000."""
     depth_mm: Number | None = None
-    """Depth of the tip of a straight crack, as an inspection gives it, instead of its length:
-    length_mm = depth_mm/sin(angle_deg). In mm; usual: 0.05 to 200; accepted: 0.001 to 10000."""
+    """Tip depth of a straight crack: length_mm = depth_mm/sin(angle_deg). In mm; usual: 0.05 to
+    200; accepted: 0.001 to 10000."""
     angle_deg: Number | None = None
-    """Angle of the crack below the surface, measured from +x; no engine resolves flatter cracks. In
-    degrees; usual: 2 to 178; accepted: 0.5 to 179.5."""
+    """Angle of the crack below the surface, measured from +x. In degrees; usual: 2 to 178;
+    accepted: 0.5 to 179.5."""
     points_mm: Sequence[Numbers] | Numbers | None = None
-    """Points of a polyline, the first on the surface (y = 0), or below it for a buried crack with
-    two tips. In the space engine two points, or three of a folded crack: mouth, fold and deepest
-    point. In mm."""
+    """Polyline from the surface (y = 0), or from below it for a buried crack with two tips. In
+    space two points, or three of a folded crack: mouth, fold, deepest point. In mm."""
     table: File | None = None
-    """CSV file with a row for each crack of an inspection: mouth_mm, or position_m along the track,
-    of which the smallest lies at x = 0; depth_mm or length_mm, a number or a class of sizes such as
-    0.5-1.0, which counts as its upper end, or at_most_mm. Optional are surface_length_mm, the
-    length on the surface, half of which is surface_half_length_mm, angle_deg and lateral_mm; a row
-    without them has those of the section, and all rows have its friction."""
+    """CSV file with a row per crack: mouth_mm, or position_m along the track (smallest at x = 0);
+    depth_mm or length_mm, a number or a class such as 0.5-1.0 (its upper end counts), or
+    at_most_mm; optionally surface_length_mm (twice surface_half_length_mm), angle_deg and
+    lateral_mm, by default those of the section."""
     friction: Number
     """Crack-face friction coefficient. Usual: 0.001 to 1; accepted: 0 to 2."""
     surface_half_length_mm: Number | None = None
-    """Semi-axis of the semi-elliptical crack along the surface; length_mm is the other one. The
-    space engine needs it. In the plane a crack that grows keeps its shape, K is that of its deepest
-    point, and without it the crack is long along the surface. In mm; usual: 0.05 to 200; accepted:
-    0.001 to 10000."""
+    """Semi-axis of a semi-elliptical crack along the surface; length_mm is the other one. Required
+    in space. In the plane the crack keeps this shape, with K of its deepest point; by default it is
+    long along the surface. In mm; usual: 0.05 to 200; accepted: 0.001 to 10000."""
     lateral_mm: Number | None = None
-    """Lateral position of the centre of the crack and of its copies, for the space engine and for a
-    table of wheels; 0 if not given. Cracks in space must be at least a twentieth of their smallest
-    semi-axis apart. In mm; accepted: -1000 to 1000."""
+    """Lateral position of the crack and its copies, in space or under a table of wheels; by default
+    0. In mm; accepted: -1000 to 1000."""
     strike_deg: Number | None = None
-    """Rotation of the crack about the vertical, for the space engine: a crack with angle_deg < 90
-    descends towards +x at 0 and towards +z (laterally) at 90. 0 if not given, the only value that
-    the plane engines accept. In degrees; accepted: -180 to 180."""
+    """Rotation of the crack about the vertical, only in space; by default 0. A crack with angle_deg
+    < 90 descends towards +x at 0, +z (lateral) at 90. In degrees; accepted: -180 to 180."""
     count: Count | None = None
-    """Number of cracks in a row, including the copies to the right. Accepted: 1 to 256; default: 1."""
+    """Number of cracks in a row towards +x. Accepted: 1 to 256; default: 1."""
     spacing_mm: Number | None = None
-    """Distance from one copy to the next; required when count > 1. Cracks, copied or not, must be
-    at least a thousandth of the length of the shorter one apart, and the points of a polyline a
-    thousandth of its length. In mm; usual: 0.2 to 1000; accepted: above 0 to 10000."""
+    """Distance from one crack of the row to the next; required when count > 1. In mm; usual: 0.2 to
+    1000; accepted: above 0 to 10000."""
     length_sd_mm: Number | None = None
-    """Standard deviation of the lengths of the copies of a straight crack (normal distribution,
-    truncated at three standard deviations); 0 if not given. In mm; accepted: 0 to 1000."""
+    """Standard deviation of the lengths of a row of straight cracks (normal, truncated at three
+    deviations); by default 0. In mm; accepted: 0 to 1000."""
     angle_sd_deg: Number | None = None
-    """Standard deviation of the angles of these copies, likewise truncated; 0 if not given. In
-    degrees; accepted: 0 to 60."""
+    """Standard deviation of the angles of a row, likewise; by default 0. In degrees; accepted: 0 to
+    60."""
     spacing_sd_mm: Number | None = None
-    """Standard deviation of the distances from one copy to the next, likewise truncated; 0 if not
-    given. In mm; accepted: 0 to 1000."""
+    """Standard deviation of spacing_mm, likewise; by default 0. In mm; accepted: 0 to 1000."""
     seed: Count | None = None
-    """Seed of the scatter of the copies, which is the same on every machine. The first k copies do
-    not depend on count. Accepted: 0 to 1e9."""
+    """Seed of the scatter of a row; its first cracks do not depend on count. Accepted: 0 to 1e9."""
 
 
 class CrackKeys(TypedDict, total=False):
@@ -802,13 +739,12 @@ class CrackKeys(TypedDict, total=False):
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class ResidualStress(Section):
-    """A balanced residual stress that varies with depth and is added to the stress due to the
-    wheel."""
+    """A balanced residual stress over depth, added to that of the wheel."""
 
     _section: ClassVar[str] = "residual_stress"
     profile: File
-    """CSV file with the columns depth_mm,sxx_mpa[,szz_mpa]; interpolated linearly between rows,
-    zero below the last."""
+    """CSV file with the columns depth_mm,sxx_mpa[,szz_mpa]; linear between rows, zero below the
+    last."""
 
 
 class ResidualStressKeys(TypedDict, total=False):
@@ -819,14 +755,12 @@ class ResidualStressKeys(TypedDict, total=False):
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class PlasticStress(Section):
-    """A plastic stress K:eps_p = 2 G eps_p, which the run balances on the crack mesh. With neither
-    key, as with from = "passages", it is that of the stabilised state of [shakedown], which the run
-    computes first; under a patch the balanced stress of that state."""
+    """A plastic stress 2 G eps_p, which the run balances. Without a file, that of the stabilised
+    state of [shakedown]; under a patch, the balanced stress of that state."""
 
     _section: ClassVar[str] = "plastic_stress"
     field: File | None = None
-    """VTU file with plastic_stress_mpa at points or cells, written by `railcrack shakedown` or by
-    any other program."""
+    """VTU file with plastic_stress_mpa at points or cells, such as that of `railcrack shakedown`."""
     profile: File | None = None
     """CSV file in the format of [residual_stress], read as a plastic stress."""
 
@@ -840,31 +774,29 @@ class PlasticStressKeys(TypedDict, total=False):
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class Fluid(Section):
-    """Water or grease in the cracks, which exerts pressure on their faces."""
+    """Pressure of water or grease in the cracks."""
 
     _section: ClassVar[str] = "fluid"
     model: Literal["none", "mouth", "trapped"]
-    """Model of the fluid pressure. "none": dry cracks, as without this section; useful in studies;
-    "mouth": the contact pressure over the mouth acts inside the crack; "trapped": the volume of
-    fluid in the crack when the contact covers its mouth remains enclosed."""
+    """Model of the fluid pressure. "none": dry cracks, for studies; "mouth": the contact pressure
+    over the mouth acts inside the crack; "trapped": the fluid in the crack is enclosed while the
+    contact covers its mouth."""
     profile: Literal["linear", "constant"] | None = None
-    """Pressure along the crack, where s is the distance from the mouth and l the crack length.
-    Default: "linear"; only with model = "mouth". "linear": p(s) = p(mouth) (1 - s/l); "constant":
-    p(s) = p(mouth)."""
+    """Pressure at the distance s from the mouth; l is the crack length. Default: "linear"; only
+    with model = "mouth". "linear": p(s) = p(mouth) (1 - s/l); "constant": p(s) = p(mouth)."""
     pressure_cap_mpa: Number | None = None
-    """Upper limit of the pressure. With inf there is no limit, and the pressure lifts the flap
-    above a shallow crack off the rail, which a real wheel would prevent. In MPa; usual: 1 to 4000;
-    accepted: from 0.001; only with model = "mouth"."""
+    """Upper limit of the pressure; inf lets it lift the flap above a shallow crack off the rail.
+    Not under a coupled wheel. In MPa; usual: 1 to 4000; accepted: from 0.001; only with model =
+    "mouth"."""
     bulk_modulus_mpa: Number | None = None
-    """Bulk modulus B of the fluid, V = V0 exp(-p/B): 2200 for water, inf for an incompressible
-    fluid; a softer fluid than 10 MPa would be a gas, which does not follow this law. In MPa; usual:
-    100 to 5000; accepted: from 10; only with model = "trapped"."""
+    """Bulk modulus B of the fluid, V = V0 exp(-p/B): 2200 for water, inf if incompressible. In MPa;
+    usual: 100 to 5000; accepted: from 10; only with model = "trapped"."""
     leak: bool | None = None
-    """Whether fluid at a higher pressure than that over the mouth leaks out as soon as no closed
-    faces block its path. Default: True; only with model = "trapped"."""
+    """Whether fluid above the pressure over the mouth leaks out once no closed faces block its
+    path. Default: True; only with model = "trapped"."""
     cracks: Numbers | None = None
-    """Numbers of the cracks that contain fluid, counted from 1 and including copies; all cracks if
-    not given. Joined cracks share their fluid. Accepted: 1 to 10000."""
+    """Numbers of the cracks with fluid, from 1 and including copies; by default all. Joined cracks
+    share it. Accepted: 1 to 10000."""
 
 
 class FluidKeys(TypedDict, total=False):
@@ -880,33 +812,30 @@ class FluidKeys(TypedDict, total=False):
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class ShakedownSettings(Section):
-    """Plastic behaviour of the rail under repeated passages, and the Dang Van criterion."""
+    """Plasticity of the rail under repeated passages, and the Dang Van criterion."""
 
     _section: ClassVar[str] = "shakedown"
     yield_stress_mpa: Number | None = None
-    """Yield stress in tension; in shear it is k = yield stress / sqrt(3). Not with steel; where
-    [growth] names a steel, that of this steel is the default. In MPa; usual: 100 to 1500; accepted:
-    1 to 10000; default: 500.0."""
+    """Cyclic yield stress in tension, by default that of the steel of [growth] if it names one; not
+    with steel. In MPa; usual: 100 to 1500; accepted: 1 to 10000; default: 500.0."""
     steel: Literal["R260", "R350HT"] | None = None
-    """Rail steel with its typical 0.2 % proof stress as yield stress: a monotonic value,
-    docs/shakedown.md has the sources. "R260": 480 MPa; "R350HT": 800 MPa."""
+    """Rail steel with its monotonic 0.2 % proof stress as yield stress (docs/parameters.md).
+    "R260": 480 MPa; "R350HT": 800 MPa."""
     hardening_modulus_mpa: Number | None = None
     """Modulus C of the linear kinematic hardening X = (2/3) C eps_p. In MPa; usual: 500 to 2e5;
     accepted: 1 to 1e7; default: 20000.0."""
     method: Literal["pass-by-pass", "direct"] | None = None
-    """Method of computing the stabilised state. Default: "pass-by-pass". "pass-by-pass": each
-    passage starts from the state left by the previous one; "direct": the downstream state becomes
-    the upstream state in every iteration: cheaper, but possibly a different admissible state."""
+    """Method for the stabilised state. Default: "pass-by-pass". "pass-by-pass": each passage starts
+    from the state left by the previous one; "direct": the downstream state becomes the upstream
+    state in every iteration: cheaper, but possibly a different admissible state."""
     wheels: Literal["in turn", "heaviest"] | None = None
-    """Wheels of a mix that roll the rail with their patches, each at its lateral place; a line
-    contact is that of the heaviest wheel alone. Default: "in turn". "in turn": all wheels one after
-    the other, the heaviest first; "heaviest": the wheel nearest to its limit of elastic shakedown
-    alone."""
+    """Wheels of a mix that roll the rail; a line contact is that of the heaviest alone. Default:
+    "in turn". "in turn": all, each at its lateral place, the heaviest first; "heaviest": only the
+    wheel nearest to its limit of elastic shakedown."""
     max_passes: Count | None = None
-    """Maximum number of passages, after which the rail counts as not stabilised. Accepted: 1 to
-    1e5; default: 500."""
+    """Passages after which the rail counts as not stabilised. Accepted: 1 to 1e5; default: 500."""
     initial_residual: File | None = None
-    """Balanced stress profile before the first passage, in the format of [residual_stress] profile."""
+    """Balanced stress before the first passage, in the format of [residual_stress] profile."""
     dang_van_a: Number | None = None
     """Slope of the Dang Van criterion. Accepted: 0 to 10; default: 0.3."""
     dang_van_b_mpa: Number | None = None
@@ -930,41 +859,37 @@ class ShakedownSettingsKeys(TypedDict, total=False):
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class Growth(Section):
-    """Crack growth: da/dN as a function of an equivalent range dKeq of dKI and dKII."""
+    """Crack growth: da/dN by an equivalent range dKeq of dKI and dKII."""
 
     _section: ClassVar[str] = "growth"
     steps: Count | None = None
-    """The largest number of increments; 0 computes the initial cracks only. A grinding, or an
-    increment that is cut to end at one, does not count. Without this key, a case that says what a
-    failure is (critical_depth_mm, critical_length_mm, [fracture]) or stop_after_cycles goes on
-    until its answer is known, for 1000 increments at most, and any other for 25. Accepted: 0 to
-    10000."""
+    """Largest number of increments, apart from grindings and increments cut short; 0 computes the
+    initial cracks only. By default 25; with critical_depth_mm, critical_length_mm, [fracture] or
+    stop_after_cycles, until the answer is known, at most 1000. Accepted: 0 to 10000."""
     increment: Number | None = None
-    """Increment of the fastest tip, as a fraction of its crack's length; without this key, the
-    increments are chosen for the tolerance. At the smallest value, doubling the length takes up to
-    10 000 steps. Accepted: 1e-4 to 0.5."""
+    """Increment of the fastest tip, as a fraction of its crack's length; by default chosen for the
+    tolerance, or 0.04 with turning = "kink". Accepted: 1e-4 to 0.5."""
     tolerance: Number | None = None
-    """Allowed relative error of the life by the increments, for which these are chosen; not with
-    increment. Accepted: 1e-5 to 0.2."""
+    """Allowed relative error of the life by the increments, by default 0.01; not with increment or
+    turning = "kink". Accepted: 1e-5 to 0.2."""
     turning: Literal["smooth", "kink"] | None = None
     """How a path turns towards the best kink of the direction criterion. Default: "smooth".
-    "smooth": over turning_length_mm; "kink": by a whole kink in each increment, as in the paper:
-    the path depends on the increment."""
+    "smooth": over turning_length_mm; "kink": by a whole kink in each increment, on which the path
+    depends."""
     turning_length_mm: Number | None = None
-    """Length l over which a path turns, dtheta/ds = theta*/l, where theta* is the best kink. inf:
-    straight ahead; 0: the limit path, on which the best kink is zero. In mm; usual: 0.01 to 50;
-    accepted: from 0; default: 0.5; only with turning = "smooth"."""
+    """Length l over which a path turns by its best kink theta*, dtheta/ds = theta*/l. inf: straight
+    ahead; 0: the limit path, where theta* is zero. In mm; usual: 0.01 to 50; accepted: from 0;
+    default: 0.5; only with turning = "smooth"."""
     straight_to_mm: Number | None = None
-    """Depth of a tip up to which its path goes straight ahead at its angle, whatever the criterion,
-    as measured paths of head checks do to 2 to 3 mm before they turn; by default 2.5 in a case with
-    [inspection] that leaves turning_length_mm out, and otherwise 0. Without effect in the space
-    engine. In mm; usual: 0.05 to 50; accepted: 0 to 1000; only with turning = "smooth"."""
+    """Tip depth down to which a path goes straight ahead, 2 to 3 in measured head checks; by
+    default 2.5 with [inspection] and without turning_length_mm, otherwise 0. No effect in space. In
+    mm; usual: 0.05 to 50; accepted: 0 to 1000; only with turning = "smooth"."""
     kink_angle_deg: Number | None = None
     """Best kink from which a path kinks at once. In deg; accepted: 1 to 110; default: 30.0; only
     with turning = "smooth"."""
     kink_friction: Number | None = None
-    """Friction coefficient of the faces of the virtual kinks by which the direction is chosen.
-    Usual: 0.001 to 1; accepted: 0 to 10; default: 0.0."""
+    """Friction coefficient of the virtual kinks that decide the direction. Usual: 0.001 to 1;
+    accepted: 0 to 10; default: 0.0."""
     law: Literal["paris", "paris-threshold", "bold", "walker", "forman", "nasgro", "table"] | None = None
     """Growth law. Default: "paris". "paris": C dKeq^m above the threshold; "paris-threshold": C
     (dKeq^m - dKth^m); "bold": C (dKeq^3.74 - 4^3.74), Bold, Brown and Allen 1991; "walker": C [dKeq
@@ -986,16 +911,14 @@ class Growth(Section):
     """Weight w of mode II. Usual: 0.1 to 10; accepted: 0 to 100; default: 0.772; only with
     equivalent = "hourlier-pineau"."""
     mode_3_weight: Number | None = None
-    """Weight of mode III in the space engine; by default mode_2_weight/(1 - nu), which weights
-    modes II and III by their energy release rates. Usual: 0.1 to 10; accepted: 0 to 100; only with
-    equivalent = "hourlier-pineau"."""
+    """Weight of mode III in space; by default mode_2_weight/(1 - nu). Usual: 0.1 to 10; accepted: 0
+    to 100; only with equivalent = "hourlier-pineau"."""
     front: Literal["ellipse", "free"] | None = None
-    """Shape that the fronts of cracks keep; only with engine = "space". Default: "ellipse".
-    "ellipse": the ellipse whose motion is nearest to the local rates; "free": none: the front
-    follows the local rates, smoothed by front_harmonics."""
+    """Shape of the crack fronts; only in space. Default: "ellipse". "ellipse": the ellipse nearest
+    to the local rates; "free": the front follows the local rates, smoothed by front_harmonics."""
     front_harmonics: Count | None = None
-    """Harmonics of a free front, an even number: nodes of the front move by themselves every
-    180/front_harmonics degrees. Accepted: 2 to 8; default: 6; only with front = "free"."""
+    """Harmonics of a free front, an even number; it has a node every 180/front_harmonics degrees.
+    Accepted: 2 to 8; default: 6; only with front = "free"."""
     threshold_mpa_sqrt_m: Number | None = None
     """Threshold of dKeq, at or below which a crack does not grow. In MPa sqrt(m); usual: 0.5 to 20;
     accepted: 0 to 1000; default: 0.0; only with law = "paris" or "paris-threshold" or "walker" or
@@ -1041,21 +964,19 @@ class Growth(Section):
     """Largest stress over flow stress in Newman's f. Accepted: 0 to 0.99; default: 0.3; only with
     law = "nasgro"."""
     threshold_2_mpa_sqrt_m: Number | None = None
-    """Threshold of dKII; 0: none. With threshold dKth of the law, a crack grows where (dKI/dKth)^2
-    + (dKII/threshold_2)^2 > 1; without, dKII counts only above it. In space, dKII is that of all
-    shear. In MPa sqrt(m); usual: 0.5 to 20; accepted: 0 to 1000; default: 0.0."""
+    """Threshold of dKII, in space of all shear; 0: none. With a threshold dKth of the law, a crack
+    grows where (dKI/dKth)^2 + (dKII/threshold_2)^2 > 1; without, dKII counts only above it. Not
+    with bold. In MPa sqrt(m); usual: 0.5 to 20; accepted: 0 to 1000; default: 0.0."""
     table_profile: File | None = None
-    """CSV file with the columns delta_keq_mpa_sqrt_m,rate_mm_per_cycle; interpolated linearly in
-    log-log scale, no growth below the first row. Only with law = "table"."""
+    """CSV file with the columns delta_keq_mpa_sqrt_m,rate_mm_per_cycle; linear in log-log scale, no
+    growth below the first row. Only with law = "table"."""
     steel: Literal["R260", "R350HT", "R260-typical", "R350HT-typical", "U71Mn"] | None = None
-    """Rail steel whose growth law is used instead of law and its constants; docs/parameters.md has
-    the sources. "R260": the fastest growth that EN 13674-1 accepts: a limit, not the growth of a
-    rail; "R350HT": the same limit; "R260-typical": typical growth, a fifth of the limit;
-    "R350HT-typical": the same, with more scatter; "U71Mn": 2.56e-9 dKeq^3.18, as measured at R =
-    0.1."""
+    """Rail steel with its growth law, instead of law and its constants (docs/parameters.md).
+    "R260": the limit of EN 13674-1, not the growth of a rail; "R350HT": the same limit;
+    "R260-typical": typical, a fifth of the limit; "R350HT-typical": the same, with more scatter;
+    "U71Mn": 2.56e-9 dKeq^3.18, as measured at R = 0.1."""
     arrest_rate_mm_per_cycle: Number | None = None
-    """A tip that grows more slowly than this is arrested. In mm/cycle; accepted: 0 to 1; default:
-    1e-09."""
+    """Rate below which a tip is arrested. In mm/cycle; accepted: 0 to 1; default: 1e-09."""
     direction: Literal["max-rate", "max-rate-unclipped", "max-delta-k1", "max-k1", "coplanar", "mts", "max-delta-ctd"] | None = None
     """Criterion of the growth direction. Default: "max-rate". "max-rate": the largest growth rate
     of the kink (Hourlier-Pineau); "max-rate-unclipped": the same, with negative k1 kept where
@@ -1063,10 +984,9 @@ class Growth(Section):
     "coplanar": straight ahead; "mts": the largest tangential stress ahead of the tip;
     "max-delta-ctd": the largest range of the displacement vector at the tip of the kink."""
     critical_length_mm: Number | None = None
-    """The run ends when a crack reaches this length. In mm; usual: 0.2 to 250; accepted: 0.001 to
-    1e5."""
+    """Crack length at which the run ends. In mm; usual: 0.2 to 250; accepted: 0.001 to 1e5."""
     stop_after_cycles: Number | None = None
-    """The run ends after this many load cycles. In cycles; accepted: 0.001 to 1e18."""
+    """Load cycles after which the run ends. In cycles; accepted: 0.001 to 1e18."""
 
 
 class GrowthKeys(TypedDict, total=False):
@@ -1115,26 +1035,25 @@ class GrowthKeys(TypedDict, total=False):
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class Fracture(Section):
-    """Brittle fracture: the run ends when the largest k1 of a passage, over all kink angles,
-    reaches the toughness and the kink does not arrest."""
+    """Brittle fracture: the run ends when the largest k1 of a passage over all kink angles reaches
+    the toughness, unless the kink arrests."""
 
     _section: ClassVar[str] = "fracture"
     toughness_mpa_sqrt_m: Number | None = None
     """Fracture toughness K_Ic. In MPa sqrt(m); usual: 10 to 200; accepted: 0.1 to 1000."""
     steel: Literal["R260", "R350HT"] | None = None
-    """Rail steel, with the mean toughness at -20 degrees C that EN 13674-1 requires. "R260": 29 MPa
-    sqrt(m); "R350HT": 32 MPa sqrt(m)."""
+    """Rail steel, with its mean toughness by EN 13674-1 at -20 degrees C. "R260": 29 MPa sqrt(m);
+    "R350HT": 32 MPa sqrt(m)."""
     profile: File | None = None
-    """CSV file with the columns temperature_c,toughness_mpa_sqrt_m; interpolated linearly between
-    rows and evaluated at rail_c of [temperature]."""
+    """CSV file with the columns temperature_c,toughness_mpa_sqrt_m; linear between rows. Requires
+    [temperature]."""
     criterion: Literal["arrest", "k1"] | None = None
-    """When a tip whose largest k1 reaches the toughness breaks the rail. Default: "arrest".
-    "arrest": where k1 at the tip of a real kink of pop_in_mm still reaches it; "k1": at once; in
-    space always."""
+    """When a k1 that reaches the toughness breaks the rail. Default: "arrest". "arrest": if k1 at
+    the tip of a kink of pop_in_mm reaches it as well; "k1": at once; in space always."""
     pop_in_mm: Number | None = None
-    """Length of the kink by which the crack is extended at the position of the largest k1; if k1 at
-    its tip is below the toughness, it is a pop-in, and growth goes on. In mm; usual: 0.05 to 20;
-    accepted: 0.01 to 100; default: 2.0; only with criterion = "arrest"."""
+    """Length of the kink added at the largest k1, a pop-in after which growth goes on if k1 at its
+    tip is below the toughness. In mm; usual: 0.05 to 20; accepted: 0.01 to 100; default: 2.0; only
+    with criterion = "arrest"."""
 
 
 class FractureKeys(TypedDict, total=False):
@@ -1153,33 +1072,26 @@ class Mesh(Section):
 
     _section: ClassVar[str] = "mesh"
     element_size_mm: Number | None = None
-    """Element size at the cracks in the finite-element engine. By default, at each crack a sixtieth
-    of the longest one (a 75th at a kinked crack, a thirtieth at a straight one if there are more
-    than three), but no more than a thirtieth of the crack or a tenth of the segment at its tip. It
-    has no effect on the dislocation engine. In mm; accepted: above 0 to 100."""
+    """Element size at the cracks with finite elements; by default a thirtieth to a 75th of the
+    longest crack, less at short cracks and segments. In mm; accepted: above 0 to 100."""
     tip_enrichment_radius_mm: Number | None = None
-    """Radius around a tip within which nodes carry the square-root functions of the crack tip; by
-    default two and a half elements. In mm; accepted: above 0 to 100."""
+    """Radius of the square-root enrichment around a tip; by default two and a half elements. In mm;
+    accepted: above 0 to 100."""
     interface_spacing_mm: Number | None = None
-    """Largest distance between face points in the finite-element engine, at least 0.3 of the
-    element size; by default the length of the crack within an element. In mm; accepted: above 0 to
-    100."""
+    """Largest distance between face points with finite elements, at least 0.3 of the element size;
+    by default the crack length within an element. In mm; accepted: above 0 to 100."""
     interface_elements: Count | None = None
-    """Number of elements along each crack in the dislocation engine, before grading towards mouth,
-    tips and kinks. By default 28; with more than four cracks, 132 shared by all of them, but at
-    least 22 each. Accepted: 8 to 400."""
+    """Elements along each crack with dislocations; by default 28, with more than four cracks 132
+    shared by all, at least 22 each. Accepted: 8 to 400."""
     space_cells: Count | None = None
-    """Number of cells from the centre of a crack to each side of its inner block in the space
-    engine; there are four times as many along the front. From 5 on, a crack that dips at less than
-    30 degrees has as many cells in total, but more rows down the dip and fewer columns. Accepted: 2
-    to 16."""
+    """Cells from the centre of a crack to each side of its inner block in space; by default 4.
+    Shallow cracks need 6. Accepted: 2 to 16."""
     space_rings: Count | None = None
-    """Number of cells from the inner block to the front in the space engine. Accepted: 2 to 16."""
+    """Cells from the inner block to the front in space; by default 4. Accepted: 2 to 16."""
     space_surface_rows: Count | None = None
-    """Further rows of cells next to the surface in the space engine, each half as wide as the next
-    one below. They resolve K where the fronts meet the surface: K counts in growth outside 15
-    degrees of the front from the surface, and each row halves this layer. Only planar cracks that
-    break the surface have them. Accepted: 0 to 6."""
+    """Rows of cells added at the surface in space, by default 0. Each halves the 15 degrees of
+    front at the surface where K does not count in growth. Planar surface-breaking cracks only.
+    Accepted: 0 to 6."""
 
 
 class MeshKeys(TypedDict, total=False):
@@ -1200,19 +1112,17 @@ class Solver(Section):
 
     _section: ClassVar[str] = "solver"
     engine: Literal["xfem", "dislocation", "space"] | None = None
-    """Engine used for the cracked rail. Default: "xfem". "xfem": extended finite elements;
-    "dislocation": distributed dislocations in a half-plane; "space": planar cracks with elliptical
-    fronts in the half-space."""
+    """Engine of the cracked rail. Default: "xfem". "xfem": extended finite elements; "dislocation":
+    distributed dislocations in a half-plane; "space": cracks with curved fronts in a half-space."""
     contact: Literal["newton", "latin"] | None = None
     """Solver of the contact conditions on the crack faces. Default: "newton". "newton": active
     sets, exact complementarity; "latin": the LATIN method of the paper."""
     network: Literal["whole", "groups"] | None = None
-    """How the contact conditions of many cracks are solved. By default cracks are followed together
-    up to 23 of them, and from 24 on in groups where these can be: with the dislocation engine, in a
-    half-plane. "whole": all cracks together; the cost grows with the square of their number;
-    "groups": each crack with its neighbours, in sweeps until they agree within network_tolerance;
-    for dozens of cracks, with the dislocation or the space engine and the newton solver, without
-    trapped fluid and without fields."""
+    """Solution of the contact conditions of many cracks. By default groups from 24 cracks on where
+    possible, with dislocations in a half-plane, otherwise whole. "whole": all cracks together; the
+    cost grows with the square of their number; "groups": each crack with its neighbours, in sweeps
+    until they agree within network_tolerance; for dozens of cracks, with the dislocation or the
+    space engine and the newton solver, without trapped fluid and without fields."""
 
 
 class SolverKeys(TypedDict, total=False):
@@ -1225,16 +1135,15 @@ class SolverKeys(TypedDict, total=False):
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class Traffic(Section):
-    """Traffic. With this section, cycles are also given in million gross tonnes, and growth.csv has
-    the columns depth_mm and mgt."""
+    """Traffic, for results in million gross tonnes (MGT)."""
 
     _section: ClassVar[str] = "traffic"
     axle_load_t: Number | None = None
-    """Axle load; one passage is one axle. Required, unless every [[wheel]] has its own. In t;
-    usual: 3 to 45; accepted: 0.001 to 100."""
+    """Axle load. Required, unless every [[wheel]] has its own. In t; usual: 3 to 45; accepted:
+    0.001 to 100."""
     mgt_per_year: Number | None = None
-    """Traffic of a year, million gross tonnes: results are then also given in months. In MGT;
-    usual: 0.01 to 400; accepted: 1e-6 to 10000."""
+    """Traffic of a year; results are then also in months. In MGT; usual: 0.01 to 400; accepted:
+    1e-6 to 10000."""
 
 
 class TrafficKeys(TypedDict, total=False):
@@ -1246,13 +1155,12 @@ class TrafficKeys(TypedDict, total=False):
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class Maintenance(Section):
-    """Wear and grinding, which remove the running surface and shorten the cracks from their mouths;
-    requires axle loads."""
+    """Wear and grinding, which shorten cracks from their mouths; requires axle loads."""
 
     _section: ClassVar[str] = "maintenance"
     wear_mm_per_mgt: Number | None = None
-    """Wear of the running surface in depth, mm per million gross tonnes. In mm/MGT; usual: 1e-5 to
-    0.3; accepted: 0 to 100; default: 0.0."""
+    """Wear depth per million gross tonnes. In mm/MGT; usual: 1e-5 to 0.3; accepted: 0 to 100;
+    default: 0.0."""
     grinding_mm: Number | None = None
     """Depth removed by each grinding; requires grinding_interval_mgt. In mm; usual: 0.01 to 5;
     accepted: 1e-6 to 100."""
@@ -1262,16 +1170,14 @@ class Maintenance(Section):
     """Traffic until the first grinding; by default grinding_interval_mgt. In MGT; usual: 0.001 to
     500; accepted: 0 to 1e6."""
     wear_limit_mm: Number | None = None
-    """Depth removed by wear and grinding at which the rail is replaced; the run ends there. In mm;
-    usual: 0.5 to 40; accepted: 0.001 to 100."""
+    """Total removed depth at which the rail is replaced and the run ends. In mm; usual: 0.5 to 40;
+    accepted: 0.001 to 100."""
     least_spall_mm: Number | None = None
-    """Thickness from which a piece that breaks out of the running surface is a failure; by default
-    the larger of 0.3 and grinding_mm, and no flake that a grinding cuts off is one. In mm; usual:
-    0.01 to 20; accepted: 0 to 100."""
+    """Thickness from which a spall is a failure; by default the larger of 0.3 and grinding_mm,
+    without flakes cut off by grinding. In mm; usual: 0.01 to 20; accepted: 0 to 100."""
     stress_moves_with: Literal["metal", "surface"] | None = None
-    """How residual and plastic stresses move as the surface is worn down. Default: "metal".
-    "metal": the stress stays in place in the steel; "surface": the stress keeps its depth below the
-    surface."""
+    """How residual and plastic stresses move as the surface wears. Default: "metal". "metal": the
+    stress stays in place in the steel; "surface": the stress keeps its depth below the surface."""
 
 
 class MaintenanceKeys(TypedDict, total=False):
@@ -1288,8 +1194,8 @@ class MaintenanceKeys(TypedDict, total=False):
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class Inspection(Section):
-    """Inspection interval: the traffic from a detectable to a critical crack, divided by a safety
-    factor; requires axle loads."""
+    """Inspection interval: the traffic from a detectable to a critical crack over safety_factor;
+    requires axle loads."""
 
     _section: ClassVar[str] = "inspection"
     detectable_depth_mm: Number | None = None
@@ -1297,29 +1203,27 @@ class Inspection(Section):
     detectable_length_mm: Number | None = None
     """Length from which a crack is detectable. In mm; usual: 0.05 to 150; accepted: 0 to 1000."""
     critical_depth_mm: Number | None = None
-    """Tip depth that must not be reached; critical_length_mm of [growth] and fracture are critical
-    too. In mm; usual: 0.2 to 250; accepted: 0.001 to 1000."""
+    """Critical tip depth; critical_length_mm of [growth] and fracture are critical too. In mm;
+    usual: 0.2 to 250; accepted: 0.001 to 1000."""
     ultrasonic_depth_mm: Number | None = None
-    """Tip depth from which ultrasonic testing finds a crack that has turned down, beyond its dead
-    zone below the running surface: the inspection of the second stage of a head check that turns.
-    In mm; usual: 0.2 to 250; accepted: 0.001 to 1000; default: 5.0."""
+    """Tip depth from which ultrasonic testing finds a crack that has turned down. In mm; usual: 0.2
+    to 250; accepted: 0.001 to 1000; default: 5.0."""
     safety_factor: Number | None = None
-    """Divisor of the traffic from a detectable to a critical crack. Usual: 1 to 20; accepted: 1 to
-    100; default: 3.0."""
+    """Divisor of the traffic from detectable to critical. Usual: 1 to 20; accepted: 1 to 100;
+    default: 3.0."""
     target_risk: Number | None = None
-    """Probability of failure before an inspection finds the crack that is accepted: the largest
-    interval that keeps it is computed. Accepted: 1e-9 to 1."""
+    """Accepted probability of failure before detection; the largest interval that keeps it is
+    computed. Accepted: 1e-9 to 1."""
     pod: File | None = None
-    """CSV file with the columns depth_mm,probability: the probability that an inspection finds a
-    crack of that depth; interpolated linearly between rows, zero above the first depth, constant
-    below the last. Without pod and pod_median_mm, every crack from detectable_depth_mm on is found."""
+    """CSV file with the columns depth_mm,probability (of detection); linear between rows, zero for
+    smaller depths, constant for larger ones. Not with pod_median_mm; without either, every
+    detectable crack is found."""
     pod_median_mm: Number | None = None
-    """Depth at which half of the cracks are found: the probability is
-    Phi(ln(depth/median)/pod_log_std); requires pod_log_std. In mm; usual: 0.05 to 150; accepted:
-    0.001 to 1000."""
+    """Depth at which half of the cracks are found; the probability of detection is
+    Phi(ln(depth/median)/pod_log_std). In mm; usual: 0.05 to 150; accepted: 0.001 to 1000."""
     pod_log_std: Number | None = None
-    """Standard deviation of the logarithm of the depth from which a crack is found; requires
-    pod_median_mm. Accepted: 0.001 to 10."""
+    """Logarithmic standard deviation of the depth of detection; requires pod_median_mm. Accepted:
+    0.001 to 10."""
 
 
 class InspectionKeys(TypedDict, total=False):
@@ -1338,8 +1242,8 @@ class InspectionKeys(TypedDict, total=False):
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class Scatter(Section):
-    """Scatter of quantities that do not change the crack path, sampled at the end of the run;
-    requires axle loads."""
+    """Scatter of quantities that do not change the path, sampled after the run; requires axle
+    loads."""
 
     _section: ClassVar[str] = "scatter"
     samples: Count | None = None
@@ -1347,23 +1251,22 @@ class Scatter(Section):
     seed: Count | None = None
     """Seed of the random numbers. Accepted: 0 to 4.29497e9; default: 1."""
     paris_c_log_std: Number | None = None
-    """Standard deviation of ln C, where C is the coefficient of the growth law in use; by default
-    that of the prior of [calibration] (prior_log_std) as long as the case is not calibrated, and
-    then that of the steel of [growth], or 0.3. Accepted: 0 to 5."""
+    """Standard deviation of ln C of the growth law; by default prior_log_std of [calibration], in a
+    calibrated case that of the steel of [growth], or 0.3. Accepted: 0 to 5."""
     paris_m_std: Number | None = None
-    """Standard deviation of the exponent; it leaves the scatter of the rate at dKeq = 10 MPa
-    sqrt(m) unchanged. Accepted: 0 to 5; default: 0.0."""
+    """Standard deviation of the exponent, with the rate at dKeq = 10 MPa sqrt(m) kept. Accepted: 0
+    to 5; default: 0.0."""
     toughness_std: Number | None = None
-    """Standard deviation of the toughness of [fracture]; samples may fracture before the run does.
-    In MPa sqrt(m); accepted: 0 to 100; default: 0.0."""
+    """Standard deviation of the toughness of [fracture]. In MPa sqrt(m); accepted: 0 to 100;
+    default: 0.0."""
     detectable_depth_std: Number | None = None
     """Standard deviation of the detectable depth. In mm; accepted: 0 to 100; default: 0.0."""
     wear_std: Number | None = None
-    """Standard deviation of the wear of [maintenance]; negative samples count as no wear. In
-    mm/MGT; accepted: 0 to 100; default: 0.0."""
+    """Standard deviation of wear_mm_per_mgt; negative samples count as zero. In mm/MGT; accepted: 0
+    to 100; default: 0.0."""
     share_log_std: Number | None = None
-    """Standard deviation of the logarithm of the share of each [[wheel]], before the shares are
-    normalised to a sum of 1. Accepted: 0 to 5; default: 0.0."""
+    """Standard deviation of ln of the share of each [[wheel]], before normalisation. Accepted: 0 to
+    5; default: 0.0."""
 
 
 class ScatterKeys(TypedDict, total=False):
@@ -1381,31 +1284,27 @@ class ScatterKeys(TypedDict, total=False):
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class Calibration(Section):
-    """Calibration by `railcrack calibrate`: what is assumed about the coefficient C of the growth
-    law before anything is measured."""
+    """Prior of the coefficient C of the growth law for `railcrack calibrate`."""
 
     _section: ClassVar[str] = "calibration"
     prior_log_mean: Number | Literal["suite"] | None = None
-    """Mean of ln C before the measurements, relative to the coefficient of the case; "suite" takes
-    that of the residuals of `railcrack validate`: -0.02 in the plane, 0.26 in space. Accepted: -20
-    to 20; default: "suite"."""
+    """Prior mean of ln C, relative to the case; "suite" takes that of the residuals of `railcrack
+    validate`: -0.02 in the plane, 0.26 in space. Accepted: -20 to 20; default: "suite"."""
     prior_log_std: Number | Literal["suite"] | None = None
-    """Standard deviation of ln C before the measurements; "suite" takes that of the residuals of
-    `railcrack validate`: 1.27 in the plane, 1.28 in space. Accepted: above 0 to 10; default:
-    "suite"."""
+    """Prior standard deviation of ln C; "suite" likewise takes 1.27 in the plane, 1.28 in space.
+    Accepted: above 0 to 10; default: "suite"."""
     discrepancy_log_std: Number | Literal["evidence"] | None = None
-    """Standard deviation by which ln C differs from site to site; "evidence" takes the value under
-    which the measurements are most probable. Accepted: 0 to 10; default: "evidence"."""
+    """Standard deviation of ln C from site to site; "evidence" takes the value that makes the
+    measurements most probable. Accepted: 0 to 10; default: "evidence"."""
     least_depth_mm: Number | None = None
-    """The least depth (or length) of the measurements by which this case has been calibrated, as
-    `railcrack calibrate` writes it. In mm; accepted: 0 to 1000."""
+    """Least measured depth (or length), written by `railcrack calibrate`. In mm; accepted: 0 to
+    1000."""
     greatest_depth_mm: Number | None = None
-    """The greatest of them: beyond it, a decision says that nothing was measured. In mm; accepted:
-    0 to 1000."""
+    """Greatest measured depth (or length), beyond which a decision says that nothing was measured.
+    In mm; accepted: 0 to 1000."""
     sites: Count | None = None
-    """Number of measured sites by which this case has been calibrated, as `railcrack calibrate`
-    writes it into its result; without, a decision says that absolute rates are not known. Accepted:
-    1 to 1e5."""
+    """Number of measured sites, written by `railcrack calibrate`; without it, a decision says that
+    absolute rates are not known. Accepted: 1 to 1e5."""
 
 
 class CalibrationKeys(TypedDict, total=False):
@@ -1421,18 +1320,16 @@ class CalibrationKeys(TypedDict, total=False):
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class Output(Section):
-    """Output of a run. By default, a study writes less for each run: `faces = "none"`, `sif =
-    "ends"`, and no fields, plots or pages; `railcrack report` makes plots and pages of any run
-    later."""
+    """Output of a run. Defaults in a study are `faces = "none"`, `sif = "ends"` and no fields,
+    plots or pages; `railcrack report` makes plots and pages later."""
 
     _section: ClassVar[str] = "output"
     fields_over_a: Numbers | None = None
-    """Wheel positions at which the fields of displacement and stress around the cracks are written
-    (finite-element engine only), relative to the mouth of the first crack; the nearest output
-    positions are used. In a; accepted: -1000 to 1000; default: [-1.0, 0.0, 1.0]."""
+    """Wheel positions, from the mouth of the first crack, of written fields of displacement and
+    stress; finite elements only. In a; accepted: -1000 to 1000; default: [-1.0, 0.0, 1.0]."""
     fields_every: Count | None = None
-    """Number of growth steps from one set of fields to the next, starting at step 0; 0 writes none.
-    Accepted: 0 to 10000; default: 25."""
+    """Growth steps between fields, from step 0 on; 0 writes none. Accepted: 0 to 10000; default:
+    25."""
     fields: bool | None = None
     """Whether fields are written. Default: True."""
     faces: Literal["all", "ends", "none", True, False] | None = None
@@ -1446,12 +1343,11 @@ class Output(Section):
     report: bool | None = None
     """Whether the page `report.html` is written. Default: True."""
     explorer: bool | None = None
-    """Whether the page can compute the case again with other values (dislocation engine only,
-    without files that the case would name): it is larger by 2 MB, and the program needs the engine
-    of pages. Default: False."""
+    """Whether the page can recompute the case with other values, at 2 MB more. Dislocations only,
+    in cases without files; needs the engine of pages. Default: False."""
     run_folders: bool | None = None
-    """In a study, whether each run has a folder of its own; if not, all runs are stored in a few
-    files. Default: True."""
+    """In a study, whether each run has its own folder; otherwise all runs share a few files.
+    Default: True."""
 
 
 class OutputKeys(TypedDict, total=False):

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use railcrack::growth::TipJudge;
 use railcrack::words::Choice;
-use railcrack_run::setup::{RunSize, contact_bounds, represented};
+use railcrack_run::setup::{RunSize, WheelBounds, represented};
 use railcrack_run::simulation::{Ending, Simulation, plastic_stress_left_out};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -95,9 +95,8 @@ impl CaseCore {
         let shear_yield = case.shakedown.hardening.shear_yield_stress();
         let ratio = wheel.contact().map(|contact| contact.peak_pressure() / shear_yield);
         check.set_item("p0_over_k", ratio)?;
-        let bounds = contact_bounds(wheel, &case.steel, |bounds| {
-            (bounds.first_yield().ratio, bounds.shakedown_limit().ratio)
-        });
+        let bounds = WheelBounds::of(&case, 0);
+        let bounds = bounds.map(|bounds| (bounds.first_yield.ratio, bounds.shakedown.ratio));
         let (first_yield, shakedown_limit) = bounds.unzip();
         check.set_item("first_yield_p0_over_k", first_yield)?;
         check.set_item("shakedown_limit_p0_over_k", shakedown_limit)?;

@@ -2,7 +2,6 @@
 
 use crate::load::{Contact, Track};
 use crate::math::MPA_SQRT_MM;
-use crate::shakedown::ContactBounds;
 use thiserror::Error;
 
 /// A case, or a result, outside the limits of the model.
@@ -339,22 +338,22 @@ pub(crate) const DRY_FRICTION: f64 = 0.6;
 pub(crate) const MEASURED_GROWTH: (f64, f64) = (4.0, 50.0);
 
 /// Compares the largest pressure of `contact` with first yield and with the limit of elastic
-/// shakedown, given by its `bounds`; σ_y = `yield_stress` (MPa). With a residual stress only the
-/// latter counts.
+/// shakedown, p0/k = `limits`; σ_y = `yield_stress` (MPa). With a residual stress only the latter
+/// counts.
 pub fn pressure(
     contact: &Contact,
-    bounds: &ContactBounds,
+    limits: [f64; 2],
     yield_stress: f64,
     residual: ResidualStress,
 ) -> Option<ValidityWarning> {
     let (peak_pressure, adhesion) = (contact.peak_pressure(), contact.adhesion());
     let shear_yield = yield_stress / 3f64.sqrt();
-    let limit = shear_yield * bounds.first_yield().ratio;
+    let limit = shear_yield * limits[0];
     if peak_pressure <= limit {
         return None;
     }
     let beyond = ValidityWarning::BeyondFirstYield { peak_pressure, limit, adhesion, yield_stress };
-    let limit = shear_yield * bounds.shakedown_limit().ratio;
+    let limit = shear_yield * limits[1];
     if peak_pressure > limit {
         return Some(ValidityWarning::BeyondShakedown { peak_pressure, limit, adhesion, yield_stress });
     }
@@ -433,12 +432,15 @@ mod tests {
     use crate::field::wheel_under;
     use crate::load::{HertzianContact, WheelLoad};
     use crate::material::IsotropicElastic;
+    use crate::shakedown::ContactBounds;
 
     fn warned(peak_pressure: f64, friction: f64, residual: ResidualStress) -> Option<ValidityWarning> {
         let contact = Contact::Hertz(HertzianContact { peak_pressure, half_width: 6.75, friction });
         let load = WheelLoad { contact: contact.clone(), track: None, temperature: None };
         let wheel = wheel_under(&load, &IsotropicElastic::new(210e3, 0.3).unwrap()).unwrap();
-        pressure(&contact, &ContactBounds::new(&contact, wheel.as_ref()), 500.0, residual)
+        let bounds = ContactBounds::new(&contact, wheel.as_ref());
+        let limits = [bounds.first_yield().ratio, bounds.shakedown_limit().ratio];
+        pressure(&contact, limits, 500.0, residual)
     }
 
     #[test]

@@ -4,19 +4,19 @@ use crate::schema::{NumberOr, SectionValues, closed, integer, number, number_or,
 
 section! {
     CALIBRATION "calibration", Optional,
-        "Calibration by `railcrack calibrate`: what is assumed about the coefficient C of the growth law before anything is measured.";
+        "Prior of the coefficient C of the growth law for `railcrack calibrate`.";
     PRIOR_LOG_MEAN: NumberOr = number_or("prior_log_mean", closed(-20.0, 20.0), "suite",
-        "Mean of ln C before the measurements, relative to the coefficient of the case; \"suite\" takes that of the residuals of `railcrack validate`: -0.02 in the plane, 0.26 in space.");
+        "Prior mean of ln C, relative to the case; \"suite\" takes that of the residuals of `railcrack validate`: -0.02 in the plane, 0.26 in space.");
     PRIOR_LOG_STD: NumberOr = number_or("prior_log_std", positive(10.0), "suite",
-        "Standard deviation of ln C before the measurements; \"suite\" takes that of the residuals of `railcrack validate`: 1.27 in the plane, 1.28 in space.");
+        "Prior standard deviation of ln C; \"suite\" likewise takes 1.27 in the plane, 1.28 in space.");
     DISCREPANCY_LOG_STD: NumberOr = number_or("discrepancy_log_std", closed(0.0, 10.0), "evidence",
-        "Standard deviation by which ln C differs from site to site; \"evidence\" takes the value under which the measurements are most probable.");
+        "Standard deviation of ln C from site to site; \"evidence\" takes the value that makes the measurements most probable.");
     LEAST_DEPTH: f64 = number("least_depth_mm", "mm", closed(0.0, 1e3), 1.0,
-        "The least depth (or length) of the measurements by which this case has been calibrated, as `railcrack calibrate` writes it.").optional();
+        "Least measured depth (or length), written by `railcrack calibrate`.").optional();
     GREATEST_DEPTH: f64 = number("greatest_depth_mm", "mm", closed(0.0, 1e3), 3.0,
-        "The greatest of them: beyond it, a decision says that nothing was measured.").optional();
+        "Greatest measured depth (or length), beyond which a decision says that nothing was measured.").optional();
     SITES: usize = integer("sites", (1, 100_000), 1,
-        "Number of measured sites by which this case has been calibrated, as `railcrack calibrate` writes it into its result; without, a decision says that absolute rates are not known.").optional();
+        "Number of measured sites, written by `railcrack calibrate`; without it, a decision says that absolute rates are not known.").optional();
 }
 
 /// Prior of a calibration.

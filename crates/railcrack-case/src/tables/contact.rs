@@ -37,7 +37,7 @@ section! {
         .required().only_with_any(KIND, "hertz", &["carter"], SIZED);
     HALF_WIDTH: f64 =
         number("half_width_mm", "mm", closed(0.01, 100.0), 6.75,
-            "Half-width a of the contact; below 0.01 mm it would be smaller than the roughness of a rail.")
+            "Half-width a of the contact.")
         .required().only_with_any(KIND, "hertz", &["carter"], SIZED);
     LINE_LOAD: f64 =
         number("line_load_n_per_mm", "N/mm", closed(1e-5, 1e7), 8959.4, "Wheel load per unit width.")
@@ -45,88 +45,88 @@ section! {
     WHEEL_RADIUS: f64 = number("wheel_radius_mm", "mm", closed(1e-2, 1e5), 460.9, "Radius of the wheel.")
         .required().only_with_any(KIND, "hertz", &["carter", ROLLING], HERTZIAN);
     RAIL_RADIUS: f64 = number("rail_radius_mm", "mm", closed(0.01, f64::INFINITY), f64::INFINITY,
-        "Radius of the rail in the plane of the model; inf for a flat rail.")
+        "Longitudinal radius of the rail; inf if flat.")
         .only_with_any(KIND, "hertz", &["carter"], SIZED);
     WHEEL_LOAD: f64 = number("wheel_load_kn", "kN", closed(1e-3, 1e4), 100.0,
-        "Wheel load. Together with the radii it defines the Hertz contact ellipse.")
+        "Wheel load; with the radii it defines the contact ellipse.")
         .required().only_with_any(KIND, "hertz", &["carter"], SIZED);
     RAIL_HEAD_RADIUS: f64 = number("rail_head_radius_mm", "mm", closed(0.01, f64::INFINITY), 300.0,
-        "Transverse radius of the rail head; inf for a flat head.")
+        "Transverse radius of the rail head; inf if flat.")
         .required().only_with_any(KIND, "hertz", &["carter", ROLLING], HERTZIAN);
     WHEEL_PROFILE_RADIUS: f64 = number("wheel_profile_radius_mm", "mm", PROFILE_RADII, f64::INFINITY,
-        "Transverse radius of the wheel profile; inf for a straight profile, negative for a concave one.")
+        "Transverse radius of the wheel profile; inf if straight, negative if concave.")
         .only_with_any(KIND, "hertz", &["carter", ROLLING], HERTZIAN);
     LATERAL_HALF_WIDTH: f64 = number("lateral_half_width_mm", "mm", closed(0.1, 1e3), 6.0,
-        "Lateral semi-axis b of the contact ellipse; peak_pressure_mpa and half_width_mm then describe the ellipse. The space engine needs this key or the radii; without either a contact is a line contact.")
+        "Lateral semi-axis b of the contact ellipse; without it the contact is a line contact, which the space engine refuses.")
         .only_with_any(KIND, "hertz", &["carter"], SIZED).optional();
     LATERAL: f64 = number("lateral_mm", "mm", within(100.0), 0.0,
-        "Lateral position of the middle of the ellipse relative to the cracks. With rolling, y of the crack in the patch. With profiles, y of the crack on that of the rail; the middle of the most loaded patch if not given. Otherwise 0 if not given.")
+        "Lateral position of the ellipse relative to the cracks, by default 0; with rolling, y of the crack in the patch; with profiles, y of the crack on rail_profile, by default under the most loaded patch.")
         .only_with_any(KIND, "hertz", &["carter", ROLLING], HERTZIAN).optional();
     LATERAL_EXTENT: ContactExtent = choice("lateral",
-        "What of an ellipse or a patch loads cracks in the plane; in space it is always the whole patch.")
+        "Part of the contact that loads cracks in the plane: by default the patch, in a block or with coupled the strip.")
         .only_with_words(KIND, &["hertz", "carter", ROLLING], HERTZIAN).optional();
     CONTACT_PROFILE: String = file("profile", "inputs/contact-table", "contact.csv",
-        "CSV file with the columns u_mm,p_mpa,q_mpa, where u is measured from the wheel centre along +x; interpolated linearly between rows, zero outside. Or a .mat file written by the rolling-contact program CONTACT.")
+        "CSV file with the columns u_mm,p_mpa,q_mpa, u from the wheel centre along +x, linear between rows; or a .mat file of the program CONTACT.")
         .required().only_with(KIND, TABLE, "pressure and shear are computed");
-    SCALE: f64 = number("scale", "", closed(1e-6, 1e6), 1.0, "Factor applied to the pressure and shear of the table.")
+    SCALE: f64 = number("scale", "", closed(1e-6, 1e6), 1.0, "Factor on pressure and shear.")
         .only_with(KIND, TABLE, "pressure and shear are computed");
     STRIP: f64 = number("strip_mm", "mm", within(1e3), 0.0,
-        "Lateral position, in CONTACT's own frame, of the strip along the rail that is taken from a .mat file.")
+        "Lateral position, in CONTACT's frame, of the strip of a .mat file.")
         .only_with(KIND, TABLE, "lateral_mm chooses the strip of an ellipse").optional();
     FRICTION: f64 = number("friction", "", closed(-1.0, 1.0), 0.025,
-        "Wheel-rail friction coefficient. With hertz it is signed, unless torque is given: > 0 drags the rail along +x (a braking wheel running towards +x). With carter it is that of the slip zone and not negative. With rolling it is that of the slip zone and not negative. With table it is optional; if given, |q| <= friction p is required.")
+        "Wheel-rail friction coefficient; with carter and rolling that of the slip zone, with table an upper limit of abs(q)/p. Negative only with hertz without torque: > 0 drags the rail along +x (a wheel braking towards +x).")
         .required_but_with(KIND, TABLE, "a table defines its own shear");
     TORQUE: Torque = choice("torque",
-        "Which way the shear acts, so that friction needs no sign: with this key it is not negative.")
+        "Direction of the shear; friction then has no sign.")
         .only_with(KIND, "hertz", "the sign of the shear is that of traction or creepage").optional();
     LATERAL_FRICTION: f64 = number("lateral_friction", "", closed(-1.0, 1.0), 0.0,
-        "Ratio of lateral shear to pressure, > 0 towards +z, 0 if not given; in the plane only its stress beside the middle of the ellipse loads the cracks.")
+        "Ratio of lateral shear to pressure, > 0 towards +z; by default 0. In the plane it has no effect at lateral_mm = 0.")
         .only_with(KIND, "hertz", "no other contact has lateral shear of its own").optional();
     TRACTION: f64 = number("traction", "", closed(-1.0, 1.0), -0.5,
-        "Traction ratio Q/(friction P), with the sign of the shear on the rail along +x: < 0 drives a wheel that runs towards +x; 1 and -1 are full sliding.")
+        "Traction ratio Q/(friction P), signed like the shear on the rail along +x: < 0 drives a wheel towards +x; 1 and -1 are full sliding.")
         .required().only_with(KIND, "carter", "full sliding mobilises all friction, and a table defines its own shear");
     NORMAL: f64 = number("normal_kn", "kN", closed(1e-3, 1e4), 100.0,
-        "Normal force of the patch, with the radii of wheel and rail or with semi_axes_mm.")
+        "Normal force; with profiles, the sum over the patches.")
         .required().only_with(KIND, ROLLING, "wheel_load_kn is the load of the other contacts");
     SEMI_AXES: Vec<f64> = numbers("semi_axes_mm", "mm", closed(0.01, 100.0), &[6.0, 5.0],
         "Semi-axes [a, b] of the contact ellipse, along and across the rail.")
         .required().only_with(KIND, ROLLING, "half_width_mm and lateral_half_width_mm are the semi-axes of the other contacts");
     RAIL_PROFILE: String = file("rail_profile", "inputs/rail-profile", "rail.csv",
-        "CSV file with the points y_mm,z_mm of the rail head in their order: y across the rail, z downwards; or two columns without a header, or a file of MiniProf (.ban) or Simpack (.prr). The contact patches then follow from the profiles; normal_kn is the sum of their normal forces.")
+        "CSV file with the points y_mm,z_mm of the rail head in order, z downwards; or two columns without a header, or a file of MiniProf (.ban) or Simpack (.prr).")
         .required().only_with(KIND, ROLLING, PROFILED);
     WHEEL_PROFILE: String = file("wheel_profile", "inputs/wheel-profile", "wheel.csv",
-        "CSV file with the points y_mm,z_mm of the wheel, with the axes of the rail, or another one as for the rail (.whl, .prw); wheel_radius_mm is the radius at its z = 0.")
+        "Wheel profile in the axes and formats of rail_profile (.whl, .prw); wheel_radius_mm is the radius at z = 0.")
         .required().only_with(KIND, ROLLING, PROFILED);
-    RAIL_AXES: ProfileAxes = choice("rail_profile_axes", "Axes of the file of the rail; those that a file of Simpack states are taken from it before. A file of MiniProf may have z either way.")
+    RAIL_AXES: ProfileAxes = choice("rail_profile_axes", "Axes of rail_profile, after those that a Simpack file states; by default z-down, in MiniProf files also z-up.")
         .only_with(KIND, ROLLING, PROFILED).optional();
-    WHEEL_AXES: ProfileAxes = choice("wheel_profile_axes", "The same of the wheel.")
+    WHEEL_AXES: ProfileAxes = choice("wheel_profile_axes", "Axes of wheel_profile, likewise.")
         .only_with(KIND, ROLLING, PROFILED).optional();
     SMOOTHING: f64 = number("profile_smoothing_mm", "mm", closed(0.01, 20.0), 1.0,
-        "Half the length along the profiles over which a parabola is fitted to their points, with weights that fall to zero there: longer for measured points with scatter.")
+        "Half the length of the parabolas fitted to the profiles; about 3 for measured points with scatter.")
         .only_with(KIND, ROLLING, PROFILED);
-    SHIFT: f64 = number("shift_mm", "mm", within(200.0), 0.0, "y of the origin of the wheel's profile in the frame of the rail's.")
+    SHIFT: f64 = number("shift_mm", "mm", within(200.0), 0.0, "y of the origin of wheel_profile on rail_profile.")
         .only_with(KIND, ROLLING, PROFILED);
     YAW: f64 = number("yaw_deg", "degrees", within(10.0), 0.0,
-        "Angle of attack of the wheel: positive turns its direction of travel towards +y.").only_with(KIND, ROLLING, PROFILED);
+        "Angle of attack of the wheel, > 0 towards +y.").only_with(KIND, ROLLING, PROFILED);
     ROLL: f64 = number("roll_deg", "degrees", within(10.0), 0.0,
-        "Rotation of the wheel's profile about its origin: positive lowers +y.").only_with(KIND, ROLLING, PROFILED);
-    CREEPAGE_X: f64 = number("creepage_x", "", within(1.0), 0.0, "Longitudinal creepage, signed as creepage_sign says.")
+        "Rotation of wheel_profile about its origin; > 0 lowers +y.").only_with(KIND, ROLLING, PROFILED);
+    CREEPAGE_X: f64 = number("creepage_x", "", within(1.0), 0.0, "Longitudinal creepage, signed by creepage_sign.")
         .only_with(KIND, ROLLING, SLIDING);
     CREEPAGE_Y: f64 = number("creepage_y", "", within(1.0), 0.0, "Lateral creepage.")
         .only_with(KIND, ROLLING, SLIDING);
-    SPIN: f64 = number("spin_per_mm", "1/mm", within(1.0), 0.0, "Spin creepage; turns +x, the direction of travel, towards +y.")
+    SPIN: f64 = number("spin_per_mm", "1/mm", within(1.0), 0.0, "Spin creepage; with creepage_sign = \"contact\", > 0 turns +x (travel) towards +y.")
         .only_with(KIND, ROLLING, SLIDING);
-    SIGN: CreepageSign = choice("creepage_sign", "Convention for the signs of creepages and spin.")
+    SIGN: CreepageSign = choice("creepage_sign", "Sign convention of creepages and spin.")
         .required().only_with(KIND, ROLLING, SLIDING);
     THEORY: RollingTheory = choice("theory", "Theory of the shear.").only_with(KIND, ROLLING, SLIDING);
     COUPLED: bool = switch("coupled", Preset::Switch(false),
-        "Whether the wheel feels the cracks: the contact pressure follows from a smooth elastic wheel of the same steel on the rail with its cracks. If not, it is that on the uncracked rail. For cracks in a half-plane with the plane engines, as a line contact: of an ellipse, that of the strip at lateral_mm.")
+        "Whether the wheel feels the cracks: the pressure is that of a smooth elastic wheel on the cracked rail, as a line contact (of an ellipse, the strip at lateral_mm). Plane engines and half-plane only.")
         .only_with_words(KIND, &["hertz", "carter", "rolling"], "a wheel that feels the cracks needs a half-ellipse of pressure on the uncracked rail");
     SURFACE_NODES: usize = integer("surface_nodes_per_half_width", (10, 160), 40,
-        "With coupled = true, number of surface nodes per half-width a: they are half of a over this number apart at the mouths, twice a over this number away from them, and up to eight times farther than 1.2 a from them.")
+        "Surface nodes per half-width of a coupled wheel, denser at the mouths; by default 40.")
         .only_with_words(KIND, &["hertz", "carter", "rolling"], "a wheel that feels the cracks needs a half-ellipse of pressure on the uncracked rail").optional();
     COUPLED_WITHIN: f64 = number("coupled_within_over_a", "a", closed(1.5, 12.0), 3.0,
-        "With coupled = true, distance of the contact centre from the nearest mouth up to which the wheel feels the cracks; beyond it, the contact is that on the uncracked rail. 3 if not given.")
+        "Distance of the contact centre from the nearest mouth up to which a coupled wheel feels the cracks; by default 3.")
         .only_with_words(KIND, &["hertz", "carter", "rolling"], "a wheel that feels the cracks needs a half-ellipse of pressure on the uncracked rail").optional();
 }
 
@@ -232,8 +232,8 @@ pub enum ContactExtent {
 
 impl Choice for ContactExtent {
     const WORDS: &'static [(Self, Word)] = &[
-        (Self::Patch, Word::now("patch", "the whole patch, averaged along the crack front")),
-        (Self::Strip, Word::now("strip", "the strip at lateral_mm as a line contact, for comparison")),
+        (Self::Patch, Word::now("patch", "averaged along the crack front")),
+        (Self::Strip, Word::now("strip", "at lateral_mm, as a line contact")),
     ];
 }
 
@@ -248,8 +248,8 @@ pub(crate) enum Torque {
 
 impl Choice for Torque {
     const WORDS: &'static [(Self, Word)] = &[
-        (Self::Driven, Word::now("driven", "a wheel that drives the train drags the rail backwards")),
-        (Self::Braked, Word::now("braked", "a wheel that brakes it drags the rail forwards")),
+        (Self::Driven, Word::now("driven", "drags the rail backwards")),
+        (Self::Braked, Word::now("braked", "drags the rail forwards")),
     ];
 }
 

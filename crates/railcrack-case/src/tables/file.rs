@@ -116,17 +116,16 @@ const PREAMBLE: &str = "\
 const INTRODUCTION: &str = "\
 # The case file
 
-A case is one TOML file. `railcrack init` writes the reference case with a comment on every key, `railcrack check`
-validates a case and shows what would be computed, and `railcrack schema` prints its JSON Schema for editors.
+A case is one TOML file. `railcrack init` writes one with a comment on every key, `railcrack check` validates it and shows
+what would be computed, and `railcrack schema` prints its JSON Schema for editors.
 
 * Lengths are in mm, stresses in MPa, angles in degrees. y points up, the rail is y <= 0.
 * File names are relative to the folder of the case file.
-* An unknown key, a wrong type, a number out of range, two keys that specify the same quantity or a missing file is an
-  error that names the file, the line, the key, the value and what is accepted. All errors of a file are reported
-  at once, the exit code is 2, and nothing is written.
-* A range such as [0.01, 100] mm accepts numbers, written as `6` or `6.0`; an integer is written without a decimal point (`241`).
-* Not-a-number is never accepted, infinity only where the range below includes it.
-* A list instead of a value makes the file a study, that is, many cases in one: see [studies](studies.md).
+* All errors are reported at once, with the file, the line, the key, the value and what is accepted; the exit code is 2,
+  and nothing is written. Two keys that specify the same quantity are an error.
+* A range such as [0.01, 100] mm accepts `6` and `6.0`, infinity only where it includes it; an integer is written without
+  a decimal point (`241`).
+* A list instead of a value makes the file a [study](studies.md), that is, many cases in one.
 
 This page is generated from the table of keys in the library; a test keeps it up to date.
 ";

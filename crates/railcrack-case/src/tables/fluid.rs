@@ -13,21 +13,21 @@ const TRAPPED: &str = "trapped";
 pub(super) const DRY: &str = "none";
 
 section! {
-    FLUID "fluid", Optional, "Water or grease in the cracks, which exerts pressure on their faces.";
+    FLUID "fluid", Optional, "Pressure of water or grease in the cracks.";
     MODEL: FluidKind = choice("model", "Model of the fluid pressure.").required();
-    PRESSURE_PROFILE: PressureProfile = choice("profile", "Pressure along the crack, where s is the distance from the mouth and l the crack length.")
+    PRESSURE_PROFILE: PressureProfile = choice("profile", "Pressure at the distance s from the mouth; l is the crack length.")
         .only_with(MODEL, MOUTH, "a trapped fluid has one pressure");
     PRESSURE_CAP: f64 = number("pressure_cap_mpa", "MPa", closed(1e-3, f64::INFINITY), f64::INFINITY,
-        "Upper limit of the pressure. With inf there is no limit, and the pressure lifts the flap above a shallow crack off the rail, which a real wheel would prevent.")
+        "Upper limit of the pressure; inf lets it lift the flap above a shallow crack off the rail. Not under a coupled wheel.")
         .only_with(MODEL, MOUTH, "a trapped fluid is limited by its volume");
     BULK_MODULUS: f64 = number("bulk_modulus_mpa", "MPa", closed(10.0, f64::INFINITY), f64::INFINITY,
-        "Bulk modulus B of the fluid, V = V0 exp(-p/B): 2200 for water, inf for an incompressible fluid; a softer fluid than 10 MPa would be a gas, which does not follow this law.")
+        "Bulk modulus B of the fluid, V = V0 exp(-p/B): 2200 for water, inf if incompressible.")
         .only_with(MODEL, TRAPPED, "the pressure equals that over the mouth");
     LEAK: bool = switch("leak", Preset::Switch(true),
-        "Whether fluid at a higher pressure than that over the mouth leaks out as soon as no closed faces block its path.")
+        "Whether fluid above the pressure over the mouth leaks out once no closed faces block its path.")
         .only_with(MODEL, TRAPPED, "the pressure equals that over the mouth");
     WET_CRACKS: Vec<f64> = numbers("cracks", "", closed(1.0, 1e4), &[1.0],
-        "Numbers of the cracks that contain fluid, counted from 1 and including copies; all cracks if not given. Joined cracks share their fluid.")
+        "Numbers of the cracks with fluid, from 1 and including copies; by default all. Joined cracks share it.")
         .optional();
 }
 
@@ -43,14 +43,11 @@ pub(crate) enum FluidKind {
 
 impl Choice for FluidKind {
     const WORDS: &'static [(Self, Word)] = &[
-        (Self::None, Word::now(DRY, "dry cracks, as without this section; useful in studies")),
+        (Self::None, Word::now(DRY, "dry cracks, for studies")),
         (Self::Mouth, Word::now(MOUTH, "the contact pressure over the mouth acts inside the crack")),
         (
             Self::Trapped,
-            Word::now(
-                TRAPPED,
-                "the volume of fluid in the crack when the contact covers its mouth remains enclosed",
-            ),
+            Word::now(TRAPPED, "the fluid in the crack is enclosed while the contact covers its mouth"),
         ),
     ];
 }

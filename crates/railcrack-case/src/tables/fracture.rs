@@ -10,16 +10,16 @@ use std::path::Path;
 
 section! {
     FRACTURE "fracture", Optional,
-        "Brittle fracture: the run ends when the largest k1 of a passage, over all kink angles, reaches the toughness and the kink does not arrest.",
+        "Brittle fracture: the run ends when the largest k1 of a passage over all kink angles reaches the toughness, unless the kink arrests.",
         forms [[TOUGHNESS], [FRACTURE_STEEL], [FRACTURE_PROFILE]];
     TOUGHNESS: f64 = number("toughness_mpa_sqrt_m", "MPa sqrt(m)", closed(0.1, 1e3), 29.0, "Fracture toughness K_Ic.").required();
-    FRACTURE_STEEL: SteelName = choice("steel", "Rail steel, with the mean toughness at -20 degrees C that EN 13674-1 requires.")
+    FRACTURE_STEEL: SteelName = choice("steel", "Rail steel, with its mean toughness by EN 13674-1 at -20 degrees C.")
         .required();
     FRACTURE_PROFILE: String = file("profile", "inputs/toughness.csv", "toughness.csv",
-        "CSV file with the columns temperature_c,toughness_mpa_sqrt_m; interpolated linearly between rows and evaluated at rail_c of [temperature].").required();
-    CRITERION: FractureCriterion = choice("criterion", "When a tip whose largest k1 reaches the toughness breaks the rail.");
+        "CSV file with the columns temperature_c,toughness_mpa_sqrt_m; linear between rows. Requires [temperature].").required();
+    CRITERION: FractureCriterion = choice("criterion", "When a k1 that reaches the toughness breaks the rail.");
     POP_IN: f64 = number("pop_in_mm", "mm", closed(0.01, 100.0), 2.0,
-        "Length of the kink by which the crack is extended at the position of the largest k1; if k1 at its tip is below the toughness, it is a pop-in, and growth goes on.")
+        "Length of the kink added at the largest k1, a pop-in after which growth goes on if k1 at its tip is below the toughness.")
         .only_with(CRITERION, "arrest", "only this criterion extends the crack");
 }
 
@@ -32,10 +32,7 @@ pub(crate) enum FractureCriterion {
 
 impl Choice for FractureCriterion {
     const WORDS: &'static [(Self, Word)] = &[
-        (
-            Self::Arrest,
-            Word::now("arrest", "where k1 at the tip of a real kink of pop_in_mm still reaches it"),
-        ),
+        (Self::Arrest, Word::now("arrest", "if k1 at the tip of a kink of pop_in_mm reaches it as well")),
         (Self::K1, Word::now("k1", "at once; in space always")),
     ];
 }

@@ -8,25 +8,25 @@ use railcrack::fatigue::{DirectionCriterion, LawDeclaration, RailSteel, RangeFor
 use railcrack::growth::Turning;
 
 section! {
-    GROWTH "growth", Defaulted, "Crack growth: da/dN as a function of an equivalent range dKeq of dKI and dKII.";
+    GROWTH "growth", Defaulted, "Crack growth: da/dN by an equivalent range dKeq of dKI and dKII.";
     STEPS: usize = integer("steps", (0, 10_000), 25,
-        "The largest number of increments; 0 computes the initial cracks only. A grinding does not count, nor does an increment that is cut short (by a grinding, a turn, a critical size). Without this key, a case that says what a failure is (critical_depth_mm, critical_length_mm, [fracture]) or stop_after_cycles goes on until its answer is known, for 1000 increments at most, and any other for 25.").optional();
+        "Largest number of increments, apart from grindings and increments cut short; 0 computes the initial cracks only. By default 25; with critical_depth_mm, critical_length_mm, [fracture] or stop_after_cycles, until the answer is known, at most 1000.").optional();
     INCREMENT: f64 = number("increment", "", closed(1e-4, 0.5), 0.04,
-        "Increment of the fastest tip, as a fraction of its crack's length; without this key, the increments are chosen for the tolerance. At the smallest value, doubling the length takes up to 10 000 steps.").optional();
+        "Increment of the fastest tip, as a fraction of its crack's length; by default chosen for the tolerance, or 0.04 with turning = \"kink\".").optional();
     TOLERANCE: f64 = number("tolerance", "", closed(1e-5, 0.2), 0.01,
-        "Allowed relative error of the life by the increments, for which these are chosen; not with increment.").optional();
+        "Allowed relative error of the life by the increments, by default 0.01; not with increment or turning = \"kink\".").optional();
     TURNING: Turns = choice("turning", "How a path turns towards the best kink of the direction criterion.");
     TURNING_LENGTH: f64 = number("turning_length_mm", "mm", closed(0.0, f64::INFINITY), Turning::DEFAULT_LENGTH,
-        "Length l over which a path turns, dtheta/ds = theta*/l, where theta* is the best kink. inf: straight ahead; 0: the limit path, on which the best kink is zero.")
+        "Length l over which a path turns by its best kink theta*, dtheta/ds = theta*/l. inf: straight ahead; 0: the limit path, where theta* is zero.")
         .only_with(TURNING, "smooth", "a kink has no length");
     STRAIGHT_TO: f64 = number("straight_to_mm", "mm", closed(0.0, 1e3), STRAIGHT_BY_DEFAULT,
-        "Depth of a tip up to which its path goes straight ahead at its angle, whatever the criterion, as measured paths of head checks do to 2 to 3 mm before they turn; by default 2.5 in a case with [inspection] that leaves turning_length_mm out, and otherwise 0. Without effect in the space engine.")
+        "Tip depth down to which a path goes straight ahead, 2 to 3 in measured head checks; by default 2.5 with [inspection] and without turning_length_mm, otherwise 0. No effect in space.")
         .only_with(TURNING, "smooth", "every increment kinks").optional();
     KINK_ANGLE: f64 = number("kink_angle_deg", "deg", closed(1.0, 110.0), 30.0,
         "Best kink from which a path kinks at once.")
         .only_with(TURNING, "smooth", "every increment kinks");
     KINK_FRICTION: f64 = number("kink_friction", "", closed(0.0, 10.0), 0.0,
-        "Friction coefficient of the faces of the virtual kinks by which the direction is chosen.");
+        "Friction coefficient of the virtual kinks that decide the direction.");
     LAW: &'static LawDeclaration = law_keys::LAW;
     EQUIVALENT: RangeForm = choice("equivalent", "Equivalent range dKeq.")
         .only_with_words(LAW, law_keys::WITH_A_RANGE, law_keys::OWN_RANGE);
@@ -34,27 +34,27 @@ section! {
     MODE_2_WEIGHT: f64 = number("mode_2_weight", "", closed(0.0, 100.0), 0.772, "Weight w of mode II.")
         .only_with(EQUIVALENT, "hourlier-pineau", "only this range has a weight of mode II");
     MODE_3_WEIGHT: f64 = number("mode_3_weight", "", closed(0.0, 100.0), 1.103,
-        "Weight of mode III in the space engine; by default mode_2_weight/(1 - nu), which weights modes II and III by their energy release rates.")
+        "Weight of mode III in space; by default mode_2_weight/(1 - nu).")
         .only_with(EQUIVALENT, "hourlier-pineau", "only this range has a weight of mode III").optional();
-    FRONT: FrontForm = choice("front", "Shape that the fronts of cracks keep; only with engine = \"space\".");
+    FRONT: FrontForm = choice("front", "Shape of the crack fronts; only in space.");
     FRONT_HARMONICS: usize = integer("front_harmonics", (2, 8), 6,
-        "Harmonics of a free front, an even number: nodes of the front move by themselves every 180/front_harmonics degrees.")
+        "Harmonics of a free front, an even number; it has a node every 180/front_harmonics degrees.")
         .only_with(FRONT, "free", "an ellipse has semi-axes");
     ..law_keys::OF_OTHER_LAWS;
     THRESHOLD_2: f64 = number("threshold_2_mpa_sqrt_m", "MPa sqrt(m)", closed(0.0, 1e3), 0.0,
-        "Threshold of dKII; 0: none. With threshold dKth of the law, a crack grows where (dKI/dKth)^2 + (dKII/threshold_2)^2 > 1; without, dKII counts only above it. In space, dKII is that of all shear.");
+        "Threshold of dKII, in space of all shear; 0: none. With a threshold dKth of the law, a crack grows where (dKI/dKth)^2 + (dKII/threshold_2)^2 > 1; without, dKII counts only above it. Not with bold.");
     TABLE_PROFILE: String = file("table_profile", "inputs/rates.csv", "rates.csv",
-        "CSV file with the columns delta_keq_mpa_sqrt_m,rate_mm_per_cycle; interpolated linearly in log-log scale, no growth below the first row.")
+        "CSV file with the columns delta_keq_mpa_sqrt_m,rate_mm_per_cycle; linear in log-log scale, no growth below the first row.")
         .required()
         .only_with_words(LAW, law_keys::OF_RATES, "every other law has its own constants");
-    GROWTH_STEEL: SteelName = choice("steel", "Rail steel whose growth law is used instead of law and its constants; docs/parameters.md has the sources.").optional();
+    GROWTH_STEEL: SteelName = choice("steel", "Rail steel with its growth law, instead of law and its constants (docs/parameters.md).").optional();
     ARREST_RATE: f64 = number("arrest_rate_mm_per_cycle", "mm/cycle", closed(0.0, 1.0), 1e-9,
-        "A tip that grows more slowly than this is arrested.");
+        "Rate below which a tip is arrested.");
     DIRECTION: DirectionCriterion = choice("direction", "Criterion of the growth direction.");
     CRITICAL_LENGTH: f64 =
-        number("critical_length_mm", "mm", closed(1e-3, 1e5), 20.0, "The run ends when a crack reaches this length.").optional();
+        number("critical_length_mm", "mm", closed(1e-3, 1e5), 20.0, "Crack length at which the run ends.").optional();
     STOP_AFTER_CYCLES: f64 = number("stop_after_cycles", "cycles", closed(1e-3, 1e18), 1e7,
-        "The run ends after this many load cycles.").optional();
+        "Load cycles after which the run ends.").optional();
 }
 
 /// Depth (mm) to which measured head checks grow straight at their angle before they turn
@@ -72,11 +72,8 @@ pub(crate) enum FrontForm {
 
 impl Choice for FrontForm {
     const WORDS: &'static [(Self, Word)] = &[
-        (Self::Ellipse, Word::now("ellipse", "the ellipse whose motion is nearest to the local rates")),
-        (
-            Self::Free,
-            Word::now("free", "none: the front follows the local rates, smoothed by front_harmonics"),
-        ),
+        (Self::Ellipse, Word::now("ellipse", "the ellipse nearest to the local rates")),
+        (Self::Free, Word::now("free", "the front follows the local rates, smoothed by front_harmonics")),
     ];
 }
 
@@ -92,15 +89,9 @@ pub(crate) enum SteelName {
 
 impl Choice for SteelName {
     const WORDS: &'static [(Self, Word)] = &[
-        (
-            Self::R260,
-            Word::now(
-                "R260",
-                "the fastest growth that EN 13674-1 accepts: a limit, not the growth of a rail",
-            ),
-        ),
+        (Self::R260, Word::now("R260", "the limit of EN 13674-1, not the growth of a rail")),
         (Self::R350Ht, Word::now("R350HT", "the same limit")),
-        (Self::TypicalR260, Word::now("R260-typical", "typical growth, a fifth of the limit")),
+        (Self::TypicalR260, Word::now("R260-typical", "typical, a fifth of the limit")),
         (Self::TypicalR350Ht, Word::now("R350HT-typical", "the same, with more scatter")),
         (Self::U71Mn, Word::now("U71Mn", "2.56e-9 dKeq^3.18, as measured at R = 0.1")),
     ];
@@ -116,13 +107,7 @@ pub(crate) enum Turns {
 impl Choice for Turns {
     const WORDS: &'static [(Self, Word)] = &[
         (Self::Smooth, Word::now("smooth", "over turning_length_mm")),
-        (
-            Self::Kink,
-            Word::now(
-                "kink",
-                "by a whole kink in each increment, as in the paper: the path depends on the increment",
-            ),
-        ),
+        (Self::Kink, Word::now("kink", "by a whole kink in each increment, on which the path depends")),
     ];
 }
 

@@ -8,45 +8,45 @@ use std::path::Path;
 
 section! {
     INSPECTION "inspection", Optional,
-        "Inspection interval: the traffic from a detectable to a critical crack, divided by a safety factor; requires axle loads.",
+        "Inspection interval: the traffic from a detectable to a critical crack over safety_factor; requires axle loads.",
         forms [[DETECTABLE_DEPTH], [DETECTABLE_LENGTH]];
     DETECTABLE_DEPTH: f64 = number("detectable_depth_mm", "mm", closed(0.0, 1e3), 2.0,
         "Tip depth from which a crack is detectable.").required();
     DETECTABLE_LENGTH: f64 = number("detectable_length_mm", "mm", closed(0.0, 1e3), 5.0,
         "Length from which a crack is detectable.").required();
     CRITICAL_DEPTH: f64 = number("critical_depth_mm", "mm", closed(1e-3, 1e3), 10.0,
-        "Tip depth that must not be reached; critical_length_mm of [growth] and fracture are critical too.").optional();
+        "Critical tip depth; critical_length_mm of [growth] and fracture are critical too.").optional();
     ULTRASONIC_DEPTH: f64 = number("ultrasonic_depth_mm", "mm", closed(1e-3, 1e3), 5.0,
-        "Tip depth from which ultrasonic testing finds a crack that has turned down, beyond its dead zone below the running surface: the inspection of the second stage of a head check that turns.");
+        "Tip depth from which ultrasonic testing finds a crack that has turned down.");
     SAFETY_FACTOR: f64 = number("safety_factor", "", closed(1.0, 100.0), 3.0,
-        "Divisor of the traffic from a detectable to a critical crack.");
+        "Divisor of the traffic from detectable to critical.");
     TARGET_RISK: f64 = number("target_risk", "", closed(1e-9, 1.0), 1e-3,
-        "Probability of failure before an inspection finds the crack that is accepted: the largest interval that keeps it is computed.").optional();
+        "Accepted probability of failure before detection; the largest interval that keeps it is computed.").optional();
     POD: String = file("pod", "inputs/pod.csv", "pod.csv",
-        "CSV file with the columns depth_mm,probability: the probability that an inspection finds a crack of that depth; interpolated linearly between rows, zero above the first depth, constant below the last. Without pod and pod_median_mm, every crack from detectable_depth_mm on is found.").optional();
+        "CSV file with the columns depth_mm,probability (of detection); linear between rows, zero for smaller depths, constant for larger ones. Not with pod_median_mm; without either, every detectable crack is found.").optional();
     POD_MEDIAN: f64 = number("pod_median_mm", "mm", closed(1e-3, 1e3), 2.0,
-        "Depth at which half of the cracks are found: the probability is Phi(ln(depth/median)/pod_log_std); requires pod_log_std.").optional();
+        "Depth at which half of the cracks are found; the probability of detection is Phi(ln(depth/median)/pod_log_std).").optional();
     POD_LOG_STD: f64 = number("pod_log_std", "", closed(1e-3, 10.0), 0.5,
-        "Standard deviation of the logarithm of the depth from which a crack is found; requires pod_median_mm.").optional();
+        "Logarithmic standard deviation of the depth of detection; requires pod_median_mm.").optional();
 }
 
 section! {
     SCATTER "scatter", Optional,
-        "Scatter of quantities that do not change the crack path, sampled at the end of the run; requires axle loads.";
+        "Scatter of quantities that do not change the path, sampled after the run; requires axle loads.";
     SAMPLES: usize = integer("samples", (10, 10_000_000), 100_000, "Number of samples.");
     SEED: usize = integer("seed", (0, 4_294_967_295), 1, "Seed of the random numbers.");
     C_LOG_STD: f64 = number("paris_c_log_std", "", closed(0.0, 5.0), 0.3,
-        "Standard deviation of ln C, where C is the coefficient of the growth law in use; by default that of the prior of [calibration] (prior_log_std) as long as the case is not calibrated, and then that of the steel of [growth], or 0.3.").optional();
+        "Standard deviation of ln C of the growth law; by default prior_log_std of [calibration], in a calibrated case that of the steel of [growth], or 0.3.").optional();
     M_STD: f64 = number("paris_m_std", "", closed(0.0, 5.0), 0.0,
-        "Standard deviation of the exponent; it leaves the scatter of the rate at dKeq = 10 MPa sqrt(m) unchanged.");
+        "Standard deviation of the exponent, with the rate at dKeq = 10 MPa sqrt(m) kept.");
     TOUGHNESS_STD: f64 = number("toughness_std", "MPa sqrt(m)", closed(0.0, 100.0), 0.0,
-        "Standard deviation of the toughness of [fracture]; samples may fracture before the run does.");
+        "Standard deviation of the toughness of [fracture].");
     DETECTABLE_DEPTH_STD: f64 = number("detectable_depth_std", "mm", closed(0.0, 100.0), 0.0,
         "Standard deviation of the detectable depth.");
     WEAR_STD: f64 = number("wear_std", "mm/MGT", closed(0.0, 100.0), 0.0,
-        "Standard deviation of the wear of [maintenance]; negative samples count as no wear.");
+        "Standard deviation of wear_mm_per_mgt; negative samples count as zero.");
     SHARE_LOG_STD: f64 = number("share_log_std", "", closed(0.0, 5.0), 0.0,
-        "Standard deviation of the logarithm of the share of each [[wheel]], before the shares are normalised to a sum of 1.");
+        "Standard deviation of ln of the share of each [[wheel]], before normalisation.");
 }
 
 /// Inspection of the rail.

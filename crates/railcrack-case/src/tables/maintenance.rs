@@ -5,9 +5,9 @@ use railcrack::growth::{Grinding, Mgt, StressMoves, SurfaceRemoval};
 
 section! {
     MAINTENANCE "maintenance", Optional,
-        "Wear and grinding, which remove the running surface and shorten the cracks from their mouths; requires axle loads.";
+        "Wear and grinding, which shorten cracks from their mouths; requires axle loads.";
     WEAR: f64 = number("wear_mm_per_mgt", "mm/MGT", closed(0.0, 100.0), 0.0,
-        "Wear of the running surface in depth, mm per million gross tonnes.");
+        "Wear depth per million gross tonnes.");
     GRINDING: f64 = number("grinding_mm", "mm", closed(1e-6, 100.0), 0.2,
         "Depth removed by each grinding; requires grinding_interval_mgt.").optional();
     GRINDING_INTERVAL: f64 = number("grinding_interval_mgt", "MGT", closed(1e-6, 1e6), 20.0,
@@ -15,11 +15,11 @@ section! {
     FIRST_GRINDING: f64 = number("first_grinding_mgt", "MGT", closed(0.0, 1e6), 20.0,
         "Traffic until the first grinding; by default grinding_interval_mgt.").optional();
     WEAR_LIMIT: f64 = number("wear_limit_mm", "mm", closed(1e-3, 100.0), 14.0,
-        "Depth removed by wear and grinding at which the rail is replaced; the run ends there.").optional();
+        "Total removed depth at which the rail is replaced and the run ends.").optional();
     LEAST_SPALL: f64 = number("least_spall_mm", "mm", closed(0.0, 100.0), 0.3,
-        "Thickness from which a piece that breaks out of the running surface is a failure; by default the larger of 0.3 and grinding_mm, and no flake that a grinding cuts off is one.").optional();
+        "Thickness from which a spall is a failure; by default the larger of 0.3 and grinding_mm, without flakes cut off by grinding.").optional();
     STRESS: StressMoves = choice("stress_moves_with",
-        "How residual and plastic stresses move as the surface is worn down.");
+        "How residual and plastic stresses move as the surface wears.");
 }
 
 read_by_word!(StressMoves);

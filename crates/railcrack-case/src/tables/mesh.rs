@@ -6,19 +6,19 @@ use railcrack::space::SpaceResolution;
 section! {
     MESH "mesh", Defaulted, "Discretisation.";
     ELEMENT_SIZE: f64 = number("element_size_mm", "mm", positive(100.0), 0.1,
-        "Element size at the cracks in the finite-element engine. By default, at each crack a sixtieth of the longest one (a 75th at a kinked crack, a thirtieth at a straight one if there are more than three), but no more than a thirtieth of the crack or a tenth of the segment at its tip. It has no effect on the dislocation engine.").optional();
+        "Element size at the cracks with finite elements; by default a thirtieth to a 75th of the longest crack, less at short cracks and segments.").optional();
     TIP_ENRICHMENT_RADIUS: f64 = number("tip_enrichment_radius_mm", "mm", positive(100.0), 0.5,
-        "Radius around a tip within which nodes carry the square-root functions of the crack tip; by default two and a half elements.").optional();
+        "Radius of the square-root enrichment around a tip; by default two and a half elements.").optional();
     INTERFACE_SPACING: f64 = number("interface_spacing_mm", "mm", positive(100.0), 0.2,
-        "Largest distance between face points in the finite-element engine, at least 0.3 of the element size; by default the length of the crack within an element.").optional();
+        "Largest distance between face points with finite elements, at least 0.3 of the element size; by default the crack length within an element.").optional();
     INTERFACE_ELEMENTS: usize = integer("interface_elements", (8, 400), 28,
-        "Number of elements along each crack in the dislocation engine, before grading towards mouth, tips and kinks. By default 28; with more than four cracks, 132 shared by all of them, but at least 22 each.").optional();
+        "Elements along each crack with dislocations; by default 28, with more than four cracks 132 shared by all, at least 22 each.").optional();
     SPACE_CELLS: usize = integer("space_cells", (2, 16), 4,
-        "Number of cells from the centre of a crack to each side of its inner block in the space engine; there are four times as many along the front. From 5 on, a crack that dips at less than 30 degrees has as many cells in total, but more rows down the dip and fewer columns.").optional();
+        "Cells from the centre of a crack to each side of its inner block in space; by default 4. Shallow cracks need 6.").optional();
     SPACE_RINGS: usize = integer("space_rings", (2, 16), 4,
-        "Number of cells from the inner block to the front in the space engine.").optional();
+        "Cells from the inner block to the front in space; by default 4.").optional();
     SPACE_SURFACE_ROWS: usize = integer("space_surface_rows", (0, 6), 0,
-        "Further rows of cells next to the surface in the space engine, each half as wide as the next one below. They resolve K where the fronts meet the surface: K counts in growth outside 15 degrees of the front from the surface, and each row halves this layer. Only planar cracks that break the surface have them.").optional();
+        "Rows of cells added at the surface in space, by default 0. Each halves the 15 degrees of front at the surface where K does not count in growth. Planar surface-breaking cracks only.").optional();
 }
 
 /// Discretisation in the plane; without a value, each engine chooses it from the cracks.

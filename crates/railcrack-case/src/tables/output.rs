@@ -7,20 +7,20 @@ use crate::schema::{
 
 section! {
     OUTPUT "output", Defaulted,
-        "Output of a run. By default, a study writes less for each run: `faces = \"none\"`, `sif = \"ends\"`, and no fields, plots or pages; `railcrack report` makes plots and pages of any run later.";
+        "Output of a run. Defaults in a study are `faces = \"none\"`, `sif = \"ends\"` and no fields, plots or pages; `railcrack report` makes plots and pages later.";
     FIELDS_OVER_A: Vec<f64> = numbers("fields_over_a", "a", within(1e3), &[-1.0, 0.0, 1.0],
-        "Wheel positions at which the fields of displacement and stress around the cracks are written (finite-element engine only), relative to the mouth of the first crack; the nearest output positions are used.");
+        "Wheel positions, from the mouth of the first crack, of written fields of displacement and stress; finite elements only.");
     FIELDS_EVERY: usize = integer("fields_every", (0, 10_000), 25,
-        "Number of growth steps from one set of fields to the next, starting at step 0; 0 writes none.");
+        "Growth steps between fields, from step 0 on; 0 writes none.");
     FIELDS: bool = switch("fields", Preset::Switch(true), "Whether fields are written.");
     FACES: Kept = choice("faces", "Growth steps written to `faces.csv`.");
     SIF: Kept = choice("sif", "Growth steps written to `sif.csv`.");
     PLOTS: bool = switch("plots", Preset::Switch(true), "Whether plots are drawn.");
     REPORT: bool = switch("report", Preset::Switch(true), "Whether the page `report.html` is written.");
     EXPLORER: bool = switch("explorer", Preset::Switch(false),
-        "Whether the page can compute the case again with other values (dislocation engine only, without files that the case would name): it is larger by 2 MB, and the program needs the engine of pages.");
+        "Whether the page can recompute the case with other values, at 2 MB more. Dislocations only, in cases without files; needs the engine of pages.");
     RUN_FOLDERS: bool = switch("run_folders", Preset::Switch(true),
-        "In a study, whether each run has a folder of its own; if not, all runs are stored in a few files.");
+        "In a study, whether each run has its own folder; otherwise all runs share a few files.");
 }
 
 /// Growth steps of which a table has rows.

@@ -8,20 +8,20 @@ use railcrack::load::{Passage, Travel};
 
 section! {
     PASSAGE "passage", Defaulted,
-        "Passage of the wheel. If from_over_a > to_over_a, the wheel runs towards -x and meets the rightmost crack first.";
+        "Passage of the wheel, towards -x if from_over_a > to_over_a.";
     FROM: f64 = number("from_over_a", "a", within(1e3), -6.0,
-        "First position of the contact centre, relative to the first mouth that the wheel meets.");
+        "First position of the contact centre, relative to the mouth met first.");
     TO: f64 = number("to_over_a", "a", within(1e3), 6.0,
-        "Last position of the contact centre, relative to the last mouth that the wheel meets.");
+        "Last position of the contact centre, relative to the mouth met last.");
     POSITIONS: usize = integer("positions", (2, 100_000), 241, "Number of evenly spaced output positions.");
     MAX_PASSAGES: usize = integer("max_passages", (1, 1000), 5,
-        "Maximum number of passages of the wheel over an unchanged crack until the history of K repeats.");
+        "Maximum number of passages over an unchanged crack until K repeats.");
     PASSAGE_TOLERANCE: f64 = number("passage_tolerance", "", closed(1e-9, 0.1), 1e-3,
-        "The history of K counts as repeating when it changes by less than this between two passages, relative to its peak.");
+        "Change of K between two passages, relative to its peak, below which it counts as repeating.");
     STEP_TOLERANCE: f64 = number("step_tolerance", "", closed(1e-6, 0.1), 2e-3,
-        "Load steps are refined until K changes by less than this, relative to its peak.");
+        "Change of K, relative to its peak, to which load steps are refined.");
     NETWORK_TOLERANCE: f64 = number("network_tolerance", "", closed(1e-9, 0.1), 6e-4,
-        "With solver.network = \"groups\", sweeps are repeated until the estimated error of K is less than this, relative to its peak at the tip.");
+        "Estimated error of K, relative to its peak at the tip, at which sweeps with solver.network = \"groups\" end.");
     STEP_CONTROL: StepControl = choice("step_control", "Control of the load steps.");
 }
 

@@ -30,16 +30,16 @@ section! {
     POISSON_RATIO: f64 =
         number("poisson_ratio", "", POISSON_RATIOS, 0.3, "Poisson's ratio of rail and wheel.");
     WIDTH: f64 = number("width_mm", "mm", closed(0.01, WIDEST), USUAL_WIDTH,
-        "Length of the rail along x; cracks must stay within it. By default 300; if centre_mm is not given either, a half-plane whose cracks need more reaches 150 mm beyond the outermost ones.").optional();
+        "Length of the rail along x; cracks must stay within it. By default 300; a half-plane without centre_mm reaches 150 mm beyond cracks that need more.").optional();
     DEPTH: f64 = number("depth_mm", "mm", closed(0.01, 1e5), 172.0, "Depth of the rail; cracks must stay above it.");
     CENTRE: f64 = number("centre_mm", "mm", within(1e6), 0.0,
-        "x coordinate of the middle of the rail; by default the middle of the crack mouths.").optional();
+        "x of the middle of the rail; by default the middle of the crack mouths.").optional();
     BOUNDARY: BoundaryKind = choice("boundary", "Boundary of the rail.");
     BOTTOM: BottomSupport = choice("bottom", "Support of the bottom of a block.")
         .only_with(BOUNDARY, BLOCK.name, NO_SUPPORTS);
     SIDES: SideSupport = choice("sides", "Support of the sides of a block.")
         .only_with(BOUNDARY, BLOCK.name, NO_SUPPORTS);
-    CRACKED_SECTION: CrackedSection = choice("section", "Rail section whose head, web and foot make the cracked rail more compliant than a half-plane, on the foundation of [track]; cracks then stay in its head. By default the cracked rail is a half-plane, which is too stiff for cracks deeper than 5 mm.")
+    CRACKED_SECTION: CrackedSection = choice("section", "Section of the cracked rail, on the foundation of [track]; cracks must stay in its head. By default a half-plane, too stiff for cracks deeper than 5 mm.")
         .optional()
         .only_with(BOUNDARY, HALF_PLANE.name, NO_SECTION);
 }
@@ -64,7 +64,7 @@ impl Choice for CrackedSection {
         (Self::Named(NAMES[3].0), NAMES[3].1),
         (Self::Named(NAMES[4].0), NAMES[4].1),
         (Self::Named(NAMES[5].0), NAMES[5].1),
-        (Self::OfTrack, Word::now("track", "that of [track], which then has a section with a name")),
+        (Self::OfTrack, Word::now("track", "the named section of [track]")),
     ];
 }
 

@@ -11,19 +11,19 @@ use std::path::Path;
 
 section! {
     SHAKEDOWN "shakedown", Defaulted,
-        "Plastic behaviour of the rail under repeated passages, and the Dang Van criterion.";
+        "Plasticity of the rail under repeated passages, and the Dang Van criterion.";
     YIELD_STRESS: f64 = number("yield_stress_mpa", "MPa", closed(1.0, 1e4), 500.0,
-        "Yield stress in tension; in shear it is k = yield stress / sqrt(3). Not with steel; where [growth] names a steel, that of this steel is the default.");
-    YIELDING_STEEL: YieldingSteel = choice("steel", "Rail steel with its typical 0.2 % proof stress as yield stress: a monotonic value, docs/shakedown.md has the sources.")
+        "Cyclic yield stress in tension, by default that of the steel of [growth] if it names one; not with steel.");
+    YIELDING_STEEL: YieldingSteel = choice("steel", "Rail steel with its monotonic 0.2 % proof stress as yield stress (docs/parameters.md).")
         .optional();
     HARDENING_MODULUS: f64 = number("hardening_modulus_mpa", "MPa", closed(1.0, 1e7), 20e3,
         "Modulus C of the linear kinematic hardening X = (2/3) C eps_p.");
-    METHOD: Method = choice("method", "Method of computing the stabilised state.");
-    WHEELS: RollingWheels = choice("wheels", "Wheels of a mix that roll the rail with their patches, each at its lateral place; a line contact is that of the heaviest wheel alone.");
+    METHOD: Method = choice("method", "Method for the stabilised state.");
+    WHEELS: RollingWheels = choice("wheels", "Wheels of a mix that roll the rail; a line contact is that of the heaviest alone.");
     MAX_PASSES: usize = integer("max_passes", (1, 100_000), 500,
-        "Maximum number of passages, after which the rail counts as not stabilised.");
+        "Passages after which the rail counts as not stabilised.");
     INITIAL_RESIDUAL: String = file("initial_residual", "inputs/initial-residual.csv", "manufacturing.csv",
-        "Balanced stress profile before the first passage, in the format of [residual_stress] profile.").optional();
+        "Balanced stress before the first passage, in the format of [residual_stress] profile.").optional();
     DANG_VAN_A: f64 = number("dang_van_a", "", closed(0.0, 10.0), 0.3, "Slope of the Dang Van criterion.");
     DANG_VAN_B: f64 = number("dang_van_b_mpa", "MPa", closed(0.1, 1e4), 250.0,
         "Fatigue limit in pure shear of the Dang Van criterion.");
@@ -54,8 +54,8 @@ pub enum RollingWheels {
 
 impl Choice for RollingWheels {
     const WORDS: &'static [(Self, Word)] = &[
-        (Self::InTurn, Word::now("in turn", "all wheels one after the other, the heaviest first")),
-        (Self::Heaviest, Word::now("heaviest", "the wheel nearest to its limit of elastic shakedown alone")),
+        (Self::InTurn, Word::now("in turn", "all, each at its lateral place, the heaviest first")),
+        (Self::Heaviest, Word::now("heaviest", "only the wheel nearest to its limit of elastic shakedown")),
     ];
 }
 

@@ -5,10 +5,10 @@ use railcrack::growth::NetworkContact;
 
 section! {
     SOLVER "solver", Defaulted, "Engine and solvers.";
-    ENGINE: Engine = choice("engine", "Engine used for the cracked rail.");
+    ENGINE: Engine = choice("engine", "Engine of the cracked rail.");
     SOLVER_CONTACT: ContactSolver = choice("contact", "Solver of the contact conditions on the crack faces.");
     NETWORK: NetworkContact = choice("network",
-        "How the contact conditions of many cracks are solved. By default cracks are followed together up to 23 of them, and from 24 on in groups where these can be: with the dislocation engine, in a half-plane.")
+        "Solution of the contact conditions of many cracks. By default groups from 24 cracks on where possible, with dislocations in a half-plane, otherwise whole.")
         .optional();
 }
 
@@ -62,7 +62,7 @@ impl Choice for Engine {
             Self::Plane(PlaneEngine::Dislocation),
             Word::now("dislocation", "distributed dislocations in a half-plane"),
         ),
-        (Self::Space, Word::now("space", "planar cracks with elliptical fronts in the half-space")),
+        (Self::Space, Word::now("space", "cracks with curved fronts in a half-space")),
     ];
 }
 

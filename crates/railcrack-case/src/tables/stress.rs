@@ -7,21 +7,21 @@ use std::path::Path;
 
 section! {
     RESIDUAL_STRESS "residual_stress", Optional,
-        "A balanced residual stress that varies with depth and is added to the stress due to the wheel.";
+        "A balanced residual stress over depth, added to that of the wheel.";
     PROFILE: String = file("profile", "inputs/residual-stress.csv", "profile.csv",
-        "CSV file with the columns depth_mm,sxx_mpa[,szz_mpa]; interpolated linearly between rows, zero below the last.").required();
+        "CSV file with the columns depth_mm,sxx_mpa[,szz_mpa]; linear between rows, zero below the last.").required();
 }
 
 section! {
     PLASTIC_STRESS "plastic_stress", Optional,
-        "A plastic stress K:eps_p = 2 G eps_p, which the run balances on the crack mesh. With neither key, as with from = \"passages\", it is that of the stabilised state of [shakedown], which the run computes first; under a patch the balanced stress of that state.",
+        "A plastic stress 2 G eps_p, which the run balances. Without a file, that of the stabilised state of [shakedown]; under a patch, the balanced stress of that state.",
         forms [[PLASTIC_FIELD], [PLASTIC_PROFILE], [PLASTIC_FROM]];
     PLASTIC_FIELD: String = file("field", "inputs/plastic-stress.vtu", "shakedown/plastic.vtu",
-        "VTU file with plastic_stress_mpa at points or cells, written by `railcrack shakedown` or by any other program.")
+        "VTU file with plastic_stress_mpa at points or cells, such as that of `railcrack shakedown`.")
         .optional();
     PLASTIC_PROFILE: String = file("profile", "inputs/plastic-stress.csv", "plastic.csv",
         "CSV file in the format of [residual_stress], read as a plastic stress.").optional();
-    PLASTIC_FROM: PlasticFrom = choice("from", "Origin other than a file: the passages of the wheels.").optional();
+    PLASTIC_FROM: PlasticFrom = choice("from", "Origin without a file.").optional();
 }
 
 read_by_word!(PlasticFrom);

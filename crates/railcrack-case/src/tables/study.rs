@@ -4,16 +4,16 @@ use crate::schema::{Choice, Word, choice, groups, integer, read_by_word, section
 
 section! {
     STUDY "study", Defaulted,
-        "Only in a study, which is a case file with lists or distributions instead of values: how the lists are combined and the distributions sampled.";
+        "Only in a study, a case file with lists or distributions: how these are combined and sampled.";
     COMBINE: Combine = choice("combine", "How the lists are combined.");
     TOGETHER: Vec<Vec<String>> = groups("together", &[&["contact.peak_pressure_mpa", "contact.half_width_mm"]],
         "[\"contact.peak_pressure_mpa\", \"contact.half_width_mm\"]",
-        "Groups of keys whose lists are combined element by element, as one list, in a product.").optional();
+        "Groups of keys whose lists are combined element by element in a product.").optional();
     COLOUR_BY: String = text("colour_by", "contact.friction",
-        "Key whose values are shown by colour in the overlay plots; by default that of the first list.").optional();
-    SAMPLES: usize = integer("samples", (1, 10_000), 100, "Number of samples of the distributions, each combined with every choice from the lists.").optional();
+        "Key shown by colour in the overlay plots; by default that of the first list.").optional();
+    SAMPLES: usize = integer("samples", (1, 10_000), 100, "Number of samples, each combined with every choice from the lists; by default 100.").optional();
     SAMPLING: Sampling = choice("sampling", "Sampling method.");
-    SEED: usize = integer("seed", (0, 4_294_967_295), 1, "Seed of the samples; the same seed gives the same samples.");
+    SEED: usize = integer("seed", (0, 4_294_967_295), 1, "Seed of the samples.");
 }
 
 read_by_word!(Combine);
@@ -35,13 +35,10 @@ pub enum Sampling {
 
 impl Choice for Sampling {
     const WORDS: &'static [(Self, Word)] = &[
-        (
-            Self::Sobol,
-            Word::now("sobol", "evenly spread by Sobol's sequence; a power of two samples is best"),
-        ),
+        (Self::Sobol, Word::now("sobol", "Sobol's sequence; a power of two samples is best")),
         (
             Self::LatinHypercube,
-            Word::now("latin-hypercube", "evenly spread in each key separately, for any number of keys"),
+            Word::now("latin-hypercube", "evenly spread in each key, for any number of keys"),
         ),
         (Self::Random, Word::now("random", "independent random numbers")),
     ];
@@ -58,10 +55,7 @@ pub enum Combine {
 
 impl Choice for Combine {
     const WORDS: &'static [(Self, Word)] = &[
-        (Self::Product, Word::now("product", "every value of a list with every value of the other lists")),
-        (
-            Self::Zip,
-            Word::now("zip", "the first values of all lists together, then the second values, and so on"),
-        ),
+        (Self::Product, Word::now("product", "every value with every value of the other lists")),
+        (Self::Zip, Word::now("zip", "the first values of all lists, then the second, and so on")),
     ];
 }

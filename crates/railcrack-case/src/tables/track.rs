@@ -8,7 +8,7 @@ use railcrack::load::{Axle, NamedSection, RailSection, Temperature, Track};
 
 section! {
     TRACK "track", Optional,
-        "Bending of the rail on its foundation under the passing axles; the bending stress moves with the wheel.",
+        "Bending of the rail on its foundation under the passing axles.",
         forms [[RAIL_SECTION], [SECOND_MOMENT, NEUTRAL_AXIS_DEPTH]];
     TRACK_LOAD: f64 = number("wheel_load_kn", "kN", closed(1e-3, 1e4), 100.0,
         "Wheel load on this rail; by default that of [contact].").optional();
@@ -20,22 +20,22 @@ section! {
     NEUTRAL_AXIS_DEPTH: f64 = number("neutral_axis_depth_mm", "mm", closed(1.0, 1e4), 91.05,
         "Depth of the neutral axis below the running surface.").required();
     AXLES: Vec<f64> = numbers("axles_mm", "mm", within(1e6), &[0.0],
-        "Positions along +x, relative to this wheel, of its own axle and the others of the train.");
+        "Positions of its own and other axles along +x, relative to this wheel.");
     AXLE_LOADS: Vec<f64> = numbers("axle_loads_kn", "kN", closed(1e-3, 1e4), &[100.0],
-        "Wheel load of each of these axles; by default wheel_load_kn for all of them.").optional();
+        "Wheel load of each axle; by default wheel_load_kn.").optional();
 }
 
 section! {
-    TEMPERATURE "temperature", Optional, "Temperature of a rail that is restrained lengthwise; below the neutral temperature it is in tension.",
+    TEMPERATURE "temperature", Optional, "Temperature of a rail that is restrained lengthwise, in tension below neutral_c.",
         forms [[RAIL_TEMPERATURE], [SEASONS, SEASON_SHARES]];
     RAIL_TEMPERATURE: f64 = number("rail_c", "degrees C", within(200.0), -5.0, "Temperature of the rail.").required();
     SEASONS: Vec<f64> = numbers("seasons_c", "degrees C", within(200.0), &[35.0, 15.0, -5.0],
-        "Temperatures of the rail over the year, such as those of summer, spring and frost: every wheel becomes one at each of them, and the wheels a mix. Each has the toughness at its temperature.")
+        "Temperatures of the rail over the year; each wheel passes at each of them, as a mix, with the toughness at that temperature.")
         .required();
     SEASON_SHARES: Vec<f64> = numbers("season_shares", "", closed(1e-9, 1.0), &[0.3, 0.6, 0.1],
-        "Share of the axles at each of these temperatures; the shares add up to 1.").required();
+        "Shares of the axles at seasons_c; their sum is 1.").required();
     NEUTRAL_TEMPERATURE: f64 = number("neutral_c", "degrees C", within(200.0), 25.0,
-        "Neutral temperature, at which the rail carries no longitudinal force.").required();
+        "Neutral temperature, at which there is no longitudinal force.").required();
     EXPANSION: f64 = number("expansion_per_k", "1/K", closed(1e-9, 1e-3), Temperature::RAIL_STEEL_EXPANSION,
         "Coefficient of thermal expansion.");
 }
@@ -50,7 +50,7 @@ pub(crate) enum SectionName {
     E49,
 }
 
-const OLD_NAME: &str = "the same section under its older name";
+const OLD_NAME: &str = "older name";
 
 impl Choice for SectionName {
     const WORDS: &'static [(Self, Word)] = &[

@@ -11,11 +11,11 @@ use railcrack::rolling::{CreepageSign, RollingTheory};
 
 section! {
     TRAFFIC "traffic", Optional,
-        "Traffic. With this section, cycles are also given in million gross tonnes, and growth.csv has the columns depth_mm and mgt.";
+        "Traffic, for results in million gross tonnes (MGT).";
     AXLE_LOAD: f64 = number("axle_load_t", "t", closed(1e-3, 100.0), 17.0,
-        "Axle load; one passage is one axle. Required, unless every [[wheel]] has its own.").optional();
+        "Axle load. Required, unless every [[wheel]] has its own.").optional();
     MGT_PER_YEAR: f64 = number("mgt_per_year", "MGT", closed(1e-6, 1e4), 20.0,
-        "Traffic of a year, million gross tonnes: results are then also given in months.").optional();
+        "Traffic of a year; results are then also in months.").optional();
 }
 
 /// `[wheel.contact]`.
@@ -33,29 +33,29 @@ read_by_word!(Travel);
 
 section! {
     WHEEL "wheel", Several,
-        "A wheel of a traffic mix, replacing [contact]; growth rates are summed in proportion to the shares of the axles.",
+        "A wheel of a traffic mix, instead of [contact]; growth rates are summed by the shares of the axles.",
         forms [[SHARE],
             [TABLE, TABLE_SIGN, TABLE_THEORY, TABLE_EXTENT, REPRESENTATIVES, REPRESENTATIVES_ERROR, PLACE, PLACE_WINDOW]],
         parts [WHEEL_CONTACT, WHEEL_TRACK, WHEEL_TEMPERATURE, WHEEL_FLUID];
     WHEEL_NAME: String = text("name", "freight, loaded", "Name shown in reports.").optional();
-    SHARE: f64 = number("share", "", closed(1e-9, 1.0), 0.7, "Fraction of all axles; the shares of all wheels must add up to 1.")
+    SHARE: f64 = number("share", "", closed(1e-9, 1.0), 0.7, "Fraction of all axles; the shares add up to 1.")
         .required();
     WHEEL_AXLE_LOAD: f64 = number("axle_load_t", "t", closed(1e-3, 100.0), 22.5,
-        "Load of one of its axles, used to count million gross tonnes; by default that of [traffic].").optional();
-    DIRECTION: Travel = choice("direction", "Direction of travel, by default that of [passage]. A wheel that runs the other way starts as far before the mouth that it meets first, and ends as far behind the last one. The sign of its friction remains that of the shear on the rail along +x.")
+        "Axle load for the count of tonnes; by default that of [traffic].").optional();
+    DIRECTION: Travel = choice("direction", "Direction of travel, by default that of [passage]; in the other one the passage is mirrored, but not the sign of friction.")
         .optional();
     TABLE: String = file("table", "inputs/wheels", "curve.csv",
-        "CSV file with a row per wheel and patch, instead of share and contact: wheel, normal_kn, y_rail_mm, creepage_x, creepage_y, spin_per_mm, mu, and a_mm, b_mm or rail_radius_mm, wheel_radius_mm; optional are place_m, patch, share, axle_load_t, angle_deg, x_mm, wheel_profile_radius_mm. lateral_mm of the cracks is their place among those of the patches.")
+        "CSV file with a row per wheel and patch: wheel, normal_kn, y_rail_mm (on the axis of lateral_mm of the cracks), creepage_x, creepage_y, spin_per_mm, mu, and a_mm, b_mm or rail_radius_mm, wheel_radius_mm; optionally place_m, patch, share, axle_load_t, angle_deg, x_mm, wheel_profile_radius_mm.")
         .required();
-    TABLE_SIGN: CreepageSign = choice("creepage_sign", "Convention for the signs of creepages and spin of the table.").required();
-    TABLE_THEORY: RollingTheory = choice("theory", "Theory of the shear of its patches.");
+    TABLE_SIGN: CreepageSign = choice("creepage_sign", "Sign convention of creepages and spin.").required();
+    TABLE_THEORY: RollingTheory = choice("theory", "Theory of the shear.");
     TABLE_EXTENT: ContactExtent = choice("lateral",
-        "What of the patches of a wheel loads cracks in the plane; in space it is always the whole patches.").optional();
+        "Part of the patches that loads cracks in the plane: by default the patch, in a block the strip.").optional();
     REPRESENTATIVES: usize = integer("representatives", (1, 30), 30,
-        "Largest number of wheels that are computed; more wheels are grouped, and each group is represented by one of its wheels.");
+        "Largest number of computed wheels; more are grouped, and one of each group is computed.");
     REPRESENTATIVES_ERROR: f64 = number("representatives_error", "", closed(1e-6, 1.0), 0.01,
-        "Accepted error of the mean growth rate by the representatives; a larger one is a warning.");
+        "Error of the mean growth rate by the representatives above which there is a warning.");
     PLACE: f64 = number("place_m", "m", within(1e7), 0.0,
-        "Place along the track: only wheels of the table at this place pass, and their shares are those among them. All wheels if not given.").optional();
-    PLACE_WINDOW: f64 = number("place_window_m", "m", closed(1e-3, 1e7), 1.0, "Length of track around place_m from which wheels are taken.");
+        "Place along the track: only wheels at this place pass, with shares among them; by default all wheels.").optional();
+    PLACE_WINDOW: f64 = number("place_window_m", "m", closed(1e-3, 1e7), 1.0, "Length of track around place_m that counts as this place.");
 }

@@ -2,7 +2,7 @@
 
 use super::row::Row;
 use crate::numbers::short;
-use crate::setup::{HeaviestWheel, contact_bounds};
+use crate::setup::{HeaviestWheel, WheelBounds};
 use crate::simulation::{plastic_stress_left_out, rolled_by};
 use railcrack::shakedown::DepthBounds;
 use railcrack::words::Choice;
@@ -101,10 +101,8 @@ pub(super) fn bounds(case: &Case) -> Vec<Row> {
     let heaviest = &case.wheels[number];
     let Some(contact) = heaviest.wheel.contact() else { return Vec::new() };
     let ratio = contact.peak_pressure() / shear_yield;
-    let all = contact_bounds(&heaviest.wheel, &case.steel, |bounds| {
-        (bounds.first_yield(), bounds.shakedown_limit(), bounds.by_depth(&BOUND_DEPTHS))
-    });
-    let Some((first_yield, shakedown, by_depth)) = all else { return Vec::new() };
+    let Some(all) = WheelBounds::of(case, number) else { return Vec::new() };
+    let WheelBounds { first_yield, shakedown, .. } = all;
     let a = contact.half_width();
     let limit = |name: &'static str, ratio: f64, depth_over_a: f64| {
         let text = format!("p0 / k = {ratio:.4}, depth {{depth}}");
@@ -123,7 +121,7 @@ pub(super) fn bounds(case: &Case) -> Vec<Row> {
         limit("shakedown limit", shakedown.ratio, shakedown.depth_over_a),
         Row::line("depth mm   first yield   shakedown limit   p0 / k of the case"),
     ]);
-    rows.extend(by_depth.iter().map(|bounds| at_depth(bounds, a, ratio)));
+    rows.extend(all.by_depth(&BOUND_DEPTHS).iter().map(|bounds| at_depth(bounds, a, ratio)));
     rows
 }
 

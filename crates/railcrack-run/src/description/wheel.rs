@@ -3,7 +3,7 @@
 use super::row::{Part, Row};
 use super::stress::yielding;
 use crate::numbers::short;
-use crate::setup::contact_bounds;
+use crate::setup::WheelBounds;
 use railcrack::contact::{CrackFluid, FluidModel, StepControl};
 use railcrack::load::{CarterContact, Contact, HertzEllipse};
 use railcrack::profiles::ProfileContact;
@@ -23,7 +23,7 @@ pub(super) fn wheels(case: &Case) -> Vec<Part> {
     }
     let numbered = case.wheels.iter().enumerate();
     let of = |(i, wheel): (usize, &TrafficWheel)| {
-        Part::new(format!("wheel {}, {}", i + 1, wheel.name), wheel_of_mix(case, wheel))
+        Part::new(format!("wheel {}, {}", i + 1, wheel.name), wheel_of_mix(case, i))
     };
     std::iter::once(Part::new("mix", mix(case))).chain(numbered.map(of)).collect()
 }
@@ -281,7 +281,8 @@ fn table_of_wheels(case: &Case) -> Vec<Row> {
 
 /// A wheel of a mix: its share, passage and fluid, its contact, track and temperature, and the
 /// pressure at which the rail yields under it.
-fn wheel_of_mix(case: &Case, mixed: &TrafficWheel) -> Vec<Row> {
+fn wheel_of_mix(case: &Case, number: usize) -> Vec<Row> {
+    let mixed = &case.wheels[number];
     let (wheel, passage) = (&mixed.wheel, mixed.passages.passage);
     let mut rows = vec![
         Row::number("share of the axles", 100.0 * mixed.share, "%"),
@@ -297,9 +298,9 @@ fn wheel_of_mix(case: &Case, mixed: &TrafficWheel) -> Vec<Row> {
         rows.push(Row::number("breaks at k1", fracture.toughness.at(at.rail), "MPa sqrt(m)"));
     }
     let shear_yield = case.shakedown.hardening.shear_yield_stress();
-    let bounds =
-        contact_bounds(wheel, &case.steel, |bounds| (bounds.first_yield(), bounds.shakedown_limit()));
-    rows.extend(wheel.contact().zip(bounds).map(|(contact, (first_yield, limit))| {
+    let bounds = WheelBounds::of(case, number);
+    rows.extend(wheel.contact().zip(bounds).map(|(contact, bounds)| {
+        let [first_yield, limit] = [bounds.first_yield, bounds.shakedown];
         let ratio = contact.peak_pressure() / shear_yield;
         let text = format!(
             "{{p0/k}}; first yield at {:.4}, shakedown limit {:.4}: {}",

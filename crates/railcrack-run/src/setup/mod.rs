@@ -20,6 +20,7 @@ mod size;
 mod space;
 mod space_demands;
 mod wheel;
+mod wheel_bounds;
 mod wheel_demands;
 mod wheel_patch;
 
@@ -32,11 +33,11 @@ pub use prepared::PreparedRun;
 pub use rates_across::rates_across;
 pub use represented::{represented, represented_in};
 pub use rolled::{
-    HeaviestWheel, contact_bounds, rail_in_space, rolled_rail, rolling_wheels, stabilisation,
-    stabilisation_in_space,
+    HeaviestWheel, rail_in_space, rolled_rail, rolling_wheels, stabilisation, stabilisation_in_space,
 };
 pub use shared::{RailKey, SharedRail, SharedRailError};
 pub use size::RunSize;
 pub use wheel::{plane_field, wheel_field};
+pub use wheel_bounds::{WheelBound, WheelBounds};
 pub use wheel_demands::wheel_demands;
 pub use wheel_patch::{patch_beside, rolls_on_patches, wheel_patches};

@@ -1,13 +1,10 @@
-//! The rail that the wheels of a case roll plastically: the order of its wheels, and the bounds of
-//! shakedown under a contact.
+//! The rail that the wheels of a case roll plastically, and the order of its wheels.
 
+use super::wheel_bounds::WheelBounds;
 use super::wheel_patch::rolled_patch;
-use railcrack::field::wheel_under;
-use railcrack::load::WheelLoad;
-use railcrack::material::IsotropicElastic;
 use railcrack::shakedown::space::{RailInSpace, RolledPatch, SpaceStabilisation};
-use railcrack::shakedown::{ContactBounds, RolledRail, Stabilisation};
-use railcrack_case::{Case, GivenWheel, RollingWheels, ShakedownSettings, TrafficWheel};
+use railcrack::shakedown::{RolledRail, Stabilisation};
+use railcrack_case::{Case, RollingWheels, ShakedownSettings, TrafficWheel};
 
 /// The wheel of a mix that comes nearest to its limit of elastic shakedown, or exceeds it most.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -33,7 +30,7 @@ impl HeaviestWheel {
         let shear_yield = case.shakedown.hardening.shear_yield_stress();
         let of = |(wheel, given): (usize, &TrafficWheel)| {
             let peak = given.wheel.contact()?.peak_pressure();
-            let limit = contact_bounds(&given.wheel, &case.steel, |bounds| bounds.shakedown_limit().ratio);
+            let limit = WheelBounds::of(case, wheel).map(|bounds| bounds.shakedown.ratio);
             Some(Self { wheel, of_limit: limit.map_or(0.0, |limit| peak / shear_yield / limit) })
         };
         case.wheels.iter().enumerate().filter_map(of).reduce(heavier).unwrap_or_default()
@@ -104,19 +101,4 @@ pub fn stabilisation_in_space(case: &Case) -> SpaceStabilisation {
 pub fn stabilisation(case: &Case) -> Stabilisation {
     let ShakedownSettings { method, max_passes, .. } = case.shakedown;
     Stabilisation { method, max_passes, ..Stabilisation::default() }
-}
-
-/// First yield and shakedown of a rail of `steel` under the contact of `wheel` alone, of a patch
-/// under its strip, as `of` asks for them; none where it misses the cracks. The search below a
-/// whole patch takes a second, which a study cannot spend on each run.
-#[must_use]
-pub fn contact_bounds<T>(
-    wheel: &GivenWheel,
-    steel: &IsotropicElastic,
-    of: impl FnOnce(&ContactBounds) -> T,
-) -> Option<T> {
-    let contact = wheel.contact()?;
-    let load = WheelLoad { contact: contact.clone(), track: None, temperature: None };
-    let wheel = wheel_under(&load, steel).ok()?;
-    Some(of(&ContactBounds::new(contact, wheel.as_ref())))
 }

@@ -78,6 +78,25 @@ pub(super) fn rolled_patch(case: &Case, number: usize) -> Option<RolledPatch> {
     })
 }
 
+/// The heaviest patch of the wheel `number` (from 0) of `case` as a Hertz ellipse that slides along
+/// the rail with its shear over normal force; none of a line contact.
+pub(super) fn sliding_ellipse(case: &Case, number: usize) -> Option<EllipticWheel> {
+    let patch = given_patches(case, number)?.into_iter().next()?;
+    let friction = match patch.tractions {
+        Tractions::Sliding([along, across]) => along.hypot(across),
+        Tractions::Strips(_) => case.wheels[number].wheel.contact()?.adhesion(),
+    };
+    let HertzEllipse { peak_pressure, along, across } = patch.ellipse;
+    Some(EllipticWheel {
+        peak_pressure,
+        half_width: along,
+        lateral_half_width: across,
+        lateral: 0.0,
+        friction: friction.abs(),
+        lateral_friction: 0.0,
+    })
+}
+
 /// The patches by which the wheel `number` (from 0) of `case` loads cracks in the plane; none of a
 /// line contact.
 pub(super) fn patches_in_plane(case: &Case, number: usize) -> Option<Vec<PatchLoad>> {

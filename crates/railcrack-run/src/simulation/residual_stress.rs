@@ -13,7 +13,7 @@ use crate::log::{PlasticOrigin, ProjectionSummary, ReleaseSummary, ResidualSumma
 use crate::run_folder::Existing;
 use crate::setup::{
     CarriedStress, HeaviestWheel, LayeredStress, PreparedRun, Projection, Release, RolledStress,
-    SectionStress, contact_bounds,
+    SectionStress, WheelBounds,
 };
 use crate::shakedown::{LayerRow, SectionRow, ShakedownSummary};
 use railcrack::interruption::Interruption;
@@ -220,9 +220,10 @@ pub fn plastic_stress_left_out(case: &Case) -> Option<String> {
     if case.plastic_stress().is_some() || case.residual_stress.is_some() {
         return None;
     }
-    let heaviest = &case.wheels[HeaviestWheel::of_case(case).wheel];
+    let number = HeaviestWheel::of_case(case).wheel;
+    let heaviest = &case.wheels[number];
     let ratio = heaviest.wheel.contact()?.peak_pressure() / case.shakedown.hardening.shear_yield_stress();
-    let first = contact_bounds(&heaviest.wheel, &case.steel, |bounds| bounds.first_yield())?.ratio;
+    let first = WheelBounds::of(case, number)?.first_yield.ratio;
     let under = match case.is_mix() {
         true => format!(" under the wheel \"{}\"", heaviest.name),
         false => String::new(),

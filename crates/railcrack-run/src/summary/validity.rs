@@ -3,12 +3,11 @@
 use super::parts::WarningSummary;
 use crate::decision::deepening;
 use crate::log::{RunInfo, RunLog, StepDigest};
-use crate::setup::{self, EffectInPlane, contact_bounds};
+use crate::setup::{self, EffectInPlane, WheelBounds};
 use railcrack::bulk::Boundary;
 use railcrack::fatigue::RailSteel;
 use railcrack::growth::{TipRecord, Warning, WarningKind};
 use railcrack::math::MPA_SQRT_MM;
-use railcrack::shakedown::ContactBounds;
 use railcrack::validity::{self, LineContact, ResidualStress, Steel, SteelOrigin, ValidityWarning};
 use railcrack_case::{Case, GivenWheel, Implausible, Topic, implausible};
 use std::cell::LazyCell;
@@ -190,9 +189,12 @@ fn of_wheel(case: &Case, number: usize) -> Vec<Warning> {
     let is_given = case.residual_stress.is_some() || case.plastic_stress().is_some();
     let residual = if is_given { ResidualStress::Given } else { ResidualStress::Absent };
     let yield_stress = case.shakedown.hardening.yield_stress();
-    let of_bounds = |bounds: &ContactBounds| validity::pressure(contact, bounds, yield_stress, residual);
+    let of_bounds = |bounds: WheelBounds| {
+        let limits = [bounds.first_yield.ratio, bounds.shakedown.ratio];
+        validity::pressure(contact, limits, yield_stress, residual)
+    };
     let all = [
-        contact_bounds(wheel, &case.steel, of_bounds).flatten(),
+        WheelBounds::of(case, number).and_then(of_bounds),
         validity::shear(contact),
         setup::patch_beside(case, number).and_then(validity::patch_beside),
         strip_of_patch(case, wheel),
@@ -217,21 +219,21 @@ fn strip_of_patch(case: &Case, wheel: &GivenWheel) -> Option<ValidityWarning> {
 pub(crate) fn flowing(case: &Case) -> Option<[f64; 2]> {
     let shear_yield = case.shakedown.hardening.yield_stress() / 3f64.sqrt();
     let depths: Vec<f64> = (0..=FLOW_DEPTHS).map(|i| i as f64 * DEEPEST_FLOW / FLOW_DEPTHS as f64).collect();
-    let of_wheel = |wheel: &GivenWheel| {
+    let of_wheel = |number: usize| {
+        let wheel = &case.wheels[number].wheel;
         let (peak, half_width) = (wheel.contact()?.peak_pressure(), wheel.half_width());
-        contact_bounds(wheel, &case.steel, |bounds: &ContactBounds| {
-            if peak <= shear_yield * bounds.shakedown_limit().ratio {
-                return None;
-            }
-            let by_depth = bounds.by_depth(&depths);
-            let flows = by_depth.iter().filter(|depth| peak > shear_yield * depth.shakedown);
-            let all = flows.map(|depth| depth.depth_over_a * half_width);
-            all.fold(None, |range: Option<[f64; 2]>, depth| {
-                Some(range.map_or([depth; 2], |[top, bottom]| [top.min(depth), bottom.max(depth)]))
-            })
+        let bounds = WheelBounds::of(case, number)?;
+        if peak <= shear_yield * bounds.shakedown.ratio {
+            return None;
+        }
+        let by_depth = bounds.by_depth(&depths);
+        let flows = by_depth.iter().filter(|depth| peak > shear_yield * depth.shakedown);
+        let all = flows.map(|depth| depth.depth_over_a * half_width);
+        all.fold(None, |range: Option<[f64; 2]>, depth| {
+            Some(range.map_or([depth; 2], |[top, bottom]| [top.min(depth), bottom.max(depth)]))
         })
     };
-    let ranges = case.wheels.iter().filter_map(|wheel| of_wheel(&wheel.wheel).flatten());
+    let ranges = (0..case.wheels.len()).filter_map(of_wheel);
     ranges.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
 }
 

@@ -43,7 +43,7 @@ impl PatchBounds<'_> {
     /// p0/k at first yield: 1 / max √J2 over the half-space, for p0 = 1.
     #[must_use]
     pub fn first_yield(&self) -> PlaceBound {
-        self.bound(longest)
+        self.bound(&self.laterals(), longest)
     }
 
     /// p0/k at the limit of elastic shakedown for kinematic hardening: at every place of the
@@ -51,7 +51,14 @@ impl PatchBounds<'_> {
     /// ball of radius √2 k in five dimensions with any centre (Melan 1938).
     #[must_use]
     pub fn shakedown_limit(&self) -> PlaceBound {
-        self.bound(|deviators| smallest_ball(deviators).radius)
+        self.bound(&self.laterals(), |deviators| smallest_ball(deviators).radius)
+    }
+
+    /// First yield and the limit of elastic shakedown in the vertical plane along the rail through
+    /// the middle of the contact. Both decide there for a Hertz ellipse that slides along the rail.
+    #[must_use]
+    pub fn in_the_middle(&self) -> [PlaceBound; 2] {
+        [self.bound(&[0.0], longest), self.bound(&[0.0], |deviators| smallest_ball(deviators).radius)]
     }
 
     /// Both at each of `depths_over_a`, at the lateral place `y_over_b`.
@@ -68,18 +75,22 @@ impl PatchBounds<'_> {
         depths_over_a.par_iter().map(at).collect()
     }
 
-    /// √2 over the largest `radius` of the elastic paths.
-    fn bound(&self, radius: impl Fn(&[[f64; 5]]) -> f64 + Sync) -> PlaceBound {
-        let patch = self.0;
-        let deepest = DEEPEST * patch.half_width.min(patch.lateral_half_width) / patch.half_width;
-        let (down, beside) = (deepest / f64::from(DEPTH_INTERVALS), 1.0 / f64::from(LATERAL_INTERVALS));
-        let first = match patch.symmetry {
+    /// Lateral places of the coarse search, over b.
+    fn laterals(&self) -> Vec<f64> {
+        let first = match self.0.symmetry {
             Symmetry::Mirrored => 0,
             Symmetry::None => -LATERAL_INTERVALS,
         };
-        let places: Vec<[f64; 2]> = (first..=LATERAL_INTERVALS)
-            .flat_map(|m| (0..=DEPTH_INTERVALS).map(move |n| [beside * f64::from(m), down * f64::from(n)]))
-            .collect();
+        (first..=LATERAL_INTERVALS).map(|m| f64::from(m) / f64::from(LATERAL_INTERVALS)).collect()
+    }
+
+    /// √2 over the largest `radius` of the elastic paths at the lateral places `laterals`.
+    fn bound(&self, laterals: &[f64], radius: impl Fn(&[[f64; 5]]) -> f64 + Sync) -> PlaceBound {
+        let patch = self.0;
+        let deepest = DEEPEST * patch.half_width.min(patch.lateral_half_width) / patch.half_width;
+        let (down, beside) = (deepest / f64::from(DEPTH_INTERVALS), 1.0 / f64::from(LATERAL_INTERVALS));
+        let depths = |y: f64| (0..=DEPTH_INTERVALS).map(move |n| [y, down * f64::from(n)]);
+        let places: Vec<[f64; 2]> = laterals.iter().flat_map(|y| depths(*y)).collect();
         let values: Vec<f64> =
             places.par_iter().map(|&[y, depth]| radius(&self.deviators(y, depth, COARSE))).collect();
         let larger = |best: usize, at: usize| if values[at] > values[best] { at } else { best };
@@ -87,7 +98,7 @@ impl PatchBounds<'_> {
         let value = |y: f64, depth: f64| radius(&self.deviators(y, depth, 1));
         let within = |depth: f64| [f64::max(0.0, depth - down), depth + down];
         let mut best = [y, golden_section(within(depth), SECTIONS, Ties::First, |depth| value(y, depth))];
-        if patch.symmetry == Symmetry::None || y > 0.0 {
+        if laterals.len() > 1 && (patch.symmetry == Symmetry::None || y > 0.0) {
             let around = [y - beside, y + beside];
             best[0] = golden_section(around, SECTIONS, Ties::First, |y| value(y, best[1]));
             best[1] = golden_section(within(best[1]), SECTIONS, Ties::First, |depth| value(best[0], depth));

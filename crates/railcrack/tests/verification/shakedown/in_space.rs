@@ -82,6 +82,35 @@ fn limits_of_ellipses() {
     assert!((sliding.ratio / 4.654 - 1.0).abs() < 3e-4, "{sliding:?}");
 }
 
+/// Ellipses with friction against an independent quadrature of point forces, in the whole section
+/// and in the middle plane alone. At the surface of an ellipse that is no circle the quadrature is
+/// extrapolated; its README estimates 0.5 % there, and 1 % of first yield.
+#[test]
+fn limits_of_sliding_ellipses_lie_in_the_middle() {
+    let table = include_str!("../../../../../verification/point-contact-limits/limits.csv");
+    let rows = table.lines().filter(|line| !line.starts_with(['#', 'b']));
+    let rows: Vec<Vec<f64>> = rows.map(|row| row.split(',').map(|v| v.parse().unwrap()).collect()).collect();
+    assert_eq!(rows.len(), 15);
+    for row in rows {
+        let [b_over_a, friction, first, first_depth, limit, limit_depth] = row[..6] else {
+            panic!("{row:?}")
+        };
+        let patch = patch(1.0, [1.0, b_over_a], friction);
+        let near = |value: f64, want: f64, depth: f64, surface: f64| {
+            let accepted = if depth == 0.0 { surface } else { 5e-4 };
+            assert!((value / want - 1.0).abs() < accepted, "{row:?}: {value}");
+        };
+        let [own_first, own_limit] = patch.bounds().in_the_middle();
+        near(own_first.ratio, first, first_depth, 0.012);
+        near(own_limit.ratio, limit, limit_depth, 5e-3);
+        // Nothing beside the middle decides.
+        let whole = [patch.bounds().first_yield(), patch.bounds().shakedown_limit()];
+        for (middle, whole) in [own_first, own_limit].into_iter().zip(whole) {
+            assert!((middle.ratio / whole.ratio - 1.0).abs() < 1e-5, "{row:?}: {middle:?} {whole:?}");
+        }
+    }
+}
+
 /// Without friction the limit is that of the alternating shear in vertical planes along the rail:
 /// p0/k = p0 / max σ_xz.
 #[test]
