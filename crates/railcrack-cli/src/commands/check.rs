@@ -74,7 +74,8 @@ fn case_json(case: &Case) -> Value {
         "increments": case.growth.steps,
         "memory_bytes": needs.memory,
         "disk_bytes": needs.disk,
-        "step_seconds": description.step_seconds(),
+        "step_seconds": description.time().step,
+        "seconds": description.time().total(),
         "warnings": warnings,
         "summary": parts_json(&description.parts(&Subject::ALL)),
     })

@@ -2,7 +2,8 @@
 
 use railcrack::words::Choice;
 use railcrack_case::{Axis, ByGeometry, Study, StudyRun, Variation};
-use railcrack_run::machine::{Budget, Needs, long_step, mb, step_seconds};
+use railcrack_run::description::{RunTime, duration, long_step};
+use railcrack_run::machine::{Budget, Needs, mb};
 use railcrack_run::setup::{RailKey, RunSize};
 use railcrack_run::summary::validity::{of_case, pattern};
 use serde_json::{Value, json};
@@ -19,6 +20,8 @@ const MOST_SIZED: usize = 100;
 struct StudyNeeds {
     /// Disk of all runs, bytes.
     disk: u64,
+    /// Processor time of all runs, s.
+    seconds: f64,
     /// Remark on the slowest one; none where all are quick.
     slow: Option<String>,
 }
@@ -27,19 +30,21 @@ impl StudyNeeds {
     fn of(study: &Study) -> Self {
         let sizes = ByGeometry::default();
         let every = study.runs.len().div_ceil(MOST_SIZED).max(1);
-        let (mut disk, mut count, mut slowest) = (0u128, 0, None::<(f64, RunSize)>);
+        let (mut disk, mut time, mut count, mut slowest) = (0u128, 0.0, 0, None::<(f64, RunSize)>);
         for run in study.runs.iter().step_by(every) {
             let size = sizes.value(&run.case, || RunSize::estimate(&run.case));
             disk += u128::from(Needs::with(&run.case, &size).disk);
             count += 1;
-            let seconds = step_seconds(&run.case, &size);
+            let RunTime { step: seconds, run: of_run, .. } = RunTime::of(&run.case, &size);
+            time += of_run;
             if slowest.is_none_or(|(most, _)| seconds > most) {
                 slowest = Some((seconds, size));
             }
         }
         let disk = disk * study.runs.len() as u128 / count.max(1);
         let slow = slowest.and_then(|(seconds, size)| long_step(seconds, &size));
-        Self { disk: u64::try_from(disk).unwrap_or(u64::MAX), slow }
+        let seconds = time * study.runs.len() as f64 / count.max(1) as f64;
+        Self { disk: u64::try_from(disk).unwrap_or(u64::MAX), seconds, slow }
     }
 }
 
@@ -63,10 +68,11 @@ pub fn study_summary(study: &Study, folder: &Path) -> String {
             "memory"
         ));
     }
-    let StudyNeeds { disk, slow } = StudyNeeds::of(study);
+    let StudyNeeds { disk, seconds, slow } = StudyNeeds::of(study);
     let budget = Budget::of(folder);
     let of = |has: Option<u64>| has.map_or_else(|| "unknown".to_owned(), |has| format!("{} MB", mb(has)));
     text.push_str(&format!("  {:<20} about {} MB of tables, all runs\n", "disk", mb(disk)));
+    text.push_str(&format!("  {:<20} about {} on one core, all runs\n", "time", duration(seconds)));
     text.push_str(&format!(
         "  {:<20} {} of memory, {} of free disk\n",
         "machine",
@@ -107,7 +113,7 @@ pub fn study_json(study: &Study) -> Value {
         .iter()
         .map(|run| json!({ "run": run.number, "values": run.label, "increments": run.case.growth.steps }))
         .collect();
-    let StudyNeeds { disk, .. } = StudyNeeds::of(study);
+    let StudyNeeds { disk, seconds, .. } = StudyNeeds::of(study);
     json!({
         "exit": 0,
         "kind": "study",
@@ -115,6 +121,7 @@ pub fn study_json(study: &Study) -> Value {
         "combine": study.combine.word(),
         "axes": study.axes.iter().map(varies).collect::<Vec<_>>(),
         "disk_bytes": disk,
+        "seconds": seconds,
         "warnings": warnings(study).into_iter().map(|(run, text)| json!({ "run": run, "text": text })).collect::<Vec<_>>(),
         "runs": runs,
     })

@@ -15,7 +15,8 @@ use railcrack_report::{PageEngine, Pages};
 use railcrack_run::decision::{
     Reason, StageSummary, StagesSummary, TonnageWords, Verdict, VerdictLevel, interval_in_words, three_digits,
 };
-use railcrack_run::machine::{Budget, Needs, long_step, short_of_address_space, step_seconds};
+use railcrack_run::description::{RunTime, long_step};
+use railcrack_run::machine::{Budget, Needs, short_of_address_space};
 use railcrack_run::setup::RunSize;
 use railcrack_run::simulation::{Ending, Finished, RunEntry, RunError, Simulation};
 use railcrack_run::summary::validity::warning_pages;
@@ -151,7 +152,9 @@ pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<
     if !arguments.no_limits {
         Budget::of(&folder).allows(Needs::with(&case, &size), 1, 1)?;
     }
-    if let Some(says) = long_step(step_seconds(&case, &size), &size).filter(|_| !arguments.execution.quiet) {
+    if let Some(says) =
+        long_step(RunTime::of(&case, &size).step, &size).filter(|_| !arguments.execution.quiet)
+    {
         print::warning(&says);
     }
     let progress = Progress::new(arguments.execution.verbosity(), case.growth.expected_steps(), interruption)

@@ -1,13 +1,14 @@
 //! A case in words and numbers, once for the terminal, for pages and for JSON.
 
 mod cracks;
+mod duration;
 mod growth;
 mod model;
 mod row;
 mod stress;
 mod wheel;
 
-use crate::machine::{Budget, Needs, long_step, mb, step_seconds};
+use crate::machine::{Budget, Needs, mb};
 use crate::setup::RunSize;
 use crate::summary::validity::{before_a_run, warning_pages};
 use railcrack::words::Choice;
@@ -15,6 +16,7 @@ use railcrack_case::Case;
 use std::cell::OnceCell;
 use std::path::Path;
 
+pub use duration::{RunTime, duration, long_step};
 pub use row::{Number, Part, Row, parts_json};
 
 /// A subject of a description.
@@ -91,9 +93,9 @@ impl<'a> Description<'a> {
         Needs::with(self.case, self.size())
     }
 
-    /// Wall time of a growth step, s, about.
-    pub fn step_seconds(&self) -> f64 {
-        step_seconds(self.case, self.size())
+    /// Processor time of a run.
+    pub fn time(&self) -> RunTime {
+        RunTime::of(self.case, self.size())
     }
 
     /// The parts about `subjects`, in their order; parts that the case does not have are without
@@ -130,10 +132,12 @@ impl<'a> Description<'a> {
             Row::text("memory", format!("about {} MB{}", mb(needs.memory), of(budget.memory))),
             Row::text("disk", format!("about {} MB of tables{}", mb(needs.disk), of(budget.disk))),
         ];
+        let time = self.time();
+        rows.push(Row::text("time", time.in_words()));
         if let Err(over) = budget.allows(needs, 1, 1) {
             rows.push(Row::text("too large", over.to_string()));
         }
-        rows.extend(long_step(self.step_seconds(), self.size()).map(|text| Row::text("slow", text)));
+        rows.extend(long_step(time.step, self.size()).map(|text| Row::text("slow", text)));
         Part::new("machine", rows)
     }
 

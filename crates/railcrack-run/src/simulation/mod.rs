@@ -19,6 +19,7 @@ mod run;
 mod sweep;
 mod variations;
 
+pub(crate) use companions::variants;
 pub use drive::Ending;
 pub use error::RunError;
 pub use job::{Job, Stage, case_files};
