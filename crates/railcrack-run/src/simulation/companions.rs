@@ -283,7 +283,7 @@ impl Simulation<'_> {
 }
 
 /// The companions of a crack of `case` that grows, by `engine`, except those at other speeds: other
-/// paths, frictions between the faces and [`variations`]. A rail that holds in the run may fail with
+/// paths, frictions between the faces and [`variations`]. A rail that holds in the run may fail in
 /// one of these.
 pub(crate) fn variants(case: &Case, engine: Engine) -> Vec<CompanionKind> {
     if case.inspection.is_none() || case.space().is_some() {

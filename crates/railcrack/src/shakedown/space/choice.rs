@@ -21,8 +21,8 @@ pub struct SpaceResolution {
 }
 
 impl Default for SpaceResolution {
-    /// The resolution measured in `docs/dev/shakedown.md`: doubling grids changes the residual stress
-    /// by 0.2 % of its peak in the mean and by 1.8 % at most.
+    /// The resolution measured in `docs/dev/shakedown.md`: doubling grids changes the residual
+    /// stress by 0.2 % of its peak in the mean and by 1.8 % at most.
     fn default() -> Self {
         Self {
             columns_per_half_width: 16,
