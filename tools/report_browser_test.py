@@ -788,9 +788,9 @@ def check_many(browser, checks, name, folder):
     checks.that(len(estimates) > 3, f"{name}: a row for each result and key", len(estimates))
     value = lambda text: float(text.replace("\u2212", "-"))
     for rank, rank_span, index, index_span in estimates:
-        for text, span, low in [(rank, rank_span, -1), (index, index_span, 0)]:
+        for shown, span, low in [(rank, rank_span, -1), (index, index_span, 0)]:
             ends = [value(end) for end in span.split(" to ")] if span else None
-            checks.that(ends is None or (low <= value(text) <= 1 and ends[0] - 0.01 <= value(text) <= ends[1] + 0.01), f"{name}: an estimate lies in its interval", text, span)
+            checks.that(ends is None or (low <= value(shown) <= 1 and ends[0] - 0.01 <= value(shown) <= ends[1] + 0.01), f"{name}: an estimate lies in its interval", shown, span)
     # Quantiles of the results are those of the table.
     lengths = sorted(float(row["length_mm"]) for row in done)
     medians = browser.run("Object.fromEntries([...document.querySelectorAll('#study-quantiles tbody tr')].map((r) => [r.cells[0].textContent, r.cells[4].textContent]))")
