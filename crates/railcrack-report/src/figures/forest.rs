@@ -30,7 +30,7 @@ const INSIDE: f64 = 360.0;
 const ABOVE: f64 = 24.0;
 const BELOW: f64 = 50.0;
 /// Letters of a name.
-const LETTERS: usize = 46;
+const LETTERS: usize = 42;
 /// Half of the thickness of the bar of a measured range, pixels.
 const BAR: f64 = 6.0;
 /// Ratios that are marked.
