@@ -18,7 +18,7 @@ const LONG_HEIGHT: f64 = 200.0;
 const TO_SCALE: f64 = 300.0;
 /// Room above, at the right and below its inside.
 const ABOVE: f64 = 12.0;
-const RIGHT: f64 = 14.0;
+const RIGHT: f64 = 19.0;
 const BELOW: f64 = 48.0;
 
 impl Chart {
