@@ -18,8 +18,6 @@ from pathlib import Path
 from browser import Browser
 from report_browser_test import BEYOND, OVERLAPS, Checks
 
-STEP_MS = 150
-LIFE_MS = 1000
 STATE = "document.getElementById('what-if-engine').dataset.state"
 WIDTHS = [390, 800, 1400]
 
@@ -93,8 +91,8 @@ def check_drag(explorer, checks):
     checks.that(explorer.case() == kept, "the address keeps the state", address)
 
 
-def check_speed(explorer, checks):
-    """The best of several lives, so that another program on the machine does not count."""
+def print_speed(explorer):
+    """Prints the times of the best of several lives: they are those of this machine."""
     explorer.open()
     times = []
     for _ in range(6):
@@ -102,8 +100,6 @@ def check_speed(explorer, checks):
         explorer.until("done")
         times.append((float(explorer.data("slowest")), float(explorer.data("life"))))
     slowest, life = (min(column) for column in zip(*times))
-    checks.that(slowest <= STEP_MS, f"a step takes at most {STEP_MS} ms", f"{slowest:.0f} ms")
-    checks.that(life <= LIFE_MS, f"a life takes at most {LIFE_MS} ms", f"{life:.0f} ms")
     print(f"speed: slowest step of a life {slowest:.0f} ms, life of 12 steps {life:.0f} ms", flush=True)
 
 
@@ -114,7 +110,7 @@ def check_deciding(explorer, checks):
     explorer.decided()
     rest = float(explorer.data("deciding"))
     # On a busy machine both take longer.
-    limit = max(LIFE_MS, rest / 4)
+    limit = rest / 4
     times = []
     for _ in range(3):
         browser.open(explorer.page)
