@@ -91,7 +91,7 @@ def check_drag(explorer, checks):
     checks.that(explorer.case() == kept, "the address keeps the state", address)
 
 
-def print_speed(explorer):
+def print_speed(explorer, _checks):
     """Prints the times of the best of several lives: they are those of this machine."""
     explorer.open()
     times = []
@@ -256,7 +256,7 @@ def main():
     browser = Browser(program)
     explorer = Explorer(browser, page)
     try:
-        for check in [check_drag, check_speed, check_deciding, check_keys, check_typing, check_stop]:
+        for check in [check_drag, print_speed, check_deciding, check_keys, check_typing, check_stop]:
             check(explorer, checks)
             checks.that(not browser.complaints, f"{check.__name__}: the browser has nothing to complain about", str(browser.complaints)[:300])
             foreign = [url for url in browser.requests if not url.startswith(("file:", "blob:", "data:"))]
