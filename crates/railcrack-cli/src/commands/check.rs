@@ -57,7 +57,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
 /// The case as one object; its description by heading and name, numbers with their units.
 fn case_json(case: &Case) -> Value {
     let description = Description::of(case);
-    let (size, needs) = (description.size(), description.needs());
+    let (size, needs, time) = (description.size(), description.needs(), description.time());
     let warnings = description.warnings().rows.into_iter().filter(|row| row.name.is_empty());
     let warnings: Vec<String> = warnings.map(|row| row.text).collect();
     json!({
@@ -74,8 +74,8 @@ fn case_json(case: &Case) -> Value {
         "increments": case.growth.steps,
         "memory_bytes": needs.memory,
         "disk_bytes": needs.disk,
-        "step_seconds": description.time().step,
-        "seconds": description.time().total(),
+        "step_seconds": time.step,
+        "seconds": time.total(),
         "warnings": warnings,
         "summary": parts_json(&description.parts(&Subject::ALL)),
     })

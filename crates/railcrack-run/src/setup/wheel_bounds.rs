@@ -102,14 +102,13 @@ fn below_ellipse(ellipse: &EllipticWheel, poisson: f64) -> [WheelBound; 2] {
 
 /// `ellipse` as a contact that rolls the rail.
 fn rolled(ellipse: &EllipticWheel, poisson: f64) -> RolledPatch {
-    let EllipticWheel { peak_pressure, half_width, lateral_half_width, .. } = *ellipse;
-    let own = EllipticWheel { lateral: 0.0, ..*ellipse };
+    let own @ EllipticWheel { peak_pressure, half_width, lateral_half_width, lateral, .. } = *ellipse;
     let stress = move |x: f64, y: f64, depth: f64| Tensor::of(own.stress(0.0, [x, y, depth], poisson));
     RolledPatch {
         peak_pressure,
         half_width,
         lateral_half_width,
-        lateral: 0.0,
+        lateral,
         symmetry: Symmetry::Mirrored,
         travel: Travel::Forward,
         stress: Arc::new(stress),

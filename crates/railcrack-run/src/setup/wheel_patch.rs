@@ -86,15 +86,21 @@ pub(super) fn sliding_ellipse(case: &Case, number: usize) -> Option<EllipticWhee
         Tractions::Sliding([along, across]) => along.hypot(across),
         Tractions::Strips(_) => case.wheels[number].wheel.contact()?.adhesion(),
     };
-    let HertzEllipse { peak_pressure, along, across } = patch.ellipse;
-    Some(EllipticWheel {
+    Some(sliding(&patch.ellipse, 0.0, [friction.abs(), 0.0]))
+}
+
+/// `ellipse` at a `lateral` place (mm) in full sliding, with its shear over pressure along and
+/// across.
+fn sliding(ellipse: &HertzEllipse, lateral: f64, [friction, lateral_friction]: [f64; 2]) -> EllipticWheel {
+    let HertzEllipse { peak_pressure, along, across } = *ellipse;
+    EllipticWheel {
         peak_pressure,
         half_width: along,
         lateral_half_width: across,
-        lateral: 0.0,
-        friction: friction.abs(),
-        lateral_friction: 0.0,
-    })
+        lateral,
+        friction,
+        lateral_friction,
+    }
 }
 
 /// The patches by which the wheel `number` (from 0) of `case` loads cracks in the plane; none of a
@@ -232,16 +238,8 @@ impl GivenPatch {
 
     /// x of its middle from the wheel's centre (mm), and the patch.
     fn in_space(self) -> (f64, WheelPatch) {
-        let HertzEllipse { peak_pressure, along, across } = self.ellipse;
         let [ahead, lateral] = self.middle;
-        let outline = |[friction, lateral_friction]: [f64; 2]| EllipticWheel {
-            peak_pressure,
-            half_width: along,
-            lateral_half_width: across,
-            lateral,
-            friction,
-            lateral_friction,
-        };
+        let outline = |frictions: [f64; 2]| sliding(&self.ellipse, lateral, frictions);
         let patch = match self.tractions {
             Tractions::Sliding(frictions) => outline(frictions).into(),
             Tractions::Strips(strip) => {
