@@ -882,8 +882,8 @@ class Growth(Section):
     default: 0.5; only with turning = "smooth"."""
     straight_to_mm: Number | None = None
     """Tip depth down to which a path goes straight ahead, 2 to 3 in measured head checks; by
-    default 2.5 with [inspection] and without turning_length_mm, otherwise 0. No effect in space. In
-    mm; usual: 0.05 to 50; accepted: 0 to 1000; only with turning = "smooth"."""
+    default 2.5 with [inspection] and without turning_length_mm, otherwise 0. In space only with
+    surface = "turned". In mm; usual: 0.05 to 50; accepted: 0 to 1000; only with turning = "smooth"."""
     kink_angle_deg: Number | None = None
     """Best kink from which a path kinks at once. In deg; accepted: 1 to 110; default: 30.0; only
     with turning = "smooth"."""
@@ -916,6 +916,10 @@ class Growth(Section):
     front: Literal["ellipse", "free"] | None = None
     """Shape of the crack fronts; only in space. Default: "ellipse". "ellipse": the ellipse nearest
     to the local rates; "free": the front follows the local rates, smoothed by front_harmonics."""
+    surface: Literal["plane", "turned"] | None = None
+    """Surface of the cracks; only in space. Default: "plane". "plane": the crack keeps its plane, a
+    folded one that of its branch; "turned": the crack turns as a path in the plane, about the
+    direction of its mouth."""
     front_harmonics: Count | None = None
     """Harmonics of a free front, an even number; it has a node every 180/front_harmonics degrees.
     Accepted: 2 to 8; default: 6; only with front = "free"."""
@@ -1007,6 +1011,7 @@ class GrowthKeys(TypedDict, total=False):
     mode_2_weight: Number | None
     mode_3_weight: Number | None
     front: Literal["ellipse", "free"] | None
+    surface: Literal["plane", "turned"] | None
     front_harmonics: Count | None
     threshold_mpa_sqrt_m: Number | None
     bold_c: Number | None

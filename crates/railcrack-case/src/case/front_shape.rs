@@ -3,7 +3,7 @@
 use crate::schema::SectionValues;
 use crate::tables::{CRACK_LATERAL, STRIKE};
 use railcrack::crack::Crack;
-use railcrack::growth::{FrontShape, MouthStrip};
+use railcrack::growth::{FrontShape, FrontTurns};
 use railcrack::math::Vec2;
 use std::f64::consts::PI;
 
@@ -13,14 +13,17 @@ pub(super) fn front_shape(crack: &Crack, half_length: f64, section: &SectionValu
         [one, other] => Some(planar_shape(crack, [one, other], half_length, section)),
         [mouth, fold, deepest] if crack.is_surface_breaking() => {
             let dip = |from: Vec2, to: Vec2| (-(to - from).angle()).rem_euclid(2.0 * PI);
+            let [above, below] = [dip(mouth, fold), dip(fold, deepest)];
+            let strip = (fold - mouth).length();
             Some(FrontShape {
-                dip: dip(fold, deepest),
-                strike: 0.0,
+                dip: above,
+                strike: section.get(STRIKE).unwrap_or(0.0).to_radians(),
                 length: (deepest - fold).length(),
                 half_length,
                 middle: [mouth.x, section.get(CRACK_LATERAL).unwrap_or(0.0)],
                 buried: None,
-                strip: Some(MouthStrip { dip: dip(mouth, fold), length: (fold - mouth).length() }),
+                strip: Some(strip),
+                turns: Some(FrontTurns::fold(strip, below - above)),
                 deviation: None,
             })
         }
@@ -56,6 +59,7 @@ fn planar_shape(
         middle: [top.x - to_surface * dip.cos() + away * (1.0 - ahead), lateral - away * aside],
         buried,
         strip: None,
+        turns: None,
         deviation: None,
     }
 }

@@ -5,8 +5,8 @@ use super::cracks::PlacedCracks;
 use super::geometry::PlaneCase;
 use crate::schema::{Report, SectionValues, Sections};
 use crate::tables::{
-    CRACK, ENGINE, Engine, FRONT, FrontForm, GROWTH, MESH, MeshSettings, PLASTIC_STRESS, PlasticSource,
-    RESIDUAL_STRESS, Rail, SOLVER, SOLVER_CONTACT, STRIKE,
+    CRACK, CrackSurface, ENGINE, Engine, FRONT, FrontForm, GROWTH, MESH, MeshSettings, PLASTIC_STRESS,
+    PlasticSource, RESIDUAL_STRESS, Rail, SOLVER, SOLVER_CONTACT, STRIKE, SURFACE,
 };
 use std::path::Path;
 
@@ -20,7 +20,7 @@ pub(super) fn read_plane(
     report: &mut Report,
 ) -> Option<PlaneCase> {
     refuse_strike(sections, report);
-    refuse_free_front(sections, report);
+    refuse_fronts(sections, report);
     let plastic_stress = match sections.one(&PLASTIC_STRESS) {
         Some(section) => Some(read_plastic_stress(section, sections, folder, report)?),
         None => None,
@@ -57,12 +57,16 @@ pub(super) fn read_plastic_stress(
     Some(source)
 }
 
-/// Reports free fronts, which cracks in the plane do not have.
-fn refuse_free_front(sections: &Sections, report: &mut Report) {
-    let free = sections.one(&GROWTH).filter(|growth| growth.get(FRONT) == Some(FrontForm::Free));
-    if let Some(growth) = free {
+/// Reports free fronts and turned surfaces, which cracks in the plane do not have.
+fn refuse_fronts(sections: &Sections, report: &mut Report) {
+    let Some(growth) = sections.one(&GROWTH) else { return };
+    if growth.get(FRONT) == Some(FrontForm::Free) {
         let says = "concerns fronts of cracks in space; in the plane a crack has tips";
         report.add(growth.fault(FRONT, says).help("use engine = \"space\" or front = \"ellipse\""));
+    }
+    if growth.get(SURFACE) == Some(CrackSurface::Turned) {
+        let says = "concerns cracks in space; in the plane paths turn in any case";
+        report.add(growth.fault(SURFACE, says).help("use engine = \"space\" or leave it out"));
     }
 }
 

@@ -7,10 +7,10 @@ use super::space_case::SpaceCase;
 use super::traffic_wheel::TrafficWheel;
 use crate::schema::{Fault, Report, SectionValues, Sections};
 use crate::tables::{
-    CONTACT, CRACK, ContactOrigin, ContactSolver, FRONT, FRONT_HARMONICS, FrontForm, GROWTH, GivenContact,
-    GivenWheel, KIND, LATERAL_HALF_WIDTH, LAW, MESH, MODE_3_WEIGHT, PLASTIC_STRESS, PlasticSource, RAIL,
-    Rail, SOLVER, SOLVER_CONTACT, SPACE_SURFACE_ROWS, SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL,
-    WHEEL_CONTACT, read_resolution,
+    CONTACT, CRACK, ContactOrigin, ContactSolver, CrackSurface, FRONT, FRONT_HARMONICS, FrontForm, GROWTH,
+    GivenContact, GivenWheel, KIND, LATERAL_HALF_WIDTH, LAW, MESH, MODE_3_WEIGHT, PLASTIC_STRESS,
+    PlasticSource, RAIL, Rail, SOLVER, SOLVER_CONTACT, SPACE_SURFACE_ROWS, SPACING, SURFACE,
+    SURFACE_HALF_LENGTH, TURNING_LENGTH, WHEEL, WHEEL_CONTACT, read_resolution,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::Crack;
@@ -65,6 +65,10 @@ pub(super) fn read_space(
         }
     }
     let deviation = read_deviation(growth, report);
+    if growth.get(SURFACE) == Some(CrackSurface::Turned) && growth.get(TURNING_LENGTH) == Some(0.0) {
+        let says = "the limit path is followed in the plane only";
+        report.add(growth.fault(TURNING_LENGTH, says).help("use a positive length, such as 0.5"));
+    }
     let mesh = sections.one(&MESH)?;
     let shapes = placed.and_then(|placed| read_shapes(placed, &given, report));
     // For a mix, the contact section of each wheel.
@@ -134,16 +138,6 @@ fn read_shapes(
         let section = given.get(owner)?;
         shapes.push(read_shape(crack, section.get(SURFACE_HALF_LENGTH)?, section, report)?);
     }
-    if shapes.len() > 1
-        && let Some(folded) = shapes.iter().position(|shape| shape.strip.is_some())
-    {
-        let says = format!(
-            "the space engine computes a folded crack only by itself; there are {} cracks",
-            shapes.len()
-        );
-        let fault = given[placed.owner[folded]].fault_of_name("points_mm", says);
-        return report.refuse(fault.help("give one crack, or cracks of two points"));
-    }
     let cracks: Vec<SpaceCrack> = shapes.iter().filter_map(|shape| shape.crack().ok()).collect();
     let Some(close) = CloseCracks::among(&cracks) else { return Some(shapes) };
     let [first, second] = [close.first, close.second].map(|k| given[placed.owner[k]]);
@@ -190,31 +184,20 @@ fn read_shape(
     Some(shape)
 }
 
-/// Whether a folded crack is one that the engine computes; otherwise an error is added.
+/// Whether the parts of a folded crack are such as its cells resolve; otherwise an error is added.
 fn accepts_fold(shape: &FrontShape, section: &SectionValues, report: &mut Report) -> bool {
-    let (Some(folded), Some(strip)) = (shape.folded(), shape.strip) else { return true };
-    if let Err(error) = folded.checked() {
-        let says = format!("the space engine cannot compute this folded crack: {error}");
-        report.add(section.fault_of_name("points_mm", says));
-        return false;
+    let Some(strip) = shape.strip else { return true };
+    let branch = shape.length;
+    if strip.min(branch) >= LEAST_STRIP * strip.max(branch) {
+        return true;
     }
-    if section.get(STRIKE).is_some_and(|strike| strike != 0.0) {
-        let says = "a folded crack lies across the rail";
-        report.add(section.fault(STRIKE, says).help("use strike_deg = 0, or a crack of two points"));
-        return false;
-    }
-    let [strip, branch] = [strip.length, shape.length];
-    if strip.min(branch) < LEAST_STRIP * strip.max(branch) {
-        let says = format!(
-            "the parts of the folded crack above and below the fold, {strip:.3} and {branch:.3} mm long, differ by a factor of more than {:.0}, which its cells do not resolve",
-            1.0 / LEAST_STRIP
-        );
-        report.add(
-            section.fault_of_name("points_mm", says).help("leave out the fold: use a crack of two points"),
-        );
-        return false;
-    }
-    true
+    let says = format!(
+        "the parts of the folded crack above and below the fold, {strip:.3} and {branch:.3} mm long, differ by a factor of more than {:.0}, which its cells do not resolve",
+        1.0 / LEAST_STRIP
+    );
+    report
+        .add(section.fault_of_name("points_mm", says).help("leave out the fold: use a crack of two points"));
+    false
 }
 
 /// Semi-axes of a crack that its grid resolves.

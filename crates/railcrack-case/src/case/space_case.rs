@@ -2,7 +2,7 @@
 
 use crate::tables::PlasticSource;
 use railcrack::growth::FrontShape;
-use railcrack::space::{CellDivision, FoldedResolution, SpaceResolution};
+use railcrack::space::{CellDivision, SpaceResolution};
 
 /// The parts of a case that only the engine in space knows.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,26 +21,17 @@ impl SpaceCase {
     /// Points of the faces of all cracks.
     #[must_use]
     pub fn face_points(&self) -> usize {
-        let of = |(division, strip): (CellDivision, [usize; 2])| division.face_points() + strip[0];
-        self.divisions().zip(self.points_of_strips()).map(of).sum()
+        self.divisions().map(|division| division.face_points()).sum()
     }
 
     /// Points of all fronts.
     #[must_use]
     pub fn front_points(&self) -> usize {
-        let of = |(division, strip): (CellDivision, [usize; 2])| division.front_points() + strip[1];
-        self.divisions().zip(self.points_of_strips()).map(of).sum()
+        self.divisions().map(|division| division.front_points()).sum()
     }
 
-    /// The cells of each crack; of a folded one those of its branch.
+    /// The cells of each crack.
     pub fn divisions(&self) -> impl Iterator<Item = CellDivision> {
         self.shapes.iter().map(|shape| shape.division(self.resolution))
-    }
-
-    /// Points of the faces and of the front that the strip of a folded crack adds to those of its
-    /// branch.
-    fn points_of_strips(&self) -> impl Iterator<Item = [usize; 2]> {
-        let strip = FoldedResolution::below(self.resolution).points_of_strip();
-        self.shapes.iter().map(move |shape| shape.strip.map_or([0; 2], |_| strip))
     }
 }

@@ -1,8 +1,8 @@
 //! The growth of the cracks as a case gives it.
 
 use super::growth::{
-    ARREST_RATE, CRITICAL_LENGTH, DIRECTION, INCREMENT, KINK_ANGLE, KINK_FRICTION, STEPS, STOP_AFTER_CYCLES,
-    STRAIGHT_TO, TOLERANCE, TURNING, TURNING_LENGTH, Turns,
+    ARREST_RATE, CRITICAL_LENGTH, CrackSurface, DIRECTION, INCREMENT, KINK_ANGLE, KINK_FRICTION, STEPS,
+    STOP_AFTER_CYCLES, STRAIGHT_TO, SURFACE, TOLERANCE, TURNING, TURNING_LENGTH, Turns,
 };
 use super::law::read_law;
 use crate::files::RatesFile;
@@ -70,6 +70,7 @@ pub(crate) fn read_growth(section: &SectionValues, folder: &Path, report: &mut R
         increment: increment.unwrap_or(if is_given { defaults.increment } else { FIRST_INCREMENT }),
         tolerance: (!is_given).then_some(tolerance.unwrap_or(TOLERANCE_BY_DEFAULT)),
         turning,
+        turns_in_space: section.get(SURFACE)? == CrackSurface::Turned,
         straight_depth: section.get(STRAIGHT_TO).unwrap_or(0.0),
         kink_angle: section.get(KINK_ANGLE).map_or(defaults.kink_angle, f64::to_radians),
         kink_friction: section.get(KINK_FRICTION)?,

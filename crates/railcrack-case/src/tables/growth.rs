@@ -20,7 +20,7 @@ section! {
         "Length l over which a path turns by its best kink theta*, dtheta/ds = theta*/l. inf: straight ahead; 0: the limit path, where theta* is zero.")
         .only_with(TURNING, "smooth", "a kink has no length");
     STRAIGHT_TO: f64 = number("straight_to_mm", "mm", closed(0.0, 1e3), STRAIGHT_BY_DEFAULT,
-        "Tip depth down to which a path goes straight ahead, 2 to 3 in measured head checks; by default 2.5 with [inspection] and without turning_length_mm, otherwise 0. No effect in space.")
+        "Tip depth down to which a path goes straight ahead, 2 to 3 in measured head checks; by default 2.5 with [inspection] and without turning_length_mm, otherwise 0. In space only with surface = \"turned\".")
         .only_with(TURNING, "smooth", "every increment kinks").optional();
     KINK_ANGLE: f64 = number("kink_angle_deg", "deg", closed(1.0, 110.0), 30.0,
         "Best kink from which a path kinks at once.")
@@ -37,6 +37,7 @@ section! {
         "Weight of mode III in space; by default mode_2_weight/(1 - nu).")
         .only_with(EQUIVALENT, "hourlier-pineau", "only this range has a weight of mode III").optional();
     FRONT: FrontForm = choice("front", "Shape of the crack fronts; only in space.");
+    SURFACE: CrackSurface = choice("surface", "Surface of the cracks; only in space.");
     FRONT_HARMONICS: usize = integer("front_harmonics", (2, 8), 6,
         "Harmonics of a free front, an even number; it has a node every 180/front_harmonics degrees.")
         .only_with(FRONT, "free", "an ellipse has semi-axes");
@@ -77,6 +78,25 @@ impl Choice for FrontForm {
     ];
 }
 
+/// Surface of a crack in space.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum CrackSurface {
+    /// That in which it begins.
+    Given,
+    /// One that turns.
+    Turned,
+}
+
+impl Choice for CrackSurface {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Given, Word::now("plane", "the crack keeps its plane, a folded one that of its branch")),
+        (
+            Self::Turned,
+            Word::now("turned", "the crack turns as a path in the plane, about the direction of its mouth"),
+        ),
+    ];
+}
+
 /// The steels that have a growth law of their name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum SteelName {
@@ -111,7 +131,15 @@ impl Choice for Turns {
     ];
 }
 
-read_by_word!(Turns, FrontForm, DirectionCriterion, &'static LawDeclaration, RangeForm, SteelName);
+read_by_word!(
+    Turns,
+    FrontForm,
+    CrackSurface,
+    DirectionCriterion,
+    &'static LawDeclaration,
+    RangeForm,
+    SteelName
+);
 
 /// Whether a stored case takes `key` of `[growth]` from its steel again: the law and, where it is
 /// not given, the threshold of mode II.

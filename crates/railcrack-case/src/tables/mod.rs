@@ -52,8 +52,8 @@ pub(crate) use fluid::{FLUID, read_fluid};
 pub(crate) use fracture::FRACTURE;
 pub(crate) use growing::{Growing, PathGiven, read_growth};
 pub(crate) use growth::{
-    FRONT, FRONT_HARMONICS, FrontForm, GROWTH, LAW, MODE_3_WEIGHT, STEPS, STRAIGHT_BY_DEFAULT, STRAIGHT_TO,
-    is_of_the_steel,
+    CrackSurface, FRONT, FRONT_HARMONICS, FrontForm, GROWTH, LAW, MODE_3_WEIGHT, STEPS, STRAIGHT_BY_DEFAULT,
+    STRAIGHT_TO, SURFACE, TURNING_LENGTH, is_of_the_steel,
 };
 pub(crate) use inspection::{INSPECTION, SCATTER, Scattering, read_inspection, read_risk, read_scatter};
 pub(crate) use maintenance::{MAINTENANCE, read_maintenance};

@@ -291,6 +291,50 @@ fn a_folded_crack_that_slips_while_it_is_closed_traps_no_fluid() {
 }
 
 #[test]
+fn a_crack_that_turns_has_all_its_files_and_a_decision() {
+    let folder = workplace("turned-surface");
+    let case = maintained_mix()
+        .replace("increment = 0.1\n", "increment = 0.1\nsurface = \"turned\"\nturning_length_mm = 1.0\n")
+        .replace("friction = 0.1\n", "friction = 0.4\n")
+        .replace("angle_deg = 45.0", "angle_deg = 30.0\nstrike_deg = 20.0");
+    fs::write(folder.join("case.toml"), case).unwrap();
+    let check = done(&folder, &["check", "case.toml"]);
+    assert!(check.contains("turn about the direction of their mouths"), "{check}");
+    let told = done(&folder, &["run", "case.toml", "--out", "whole", "--quiet"]);
+    assert!(told.contains("verdict: "), "{told}");
+    let run = folder.join("whole");
+    let of = |column: &str| numbers(&run.join("growth.csv"), column);
+    let (turn, down, length, phi) = (of("turn_deg"), of("down_mm"), of("length_mm"), of("phi_deg"));
+    // The deepest point lies at the length of the crack.
+    let deepest: Vec<usize> = (0..phi.len()).filter(|&row| (phi[row] - 90.0).abs() < 1e-9).collect();
+    assert!(deepest.len() > 2 && deepest.iter().any(|&row| turn[row].abs() > 0.1), "{turn:?}");
+    for row in deepest {
+        assert!((down[row] - length[row]).abs() < 1e-6, "{row}: {down:?} {length:?}");
+    }
+    for name in names(&run.join("fields")) {
+        assert!(read(&run.join("fields").join(&name)).contains("jump_mm"), "{name}");
+    }
+    let page = read(&run.join("report.html"));
+    assert!(page.contains("from-the-side") && page.contains("without twist"), "{page}");
+    done(&folder, &["report", "whole"]);
+    assert_eq!(read(&run.join("report.html")), page, "rebuilt bit for bit");
+    done(&folder, &["verify", "whole"]);
+    goes_on(&folder);
+}
+
+#[test]
+fn folded_cracks_may_be_several_and_lie_at_an_angle() {
+    let folder = workplace("folded-several");
+    let case = with_fold(CASE)
+        .replace("steps = 2", "steps = 1")
+        .replace("friction = 0.3\n", "friction = 0.3\nstrike_deg = 15.0\ncount = 2\nspacing_mm = 6.0\n");
+    fs::write(folder.join("case.toml"), case).unwrap();
+    done(&folder, &["run", "case.toml", "--out", "run", "--quiet"]);
+    let cracks = numbers(&folder.join("run/growth.csv"), "crack");
+    assert!(cracks.contains(&1.0) && cracks.contains(&2.0), "{cracks:?}");
+}
+
+#[test]
 fn a_folded_crack_has_all_its_files_and_a_decision() {
     let folder = workplace("folded");
     fs::write(folder.join("case.toml"), folded()).unwrap();

@@ -275,12 +275,13 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
         [across(), ChartAxis::depth()],
         front_curves(summary, growth, |row| Some([row.lateral?, -row.place[1]])),
     );
-    let folded = growth.iter().filter_map(|row| row.phi_deg).any(is_on_strip).then(|| {
+    let turns =
+        |row: &TipRow| row.phi_deg.is_some_and(is_on_strip) || row.turn_deg.is_some_and(|turn| turn != 0.0);
+    let from_the_side = growth.iter().any(turns).then(|| {
         view(
             "from-the-side",
             "From the side",
-            "Fronts of the folded crack from the side, to scale: the sides of the strip from the mouth to the fold, and the \
-             branch below it.",
+            "Fronts from the side, to scale, of cracks that turn or have a fold.",
             [along(), ChartAxis::depth()],
             front_curves(summary, growth, |row| Some([row.place[0], -row.place[1]])),
         )
@@ -288,7 +289,7 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     let sheet = ChartSheet {
         title: summary.title.clone(),
         subtitle: format!("Fronts to scale, from above and along the rail · {model}"),
-        rows: [above, side].into_iter().chain(folded).map(|chart| vec![chart]).collect(),
+        rows: [above, side].into_iter().chain(from_the_side).map(|chart| vec![chart]).collect(),
         legend: SheetLegend::default(),
     };
     Plot::sheet("paths.svg", sheet)

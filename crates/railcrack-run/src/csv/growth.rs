@@ -81,12 +81,14 @@ table! {
         /// Lateral position of a front point in space, mm.
         lateral: Option<f64> = "tip_z_mm", with "space";
         /// Semi-axis of the crack in space along the surface, mm; `length_mm` is the one down the
-        /// dip, of a folded crack the length over the fold.
+        /// dip, of a crack that turns or has a fold the length down its middle.
         half_length: Option<f64> = "surface_half_length_mm", with "space";
         /// Range of K_III of a front point in space, MPa√m.
         delta_kiii: Option<f64> = "delta_kiii_mpa_sqrt_m", with "space";
+        /// Distance of a front point in space from the mouth down the crack, mm.
+        down: Option<f64> = "down_mm", with "space";
         /// Kink that the direction criterion would choose by K_I and K_II at a front point in
-        /// space, degrees; the crack grows in its plane.
+        /// space, degrees.
         wanted_kink_deg: Option<f64> = "wanted_kink_deg", with "space";
         /// Growth rate of that kink over that straight ahead, both without mode III.
         wanted_ratio: Option<f64> = "wanted_ratio", with "space";
@@ -94,7 +96,8 @@ table! {
         /// the front follows the local rates; empty without growth and in the surface layer,
         /// which is not considered.
         followed: Option<f64> = "followed", with "space";
-        /// Turn of the path from this tip to the next, degrees; empty in space.
+        /// Turn of the path from this tip to the next, degrees; in space that of the crack down its
+        /// middle, empty with `surface = "plane"`.
         turn_deg: Option<f64> = "turn_deg";
         /// Why the path kinks here instead of turning smoothly; else empty.
         jump: Option<Jump> = "jump";
@@ -142,10 +145,11 @@ impl TipRow {
             lateral: tip.front().map(|front| front.lateral),
             half_length: tip.front().map(|front| front.half_length),
             delta_kiii: tip.front().map(|front| front.delta_kiii / MPA_SQRT_MM),
+            down: tip.front().map(|front| front.down),
             wanted_kink_deg: tip.front().and_then(|front| front.wanted_kink).map(f64::to_degrees),
             wanted_ratio: tip.front().and_then(|front| front.wanted_ratio),
             followed: tip.front().and_then(|front| front.followed),
-            turn_deg: tip.plane().map(|plane| plane.turn.to_degrees()),
+            turn_deg: tip.turn().map(f64::to_degrees),
             jump: tip.plane().and_then(|plane| plane.jump),
             cycles_error: 0.0,
         }
@@ -198,6 +202,7 @@ impl TipRow {
             lateral: None,
             half_length: None,
             delta_kiii: None,
+            down: None,
             wanted_kink_deg: None,
             wanted_ratio: None,
             followed: None,

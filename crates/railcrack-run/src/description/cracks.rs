@@ -79,7 +79,7 @@ fn shape(shape: &FrontShape) -> Vec<Row> {
         rows.push(Row::with(
             "to the fold",
             "{length} from the mouth, at {dip}; below it the branch:",
-            [("length", strip.length, "mm"), ("dip", strip.dip.to_degrees(), "degrees")],
+            [("length", strip, "mm"), ("dip", shape.dip.to_degrees(), "degrees")],
         ));
     }
     let [x, z] = shape.middle;
@@ -89,7 +89,7 @@ fn shape(shape: &FrontShape) -> Vec<Row> {
             "{down} down the dip, {along} along the surface",
             [("down", shape.length, "mm"), ("along", shape.half_length, "mm")],
         ),
-        Row::number("dip", shape.dip.to_degrees(), "degrees"),
+        Row::number("dip", shape.front_dip().to_degrees(), "degrees"),
         Row::number("strike", shape.strike.to_degrees(), "degrees"),
         Row::with("middle", "x = {x}, z = {z}", [("x", x, "mm"), ("z", z, "mm")]),
     ]);

@@ -39,6 +39,9 @@ pub(super) fn rail(case: &Case) -> Vec<Row> {
 pub(super) fn limits(case: &Case) -> Vec<Row> {
     let cracks = match case.space() {
         None => "plane strain: cracks that are wide across the rail",
+        Some(_) if case.growth.turns_in_space => {
+            "cracks that turn about the direction of their mouths, without twist, and stop before they meet"
+        }
         Some(space) if space.shapes.iter().any(|shape| shape.strip.is_some()) => {
             "a straight fold as long as the mouth, without twist, and one branch; strip and branch grow in their planes"
         }

@@ -64,10 +64,9 @@ fn grid_of(
     let of_front = |value: &dyn Fn(usize) -> f64| -> Vec<f64> {
         std::iter::repeat_n(0.0, free).chain((0..tips).map(value)).collect()
     };
-    let frames: Vec<Vec<_>> = cracks.shapes.iter().map(|shape| shape.frames().collect()).collect();
     let jumps = (0..free + tips).flat_map(|i| match states.get(i).zip(faces.points.get(i)) {
         Some((state, point)) => {
-            let frame = &frames[point.crack][point.segment];
+            let frame = cracks.shapes[point.crack].frame_at(point.s);
             let [x, z, down] = frame.vector([state.opening, state.slip, third[i][0]]);
             [x, -down, z]
         }

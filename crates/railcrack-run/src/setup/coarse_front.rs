@@ -47,7 +47,7 @@ impl CoarseFront {
     /// The crack of `shape`, whose faces have the `friction` μ_c; none where no body can be made.
     pub fn new(shape: &FrontShape, friction: f64, steel: &IsotropicElastic) -> Option<Self> {
         let section: Crack = shape.section().ok()?;
-        let kernel = SpaceKernel::new(&[shape.mouth_dip()], steel.poisson());
+        let kernel = SpaceKernel::new(&[shape.dip], steel.poisson());
         let body = CELLS.iter().find_map(|cells| {
             body_of(std::slice::from_ref(shape), steel, &kernel, *cells, Interruption::NEVER).ok()
         })?;
@@ -147,8 +147,7 @@ impl CoarseFront {
                 let own = patch.stress(place + ahead, point, self.poisson);
                 stress.iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
             }
-            let (_, frame) = self.body.plane_of(node);
-            forces.extend(frame.traction(&stress).map(|traction| area * traction));
+            forces.extend(self.body.frame_of(node).traction(&stress).map(|traction| area * traction));
         }
         forces
     }

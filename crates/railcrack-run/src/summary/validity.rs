@@ -275,6 +275,9 @@ pub(crate) fn of_steps(info: &RunInfo, log: &RunLog) -> Vec<WarningSummary> {
         let distance =
             |tip: &&TipRecord| tip.front().map_or(f64::INFINITY, |front| (front.phi - FRAC_PI_2).abs());
         let deepest = steps[i].tips.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?.front()?;
+        if deepest.turn.is_some() {
+            return None;
+        }
         let (kink, ratio) = (deepest.wanted_kink?.to_degrees(), deepest.wanted_ratio?);
         Some((ratio, validity::out_of_plane(kink, ratio)?))
     };

@@ -1,78 +1,64 @@
 //! Cracks in space with their fronts, which may leave their ellipses.
 
+use super::front_way::{FrontTurns, FrontWay};
 use crate::math::periodic;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
 /// Shape of a crack in space: a half-ellipse that breaks the surface, or a full ellipse below it,
-/// or a front that has left one of these. Of a folded crack it is that of its branch, below a
-/// strip.
+/// or a front that has left one of these. A crack that turns out of its plane has this shape where
+/// it is unrolled; a strip may lie above the half-ellipse.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FrontShape {
-    /// Angle between the plane of the ellipse, followed downwards, and +x, radians.
+    /// Angle between its plane, at the mouth that of the crack, followed downwards, and +x,
+    /// radians.
     pub dip: f64,
-    /// Turn of the plane about the vertical, from +x to the positive lateral direction, radians;
-    /// zero for a folded crack.
+    /// Turn of the plane about the vertical, from +x to the positive lateral direction, radians.
     pub strike: f64,
     /// Semi-axis l of the ellipse down the dip, mm.
     pub length: f64,
     /// Semi-axis c of the ellipse along the surface, mm.
     pub half_length: f64,
-    /// x and lateral position (mm) of the middle of the trace of the plane in the surface; of a
-    /// folded crack, of the middle of its mouth.
+    /// x and lateral position (mm) of the middle of the trace of the plane in the surface.
     pub middle: [f64; 2],
     /// Distance (mm) of the middle of a buried ellipse from that trace, along the dip; none for a
     /// crack that breaks the surface.
     pub buried: Option<f64>,
-    /// Part between the mouth and the fold of a folded crack; none for a planar one.
-    pub strip: Option<MouthStrip>,
+    /// Length (mm) of a rectangular strip, as wide as the ellipse, between mouth and half-ellipse.
+    pub strip: Option<f64>,
+    /// How the crack turns from the mouth down; none for a planar one.
+    pub turns: Option<FrontTurns>,
     /// Deviation of a free front from its ellipse; none for a front that stays an ellipse.
     pub deviation: Option<FrontDeviation>,
 }
 
-/// The rectangular strip of a folded crack, from the mouth to the fold. It is as wide as the branch
-/// at the fold.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct MouthStrip {
-    /// Angle between the strip, followed downwards, and +x, radians.
-    pub dip: f64,
-    /// Distance of the fold from the mouth, mm.
-    pub length: f64,
-}
-
-impl MouthStrip {
-    /// The distance (mm) from the mouth of the point at a `depth` (mm), over the fold where it lies
-    /// on a branch that descends at `branch_dip` (radians).
-    #[must_use]
-    pub fn way_to(&self, depth: f64, branch_dip: f64) -> f64 {
-        let fold = self.length * self.dip.sin();
-        let below = (depth - fold).max(0.0) / branch_dip.sin();
-        depth.min(fold) / self.dip.sin() + below
-    }
-}
-
 impl FrontShape {
-    /// The length (mm) from the mouth down the dip, over the fold of a folded crack, to the deepest
-    /// point of the front; of a buried crack its semi-axis down the dip.
+    /// The length (mm) from the mouth down the middle of the crack to the deepest point of the
+    /// front; of a buried crack its semi-axis down the dip.
     #[must_use]
     pub fn path_length(&self) -> f64 {
-        self.length + self.strip.map_or(0.0, |strip| strip.length)
-    }
-
-    /// Angle between its topmost plane, followed downwards, and +x, radians: of a folded crack that
-    /// of its strip.
-    #[must_use]
-    pub fn mouth_dip(&self) -> f64 {
-        self.strip.map_or(self.dip, |strip| strip.dip)
+        self.length + self.strip.unwrap_or(0.0)
     }
 
     /// Sine of the angle to the surface at which the crack reaches it; none for a buried crack.
     #[must_use]
     pub fn mouth_sine(&self) -> Option<f64> {
-        self.buried.is_none().then(|| self.mouth_dip().sin())
+        self.buried.is_none().then(|| self.dip.sin())
     }
 
-    /// Whether the front point at φ lies on a side of the strip of a folded crack.
+    /// The way down the middle of the crack, from the mouth on.
+    #[must_use]
+    pub fn way(&self) -> FrontWay {
+        FrontWay::new(self.dip, self.turns.as_ref())
+    }
+
+    /// Angle between the crack and +x at the deepest point of its front, radians.
+    #[must_use]
+    pub fn front_dip(&self) -> f64 {
+        self.dip + self.turns.as_ref().map_or(0.0, FrontTurns::turn)
+    }
+
+    /// Whether the front point at φ lies on a side of a strip.
     #[must_use]
     pub fn is_on_strip(&self, phi: f64) -> bool {
         self.strip.is_some() && !(0.0..=PI).contains(&phi)
@@ -84,14 +70,14 @@ impl FrontShape {
 pub struct FrontTip {
     /// Parametric angle of the ellipse, radians: 0 at the end towards which the trace points
     /// (without strike, the end with the larger lateral position), π/2 at the deepest point. The
-    /// sides of the strip of a folded crack continue it, in proportion to the distance from the
-    /// fold: to −π/2 at one end of the mouth, and from π to 3π/2 at the other.
+    /// sides of a strip continue it, in proportion to the distance from its lower end: to −π/2 at
+    /// one end of the mouth, and from π to 3π/2 at the other.
     pub phi: f64,
     /// Lateral position, mm.
     pub lateral: f64,
     /// Semi-axis of the crack along the surface, mm.
     pub half_length: f64,
-    /// Distance of the fold from the mouth, of a folded crack, mm.
+    /// Length of the strip between mouth and half-ellipse, mm.
     pub strip: Option<f64>,
     /// Of a free front, by how much it lies outside its ellipse there, relative to the distance of
     /// the ellipse from the middle; none for an ellipse.
@@ -99,13 +85,18 @@ pub struct FrontTip {
     /// Range of K_III, MPa √mm.
     pub delta_kiii: f64,
     /// Kink that the direction criterion would choose from K_I and K_II, radians; `None` where
-    /// there is no driving force. Growth stays in the plane.
+    /// there is no driving force.
     pub wanted_kink: Option<f64>,
     /// Ratio of the growth rate of that kink to the rate straight ahead, both without mode III.
     pub wanted_ratio: Option<f64>,
     /// Whether the point counts in the growth of the front; points in the layer where the front
-    /// meets the surface, or turns at the end of a fold, do not.
+    /// meets the surface, or at the ends of a strip, do not.
     pub counts: bool,
+    /// Turn of the way down the middle of its crack from this step to the next, radians, positive
+    /// as a kink; none for a crack that stays in its plane.
+    pub turn: Option<f64>,
+    /// Distance from the mouth down the crack, mm.
+    pub down: f64,
     /// Ratio of its increment to that given by its own rate alone; `None` without growth, and for
     /// points that do not count.
     pub followed: Option<f64>,

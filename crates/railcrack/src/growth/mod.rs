@@ -6,6 +6,7 @@ mod control;
 #[cfg(test)]
 mod control_tests;
 mod front;
+mod front_way;
 mod geometry;
 mod growth_loop;
 mod history;
@@ -35,7 +36,8 @@ mod wheel_shares;
 pub use advance::{Advance, StepProgress};
 pub use control::Course;
 pub(crate) use control::LOCATED;
-pub use front::{FaceAcross, FrontDeviation, FrontMotion, FrontShape, FrontTip, MouthStrip};
+pub use front::{FaceAcross, FrontDeviation, FrontMotion, FrontShape, FrontTip};
+pub use front_way::{FrontTurns, FrontWay};
 pub use geometry::{Geometry, PlaneGeometry, SpaceGeometry, TipCourse};
 pub use growth_loop::Growth;
 pub use history::Interval;

@@ -108,6 +108,16 @@ impl TipRecord {
         }
     }
 
+    /// The turn (radians) of the path from here to the next step; none for a crack in space that
+    /// stays in its plane.
+    #[must_use]
+    pub fn turn(&self) -> Option<f64> {
+        match &self.geometry {
+            TipGeometry::Plane(plane) => Some(plane.turn),
+            TipGeometry::Space(front) => front.turn,
+        }
+    }
+
     /// The quantities specific to a front point in space; `None` for a tip in the plane.
     #[must_use]
     pub fn front(&self) -> Option<&FrontTip> {

@@ -73,6 +73,8 @@ pub struct GrowthSettings {
     pub tolerance: Option<f64>,
     /// How paths turn towards the best kink.
     pub turning: Turning,
+    /// Whether cracks in space turn out of their planes.
+    pub turns_in_space: bool,
     /// Depth of a tip (mm) up to which its path goes straight ahead; 0 where it turns from the
     /// beginning.
     pub straight_depth: f64,
@@ -120,6 +122,7 @@ impl GrowthSettings {
         increment: 0.04,
         tolerance: None,
         turning: Turning::Over(Turning::DEFAULT_LENGTH),
+        turns_in_space: false,
         straight_depth: 0.0,
         kink_angle: 30.0 * std::f64::consts::PI / 180.0,
         kink_friction: 0.0,

@@ -49,6 +49,17 @@ impl Turning {
         self == Self::Over(0.0)
     }
 
+    /// The turn (radians) over an increment (mm) at whose start the best kink was `best` (radians),
+    /// of a path that turns towards that direction over the turning length, but over `least` (mm)
+    /// where that is longer.
+    pub(crate) fn turn(self, best: f64, increment: f64, least: f64) -> f64 {
+        let length = match self {
+            Self::Over(length) => length.max(least),
+            Self::Kink => least,
+        };
+        -best * (-increment / length).exp_m1()
+    }
+
     /// dθ/ds (rad/mm) towards the best kink `best` (rad); zero for the limit path, whose turns
     /// follow from the tips at their ends, and for whole kinks.
     pub(crate) fn curvature(self, best: f64) -> f64 {

@@ -7,8 +7,9 @@ use super::face_matrix::FaceMatrix;
 use super::grid::Grid;
 use super::plane::{PlaneFrame, Surroundings};
 use super::shape::{CloseCracks, SpaceCrack, SpaceError};
+use super::sheet::Sheet;
 use super::stiffness::{SpaceKernel, stiffness_of};
-use crate::growth::MouthStrip;
+use super::strip_grid::grid_of;
 use crate::interruption::Interruption;
 use crate::linear::LinearError;
 use crate::material::IsotropicElastic;
@@ -25,15 +26,15 @@ pub(super) const LOAD_POINTS: usize = 4;
 pub struct FrontPoint {
     /// Its crack, from 0.
     pub crack: usize,
-    /// Parametric angle: 0 and π at the surface, π/2 at the deepest point, radians. The sides of
-    /// the strip of a folded crack continue it from 0 to −π/2 and from π to 3π/2 at the mouth.
+    /// Parametric angle: 0 and π at the surface, π/2 at the deepest point, radians. The sides of a
+    /// strip continue it from 0 to −π/2 and from π to 3π/2 at the mouth.
     pub phi: f64,
     /// x, lateral and depth, mm.
     pub position: [f64; 3],
-    /// Unit normal of the front within its plane, away from the crack: along the dip and the trace.
+    /// Unit normal of the front within the crack, away from it: down the dip and along the trace.
     pub normal: [f64; 2],
-    /// Whether its K counts in the growth of its crack. Next to the surface, or to a fold, the
-    /// cells do not resolve it.
+    /// Whether its K counts in the growth of its crack. Next to the surface, or to the ends of a
+    /// strip, the cells do not resolve it.
     pub counts: bool,
 }
 
@@ -64,8 +65,8 @@ impl FrontSif {
 pub(super) struct LoadPoint {
     /// Its crack, from 0.
     pub crack: usize,
-    /// Its plane, an index of those of the body.
-    pub plane: usize,
+    /// The directions of the crack there.
+    pub frame: PlaneFrame,
     /// x, lateral and depth, mm.
     pub position: [f64; 3],
     /// Points of the crack and the integrals of their hat functions, mm².
@@ -75,43 +76,44 @@ pub(super) struct LoadPoint {
 /// A crack of a body.
 #[derive(Debug, Clone)]
 pub struct CrackPart {
-    /// Its shape; of a folded crack, that of its branch.
+    /// Its shape.
     pub shape: SpaceCrack,
-    /// The strip of a folded crack, above its branch.
-    pub strip: Option<MouthStrip>,
-    /// The directions of the plane of its shape.
-    pub frame: PlaneFrame,
+    /// Its surface.
+    pub(super) sheet: Sheet,
     /// Its points.
     pub points: Range<usize>,
     /// The points of its front.
     pub front: Range<usize>,
-    /// Its points on a fold, where its faces transmit no friction; none in a planar crack.
+    /// Its points on a fold, where its faces transmit no friction.
+    ///
+    /// Contact acts there along the normal above the fold: where both sides are closed a continuous
+    /// jump vanishes on the fold, and in the limit of small cells the points next to it see to
+    /// that. Both conditions at one point, or friction there, would lock slip over the length of a
+    /// cell; the normal of a plane between the two rounds off the fold over a cell on either side
+    /// of it.
     pub fold: Vec<usize>,
 }
 
 impl CrackPart {
-    /// (s, ζ) of a point (x, lateral, depth; mm) of the crack: the distance from the trace down the
-    /// dip, over the fold of a folded crack from its mouth, and the distance along the trace.
+    /// (s, ζ) of a point (x, lateral, depth; mm) of the crack: the distance from the trace of its
+    /// plane, or from its mouth down its way, and the distance along the trace.
     pub(super) fn coordinates(&self, [x, lateral, depth]: [f64; 3]) -> [f64; 2] {
         let from = [x - self.shape.middle[0], lateral - self.shape.middle[1], depth];
-        let Some(strip) = self.strip else {
-            let [_, s, zeta] = self.frame.components(from);
-            return [s, zeta];
-        };
-        [strip.way_to(depth, self.shape.dip), from[1]]
+        let [_, s, zeta] = self.shape.frame().components(from);
+        [if self.sheet.plane().is_some() { s } else { self.sheet.way().to_depth(depth) }, zeta]
     }
 
     /// x and lateral position (mm) of the mouth at ζ.
     pub(super) fn mouth(&self, zeta: f64) -> [f64; 2] {
-        let foot = self.frame.position(0.0, zeta);
-        [0, 1].map(|e| self.shape.middle[e] + foot[e])
+        let [x, lateral, _] = self.sheet.place([0.0, zeta]);
+        [x, lateral]
     }
 
     /// s of the front at ζ.
     pub(super) fn reach(&self, zeta: f64) -> f64 {
         let across = zeta / self.shape.half_length;
         let below = self.shape.length * (1.0 - across * across).max(0.0).sqrt();
-        below + self.strip.map_or(0.0, |strip| strip.length)
+        below + self.shape.strip.unwrap_or(0.0)
     }
 }
 
@@ -128,53 +130,11 @@ pub struct SpaceBody {
     sif_of_jumps: Matrix,
     loads: Vec<LoadPoint>,
     cells: Vec<[usize; 4]>,
-    planes: Vec<PlaneFrame>,
-    plane_of_point: Vec<usize>,
-}
-
-/// A single crack whose points lie in several planes, with its matrices.
-pub(super) struct Assembled {
-    pub crack: CrackPart,
-    pub points: Vec<[f64; 3]>,
-    pub front: Vec<FrontPoint>,
-    /// A, N/mm.
-    pub stiffness: FaceMatrix,
-    /// K per jump.
-    pub sif_of_jumps: Matrix,
-    pub loads: Vec<LoadPoint>,
-    pub cells: Vec<[usize; 4]>,
-    /// The planes in which points have their components.
-    pub planes: Vec<PlaneFrame>,
-    /// The plane of each point, an index of `planes`.
-    pub plane_of_point: Vec<usize>,
+    /// The directions of the components at each point.
+    frames: Vec<PlaneFrame>,
 }
 
 impl SpaceBody {
-    /// The body with an assembled crack. An `interruption` ends the computation.
-    ///
-    /// Errors: a stiffness that is not positive definite; the interruption.
-    pub(super) fn assembled(parts: Assembled, interruption: Interruption<'_>) -> Result<Self, SpaceError> {
-        let compliance = parts.stiffness.inverse_unless(interruption).map_err(|error| match error {
-            LinearError::NotPositiveDefinite { .. } => {
-                SpaceError::TooCoarse { crack: 0, shape: Box::new(parts.crack.shape.clone()) }
-            }
-            error => error.into(),
-        })?;
-        Ok(Self {
-            sif_influence: influence(&parts.sif_of_jumps, &compliance),
-            cracks: vec![parts.crack],
-            points: parts.points,
-            front: parts.front,
-            stiffness: parts.stiffness,
-            compliance,
-            sif_of_jumps: parts.sif_of_jumps,
-            loads: parts.loads,
-            cells: parts.cells,
-            planes: parts.planes,
-            plane_of_point: parts.plane_of_point,
-        })
-    }
-
     /// The body with `cracks` in `surroundings`.
     ///
     /// Errors: cracks that are too close to each other; a stiffness that is not positive definite.
@@ -221,12 +181,10 @@ impl SpaceBody {
             return Err(close.into());
         }
         let grids: Vec<Grid> =
-            cracks.iter().map(|crack| Grid::new(crack, &CellDivision::of(crack, resolution))).collect();
-        let placed: Vec<Placed> = cracks
-            .iter()
-            .zip(&grids)
-            .map(|(crack, grid)| Placed { grid, frame: crack.frame(), middle: crack.middle })
-            .collect();
+            cracks.iter().map(|crack| grid_of(crack, &CellDivision::of(crack, resolution))).collect();
+        let sheets: Vec<Sheet> = cracks.iter().map(Sheet::of).collect();
+        let placed: Vec<Placed> =
+            grids.iter().zip(&sheets).map(|(grid, sheet)| Placed { grid, sheet }).collect();
         let stiffness = stiffness_of(cracks, &placed, steel, kernel, interruption)?;
         let total = stiffness.order() / 3;
         let fronts = grids.iter().map(|grid| grid.front.len()).sum::<usize>();
@@ -240,8 +198,7 @@ impl SpaceBody {
             compliance: Matrix::zeros(0, 0).into(),
             loads: Vec::new(),
             cells: Vec::new(),
-            planes: Vec::with_capacity(cracks.len()),
-            plane_of_point: Vec::with_capacity(total),
+            frames: Vec::with_capacity(total),
         };
         for (crack, placed) in cracks.iter().zip(&placed) {
             body.append(crack, placed, steel, total);
@@ -287,8 +244,7 @@ impl SpaceBody {
             }),
             loads: Vec::new(),
             cells: Vec::new(),
-            planes: self.planes.clone(),
-            plane_of_point: old.iter().map(|&point| self.plane_of_point[point]).collect(),
+            frames: old.iter().map(|&point| self.frames[point]).collect(),
         };
         let (mut first, mut first_of_front) = (0, 0);
         for (k, part) in chosen().enumerate() {
@@ -319,16 +275,17 @@ impl SpaceBody {
 
     /// Appends the points of a crack; all cracks together have `total` points.
     fn append(&mut self, shape: &SpaceCrack, placed: &Placed, steel: &IsotropicElastic, total: usize) {
-        let (crack, grid) = (self.cracks.len(), placed.grid);
+        let (crack, grid, sheet) = (self.cracks.len(), placed.grid, placed.sheet);
         let (first, first_of_front) = (self.points.len(), self.front.len());
         let vertex =
             |v: usize| if v < grid.free { first + v } else { total + first_of_front + v - grid.free };
         front_rows(grid, steel, [3 * first_of_front, 3 * first], &mut self.sif_of_jumps);
-        self.points.extend(grid.vertices[..grid.free].iter().map(|&p| placed.place(p)));
+        self.points.extend(grid.vertices[..grid.free].iter().map(|&p| sheet.place(p)));
+        self.frames.extend(grid.vertices[..grid.free].iter().map(|[s, _]| sheet.frame(*s)));
         self.front.extend(grid.front.iter().enumerate().map(|(t, column)| FrontPoint {
             crack,
             phi: column.phi,
-            position: placed.place(grid.vertices[grid.free + t]),
+            position: sheet.place(grid.vertices[grid.free + t]),
             normal: column.normal,
             counts: column.counts,
         }));
@@ -342,25 +299,19 @@ impl SpaceBody {
                         let corner = cell.vertices[a];
                         if corner < grid.free { (vertex(corner), weight) } else { (first, 0.0) }
                     });
-                    self.loads.push(LoadPoint {
-                        crack,
-                        plane: crack,
-                        position: placed.place(point.position),
-                        hats,
-                    });
+                    let frame = sheet.frame(point.position[0]);
+                    self.loads.push(LoadPoint { crack, frame, position: sheet.place(point.position), hats });
                 }
             }
         }
         self.cells.extend(grid.cells.iter().map(|cell| cell.vertices.map(vertex)));
-        self.planes.push(placed.frame);
-        self.plane_of_point.resize(self.points.len(), crack);
+        let is_on_fold = |v: &usize| sheet.way().has_fold(grid.vertices[*v][0]);
         self.cracks.push(CrackPart {
             shape: shape.clone(),
-            strip: None,
-            frame: placed.frame,
+            sheet: sheet.clone(),
             points: first..self.points.len(),
             front: first_of_front..self.front.len(),
-            fold: Vec::new(),
+            fold: (0..grid.free).filter(is_on_fold).map(vertex).collect(),
         });
     }
 
@@ -369,12 +320,10 @@ impl SpaceBody {
         &self.cracks
     }
 
-    /// The plane in which a point has its components: of strip (0) or branch (1) of a folded crack,
-    /// otherwise that of its crack.
-    pub fn plane_of(&self, point: usize) -> (usize, &PlaneFrame) {
-        let plane = self.plane_of_point[point];
-        let of_crack = if self.cracks.iter().any(|crack| crack.strip.is_some()) { plane } else { 0 };
-        (of_crack, &self.planes[plane])
+    /// The directions of the components at a point: normal, dip and trace; on a fold those above
+    /// it.
+    pub fn frame_of(&self, point: usize) -> &PlaneFrame {
+        &self.frames[point]
     }
 
     /// The crack (from 0) of a point.
@@ -422,8 +371,7 @@ impl SpaceBody {
         &self.cells
     }
 
-    /// C (mm/N), 3p × 3p: opening, slip along the dip and along the trace of each point. On a fold
-    /// they are those of the plane that halves its angle.
+    /// C (mm/N), 3p × 3p: opening, slip along the dip and along the trace of each point.
     pub fn compliance(&self) -> &FaceMatrix {
         &self.compliance
     }
@@ -480,7 +428,7 @@ impl SpaceBody {
     /// The traction (opening, slip along the dip and along the trace; MPa) of a stress at a load
     /// point.
     pub(super) fn traction_at(&self, load: &LoadPoint, stress: &Symmetric) -> [f64; 3] {
-        self.planes[load.plane].traction(stress)
+        load.frame.traction(stress)
     }
 
     /// Nodal forces (N) at the points of `cracks` (from 0) due to the traction (MPa) at each of
@@ -498,14 +446,10 @@ impl SpaceBody {
         let tractions: Vec<_> = numbered.collect();
         let mut forces = vec![0.0; 3 * points.len()];
         for (point, traction) in self.loads[loads].iter().zip(tractions) {
+            let is_plane = self.cracks[point.crack].sheet.plane().is_some();
             for (a, weight) in point.hats {
-                // On a fold the components are along another plane than that of the traction.
-                let plane = self.plane_of_point[a];
-                let along = if plane == point.plane {
-                    traction
-                } else {
-                    self.planes[plane].components(self.planes[point.plane].vector(traction))
-                };
+                let along =
+                    if is_plane { traction } else { self.frames[a].components(point.frame.vector(traction)) };
                 let own = 3 * (a - points.start);
                 (0..3).for_each(|c| forces[own + c] += weight * along[c]);
             }
@@ -548,7 +492,8 @@ fn sifs(values: &[f64]) -> Vec<FrontSif> {
 
 /// K from the jumps of the first two rows: w = α η + β η³ along a column, or α √(distance) near the
 /// front, and K_I = μ α √(2π) / (4 (1 − ν)); K_II is similar, and K_III lacks the factor (1 − ν).
-/// The rows begin at `start` in `rows`.
+/// On a curved crack the components of each point are those along its own directions, between which
+/// slip that follows the surface opens nothing. The rows begin at `start` in `rows`.
 fn front_rows(grid: &Grid, steel: &IsotropicElastic, start: [usize; 2], rows: &mut Matrix) {
     let [first, left] = start;
     for (q, column) in grid.front.iter().enumerate() {

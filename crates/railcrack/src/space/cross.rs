@@ -1,155 +1,51 @@
 //! Stiffness between two cracks.
 //!
-//! A jump of one crack acts as a sheet of double forces, whose stress loads the other crack. With n
-//! and n′ the normals of the two cracks,
-//!
-//!   A = −∬ w_i n_k σ_kl[moment of (w′_j, n′)] dS dS′.
-//!
-//! The cracks are disjoint, so that nothing is singular, but they may be close: patches of cells
-//! are divided until Gauss product rules resolve 1/r³ at their distance. Mouths need no special
-//! treatment, since the image of a point of one crack is never closer to the other crack than the
-//! point itself.
+//! The cracks are disjoint, so that the integrals of the traction of one on the other are regular.
+//! Mouths need no special treatment, since the image of a point of one crack is never closer to the
+//! other crack than the point itself.
 
-use super::grid::{Block, Cell, EMPTY, Grid, counted};
+use super::curls::Stress;
+use super::grid::{Block, EMPTY, Grid, counted};
 use super::mirror_image::MirroredPair;
-use super::patch::Patch;
-use super::plane::{PlaneFrame, Surroundings, Symmetric, image_matrix, kelvin_stress, moment};
+use super::plane::Surroundings;
+use super::sheet::Sheet;
+use super::tractions::{Fineness, Reach, Tractions, turn};
 use crate::interruption::{Interrupted, Interruption};
-use crate::math::{Matrix, dot3, gauss_legendre};
+use crate::math::{Matrix, dot3};
 use rayon::prelude::*;
-
-/// Distance of two patches, relative to the diameter of the larger one, and the number of points
-/// per direction that it requires; closer patches are divided.
-const ORDERS: [(f64, usize); 5] = [(4.0, 2), (2.0, 3), (1.0, 4), (0.6, 5), (0.4, 6)];
-/// Largest number of divisions of the patches of a pair of cells.
-const DIVISIONS: usize = 24;
 
 /// A crack at its place in the rail.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Placed<'a> {
     pub grid: &'a Grid,
-    pub frame: PlaneFrame,
-    /// x and lateral position of the middle of the trace of its plane, mm.
-    pub middle: [f64; 2],
+    pub sheet: &'a Sheet,
 }
 
 impl Placed<'_> {
-    /// x, lateral and depth (mm) of the point (s, ζ).
-    pub fn place(&self, [s, zeta]: [f64; 2]) -> [f64; 3] {
-        let [x, lateral, depth] = self.frame.position(s.max(0.0), zeta);
-        [x + self.middle[0], lateral + self.middle[1], depth]
+    /// The directions of the components at its free points: normal, dip, trace.
+    pub fn directions(&self) -> Vec<[[f64; 3]; 3]> {
+        let free = &self.grid.vertices[..self.grid.free];
+        free.iter().map(|[s, _]| self.sheet.frame(*s).directions()).collect()
     }
 
-    fn disc(&self, cell: &Cell, patch: &Patch) -> Disc {
-        let cover = patch.cover(cell);
-        Disc { centre: self.place(cover.centre), radius: cover.radius }
-    }
-
-    fn samples(&self, cell: &Cell, patch: &Patch, rule: &[(f64, f64)]) -> Vec<Sample> {
-        let sample = |(point, weight): (super::grid::CellPoint, f64)| Sample {
-            position: self.place(point.position),
-            hats: point.hats.map(|hat| hat * point.area * weight),
-        };
-        patch.points(cell, rule).into_iter().map(sample).collect()
+    /// Whether the crack is its own mirror image about the vertical plane along the rail through
+    /// its middle.
+    fn is_across(&self) -> bool {
+        self.sheet.frame(0.0).normal()[1] == 0.0
     }
 }
 
-/// A disc that contains a patch.
-#[derive(Debug, Clone, Copy)]
-struct Disc {
-    centre: [f64; 3],
-    radius: f64,
-}
-
-/// A point of a crack, with its hat functions times its area (mm²).
-#[derive(Debug, Clone, Copy)]
-struct Sample {
-    position: [f64; 3],
-    hats: [f64; 4],
-}
-
-/// Undivided cells of a crack, evaluated at the points of all rules.
-struct Sampled<'a> {
-    crack: Placed<'a>,
-    discs: Vec<Disc>,
-    samples: Vec<Vec<Vec<Sample>>>,
-}
-
-impl<'a> Sampled<'a> {
-    fn new(crack: Placed<'a>, rules: &[Vec<(f64, f64)>]) -> Self {
-        let cells = &crack.grid.cells;
-        let of_cell = |cell| rules.iter().map(|rule| crack.samples(cell, &Patch::WHOLE, rule)).collect();
-        Self {
-            crack,
-            discs: cells.iter().map(|cell| crack.disc(cell, &Patch::WHOLE)).collect(),
-            samples: cells.iter().map(of_cell).collect(),
-        }
-    }
-}
-
-/// Tractions on one crack due to the jumps of another.
-#[derive(Debug, Clone)]
-struct Influence {
-    surroundings: Surroundings,
-    poisson: f64,
-    /// Minus the traction on the first crack of each component of stress: [jump][component].
-    tractions: [[f64; 6]; 3],
-    /// Double-force moments of unit jumps of the second crack.
-    moments: [Symmetric; 3],
-}
-
-impl Influence {
-    fn new(first: &PlaneFrame, second: &PlaneFrame, surroundings: Surroundings, poisson: f64) -> Self {
-        let unit = |k: usize| std::array::from_fn(|i| f64::from(u8::from(i == k)));
-        let by_component: [[f64; 3]; 6] = std::array::from_fn(|k| first.traction(&unit(k)));
-        Self {
-            surroundings,
-            poisson,
-            tractions: std::array::from_fn(|i| std::array::from_fn(|k| -by_component[k][i])),
-            moments: second.directions().map(|jump| moment(jump, second.normal(), poisson)),
-        }
-    }
-
-    /// The stiffness that couples jump component j at `source` to component i at `point`, in units
-    /// of the shear modulus and per mm³.
-    fn between(&self, point: [f64; 3], source: [f64; 3]) -> [[f64; 3]; 3] {
-        let d = std::array::from_fn(|i| point[i] - source[i]);
-        let mut stresses = self.moments.map(|m| kelvin_stress(d, &m, self.poisson));
-        if self.surroundings == Surroundings::HalfSpace {
-            let image = image_matrix(point, source, self.poisson);
-            for (stress, m) in stresses.iter_mut().zip(&self.moments) {
-                for (value, row) in stress.iter_mut().zip(&image) {
-                    *value += row.iter().zip(m).map(|(a, b)| a * b).sum::<f64>();
-                }
-            }
-        }
-        self.tractions.map(|row| stresses.map(|stress| row.iter().zip(&stress).map(|(a, b)| a * b).sum()))
-    }
-}
-
-/// Fineness of the integration.
-#[derive(Debug, Clone, Copy)]
-struct Fineness {
-    /// Additional points per direction.
-    more_points: usize,
-    /// Factor by which distances of patches are reduced when a rule is chosen.
-    nearer: f64,
-}
-
-impl Fineness {
-    /// That for bodies. Cells of a graded grid are narrow.
-    fn of(cracks: [&Placed; 2]) -> Self {
-        let more_points = usize::from(cracks.iter().any(|crack| crack.grid.is_graded));
-        Self { more_points, nearer: 1.0 }
-    }
+/// Fineness of the integrals between cracks of bodies. Cells of a graded grid are narrow.
+fn fineness(cracks: [&Placed; 2]) -> Fineness {
+    let more_points = usize::from(cracks.iter().any(|crack| crack.grid.is_graded));
+    Fineness { more_points, nearer: 1.0 }
 }
 
 /// The integrals over two cracks.
 struct Cross<'a> {
-    cracks: [Sampled<'a>; 2],
-    influence: Influence,
-    rules: Vec<Vec<(f64, f64)>>,
-    fineness: Fineness,
+    cracks: [Placed<'a>; 2],
+    stress: Stress,
+    tractions: Tractions<'a>,
 }
 
 /// The stiffness between two disjoint cracks in units of the shear modulus (mm): component i of the
@@ -161,28 +57,24 @@ pub(super) fn cross_stiffness(
     poisson: f64,
     interruption: Interruption<'_>,
 ) -> Result<Matrix, Interrupted> {
-    let fineness = Fineness::of(cracks.each_ref());
+    let fineness = fineness(cracks.each_ref());
     Cross::new(cracks, surroundings, poisson, fineness).stiffness_unless(interruption)
 }
 
 impl<'a> Cross<'a> {
     fn new(cracks: [Placed<'a>; 2], surroundings: Surroundings, poisson: f64, fineness: Fineness) -> Self {
-        let [first, second] = cracks.map(|crack| crack.frame);
-        let rule = |&(_, order): &(f64, usize)| gauss_legendre(order + fineness.more_points);
-        let rules: Vec<_> = ORDERS.iter().map(rule).collect();
-        Self {
-            cracks: cracks.map(|crack| Sampled::new(crack, &rules)),
-            influence: Influence::new(&first, &second, surroundings, poisson),
-            rules,
-            fineness,
-        }
+        let stress = match surroundings {
+            Surroundings::FullSpace => Stress::Kelvin,
+            Surroundings::HalfSpace => Stress::HalfSpace,
+        };
+        let tractions = Tractions::new(cracks.map(|crack| crack.sheet), poisson, fineness);
+        Self { cracks, stress, tractions }
     }
 
     fn stiffness_unless(&self, interruption: Interruption<'_>) -> Result<Matrix, Interrupted> {
-        let placed = self.cracks.each_ref().map(|crack| crack.crack);
-        let [rows, columns] = placed.map(|crack| crack.grid);
-        let is_across = |crack: &Placed| crack.frame.normal()[1] == 0.0;
-        let is_symmetric = placed[0].middle[1] == placed[1].middle[1] && placed.iter().all(is_across);
+        let [rows, columns] = self.cracks.map(|crack| crack.grid);
+        let lateral = self.cracks.map(|crack| crack.sheet.place([0.0; 2])[1]);
+        let is_symmetric = lateral[0] == lateral[1] && self.cracks.iter().all(Placed::is_across);
         let mirrored = if is_symmetric { MirroredPair::of([rows, columns]) } else { None };
         let count = |pair| mirrored.as_ref().map_or(1.0, |mirrored| mirrored.count(pair));
         let mut stiffness = Matrix::zeros(3 * rows.free, 3 * columns.free);
@@ -209,81 +101,38 @@ impl<'a> Cross<'a> {
                 }
             }
         }
+        let [first, second] = self.cracks.map(|crack| crack.directions());
+        turn(&mut stiffness, &first, &second);
         Ok(match mirrored {
             Some(mirrored) => mirrored.averaged(&stiffness),
             None => stiffness,
         })
     }
 
-    /// The block of the cells i and j.
+    /// The block of the cells i and j, along the axes of the rail.
     fn pair(&self, i: usize, j: usize) -> Block {
         let mut block = EMPTY;
-        let [first, second] = &self.cracks;
-        match self.place(&first.discs[i], &second.discs[j]) {
-            Some(place) => self.add(&first.samples[i][place], &second.samples[j][place], &mut block),
-            None => self.divided([i, j], [Patch::WHOLE; 2], 0, &mut block),
-        }
+        let cells = [&self.cracks[0].grid.cells[i], &self.cracks[1].grid.cells[j]];
+        self.tractions.add(self.stress, cells, &|one, other| self.gap(one, other), &mut block);
         block
     }
 
-    /// Index of the rule that suffices for two patches.
-    fn place(&self, one: &Disc, other: &Disc) -> Option<usize> {
-        let ratio = self.gap(one, other) / (2.0 * self.fineness.nearer * one.radius.max(other.radius));
-        ORDERS.iter().position(|&(limit, _)| ratio > limit)
-    }
-
-    /// A lower bound on the distance of two discs in the planes of the cracks.
-    fn gap(&self, one: &Disc, other: &Disc) -> f64 {
-        let [first, second] = [&self.cracks[0], &self.cracks[1]].map(|crack| crack.crack.frame.normal());
+    /// A lower bound on the distance of two patches; of planar cracks that of discs in their
+    /// planes.
+    fn gap(&self, one: &Reach, other: &Reach) -> f64 {
+        let [Some(first), Some(second)] = self.cracks.map(|crack| crack.sheet.plane()) else {
+            return one.gap(other);
+        };
+        let [first, second] = [first.normal(), second.normal()];
         let between: [f64; 3] = std::array::from_fn(|i| other.centre[i] - one.centre[i]);
         let square = dot3(between, between);
         let sine = (1.0 - dot3(first, second).powi(2)).max(0.0).sqrt();
-        let from = |normal: [f64; 3], turned: &Disc| {
+        let from = |normal: [f64; 3], turned: &Reach| {
             let across = dot3(between, normal);
             let along = (square - across * across).max(0.0).sqrt() - one.radius - other.radius;
             (across.abs() - sine * turned.radius).max(0.0).hypot(along.max(0.0))
         };
         from(first, other).max(from(second, one))
-    }
-
-    fn divided(&self, cells: [usize; 2], patches: [Patch; 2], level: usize, block: &mut Block) {
-        let cell = |k: usize| &self.cracks[k].crack.grid.cells[cells[k]];
-        let discs = [0, 1].map(|k| self.cracks[k].crack.disc(cell(k), &patches[k]));
-        let place = self.place(&discs[0], &discs[1]);
-        if place.is_some() || level == DIVISIONS {
-            let rule = &self.rules[place.unwrap_or(ORDERS.len() - 1)];
-            let [one, other] = [0, 1].map(|k| self.cracks[k].crack.samples(cell(k), &patches[k], rule));
-            return self.add(&one, &other, block);
-        }
-        let larger = if discs[0].radius >= discs[1].radius { 0 } else { 1 };
-        let [p, q] = patches[larger].lengths(cell(larger));
-        for half in if p > q { patches[larger].along_halves() } else { patches[larger].across_halves() } {
-            let mut halves = patches;
-            halves[larger] = half;
-            self.divided(cells, halves, level + 1, block);
-        }
-    }
-
-    /// Adds the products of points of two patches.
-    fn add(&self, one: &[Sample], other: &[Sample], block: &mut Block) {
-        for x in one {
-            let mut felt = [[[0.0; 3]; 4]; 3];
-            for y in other {
-                let kernel = self.influence.between(x.position, y.position);
-                for i in 0..3 {
-                    for b in 0..4 {
-                        (0..3).for_each(|j| felt[i][b][j] += y.hats[b] * kernel[i][j]);
-                    }
-                }
-            }
-            for a in 0..4 {
-                for i in 0..3 {
-                    for b in 0..4 {
-                        (0..3).for_each(|j| block[a][i][b][j] += x.hats[a] * felt[i][b][j]);
-                    }
-                }
-            }
-        }
     }
 }
 
@@ -300,10 +149,6 @@ mod tests {
 
     const NU: f64 = 0.3;
     const CELLS: SpaceResolution = SpaceResolution::new(2, 2);
-
-    fn placed<'a>(crack: &SpaceCrack, grid: &'a Grid) -> Placed<'a> {
-        Placed { grid, frame: crack.frame(), middle: crack.middle }
-    }
 
     /// Two hat functions of one crack that do not touch: the strong form is an independent formula
     /// for the result of the weakly singular integrals of the crack, including those of the image.
@@ -327,8 +172,9 @@ mod tests {
             let weak =
                 Galerkin::new(&grid, NU, image.as_ref()).stiffness_unless(Interruption::NEVER).unwrap();
             let weak = weak.to_matrix();
-            let pair = [placed(&crack, &grid), placed(&crack, &grid)];
-            let strong = Cross::new(pair, surroundings, NU, Fineness::of(pair.each_ref()));
+            let sheet = Sheet::of(&crack);
+            let pair = [Placed { grid: &grid, sheet: &sheet }; 2];
+            let strong = Cross::new(pair, surroundings, NU, fineness(pair.each_ref()));
             let corners = |cell: usize| &grid.cells[cell].vertices;
             let touch = |i: usize, j: usize| corners(i).iter().any(|v| corners(j).contains(v));
             let count = grid.cells.len();
@@ -347,6 +193,8 @@ mod tests {
                     }
                 }
             }
+            let directions = vec![crack.frame().directions(); grid.vertices.len()];
+            turn(&mut summed, &directions, &directions);
             let (mut compared, mut worst) = (0, 0.0f64);
             for row in 0..weak.rows() {
                 for column in (0..weak.rows()).filter(|column| is_apart[row / 3][column / 3]) {
@@ -377,11 +225,12 @@ mod tests {
                 SpaceBody::new(std::slice::from_ref(crack), &steel, Surroundings::HalfSpace, CELLS).unwrap()
             });
             let grids = pair.each_ref().map(|crack| Grid::new(crack, &CellDivision::of(crack, CELLS)));
-            let [one, other] = [placed(&pair[0], &grids[0]), placed(&pair[1], &grids[1])];
+            let sheets = pair.each_ref().map(Sheet::of);
+            let [one, other] = [0, 1].map(|k| Placed { grid: &grids[k], sheet: &sheets[k] });
             let of = |pair, fineness| Cross::new(pair, Surroundings::HalfSpace, NU, fineness);
-            let usual = of([one, other], Fineness::of([&one, &other]));
+            let usual = of([one, other], fineness([&one, &other]));
             let finer = of([one, other], Fineness { more_points: 3, nearer: 1.3 });
-            let back = of([other, one], Fineness::of([&one, &other]));
+            let back = of([other, one], fineness([&one, &other]));
             let (mut error, mut asymmetry) = (0.0f64, 0.0f64);
             // Cells of each kind (at the mouth, inside, at the front) against all cells.
             for i in [1, 5, 12, grids[0].cells.len() - 1] {

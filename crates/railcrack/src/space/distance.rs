@@ -1,9 +1,12 @@
-//! Distance of two planar cracks.
+//! Distance of two cracks.
 //!
-//! Ellipses and halves of them are convex: their Minkowski difference is a convex body, whose point
+//! A crack consists of plane pieces, of which a planar crack has one: slices of an ellipse and of a
+//! strip, which are convex. The Minkowski difference of two pieces is a convex body, whose point
 //! nearest to the origin is found from support points (Gilbert, Johnson & Keerthi 1988).
 
+use super::plane::PlaneFrame;
 use super::shape::{Extent, SpaceCrack};
+use crate::growth::FrontWay;
 use crate::math::dot3;
 
 type Vector = [f64; 3];
@@ -15,17 +18,90 @@ const TOLERANCE: f64 = 1e-9;
 
 impl SpaceCrack {
     /// The distance (mm) to another crack; zero where they meet. A front that deviates from its
-    /// ellipse is replaced by the smallest enclosing ellipse of the same aspect ratio.
+    /// ellipse is replaced by the smallest enclosing ellipse of the same aspect ratio, arcs of a
+    /// crack that turns by chords of 3°.
     pub fn distance(&self, other: &Self) -> f64 {
-        let reaches = [self.reach(), other.reach()];
+        let size = self.length.max(self.half_length).max(other.length).max(other.half_length);
+        let others = other.pieces();
+        let of = |one: &Piece| others.iter().map(|two| one.distance(two, size)).fold(f64::INFINITY, f64::min);
+        self.pieces().iter().map(of).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Size of the smallest ellipse around the front, relative to its own ellipse.
+    fn reach(&self) -> f64 {
+        (0..360).map(|degree| self.radius_factor(f64::from(degree).to_radians())).fold(1.0, f64::max)
+    }
+
+    fn pieces(&self) -> Vec<Piece> {
+        let reach = self.reach();
+        let axes = [reach * self.length, reach * self.half_length];
+        let [x, lateral] = self.middle;
+        let piece = |range, centre, axes, dip, [out, depth]: [f64; 2]| {
+            let (sin, cos) = self.strike.sin_cos();
+            let origin = [x + out * cos, lateral + out * sin, depth];
+            Piece { frame: PlaneFrame::turned(dip, self.strike), origin, range, centre, axes }
+        };
+        let top = match self.extent {
+            Extent::Buried { centre } => {
+                return vec![piece([centre - axes[0], centre + axes[0]], centre, axes, self.dip, [0.0; 2])];
+            }
+            Extent::SurfaceBreaking => self.strip.unwrap_or(0.0),
+        };
+        let way = FrontWay::new(self.dip, self.turns.as_ref());
+        let mut stops = way.stops(top + axes[0]);
+        stops.push(top);
+        stops.sort_by(f64::total_cmp);
+        stops.dedup();
+        let of = |ends: &[f64]| {
+            let [from, to] = [ends[0], ends[1]];
+            let [start, end] = [from, to].map(|s| way.at(s).place);
+            let dip = (end[1] - start[1]).atan2(end[0] - start[0]);
+            // A slice of the strip is one of an ellipse without end.
+            let axes = if to <= top { [f64::INFINITY, axes[1]] } else { axes };
+            piece([0.0, to - from], top - from, axes, dip, start)
+        };
+        stops.windows(2).map(of).collect()
+    }
+}
+
+/// A slice of an ellipse between two lines along the trace of its plane.
+struct Piece {
+    frame: PlaneFrame,
+    /// x, lateral, depth of the point from which s is measured, mm.
+    origin: Vector,
+    /// s at the two lines, mm.
+    range: [f64; 2],
+    /// s at the middle of the ellipse, mm.
+    centre: f64,
+    /// Semi-axes along s and ζ, mm.
+    axes: [f64; 2],
+}
+
+impl Piece {
+    /// The support point in a direction: x, lateral, depth.
+    fn farthest(&self, direction: Vector) -> Vector {
+        let [_, ds, dz] = self.frame.components(direction);
+        let [l, c] = self.axes;
+        let best = match (l * ds).hypot(c * dz) {
+            size if size.is_finite() && size > 0.0 => self.centre + l * l * ds / size,
+            _ => ds * f64::INFINITY,
+        };
+        let s = if best.is_nan() { self.range[0] } else { best.clamp(self.range[0], self.range[1]) };
+        let across = ((s - self.centre) / l).clamp(-1.0, 1.0);
+        let sign = if dz == 0.0 { 0.0 } else { dz.signum() };
+        let place = self.frame.position(s, c * (1.0 - across * across).sqrt() * sign);
+        std::array::from_fn(|i| self.origin[i] + place[i])
+    }
+
+    /// The distance to another piece, of cracks of a `size` (mm).
+    fn distance(&self, other: &Self, size: f64) -> f64 {
         let corner = |one: Vector, two: Vector| -> Vector {
-            let (one, two) = (self.farthest(one, reaches[0]), other.farthest(two, reaches[1]));
+            let (one, two) = (self.farthest(one), other.farthest(two));
             std::array::from_fn(|i| one[i] - two[i])
         };
         let start = corner([0.0, 0.0, 1.0], [0.0, 0.0, 1.0]);
         let mut corners = vec![start];
         let mut nearest = start;
-        let size = self.length.max(self.half_length).max(other.length).max(other.half_length);
         for _ in 0..STEPS {
             let square = dot3(nearest, nearest);
             if square <= (TOLERANCE * size).powi(2) {
@@ -44,27 +120,6 @@ impl SpaceCrack {
             nearest = point;
         }
         dot3(nearest, nearest).sqrt()
-    }
-
-    /// Size of the smallest ellipse around the front, relative to its own ellipse.
-    fn reach(&self) -> f64 {
-        (0..360).map(|degree| self.radius_factor(f64::from(degree).to_radians())).fold(1.0, f64::max)
-    }
-
-    /// The support point in a direction of the ellipse enlarged by `reach`: x, lateral, depth.
-    fn farthest(&self, direction: Vector, reach: f64) -> Vector {
-        let frame = self.frame();
-        let [_, ds, dz] = frame.components(direction);
-        let (l, c) = (reach * self.length, reach * self.half_length);
-        let size = (l * ds).hypot(c * dz);
-        let on_ellipse = if size > 0.0 { [l * l * ds / size, c * c * dz / size] } else { [0.0; 2] };
-        let [s, zeta] = match self.extent {
-            Extent::Buried { centre } => [centre + on_ellipse[0], on_ellipse[1]],
-            Extent::SurfaceBreaking if ds >= 0.0 => on_ellipse,
-            Extent::SurfaceBreaking => [0.0, c * dz.signum()],
-        };
-        let [x, lateral, depth] = frame.position(s, zeta);
-        [x + self.middle[0], lateral + self.middle[1], depth]
     }
 }
 

@@ -5,7 +5,7 @@
 //! more and narrower rows than a steep one, at the expense of its columns.
 
 use super::shape::{Extent, SpaceCrack};
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Numbers of cells of a crack.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -42,7 +42,7 @@ pub struct CellDivision {
     /// Columns of the block from its middle to its side.
     pub columns: usize,
     /// Rows of the block, from the mouth down or, of a closed front, from its middle to either
-    /// side. Those next to the surface count.
+    /// side. Those next to the surface count, those of a strip do not.
     pub rows: usize,
     /// Cells from the block to the front.
     pub ring: usize,
@@ -54,6 +54,11 @@ pub struct CellDivision {
     grading: f64,
     /// Rows into which the uppermost one is divided further, each half as wide as the next one.
     surface: usize,
+    /// Rows of the strip above the block, of a crack that has one.
+    pub(super) strip: usize,
+    /// Rows of a block without a strip above the first turn of the crack, and the place of the last
+    /// one over the block.
+    flat: Option<(usize, f64)>,
     /// The rows of the ring end at the powers with this exponent of their number over that of all.
     ring_grading: f64,
 }
@@ -72,6 +77,26 @@ pub(super) fn is_outside(layer: f64, phi: f64) -> bool {
 /// do, irrespective of round-off.
 pub(super) fn least_outside(layer: f64) -> f64 {
     layer - 1e-9
+}
+
+/// Whether a point at φ on the side of a strip counts in growth. The layer is as wide, relative to
+/// the length of the strip, as in the branch relative to its semi-axis.
+pub(super) fn counts_on_strip(phi: f64) -> bool {
+    let from_fold = strip_side(phi).1;
+    let layer = least_outside(VERTEX_LAYER).sin();
+    from_fold >= layer && from_fold <= 1.0 - layer
+}
+
+/// The side of the strip on which the point at φ lies (1 where ζ > 0, −1 where ζ < 0), and its
+/// distance from the fold relative to the length of the strip.
+pub(super) fn strip_side(phi: f64) -> (f64, f64) {
+    if phi < 0.0 { (1.0, -phi / FRAC_PI_2) } else { (-1.0, (phi - PI) / FRAC_PI_2) }
+}
+
+/// φ of the side points of a strip at the distance `from_fold` from the fold, relative to the
+/// length of the strip: where ζ > 0 and where ζ < 0.
+pub(super) fn phi_on_strip(from_fold: f64) -> [f64; 2] {
+    [-from_fold * FRAC_PI_2, PI + from_fold * FRAC_PI_2]
 }
 
 /// A value at `row` of rows at whose ends it is `end`; within a row it is linear.
@@ -95,6 +120,11 @@ const SHALLOW_COLUMNS: f64 = 2.0 / 3.0;
 const SHALLOW_RING: f64 = 5.0 / 6.0;
 /// The most that each further row next to the surface adds to the exponent of the ring's rows.
 const RING_GRADING: f64 = 0.25;
+/// Rows between the mouth and the first turn of a crack, at least: hats on the mouth and hats over
+/// a turn do not touch.
+const LEAST_FLAT_ROWS: usize = 3;
+/// Rows of the block behind the first turn, at least.
+const LEAST_TURNED_ROWS: usize = 2;
 /// The least number of columns of a steep crack of which a shallow one gives up some: with fewer,
 /// K along the front suffers more than rows gain.
 const LEAST_COLUMNS: usize = 5;
@@ -112,22 +142,43 @@ impl CellDivision {
             sides: [SIDE; 2],
             grading: 1.0,
             surface: 0,
+            strip: 0,
+            flat: None,
             ring_grading: 1.0,
         }
     }
 
-    /// The cells of `crack`. Where it meets the surface at less than 30°, columns become fewer,
-    /// down to two thirds at 20°, and cells from the block to the front, down to five sixths; there
-    /// are as many rows as make up for them, and they become narrower towards the mouth. With fewer
-    /// than 5 columns the cells are those of a steep crack.
+    /// The cells of `crack`. A strip has half as many rows again as the block below it. In a crack
+    /// that turns without a strip at least three rows lie above the first turn. Where a planar
+    /// crack meets the surface at less than 30°, columns become fewer, down to two thirds at 20°,
+    /// and cells from the block to the front, down to five sixths; there are as many rows as make
+    /// up for them, and they become narrower towards the mouth. With fewer than 5 columns the cells
+    /// are those of a steep crack.
     #[must_use]
     pub fn of(crack: &SpaceCrack, resolution: SpaceResolution) -> Self {
-        Self::at(crack.dip, crack.extent != Extent::SurfaceBreaking, resolution)
+        let even = Self::even(resolution, false);
+        match (crack.strip, crack.turns) {
+            (None, None) => Self::planar(crack.dip, crack.extent != Extent::SurfaceBreaking, resolution),
+            (Some(_), _) => Self { strip: (3 * even.rows).div_ceil(2).max(LEAST_FLAT_ROWS), ..even },
+            (None, Some(turns)) => even.flat_above(turns.straight / crack.length),
+        }
     }
 
-    /// The cells of a crack of the dip `dip` (radians), either buried or not.
-    #[must_use]
-    pub fn at(dip: f64, is_closed: bool, resolution: SpaceResolution) -> Self {
+    /// The same with rows above and below the first turn, at this share of the length of the crack.
+    fn flat_above(self, share: f64) -> Self {
+        // Towards the front, rows end deeper than in the block.
+        let place = (share.min(1.0).asin() / (0.25 * PI)).min(1.0);
+        let rows = self.rows as f64;
+        if place == 1.0 {
+            return Self { rows: self.rows.max(LEAST_FLAT_ROWS), ..self };
+        }
+        let above = ((rows * place).round() as usize).max(LEAST_FLAT_ROWS);
+        let below = ((rows * (1.0 - place)).ceil() as usize).max(LEAST_TURNED_ROWS);
+        Self { rows: above + below, flat: Some((above, place)), ..self }
+    }
+
+    /// The cells of a planar crack of the dip `dip` (radians), either buried or not.
+    fn planar(dip: f64, is_closed: bool, resolution: SpaceResolution) -> Self {
         let division = Self::without_surface(dip, is_closed, resolution);
         let surface = if is_closed { 0 } else { resolution.surface };
         let with_rows = Self { rows: division.rows + surface, surface, ..division };
@@ -160,7 +211,7 @@ impl CellDivision {
 
     /// Whether rows become narrower towards the mouth.
     pub(super) fn is_graded(&self) -> bool {
-        self.grading > 1.0 || self.surface > 0
+        self.grading > 1.0 || self.surface > 0 || self.flat.is_some()
     }
 
     /// Half-width (radians of φ) of the layer next to the surface in which K does not count: each
@@ -180,25 +231,36 @@ impl CellDivision {
     #[must_use]
     pub fn cells(&self) -> usize {
         let sides = 1 + usize::from(self.is_closed);
-        sides * (2 * self.columns * self.rows + 2 * (self.columns + self.rows) * self.ring)
+        let strip = 2 * self.strip * (self.columns + self.ring);
+        sides * (2 * self.columns * self.rows + 2 * (self.columns + self.rows) * self.ring) + strip
     }
 
     /// The number of points of the faces.
     #[must_use]
     pub fn face_points(&self) -> usize {
-        self.block_points() + self.front_points() * (self.ring - 1)
+        self.points_of_ellipse() + self.strip * (2 * (self.columns + self.ring) - 1)
+    }
+
+    /// The number of points of the faces below a strip.
+    pub(super) fn points_of_ellipse(&self) -> usize {
+        self.block_points() + self.ends_of_columns() * (self.ring - 1)
     }
 
     /// The number of points of the front.
     #[must_use]
     pub fn front_points(&self) -> usize {
+        self.ends_of_columns() + 2 * self.strip
+    }
+
+    /// The number of points of the front at the ends of columns of the ring.
+    pub(super) fn ends_of_columns(&self) -> usize {
         let half = 2 * (self.columns + self.rows);
         if self.is_closed { 2 * half } else { half + 1 }
     }
 
-    /// φ of the points of the front, radians.
+    /// φ of the points of the front below a strip, radians.
     pub fn front_angles(&self) -> impl Iterator<Item = f64> + '_ {
-        (0..self.front_points()).map(|column| 0.25 * PI * self.turn(column as f64))
+        (0..self.ends_of_columns()).map(|column| 0.25 * PI * self.turn(column as f64))
     }
 
     /// The first row of vertices of the block: at the mouth, or above the middle.
@@ -239,6 +301,10 @@ impl CellDivision {
         if !self.is_graded() {
             return row / self.rows as f64;
         }
+        if let Some((above, place)) = self.flat {
+            let below = (row - above as f64) / (self.rows - above) as f64;
+            return if below < 0.0 { row / above as f64 * place } else { place + below * (1.0 - place) };
+        }
         let surface = self.surface as f64;
         let end = |row: f64| {
             let [whole, halved] = [(row - surface).max(1.0), (surface + 1.0 - row).max(0.0)];
@@ -253,6 +319,12 @@ impl CellDivision {
     /// the region around the front that decides K.
     pub(super) fn parameter(&self, row: f64) -> f64 {
         within_rows(row, |row| (row / self.ring as f64).powf(self.ring_grading))
+    }
+
+    /// The length over which a crack of this `length` (mm) may turn at its front: that of the two
+    /// rows of cells of which K is taken.
+    pub(super) fn resolved_turn(&self, length: f64) -> f64 {
+        self.parameter(2.0).powi(2) * (1.0 - self.sides[1]) * length
     }
 
     /// The exponent of the rows of the ring: K is taken from the first two, which should reach no
@@ -286,7 +358,7 @@ mod tests {
     use super::*;
 
     fn at(degrees: f64, block: usize, ring: usize) -> CellDivision {
-        CellDivision::at(degrees.to_radians(), false, SpaceResolution::new(block, ring))
+        CellDivision::planar(degrees.to_radians(), false, SpaceResolution::new(block, ring))
     }
 
     #[test]
@@ -317,7 +389,7 @@ mod tests {
         let resolution = SpaceResolution { block: 6, ring: 6, surface: 3 };
         for degrees in [90.0f64, 15.0] {
             let plain = at(degrees, 6, 6);
-            let own = CellDivision::at(degrees.to_radians(), false, resolution);
+            let own = CellDivision::planar(degrees.to_radians(), false, resolution);
             assert_eq!([own.columns, own.rows, own.ring], [plain.columns, plain.rows + 3, plain.ring]);
             let ends: Vec<f64> = (0..=own.rows).map(|row| own.graded(row as f64)).collect();
             let first = plain.graded(1.0);
@@ -333,7 +405,7 @@ mod tests {
             assert!((own.layer() - VERTEX_LAYER / 8.0).abs() < 1e-15);
             assert!(own.counts(own.layer()) && own.counts(PI - own.layer()) && !own.counts(0.03));
         }
-        let closed = CellDivision::at(0.3, true, resolution);
+        let closed = CellDivision::planar(0.3, true, resolution);
         assert!(closed == CellDivision::even(SpaceResolution { surface: 0, ..resolution }, true));
         assert!(closed.counts(0.0));
     }
@@ -342,7 +414,7 @@ mod tests {
     fn columns_go_round_the_block_and_the_front() {
         for (degrees, is_closed) in [(15.0f64, false), (40.0, false), (15.0, true)] {
             let resolution = SpaceResolution::new(6, 4);
-            let own = CellDivision::at(degrees.to_radians(), is_closed, resolution);
+            let own = CellDivision::planar(degrees.to_radians(), is_closed, resolution);
             let angles: Vec<f64> = own.front_angles().collect();
             assert_eq!(angles.len(), own.front_points());
             assert!(angles.windows(2).all(|pair| pair[1] > pair[0]), "{angles:?}");

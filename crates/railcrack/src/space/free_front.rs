@@ -199,6 +199,7 @@ mod tests {
             middle: [0.0, 1.0],
             buried,
             strip: None,
+            turns: None,
             deviation: FrontDeviation::none(harmonics),
         }
     }

@@ -1,12 +1,12 @@
 //! Advance of cracks in space from one step to the next.
 
 use super::front_motion::FrontSpeeds;
-use super::shape::{CloseCracks, LEAST_DISTANCE, SpaceCrack};
+use super::shape::{CloseCracks, LEAST_DISTANCE, ShapeError, SpaceCrack};
 use super::worn::{Worn, worn};
 use crate::growth::{
-    ChangingCrack, Event, FrontShape, GrowthSettings, LEAST_PART, LargestCracks, Mover, Moving, RunStop,
-    StepSize, StepStart, TipStop, WearingCrack, is_worth_a_step, least_length, nothing_grows, run_stop,
-    spent_ligament, standstill,
+    ChangingCrack, Event, FrontShape, FrontTurns, GrowthSettings, LEAST_PART, LargestCracks, Mover, Moving,
+    RunStop, StepSize, StepStart, TipStop, WearingCrack, is_worth_a_step, least_length, nothing_grows,
+    run_stop, spent_ligament, standstill,
 };
 use crate::math::RailBox;
 
@@ -20,6 +20,9 @@ pub(super) struct Start<'a> {
     pub stopped: &'a [Option<TipStop>],
     /// The motions of all fronts with their speeds.
     pub movers: &'a [Mover],
+    /// The best kink (radians) of each crack down its middle, and the least length (mm) over which
+    /// it turns; zero for one that stays in its plane.
+    pub kinks: &'a [[f64; 2]],
     /// Whether the rail fractures.
     pub breaks: bool,
     pub at: StepStart<'a>,
@@ -41,6 +44,23 @@ impl Start<'_> {
             })
         };
         (0..self.shapes.len()).map(of).collect()
+    }
+
+    /// The shapes after these increments, turned towards their best kinks.
+    fn moved(&self, increments: &[FrontSpeeds], growth: &GrowthSettings) -> Vec<FrontShape> {
+        let of = |(crack, (increment, shape)): (usize, (&FrontSpeeds, &FrontShape))| {
+            let moved = increment.moved(shape);
+            let (from, grown) = (shape.path_length(), moved.path_length() - shape.path_length());
+            let [kink, least] = self.kinks[crack];
+            let turn = growth.turning.turn(kink, grown, least);
+            if turn == 0.0 || grown <= 0.0 {
+                return moved;
+            }
+            let turns = shape.turns.unwrap_or_else(|| FrontTurns::after(from));
+            // A kink turns counter-clockwise, the dip grows clockwise.
+            FrontShape { turns: Some(turns.and_at(from, grown, -turn)), ..moved }
+        };
+        increments.iter().zip(self.shapes).enumerate().map(of).collect()
     }
 }
 
@@ -77,10 +97,9 @@ impl FrontAdvance {
         let (pace, increments, mut shapes) = loop {
             let pace = pace(start, growth, &stopped, part);
             let increments = start.increments(&pace, &stopped);
-            let moved = increments.iter().zip(start.shapes);
-            let next: Vec<FrontShape> = moved.map(|(increment, shape)| increment.moved(shape)).collect();
+            let next: Vec<FrontShape> = start.moved(&increments, growth);
             let close = meeting(&next, &stopped);
-            let meets = close.as_ref().and_then(|_| part_until_meeting(start.shapes, &increments, &stopped));
+            let meets = close.as_ref().and_then(|_| part_until_meeting(start, &increments, &stopped, growth));
             let meets = meets.map(|part| Event { part, ends_run: false });
             let events = first_event(start, &next, &stopped, pace.removal, growth).into_iter().chain(meets);
             if let Some(event) = Event::first(events.collect())
@@ -210,14 +229,14 @@ fn meeting(shapes: &[FrontShape], stopped: &[Option<TipStop>]) -> Option<CloseCr
 /// The part of the step after which two cracks that grow by `increments`, and meet at its end, have
 /// come as close as they can be computed; `None` where they are so at the start.
 fn part_until_meeting(
-    shapes: &[FrontShape],
+    start: &Start,
     increments: &[FrontSpeeds],
     stopped: &[Option<TipStop>],
+    growth: &GrowthSettings,
 ) -> Option<f64> {
     let meets = |part: f64| {
-        let moved = increments.iter().zip(shapes);
-        let moved = moved.map(|(increment, shape)| increment.map(|_, grown| part * grown).moved(shape));
-        meeting(&moved.collect::<Vec<_>>(), stopped).is_some()
+        let shorter = increments.iter().map(|increment| increment.map(|_, grown| part * grown));
+        meeting(&start.moved(&shorter.collect::<Vec<_>>(), growth), stopped).is_some()
     };
     if meets(0.0) {
         return None;
@@ -235,8 +254,12 @@ fn part_until_meeting(
     (apart > 2.0 * MEETING).then_some(apart)
 }
 
-/// Whether a crack of this shape would leave the rail, or has no ligament left.
+/// Whether a crack of this shape would leave the rail, turns up to the surface, or has no ligament
+/// left.
 fn leaves(shape: &FrontShape, rail: RailBox) -> Option<TipStop> {
+    if matches!(shape.crack(), Err(ShapeError::Dip { .. })) {
+        return Some(TipStop::BreakOut);
+    }
     let deepest = shape.deepest();
     let inside = -deepest.y < rail.depth && (deepest.x - rail.centre).abs() < 0.5 * rail.width;
     if !inside {
@@ -267,6 +290,7 @@ mod tests {
             middle: [x, lateral],
             buried: None,
             strip: None,
+            turns: None,
             deviation: None,
         }
     }
@@ -297,7 +321,8 @@ mod tests {
         let movers: Vec<Mover> = shapes.iter().zip(rates).enumerate().flat_map(of).collect();
         let worn = WornSurface::default();
         let at = StepStart { share: growth.increment, ..StepStart::standing(&worn) };
-        let start = Start { shapes, stopped, movers: &movers, breaks: false, at };
+        let kinks = vec![[0.0; 2]; shapes.len()];
+        let start = Start { shapes, stopped, movers: &movers, kinks: &kinks, breaks: false, at };
         FrontAdvance::new(&start, growth, RAIL)
     }
 
@@ -336,7 +361,14 @@ mod tests {
         let movers = |ends: f64, tip: f64| [mover(0, tip), mover(1, ends), mover(2, ends * (1.0 + 1e-13))];
         let worn = WornSurface::default();
         let at = StepStart { share: 0.05, ..StepStart::standing(&worn) };
-        let start = |movers, at| Start { shapes: &shapes, stopped: &[None], movers, breaks: false, at };
+        let start = |movers, at| Start {
+            shapes: &shapes,
+            stopped: &[None],
+            movers,
+            kinks: &[[0.0; 2]],
+            breaks: false,
+            at,
+        };
         let [before, now] = [movers(2e-6, 1e-6), movers(2.4e-6, 1.1e-6)];
         let first = FrontAdvance::new(&start(&before, at), &smooth, RAIL).pace.unwrap();
         let earlier = first.progress(&before, |_| false).earlier.unwrap();

@@ -7,36 +7,16 @@
 //! crack move with the ends of its branch.
 
 use super::body::FrontPoint;
-use super::division::{VERTEX_LAYER, least_outside};
+use super::division::strip_side;
 use super::free_front;
 use crate::growth::{FrontMotion, FrontShape, Mover};
 use crate::math::nonnegative;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 
 /// The speeds of the motions of a front (mm per cycle), or their increments (mm).
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct FrontSpeeds {
     motions: Vec<(FrontMotion, f64)>,
-}
-
-/// Whether a point at φ on the side of a strip counts in growth. The layer is as wide, relative to
-/// the length of the strip, as in the branch relative to its semi-axis.
-pub(super) fn counts_on_strip(phi: f64) -> bool {
-    let from_fold = strip_side(phi).1;
-    let layer = least_outside(VERTEX_LAYER).sin();
-    from_fold >= layer && from_fold <= 1.0 - layer
-}
-
-/// The side of the strip on which the point at φ lies (1 where ζ > 0, −1 where ζ < 0), and its
-/// distance from the fold relative to the length of the strip.
-fn strip_side(phi: f64) -> (f64, f64) {
-    if phi < 0.0 { (1.0, -phi / FRAC_PI_2) } else { (-1.0, (phi - PI) / FRAC_PI_2) }
-}
-
-/// φ of the side points of a strip at the distance `from_fold` from the fold, relative to the
-/// length of the strip: where ζ > 0 and where ζ < 0.
-pub(super) fn phi_on_strip(from_fold: f64) -> [f64; 2] {
-    [-from_fold * FRAC_PI_2, PI + from_fold * FRAC_PI_2]
 }
 
 fn motions(shape: &FrontShape) -> Vec<FrontMotion> {
@@ -149,6 +129,29 @@ impl FrontSpeeds {
     }
 }
 
+/// The turn (radians, positive as a kink) of a crack of `shape` about the direction of its mouth
+/// that is closest to the best kinks of its `front`, in the mean square over the area that grows
+/// there, and the root mean square of what it leaves out. Points are given with their rates and
+/// kinks; a turn by α kinks the front where its normal points down the crack, and twists it where
+/// the normal points along the mouth. None where nothing grows.
+pub(super) fn common_turn(
+    shape: &FrontShape,
+    front: &[FrontPoint],
+    rates_and_kinks: &[(f64, Option<f64>)],
+) -> Option<(f64, f64)> {
+    let weights = arc_lengths(shape, front);
+    let (mut own, mut with_kink, mut kinks, mut total) = (0.0, 0.0, 0.0, 0.0);
+    for ((point, (rate, kink)), length) in front.iter().zip(rates_and_kinks).zip(weights) {
+        let Some(kink) = kink.filter(|_| point.counts && !shape.is_on_strip(point.phi)) else { continue };
+        let (weight, [down, _]) = (rate * length, point.normal);
+        own += weight * down * down;
+        with_kink += weight * down * kink;
+        kinks += weight * kink * kink;
+        total += weight;
+    }
+    (own > 0.0).then(|| (with_kink / own, ((kinks - with_kink * with_kink / own).max(0.0) / total).sqrt()))
+}
+
 /// The length of front that each point represents, mm.
 fn arc_lengths(shape: &FrontShape, front: &[FrontPoint]) -> Vec<f64> {
     let distance = |a: &FrontPoint, b: &FrontPoint| {
@@ -170,8 +173,7 @@ fn arc_lengths(shape: &FrontShape, front: &[FrontPoint]) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::growth::MouthStrip;
-    use crate::space::division::is_outside;
+    use crate::space::division::{VERTEX_LAYER, counts_on_strip, is_outside, phi_on_strip};
 
     fn shape(buried: Option<f64>) -> FrontShape {
         FrontShape {
@@ -182,6 +184,7 @@ mod tests {
             middle: [0.0, 1.0],
             buried,
             strip: None,
+            turns: None,
             deviation: None,
         }
     }
@@ -238,8 +241,7 @@ mod tests {
 
     #[test]
     fn the_sides_of_a_strip_move_with_the_ends_of_the_branch() {
-        let strip = Some(MouthStrip { dip: 0.4, length: 2.0 });
-        let shape = FrontShape { strip, ..shape(None) };
+        let shape = FrontShape { strip: Some(2.0), ..shape(None) };
         let side = |from_fold: f64| {
             let [plus, minus] = phi_on_strip(from_fold);
             let at = |phi: f64, zeta: f64| FrontPoint {
@@ -267,7 +269,7 @@ mod tests {
             assert!((found.of(motion) - speed).abs() < 1e-16, "{motion:?} {found:?}");
         }
         let grown = found.map(|_, speed| 1e6 * speed).moved(&shape);
-        assert!((grown.path_length() - shape.path_length() - 1.0).abs() < 1e-9 && grown.strip == strip);
+        assert!((grown.path_length() - shape.path_length() - 1.0).abs() < 1e-9 && grown.strip == Some(2.0));
         // A fast side alone draws its end.
         let rates: Vec<f64> = all.iter().map(|point| if point.phi < 0.0 { 1e-6 } else { 0.0 }).collect();
         let found = FrontSpeeds::nearest(&shape, &all, &rates);

@@ -94,15 +94,16 @@ impl Disc<'_> {
 }
 
 impl Grid {
+    /// The cells of `crack`, which has no strip, in the plane into which it unrolls.
     pub fn new(crack: &SpaceCrack, division: &CellDivision) -> Self {
         let (k, rows) = (division.columns as i64, division.ring);
         let (first, last) = (division.first_row(), division.rows as i64);
         let closed = first < 0;
         let on_block = |i: i64, j: i64| ((j - first) * (2 * k + 1) + i + k) as usize;
         let block_count = division.block_points();
-        let around = division.front_points();
+        let around = division.ends_of_columns();
         let columns = if closed { around } else { around - 1 };
-        let free = division.face_points();
+        let free = division.points_of_ellipse();
         // Row 0 of a column lies on the front, the last on the block.
         let vertex = |t: usize, row: usize| match row {
             0 => free + t % around,
@@ -222,6 +223,11 @@ impl Cell {
             }
         }
         Self { vertices, terms }
+    }
+
+    /// The same cell with other numbers of its vertices.
+    pub fn renumbered(&self, number: impl Fn(usize) -> usize) -> Self {
+        Self { vertices: self.vertices.map(number), ..self.clone() }
     }
 
     /// The derivative of (s, ζ) at (u, v) in the direction `along` of the unit square.

@@ -4,9 +4,8 @@ use super::bilinear::{PatchOnRail, WheelPatch};
 use super::body::{FrontPoint, SpaceBody};
 use super::contact::{SpaceContact, SpaceContactError};
 use super::division::{CellDivision, SpaceResolution};
-use super::fold::FoldedCrack;
 use super::front_advance::{FrontAdvance, Start};
-use super::front_motion::FrontSpeeds;
+use super::front_motion::{FrontSpeeds, common_turn};
 use super::groups::{CrackGroup, groups};
 use super::load::{SpaceFluidLoad, SpaceLoad, StressAt};
 use super::passage::SpacePassages;
@@ -23,10 +22,10 @@ use crate::crack::{Crack, CrackError};
 use crate::fatigue::RUNAWAY;
 use crate::field::StressField;
 use crate::growth::{
-    Advance, BodyReport, CrackedRail, FieldRecord, FieldSettings, FrontShape, Geometry, GrowthError,
-    GrowthSettings, GrowthState, Memory, Mover, NetworkContact, Observer, PassageSettings, SpaceGeometry,
-    StabilisedPassage, StepProgress, StepStart, TipDemand, TipGeometry, TipRecord, TipStop, Uncovered,
-    Warning, WarningKind, WheelOfRail, under_each_wheel,
+    Advance, BodyReport, CrackedRail, FieldRecord, FieldSettings, FrontShape, FrontWay, Geometry,
+    GrowthError, GrowthSettings, GrowthState, Memory, Mover, NetworkContact, Observer, PassageSettings,
+    SpaceGeometry, StabilisedPassage, StepProgress, StepStart, TipDemand, TipGeometry, TipRecord, TipStop,
+    Uncovered, Warning, WarningKind, WheelOfRail, under_each_wheel,
 };
 use crate::interruption::Interruption;
 use crate::load::Bending;
@@ -111,91 +110,81 @@ pub struct SpaceSite {
     of_crack: Vec<Range<usize>>,
 }
 
+impl From<&FrontShape> for SpaceCrack {
+    /// The crack of this shape, which may not be admissible.
+    fn from(shape: &FrontShape) -> Self {
+        Self {
+            dip: shape.dip,
+            strike: shape.strike,
+            half_length: shape.half_length,
+            length: shape.length,
+            middle: shape.middle,
+            extent: shape.buried.map_or(Extent::SurfaceBreaking, |centre| Extent::Buried { centre }),
+            strip: shape.strip,
+            turns: shape.turns,
+            deviation: shape.deviation.map_or_else(Vec::new, |own| own.coefficients(shape.buried.is_some())),
+        }
+    }
+}
+
 impl FrontShape {
-    /// The planar crack of this shape; of a folded crack its branch, as if the fold lay in the
-    /// surface.
+    /// The crack of this shape.
     ///
     /// Errors: an inadmissible shape.
     pub fn crack(&self) -> Result<SpaceCrack, ShapeError> {
-        let extent = self.buried.map_or(Extent::SurfaceBreaking, |centre| Extent::Buried { centre });
-        let crack = SpaceCrack {
-            dip: self.dip,
-            strike: self.strike,
-            half_length: self.half_length,
-            length: self.length,
-            middle: self.middle,
-            extent,
-            deviation: self.deviation.map_or_else(Vec::new, |own| own.coefficients(self.buried.is_some())),
-        };
-        crack.checked()
+        SpaceCrack::from(self).checked()
     }
 
-    /// The cells of a crack of this shape; of a folded crack those of its branch.
+    /// The cells of a crack of this shape.
     #[must_use]
     pub fn division(&self, resolution: SpaceResolution) -> CellDivision {
-        match self.strip {
-            Some(_) => CellDivision::even(resolution, false),
-            None => CellDivision::at(self.dip, self.buried.is_some(), resolution),
-        }
+        CellDivision::of(&self.into(), resolution)
     }
 
-    /// The folded crack of this shape; none for a planar one.
-    #[must_use]
-    pub fn folded(&self) -> Option<FoldedCrack> {
-        let strip = self.strip?;
-        Some(FoldedCrack {
-            mouth_dip: strip.dip,
-            branch_dip: self.dip,
-            fold: strip.length,
-            half_length: self.half_length,
-            branch: self.length,
-            middle: self.middle,
-            deviation: self.deviation,
-        })
-    }
-
-    /// The line down the dip through the middle of the crack, seen from the side of the rail;
-    /// without strike, the section of the crack along the rail.
+    /// The line down the middle of the crack, seen from the side of the rail; without strike, the
+    /// section of the crack along the rail. Arcs are divided every 3°.
     ///
     /// Errors: an inadmissible shape.
     pub fn section(&self) -> Result<Crack, CrackError> {
-        match (self.buried, self.strip) {
-            (None, Some(strip)) => {
-                let mouth = Vec2::new(self.middle[0], 0.0);
-                Crack::polyline(vec![mouth, mouth + Vec2::unit(-strip.dip) * strip.length, self.deepest()])
+        let end = self.buried.unwrap_or(0.0) + self.path_length();
+        match self.buried {
+            None if self.strike == 0.0 && self.turns.is_none() => {
+                Crack::surface_breaking(self.middle[0], end, self.dip)
             }
-            (None, None) if self.strike == 0.0 => {
-                Crack::surface_breaking(self.middle[0], self.length, self.dip)
+            None => {
+                let way = self.way();
+                Crack::polyline(way.stops(end).into_iter().map(|s| self.point_of(&way, s)).collect())
             }
-            (None, None) => Crack::polyline(vec![self.at(0.0), self.at(self.length)]),
-            (Some(centre), _) => {
-                Crack::polyline(vec![self.at(centre - self.length), self.at(centre + self.length)])
-            }
+            Some(centre) => Crack::polyline(vec![self.at(centre - self.length), self.at(end)]),
         }
     }
 
-    /// The point at the distance s (mm) from the trace down the middle of the plane, seen from the
-    /// side of the rail.
+    /// The point at the distance s (mm) from the trace, or from the mouth, down the middle of the
+    /// crack, seen from the side of the rail.
     fn at(&self, s: f64) -> Vec2 {
-        let [x, _, depth] = self.frame().position(s, 0.0);
-        Vec2::new(self.middle[0] + x, -depth)
+        self.point_of(&self.way(), s)
+    }
+
+    fn point_of(&self, way: &FrontWay, s: f64) -> Vec2 {
+        let [out, depth] = way.at(s).place;
+        Vec2::new(self.middle[0] + out * self.strike.cos(), -depth)
     }
 
     /// The deepest point of the front, seen from the side of the rail.
     pub(super) fn deepest(&self) -> Vec2 {
-        let from_fold = self.at(self.buried.unwrap_or(0.0) + self.length);
-        self.strip.map_or(from_fold, |strip| from_fold + Vec2::unit(-strip.dip) * strip.length)
+        self.at(self.buried.unwrap_or(0.0) + self.path_length())
     }
 
-    /// The directions of the plane of its ellipse.
+    /// The directions of its plane, at the mouth if it turns.
     #[must_use]
     pub fn frame(&self) -> PlaneFrame {
         PlaneFrame::turned(self.dip, self.strike)
     }
 
-    /// The directions of all its planes, from the mouth down: one, or those of strip and branch.
-    pub fn frames(&self) -> impl Iterator<Item = PlaneFrame> {
-        self.strip.map(|strip| PlaneFrame::new(strip.dip)).into_iter().chain([self.frame()])
+    /// The directions at the distance s (mm) from the mouth.
+    #[must_use]
+    pub fn frame_at(&self, s: f64) -> PlaneFrame {
+        PlaneFrame::turned(self.way().at(s).dip, self.strike)
     }
 }
 
@@ -238,6 +227,22 @@ impl SpaceRail {
         TipDemand { rate: tip.rate, largest_k1: tip.compared_k1(), stopped: geometry.stopped[tip.tip.crack] }
     }
 
+    /// The best kink (radians) of each crack down its middle, and the root mean square of what it
+    /// leaves out along the front; none for a crack that stays in its plane.
+    fn common_turns(&self, site: &SpaceSite, tips: &[TipRecord]) -> Vec<Option<(f64, f64)>> {
+        let of = |(shape, points): (&FrontShape, &Range<usize>)| {
+            let is_straight = -shape.deepest().y < self.growth.straight_depth;
+            if !self.growth.turns_in_space || is_straight || shape.buried.is_some() {
+                return None;
+            }
+            let tips = &tips[points.clone()];
+            let kink =
+                |tip: &TipRecord| (self.moving_rate(tip), tip.front().and_then(|front| front.wanted_kink));
+            common_turn(shape, &site.front[points.clone()], &tips.iter().map(kink).collect::<Vec<_>>())
+        };
+        site.geometry.shapes.iter().zip(&site.of_crack).map(of).collect()
+    }
+
     /// The rate (mm per cycle) at which a front point drives its front: zero below the arrest rate.
     fn moving_rate(&self, tip: &TipRecord) -> f64 {
         if tip.rate >= self.growth.arrest_rate { tip.rate.min(RUNAWAY) } else { 0.0 }
@@ -275,9 +280,9 @@ impl CrackedRail for SpaceRail {
             return Err(GrowthError::Geometry { step, found: "in the plane", wanted: "in space" });
         };
         let steel = self.steel;
-        let dips: Vec<f64> = geometry.shapes.iter().map(FrontShape::mouth_dip).collect();
+        let dips: Vec<f64> = geometry.shapes.iter().map(|shape| shape.dip).collect();
         let kernel = self.kernel.get_or_insert_with(|| SpaceKernel::new(&[], steel.poisson()));
-        // The branch of a folded crack reaches the surface where wear has taken its strip.
+        // The mouth of a crack that turns gets another dip where wear has taken what was above it.
         kernel.prepare(&dips);
         let failed = |error| match error {
             ShapesError::Body(SpaceError::Interrupted(_)) => GrowthError::Interrupted { step },
@@ -399,10 +404,17 @@ impl CrackedRail for SpaceRail {
             tip.front().is_some_and(|front| front.counts) && demand.breaks(&self.growth)
         };
         let broken: Vec<bool> = tips.iter().map(breaks).collect();
+        let turns = self.common_turns(site, tips);
+        let kink = |(shape, turn): (&FrontShape, &Option<(f64, f64)>)| {
+            let least = shape.division(self.resolution).resolved_turn(shape.length);
+            turn.map_or([0.0; 2], |(kink, _)| [kink, least])
+        };
+        let kinks: Vec<[f64; 2]> = before.shapes.iter().zip(&turns).map(kink).collect();
         let start = Start {
             shapes: &before.shapes,
             stopped: &before.stopped,
             movers,
+            kinks: &kinks,
             breaks: broken.contains(&true),
             at: *at,
         };
@@ -418,13 +430,18 @@ impl CrackedRail for SpaceRail {
             {
                 front.followed = Some(tip.increment / (cycles * rate));
             }
+            if let TipGeometry::Space(front) = &mut tip.geometry
+                && self.growth.turns_in_space
+            {
+                front.turn = Some(before.shapes[crack].front_dip() - next.shapes[crack].front_dip());
+            }
             let own = if rate > 0.0 { next.stopped[crack] } else { Some(TipStop::Arrest) };
             tip.stop = if broken { Some(TipStop::Fracture) } else { own };
         }
         let mut warnings = misfits(tips, &start, site);
+        warnings.extend(turns.iter().enumerate().filter_map(|(k, turn)| twisted(k, (*turn)?.1, at.step)));
         warnings.extend(next.meetings.iter().map(|close| meeting_warning(close, at.step)));
         let FrontAdvance { shapes, stopped, stop, pace, .. } = next;
-        // Fronts keep their planes.
         let progress = pace.map_or_else(StepProgress::default, |pace| pace.progress(movers, |_| false));
         // Shapes advanced from admissible ones are admissible.
         let unchanged = || SpaceGeometry { stopped: stopped.clone(), ..before.clone() };
@@ -496,6 +513,26 @@ fn misfits(tips: &[TipRecord], start: &Start, site: &SpaceSite) -> Vec<Warning> 
         })
     };
     start.shapes.iter().enumerate().filter_map(of).collect()
+}
+
+/// Root mean square (degrees) of the kinks that the turn of a crack leaves out, from which a
+/// warning is issued.
+const TWISTED: f64 = 10.0;
+
+/// A warning that the front of crack `k` (from 0) would kink otherwise along it than its turn, by
+/// `left_out` (radians).
+fn twisted(k: usize, left_out: f64, step: usize) -> Option<Warning> {
+    let degrees = left_out.to_degrees();
+    (degrees > TWISTED).then(|| Warning {
+        step,
+        kind: WarningKind::Engine,
+        text: format!(
+            "crack {} turns about the direction of its mouth alone: along its front, kinks differ from that turn by {degrees:.0} \
+             degrees in the mean, and the twist is not followed",
+            k + 1
+        ),
+        severity: Some(degrees / TWISTED),
+    })
 }
 
 /// Angle to the surface (degrees) below which the integrals over a crack are not verified.

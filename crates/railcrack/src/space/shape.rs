@@ -1,6 +1,7 @@
-//! Shape of a planar crack, and why cracks cannot be computed.
+//! Shape of a crack, and why cracks cannot be computed.
 
 use super::plane::PlaneFrame;
+use crate::growth::FrontTurns;
 use crate::interruption::Interrupted;
 use crate::linear::LinearError;
 use thiserror::Error;
@@ -19,15 +20,15 @@ pub enum Extent {
     },
 }
 
-/// A planar crack with a smooth front, star-shaped about the middle of its mouth or, if buried,
-/// about its centre.
+/// A crack with a smooth front, star-shaped about the middle of its mouth or, if buried, about its
+/// centre, in the plane into which it unrolls.
 ///
 /// With φ the parametric angle, the front lies at ζ = ζ₀ + c g(φ) cos φ and s = s₀ + l g(φ) sin φ;
 /// φ runs from 0 at the end with larger ζ through 90° at the deepest point to 180°, or to 360°
 /// where the front is closed. g = 1 + Σ (b_k cos kφ + a_k sin kφ).
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct SpaceCrack {
-    /// Angle between the plane, followed downwards, and +x, radians.
+    /// Angle between its plane, at the mouth if it turns, followed downwards, and +x, radians.
     pub dip: f64,
     /// Turn of the plane about the vertical through `middle`, from +x to the positive lateral
     /// direction, radians.
@@ -40,6 +41,10 @@ pub struct SpaceCrack {
     pub middle: [f64; 2],
     /// Whether the front is open or closed.
     pub extent: Extent,
+    /// Length (mm) of a rectangular strip between the mouth and the half-ellipse.
+    pub strip: Option<f64>,
+    /// How it turns from the mouth down; none for a planar crack.
+    pub turns: Option<FrontTurns>,
     /// [b_0, a_0], [b_1, a_1], …: relative deviations of the front from the ellipse.
     pub deviation: Vec<[f64; 2]>,
 }
@@ -82,6 +87,27 @@ pub enum ShapeError {
         /// Semi-axis down the dip, mm.
         length: f64,
     },
+    /// A buried crack that turns.
+    #[error("a buried crack that turns: must break the surface")]
+    BuriedTurns,
+    /// A crack that turns too close to its mouth.
+    #[error("a crack that turns {value:.3} mm from its mouth: must be straight for at least {least:.3} mm")]
+    Straight {
+        /// Length of its straight part, mm.
+        value: f64,
+        /// The least length, mm.
+        least: f64,
+    },
+    /// A fold that is too sharp, or not the lower end of a strip.
+    #[error(
+        "fold of {degrees}° of a crack {at:.3} mm from its mouth: must lie between −90° and 90° and end a strip"
+    )]
+    Fold {
+        /// The turn, degrees.
+        degrees: f64,
+        /// Its distance from the mouth, mm.
+        at: f64,
+    },
     /// A front that is not star-shaped about its middle.
     #[error(
         "deviation {value:.3} of the front from its ellipse at {degrees}°: must lie between {LEAST_DEVIATION} and {LARGEST_DEVIATION}"
@@ -93,6 +119,10 @@ pub enum ShapeError {
         degrees: f64,
     },
 }
+
+/// Least straight part of a crack without a strip that turns, relative to its length: three rows
+/// of cells lie in it.
+pub(crate) const LEAST_STRAIGHT: f64 = 0.015;
 
 impl SpaceCrack {
     /// A semi-ellipse that breaks the surface: `dip` in radians, half the length of its mouth and
@@ -107,20 +137,33 @@ impl SpaceCrack {
     }
 
     fn new(dip: f64, half_length: f64, length: f64, extent: Extent) -> Result<Self, ShapeError> {
-        let middle = [0.0; 2];
-        Self { dip, strike: 0.0, half_length, length, middle, extent, deviation: Vec::new() }.checked()
+        let (middle, deviation) = ([0.0; 2], Vec::new());
+        Self { dip, strike: 0.0, half_length, length, middle, extent, strip: None, turns: None, deviation }
+            .checked()
     }
 
     /// Returns the crack if it is admissible.
+    ///
+    /// Errors: a length that is not positive; a dip below 5° or above 175°, or a strike above 180°;
+    /// a front that is not star-shaped; a strip or turns of a buried crack; turns too close to the
+    /// mouth; a fold that is not the lower end of a strip.
     pub fn checked(self) -> Result<Self, ShapeError> {
-        for value in [self.half_length, self.length] {
+        for value in [self.half_length, self.length].into_iter().chain(self.strip) {
             if !(value > 0.0 && value.is_finite()) {
                 return Err(ShapeError::HalfAxis { value });
             }
         }
-        let degrees = self.dip.to_degrees();
-        if !(5.0..=175.0).contains(&degrees) {
-            return Err(ShapeError::Dip { degrees });
+        let dips = self.turns.iter().flat_map(FrontTurns::pieces).scan(self.dip, |dip, [_, turn]| {
+            *dip += turn;
+            Some(*dip)
+        });
+        for degrees in std::iter::once(self.dip).chain(dips).map(f64::to_degrees) {
+            if !(5.0 - 1e-9..=175.0 + 1e-9).contains(&degrees) {
+                return Err(ShapeError::Dip { degrees });
+            }
+        }
+        if let Some(turns) = &self.turns {
+            self.check_turns(turns)?;
         }
         let degrees = self.strike.to_degrees();
         if !(-180.0..=180.0).contains(&degrees) {
@@ -141,7 +184,28 @@ impl SpaceCrack {
         Ok(self)
     }
 
-    /// The directions of its plane.
+    fn check_turns(&self, turns: &FrontTurns) -> Result<(), ShapeError> {
+        if self.extent != Extent::SurfaceBreaking {
+            return Err(ShapeError::BuriedTurns);
+        }
+        let least = self.strip.map_or(LEAST_STRAIGHT * self.length, |strip| strip * (1.0 - 1e-9));
+        if turns.straight.is_nan() || turns.straight < least {
+            return Err(ShapeError::Straight { value: turns.straight, least });
+        }
+        let mut from = turns.straight;
+        for &[length, turn] in turns.pieces() {
+            let at_strip = self.strip.is_some_and(|strip| (from - strip).abs() <= 1e-9 * strip);
+            let is_fold = length == 0.0;
+            let degrees = turn.to_degrees();
+            if is_fold && !(at_strip && degrees.abs() <= 90.0 + 1e-9) {
+                return Err(ShapeError::Fold { degrees, at: from });
+            }
+            from += length;
+        }
+        Ok(())
+    }
+
+    /// The directions of its plane, at the mouth if it turns.
     pub fn frame(&self) -> PlaneFrame {
         PlaneFrame::turned(self.dip, self.strike)
     }
@@ -162,7 +226,8 @@ impl SpaceCrack {
     }
 
     /// (s, ζ) relative to the middle of the trace (mm) of the point (X, Y) of the unit disc; X goes
-    /// to ζ, Y to s. The deviation of the front fades out as the square of the radius.
+    /// to ζ, Y to s, from the lower end of a strip. The deviation of the front fades out as the
+    /// square of the radius.
     pub fn point(&self, disc: [f64; 2]) -> [f64; 2] {
         let [x, y] = disc;
         let factor = if self.deviation.is_empty() {
@@ -171,7 +236,7 @@ impl SpaceCrack {
             1.0 + (self.radius_factor(y.atan2(x)) - 1.0) * (x * x + y * y)
         };
         let centre = match self.extent {
-            Extent::SurfaceBreaking => 0.0,
+            Extent::SurfaceBreaking => self.strip.unwrap_or(0.0),
             Extent::Buried { centre } => centre,
         };
         [centre + self.length * y * factor, self.half_length * x * factor]

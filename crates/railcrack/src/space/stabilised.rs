@@ -188,12 +188,13 @@ fn face_record(body: &SpaceBody, passage: &StabilisedSpace, written: Vec<usize>)
     // Direction down the dip, seen from the side of the rail.
     let points = body.points().iter().zip(&areas).enumerate().map(|(a, ([x, _, depth], area))| {
         let crack = body.crack_of(a);
-        let (plane, frame) = body.plane_of(a);
-        let [along, _, down] = frame.position(1.0, 0.0);
+        let part = &body.cracks()[crack];
+        let [along, _, down] = body.frame_of(a).position(1.0, 0.0);
+        let [s, _] = part.coordinates(body.points()[a]);
         FacePoint {
             crack,
-            segment: plane,
-            s: body.cracks()[crack].coordinates(body.points()[a])[0],
+            segment: part.sheet.way().part(s),
+            s,
             position: Vec2::new(*x, -depth),
             tangent: Vec2::new(along, -down),
             weight: *area,

@@ -6,6 +6,7 @@ use super::galerkin::{Galerkin, ImagePart};
 use super::image_table::ImageTable;
 use super::plane::Surroundings;
 use super::shape::{SpaceCrack, SpaceError};
+use super::turned::turned_stiffness;
 use crate::interruption::Interruption;
 use crate::material::IsotropicElastic;
 use crate::math::Matrix;
@@ -56,7 +57,12 @@ pub(super) fn stiffness_of(
     debug_assert!(kernel.is_none_or(|kernel| kernel.poisson == poisson));
     let own = |k: usize| {
         let image = kernel.map(|kernel| kernel.image(cracks[k].dip));
-        let own = Galerkin::new(placed[k].grid, poisson, image.as_ref()).stiffness_unless(interruption)?;
+        let own = match &image {
+            Some(image) if placed[k].sheet.plane().is_none() => {
+                turned_stiffness(placed[k], poisson, image, 0, interruption)?
+            }
+            _ => Galerkin::new(placed[k].grid, poisson, image.as_ref()).stiffness_unless(interruption)?,
+        };
         Ok::<_, SpaceError>(own.scaled(mu))
     };
     if placed.len() == 1 {

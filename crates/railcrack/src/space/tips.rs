@@ -30,7 +30,7 @@ impl FrontLaw<'_> {
         let of = |(q, point): (usize, &FrontPoint)| {
             let first = body.cracks()[point.crack].front.start;
             let tip = CrackTip { crack: point.crack, tip: q - first, end: End::Last };
-            self.tip(&shapes[point.crack], tip, point, q, wheels, passages)
+            self.tip(&shapes[point.crack], tip, (body, q), wheels, passages)
         };
         body.front().iter().enumerate().map(of).collect()
     }
@@ -40,11 +40,11 @@ impl FrontLaw<'_> {
         &self,
         shape: &FrontShape,
         tip: CrackTip,
-        point: &FrontPoint,
-        q: usize,
+        (body, q): (&SpaceBody, usize),
         wheels: &[WheelOfRail],
         passages: &[StabilisedPassage],
     ) -> TipRecord {
+        let point = &body.front()[q];
         let demands: Vec<WheelDemand> = passages.iter().map(|passage| self.demand(passage, q)).collect();
         let under = MixedTip::of(&demands, wheels);
         let histories: Vec<WheelHistory> = passages
@@ -68,7 +68,7 @@ impl FrontLaw<'_> {
             phi: point.phi,
             lateral,
             half_length: shape.half_length,
-            strip: shape.strip.map(|strip| strip.length),
+            strip: shape.strip,
             deviation: shape.deviation.map(|own| {
                 if shape.is_on_strip(point.phi) { 0.0 } else { own.radius_factor(point.phi) - 1.0 }
             }),
@@ -76,11 +76,13 @@ impl FrontLaw<'_> {
             wanted_kink: kink.map(|kink| kink.angle),
             wanted_ratio: kink.filter(|_| ahead > 0.0).map(|kink| kink.rate / ahead),
             counts: point.counts,
+            turn: None,
+            down: body.cracks()[point.crack].coordinates(point.position)[0],
             followed: None,
         };
         let at = Vec2::new(x, -depth);
         TipRecord {
-            // Growth is straight ahead.
+            // The rate is that straight ahead.
             kink: (under.delta_keq > 0.0).then_some(0.0),
             mouth_sine: shape.mouth_sine(),
             ..under.record(tip, at, shape.path_length(), TipGeometry::Space(front))

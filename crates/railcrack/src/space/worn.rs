@@ -1,11 +1,11 @@
 //! Cracks in space cut by wear and grinding.
 
 use super::free_front;
-use super::plane::PlaneFrame;
-use crate::growth::{FrontShape, MouthStrip, least_length, spent_ligament};
+use super::shape::LEAST_STRAIGHT;
+use crate::growth::{FrontShape, FrontTurns, least_length, spent_ligament};
 
-/// Least length of the strip of a folded crack, relative to the semi-axis of its branch down the
-/// dip; that of the branch relative to the strip is the same.
+/// Least length of a strip relative to the semi-axis of the half-ellipse below it; that of the
+/// half-ellipse relative to the strip is the same.
 pub const LEAST_STRIP: f64 = 0.05;
 
 /// State of a crack after the surface above it has been removed.
@@ -29,11 +29,11 @@ pub(super) enum Worn {
 /// one cut of the same depth, since each begins from a front that is normal to the surface. A free
 /// front keeps its part below the surface.
 ///
-/// Of a folded crack the strip is shortened. Where less than [`LEAST_STRIP`] of it remains, the
-/// branch with its chord reaches the surface and is cut from then on.
+/// A strip is shortened. Where less than [`LEAST_STRIP`] of it remains, the half-ellipse reaches
+/// the surface and is cut from then on. A crack that turns loses the beginning of its way.
 pub(super) fn worn(shape: &FrontShape, depth: f64, longest: f64, resolution: f64) -> (FrontShape, Worn) {
-    if let Some(strip) = shape.strip {
-        return worn_fold(shape, strip, depth, longest, resolution);
+    if shape.strip.is_some() || shape.turns.is_some() {
+        return worn_way(shape, depth, longest, resolution);
     }
     let s = depth / shape.dip.sin();
     let [x, lateral, _] = shape.frame().position(s, 0.0);
@@ -71,31 +71,42 @@ pub(super) fn worn(shape: &FrontShape, depth: f64, longest: f64, resolution: f64
     (FrontShape { length: least, half_length: aspect * least, buried, ..lowered }, Worn::Away)
 }
 
-fn worn_fold(
-    shape: &FrontShape,
-    strip: MouthStrip,
-    depth: f64,
-    longest: f64,
-    resolution: f64,
-) -> (FrontShape, Worn) {
-    let along = |s: f64| PlaneFrame::new(strip.dip).position(s, 0.0);
+/// The same of a crack that turns, or has a strip.
+fn worn_way(shape: &FrontShape, depth: f64, longest: f64, resolution: f64) -> (FrontShape, Worn) {
+    let way = shape.way();
+    let cut = way.to_depth(depth).min(shape.path_length());
+    let [out, _] = way.at(cut).place;
+    let (aside, ahead) = shape.strike.sin_cos();
     let [x, lateral] = shape.middle;
-    let cut = depth / strip.dip.sin();
-    let left = strip.length - cut;
-    if left >= LEAST_STRIP * shape.length {
-        let strip = Some(MouthStrip { length: left, ..strip });
-        return (FrontShape { middle: [x + along(cut)[0], lateral], strip, ..*shape }, Worn::Left);
+    let lowered = FrontShape { middle: [x + out * ahead, lateral + out * aside], ..*shape };
+    let left_of = |strip: f64| Some(strip - cut).filter(|left| *left >= LEAST_STRIP * shape.length);
+    if let Some(strip) = shape.strip.and_then(left_of) {
+        let (dip, turns) = turned_from(shape, cut, strip);
+        return (FrontShape { dip, turns, strip: Some(strip), ..lowered }, Worn::Left);
     }
-    let [ahead, _, fold] = along(strip.length);
-    // The branch below the depth of the fold, and what is left above it.
-    let above = (fold - depth).max(0.0);
-    let branch = FrontShape {
-        length: shape.length + above / shape.dip.sin(),
-        middle: [x + ahead - above / shape.dip.tan(), lateral],
-        strip: None,
-        ..*shape
+    // What is left of the strip is added to the half-ellipse.
+    let above = shape.strip.map_or(0.0, |strip| (strip - cut).max(0.0));
+    let into = shape.strip.map_or(cut, |strip| (cut - strip).max(0.0));
+    let (dip, turns) = turned_from(shape, cut, LEAST_STRAIGHT * (shape.length + above - into));
+    // A plane that is left keeps its deepest point; its cut moves the middle to the new mouth.
+    let [end, bottom] = way.at(shape.path_length()).place;
+    let (length, mouth) = match turns {
+        Some(_) => (shape.length + above, out - into * dip.cos()),
+        None => {
+            let left = (bottom - depth).max(0.0) / dip.sin();
+            (left + into, end - (left + into) * dip.cos())
+        }
     };
-    worn(&branch, (depth - fold).max(0.0), longest, resolution)
+    let middle = [x + mouth * ahead, lateral + mouth * aside];
+    let planar = FrontShape { dip, turns: None, strip: None, length, middle, ..*shape };
+    let (left, fate) = worn(&planar, into * dip.sin(), longest, resolution);
+    (FrontShape { turns: turns.filter(|_| fate != Worn::Away), ..left }, fate)
+}
+
+/// The dip at the mouth and the turns of `shape` without its first `cut` (mm), straight for at
+/// least `least` (mm).
+fn turned_from(shape: &FrontShape, cut: f64, least: f64) -> (f64, Option<FrontTurns>) {
+    shape.turns.map_or((shape.dip, None), |turns| turns.cut(shape.dip, cut, least))
 }
 
 #[cfg(test)]
@@ -111,6 +122,7 @@ mod tests {
         middle: [1.0, 2.0],
         buried: None,
         strip: None,
+        turns: None,
         deviation: None,
     };
 
@@ -156,8 +168,8 @@ mod tests {
 
     #[test]
     fn the_strip_of_a_folded_crack_is_worn_first() {
-        let strip = Some(MouthStrip { dip: FRAC_PI_6, length: 4.0 });
-        let crack = FrontShape { dip: 1.2, strip, ..CRACK };
+        let turns = Some(FrontTurns::fold(4.0, 1.2 - FRAC_PI_6));
+        let crack = FrontShape { strip: Some(4.0), turns, ..CRACK };
         let place = |shape: &FrontShape, removed: f64| {
             let deepest = shape.deepest();
             [deepest.x, deepest.y - removed]
@@ -170,14 +182,15 @@ mod tests {
         // 2 mm along the strip.
         let (left, fate) = worn(&crack, 1.0, 10.0, 0.1);
         assert_eq!((fate, left.length, left.half_length), (Worn::Left, 6.0, 9.0));
-        assert!((left.strip.unwrap().length - 2.0).abs() < 1e-12 && stays(&left, 1.0), "{left:?}");
+        assert!((left.strip.unwrap() - 2.0).abs() < 1e-12 && stays(&left, 1.0), "{left:?}");
         // Down to 0.02 mm above the fold: that little is left to the branch.
         let (left, _) = worn(&crack, 1.98, 10.0, 0.1);
-        assert!(left.strip.is_none() && stays(&left, 1.98), "{left:?}");
+        assert!(left.strip.is_none() && left.turns.is_none() && stays(&left, 1.98), "{left:?}");
         assert!((left.length - 6.0 - 0.02 / 1.2f64.sin()).abs() < 1e-12 && left.half_length == 9.0);
         // Below the fold the branch is cut as a planar crack.
         let (left, _) = worn(&crack, 2.5, 10.0, 0.1);
-        let planar = FrontShape { strip: None, middle: [1.0 + 4.0 * FRAC_PI_6.cos(), 2.0], ..crack };
+        let middle = [1.0 + 4.0 * FRAC_PI_6.cos(), 2.0];
+        let planar = FrontShape { dip: 1.2, strip: None, turns: None, middle, ..crack };
         let (want, _) = worn(&planar, 0.5, 10.0, 0.1);
         assert!((left.length - want.length).abs() < 1e-12 && stays(&left, 2.5), "{left:?}");
         assert!((left.half_length - want.half_length).abs() < 1e-12, "{left:?}");

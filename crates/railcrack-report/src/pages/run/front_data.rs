@@ -8,7 +8,6 @@ use crate::numbers::{number, numbers};
 use crate::page::{Block, Section};
 use crate::page_data::{Deflated, PageData};
 use crate::svg::ends;
-use railcrack::growth::{FrontShape, MouthStrip};
 use railcrack::space::{VERTEX_LAYER, WheelPatch};
 use railcrack_case::{Case, SpaceCase};
 use railcrack_run::csv::TipRow;
@@ -122,16 +121,14 @@ fn k_charts(run: &RunFolder, page_data: &PageData) -> [Chart; 2] {
     ]
 }
 
-/// Places of all front points in the planes of their cracks: along the mouth from its middle, and
-/// down the dip, mm.
+/// Places of all front points in the planes into which their cracks unroll: along the mouth from
+/// its middle, and down the dip, mm.
 fn plane_places(run: &RunFolder, space: &SpaceCase) -> Vec<[f64; 2]> {
     let place = |row: &TipRow| {
         let shape = space.shapes.get(row.crack.checked_sub(1)?)?;
         let (sin, cos) = shape.strike.sin_cos();
         let (x, z) = (row.place[0] - shape.middle[0], row.lateral.unwrap_or(0.0) - shape.middle[1]);
-        let of_step = run.growth.iter().filter(|other| (other.step, other.crack) == (row.step, row.crack));
-        let down = WayDown::of(shape, &of_step.collect::<Vec<_>>()).to(-row.place[1]);
-        Some([z * cos - x * sin, down])
+        Some([z * cos - x * sin, row.down?])
     };
     run.growth.iter().filter_map(place).collect()
 }
@@ -140,7 +137,7 @@ fn data(run: &RunFolder, space: &SpaceCase, page_data: &PageData) -> Value {
     let histories = page_data.by_wheel(0);
     let passages: Vec<WheelPassage> = (0..histories.len()).map(|wheel| passage_of(run, wheel)).collect();
     let steps: Vec<Value> =
-        page_data.steps().into_iter().map(|step| step_data(run, space, page_data, step, &passages)).collect();
+        page_data.steps().into_iter().map(|step| step_data(run, page_data, step, &passages)).collect();
     let cracks = run.summary.cracks.first();
     let origin = cracks.and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |p| p[0]);
     let wheel =
@@ -180,53 +177,22 @@ pub(super) fn layer(case: &Case) -> f64 {
     divisions.map(|division| division.layer()).fold(VERTEX_LAYER, f64::min)
 }
 
-/// The way down a crack in one step.
-struct WayDown {
-    dip: f64,
-    /// The strip of a folded crack, as far as wear has left it.
-    strip: Option<MouthStrip>,
-}
-
-impl WayDown {
-    /// That of a crack of this shape, from the points of its front; a worn strip has none.
-    fn of(shape: &FrontShape, front: &[&TipRow]) -> Self {
-        let depth = |row: &&&TipRow| (row.phi_deg == Some(0.0)).then(|| -row.place[1]);
-        let is_folded = front.iter().any(|row| row.phi_deg.is_some_and(|phi| phi < 0.0));
-        let at_fold = front.iter().find_map(|row| depth(&row)).filter(|_| is_folded);
-        let left = |(strip, fold): (MouthStrip, f64)| MouthStrip { length: fold / strip.dip.sin(), ..strip };
-        Self { dip: shape.dip, strip: shape.strip.zip(at_fold).map(left) }
-    }
-
-    /// Distance from the mouth (mm), over the fold, at a depth (mm).
-    fn to(&self, depth: f64) -> f64 {
-        self.strip.map_or_else(|| depth / self.dip.sin(), |strip| strip.way_to(depth, self.dip))
-    }
-}
-
 /// The smooth line through the points `own` of the front of `crack`.
-fn outline(run: &RunFolder, crack: usize, own: &[&TipRow], way: Option<&WayDown>) -> Vec<Value> {
-    let point = |row: &&TipRow| [row.place[0], -row.place[1], row.lateral.unwrap_or(0.0)];
-    let points: Vec<[f64; 3]> = own.iter().map(point).collect();
+fn outline(run: &RunFolder, crack: usize, own: &[&TipRow]) -> Vec<Value> {
+    let point =
+        |row: &&TipRow| [row.place[0], -row.place[1], row.lateral.unwrap_or(0.0), row.down.unwrap_or(0.0)];
+    let points: Vec<[f64; 4]> = own.iter().map(point).collect();
     let line = match front_ends(&run.growth, crack) {
         Some(ends) => smooth(&points, ends),
         None => points,
     };
-    let place = |[x, depth, z]: &[f64; 3]| {
-        let down = way.map(|way| number(way.to(*depth)));
-        json!({ "x": number(*x), "depth": number(*depth), "z": number(*z), "down": down })
-    };
+    let place = |[x, depth, z, down]: &[f64; 4]| json!({ "x": number(*x), "depth": number(*depth), "z": number(*z), "down": number(*down) });
     line.iter().map(place).collect()
 }
 
-fn step_data(
-    run: &RunFolder,
-    space: &SpaceCase,
-    page_data: &PageData,
-    step: usize,
-    passages: &[WheelPassage],
-) -> Value {
+fn step_data(run: &RunFolder, page_data: &PageData, step: usize, passages: &[WheelPassage]) -> Value {
     let rows: Vec<&TipRow> = run.growth.iter().filter(|row| row.step == step).collect();
-    let point = |row: &&TipRow, way: Option<&WayDown>| {
+    let point = |row: &&TipRow| {
         let is_own = |history: &&History| (history.crack, history.tip) == (row.crack, row.tip);
         let under = |(passage, histories): (&WheelPassage, &Vec<History>)| {
             let history = histories.iter().find(is_own);
@@ -243,7 +209,7 @@ fn step_data(
             "phi": number(row.phi_deg.unwrap_or(0.0)),
             "x": number(row.place[0]),
             "depth": number(-row.place[1]),
-            "down": way.map(|way| number(way.to(-row.place[1]))),
+            "down": row.down.map(number),
             "z": number(row.lateral.unwrap_or(0.0)),
             "delta_keq": number(row.delta_keq),
             "rate": number(row.rate),
@@ -253,14 +219,14 @@ fn step_data(
     };
     let crack = |number_of: usize| {
         let own: Vec<&TipRow> = rows.iter().copied().filter(|row| row.crack == number_of).collect();
-        let way = space.shapes.get(number_of - 1).map(|shape| WayDown::of(shape, &own));
-        let fold = way.as_ref().and_then(|way| Some(number(way.strip?.length)));
+        let is_at_end = |row: &&&TipRow| row.phi_deg == Some(0.0) && own[0].phi_deg != Some(0.0);
+        let fold = own.iter().find(is_at_end).and_then(|row| row.down).map(number);
         json!({
             "depth": own.first().map(|row| number(row.length)),
             "fold": fold,
             "half_length": own.first().and_then(|row| row.half_length).map(number),
-            "outline": outline(run, number_of, &own, way.as_ref()),
-            "front": own.iter().map(|row| point(row, way.as_ref())).collect::<Vec<_>>(),
+            "outline": outline(run, number_of, &own),
+            "front": own.iter().map(point).collect::<Vec<_>>(),
         })
     };
     json!({

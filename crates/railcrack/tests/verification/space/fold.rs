@@ -8,40 +8,40 @@ use crate::common::{
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::crack::{Crack, End};
 use railcrack::field::HertzWheel;
-use railcrack::growth::{PassageSettings, Unobserved};
-use railcrack::interruption::Interruption;
+use railcrack::growth::{FrontTurns, PassageSettings, Unobserved};
 use railcrack::linear::spd_inverse;
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::math::{Matrix, Stress};
 use railcrack::plane::{RailLoad, stabilised_passage};
 use railcrack::space::{
-    FoldedCrack, FoldedResolution, FrontSif, SpaceBody, SpaceContact, SpaceCrack, SpaceKernel, SpaceLoad,
-    SpacePassageSettings, SpaceResolution, Surroundings, Symmetric, space_passage,
+    FrontSif, SpaceBody, SpaceContact, SpaceCrack, SpaceLoad, SpacePassageSettings, SpaceResolution,
+    Surroundings, Symmetric, space_passage,
 };
 use std::f64::consts::PI;
 
 const NU: f64 = 0.3;
 
-/// A crack with planes at these dips (degrees), a strip of 2 mm and a branch of 2 mm.
-fn folded(mouth: f64, branch: f64, half_length: f64) -> FoldedCrack {
-    FoldedCrack {
-        mouth_dip: mouth.to_radians(),
-        branch_dip: branch.to_radians(),
-        fold: 2.0,
-        half_length,
-        branch: 2.0,
-        middle: [0.0; 2],
-        deviation: None,
-    }
+/// A crack with planes at these dips (degrees), a strip of 2 mm and a half-ellipse of 2 mm below
+/// it.
+fn folded(mouth: f64, branch: f64, half_length: f64) -> SpaceCrack {
+    folded_at(2.0, [mouth, branch].map(f64::to_radians), half_length, 2.0)
 }
 
-/// The body with `cells` in the block and the ring of the branch, and half as many again between
-/// mouth and fold.
-fn body(crack: &FoldedCrack, cells: usize) -> SpaceBody {
-    let kernel = SpaceKernel::new(&[crack.mouth_dip], NU);
-    let branch = SpaceResolution::new(cells, cells);
-    let resolution = FoldedResolution { strip: (3 * cells).div_ceil(2), branch };
-    crack.body(&steel(), &kernel, resolution, Interruption::NEVER).unwrap()
+/// A crack with planes at the dips `dips` (radians), a strip of `fold` and a half-ellipse of
+/// `length` below it (mm).
+fn folded_at(fold: f64, [mouth, branch]: [f64; 2], half_length: f64, length: f64) -> SpaceCrack {
+    let planar = SpaceCrack::surface_breaking(mouth, half_length, length).unwrap();
+    SpaceCrack { strip: Some(fold), turns: Some(FrontTurns::fold(fold, branch - mouth)), ..planar }
+}
+
+/// The body with `cells` in the block and the ring of the half-ellipse, and half as many again
+/// between mouth and fold.
+fn body(crack: &SpaceCrack, cells: usize) -> SpaceBody {
+    body_with(crack, SpaceResolution::new(cells, cells))
+}
+
+fn body_with(crack: &SpaceCrack, resolution: SpaceResolution) -> SpaceBody {
+    SpaceBody::new(std::slice::from_ref(crack), &steel(), Surroundings::HalfSpace, resolution).unwrap()
 }
 
 /// Tension along the rail and in depth, and shear.
@@ -88,9 +88,7 @@ fn error_in_a_passage(block: usize) -> f64 {
     let wheel = HertzWheel::new(&line, &steel()).unwrap();
 
     let crack = folded(25.0, 70.0, 24.0);
-    let kernel = SpaceKernel::new(&[crack.mouth_dip], NU);
-    let resolution = FoldedResolution { strip: 5, branch: SpaceResolution::new(block, 3) };
-    let body = crack.body(&steel(), &kernel, resolution, Interruption::NEVER).unwrap();
+    let body = body_with(&crack, SpaceResolution::new(block, 3));
     let contact = SpaceContact { body: &body, friction: &[friction] };
     let settings = SpacePassageSettings { tolerance: 0.3, halvings: 8 };
     let over = line_in_space(&wheel);
@@ -117,7 +115,7 @@ fn under_a_line_contact_a_wide_fold_with_friction_approaches_a_kinked_crack_of_t
 }
 
 /// Difference allowed from the plane in a passage, of the peak.
-const IN_A_PASSAGE: f64 = 0.02;
+const IN_A_PASSAGE: f64 = 0.03;
 
 /// Difference allowed from the plane, of the peak.
 const WIDE: f64 = 0.02;
@@ -150,8 +148,7 @@ fn mirror_images() {
 /// as wide, in tension along the rail; over that of a planar crack of that depth and width.
 fn over_a_planar_crack(depth: f64) -> f64 {
     let (fold, at) = (6.3, 2.8f64);
-    let mouth_dip = (at / fold).asin();
-    let folded = FoldedCrack { mouth_dip, fold, branch: depth - at, ..folded(25.0, 90.0, depth) };
+    let folded = folded_at(fold, [(at / fold).asin(), 0.5 * PI], depth, depth - at);
     let planar = SpaceCrack::surface_breaking(0.5 * PI, depth, depth).unwrap();
     let resolution = SpaceResolution::new(3, 3);
     let planar = SpaceBody::new(&[planar], &steel(), Surroundings::HalfSpace, resolution).unwrap();
@@ -186,7 +183,7 @@ fn energy_release_is_that_of_the_work() {
     let crack = folded(25.0, 70.0, 3.0);
     let step = 0.02;
     let [shorter, body, longer] =
-        [-step, 0.0, step].map(|by| body(&FoldedCrack { branch: crack.branch + by, ..crack }, 3));
+        [-step, 0.0, step].map(|by| body(&SpaceCrack { length: crack.length + by, ..crack.clone() }, 3));
     for stress in [TENSION, SHEAR] {
         let want = (energy(&longer, stress) - energy(&shorter, stress)) / (2.0 * step);
         // The front moves by (dl/l) s down the dip: over dφ, G times c sin²φ dφ.
@@ -208,7 +205,7 @@ fn energy_release_is_that_of_the_work() {
 const ENERGY: f64 = 0.03;
 
 /// Smallest over largest eigenvalue of the stiffness, scaled to a unit diagonal.
-fn condition(crack: &FoldedCrack, cells: usize) -> f64 {
+fn condition(crack: &SpaceCrack, cells: usize) -> f64 {
     let body = body(crack, cells);
     let a = body.stiffness().to_matrix();
     let size = |i: usize| a[(i, i)].sqrt();

@@ -28,6 +28,7 @@ fn shapes(cracks: &[[f64; 4]]) -> Vec<FrontShape> {
         middle: [x, lateral],
         buried: None,
         strip: None,
+        turns: None,
         deviation: None,
     };
     cracks.iter().map(of).collect()

@@ -2,12 +2,12 @@
 
 use crate::common::{Of, Relative, close, steel};
 use railcrack::growth::{
-    Axles, FrontDeviation, FrontShape, Grinding, Growth, GrowthError, GrowthSettings, GrowthState,
-    MouthStrip, NetworkContact, PassageSettings, StepRecord, StressMoves, SurfaceRemoval, Unobserved,
+    Axles, FrontDeviation, FrontShape, FrontTurns, Grinding, Growth, GrowthError, GrowthSettings,
+    GrowthState, NetworkContact, PassageSettings, StepRecord, StressMoves, SurfaceRemoval, Unobserved,
 };
 use railcrack::load::Passage;
 use railcrack::math::RailBox;
-use railcrack::space::{EllipticWheel, SpaceRail, SpaceResolution, SpaceWheel};
+use railcrack::space::{EllipticWheel, SpaceRail, SpaceResolution, SpaceWheel, WheelPatch};
 
 fn shape() -> FrontShape {
     FrontShape {
@@ -18,6 +18,7 @@ fn shape() -> FrontShape {
         middle: [0.0, 0.0],
         buried: None,
         strip: None,
+        turns: None,
         deviation: None,
     }
 }
@@ -65,8 +66,8 @@ fn rail(wheels: Vec<SpaceWheel>, friction: f64, wear: f64) -> SpaceRail {
 
 /// A head check that has turned down: 3 mm at 25°, then a branch of 2 mm at 70°.
 fn folded() -> FrontShape {
-    let strip = Some(MouthStrip { dip: 25f64.to_radians(), length: 3.0 });
-    FrontShape { dip: 70f64.to_radians(), length: 2.0, strip, ..shape() }
+    let turns = Some(FrontTurns::fold(3.0, 45f64.to_radians()));
+    FrontShape { dip: 25f64.to_radians(), length: 2.0, strip: Some(3.0), turns, ..shape() }
 }
 
 fn run(rail: SpaceRail) -> Vec<StepRecord> {
@@ -207,7 +208,7 @@ fn wear_shortens_the_strip_of_a_folded_crack_and_then_its_branch() {
     let [free, left] = [&free[1], &worn[1]].map(shape_in);
     close(left.length, free.length, Relative(1e-9), "the branch grows as without wear");
     let taken = worn[1].removed / 25f64.to_radians().sin();
-    close(left.strip.unwrap().length, 3.0 - taken, Of(1e-9, 1.0), "w/sin(dip of the strip)");
+    close(left.strip.unwrap(), 3.0 - taken, Of(1e-9, 1.0), "w/sin(dip of the strip)");
 }
 
 #[test]
@@ -229,16 +230,54 @@ fn grinding_takes_the_strip_of_a_folded_crack_and_then_its_branch() {
     assert!(depth(steps.last().unwrap()) < 1.0, "{:?}", steps.last().map(depth));
 }
 
+/// A crack that turns, and its mirror image under wheels whose shear is turned round; without
+/// friction between the faces the order of the positions does not matter.
+#[test]
+fn a_crack_turns_as_its_mirror_image_and_alike_on_both_sides() {
+    let run = |dip: f64, friction: f64| {
+        let mirrored = |lateral: f64| {
+            let mut wheel = wheel(lateral, 0.5);
+            if let WheelPatch::Ellipse(ellipse) = &mut wheel.wheel {
+                ellipse.friction = friction;
+            }
+            wheel
+        };
+        let mut rail = rail(vec![mirrored(2.0), mirrored(-2.0)], 0.0, 0.0);
+        rail.growth.turns_in_space = true;
+        rail.growth.steps = 4;
+        run_of(rail, FrontShape { dip, ..shape() })
+    };
+    let dip = 35f64.to_radians();
+    let [one, other] = [run(dip, 0.3), run(std::f64::consts::PI - dip, -0.3)];
+    assert!(one.len() == 5 && other.len() == 5, "{} {}", one.len(), other.len());
+    for (a, b) in one.iter().zip(&other) {
+        let [a, b] = [a, b].map(shape_in);
+        close(a.path_length(), b.path_length(), Relative(1e-4), "mirrored loads, tolerance of load steps");
+        close(a.front_dip() + b.front_dip(), std::f64::consts::PI, Of(2e-3, 1.0), "mirrored turns");
+        close(a.middle[1], 0.0, Of(1e-6, 1.0), "mirrored passages");
+    }
+    let turned = shape_in(&one[4]).front_dip() - dip;
+    assert!(turned.abs() > 0.02, "{turned}");
+    let of_step = one[0].tips[0].front().unwrap().turn.unwrap();
+    let first = shape_in(&one[1]).front_dip() - dip;
+    close(-of_step, first, Of(1e-12, 1.0), "the turn of the record, positive as a kink");
+}
+
 #[test]
 fn a_resumed_run_goes_on_with_the_same_bits() {
     for shape in [shape(), folded()] {
-        resumes(shape);
-        resumes(FrontShape { deviation: FrontDeviation::none(4), ..shape });
+        resumes(shape, false);
+        resumes(shape, true);
+        resumes(FrontShape { deviation: FrontDeviation::none(4), ..shape }, false);
     }
 }
 
-fn resumes(shape: FrontShape) {
-    let mix = || rail(vec![wheel(1.0, 0.6), wheel(-1.0, 0.4)], 0.2, 1e-7);
+fn resumes(shape: FrontShape, turns_in_space: bool) {
+    let mix = || {
+        let mut rail = rail(vec![wheel(1.0, 0.6), wheel(-1.0, 0.4)], 0.2, 1e-7);
+        rail.growth.turns_in_space = turns_in_space;
+        rail
+    };
     let whole = run_of(mix(), shape);
     let mut state = GrowthState::initial_in_space(vec![shape]).unwrap();
     for want in &whole {

@@ -8,7 +8,7 @@ use railcrack::field::{HertzWheel, Wheel};
 use railcrack::fracture::Sif;
 use railcrack::growth::{
     CrackedRail, FrontShape, Growth, GrowthSettings, GrowthState, NetworkContact, PassageSettings,
-    StepRecord, StressMoves, SurfaceRemoval, Unobserved,
+    StepRecord, StressMoves, SurfaceRemoval, TipRecord, Turning, Unobserved,
 };
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::math::{RailBox, Stress, Vec2};
@@ -195,9 +195,7 @@ const MIX: [(f64, EllipticWheel); 2] = [
 
 /// The crack of `state` in `rail`, and after one increment.
 fn one_increment(rail: impl CrackedRail, state: GrowthState) -> [StepRecord; 2] {
-    let mut growth = Growth::new(rail, state);
-    let steps = std::iter::from_fn(|| growth.next_step(&Unobserved).unwrap());
-    steps.collect::<Vec<StepRecord>>().try_into().unwrap()
+    all_steps(rail, state).try_into().unwrap()
 }
 
 /// Rates under a mix, and the wear of the mouth, in the middle of a wide crack and in the plane
@@ -249,6 +247,7 @@ fn of_the_2d_engine_under_a_mix_with_wear() {
         middle: [0.0; 2],
         buried: None,
         strip: None,
+        turns: None,
         deviation: None,
     };
     let state = GrowthState::initial_in_space(vec![shape]).unwrap();
@@ -281,4 +280,92 @@ fn of_the_2d_engine_under_a_mix_with_wear() {
         close(grown, growth.increment * length, Relative(1e-9), "the increment less w/sin(dip)");
         close(after.removed, wear * after.load_cycles, Relative(0.05), "wear by cycle");
     }
+}
+
+/// The path of a wide crack that turns by its criterion, under a wide ellipse, is that of the plane
+/// under the stress in the middle of the ellipse.
+#[test]
+#[ignore = "extra: minutes"]
+fn of_the_2d_engine_on_a_path_that_turns() {
+    let (length, degrees, friction) = (3.0, 30.0f64, 0.3);
+    let growth = GrowthSettings {
+        steps: 5,
+        increment: 0.1,
+        tolerance: None,
+        turning: Turning::Over(1.0),
+        turns_in_space: true,
+        ..GrowthSettings::default()
+    };
+    let passages = PassageSettings {
+        passage: Passage { from: -36.0, to: 36.0, positions: POSITIONS },
+        ..PassageSettings::default()
+    };
+    let wheel = EllipticWheel { friction: 0.3, ..MIX[0].1 };
+    let in_space = SpaceWheel {
+        wheel: wheel.into(),
+        share: 1.0,
+        bending: None,
+        residual: None,
+        fluid: None,
+        passages,
+        toughness: None,
+    };
+    let rail = SpaceRail {
+        network: NetworkContact::Whole,
+        standing: None,
+        steel: steel(),
+        wheels: vec![in_space],
+        friction: vec![friction],
+        resolution: SpaceResolution::new(6, 6),
+        growth: growth.clone(),
+        mode_3_weight: None,
+        fields: None,
+        rail: RailBox::default(),
+        kernel: None,
+    };
+    let shape = FrontShape {
+        dip: degrees.to_radians(),
+        strike: 0.0,
+        length,
+        half_length: WIDTH * 2.0 * length,
+        middle: [0.0; 2],
+        buried: None,
+        strip: None,
+        turns: None,
+        deviation: None,
+    };
+    let space = all_steps(rail, GrowthState::initial_in_space(vec![shape]).unwrap());
+
+    let over = MiddlePlane(wheel, [-wheel.half_width, wheel.half_width]);
+    let engine = DislocationEngine { steel: steel(), resolution: FaceResolution::default() };
+    let wheel = PlaneWheel { share: 1.0, passages, ..PlaneWheel::new(Box::new(over)) };
+    let mut rail = PlaneRail::under(Box::new(engine), vec![wheel], vec![friction]);
+    rail.growth = GrowthSettings { increment: 0.02, steps: 25, ..growth };
+    let plane = all_steps(rail, GrowthState::initial(&surface_crack(0.0, length, degrees).into()));
+
+    let (mut apart, mut of_k) = (0.0f64, 0.0f64);
+    for step in &space {
+        let tip = &step.tips[step.tips.len() / 2];
+        let next = plane.iter().position(|other| other.tips[0].length > tip.length);
+        let Some(next) = next.filter(|next| *next > 0) else { continue };
+        let [a, b] = [next - 1, next].map(|k| &plane[k].tips[0]);
+        let share = (tip.length - a.length) / (b.length - a.length);
+        let between = |of: fn(&TipRecord) -> f64| of(a) + share * (of(b) - of(a));
+        let [x, y] = [between(|tip| tip.x), between(|tip| tip.y)];
+        apart = apart.max((tip.x - x).hypot(tip.y - y));
+        let range = between(|tip| tip.delta_keq);
+        of_k = of_k.max((tip.delta_keq / range - 1.0).abs());
+    }
+    let last = space[space.len() - 1].tips.len() / 2;
+    let tip = &space[space.len() - 1].tips[last];
+    let off_the_plane = tip.x * degrees.to_radians().sin() + tip.y * degrees.to_radians().cos();
+    assert!(off_the_plane.abs() > 0.05, "{off_the_plane}");
+    measured(apart, 0.02, "the path of a wide crack that turns, mm");
+    measured(of_k, 0.02, "the range of K along it");
+    assert!(apart < 0.02 && of_k < 0.02, "{apart} {of_k}");
+}
+
+fn all_steps(rail: impl CrackedRail, state: GrowthState) -> Vec<StepRecord> {
+    let mut growth = Growth::new(rail, state);
+    std::iter::from_fn(|| growth.next_step(&Unobserved).unwrap()).collect()
 }
