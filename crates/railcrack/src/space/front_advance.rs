@@ -1,7 +1,7 @@
 //! Advance of cracks in space from one step to the next.
 
 use super::front_motion::FrontSpeeds;
-use super::shape::{CloseCracks, LEAST_DISTANCE, ShapeError, SpaceCrack};
+use super::shape::{CloseCracks, LEAST_DISTANCE, LEAST_STRAIGHT, ShapeError, SpaceCrack};
 use super::worn::{Worn, worn};
 use crate::growth::{
     ChangingCrack, Event, FrontShape, FrontTurns, GrowthSettings, LEAST_PART, LargestCracks, Mover, Moving,
@@ -58,7 +58,14 @@ impl Start<'_> {
             }
             let turns = shape.turns.unwrap_or_else(|| FrontTurns::after(from));
             // A kink turns counter-clockwise, the dip grows clockwise.
-            FrontShape { turns: Some(turns.and_at(from, grown, -turn)), ..moved }
+            let turns = turns.and_at(from, grown, -turn);
+            let least = if moved.strip.is_some() { 0.0 } else { LEAST_STRAIGHT * moved.length };
+            if turns.straight >= least {
+                return FrontShape { turns: Some(turns), ..moved };
+            }
+            // The first arcs become the chord that the rows at the mouth need.
+            let (dip, turns) = turns.cut(moved.dip, 0.0, 1.2 * least);
+            FrontShape { dip, turns, ..moved }
         };
         increments.iter().zip(self.shapes).enumerate().map(of).collect()
     }

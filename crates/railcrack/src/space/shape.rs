@@ -121,8 +121,8 @@ pub enum ShapeError {
 }
 
 /// Least straight part of a crack without a strip that turns, relative to its length: three rows
-/// of cells lie in it.
-pub(crate) const LEAST_STRAIGHT: f64 = 0.015;
+/// of cells lie in it, and the integrals of narrow ones take long.
+pub(super) const LEAST_STRAIGHT: f64 = 0.06;
 
 impl SpaceCrack {
     /// A semi-ellipse that breaks the surface: `dip` in radians, half the length of its mouth and
