@@ -1,16 +1,16 @@
 //! Samples of grinding plans.
 //!
-//! The plans are runs of one rail that is ground in different ways, and the samples of each are made
-//! between all of them. Where these do not repeat the life of a plan that is left out, or end before
-//! its samples, runs of it at other speeds join them, and where that does not help, the plan has as
-//! many of its own as a decision.
+//! The plans are runs of one rail that is ground in different ways, and the samples of each are
+//! made between all of them. Where these do not repeat the life of a plan that is left out, end
+//! before its samples, or say nothing of the fast ones, runs of it at other speeds join them, and
+//! where that does not help, the plan has as many of its own as a decision.
 
 use super::each::of_each;
 use super::error::RunError;
 use super::plan::{Followed, Planning};
 use crate::decision::{Companions, Course, Draw, Draws, Family, Nominal, NominalRun, Sampler, Sampling};
 use crate::log::{Companion, StepDigest};
-use railcrack::growth::{GrowthState, Mgt};
+use railcrack::growth::{Grinding, GrowthState, Mgt};
 use railcrack_case::Scatter;
 
 /// Samples of each plan at most.
@@ -33,14 +33,10 @@ pub(super) struct PlanSamples {
 /// A run of the rail under a grinding, and how fast it grows.
 #[derive(Clone, Copy)]
 struct GroundRun<'a> {
+    /// The plan that it has; none without grinding.
+    grinding: Option<Grinding<Mgt>>,
     steps: &'a [StepDigest],
     speed: f64,
-}
-
-impl<'a> GroundRun<'a> {
-    fn at_speed(run: &'a Companion) -> Option<Self> {
-        Some(Self { steps: &run.steps, speed: run.at_speed()? })
-    }
 }
 
 /// The samples of plans: scatter, deviates, and the horizon.
@@ -75,7 +71,7 @@ impl Planning<'_> {
         let mut draws = Draws::of(scatter, self.info.mix());
         let draws = PlanDraws { scatter, draws: (0..count).map(|_| draws.next()).collect(), horizon };
         let mut samples: Vec<Option<PlanSamples>> = vec![None; plans.len()];
-        let mut joined: Vec<Companion> = Vec::new();
+        let mut joined: Vec<(&Followed, Companion)> = Vec::new();
         // Samples with their own toughness go on where the plans break.
         let is_shared = case.fracture.is_none() || scatter.toughness_std == 0.0;
         let mut helpers: Option<Vec<usize>> = is_shared.then(|| (0..plans.len()).collect());
@@ -84,7 +80,8 @@ impl Planning<'_> {
         }
         while helpers.is_some() {
             let missing: Vec<usize> = (0..plans.len()).filter(|i| samples[*i].is_none()).collect();
-            let at_speeds: Vec<GroundRun> = joined.iter().filter_map(GroundRun::at_speed).collect();
+            let at_speeds: Vec<GroundRun> =
+                joined.iter().filter_map(|(plan, run)| plan.at_speed(run)).collect();
             let found = of_each(&missing, engine, |&i: &usize| {
                 let others = plans[..i].iter().chain(&plans[i + 1..]).map(Followed::as_run);
                 let others: Vec<GroundRun> = others.chain(at_speeds.iter().copied()).collect();
@@ -97,7 +94,10 @@ impl Planning<'_> {
                 left.pop()
             });
             match next {
-                Some(next) => joined.extend(self.first_speeds(&plans[next], state)?),
+                Some(next) => {
+                    let own = self.first_speeds(&plans[next], state)?;
+                    joined.extend(own.into_iter().map(|run| (&plans[next], run)));
+                }
                 None => helpers = None,
             }
         }
@@ -122,6 +122,7 @@ impl PlanDraws<'_> {
     /// The samples of `plan` between it, the rail `alone` and the `others`; none where the life of
     /// the plan is not repeated between these, or its samples lead nowhere.
     fn between(&self, plan: &Followed, alone: GroundRun, others: &[GroundRun]) -> Option<PlanSamples> {
+        let has_own = others.iter().any(|other| other.grinding == plan.grinding);
         let (alone, others) = (plan.course_of(alone), others.iter().map(|other| plan.course_of(*other)));
         let others: Vec<Course> = others.collect();
         let mut others: Vec<&Course> = others.iter().collect();
@@ -133,7 +134,9 @@ impl PlanDraws<'_> {
         };
         others.push(&alone);
         let samples = is_repeated.then(|| self.of(plan, &Family::of_grindings(&plan.run.course, &others)));
-        samples.filter(|samples| samples.not_known <= NOT_KNOWN)
+        // Nothing tells of faster cracks of a plan that does not fail itself.
+        let is_tested = |samples: &PlanSamples| has_own || life.is_some() || samples.fails == 0.0;
+        samples.filter(|samples| samples.not_known <= NOT_KNOWN && is_tested(samples))
     }
 
     /// The samples of `plan` in `family`.
@@ -154,7 +157,12 @@ impl Followed {
     }
 
     fn as_run(&self) -> GroundRun<'_> {
-        GroundRun { steps: &self.log.steps, speed: 1.0 }
+        GroundRun { grinding: self.grinding, steps: &self.log.steps, speed: 1.0 }
+    }
+
+    /// The `run` of this plan at another speed.
+    fn at_speed<'a>(&self, run: &'a Companion) -> Option<GroundRun<'a>> {
+        Some(GroundRun { grinding: self.grinding, steps: &run.steps, speed: run.at_speed()? })
     }
 
     /// The course of `run`, of which is asked what is asked of this plan.
