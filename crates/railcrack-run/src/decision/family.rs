@@ -356,7 +356,8 @@ impl Family {
         {
             return Some(one(self.nominal));
         }
-        let (mut below, mut above): (Option<(usize, f64)>, Option<(usize, f64)>) = (None, None);
+        let mut below: Option<(usize, f64)> = None;
+        let mut above: Option<(usize, f64)> = None;
         for i in 0..self.curves.len() {
             let gone = gone(i);
             if gone < removed && below.is_none_or(|(_, most)| gone > most + SAME) {
