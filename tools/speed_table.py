@@ -45,6 +45,9 @@ JOBS = {
     "plan of twelve for the head check of the tutorial": [
         "plan", "plan.toml", *QUIET, "--grinding", "0.1,0.2,0.3", "--interval", "10,20,30,40",
     ],
+    "plan of twelve for one crack of the curve": [
+        "plan", CASES / "head-checks-in-a-curve.toml", *QUIET, "--set", "crack.count=1",
+    ],
     "head check in space, two increments": ["run", CASES / "head-check-space.toml", *QUIET, "--steps", "2"],
     "`validate --no-space`": ["validate", "--no-space", "--quiet"],
 }

@@ -532,7 +532,9 @@ fn the_risk_of_a_step_is_its_closed_form() {
         assert!(risks.len() > 8, "{risks:?}");
         for (interval, probability) in risks {
             let want = (1.0 - way / interval).max(0.0);
-            assert!((probability - want).abs() < 1e-9, "every {interval}: {probability}, not {want}");
+            // Depths of samples are kept in single precision.
+            let tolerance = if scatter.is_empty() { 1e-9 } else { 1e-6 };
+            assert!((probability - want).abs() < tolerance, "every {interval}: {probability}, not {want}");
         }
         let interval = number(&decision["interval_for_target_mgt"]).unwrap();
         // Found by bisection to 0.1 %.

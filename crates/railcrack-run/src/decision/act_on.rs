@@ -1,6 +1,6 @@
 //! The interval to act on: the one of several that keeps every limit, and what it rests on.
 
-use super::risk::{IntervalForTarget, Risk};
+use super::risk::{IntervalForTarget, Risk, Stored};
 use serde::{Deserialize, Serialize};
 
 /// The probability of failure before detection with inspections at an interval.
@@ -51,7 +51,7 @@ impl IntervalToActOn {
     /// larger than is accepted, and otherwise the largest that keeps it, for the target of the case
     /// the one `for_target`; none where no interval does.
     pub(super) fn of(
-        risk: &Risk<'_>,
+        risk: &Risk<'_, impl Stored>,
         Accepted { target, most_missed }: Accepted,
         by_safety: Option<RiskAtInterval>,
         for_target: Option<IntervalForTarget>,

@@ -63,17 +63,23 @@ pub(super) fn interpolated(rows: &[(f64, f64)], x: f64) -> Option<f64> {
     before(rows, rows.partition_point(|row| row.0 <= x), x)
 }
 
+/// A number as it is stored: in single precision, a million curves take half of the memory.
+pub trait Stored: Copy + Into<f64> + Sync {}
+
+impl<T: Copy + Into<f64> + Sync> Stored for T {}
+
 /// The same where row `next` is the first beyond `x`.
-fn before(rows: &[(f64, f64)], next: usize, x: f64) -> Option<f64> {
-    let from = rows.get(next.checked_sub(1)?)?;
-    let between = |to: &(f64, f64)| from.1 + (x - from.0) / (to.0 - from.0) * (to.1 - from.1);
-    Some(rows.get(next).map_or(from.1, between))
+fn before<T: Stored>(rows: &[(T, T)], next: usize, x: f64) -> Option<f64> {
+    let row = |i: usize| rows.get(i).map(|&(x, y)| (x.into(), y.into()));
+    let from: (f64, f64) = row(next.checked_sub(1)?)?;
+    let between = |to: (f64, f64)| from.1 + (x - from.0) / (to.0 - from.0) * (to.1 - from.1);
+    Some(row(next).map_or(from.1, between))
 }
 
 /// Depth of a crack over traffic: linear between points, constant outside of them.
 #[derive(Debug, Clone, PartialEq)]
-pub struct DepthCurve {
-    points: Vec<(f64, f64)>,
+pub struct DepthCurve<T = f64> {
+    points: Box<[(T, T)]>,
 }
 
 impl DepthCurve {
@@ -87,7 +93,7 @@ impl DepthCurve {
                 kept.push(point);
             }
         }
-        Self { points: kept }
+        Self { points: kept.into() }
     }
 
     /// A curve through fewer of its points that deviates from it by `tolerance` (mm) at most;
@@ -98,7 +104,7 @@ impl DepthCurve {
         // Slopes from the last point that is kept which pass all the points since.
         let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
         let mut last: Option<(f64, f64)> = None;
-        for &point in &self.points {
+        for &point in &*self.points {
             if let (Some(from), Some(before)) = (kept.last().copied(), last) {
                 let slope = |depth: f64| (depth - from.1) / (point.0 - from.0);
                 let (low, high) = (slope(point.1 - tolerance), slope(point.1 + tolerance));
@@ -127,20 +133,29 @@ impl DepthCurve {
         if let Some(point) = last.filter(|point| kept.last() != Some(point)) {
             kept.push(point);
         }
-        Self { points: kept }
+        Self { points: kept.into() }
     }
 
+    /// The same in single precision.
+    #[must_use]
+    pub fn in_single_precision(&self) -> DepthCurve<f32> {
+        DepthCurve { points: self.points.iter().map(|(mgt, depth)| (*mgt as f32, *depth as f32)).collect() }
+    }
+}
+
+impl<T: Stored> DepthCurve<T> {
     /// The depths, to be read backwards.
-    fn backwards(&self) -> Backwards<'_> {
+    fn backwards(&self) -> Backwards<'_, T> {
         Backwards { points: &self.points, next: self.points.len() }
     }
 
     /// The traffic up to `end` during which the depth is at least `depth`.
     fn deeper_than(&self, depth: f64, end: f64) -> Vec<(f64, f64)> {
-        let outer = |point: Option<&(f64, f64)>, mgt: f64| point.map(|point| (mgt, point.1));
+        let outer = |point: Option<&(T, T)>, mgt: f64| point.map(|point| (mgt, point.1.into()));
         let first = outer(self.points.first(), 0.0);
         let last = outer(self.points.last(), f64::INFINITY);
-        let all: Vec<(f64, f64)> = first.into_iter().chain(self.points.iter().copied()).chain(last).collect();
+        let points = self.points.iter().map(|&(mgt, depth)| (mgt.into(), depth.into()));
+        let all: Vec<(f64, f64)> = first.into_iter().chain(points).chain(last).collect();
         let piece = |pair: &[(f64, f64)]| {
             let ((t0, d0), (t1, d1)) = (pair[0], pair[1]);
             let crossing = || t0 + (depth - d0) / (d1 - d0) * (t1 - t0);
@@ -158,30 +173,30 @@ impl DepthCurve {
 }
 
 /// A depth curve that is read at less and less traffic, without a search.
-struct Backwards<'a> {
-    points: &'a [(f64, f64)],
+struct Backwards<'a, T> {
+    points: &'a [(T, T)],
     /// The first point beyond the traffic read last.
     next: usize,
 }
 
-impl Backwards<'_> {
+impl<T: Stored> Backwards<'_, T> {
     /// The depth (mm) at `mgt`, which is not more than that read before.
     fn at(&mut self, mgt: f64) -> f64 {
-        while self.next > 0 && self.points[self.next - 1].0 > mgt {
+        while self.next > 0 && self.points[self.next - 1].0.into() > mgt {
             self.next -= 1;
         }
-        let first = || self.points.first().map_or(0.0, |first| first.1);
+        let first = || self.points.first().map_or(0.0, |first| first.1.into());
         before(self.points, self.next, mgt).unwrap_or_else(first)
     }
 }
 
 /// A crack that nobody inspects: a run, or a sample.
 #[derive(Debug, Clone, Copy)]
-pub struct Life<'a> {
+pub struct Life<'a, T = f64> {
     /// Million gross tonnes until failure; infinite where it does not fail.
     pub failure: f64,
     /// Its depth over traffic.
-    pub depths: &'a DepthCurve,
+    pub depths: &'a DepthCurve<T>,
     /// The depth (mm) from which this crack is found; without it, that of the step.
     pub found_from: Option<f64>,
 }
@@ -199,8 +214,8 @@ pub enum IntervalForTarget {
 
 /// The risk of lives under inspections.
 #[derive(Debug, Clone)]
-pub struct Risk<'a> {
-    lives: &'a [Life<'a>],
+pub struct Risk<'a, T = f64> {
+    lives: &'a [Life<'a, T>],
     detection: DetectionCurve,
     /// 1 − POD of the lognormal curve.
     missed: MissedByDepth,
@@ -229,10 +244,10 @@ const SEARCH: f64 = 1.1;
 /// Lives by which the search begins.
 const THINNED: usize = 1000;
 
-impl<'a> Risk<'a> {
+impl<'a, T: Stored> Risk<'a, T> {
     /// The risk of `lives`, each with the same weight.
     #[must_use]
-    pub fn of(lives: &'a [Life<'a>], detection: DetectionCurve) -> Self {
+    pub fn of(lives: &'a [Life<'a, T>], detection: DetectionCurve) -> Self {
         let missed = match detection {
             DetectionCurve::LogNormal { median, log_std } => MissedByDepth::of(median, log_std),
             _ => MissedByDepth::default(),
@@ -250,15 +265,20 @@ impl<'a> Risk<'a> {
 
     /// The probability over every `stride`-th life.
     fn over(&self, interval: f64, stride: usize) -> f64 {
-        let taken: Vec<(usize, &Life)> = self.lives.iter().enumerate().step_by(stride).collect();
-        let failing = |&(i, life): &(usize, &Life)| {
+        let count = self.lives.len().div_ceil(stride);
+        let failing = |i: usize| {
+            let life = &self.lives[i];
             if life.failure.is_finite() { self.of_life(i, life, interval) } else { 0.0 }
         };
-        let sums = taken.par_chunks(AT_A_TIME).map(|lives| lives.iter().map(failing).sum::<f64>());
-        sums.collect::<Vec<f64>>().into_iter().sum::<f64>() / taken.len().max(1) as f64
+        let sum = |piece: usize| {
+            let taken = AT_A_TIME * piece..(AT_A_TIME * (piece + 1)).min(count);
+            taken.map(|i| failing(i * stride)).sum::<f64>()
+        };
+        let sums = (0..count.div_ceil(AT_A_TIME)).into_par_iter().map(sum);
+        sums.collect::<Vec<f64>>().into_iter().sum::<f64>() / count.max(1) as f64
     }
 
-    fn of_life(&self, index: usize, life: &Life, interval: f64) -> f64 {
+    fn of_life(&self, index: usize, life: &Life<'_, T>, interval: f64) -> f64 {
         let interval = interval.max(1e-6 * life.failure);
         if !(interval > 0.0 && life.failure > 0.0) {
             return 1.0;
@@ -290,7 +310,7 @@ impl<'a> Risk<'a> {
     }
 
     /// 1 − POD with even shares of the traffic left until the failure of `life`.
-    fn missed_by_traffic(&self, life: &Life) -> Vec<f64> {
+    fn missed_by_traffic(&self, life: &Life<'_, T>) -> Vec<f64> {
         let mut depths = life.depths.backwards();
         let passed = |i: usize| life.failure * (1.0 - i as f64 / TABULATED as f64);
         (0..=TABULATED).map(|i| self.missed(depths.at(passed(i)))).collect()
@@ -586,7 +606,7 @@ mod tests {
         }
         assert_eq!(risk.interval_for(1.0), IntervalForTarget::Any);
         assert_eq!(Risk::of(&one, DetectionCurve::Step(6.0)).interval_for(0.1), IntervalForTarget::None);
-        assert_eq!(Risk::of(&[], DetectionCurve::Step(6.0)).interval_for(0.1), IntervalForTarget::Any);
+        assert_eq!(Risk::<f64>::of(&[], DetectionCurve::Step(6.0)).interval_for(0.1), IntervalForTarget::Any);
 
         let cracks = scattered(20_000);
         let many = lives(&cracks);

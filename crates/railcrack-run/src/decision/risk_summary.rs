@@ -3,7 +3,7 @@
 use super::act_on::{Accepted, IntervalToActOn, RiskAtInterval};
 use super::failure::{Nominal, NominalRun};
 use super::inspection::InspectionSummary;
-use super::risk::{DetectionCurve, IntervalForTarget, Life, Risk};
+use super::risk::{DetectionCurve, IntervalForTarget, Life, Risk, Stored};
 use super::scatter::SampledLife;
 use crate::log::RunInfo;
 use railcrack_case::InspectionRisk;
@@ -51,7 +51,7 @@ pub enum TargetKept {
     NotKnown,
 }
 
-impl<'a> Life<'a> {
+impl<'a> Life<'a, f32> {
     /// The life of a sample.
     fn of(sample: &'a SampledLife) -> Self {
         Self { failure: sample.failure, depths: &sample.depths, found_from: sample.found_from }
@@ -112,7 +112,7 @@ impl RiskSummary {
             let is_unknown = |sample: &&SampledLife| sample.outlives < inputs.life * (1.0 - 1e-9);
             let unknown = samples.iter().filter(is_unknown).count() as f64 / samples.len().max(1) as f64;
             let inputs = RiskInputs { unknown, ..inputs };
-            let lives: Vec<Life> = samples.iter().map(Life::of).collect();
+            let lives: Vec<Life<f32>> = samples.iter().map(Life::of).collect();
             return Some(Self::of(&lives, inputs));
         }
         let depths = Nominal::depths(course, question);
@@ -128,7 +128,7 @@ impl RiskSummary {
     }
 
     /// The risk of `lives`.
-    fn of(lives: &[Life<'_>], inputs: RiskInputs<'_>) -> Self {
+    fn of<T: Stored>(lives: &[Life<'_, T>], inputs: RiskInputs<'_>) -> Self {
         let RiskInputs { asked, detectable_depth, mgt_per_year, life, .. } = inputs;
         let curve = asked.detection.as_ref().map(DetectionCurve::from);
         let risk = Risk::of(lives, curve.unwrap_or(DetectionCurve::Step(detectable_depth)));

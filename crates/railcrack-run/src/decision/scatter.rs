@@ -5,6 +5,7 @@ use super::sampler::{Draw, Draws, KEYS, Sample, Sampler, Sampling};
 use super::walk::Track;
 use railcrack_case::Scatter;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// Quantiles over all samples; null if the run does not reach that far.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -99,8 +100,8 @@ pub type FirstSample = [Option<f64>; 3];
 /// Number of first samples: their coefficients divide the distribution evenly.
 const FIRST: usize = 256;
 
-/// The samples, with quantiles of the depth up to `longest` million gross tonnes, where the crack
-/// is inspected every `interval` million gross tonnes.
+/// The samples, with quantiles of the depth at `tonnages`, where the crack is inspected every
+/// `interval` million gross tonnes.
 ///
 /// The histories of K along the path do not depend on C, nor on m, the wear and the shares of the
 /// wheels as long as the path is the same: each sample has the rates of the courses times
@@ -110,13 +111,13 @@ const FIRST: usize = 256;
 /// The lives of the samples follow where the `risk` of inspections is asked for; otherwise none.
 pub(crate) fn sampled(
     of: Sampling,
-    longest: f64,
+    tonnages: Vec<f64>,
     interval: Option<f64>,
     risk: Lives,
 ) -> (ScatterSummary, Vec<SampledLife>) {
     let scatter = of.scatter;
     let sampler = Sampler::of(of);
-    let mut gathered = Gathered::new(scatter, tonnages(longest, scatter));
+    let mut gathered = Gathered::new(scatter, of.mix.len(), tonnages);
     let mut draws = Draws::of(scatter, of.mix);
     let mut lives = Vec::new();
     let mut left = scatter.samples;
@@ -135,12 +136,10 @@ pub(crate) fn sampled(
             lives.extend(life);
         }
     }
-    let mut sensitivities: Vec<Sensitivity> = (0..KEYS.len())
-        .filter(|&i| spread(scatter)[i] > 0.0)
-        .map(|i| gathered.sensitivity(KEYS[i], |sample, _| sample.draw.deviates[i]))
-        .collect();
+    let mut sensitivities: Vec<Sensitivity> =
+        (0..KEYS.len()).filter(|&i| spread(scatter)[i] > 0.0).map(|i| gathered.of_key(i)).collect();
     if scatter.share_log_std > 0.0 {
-        let of_wheel = |wheel| gathered.sensitivity("share_log_std", |sample, _| sample.draw.shares[wheel]);
+        let of_wheel = |wheel| gathered.sensitivity("share_log_std", gathered.deviate(KEYS.len() + wheel));
         let share = (0..of.mix.len()).map(|wheel| of_wheel(wheel).share).sum();
         sensitivities.push(Sensitivity { key: "share_log_std".to_owned(), share });
     }
@@ -166,7 +165,7 @@ pub(crate) struct SampledLife {
     /// infinite otherwise.
     pub outlives: f64,
     /// Depth over traffic, to [`THINNED`] of its largest value.
-    pub depths: DepthCurve,
+    pub depths: DepthCurve<f32>,
     /// The depth (mm) from which it is detected.
     pub found_from: Option<f64>,
 }
@@ -182,12 +181,13 @@ impl SampledLife {
         } else {
             DepthCurve::through([])
         };
-        Self { failure: sample.to_critical, outlives: sample.outlives, depths, found_from: sample.found_from }
+        let Sample { to_critical: failure, outlives, found_from, .. } = *sample;
+        Self { failure, outlives, depths: depths.in_single_precision(), found_from }
     }
 }
 
 /// Samples that are in memory with all their deviates at once.
-const PIECE: usize = 1 << 14;
+const PIECE: usize = 1 << 13;
 
 /// Tonnages (million gross tonnes) at which quantiles of the depth are given, from 0, for a run of
 /// `longest`.
@@ -204,35 +204,70 @@ pub(crate) fn spread(scatter: &Scatter) -> [f64; KEYS.len()] {
     [scatter.c_log_std, scatter.m_std, scatter.toughness_std, scatter.detectable_depth_std, scatter.wear_std]
 }
 
+/// What is kept of a sample: million gross tonnes until the rail fails, from the detectable crack to
+/// then, and until it is known to hold.
+#[derive(Debug, Clone, Copy)]
+struct Kept {
+    to_critical: f64,
+    way: f64,
+    outlives: f64,
+}
+
 /// Samples, and their depths at given tonnages.
 pub(crate) struct Gathered {
-    samples: Vec<Sample>,
+    samples: Vec<Kept>,
+    /// How many of them grow at first.
+    growing: usize,
+    /// The quantities that scatter: [`KEYS`], and behind them the shares of the wheels.
+    scattered: Vec<usize>,
+    /// Their deviates, sample by sample.
+    deviates: Vec<f32>,
     tonnages: Vec<f64>,
-    depths: Vec<Vec<f64>>,
+    depths: Vec<DepthCounts>,
 }
 
 impl Gathered {
-    /// No samples yet; `tonnages` in million gross tonnes.
-    pub fn new(scatter: &Scatter, tonnages: Vec<f64>) -> Self {
-        let depths = tonnages.iter().map(|_| Vec::with_capacity(scatter.samples)).collect();
-        Self { samples: Vec::with_capacity(scatter.samples), tonnages, depths }
+    /// No samples yet under a mix of `wheels`; `tonnages` in million gross tonnes.
+    pub fn new(scatter: &Scatter, wheels: usize, tonnages: Vec<f64>) -> Self {
+        let shares = if scatter.share_log_std > 0.0 { wheels } else { 0 };
+        let keys = (0..KEYS.len()).filter(|&i| spread(scatter)[i] > 0.0);
+        let scattered: Vec<usize> = keys.chain(KEYS.len()..KEYS.len() + shares).collect();
+        let deviates = Vec::with_capacity(scatter.samples * scattered.len());
+        let depths = tonnages.iter().map(|_| DepthCounts::default()).collect();
+        let samples = Vec::with_capacity(scatter.samples);
+        Self { samples, growing: 0, scattered, deviates, tonnages, depths }
     }
 
     /// Takes `sample` with its `depths` (mm) at the tonnages.
     pub fn take(&mut self, sample: Sample, depths: Vec<f64>) {
-        self.samples.push(sample);
-        self.depths.iter_mut().zip(depths).for_each(|(all, depth)| all.push(depth));
+        let Sample { draw, grows, to_critical, way, outlives, .. } = sample;
+        self.samples.push(Kept { to_critical, way, outlives });
+        self.growing += usize::from(grows);
+        let deviate = |&i: &usize| draw.deviates.get(i).unwrap_or_else(|| &draw.shares[i - KEYS.len()]);
+        self.deviates.extend(self.scattered.iter().map(|i| *deviate(i) as f32));
+        self.depths.iter_mut().zip(depths).for_each(|(all, depth)| all.take(depth));
     }
 
-    /// Squared correlation of `deviate`, of a sample and its index, with the logarithm of the
-    /// tonnage until critical, over the samples that become critical.
-    pub fn sensitivity(&self, key: &str, deviate: impl Fn(&Sample, usize) -> f64) -> Sensitivity {
+    /// The deviate of the quantity `i` by the index of a sample; zero where it does not scatter.
+    fn deviate(&self, i: usize) -> impl Fn(usize) -> f64 {
+        let place = self.scattered.iter().position(|own| *own == i);
+        move |sample| place.map_or(0.0, |place| self.deviates[sample * self.scattered.len() + place].into())
+    }
+
+    /// The sensitivity of the key `i`.
+    fn of_key(&self, i: usize) -> Sensitivity {
+        self.sensitivity(KEYS[i], self.deviate(i))
+    }
+
+    /// Squared correlation of `deviate`, by the index of a sample, with the logarithm of the tonnage
+    /// until critical, over the samples that become critical.
+    pub fn sensitivity(&self, key: &str, deviate: impl Fn(usize) -> f64) -> Sensitivity {
         let reached: Vec<(f64, f64)> = self
             .samples
             .iter()
             .enumerate()
             .filter(|(_, sample)| sample.way.is_finite() && sample.way > 0.0)
-            .map(|(i, sample)| (deviate(sample, i), sample.way.ln()))
+            .map(|(i, sample)| (deviate(i), sample.way.ln()))
             .collect();
         let count = reached.len() as f64;
         let mean = |of: &dyn Fn(&(f64, f64)) -> f64| reached.iter().map(of).sum::<f64>() / count;
@@ -252,10 +287,8 @@ impl Gathered {
         inputs: &[Vec<f64>],
     ) -> Vec<Sensitivity> {
         let names = names.into_iter().enumerate();
-        let of_inputs = names.map(|(input, name)| self.sensitivity(name, |_, sample| inputs[sample][input]));
-        let of_law = (0..KEYS.len())
-            .filter(|&i| spread(scatter)[i] > 0.0)
-            .map(|i| self.sensitivity(KEYS[i], |sample, _| sample.draw.deviates[i]));
+        let of_inputs = names.map(|(input, name)| self.sensitivity(name, |sample| inputs[sample][input]));
+        let of_law = (0..KEYS.len()).filter(|&i| spread(scatter)[i] > 0.0).map(|i| self.of_key(i));
         of_inputs.chain(of_law).collect()
     }
 
@@ -269,11 +302,11 @@ impl Gathered {
         mut sensitivities: Vec<Sensitivity>,
     ) -> ScatterSummary {
         let count = self.samples.len().max(1) as f64;
-        let share_of = |is_it: &dyn Fn(&Sample) -> bool| {
+        let share_of = |is_it: &dyn Fn(&Kept) -> bool| {
             self.samples.iter().filter(|sample| is_it(sample)).count() as f64 / count
         };
         sensitivities.sort_by(|a, b| b.share.total_cmp(&a.share));
-        let of_sample = |sample: &Sample| {
+        let of_sample = |sample: &Kept| {
             [sample.to_critical, sample.way, sample.outlives].map(|mgt| mgt.is_finite().then_some(mgt))
         };
         let lives = self.samples.iter().take(if is_removed { FIRST } else { 0 }).map(of_sample).collect();
@@ -292,16 +325,52 @@ impl Gathered {
             mgt_detectable_to_critical: quantiles(self.samples.iter().map(|sample| sample.way).collect()),
             probability_critical_before_inspection: interval
                 .map(|interval| share_of(&|sample| sample.way < interval)),
-            probability_growing: is_removed.then(|| share_of(&|sample| sample.grows)),
+            probability_growing: is_removed.then(|| self.growing as f64 / count),
             depth: self
                 .tonnages
                 .into_iter()
                 .zip(self.depths)
-                .map(|(mgt, depths)| DepthQuantiles { mgt, depth_mm: quantiles(depths) })
+                .map(|(mgt, depths)| DepthQuantiles { mgt, depth_mm: depths.quantiles() })
                 .collect(),
             sensitivities,
             first: lives,
         }
+    }
+}
+
+/// Depths of samples in classes that are narrower than 0.05 % of them: their number, the least and
+/// the largest of each.
+#[derive(Debug, Default)]
+struct DepthCounts {
+    classes: BTreeMap<u64, (usize, f64, f64)>,
+}
+
+/// Bits of a depth that do not tell its class.
+const WITHIN_CLASS: u32 = f64::MANTISSA_DIGITS - 1 - 11;
+
+impl DepthCounts {
+    fn take(&mut self, depth: f64) {
+        let depth = depth.max(0.0);
+        let class = self.classes.entry(depth.to_bits() >> WITHIN_CLASS).or_insert((0, depth, depth));
+        *class = (class.0 + 1, class.1.min(depth), class.2.max(depth));
+    }
+
+    /// The quantiles, with even distances in a class.
+    fn quantiles(&self) -> Quantiles {
+        let count = self.classes.values().map(|class| class.0).sum::<usize>();
+        let at = |share: f64| {
+            let place = (share * (count.max(1) - 1) as f64).round() as usize;
+            let mut before = 0;
+            let reaches = |(number, ..): &&(usize, f64, f64)| {
+                before += number;
+                before > place
+            };
+            let &(number, least, most) = self.classes.values().find(reaches)?;
+            let between = (place + number - before) as f64 / (number.max(2) - 1) as f64;
+            Some(if most > least { least + between * (most - least) } else { least })
+                .filter(|at| at.is_finite())
+        };
+        Quantiles { p05: at(0.05), p50: at(0.5), p95: at(0.95) }
     }
 }
 

@@ -72,7 +72,8 @@ impl Asked<'_> {
             has_own_toughness: self.scatter.toughness_std > 0.0,
         };
         let inspection = nominal(self.path);
-        sampled(of, inspection.mgt_to_critical.unwrap(), inspection.interval_mgt, Lives::Dropped).0
+        let tonnages = tonnages(inspection.mgt_to_critical.unwrap(), self.scatter);
+        sampled(of, tonnages, inspection.interval_mgt, Lives::Dropped).0
     }
 }
 
@@ -186,4 +187,25 @@ fn shares_of_a_mix_scatter() {
     }
     assert!(of(0.0).sensitivities.is_empty());
     assert!((of(0.2).sensitivities[0].share - 1.0).abs() < 0.02);
+}
+
+#[test]
+fn depths_in_classes_have_the_quantiles_of_all_depths() {
+    let mut depths: Vec<f64> = (0..40_000u32).map(|i| 0.5 + f64::from(i * 7919 % 40_000) / 1e4).collect();
+    depths.extend([f64::INFINITY; 1000]);
+    let mut counts = DepthCounts::default();
+    depths.iter().for_each(|depth| counts.take(*depth));
+    let (found, exact) = (counts.quantiles(), quantiles(depths));
+    for (found, exact) in [(found.p05, exact.p05), (found.p50, exact.p50), (found.p95, exact.p95)] {
+        assert!((found.unwrap() / exact.unwrap() - 1.0).abs() < 1e-5, "{found:?} {exact:?}");
+    }
+    let of = |depths: &[f64]| {
+        let mut counts = DepthCounts::default();
+        depths.iter().for_each(|depth| counts.take(*depth));
+        counts.quantiles()
+    };
+    // Few depths are themselves; beyond the end of a run and without samples there is none.
+    assert_eq!(of(&[3.0, 1.1, 2.0]).p50, Some(2.0));
+    assert_eq!(of(&[1.0, f64::INFINITY, f64::INFINITY]).p50, None);
+    assert_eq!(of(&[]).p50, None);
 }

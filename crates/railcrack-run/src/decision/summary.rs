@@ -2,13 +2,14 @@
 
 use super::companions::{Companions, FrictionLife, PathLives, RowPartSummary, Speeds};
 use super::failure::{FailureSummary, NominalRun, Question};
+use super::family::Family;
 use super::governing::{DecisionPath, Governing};
 use super::inspection::{InspectionSummary, StageLimits, StagesSummary};
 use super::path::GrowthPath;
 use super::risk_summary::RiskSummary;
 use super::rows::{DecisionRow, MaintenanceSummary, rate_per_10_mgt, rows_of};
 use super::sampler::Sampling;
-use super::scatter::{Lives, Quantiles, SampledLife, ScatterSummary, sampled};
+use super::scatter::{Lives, Quantiles, SampledLife, ScatterSummary, sampled, tonnages};
 use super::tonnage::{TonnageWords, three_digits};
 use super::tornado::{TornadoBar, tornado};
 use super::verdict::Verdict;
@@ -163,25 +164,36 @@ impl Samples<'_> {
         speeds: &Speeds,
         longest: f64,
     ) -> (ScatterSummary, Vec<SampledLife>) {
-        let (summary, lives) = self.of(scatter, speeds, longest);
         if governing.path == DecisionPath::Nominal {
-            return (summary, lives);
+            return self.of(scatter, speeds, longest, self.kept());
         }
+        let (summary, _) = self.of(scatter, speeds, longest, Lives::Dropped);
         let other = Samples { run: &governing.run, ..self };
-        (summary, other.of(scatter, &Speeds::default(), longest).1)
+        let family = Family::alone(&other.run.course);
+        let sampling = Sampling::of_run(self.info, other.run.question, &family, scatter);
+        (summary, sampled(sampling, Vec::new(), None, other.kept()).1)
+    }
+
+    /// Whether the lives of the samples are asked for.
+    fn kept(&self) -> Lives {
+        if self.inspected.is_some() && self.gives_intervals { Lives::Kept } else { Lives::Dropped }
     }
 
     /// The samples with `scatter` between the run, of `longest` million gross tonnes, and those at
     /// other `speeds`; and their lives.
-    fn of(&self, scatter: &Scatter, speeds: &Speeds, longest: f64) -> (ScatterSummary, Vec<SampledLife>) {
+    fn of(
+        &self,
+        scatter: &Scatter,
+        speeds: &Speeds,
+        longest: f64,
+        kept: Lives,
+    ) -> (ScatterSummary, Vec<SampledLife>) {
         let NominalRun { question, course, nominal, .. } = self.run;
         let family = speeds.family(course);
         let until = nominal.failure.mgt.unwrap_or(longest).max(MOST_BEFORE * longest);
         let interval = self.inspected.and_then(|inspected| inspected.interval_mgt);
-        let is_asked = self.inspected.is_some() && self.gives_intervals;
-        let kept = if is_asked { Lives::Kept } else { Lives::Dropped };
         let sampling = Sampling::of_run(self.info, *question, &family, scatter);
-        let (mut summary, lives) = sampled(sampling, until, interval, kept);
+        let (mut summary, lives) = sampled(sampling, tonnages(until, scatter), interval, kept);
         summary.between_runs = speeds.accuracy(course, question);
         if !self.gives_intervals {
             summary.mgt_detectable_to_critical = Quantiles::NONE;

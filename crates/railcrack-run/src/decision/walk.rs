@@ -140,8 +140,9 @@ pub(super) struct Walk<'a> {
     waits: Vec<f64>,
 }
 
-/// Iterations of the removal at the end of a cell: each reduces its error by two orders or more.
-const ITERATIONS: usize = 4;
+/// Iterations of the removal at the end of a cell: each reduces its error by two orders or more, and
+/// by as much as the one before, to which the last is extrapolated.
+const ITERATIONS: usize = 2;
 
 impl<'a> Walk<'a> {
     /// Walks through `family`, whose run has axles of `tonnes` and loses `removal` of its surface.
@@ -283,7 +284,9 @@ impl Walker<'_> {
         let begins = self.grows.is_none();
         let mut crossing =
             Crossing { mgt: if speed > 0.0 { length / speed } else { 0.0 }, slowness: [slowness(speed); 2] };
+        let mut earlier = [crossing.mgt; 2];
         for _ in 0..if removal.wear > 0.0 { ITERATIONS } else { 1 } {
+            earlier = [earlier[1], crossing.mgt];
             let gone = state.removed + removal.wear * crossing.mgt;
             let Some(ahead) = self.walk.family.cracks(target, gone) else {
                 return ControlFlow::Break(self.end_of_course());
@@ -305,6 +308,10 @@ impl Walker<'_> {
             if crossing.mgt == f64::INFINITY {
                 break;
             }
+        }
+        let [before, last] = [earlier[1] - earlier[0], crossing.mgt - earlier[1]];
+        if last.abs() < 0.5 * before.abs() {
+            crossing.mgt += last * last / (before - last);
         }
         ControlFlow::Continue(crossing)
     }

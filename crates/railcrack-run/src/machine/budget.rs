@@ -10,8 +10,8 @@ use thiserror::Error;
 const SIF_ROW: u64 = 90;
 const FACE_ROW: u64 = 130;
 
-/// Bytes of a sample of `[scatter]` with its life and its depths, about.
-const SAMPLE: u64 = 1100;
+/// Bytes of a sample of `[scatter]` with its life, about.
+const SAMPLE: u64 = 300;
 
 /// Approximate needs of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -191,7 +191,7 @@ impl Samples<'_> {
     fn summary(&self, points: &[Point], interval: Option<f64>) -> ScatterSummary {
         let scatter = self.drawn.plan.scatter();
         let tonnages = self.tonnages(points, &scatter);
-        let mut gathered = Gathered::new(&scatter, tonnages.clone());
+        let mut gathered = Gathered::new(&scatter, 0, tonnages.clone());
         let mut draws = Draws::of(&scatter, &[]);
         let both = (0..scatter.samples).map(|_| (draws.next(), self.drawn.draw(&mut draws)));
         let (deviates, inputs): (Vec<_>, Vec<Vec<f64>>) = both.unzip();

@@ -143,7 +143,7 @@ impl LivesBetween<'_> {
             self.sample(of_runs[k], k, point)
         };
         let samples: Vec<Sample> = inputs.par_iter().enumerate().map(sample).collect();
-        let mut gathered = Gathered::new(&scatter, Vec::new());
+        let mut gathered = Gathered::new(&scatter, 0, Vec::new());
         samples.into_iter().for_each(|sample| gathered.take(sample, Vec::new()));
         drawn.summary(gathered, &scatter, interval, &inputs)
     }

@@ -3,6 +3,7 @@
 //! Of a long row they follow the cracks that decide, with the neighbours that shield them.
 
 use super::drive::OfSteps;
+use super::each::of_each;
 use super::error::RunError;
 use super::job::Stage;
 use super::observer::{AskedAlone, RunObserver};
@@ -15,7 +16,6 @@ use railcrack::bulk::Boundary;
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::growth::{GrowthState, SurfaceRemoval, Turning};
 use railcrack_case::{Case, Engine, Geometry, PlaneEngine, Scatter};
-use rayon::prelude::*;
 use std::path::Path;
 
 /// The largest deviation of the speed, over that of all samples together, at which cracks are
@@ -107,13 +107,7 @@ impl Simulation<'_> {
                 Ok(companion)
             }
         };
-        // The finite elements of several bodies at once may not fit into the memory.
-        let computed = |kinds: &[CompanionKind]| -> Result<Vec<Companion>, RunError> {
-            match beside.engine {
-                Engine::Plane(PlaneEngine::Dislocation) => kinds.par_iter().map(of).collect(),
-                _ => kinds.iter().map(of).collect(),
-            }
-        };
+        let computed = |kinds: &[CompanionKind]| of_each(kinds, beside.engine, of);
         let mut all = computed(&kinds)?;
         loop {
             let finer: Vec<CompanionKind> =
@@ -129,6 +123,23 @@ impl Simulation<'_> {
         }
         all.extend(part.map(|part| part.run));
         Ok(Some(all))
+    }
+
+    /// The first runs of all cracks at other speeds than that of the run of `log`, without those
+    /// that their accuracy asks for.
+    ///
+    /// Errors: an interruption.
+    pub(super) fn first_speeds(
+        &self,
+        info: &RunInfo,
+        log: &RunLog,
+        state: &GrowthState,
+        folder: &Path,
+    ) -> Result<Vec<Companion>, RunError> {
+        let engine = self.case.engine();
+        let beside = Beside { state, folder, observer: self.observer, engine };
+        let of = |kind: &CompanionKind| self.companion(*kind, None, &beside);
+        of_each(&self.kinds(info, log, engine), engine, of)
     }
 
     /// The engine that computes the companions: the dislocations where they repeat a run of finite

@@ -3,6 +3,7 @@
 
 mod companions;
 mod drive;
+mod each;
 mod error;
 #[cfg(test)]
 mod fault_tests;
@@ -11,6 +12,7 @@ mod memory;
 mod observer;
 mod plan;
 mod plan_outcome;
+mod plan_samples;
 mod queue;
 mod recorder;
 mod residual_stress;

@@ -1,9 +1,11 @@
 //! Grinding plans: the same cracks under depths and intervals of grinding, computed in memory.
 
 use super::companions::APART;
+use super::each::of_each;
 use super::error::RunError;
 use super::job::{Job, Stage, case_files};
 use super::observer::AskedAlone;
+use super::plan_samples::PlanSamples;
 use super::run::Simulation;
 use crate::decision::{NominalRun, Question, Verdict, VerdictLevel};
 use crate::log::{Companion, RunInfo, RunLog};
@@ -11,8 +13,7 @@ use crate::planner::{PlanSummary, write_plan};
 use crate::run_folder::{Existing, OF_A_RUN, ResultFolder, begin};
 use crate::setup::represented;
 use railcrack::growth::{Axles, Grinding, GrowthState, Mgt, SurfaceRemoval};
-use railcrack_case::{Case, Engine, PlaneEngine};
-use rayon::prelude::*;
+use railcrack_case::Case;
 use std::path::Path;
 use std::time::Instant;
 
@@ -91,9 +92,8 @@ pub(super) struct Followed {
     pub log: RunLog,
     pub run: NominalRun,
     pub verdict: Verdict,
-    /// Runs at other speeds, between which its samples are made: those of a decision under this
-    /// grinding.
-    pub speeds: Vec<Companion>,
+    /// Traffic up to which it is followed.
+    pub until: Mgt,
 }
 
 /// All runs of the plans.
@@ -106,6 +106,10 @@ pub(super) struct AllFollowed {
     pub intervals: Vec<f64>,
     /// The rail under each of them, by depth and then by interval.
     pub plans: Vec<Followed>,
+    /// The samples of each of them; none without scatter.
+    pub samples: Vec<PlanSamples>,
+    /// Number of all runs.
+    pub runs: usize,
     /// Traffic up to which the rail is followed.
     pub horizon: Mgt,
 }
@@ -153,23 +157,17 @@ impl Planning<'_> {
         };
         // A sample at the horizon has a run on both sides.
         let farthest = Mgt(if case.scatter.is_some() { horizon * APART.exp() } else { horizon });
-        let plan = |depth, interval| {
-            let grinding = Grinding { depth, interval: Mgt(interval), first };
-            Ok(self.followed(Some(grinding), Some(&state), farthest)?.0)
-        };
-        let wanted: Vec<(f64, f64)> = depths
+        let wanted: Vec<Grinding<Mgt>> = depths
             .iter()
-            .flat_map(|depth| intervals.iter().map(move |interval| (*depth, *interval)))
+            .flat_map(|&depth| intervals.iter().map(move |&interval| (depth, Mgt(interval))))
+            .map(|(depth, interval)| Grinding { depth, interval, first })
             .collect();
         self.simulation.observer.stage(&format!("{} grinding plans", wanted.len()));
-        // The finite elements of several bodies at once may not fit into the memory.
-        let plans: Result<Vec<Followed>, RunError> =
-            if case.engine() == Engine::Plane(PlaneEngine::Dislocation) {
-                wanted.par_iter().map(|(depth, interval)| plan(*depth, *interval)).collect()
-            } else {
-                wanted.iter().map(|(depth, interval)| plan(*depth, *interval)).collect()
-            };
-        Ok(AllFollowed { alone, depths, intervals, plans: plans?, horizon: Mgt(horizon) })
+        let of = |grinding: &Grinding<Mgt>| Ok(self.followed(Some(*grinding), Some(&state), farthest)?.0);
+        let (plans, horizon) = (of_each(&wanted, case.engine(), of)?, Mgt(horizon));
+        let (samples, at_speeds) = self.samples(&alone, &plans, &state, horizon)?;
+        let runs = 1 + plans.len() + at_speeds;
+        Ok(AllFollowed { alone, depths, intervals, plans, samples, runs, horizon })
     }
 
     /// Depths and intervals, ascending; `life` is that without grinding.
@@ -230,11 +228,33 @@ impl Planning<'_> {
             .and_then(|question| NominalRun::of(&log.steps, question))
             .ok_or_else(|| RunError::Plan("the case has no crack that could grow".to_owned()))?;
         let verdict = Verdict::of(&info, &log, &run);
-        let speeds = match grinding {
-            Some(_) => simulation.companions(&info, &log, &state, self.folder)?.unwrap_or_default(),
-            None => Vec::new(),
-        };
-        Ok((Followed { grinding, info, log, run, verdict, speeds }, state))
+        Ok((Followed { grinding, info, log, run, verdict, until: horizon }, state))
+    }
+
+    /// The first runs of `plan` at other speeds, for the samples of it and of others.
+    ///
+    /// Errors: an interruption.
+    pub(super) fn first_speeds(
+        &self,
+        plan: &Followed,
+        state: &GrowthState,
+    ) -> Result<Vec<Companion>, RunError> {
+        self.beside(plan, |simulation| simulation.first_speeds(&plan.info, &plan.log, state, self.folder))
+    }
+
+    /// Runs of `plan` at other speeds, between which its samples are made: those of a decision.
+    ///
+    /// Errors: an interruption.
+    pub(super) fn speeds(&self, plan: &Followed, state: &GrowthState) -> Result<Vec<Companion>, RunError> {
+        let all = |simulation: &Simulation| simulation.companions(&plan.info, &plan.log, state, self.folder);
+        Ok(self.beside(plan, all)?.unwrap_or_default())
+    }
+
+    /// What `of` makes of the run of `plan`.
+    fn beside<T>(&self, plan: &Followed, of: impl FnOnce(&Simulation) -> T) -> T {
+        let case = self.case(plan.grinding, plan.until);
+        let observer = &AskedAlone(self.simulation.observer);
+        of(&Simulation { case: &case, observer, has_variants: false, ..self.simulation })
     }
 }
 

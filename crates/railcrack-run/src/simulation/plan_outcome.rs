@@ -2,9 +2,8 @@
 //! holds.
 
 use super::plan::{AllFollowed, Followed, Planning};
-use crate::decision::{
-    Companions, Draw, Draws, FailureMode, NominalRun, Sampler, Sampling, VerdictLevel, calibration,
-};
+use super::plan_samples::PlanSamples;
+use crate::decision::{FailureMode, VerdictLevel, calibration};
 use crate::disk::VERSION;
 use crate::planner::{PlanOutcome, PlanSummary, PlannedGrinding, civil, today};
 use crate::summary::validity;
@@ -15,14 +14,13 @@ use std::time::Instant;
 /// Probability of failure before the horizon up to which a plan holds, where the case has scatter
 /// and no target risk.
 const USUAL_TARGET: f64 = 0.05;
-/// Samples of each plan at most.
-const MOST_SAMPLES: usize = 5000;
 
 impl Planning<'_> {
     /// All runs in numbers, before the least grinding is found.
     pub(super) fn summary(&self, all: &AllFollowed, started: Instant) -> PlanSummary {
         let case = self.simulation.case;
-        let draws = self.draws();
+        let samples = self.samples_of_each();
+        let mut sampled = all.samples.iter();
         PlanSummary {
             version: VERSION.to_owned(),
             title: case.title.clone(),
@@ -37,17 +35,17 @@ impl Planning<'_> {
             horizon_mgt: all.horizon.0,
             wear_mm_per_mgt: case.maintenance.map_or(0.0, |removal| removal.wear),
             wear_limit_mm: case.maintenance.and_then(|removal| removal.limit),
-            target_risk: (!draws.is_empty()).then(|| self.target()),
-            samples: Some(draws.len()).filter(|count| *count > 0),
+            target_risk: samples.map(|_| self.target()),
+            samples,
             seed: case.scatter.map(|scatter| scatter.seed),
             first_grinding_mgt: case.maintenance.and_then(|removal| Some(removal.grinding?.first?.0)),
             grinding_mm: all.depths.clone(),
             grinding_interval_mgt: all.intervals.clone(),
-            without_grinding: self.outcome(&all.alone, all.horizon, &[]),
-            plans: all.plans.iter().map(|plan| self.outcome(plan, all.horizon, &draws)).collect(),
+            without_grinding: self.outcome(&all.alone, all.horizon, None),
+            plans: all.plans.iter().map(|plan| self.outcome(plan, all.horizon, sampled.next())).collect(),
             least: None,
             least_by_interval: vec![None; all.intervals.len()],
-            runs: 1 + all.plans.iter().map(|plan| 1 + plan.speeds.len()).sum::<usize>(),
+            runs: all.runs,
             wall_s: started.elapsed().as_secs_f64(),
             assumptions: Vec::new(),
             warnings: warnings(&all.alone),
@@ -61,14 +59,8 @@ impl Planning<'_> {
         self.simulation.case.inspection_risk.as_ref().and_then(|risk| risk.target).unwrap_or(USUAL_TARGET)
     }
 
-    fn draws(&self) -> Vec<Draw> {
-        let Some(scatter) = &self.simulation.case.scatter else { return Vec::new() };
-        let mut draws = Draws::of(scatter, self.info.mix());
-        (0..scatter.samples.min(MOST_SAMPLES)).map(|_| draws.next()).collect()
-    }
-
-    /// Outcome of `plan`.
-    fn outcome(&self, plan: &Followed, horizon: Mgt, draws: &[Draw]) -> PlannedGrinding {
+    /// Outcome of `plan`, with its `samples`.
+    fn outcome(&self, plan: &Followed, horizon: Mgt, samples: Option<&PlanSamples>) -> PlannedGrinding {
         let case = self.simulation.case;
         let (outcome, mgt) = self.end(plan, horizon);
         let course = &plan.run.course;
@@ -88,9 +80,8 @@ impl Planning<'_> {
             _ if outcome == PlanOutcome::Unknown => VerdictLevel::Unknown,
             _ => VerdictLevel::Ok,
         };
-        let (probability, not_known) = self.probability(plan, horizon, draws).unzip();
         // A sample whose fate is not known may fail.
-        let keeps = probability.is_none_or(|found| found + not_known.unwrap_or(0.0) <= self.target());
+        let keeps = samples.is_none_or(|samples| samples.fails + samples.not_known <= self.target());
         let months = |mgt: f64| case.mgt_per_year.map(|year| 12.0 * mgt / year);
         let removal = plan.run.question.removal;
         let replacement = removal.replacement().map(|Mgt(mgt)| mgt);
@@ -104,9 +95,9 @@ impl Planning<'_> {
             largest_depth_mm: deepest,
             removed_mm: removed,
             level,
-            probability_of_failure: probability,
+            probability_of_failure: samples.map(|samples| samples.fails),
             piece_thickness_mm: plan.log.pieces().last().map(|piece| piece.thickness),
-            probability_not_known: not_known,
+            probability_not_known: samples.map(|samples| samples.not_known),
             holds: outcome.is_safe() && level < VerdictLevel::Stop && keeps,
             mgt_to_wear_limit: replacement,
             months_to_wear_limit: replacement.and_then(months),
@@ -131,18 +122,6 @@ impl Planning<'_> {
             _ if end >= horizon * (1.0 - 1e-9) => (PlanOutcome::Holds, horizon),
             _ => (PlanOutcome::Unknown, end),
         }
-    }
-
-    /// The share of samples that fail before `horizon`, and of those of which it is not known.
-    fn probability(&self, plan: &Followed, Mgt(horizon): Mgt, draws: &[Draw]) -> Option<(f64, f64)> {
-        let scatter = self.simulation.case.scatter.as_ref().filter(|_| !draws.is_empty())?;
-        let NominalRun { question, ref course, found, .. } = plan.run;
-        let family = Companions { all: &plan.speeds, question, found }.speeds().family(course);
-        let sampler = Sampler::of(Sampling::of_run(&plan.info, question, &family, scatter));
-        let ends = sampler.each(draws, |sample, _| (sample.to_critical, sample.outlives));
-        let count = ends.len() as f64;
-        let share = |is_it: &dyn Fn(&(f64, f64)) -> bool| ends.iter().filter(|end| is_it(end)).count() as f64;
-        Some((share(&|end| end.0 <= horizon) / count, share(&|end| end.1 < horizon) / count))
     }
 
     /// Assumptions of the plans, a sentence each.
