@@ -296,6 +296,7 @@ fn a_crack_that_turns_has_all_its_files_and_a_decision() {
     let case = maintained_mix()
         .replace("increment = 0.1\n", "increment = 0.1\nsurface = \"turned\"\nturning_length_mm = 1.0\n")
         .replace("friction = 0.1\n", "friction = 0.4\n")
+        .replace("[scatter]\nsamples = 500\nshare_log_std = 0.2\n", "")
         .replace("angle_deg = 45.0", "angle_deg = 30.0\nstrike_deg = 20.0");
     fs::write(folder.join("case.toml"), case).unwrap();
     let check = done(&folder, &["check", "case.toml"]);

@@ -342,8 +342,8 @@ impl Family {
         nearest.map_or(CourseEnd::Unknown, |curve| curve.end)
     }
 
-    /// The neighbours at `spot` of a crack with `removed` (mm) gone: the nearest curves on both sides,
-    /// in whatever order they are, or the two nearest on one side.
+    /// The neighbours at `spot` of a crack with `removed` (mm) gone: the nearest curves on both
+    /// sides, in whatever order they are, or the two nearest on one side.
     fn between(&self, spot: Spot, removed: f64) -> Option<Between> {
         let one = |curve| Between { faster: curve, slower: curve, share: 0.0 };
         let here = self.removed.get(spot.cell)?;
@@ -555,7 +555,8 @@ mod tests {
             (found, largest, sum) = (found + 1, largest.max(apart), sum + apart);
             assert!((state.length - point.length).abs() < 1e-9);
         }
-        // Linear after the same growth and removal, rates are wrong by 9 % in the mean, 27 % at most.
+        // Linear after the same growth and removal, rates are wrong by 9 % in the mean, 27 % at
+        // most.
         let mean = sum / f64::from(found);
         assert!(found > 30 && largest < 0.03 && mean < 3e-3, "{found}: {largest}, {mean}");
     }

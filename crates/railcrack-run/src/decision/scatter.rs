@@ -204,8 +204,8 @@ pub(crate) fn spread(scatter: &Scatter) -> [f64; KEYS.len()] {
     [scatter.c_log_std, scatter.m_std, scatter.toughness_std, scatter.detectable_depth_std, scatter.wear_std]
 }
 
-/// What is kept of a sample: million gross tonnes until the rail fails, from the detectable crack to
-/// then, and until it is known to hold.
+/// The tonnages of a sample: million gross tonnes until the rail fails, from the detectable crack
+/// to then, and until it is known to hold.
 #[derive(Debug, Clone, Copy)]
 struct Kept {
     to_critical: f64,
@@ -259,8 +259,8 @@ impl Gathered {
         self.sensitivity(KEYS[i], self.deviate(i))
     }
 
-    /// Squared correlation of `deviate`, by the index of a sample, with the logarithm of the tonnage
-    /// until critical, over the samples that become critical.
+    /// Squared correlation of `deviate`, by the index of a sample, with the logarithm of the
+    /// tonnage until critical, over the samples that become critical.
     pub fn sensitivity(&self, key: &str, deviate: impl Fn(usize) -> f64) -> Sensitivity {
         let reached: Vec<(f64, f64)> = self
             .samples

@@ -140,8 +140,8 @@ pub(super) struct Walk<'a> {
     waits: Vec<f64>,
 }
 
-/// Iterations of the removal at the end of a cell: each reduces its error by two orders or more, and
-/// by as much as the one before, to which the last is extrapolated.
+/// Iterations of the removal at the end of a cell: each reduces its error by two orders or more,
+/// and by as much as the one before, to which the last is extrapolated.
 const ITERATIONS: usize = 2;
 
 impl<'a> Walk<'a> {

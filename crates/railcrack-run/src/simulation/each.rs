@@ -4,8 +4,8 @@ use super::error::RunError;
 use railcrack_case::{Engine, PlaneEngine};
 use rayon::prelude::*;
 
-/// What `of` makes of each of `all` by `engine`: at once, except of finite elements, of which
-/// several bodies may not fit into the memory.
+/// The results of `of` for `all` by `engine`: at once, except by finite elements, of which several
+/// bodies may not fit into the memory.
 pub(super) fn of_each<A: Sync, T: Send>(
     all: &[A],
     engine: Engine,

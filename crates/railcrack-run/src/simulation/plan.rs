@@ -5,7 +5,6 @@ use super::each::of_each;
 use super::error::RunError;
 use super::job::{Job, Stage, case_files};
 use super::observer::AskedAlone;
-use super::plan_samples::PlanSamples;
 use super::run::Simulation;
 use crate::decision::{NominalRun, Question, Verdict, VerdictLevel};
 use crate::log::{Companion, RunInfo, RunLog};
@@ -26,6 +25,15 @@ pub struct PlanRequest {
     pub intervals: Vec<f64>,
     /// Million gross tonnes; none for a multiple of the life without grinding.
     pub horizon: Option<f64>,
+}
+
+/// The samples of a plan.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct PlanSamples {
+    /// Share that fails before the horizon.
+    pub fails: f64,
+    /// Share whose fate before it is not known.
+    pub not_known: f64,
 }
 
 /// Steps of a run at most.
@@ -250,7 +258,7 @@ impl Planning<'_> {
         Ok(self.beside(plan, all)?.unwrap_or_default())
     }
 
-    /// What `of` makes of the run of `plan`.
+    /// The result of `of` for the run of `plan`.
     fn beside<T>(&self, plan: &Followed, of: impl FnOnce(&Simulation) -> T) -> T {
         let case = self.case(plan.grinding, plan.until);
         let observer = &AskedAlone(self.simulation.observer);

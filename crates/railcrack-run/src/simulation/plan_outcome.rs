@@ -1,8 +1,7 @@
 //! Outcomes of grinding plans: what becomes of the rail under each of them, and the least that
 //! holds.
 
-use super::plan::{AllFollowed, Followed, Planning};
-use super::plan_samples::PlanSamples;
+use super::plan::{AllFollowed, Followed, PlanSamples, Planning};
 use crate::decision::{FailureMode, VerdictLevel, calibration};
 use crate::disk::VERSION;
 use crate::planner::{PlanOutcome, PlanSummary, PlannedGrinding, civil, today};

@@ -7,7 +7,7 @@
 
 use super::each::of_each;
 use super::error::RunError;
-use super::plan::{Followed, Planning};
+use super::plan::{Followed, PlanSamples, Planning};
 use crate::decision::{Companions, Course, Draw, Draws, Family, Nominal, NominalRun, Sampler, Sampling};
 use crate::log::{Companion, StepDigest};
 use railcrack::growth::{Grinding, GrowthState, Mgt};
@@ -20,15 +20,6 @@ const MOST_SAMPLES: usize = 5000;
 const LEFT_OUT: f64 = 0.02;
 /// Share of the samples whose fate before the horizon is not known up to which they stand.
 const NOT_KNOWN: f64 = 2e-3;
-
-/// The samples of a plan.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct PlanSamples {
-    /// Share that fails before the horizon.
-    pub fails: f64,
-    /// Share whose fate before it is not known.
-    pub not_known: f64,
-}
 
 /// A run of the rail under a grinding, and how fast it grows.
 #[derive(Clone, Copy)]
