@@ -391,7 +391,7 @@ fn a_check_takes_a_moment_and_counts_samples() {
     fs::write(folder.join("sampled.toml"), sampled).unwrap();
     let value: Value = serde_json::from_str(&done(&folder, &["check", "sampled.toml", "--json"])).unwrap();
     let memory = value["memory_bytes"].as_f64().unwrap();
-    assert!((8e9..16e9).contains(&memory), "{memory}");
+    assert!((2.5e9..5e9).contains(&memory), "{memory}");
 }
 
 /// Escape codes in a table do not reach the terminal, by whatever command reads it.
