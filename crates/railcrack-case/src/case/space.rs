@@ -65,10 +65,7 @@ pub(super) fn read_space(
         }
     }
     let deviation = read_deviation(growth, report);
-    if growth.get(SURFACE) == Some(CrackSurface::Turned) && growth.get(TURNING_LENGTH) == Some(0.0) {
-        let says = "the limit path is followed in the plane only";
-        report.add(growth.fault(TURNING_LENGTH, says).help("use a positive length, such as 0.5"));
-    }
+    judge_turning(growth, report);
     let mesh = sections.one(&MESH)?;
     let shapes = placed.and_then(|placed| read_shapes(placed, &given, report));
     // For a mix, the contact section of each wheel.
@@ -100,6 +97,14 @@ fn read_deviation(growth: &SectionValues, report: &mut Report) -> Option<FrontDe
         return report.refuse(growth.fault(FRONT_HARMONICS, "must be even").help("use 2, 4, 6 or 8"));
     };
     Some(deviation)
+}
+
+/// Adds an error to `report` where a surface would turn as the limit path.
+fn judge_turning(growth: &SectionValues, report: &mut Report) {
+    if growth.get(SURFACE) == Some(CrackSurface::Turned) && growth.get(TURNING_LENGTH) == Some(0.0) {
+        let says = "the limit path is followed in the plane only";
+        report.add(growth.fault(TURNING_LENGTH, says).help("use a positive length, such as 0.5"));
+    }
 }
 
 /// Adds an error to `report` where fronts have too few points for their harmonics.

@@ -280,8 +280,11 @@ impl SpaceBody {
         let vertex =
             |v: usize| if v < grid.free { first + v } else { total + first_of_front + v - grid.free };
         front_rows(grid, steel, [3 * first_of_front, 3 * first], &mut self.sif_of_jumps);
-        self.points.extend(grid.vertices[..grid.free].iter().map(|&p| sheet.place(p)));
-        self.frames.extend(grid.vertices[..grid.free].iter().map(|[s, _]| sheet.frame(*s)));
+        for &vertex in &grid.vertices[..grid.free] {
+            let (position, frame) = sheet.framed(vertex);
+            self.points.push(position);
+            self.frames.push(frame);
+        }
         self.front.extend(grid.front.iter().enumerate().map(|(t, column)| FrontPoint {
             crack,
             phi: column.phi,
@@ -299,8 +302,8 @@ impl SpaceBody {
                         let corner = cell.vertices[a];
                         if corner < grid.free { (vertex(corner), weight) } else { (first, 0.0) }
                     });
-                    let frame = sheet.frame(point.position[0]);
-                    self.loads.push(LoadPoint { crack, frame, position: sheet.place(point.position), hats });
+                    let (position, frame) = sheet.framed(point.position);
+                    self.loads.push(LoadPoint { crack, frame, position, hats });
                 }
             }
         }

@@ -12,7 +12,7 @@
 //! sides. On one plane this is the form of `galerkin`.
 
 use super::grid::{Block, CellPoint};
-use super::plane::{Symmetric, image_matrix, kelvin_stress, moment, traction};
+use super::plane::{PAIRS, Symmetric, entry, image_matrix, kelvin_stress, moment, traction};
 use super::sheet::SheetPoint;
 use std::f64::consts::PI;
 
@@ -36,10 +36,6 @@ impl CurlPoint {
         Self { position: at.position, curls: point.gradients.map(curl) }
     }
 }
-
-/// The entries e_k e_j of a symmetric tensor.
-const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
-const ENTRY: [[usize; 3]; 3] = [[0, 5, 4], [5, 1, 3], [4, 3, 2]];
 
 /// Sums over pairs of points of two cells, of curls c and c′ of their hats over the distance: c_k
 /// c′_j, row by row, then c·c′ times each e_k e_j.
@@ -84,7 +80,7 @@ pub(super) fn add_sums(sums: &WeakSums, poisson: f64, block: &mut Block) {
             let trace = sum[0] + sum[4] + sum[8];
             for k in 0..3 {
                 for j in 0..3 {
-                    let both = if k == j { trace } else { 0.0 } + sum[9 + ENTRY[k][j]];
+                    let both = if k == j { trace } else { 0.0 } + sum[9 + entry(k, j)];
                     let value = both - (1.0 - poisson) * sum[3 * k + j] - 2.0 * poisson * sum[3 * j + k];
                     block[a][k][b][j] += scale * value;
                 }

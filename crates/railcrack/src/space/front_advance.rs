@@ -1,7 +1,7 @@
 //! Advance of cracks in space from one step to the next.
 
 use super::front_motion::FrontSpeeds;
-use super::shape::{CloseCracks, LEAST_DISTANCE, LEAST_STRAIGHT, ShapeError, SpaceCrack};
+use super::shape::{CHORD, CloseCracks, LEAST_DISTANCE, LEAST_STRAIGHT, ShapeError, SpaceCrack};
 use super::worn::{Worn, worn};
 use crate::growth::{
     ChangingCrack, Event, FrontShape, FrontTurns, GrowthSettings, LEAST_PART, LargestCracks, Mover, Moving,
@@ -64,7 +64,7 @@ impl Start<'_> {
                 return FrontShape { turns: Some(turns), ..moved };
             }
             // The first arcs become the chord that the rows at the mouth need.
-            let (dip, turns) = turns.cut(moved.dip, 0.0, 1.2 * least);
+            let (dip, turns) = turns.cut(moved.dip, 0.0, CHORD * moved.length);
             FrontShape { dip, turns, ..moved }
         };
         increments.iter().zip(self.shapes).enumerate().map(of).collect()

@@ -106,7 +106,7 @@ impl PlaneFrame {
 pub type Symmetric = [f64; 6];
 
 /// The pairs of axes of the entries of a symmetric tensor.
-const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
+pub(super) const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
 
 /// Stress (in units of the shear modulus, per mm³) at the distance `d` from a double force of the
 /// symmetric moment `moment` (in units of the shear modulus) in the full space.
@@ -162,7 +162,8 @@ pub fn traction(stress: &Symmetric, normal: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|i| (0..3).map(|j| stress[entry(i, j)] * normal[j]).sum())
 }
 
-fn entry(i: usize, j: usize) -> usize {
+/// The place of the entry (i, j) in a symmetric tensor.
+pub(super) fn entry(i: usize, j: usize) -> usize {
     if i == j { i } else { 6 - i - j }
 }
 

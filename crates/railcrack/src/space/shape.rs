@@ -123,6 +123,8 @@ pub enum ShapeError {
 /// Least straight part of a crack without a strip that turns, relative to its length: three rows
 /// of cells lie in it, and the integrals of narrow ones take long.
 pub(super) const LEAST_STRAIGHT: f64 = 0.06;
+/// The straight part, relative to the length, of a crack whose first arcs become a chord.
+pub(super) const CHORD: f64 = 1.2 * LEAST_STRAIGHT;
 
 impl SpaceCrack {
     /// A semi-ellipse that breaks the surface: `dip` in radians, half the length of its mouth and

@@ -60,7 +60,8 @@ impl Sheet {
         SheetPoint { position, tangents: [along, across], normal }
     }
 
-    fn framed(&self, [s, zeta]: [f64; 2]) -> ([f64; 3], PlaneFrame) {
+    /// The place of the point (s, ζ) and the directions there.
+    pub fn framed(&self, [s, zeta]: [f64; 2]) -> ([f64; 3], PlaneFrame) {
         let s = s.max(0.0);
         let (frame, [along, across, depth]) = match self.plane {
             Some(frame) => (frame, frame.position(s, zeta)),
@@ -68,9 +69,9 @@ impl Sheet {
                 let point = self.way.at(s);
                 let [out, depth] = point.place;
                 let frame = PlaneFrame::turned(point.dip, self.strike);
-                let [_, _, trace] = frame.directions();
-                let (sin, cos) = self.strike.sin_cos();
-                (frame, [out * cos + zeta * trace[0], out * sin + zeta * trace[1], depth])
+                // The trace is the horizontal of the way turned by a right angle.
+                let [_, _, [across, along, _]] = frame.directions();
+                (frame, [out * along + zeta * across, zeta * along - out * across, depth])
             }
         };
         let [x, lateral] = self.middle;

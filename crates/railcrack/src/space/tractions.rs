@@ -12,7 +12,7 @@ use super::curls::{MomentPoint, Stress, add_strong};
 use super::grid::{Block, CORNERS, Cell};
 use super::patch::Patch;
 use super::sheet::Sheet;
-use crate::math::gauss_legendre;
+use crate::math::{Matrix, dot3, gauss_legendre};
 
 /// Distance of two patches, relative to the diameter of the larger one, and the number of points
 /// per direction that it requires; closer patches are divided.
@@ -54,14 +54,14 @@ impl Reach {
     /// A lower bound on the distance from another patch.
     pub fn gap(&self, other: &Self) -> f64 {
         let d: [f64; 3] = std::array::from_fn(|c| self.centre[c] - other.centre[c]);
-        (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt() - self.radius - other.radius
+        dot3(d, d).sqrt() - self.radius - other.radius
     }
 }
 
 /// The integrals between two surfaces.
 pub(super) struct Tractions<'a> {
-    pub sheets: [&'a Sheet; 2],
-    pub poisson: f64,
+    sheets: [&'a Sheet; 2],
+    poisson: f64,
     nearer: f64,
     rules: Vec<Vec<(f64, f64)>>,
 }
@@ -126,8 +126,7 @@ impl Pair<'_, '_> {
 
 /// From the axes of the rail to components at each point: rows along `one`, columns along `other`,
 /// the directions of their points.
-pub(super) fn turn(stiffness: &mut crate::math::Matrix, one: &[[[f64; 3]; 3]], other: &[[[f64; 3]; 3]]) {
-    use crate::math::dot3;
+pub(super) fn turn(stiffness: &mut Matrix, one: &[[[f64; 3]; 3]], other: &[[[f64; 3]; 3]]) {
     for (a, rows) in one.iter().enumerate() {
         for (b, columns) in other.iter().enumerate() {
             let block: [[f64; 3]; 3] =

@@ -1,7 +1,7 @@
 //! Cracks in space cut by wear and grinding.
 
 use super::free_front;
-use super::shape::LEAST_STRAIGHT;
+use super::shape::CHORD;
 use crate::growth::{FrontShape, FrontTurns, least_length, spent_ligament};
 
 /// Least length of a strip relative to the semi-axis of the half-ellipse below it; that of the
@@ -87,7 +87,7 @@ fn worn_way(shape: &FrontShape, depth: f64, longest: f64, resolution: f64) -> (F
     // What is left of the strip is added to the half-ellipse.
     let above = shape.strip.map_or(0.0, |strip| (strip - cut).max(0.0));
     let into = shape.strip.map_or(cut, |strip| (cut - strip).max(0.0));
-    let (dip, turns) = turned_from(shape, cut, 1.2 * LEAST_STRAIGHT * (shape.length + above - into));
+    let (dip, turns) = turned_from(shape, cut, CHORD * (shape.length + above - into));
     // A plane that is left keeps its deepest point; its cut moves the middle to the new mouth.
     let [end, bottom] = way.at(shape.path_length()).place;
     let (length, mouth) = match turns {

@@ -193,6 +193,53 @@ const MIX: [(f64, EllipticWheel); 2] = [
     ),
 ];
 
+/// A rail under the passages of `wheels` with their shares, over a crack with this friction between
+/// its faces.
+fn rail_in_space(
+    wheels: &[(f64, EllipticWheel)],
+    passages: PassageSettings,
+    friction: f64,
+    growth: GrowthSettings,
+) -> SpaceRail {
+    let in_space = |&(share, wheel): &(f64, EllipticWheel)| SpaceWheel {
+        wheel: wheel.into(),
+        share,
+        bending: None,
+        residual: None,
+        fluid: None,
+        passages,
+        toughness: None,
+    };
+    SpaceRail {
+        network: NetworkContact::Whole,
+        standing: None,
+        steel: steel(),
+        wheels: wheels.iter().map(in_space).collect(),
+        friction: vec![friction],
+        resolution: SpaceResolution::new(6, 6),
+        growth,
+        mode_3_weight: None,
+        fields: None,
+        rail: RailBox::default(),
+        kernel: None,
+    }
+}
+
+/// A planar crack of the dip `degrees` with these semi-axes (mm).
+fn planar(degrees: f64, length: f64, half_length: f64) -> FrontShape {
+    FrontShape {
+        dip: degrees.to_radians(),
+        strike: 0.0,
+        length,
+        half_length,
+        middle: [0.0; 2],
+        buried: None,
+        strip: None,
+        turns: None,
+        deviation: None,
+    }
+}
+
 /// The crack of `state` in `rail`, and after one increment.
 fn one_increment(rail: impl CrackedRail, state: GrowthState) -> [StepRecord; 2] {
     all_steps(rail, state).try_into().unwrap()
@@ -217,39 +264,8 @@ fn of_the_2d_engine_under_a_mix_with_wear() {
         passage: Passage { from: -36.0, to: 36.0, positions: POSITIONS },
         ..PassageSettings::default()
     };
-    let in_space = |&(share, wheel): &(f64, EllipticWheel)| SpaceWheel {
-        wheel: wheel.into(),
-        share,
-        bending: None,
-        residual: None,
-        fluid: None,
-        passages,
-        toughness: None,
-    };
-    let rail = SpaceRail {
-        network: NetworkContact::Whole,
-        standing: None,
-        steel: steel(),
-        wheels: MIX.iter().map(in_space).collect(),
-        friction: vec![friction],
-        resolution: SpaceResolution::new(6, 6),
-        growth: growth.clone(),
-        mode_3_weight: None,
-        fields: None,
-        rail: RailBox::default(),
-        kernel: None,
-    };
-    let shape = FrontShape {
-        dip: degrees.to_radians(),
-        strike: 0.0,
-        length,
-        half_length: WIDTH * length,
-        middle: [0.0; 2],
-        buried: None,
-        strip: None,
-        turns: None,
-        deviation: None,
-    };
+    let rail = rail_in_space(&MIX, passages, friction, growth.clone());
+    let shape = planar(degrees, length, WIDTH * length);
     let state = GrowthState::initial_in_space(vec![shape]).unwrap();
     let space = one_increment(rail, state);
     let middle = space[0].tips.len() / 2;
@@ -301,39 +317,8 @@ fn of_the_2d_engine_on_a_path_that_turns() {
         ..PassageSettings::default()
     };
     let wheel = EllipticWheel { friction: 0.3, ..MIX[0].1 };
-    let in_space = SpaceWheel {
-        wheel: wheel.into(),
-        share: 1.0,
-        bending: None,
-        residual: None,
-        fluid: None,
-        passages,
-        toughness: None,
-    };
-    let rail = SpaceRail {
-        network: NetworkContact::Whole,
-        standing: None,
-        steel: steel(),
-        wheels: vec![in_space],
-        friction: vec![friction],
-        resolution: SpaceResolution::new(6, 6),
-        growth: growth.clone(),
-        mode_3_weight: None,
-        fields: None,
-        rail: RailBox::default(),
-        kernel: None,
-    };
-    let shape = FrontShape {
-        dip: degrees.to_radians(),
-        strike: 0.0,
-        length,
-        half_length: WIDTH * 2.0 * length,
-        middle: [0.0; 2],
-        buried: None,
-        strip: None,
-        turns: None,
-        deviation: None,
-    };
+    let rail = rail_in_space(&[(1.0, wheel)], passages, friction, growth.clone());
+    let shape = planar(degrees, length, WIDTH * 2.0 * length);
     let space = all_steps(rail, GrowthState::initial_in_space(vec![shape]).unwrap());
 
     let over = MiddlePlane(wheel, [-wheel.half_width, wheel.half_width]);
