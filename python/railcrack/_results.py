@@ -87,7 +87,7 @@ class RunResults:
     @property
     def inspection(self) -> InspectionInterval | None:
         """The inspection interval, and what it rests on; None without `[inspection]`, and if the
-        verdict is `stop` or `outside`."""
+        verdict is `unknown`, `stop` or `outside`."""
         return inspection_of(self.summary)
 
     @property

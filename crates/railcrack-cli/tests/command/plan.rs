@@ -47,8 +47,9 @@ fn number(value: &Value) -> f64 {
 }
 
 /// Tonnages of a plan and of the whole run with the same grinding: increments choose themselves for
-/// 1 % of the life, and those of the run also see the steps that are left to it.
-const SAME_RUN: f64 = 1e-3;
+/// 1 % of the life, and the few positions of the wheel lie elsewhere over a worn mouth, where plans
+/// take K of a mouth that stays: peaks of K_I between them differ by 3 %.
+const SAME_RUN: f64 = 2e-3;
 
 #[test]
 fn a_plan_is_the_run_with_its_grinding() {

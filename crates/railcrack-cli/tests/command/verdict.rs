@@ -71,13 +71,15 @@ fn numbers(table: &str, names: &[&str]) -> Vec<Vec<f64>> {
 #[test]
 fn what_the_model_does_not_describe_is_said_everywhere() {
     let place = folder("verdict", "outside");
-    let slow = NETWORK.replace("increment = 0.05", "increment = 0.05\nparis_c = 1e-14");
-    let fast = NETWORK.replace("increment = 0.05", "increment = 0.05\nparis_c = 2.5e-6");
+    // The limit path of so fast a crack has many turns in each step.
+    let network = NETWORK.replace("steps = 3", "steps = 1");
+    let slow = network.replace("increment = 0.05", "increment = 0.05\nparis_c = 1e-14");
+    let fast = network.replace("increment = 0.05", "increment = 0.05\nparis_c = 2.5e-6");
     let tough = "[fracture]\ntoughness_mpa_sqrt_m = 1000.0\ncriterion = \"k1\"\n";
     let cases = [
         // What the case is, and the reasons that it must give.
-        (format!("{NETWORK}{PRESSURE}"), vec!["toughness", "lifted-flap"]),
-        (format!("{NETWORK}{PRESSURE}{TRAFFIC}{INSPECTION}"), vec!["toughness", "lifted-flap"]),
+        (format!("{network}{PRESSURE}"), vec!["toughness", "lifted-flap"]),
+        (format!("{network}{PRESSURE}{TRAFFIC}{INSPECTION}"), vec!["toughness", "lifted-flap"]),
         (format!("{slow}{PRESSURE}{TRAFFIC}{INSPECTION}"), vec!["toughness", "lifted-flap"]),
         (format!("{slow}{PRESSURE}{TRAFFIC}{INSPECTION}{tough}"), vec!["lifted-flap"]),
         (format!("{fast}{TRAFFIC}{INSPECTION}"), vec!["rate"]),
@@ -215,9 +217,10 @@ fn warnings_are_those_of_the_worst_step() {
 fn steps_that_end_before_a_failure_leave_the_answer_unknown() {
     let place = folder("verdict", "steps");
     let text = NETWORK.replace("increment = 0.05", "increment = 0.05\nparis_c = 1e-12");
-    let ended = text.replace("steps = 3", "steps = 3\nstop_after_cycles = 1e4");
+    let text = text.replace("steps = 3", "steps = 1");
+    let ended = text.replace("steps = 1", "steps = 1\nstop_after_cycles = 1e4");
     // Without any step nothing is known of growth, whatever is looked for.
-    let none = text.replace("steps = 3", "steps = 0");
+    let none = text.replace("steps = 1", "steps = 0");
     let found = "[inspection]\ndetectable_depth_mm = 1.6\n";
     let cases = [
         (&text, INSPECTION, "unknown", "steps"),

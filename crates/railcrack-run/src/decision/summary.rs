@@ -66,8 +66,8 @@ pub struct Decision {
     /// computed; none where all were.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part_of_row: Option<RowPartSummary>,
-    /// The inspection interval, where the case asks for one; null where the verdict is `stop` or
-    /// `outside`.
+    /// The inspection interval, where the case asks for one; null where the verdict is `unknown`,
+    /// `stop` or `outside`.
     pub inspection: Option<InspectionSummary>,
     /// The two stages of a head check that turns down in the run.
     #[serde(default, skip_serializing_if = "Option::is_none")]

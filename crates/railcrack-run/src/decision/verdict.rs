@@ -218,7 +218,7 @@ fn layer(info: &RunInfo, steps: &[&StepDigest]) -> Option<Reason> {
     };
     let (step, tip, _) = worst(steps, below)?;
     let text = format!(
-        "the contact is beyond the limit of plastic shakedown, and a tip is {:.2} mm deep, in the layer from {top:.2} to {bottom:.2} mm that flows in each passage: K of an elastic rail does not describe it",
+        "the contact is beyond the limit of elastic shakedown, and a tip is {:.2} mm deep, in the layer from {top:.2} to {bottom:.2} mm that flows in each passage: K of an elastic rail does not describe it",
         tip.depth()
     );
     Some(of_tip(Reason::new(ReasonKind::PlasticLayer, text), step, tip, tip.depth(), bottom))

@@ -6,7 +6,7 @@
 
 use crate::setup::{RunSize, rolls_on_patches};
 use crate::simulation::variants;
-use railcrack::growth::{NetworkContact, Turning};
+use railcrack::growth::NetworkContact;
 use railcrack_case::{Case, Engine, Kept, PlaneEngine, PlasticSource};
 
 /// Seconds of a load step of dislocations or finite elements: always, and per square of the number
@@ -69,7 +69,7 @@ pub struct RunTime {
 impl RunTime {
     /// That of the run of `case`, whose size is `size`.
     pub fn of(case: &Case, size: &RunSize) -> Self {
-        let goes_straight = case.growth.turning == Turning::Over(f64::INFINITY);
+        let goes_straight = case.growth.all_go_straight();
         let usual = if goes_straight { STRAIGHT_STEPS } else { TURNING_STEPS };
         let ends_early = case.growth.answer.is_some()
             || case.growth.stop_after_cycles.is_some()

@@ -70,6 +70,10 @@ fn increments(case: &Case) -> String {
 
 fn path(case: &Case) -> String {
     match case.growth.turning {
+        Turning::Over(length) if case.growth.turns_in_space => format!(
+            "turns about the direction of the mouth over {} mm, or two rows of cells where these are longer",
+            short(length)
+        ),
         _ if case.space().is_some() => "the front stays in its plane".to_owned(),
         Turning::Kink => "a whole kink in each increment: the path depends on the increment".to_owned(),
         Turning::Over(0.0) => "limit path: at each tip the best kink is zero".to_owned(),

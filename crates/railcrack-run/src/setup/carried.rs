@@ -34,9 +34,10 @@ pub enum CarriedStressError {
 
 /// The residual stress of a run: the stress given as balanced, the stress before the first passage,
 /// and the balance of the plastic stress.
+#[derive(Clone)]
 pub struct CarriedStress {
     /// Their sum; none where the rail carries nothing.
-    pub field: Option<Box<dyn StressField>>,
+    pub field: Option<Arc<dyn StressField>>,
     /// In space, what rolling has left under a patch, which varies across the rail; it adds to the
     /// field.
     pub standing: Option<Arc<dyn StandingStress>>,
@@ -175,8 +176,8 @@ impl CarriedStress {
         depths.dedup();
         let field = match parts.len() {
             0 => None,
-            1 => parts.pop(),
-            _ => Some(Box::new(Sum(parts)) as Box<dyn StressField>),
+            1 => parts.pop().map(Arc::from),
+            _ => Some(Arc::new(Sum(parts)) as Arc<dyn StressField>),
         };
         Ok(Self { field, standing, depths, projection, release })
     }

@@ -30,6 +30,7 @@ pub use demand::{DemandError, WheelDemand};
 pub use engine::{body_engine, finite_elements};
 pub use layered::{LayeredStress, SectionStress};
 pub use prepared::PreparedRun;
+pub(crate) use prepared::known_straight;
 pub use rates_across::rates_across;
 pub use represented::{represented, represented_in};
 pub use rolled::{

@@ -5,8 +5,9 @@ use super::engine::{engine_with, finite_elements};
 use super::plane::plane_rail;
 use super::shared::SharedRail;
 use super::space::space_rail;
-use railcrack::field::StressField;
+use railcrack::bulk::Boundary;
 use railcrack::growth::{CrackedRail, Growth, GrowthState, StepSource, TipJudge};
+use railcrack::plane::{KnownRail, KnownStraight};
 use railcrack::xfem::XfemEngine;
 use railcrack_case::{Case, Geometry};
 use std::sync::Arc;
@@ -38,6 +39,10 @@ impl<'a> PreparedRun<'a> {
         rolled: Option<&RolledStress>,
         shared: Option<&SharedRail>,
     ) -> Result<Self, CarriedStressError> {
+        if let Some((shared, carried)) = shared.and_then(|shared| Some((shared, shared.carried()?))) {
+            let residual = carried.clone();
+            return Ok(Self { case, meshed: Some(shared.engine().clone()), residual });
+        }
         let plastic = plastic_field(case, rolled)?;
         let mut meshed = case.plane().map(|plane| finite_elements(case, plane, plastic.as_ref()));
         if let Some((rail, meshed)) = shared.zip(meshed.as_mut()) {
@@ -45,6 +50,12 @@ impl<'a> PreparedRun<'a> {
         }
         let residual = CarriedStress::balanced(case, rolled, plastic.as_ref(), meshed.as_mut())?;
         Ok(Self { case, meshed, residual })
+    }
+
+    /// The rail with the stress that it carries, for other runs by dislocations under the same
+    /// residual stress; none in space.
+    pub(crate) fn carrying_rail(&self) -> Option<SharedRail> {
+        Some(SharedRail::carrying(self.meshed.clone()?, self.residual.clone()))
     }
 
     /// The residual stress that the rail carries.
@@ -61,20 +72,22 @@ impl<'a> PreparedRun<'a> {
     /// The growth loop from `state` on, or from the beginning where there is none.
     #[must_use]
     pub fn growth(self, state: Option<GrowthState>) -> Box<dyn StepSource> {
-        self.growth_judged(state, None)
+        self.growth_judged(state, None, None)
     }
 
     /// [`PreparedRun::growth`] with a `judge` that gives direction and rate of every tip; in space
-    /// the rate of every front point.
+    /// the rate of every front point. What other runs of this rail have `known` of its crack is not
+    /// computed again.
     #[must_use]
     pub fn growth_judged(
         self,
         state: Option<GrowthState>,
         judge: Option<Arc<dyn TipJudge>>,
+        known: Option<Arc<KnownStraight>>,
     ) -> Box<dyn StepSource> {
         let Self { case, meshed, residual } = self;
         let standing = residual.standing;
-        let residual: Option<Arc<dyn StressField>> = residual.field.map(Arc::from);
+        let residual = residual.field;
         match &case.geometry {
             Geometry::Space(space) => {
                 let initial =
@@ -85,10 +98,25 @@ impl<'a> PreparedRun<'a> {
             Geometry::Plane(plane) => {
                 let engine = engine_with(case, plane, meshed.expect("cracks in the plane"));
                 let rail = plane_rail(case, plane, engine, residual.as_ref());
-                boxed(rail, state.unwrap_or_else(|| GrowthState::initial(&case.cracks)), judge)
+                let state = state.unwrap_or_else(|| GrowthState::initial(&case.cracks));
+                match known {
+                    Some(known) => boxed(KnownRail::new(rail, known), state, judge),
+                    None => boxed(rail, state, judge),
+                }
             }
         }
     }
+}
+
+/// What runs of the rail of `case` that differ in wear, grinding and speed alone can know of its
+/// crack together, filled as they compute it; none where K depends on more than the length.
+pub fn known_straight(case: &Case) -> Option<Arc<KnownStraight>> {
+    let plane = case.plane()?;
+    let goes_straight = case.growth.all_go_straight() || case.growth.straight_depth > 0.0;
+    let has_profile = case.residual_stress.is_some() || case.plastic_stress().is_some();
+    let is_half_plane = case.boundary() == Boundary::HalfPlane && plane.section.is_none();
+    let known = KnownStraight::of(&case.cracks)?;
+    (goes_straight && is_half_plane && !has_profile).then(|| Arc::new(known))
 }
 
 /// The growth of `rail` from `state` on, with directions and rates from `judge` if there is one.

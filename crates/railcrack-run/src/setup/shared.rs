@@ -1,16 +1,25 @@
 //! Meshes and factors that several runs of a study share.
 
-use super::carried::{CarriedStressError, plastic_field};
+use super::carried::{CarriedStress, CarriedStressError, plastic_field};
 use super::engine::finite_elements;
 use railcrack::body::{BodyEngine, BodyError};
 use railcrack::xfem::{XfemEngine, XfemError};
 use railcrack_case::{Case, Engine, PlaneEngine, PlasticSource};
+use std::fmt::{self, Debug, Formatter};
 use thiserror::Error;
 
 /// Mesh, factor and columns of a rail for several runs whose cracks begin the same.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct SharedRail {
     engine: XfemEngine,
+    /// The residual stress that it carries, where one of the runs has computed it for all.
+    carried: Option<CarriedStress>,
+}
+
+impl Debug for SharedRail {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.debug_struct("SharedRail").field("engine", &self.engine).finish_non_exhaustive()
+    }
 }
 
 /// A rail that cannot be built.
@@ -39,7 +48,22 @@ impl SharedRail {
             Engine::Plane(PlaneEngine::Xfem) => drop(engine.body(&case.cracks)?),
             _ => drop(engine.background(&case.cracks)?.clone()),
         }
-        Ok(Some(Self { engine }))
+        Ok(Some(Self { engine, carried: None }))
+    }
+
+    /// The rail that `engine` meshes, with the stress that it has `carried` already.
+    pub(super) fn carrying(engine: XfemEngine, carried: CarriedStress) -> Self {
+        Self { engine, carried: Some(carried) }
+    }
+
+    /// The stress that it carries, where that has been computed.
+    pub(crate) fn carried(&self) -> Option<&CarriedStress> {
+        self.carried.as_ref()
+    }
+
+    /// The engine that meshes it.
+    pub(super) fn engine(&self) -> &XfemEngine {
+        &self.engine
     }
 
     /// Passes them to `engine`, which would compute the same.

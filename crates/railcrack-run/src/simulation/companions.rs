@@ -7,16 +7,20 @@ use super::each::of_each;
 use super::error::RunError;
 use super::job::Stage;
 use super::observer::{AskedAlone, RunObserver};
+use super::residual_stress::carrying_rail;
 use super::run::Simulation;
 use super::variations::{variations, varied};
 use crate::decision::{Companions, Course, NominalRun, Question, deciding, from_run};
-use crate::log::{Companion, CompanionKind, RunInfo, RunLog, StepDigest};
+use crate::log::{Companion, CompanionKind, RunInfo, RunLog, StepDigest, Variation};
 use crate::numbers::short;
+use crate::setup::{SharedRail, known_straight};
 use railcrack::bulk::Boundary;
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::growth::{GrowthState, SurfaceRemoval, Turning};
+use railcrack::plane::KnownStraight;
 use railcrack_case::{Case, Engine, Geometry, PlaneEngine, Scatter};
 use std::path::Path;
+use std::sync::Arc;
 
 /// The largest deviation of the speed, over that of all samples together, at which cracks are
 /// followed against the removal of the surface.
@@ -65,6 +69,19 @@ struct Beside<'a> {
     observer: &'a dyn RunObserver,
     /// The engine that computes the companions.
     engine: Engine,
+    /// What they know of the crack together.
+    known: Option<&'a Arc<KnownStraight>>,
+    /// The rail with the plastic stress that it carries.
+    rail: Option<&'a SharedRail>,
+}
+
+impl<'a> Beside<'a> {
+    /// The start of a companion of `simulation` on a rail that is `shared`.
+    fn stage(&self, simulation: &Simulation<'a>, shared: Option<&'a SharedRail>) -> Stage<'a> {
+        // The plastic state that the run has computed is read back.
+        let (folder, observer, state) = (self.folder, self.observer, Some(self.state.clone()));
+        Stage { folder, observer, presentation: simulation.presentation, shared, state }
+    }
 }
 
 impl Simulation<'_> {
@@ -84,8 +101,13 @@ impl Simulation<'_> {
         }
         let asked = AskedAlone(self.observer);
         let engine = self.case.engine();
-        let mut beside = Beside { state, folder, observer: &asked, engine };
+        let rail = self.shared;
+        let mut beside = Beside { state, folder, observer: &asked, engine, known: self.known, rail };
         beside.engine = self.quick_engine(info, log, &beside)?;
+        let own = self.known_straight();
+        beside.known = self.known.filter(|_| beside.engine == engine).or(own.as_ref());
+        let carrying = carrying_rail(self.case, beside.engine, &beside.stage(self, self.shared))?;
+        beside.rail = carrying.as_ref().or(self.shared);
         let kinds = self.kinds(info, log, beside.engine);
         let count = kinds.iter().filter(|kind| !is_the_run(self.case, **kind)).count();
         if count > 0 {
@@ -108,7 +130,10 @@ impl Simulation<'_> {
             }
         };
         let computed = |kinds: &[CompanionKind]| of_each(kinds, beside.engine, of);
-        let mut all = computed(&kinds)?;
+        // The first one alone: what it has found of the crack is known to the others.
+        let (first, others) = kinds.split_at(kinds.len().min(usize::from(beside.known.is_some())));
+        let mut all = computed(first)?;
+        all.extend(computed(others)?);
         loop {
             let finer: Vec<CompanionKind> =
                 self.finer(info, &all, log).into_iter().map(CompanionKind::Speed).collect();
@@ -137,9 +162,16 @@ impl Simulation<'_> {
         folder: &Path,
     ) -> Result<Vec<Companion>, RunError> {
         let engine = self.case.engine();
-        let beside = Beside { state, folder, observer: self.observer, engine };
+        let (known, rail) = (self.known, self.shared);
+        let beside = Beside { state, folder, observer: self.observer, engine, known, rail };
         let of = |kind: &CompanionKind| self.companion(*kind, None, &beside);
         of_each(&self.kinds(info, log, engine), engine, of)
+    }
+
+    /// What runs of this rail can know of its crack together; none where K depends on more than
+    /// its length, or a judge decides on the rates.
+    pub(super) fn known_straight(&self) -> Option<Arc<KnownStraight>> {
+        known_straight(self.case).filter(|_| self.judge.is_none())
     }
 
     /// The engine that computes the companions: the dislocations where they repeat a run of finite
@@ -245,21 +277,18 @@ impl Simulation<'_> {
             return Ok(Companion { kind, steps: Vec::new(), reason });
         };
         let part = kept.and_then(|kept| case.with_cracks(kept));
-        // A rail that is shared has the mesh of all cracks.
-        let shared = self.shared.filter(|_| part.is_none());
+        // A rail that is shared has the mesh of all cracks, and its own plastic stress.
+        let is_other = matches!(kind, CompanionKind::Varied(Variation::OtherSign | Variation::Deeper(_)));
+        let shared = if is_other { self.shared.filter(|rail| rail.carried().is_none()) } else { beside.rail };
+        let shared = shared.filter(|_| part.is_none());
         case = part.unwrap_or(case);
         if let (Engine::Plane(engine), Geometry::Plane(plane)) = (beside.engine, &mut case.geometry) {
             plane.engine = engine;
         }
-        let simulation = Simulation { case: &case, observer: beside.observer, shared, ..*self };
-        // The plastic state that the run has computed is read back.
-        let stage = Stage {
-            folder: beside.folder,
-            observer: beside.observer,
-            presentation: self.presentation,
-            shared,
-            state: Some(beside.state.clone()),
-        };
+        let is_known = matches!(kind, CompanionKind::Speed(_) | CompanionKind::Straight);
+        let known = beside.known.filter(|_| is_known);
+        let simulation = Simulation { case: &case, observer: beside.observer, shared, known, ..*self };
+        let stage = beside.stage(self, shared);
         let mut log = RunLog::default();
         let margin = if matches!(kind, CompanionKind::Speed(_)) { BEYOND_CRITICAL } else { 1.0 };
         let critical = case.inspection.and_then(|inspection| inspection.critical_depth);
@@ -338,9 +367,7 @@ fn result_of(info: &RunInfo, companion: &Companion) -> String {
 /// Whether the companion of `kind` is the run of `case` itself: cracks that grow straight ahead by
 /// their criterion, or over an infinite length.
 fn is_the_run(case: &Case, kind: CompanionKind) -> bool {
-    let goes_straight = case.growth.criterion == DirectionCriterion::Coplanar
-        || case.growth.turning == Turning::Over(f64::INFINITY);
-    kind == CompanionKind::Straight && goes_straight
+    kind == CompanionKind::Straight && case.growth.all_go_straight()
 }
 
 /// Speeds over that of the run at which cracks are followed for samples with this `deviation` of

@@ -4,7 +4,8 @@ use super::companions::APART;
 use super::each::of_each;
 use super::error::RunError;
 use super::job::{Job, Stage, case_files};
-use super::observer::AskedAlone;
+use super::observer::{AskedAlone, RunObserver};
+use super::residual_stress::carrying_rail;
 use super::run::Simulation;
 use crate::decision::{NominalRun, Question, Verdict, VerdictLevel};
 use crate::log::{Companion, RunInfo, RunLog};
@@ -75,7 +76,8 @@ impl Simulation<'_> {
         }
         let entered = ResultFolder::enter(folder, &OF_A_RUN, existing)?;
         entered.mark()?;
-        let simulation = Simulation { case: &case, ..*self };
+        let known = self.known_straight();
+        let simulation = Simulation { case: &case, known: known.as_ref(), ..*self };
         let planning = Planning { simulation, folder, tonnes, info: Job::of(&case).info };
         let planned = planning.written(request);
         self.observer.close();
@@ -127,10 +129,21 @@ impl Planning<'_> {
     /// entered.
     fn written(&self, request: &PlanRequest) -> Result<PlanSummary, RunError> {
         let started = Instant::now();
-        begin(self.folder, &case_files(self.simulation.case), Existing::Entered)?;
-        let summary = write_plan(self.folder, self.computed(request, started)?)?;
-        self.simulation.presentation.plan(self.folder)?;
+        let simulation = self.simulation;
+        begin(self.folder, &case_files(simulation.case), Existing::Entered)?;
+        let stage = self.stage(simulation.observer, None);
+        let rail = carrying_rail(simulation.case, simulation.case.engine(), &stage)?;
+        let simulation = Simulation { shared: rail.as_ref().or(simulation.shared), ..simulation };
+        let carrying = Planning { simulation, info: self.info.clone(), ..*self };
+        let summary = write_plan(self.folder, carrying.computed(request, started)?)?;
+        simulation.presentation.plan(self.folder)?;
         Ok(summary)
+    }
+
+    /// The start of a run from `state`, watched by `observer`.
+    fn stage<'a>(&'a self, observer: &'a dyn RunObserver, state: Option<&GrowthState>) -> Stage<'a> {
+        let Simulation { presentation, shared, .. } = self.simulation;
+        Stage { folder: self.folder, observer, presentation, shared, state: state.cloned() }
     }
 
     fn computed(&self, request: &PlanRequest, started: Instant) -> Result<PlanSummary, RunError> {
@@ -221,13 +234,7 @@ impl Planning<'_> {
         let case = self.case(grinding, horizon);
         let asked = AskedAlone(self.simulation.observer);
         let simulation = Simulation { case: &case, observer: &asked, has_variants: false, ..self.simulation };
-        let stage = Stage {
-            folder: self.folder,
-            observer: if state.is_some() { &asked } else { self.simulation.observer },
-            presentation: self.simulation.presentation,
-            shared: self.simulation.shared,
-            state: state.cloned(),
-        };
+        let stage = self.stage(if state.is_some() { &asked } else { self.simulation.observer }, state);
         let mut log = RunLog::default();
         let critical = case.inspection.and_then(|inspection| inspection.critical_depth);
         let state = simulation.follow(&stage, &mut log, critical.unwrap_or(f64::INFINITY))?;

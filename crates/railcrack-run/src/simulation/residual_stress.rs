@@ -13,7 +13,7 @@ use crate::log::{PlasticOrigin, ProjectionSummary, ReleaseSummary, ResidualSumma
 use crate::run_folder::Existing;
 use crate::setup::{
     CarriedStress, HeaviestWheel, LayeredStress, PreparedRun, Projection, Release, RolledStress,
-    SectionStress, WheelBounds,
+    SectionStress, SharedRail, WheelBounds,
 };
 use crate::shakedown::{LayerRow, SectionRow, ShakedownSummary};
 use railcrack::interruption::Interruption;
@@ -21,7 +21,7 @@ use railcrack::math::{Stress, Tensor, Vec2};
 use railcrack::residual::PlasticField;
 use railcrack::shakedown::RailState;
 use railcrack::stopwatch::Stopwatch;
-use railcrack_case::{Case, PlasticSource};
+use railcrack_case::{Case, Engine, PlaneEngine, PlasticSource};
 use railcrack_vtu::read_vtu;
 use std::path::Path;
 use std::sync::Arc;
@@ -61,6 +61,9 @@ pub(super) fn prepare<'a>(
     case: &'a Case,
     stage: &Stage<'a>,
 ) -> Result<(PreparedRun<'a>, Option<Residual>), RunError> {
+    if stage.shared.is_some_and(|shared| shared.carried().is_some()) {
+        return Ok((PreparedRun::sharing(case, None, stage.shared)?, None));
+    }
     let started = Stopwatch::start();
     let rolled = match case.plastic_stress() {
         Some(PlasticSource::Rolled) => Some(rolled_state(case, stage)?),
@@ -97,6 +100,27 @@ pub(super) fn prepare<'a>(
         notes,
     };
     Ok((prepared, Some(Residual { rows, summary })))
+}
+
+/// The rail of `case` with the plastic stress that it carries, for further runs that `engine`
+/// computes from `stage`; none without such a stress, or where it is shared already.
+///
+/// Errors: an interruption.
+pub(super) fn carrying_rail(
+    case: &Case,
+    engine: Engine,
+    stage: &Stage,
+) -> Result<Option<SharedRail>, RunError> {
+    let is_known = stage.shared.is_some_and(|shared| shared.carried().is_some());
+    let is_quick = engine == Engine::Plane(PlaneEngine::Dislocation);
+    if is_known || !is_quick || case.plastic_stress().is_none() {
+        return Ok(None);
+    }
+    match prepare(case, stage) {
+        Err(error) if error.is_interruption() => Err(error),
+        // The runs report the error.
+        prepared => Ok(prepared.ok().and_then(|(prepared, _)| prepared.carrying_rail())),
+    }
 }
 
 fn origin(source: &PlasticSource) -> PlasticOrigin {

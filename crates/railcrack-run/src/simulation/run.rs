@@ -13,6 +13,7 @@ use crate::run_folder::{Existing, wheel_groups};
 use crate::setup::{SharedRail, represented, represented_in};
 use crate::summary::Summary;
 use railcrack::growth::{GrowthState, StepSource, TipJudge};
+use railcrack::plane::KnownStraight;
 use railcrack_case::Case;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -42,6 +43,8 @@ pub struct Simulation<'a> {
     pub(super) presentation: &'a dyn Presentation,
     pub(super) shared: Option<&'a SharedRail>,
     pub(super) judge: Option<&'a Arc<dyn TipJudge>>,
+    /// What runs of this rail know of its crack together.
+    pub(super) known: Option<&'a Arc<KnownStraight>>,
     pub(super) is_sampled: bool,
     /// Whether the decision has lives along other paths and with other friction.
     pub(super) has_variants: bool,
@@ -56,6 +59,7 @@ impl<'a> Simulation<'a> {
             presentation: &TablesOnly,
             shared: None,
             judge: None,
+            known: None,
             is_sampled: true,
             has_variants: true,
         }
@@ -145,7 +149,7 @@ impl Simulation<'_> {
     /// Errors: the plastic state cannot be computed, or the residual stress cannot be computed.
     pub(super) fn growth(&self, stage: Stage) -> Result<(Box<dyn StepSource>, Option<Residual>), RunError> {
         let (prepared, residual) = prepare(self.case, &stage)?;
-        Ok((prepared.growth_judged(stage.state, self.judge.cloned()), residual))
+        Ok((prepared.growth_judged(stage.state, self.judge.cloned(), None), residual))
     }
 
     /// The growth loop from `state` on, on a rail that is prepared from `stage`.
@@ -157,7 +161,7 @@ impl Simulation<'_> {
         state: Option<GrowthState>,
     ) -> Result<Box<dyn StepSource>, RunError> {
         let (prepared, _) = prepare(self.case, stage)?;
-        Ok(prepared.growth_judged(state, self.judge.cloned()))
+        Ok(prepared.growth_judged(state, self.judge.cloned(), self.known.cloned()))
     }
 }
 

@@ -6,10 +6,6 @@ use railcrack_case::{
 };
 use railcrack_run::setup::RunSize;
 use std::path::Path;
-use std::time::{Duration, Instant};
-
-/// Time for reading one case and computing its size, on a machine that is busy.
-const BUDGET: Duration = Duration::from_secs(10);
 
 /// Values at an end and next to it, and whether the declaration accepts them.
 fn values(range: NumberRange) -> Vec<(f64, bool)> {
@@ -108,11 +104,8 @@ fn ends_of_ranges_are_what_they_are_declared_to_be() {
 
 fn ends_as_declared(section: &Section, key: &Key, value: &str, accepted: bool) {
     let text = case_with(section, key, value);
-    let started = Instant::now();
     let read = Case::parse(&text, "case.toml", Path::new(""));
     let size = read.as_ref().map(RunSize::estimate);
-    let took = started.elapsed();
-    assert!(took < BUDGET, "{took:?} for\n{text}");
     let about = format!("{} = {value} gives {size:?} for\n{text}", key.name);
     let Err(errors) = &read else {
         assert!(accepted, "{about}");

@@ -146,6 +146,12 @@ impl GrowthSettings {
         if self.answer.is_some() { self.steps.min(USUAL_STEPS) } else { self.steps }
     }
 
+    /// Whether all paths go straight ahead, whatever their best kinks.
+    #[must_use]
+    pub fn all_go_straight(&self) -> bool {
+        self.criterion == DirectionCriterion::Coplanar || self.turning == Turning::Over(f64::INFINITY)
+    }
+
     /// Whether the path of `tip` goes straight ahead, whatever its best kink.
     pub(crate) fn goes_straight(&self, tip: &TipRecord) -> bool {
         !self.turning.is_kink() && tip.depth() < self.straight_depth

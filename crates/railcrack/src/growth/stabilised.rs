@@ -2,7 +2,7 @@
 
 use super::{FaceRecord, PassageRecord, PassageSettings, SolverCounts};
 use crate::body::BodyError;
-use crate::contact::{CrackFrictionError, SteppingError};
+use crate::contact::{CrackFrictionError, FaceState, SteppingError};
 use crate::crack::NetworkError;
 use crate::field::EndsError;
 use crate::fracture::SifHistory;
@@ -61,6 +61,14 @@ impl StabilisedPassage {
     /// Whether the wheel feels the cracks.
     pub(crate) fn is_coupled(&self) -> bool {
         self.passages.last().is_some_and(|passage| passage.wheel.iter().any(Option::is_some))
+    }
+
+    /// Forgets the faces but at the output position where they are widest open.
+    pub(crate) fn keep_widest(&mut self) {
+        let widest = |states: &Vec<FaceState>| states.iter().map(|state| state.opening).fold(0.0, f64::max);
+        let all = std::mem::take(&mut self.faces.states).into_iter();
+        self.faces.states.extend(all.max_by(|a, b| widest(a).total_cmp(&widest(b))));
+        self.faces.surface.clear();
     }
 
     /// The largest opening of the faces at an output position, mm.

@@ -9,6 +9,7 @@ mod fields;
 mod fixtures;
 mod increments;
 mod joining;
+mod known;
 mod mouth_pressures;
 mod passage;
 mod rail;
@@ -19,5 +20,6 @@ mod tip_sifs;
 mod turned;
 
 pub use face_load::RailLoad;
+pub use known::{KnownBody, KnownCrack, KnownRail, KnownStraight};
 pub use rail::{KnownEnds, PlaneBody, PlaneRail};
 pub use solvers::{PlaneWheel, stabilised_passage};

@@ -3,13 +3,14 @@
 use super::face_load::{FaceLoad, RailLoad};
 use super::fields::record_fields;
 use super::increments::{advance, kinked};
+use super::known::TipUnderWheel;
 use super::solvers::{PlaneWheel, Solvers};
 use super::step_state::{StepState, TipDrive, mouth_sine};
 use super::turned::{TurnResponse, histories_of, jump, turned_by};
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::contact::{ContactSolver, FaceProblem, Latin, Newton, NotConverged, SteppingError};
 use crate::crack::{Crack, CrackNetwork, CrackTip, End};
-use crate::fatigue::{GrowthLaw, HourlierPineau, Kink, LargestK1, SifRanges, WheelHistory};
+use crate::fatigue::{HourlierPineau, Kink};
 use crate::field::{EndField, EndsError, RailEnds, Wheel};
 use crate::fracture::SifHistory;
 use crate::growth::{
@@ -166,6 +167,30 @@ impl PlaneRail {
             let phase = "contact of the wheel on the uncracked rail";
             GrowthError::Passage { step, source: PassageError::NotConverged { passage: 0, phase, source } }
         })
+    }
+
+    /// The site of `network`, whose cracks are those of `geometry`.
+    pub(super) fn site_of(&self, geometry: &PlaneGeometry, network: &CrackNetwork) -> PlaneSite {
+        PlaneSite { geometry: geometry.clone(), resolution: self.engine.resolution(network) }
+    }
+
+    /// The record of `tip` in `geometry`, which is loaded as `under_wheels` and whose best kink is
+    /// `kink` (radians), without an increment.
+    pub(super) fn tip_record(
+        &self,
+        geometry: &PlaneGeometry,
+        tip: CrackTip,
+        under_wheels: &[TipUnderWheel],
+        kink: Option<f64>,
+        plane: PlaneTip,
+    ) -> TipRecord {
+        let crack = &geometry.cracks[tip.crack];
+        let demands: Vec<WheelDemand> =
+            under_wheels.iter().map(|wheel| wheel.demand(&self.growth.law)).collect();
+        let length = crack.length() + geometry.deferred_at(tip.crack);
+        let under = MixedTip::of(&demands, &self.wheels());
+        let record = under.record(tip, crack.tip(tip.end), length, TipGeometry::Plane(plane));
+        TipRecord { kink, mouth_sine: mouth_sine(crack), ..record }
     }
 
     fn drive(&self, geometry: &PlaneGeometry, tip: &TipRecord) -> TipDrive {
@@ -330,13 +355,11 @@ impl CrackedRail for PlaneRail {
             kink_friction: growth.kink_friction,
         };
         let histories: Vec<&[SifHistory]> = passages.iter().map(|passage| &passage.histories[..]).collect();
-        let wheels = self.wheels();
-        let shares: Vec<f64> = wheels.iter().map(|wheel| wheel.share).collect();
+        let shares: Vec<f64> = self.wheels.iter().map(|wheel| wheel.share).collect();
         let tip_record = |(i, tip): (usize, CrackTip)| {
-            let crack = &network.cracks()[tip.crack];
             let under_wheels = histories_of(i, &shares, &histories);
-            let demands: Vec<WheelDemand> =
-                under_wheels.iter().map(|wheel| demand_of(&growth.law, wheel)).collect();
+            let tips: Vec<TipUnderWheel> =
+                under_wheels.iter().map(|wheel| TipUnderWheel::of(wheel.history)).collect();
             let kink = direction.kink_of_mix(&under_wheels);
             let secondary = kink.as_ref().and_then(|kink: &Kink| kink.secondary);
             let turned = kink.filter(|_| under_wheels.len() > 1);
@@ -352,11 +375,7 @@ impl CrackedRail for PlaneRail {
                 kink_slope: response.kink_slope,
                 ..PlaneTip::default()
             };
-            let length = crack.length() + geometry.deferred_at(tip.crack);
-            let under = MixedTip::of(&demands, &wheels);
-            let record = under.record(tip, crack.tip(tip.end), length, TipGeometry::Plane(plane));
-            let mut record =
-                TipRecord { kink: kink.map(|kink| kink.angle), mouth_sine: mouth_sine(crack), ..record };
+            let mut record = self.tip_record(geometry, tip, &tips, kink.map(|kink| kink.angle), plane);
             if growth.goes_straight(&record)
                 && let TipGeometry::Plane(plane) = &mut record.geometry
             {
@@ -368,17 +387,11 @@ impl CrackedRail for PlaneRail {
     }
 
     fn movers(&self, _: &PlaneBody, tips: &[TipRecord]) -> Vec<Mover> {
-        let mover = |TipRecord { tip, rate, length, .. }: &TipRecord| Mover {
-            crack: tip.crack,
-            index: tip.tip,
-            rate: *rate,
-            length: *length,
-        };
-        tips.iter().map(mover).collect()
+        movers(tips)
     }
 
     fn site(&self, PlaneBody { geometry, network, .. }: &PlaneBody) -> PlaneSite {
-        PlaneSite { geometry: geometry.clone(), resolution: self.engine.resolution(network) }
+        self.site_of(geometry, network)
     }
 
     fn advance(&self, site: &PlaneSite, at: &StepStart<'_>, tips: &mut [TipRecord], _: &[Mover]) -> Advance {
@@ -440,15 +453,15 @@ impl CrackedRail for PlaneRail {
     }
 }
 
-/// The loading of a tip by one wheel.
-fn demand_of(law: &GrowthLaw, wheel: &WheelHistory) -> WheelDemand {
-    let ranges = SifRanges::of(wheel.history);
-    WheelDemand {
-        ranges,
-        delta_keq: law.driven_by(ranges.load()),
-        rate: law.rate(ranges.load()),
-        largest_k1: LargestK1::of(wheel.history),
-    }
+/// What moves the cracks with these `tips`: each by itself.
+pub(super) fn movers(tips: &[TipRecord]) -> Vec<Mover> {
+    let mover = |TipRecord { tip, rate, length, .. }: &TipRecord| Mover {
+        crack: tip.crack,
+        index: tip.tip,
+        rate: *rate,
+        length: *length,
+    };
+    tips.iter().map(mover).collect()
 }
 
 /// The warning of a kink of the limit path at `tip`: the directions behind it in which the best

@@ -9,7 +9,8 @@ use railcrack::growth::{
     TipStop, Unobserved,
 };
 use railcrack::load::HertzianContact;
-use railcrack::plane::PlaneRail;
+use railcrack::plane::{KnownRail, KnownStraight, PlaneRail};
+use std::sync::Arc;
 
 /// A crack of 6 mm at 30° that goes straight on under a driven wheel.
 fn problem(maintenance: Option<SurfaceRemoval<Axles>>, steps: usize, increment: f64) -> PlaneRail {
@@ -81,6 +82,35 @@ fn length_follows_growth_less_wear() {
         // that rates are up to 7 % low where wear takes more than grows.
         let tolerance = if share < 1.0 { 0.005 } else { 0.02 };
         assert!((cycles / want - 1.0).abs() < tolerance, "{cycles} {want}");
+    }
+}
+
+#[test]
+fn runs_that_share_what_they_know_of_a_crack_repeat_those_that_compute_it() {
+    let rate = rates();
+    let first = rate(6.0);
+    let crack = surface_crack(0.0, 6.0, 30.0);
+    let known = Arc::new(KnownStraight::of(&crack.clone().into()).unwrap());
+    let shared = |maintenance, steps, increment| {
+        let rail = KnownRail::new(problem(maintenance, steps, increment), Arc::clone(&known));
+        let mut growth = Growth::new(rail, GrowthState::initial(&crack.clone().into()));
+        std::iter::from_fn(move || growth.next_step(&Unobserved).unwrap()).collect::<Vec<StepRecord>>()
+    };
+    // No length of the run is one of those at which K was computed.
+    for (own, step) in run(problem(None, 12, 0.043)).iter().zip(shared(None, 12, 0.043)) {
+        let (own, tip) = (&own.tips[0], &step.tips[0]);
+        let close = |a: f64, b: f64, tolerance: f64| (a / b - 1.0).abs() < tolerance;
+        assert!(close(tip.length, own.length, 1e-12), "{} {}", tip.length, own.length);
+        assert!(close(tip.delta_kii, own.delta_kii, 1e-3), "{} {}", tip.delta_kii, own.delta_kii);
+        assert!(close(tip.rate, own.rate, 3e-3), "{} {}", tip.rate, own.rate);
+    }
+    // As above, of lengths with the growth that is not drawn yet.
+    for (share, to) in [(1.0 / 3.0, 8.0), (4.0, 4.0)] {
+        let loss = share * first;
+        let (cycles, want) =
+            (cycles_at(&shared(Some(wear(0.5 * loss)), 40, 0.04), to), integrated(&rate, loss, to));
+        println!("wear of {share:.2} times the growth: {cycles:.0} cycles, {want:.0} by integration");
+        assert!((cycles / want - 1.0).abs() < 2e-3, "{cycles} {want}");
     }
 }
 
