@@ -5,13 +5,8 @@ pub const ROUND_OFF: f64 = 1e-12;
 
 /// `value` rounded to `digits` significant decimal digits.
 pub fn rounded(value: f64, digits: usize) -> f64 {
-    let last = digits as i32 - 1 - value.abs().log10().floor() as i32;
-    match last {
-        // The power of ten is exact, and so is the quotient: the nearest number to the decimal.
-        0..=22 => (value * 10f64.powi(last)).round() / 10f64.powi(last),
-        -22..=-1 => (value / 10f64.powi(-last)).round() * 10f64.powi(-last),
-        _ => format!("{value:.decimals$e}", decimals = digits.saturating_sub(1)).parse().unwrap_or(value),
-    }
+    let decimals = digits.saturating_sub(1);
+    format!("{value:.decimals$e}").parse().unwrap_or(value)
 }
 
 /// Four significant digits without trailing zeros, the integer part always whole: `210000`,

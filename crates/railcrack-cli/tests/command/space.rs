@@ -269,8 +269,8 @@ fn with_fold(case: &str) -> String {
         .replace("angle_deg = 45.0\n", "")
 }
 
-/// The folded crack under everything that a case may add but scatter, for which it would be computed
-/// at ten speeds.
+/// The folded crack under everything that a case may add but scatter, for which it would be
+/// computed at ten speeds.
 fn folded() -> String {
     with_fold(&maintained_mix())
         .replace("[scatter]\nsamples = 500\nshare_log_std = 0.2\n", "")

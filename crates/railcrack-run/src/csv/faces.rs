@@ -1,7 +1,6 @@
 //! `faces.csv`: the crack faces during the stabilised passage.
 
 use super::table;
-use crate::numbers::rounded;
 use railcrack::contact::FaceStatus;
 use railcrack::growth::{FaceRecord, StepRecord};
 
@@ -51,9 +50,6 @@ table! {
     }
 }
 
-/// Significant digits: those of the contact's tolerance, in half the bytes of all.
-const DIGITS: usize = 7;
-
 impl FaceRow {
     /// The rows of a step: wheel by wheel, position by position, point by point.
     pub fn of_step(record: &StepRecord) -> impl Iterator<Item = Self> {
@@ -70,17 +66,16 @@ impl FaceRow {
                 position: i + 1,
                 crack: point.crack + 1,
                 segment: point.segment + 1,
-                s: rounded(point.s, DIGITS),
-                opening: rounded(state.opening, DIGITS),
-                slip: rounded(state.slip, DIGITS),
-                s22: rounded(state.s22, DIGITS),
-                s12: rounded(state.s12, DIGITS),
+                s: point.s,
+                opening: state.opening,
+                slip: state.slip,
+                s22: state.s22,
+                s12: state.s12,
                 status: state.status,
                 wheel: Some(wheel + 1),
-                lateral: across.and_then(|across| Some(rounded(*across.lateral.get(a)?, DIGITS))),
-                slip_across: across
-                    .and_then(|across| Some(rounded(across.states.get(i)?.get(a)?[0], DIGITS))),
-                s23: across.and_then(|across| Some(rounded(across.states.get(i)?.get(a)?[1], DIGITS))),
+                lateral: across.and_then(|across| across.lateral.get(a).copied()),
+                slip_across: across.and_then(|across| Some(across.states.get(i)?.get(a)?[0])),
+                s23: across.and_then(|across| Some(across.states.get(i)?.get(a)?[1])),
             })
         })
     }

@@ -8,7 +8,7 @@ use thiserror::Error;
 
 /// Bytes of a row of `sif.csv` and of `faces.csv`, about: eight and eleven fields.
 const SIF_ROW: u64 = 90;
-const FACE_ROW: u64 = 75;
+const FACE_ROW: u64 = 130;
 
 /// Bytes of a sample of `[scatter]` with its life, about.
 const SAMPLE: u64 = 300;

@@ -108,8 +108,8 @@ impl<'a> PreparedRun<'a> {
     }
 }
 
-/// What runs of the rail of `case` that differ in wear, grinding and speed alone can know of its
-/// crack together, filled as they compute it; none where K depends on more than the length.
+/// The crack of `case` as runs of its rail that differ in wear, grinding and speed alone know it
+/// together, filled as they compute it; none where K depends on more than the length.
 pub fn known_straight(case: &Case) -> Option<Arc<KnownStraight>> {
     let plane = case.plane()?;
     let goes_straight = case.growth.all_go_straight() || case.growth.straight_depth > 0.0;

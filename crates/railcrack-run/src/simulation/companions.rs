@@ -69,7 +69,7 @@ struct Beside<'a> {
     observer: &'a dyn RunObserver,
     /// The engine that computes the companions.
     engine: Engine,
-    /// What they know of the crack together.
+    /// The crack as they know it together.
     known: Option<&'a Arc<KnownStraight>>,
     /// The rail with the plastic stress that it carries.
     rail: Option<&'a SharedRail>,
@@ -168,8 +168,8 @@ impl Simulation<'_> {
         of_each(&self.kinds(info, log, engine), engine, of)
     }
 
-    /// What runs of this rail can know of its crack together; none where K depends on more than
-    /// its length, or a judge decides on the rates.
+    /// The crack as runs of this rail can know it together; none where K depends on more than its
+    /// length, or a judge decides on the rates.
     pub(super) fn known_straight(&self) -> Option<Arc<KnownStraight>> {
         known_straight(self.case).filter(|_| self.judge.is_none())
     }

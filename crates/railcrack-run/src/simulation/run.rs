@@ -43,7 +43,7 @@ pub struct Simulation<'a> {
     pub(super) presentation: &'a dyn Presentation,
     pub(super) shared: Option<&'a SharedRail>,
     pub(super) judge: Option<&'a Arc<dyn TipJudge>>,
-    /// What runs of this rail know of its crack together.
+    /// The crack as runs of this rail know it together.
     pub(super) known: Option<&'a Arc<KnownStraight>>,
     pub(super) is_sampled: bool,
     /// Whether the decision has lives along other paths and with other friction.

@@ -2,13 +2,11 @@
 //! under other grinding.
 
 use super::rail::{PlaneBody, PlaneRail, PlaneSite, movers};
+use super::tip_under_wheel::TipUnderWheel;
 use crate::crack::{Crack, CrackError, CrackNetwork, CrackTip, End};
-use crate::fatigue::{GrowthLaw, LargestK1, SifRanges};
-use crate::fracture::SifHistory;
 use crate::growth::{
     Advance, BodyReport, CrackedRail, FieldRecord, Geometry, GrowthError, GrowthSettings, GrowthState, Mover,
-    Observer, PlaneGeometry, PlaneTip, StabilisedPassage, StepStart, TipRecord, Warning, WheelDemand,
-    WheelOfRail,
+    Observer, PlaneGeometry, PlaneTip, StabilisedPassage, StepStart, TipRecord, Warning, WheelOfRail,
 };
 use crate::interruption::Interruption;
 use crate::math::{Vec2, lagrange};
@@ -20,10 +18,10 @@ const APART: f64 = 0.06;
 /// Angle (radians) up to which segments are one straight line.
 const STRAIGHT: f64 = 1e-6;
 
-/// What the wheels of a rail do to a straight surface crack of it, over its length: computed where
-/// it is asked for, at lengths that do not depend on who asks, and interpolated by cubics between
-/// them. In a half-plane without a profile of residual stress nothing else matters to K: what wear
-/// and grinding remove leaves a shorter crack with the same tip.
+/// A straight surface crack of a rail under its wheels, over its length: K is computed where it
+/// is asked for, at lengths that do not depend on who asks, and interpolated by cubics between
+/// them. In a half-plane without a profile of residual stress nothing else matters to K: what
+/// wear and grinding remove leaves a shorter crack with the same tip.
 pub struct KnownStraight {
     /// The crack at the beginning.
     first: Crack,
@@ -37,13 +35,6 @@ struct Node {
     record: TipRecord,
     /// Of the faces the points, and their states where they are widest open.
     passages: Vec<StabilisedPassage>,
-}
-
-/// A tip under the stabilised passage of a wheel.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct TipUnderWheel {
-    pub ranges: SifRanges,
-    pub largest_k1: Option<LargestK1>,
 }
 
 impl KnownStraight {
@@ -118,35 +109,6 @@ impl KnownStraight {
                 Ok(made)
             }
         }
-    }
-}
-
-impl TipUnderWheel {
-    /// The tip with `history`.
-    pub fn of(history: &SifHistory) -> Self {
-        Self { ranges: SifRanges::of(history), largest_k1: LargestK1::of(history) }
-    }
-
-    /// Its loading by `law`.
-    pub fn demand(&self, law: &GrowthLaw) -> WheelDemand {
-        let Self { ranges, largest_k1 } = *self;
-        let load = ranges.load();
-        WheelDemand { ranges, delta_keq: law.driven_by(load), rate: law.rate(load), largest_k1 }
-    }
-
-    /// The sum of `all` with these `weights`; what is not a number comes from that which is `near`.
-    fn between(all: &[Self], weights: &[f64], near: usize) -> Self {
-        let sum = |of: &dyn Fn(&Self) -> f64| -> f64 {
-            all.iter().zip(weights).map(|(one, weight)| weight * of(one)).sum()
-        };
-        let ranges = SifRanges {
-            ki_max: sum(&|one| one.ranges.ki_max),
-            delta_ki: sum(&|one| one.ranges.delta_ki).max(0.0),
-            delta_kii: sum(&|one| one.ranges.delta_kii).max(0.0),
-        };
-        let k1 = |one: &Self| one.largest_k1.map_or(0.0, |largest| largest.k1);
-        let largest_k1 = all[near].largest_k1.map(|largest| LargestK1 { k1: sum(&k1).max(0.0), ..largest });
-        Self { ranges, largest_k1 }
     }
 }
 

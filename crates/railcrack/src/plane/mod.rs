@@ -17,6 +17,7 @@ mod solvers;
 mod step_state;
 mod sweeps;
 mod tip_sifs;
+mod tip_under_wheel;
 mod turned;
 
 pub use face_load::RailLoad;

@@ -3,9 +3,9 @@
 use super::face_load::{FaceLoad, RailLoad};
 use super::fields::record_fields;
 use super::increments::{advance, kinked};
-use super::known::TipUnderWheel;
 use super::solvers::{PlaneWheel, Solvers};
 use super::step_state::{StepState, TipDrive, mouth_sine};
+use super::tip_under_wheel::TipUnderWheel;
 use super::turned::{TurnResponse, histories_of, jump, turned_by};
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::contact::{ContactSolver, FaceProblem, Latin, Newton, NotConverged, SteppingError};
@@ -453,7 +453,7 @@ impl CrackedRail for PlaneRail {
     }
 }
 
-/// What moves the cracks with these `tips`: each by itself.
+/// Everything that moves the cracks: each of `tips` by itself.
 pub(super) fn movers(tips: &[TipRecord]) -> Vec<Mover> {
     let mover = |TipRecord { tip, rate, length, .. }: &TipRecord| Mover {
         crack: tip.crack,
