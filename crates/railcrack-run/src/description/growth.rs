@@ -70,8 +70,9 @@ fn increments(case: &Case) -> String {
 
 fn path(case: &Case) -> String {
     match case.growth.turning {
-        Turning::Over(length) if case.growth.turns_in_space => format!(
-            "turns about the direction of the mouth over {} mm, or two rows of cells where these are longer",
+        Turning::Over(length) if case.growth.turns_in_space && length.is_finite() => format!(
+            "{}turns about the direction of the mouth over {} mm, or two rows of cells where these are longer",
+            straight_to(case.growth.straight_depth),
             short(length)
         ),
         _ if case.space().is_some() => "the front stays in its plane".to_owned(),

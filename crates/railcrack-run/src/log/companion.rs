@@ -28,6 +28,11 @@ impl CompanionKind {
         matches!(self, Self::Straight | Self::Limit)
     }
 
+    /// Whether the wheels do the same to a crack of the same length as in the run.
+    pub fn keeps_rail(&self) -> bool {
+        matches!(self, Self::Speed(_) | Self::Straight)
+    }
+
     /// The quantity that differs, and its value or the change of it.
     pub fn in_words(self) -> (&'static str, String) {
         match self {

@@ -31,7 +31,8 @@ impl<'a> PreparedRun<'a> {
         Self::sharing(case, rolled, None)
     }
 
-    /// [`PreparedRun::new`] with mesh, factor and columns of another run: the same bits, sooner.
+    /// [`PreparedRun::new`] with mesh, factor and columns of another run, or with the stress that
+    /// its rail carries, then without `rolled`: the same bits, sooner.
     ///
     /// Errors: the same.
     pub fn sharing(
@@ -39,9 +40,9 @@ impl<'a> PreparedRun<'a> {
         rolled: Option<&RolledStress>,
         shared: Option<&SharedRail>,
     ) -> Result<Self, CarriedStressError> {
-        if let Some((shared, carried)) = shared.and_then(|shared| Some((shared, shared.carried()?))) {
-            let residual = carried.clone();
-            return Ok(Self { case, meshed: Some(shared.engine().clone()), residual });
+        if let Some(carried) = shared.and_then(SharedRail::carried) {
+            let meshed = case.plane().map(|plane| finite_elements(case, plane, None));
+            return Ok(Self { case, meshed, residual: carried.clone() });
         }
         let plastic = plastic_field(case, rolled)?;
         let mut meshed = case.plane().map(|plane| finite_elements(case, plane, plastic.as_ref()));
@@ -52,10 +53,9 @@ impl<'a> PreparedRun<'a> {
         Ok(Self { case, meshed, residual })
     }
 
-    /// The rail with the stress that it carries, for other runs by dislocations under the same
-    /// residual stress; none in space.
-    pub(crate) fn carrying_rail(&self) -> Option<SharedRail> {
-        Some(SharedRail::carrying(self.meshed.clone()?, self.residual.clone()))
+    /// The stress that the rail carries, for other runs by dislocations under the same one.
+    pub(crate) fn carrying_rail(&self) -> SharedRail {
+        SharedRail::Carrying(self.residual.clone())
     }
 
     /// The residual stress that the rail carries.
@@ -79,7 +79,7 @@ impl<'a> PreparedRun<'a> {
     /// the rate of every front point. What other runs of this rail have `known` of its crack is not
     /// computed again.
     #[must_use]
-    pub fn growth_judged(
+    pub(crate) fn growth_judged(
         self,
         state: Option<GrowthState>,
         judge: Option<Arc<dyn TipJudge>>,
@@ -112,11 +112,10 @@ impl<'a> PreparedRun<'a> {
 /// together, filled as they compute it; none where K depends on more than the length.
 pub fn known_straight(case: &Case) -> Option<Arc<KnownStraight>> {
     let plane = case.plane()?;
-    let goes_straight = case.growth.all_go_straight() || case.growth.straight_depth > 0.0;
     let has_profile = case.residual_stress.is_some() || case.plastic_stress().is_some();
     let is_half_plane = case.boundary() == Boundary::HalfPlane && plane.section.is_none();
-    let known = KnownStraight::of(&case.cracks)?;
-    (goes_straight && is_half_plane && !has_profile).then(|| Arc::new(known))
+    let known = KnownStraight::of(&case.cracks, &case.growth)?;
+    (is_half_plane && !has_profile).then(|| Arc::new(known))
 }
 
 /// The growth of `rail` from `state` on, with directions and rates from `judge` if there is one.

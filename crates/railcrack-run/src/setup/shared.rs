@@ -1,4 +1,4 @@
-//! Meshes and factors that several runs of a study share.
+//! Meshes, factors and stresses that the runs of a study, or of a decision, share.
 
 use super::carried::{CarriedStress, CarriedStressError, plastic_field};
 use super::engine::finite_elements;
@@ -8,17 +8,21 @@ use railcrack_case::{Case, Engine, PlaneEngine, PlasticSource};
 use std::fmt::{self, Debug, Formatter};
 use thiserror::Error;
 
-/// Mesh, factor and columns of a rail for several runs whose cracks begin the same.
+/// A rail for several runs.
 #[derive(Clone)]
-pub struct SharedRail {
-    engine: XfemEngine,
-    /// The residual stress that it carries, where one of the runs has computed it for all.
-    carried: Option<CarriedStress>,
+pub enum SharedRail {
+    /// Mesh, factor and columns, for runs whose cracks begin the same.
+    Meshed(Box<XfemEngine>),
+    /// The residual stress that it carries, for runs by dislocations.
+    Carrying(CarriedStress),
 }
 
 impl Debug for SharedRail {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.debug_struct("SharedRail").field("engine", &self.engine).finish_non_exhaustive()
+        f.write_str(match self {
+            Self::Meshed(_) => "Meshed",
+            Self::Carrying(_) => "Carrying",
+        })
     }
 }
 
@@ -48,27 +52,22 @@ impl SharedRail {
             Engine::Plane(PlaneEngine::Xfem) => drop(engine.body(&case.cracks)?),
             _ => drop(engine.background(&case.cracks)?.clone()),
         }
-        Ok(Some(Self { engine, carried: None }))
-    }
-
-    /// The rail that `engine` meshes, with the stress that it has `carried` already.
-    pub(super) fn carrying(engine: XfemEngine, carried: CarriedStress) -> Self {
-        Self { engine, carried: Some(carried) }
+        Ok(Some(Self::Meshed(Box::new(engine))))
     }
 
     /// The stress that it carries, where that has been computed.
     pub(crate) fn carried(&self) -> Option<&CarriedStress> {
-        self.carried.as_ref()
+        match self {
+            Self::Carrying(carried) => Some(carried),
+            Self::Meshed(_) => None,
+        }
     }
 
-    /// The engine that meshes it.
-    pub(super) fn engine(&self) -> &XfemEngine {
-        &self.engine
-    }
-
-    /// Passes them to `engine`, which would compute the same.
+    /// Passes mesh, factor and columns to `engine`, which would compute the same.
     pub(super) fn give_to(&self, engine: &mut XfemEngine) {
-        engine.take_over(&self.engine);
+        if let Self::Meshed(own) = self {
+            engine.take_over(own);
+        }
     }
 }
 

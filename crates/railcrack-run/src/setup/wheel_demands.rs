@@ -7,13 +7,11 @@ use super::space_demands::demands_in_space;
 use super::wheel::{plane_field, with_temperature};
 use railcrack::contact::{FaceProblem, Latin, Newton};
 use railcrack::fatigue::{LoadRange, SifRanges};
-use railcrack::field::StressField;
 use railcrack::growth::Unobserved;
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::plane::{RailLoad, stabilised_passage};
 use railcrack_case::{Case, TrafficWheel};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
-use std::sync::Arc;
 
 /// ΔK_eq and rate of a stabilised passage of every wheel over the cracks at the beginning: of the
 /// table of wheels, if there is one, otherwise of the wheels of `case`. A wheel that misses the
@@ -25,7 +23,7 @@ use std::sync::Arc;
 pub fn wheel_demands(case: &Case, run: &Case) -> Result<Vec<WheelDemand>, DemandError> {
     let prepared = PreparedRun::new(case, None)?;
     let carried = prepared.into_residual();
-    let residual: Option<Arc<dyn StressField>> = carried.field.map(Arc::from);
+    let residual = carried.field;
     if case.space().is_some() {
         return demands_in_space(run, residual.as_ref(), carried.standing.as_ref());
     }

@@ -106,8 +106,6 @@ impl Simulation<'_> {
         beside.engine = self.quick_engine(info, log, &beside)?;
         let own = self.known_straight();
         beside.known = self.known.filter(|_| beside.engine == engine).or(own.as_ref());
-        let carrying = carrying_rail(self.case, beside.engine, &beside.stage(self, self.shared))?;
-        beside.rail = carrying.as_ref().or(self.shared);
         let kinds = self.kinds(info, log, beside.engine);
         let count = kinds.iter().filter(|kind| !is_the_run(self.case, **kind)).count();
         if count > 0 {
@@ -118,6 +116,12 @@ impl Simulation<'_> {
             0 => None,
             _ => self.part_of_row(info, log, &beside)?,
         };
+        // Of a part of the cracks the mesh is another one.
+        let carrying = match &part {
+            None => carrying_rail(self.case, beside.engine, &beside.stage(self, self.shared))?,
+            Some(_) => None,
+        };
+        beside.rail = carrying.as_ref().or(self.shared);
         let of = |kind: &CompanionKind| match is_the_run(self.case, *kind) {
             true => Ok(Companion { kind: *kind, steps: log.steps.clone(), reason: None }),
             false => {
@@ -131,7 +135,9 @@ impl Simulation<'_> {
         };
         let computed = |kinds: &[CompanionKind]| of_each(kinds, beside.engine, of);
         // The first one alone: what it has found of the crack is known to the others.
-        let (first, others) = kinds.split_at(kinds.len().min(usize::from(beside.known.is_some())));
+        let sharing = kinds.iter().filter(|kind| kind.keeps_rail() && !is_the_run(self.case, **kind));
+        let is_ahead = beside.known.is_some() && sharing.count() > 1;
+        let (first, others) = kinds.split_at(usize::from(is_ahead));
         let mut all = computed(first)?;
         all.extend(computed(others)?);
         loop {
@@ -277,16 +283,16 @@ impl Simulation<'_> {
             return Ok(Companion { kind, steps: Vec::new(), reason });
         };
         let part = kept.and_then(|kept| case.with_cracks(kept));
-        // A rail that is shared has the mesh of all cracks, and its own plastic stress.
-        let is_other = matches!(kind, CompanionKind::Varied(Variation::OtherSign | Variation::Deeper(_)));
-        let shared = if is_other { self.shared.filter(|rail| rail.carried().is_none()) } else { beside.rail };
+        // A rail that is shared has the mesh of all cracks, as deep as they are.
+        let is_deeper = matches!(kind, CompanionKind::Varied(Variation::Deeper(_)));
+        let shared =
+            if is_deeper { self.shared.filter(|rail| rail.carried().is_none()) } else { beside.rail };
         let shared = shared.filter(|_| part.is_none());
         case = part.unwrap_or(case);
         if let (Engine::Plane(engine), Geometry::Plane(plane)) = (beside.engine, &mut case.geometry) {
             plane.engine = engine;
         }
-        let is_known = matches!(kind, CompanionKind::Speed(_) | CompanionKind::Straight);
-        let known = beside.known.filter(|_| is_known);
+        let known = beside.known.filter(|_| kind.keeps_rail());
         let simulation = Simulation { case: &case, observer: beside.observer, shared, known, ..*self };
         let stage = beside.stage(self, shared);
         let mut log = RunLog::default();

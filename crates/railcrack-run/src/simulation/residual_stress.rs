@@ -53,7 +53,7 @@ impl Residual {
 }
 
 /// Computes the plastic state of the rolled rail if the case requires it, and balances the stress
-/// of the rail.
+/// of the rail; neither, and no residual stress to record, where the rail of `stage` carries it.
 ///
 /// Errors: the plastic state cannot be computed, written or read back; the residual stress cannot
 /// be balanced.
@@ -119,7 +119,7 @@ pub(super) fn carrying_rail(
     match prepare(case, stage) {
         Err(error) if error.is_interruption() => Err(error),
         // The runs report the error.
-        prepared => Ok(prepared.ok().and_then(|(prepared, _)| prepared.carrying_rail())),
+        prepared => Ok(prepared.ok().map(|(prepared, _)| prepared.carrying_rail())),
     }
 }
 

@@ -152,6 +152,11 @@ impl GrowthSettings {
         self.criterion == DirectionCriterion::Coplanar || self.turning == Turning::Over(f64::INFINITY)
     }
 
+    /// Whether a tip at `depth` (mm) goes straight ahead, whatever its best kink.
+    pub(crate) fn is_straight_at(&self, depth: f64) -> bool {
+        self.all_go_straight() || !self.turning.is_kink() && depth < self.straight_depth
+    }
+
     /// Whether the path of `tip` goes straight ahead, whatever its best kink.
     pub(crate) fn goes_straight(&self, tip: &TipRecord) -> bool {
         !self.turning.is_kink() && tip.depth() < self.straight_depth

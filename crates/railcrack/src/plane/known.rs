@@ -20,8 +20,9 @@ const STRAIGHT: f64 = 1e-6;
 
 /// A straight surface crack of a rail under its wheels, over its length: K is computed where it
 /// is asked for, at lengths that do not depend on who asks, and interpolated by cubics between
-/// them. In a half-plane without a profile of residual stress nothing else matters to K: what
-/// wear and grinding remove leaves a shorter crack with the same tip.
+/// them. In a half-plane without a profile of residual stress nothing else matters to K, but for
+/// the positions of the wheel, which are those about the mouth at the beginning: wear and grinding
+/// leave a shorter crack with the same tip.
 pub struct KnownStraight {
     /// The crack at the beginning.
     first: Crack,
@@ -37,13 +38,27 @@ struct Node {
     passages: Vec<StabilisedPassage>,
 }
 
+/// A crack between nodes.
+struct Between {
+    under_wheels: Vec<TipUnderWheel>,
+    /// The nearest of them.
+    near: Arc<Node>,
+}
+
 impl KnownStraight {
-    /// For the crack of `network`; none unless that is a single straight surface crack.
+    /// For the crack of `network`; none unless that is a single straight surface crack which goes
+    /// straight ahead at first by the settings of `growth`.
     #[must_use]
-    pub fn of(network: &CrackNetwork) -> Option<Self> {
+    pub fn of(network: &CrackNetwork, growth: &GrowthSettings) -> Option<Self> {
         let [first] = network.cracks() else { return None };
         let is_surface = first.is_surface_breaking() && is_straight(first, first.ahead(End::Last));
-        is_surface.then(|| Self { first: first.clone(), nodes: Mutex::default() })
+        let known = Self { first: first.clone(), nodes: Mutex::default() };
+        Some(known).filter(|known| is_surface && known.is_straight(first.length(), growth))
+    }
+
+    /// Whether the crack goes straight ahead when it is `length` (mm) long.
+    fn is_straight(&self, length: f64, growth: &GrowthSettings) -> bool {
+        growth.is_straight_at(-self.first.ahead(End::Last).y * length)
     }
 
     /// The length of the crack of `geometry`, mm; none where that is another one.
@@ -74,7 +89,7 @@ impl KnownStraight {
         &self,
         length: f64,
         mut at: impl FnMut(i32) -> Result<Option<Node>, GrowthError>,
-    ) -> Result<Option<(Vec<TipUnderWheel>, Arc<Node>)>, GrowthError> {
+    ) -> Result<Option<Between>, GrowthError> {
         let place = (length / self.first.length()).ln() / APART;
         let first = place.floor() as i32 - 1;
         let mut nodes = Vec::with_capacity(4);
@@ -89,7 +104,8 @@ impl KnownStraight {
             let all: Vec<TipUnderWheel> = nodes.iter().map(|node| node.tips[wheel]).collect();
             TipUnderWheel::between(&all, &weights, near)
         };
-        Ok(Some(((0..nodes[near].tips.len()).map(of_wheel).collect(), Arc::clone(&nodes[near]))))
+        let under_wheels = (0..nodes[near].tips.len()).map(of_wheel).collect();
+        Ok(Some(Between { under_wheels, near: Arc::clone(&nodes[near]) }))
     }
 
     fn node(
@@ -144,15 +160,22 @@ impl KnownRail {
     ) -> Result<Option<KnownCrack>, GrowthError> {
         let Geometry::Plane(geometry) = &state.geometry else { return Ok(None) };
         let Self { rail, known } = self;
-        let Some(length) = known.length_of(geometry) else { return Ok(None) };
+        let is_straight = |length: &f64| known.is_straight(*length, &rail.growth);
+        let Some(length) = known.length_of(geometry).filter(is_straight) else { return Ok(None) };
         let tip = CrackTip { crack: 0, tip: 0, end: End::Last };
         let at = |node: i32| rail.node(known.crack(node), interruption);
-        let Some((under_wheels, near)) = known.between(length, at)? else { return Ok(None) };
+        let Some(Between { under_wheels, near }) = known.between(length, at)? else { return Ok(None) };
+        // Nothing of how a run would turn there.
         let plane = near.record.plane().copied().unwrap_or_default();
-        let plane = PlaneTip { deferred: geometry.deferred[0][0], ..plane };
+        let plane = PlaneTip {
+            deferred: geometry.deferred[0][0],
+            jump: None,
+            sensitivity: 0.0,
+            kink_slope: 0.0,
+            ..plane
+        };
         let record = rail.tip_record(geometry, tip, &under_wheels, near.record.kink, plane);
-        let is_straight = rail.growth.all_go_straight() || rail.growth.goes_straight(&record);
-        let network = CrackNetwork::new(geometry.cracks.clone()).ok().filter(|_| is_straight);
+        let network = CrackNetwork::new(geometry.cracks.clone()).ok();
         Ok(network.map(|network| KnownCrack { geometry: geometry.clone(), network, record, near }))
     }
 }
@@ -212,9 +235,9 @@ pub struct KnownCrack {
 /// The cracks of a step.
 pub enum KnownBody {
     /// As a body.
-    Computed(PlaneBody),
+    Computed(Box<PlaneBody>),
     /// By their tip.
-    Known(KnownCrack),
+    Known(Box<KnownCrack>),
 }
 
 impl CrackedRail for KnownRail {
@@ -239,8 +262,8 @@ impl CrackedRail for KnownRail {
         interruption: Interruption<'_>,
     ) -> Result<KnownBody, GrowthError> {
         Ok(match self.tip(state, interruption)? {
-            Some(crack) => KnownBody::Known(crack),
-            None => KnownBody::Computed(self.rail.body(state, interruption)?),
+            Some(crack) => KnownBody::Known(Box::new(crack)),
+            None => KnownBody::Computed(Box::new(self.rail.body(state, interruption)?)),
         })
     }
 

@@ -90,12 +90,13 @@ fn runs_that_share_what_they_know_of_a_crack_repeat_those_that_compute_it() {
     let rate = rates();
     let first = rate(6.0);
     let crack = surface_crack(0.0, 6.0, 30.0);
-    let known = Arc::new(KnownStraight::of(&crack.clone().into()).unwrap());
-    let shared = |maintenance, steps, increment| {
-        let rail = KnownRail::new(problem(maintenance, steps, increment), Arc::clone(&known));
-        let mut growth = Growth::new(rail, GrowthState::initial(&crack.clone().into()));
+    let network = crack.clone().into();
+    let steps = |rail: PlaneRail| {
+        let known = Arc::new(KnownStraight::of(&network, &rail.growth).unwrap());
+        let mut growth = Growth::new(KnownRail::new(rail, known), GrowthState::initial(&network));
         std::iter::from_fn(move || growth.next_step(&Unobserved).unwrap()).collect::<Vec<StepRecord>>()
     };
+    let shared = |maintenance, count, increment| steps(problem(maintenance, count, increment));
     // No length of the run is one of those at which K was computed.
     for (own, step) in run(problem(None, 12, 0.043)).iter().zip(shared(None, 12, 0.043)) {
         let (own, tip) = (&own.tips[0], &step.tips[0]);
@@ -112,6 +113,22 @@ fn runs_that_share_what_they_know_of_a_crack_repeat_those_that_compute_it() {
         println!("wear of {share:.2} times the growth: {cycles:.0} cycles, {want:.0} by integration");
         assert!((cycles / want - 1.0).abs() < 2e-3, "{cycles} {want}");
     }
+    // Straight ahead to a depth of 3.3 mm only: from there on everything is computed.
+    let turning = || {
+        let mut rail = problem(None, 200, 0.04);
+        rail.growth.criterion = DirectionCriterion::MaxRate;
+        rail.growth.straight_depth = 3.3;
+        rail.growth.tolerance = Some(0.01);
+        rail.growth.critical_length = Some(9.0);
+        rail
+    };
+    let [own, shared] = [run(turning()), steps(turning())];
+    let [own_end, end] = [&own, &shared].map(|steps| steps.last().unwrap());
+    assert!(own.len().abs_diff(shared.len()) < 3, "{} {}", own.len(), shared.len());
+    assert!((end.load_cycles / own_end.load_cycles - 1.0).abs() < 5e-3, "{own_end:?} {end:?}");
+    let [own_tip, tip] = [own_end, end].map(|step| &step.tips[0]);
+    assert!((own_tip.x - tip.x).hypot(own_tip.y - tip.y) < 0.02, "{own_tip:?} {tip:?}");
+    assert!(shared.iter().any(|step| step.dofs == 0 && step.tips[0].depth() < 3.3));
 }
 
 #[test]
