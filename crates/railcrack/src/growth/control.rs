@@ -597,11 +597,6 @@ impl Search {
     /// the turn is enclosed as well, or the path can turn no farther.
     fn add(&mut self, turn: f64, kink: f64) {
         let is_confined = self.tried > 0 && turn == self.last.0;
-        // A side that stays counts half, or secants would creep towards it (Illinois rule).
-        let stays = if kink > 0.0 { &mut self.high } else { &mut self.low };
-        if let Some(stays) = stays.as_mut().filter(|_| (self.last.1 > 0.0) == (kink > 0.0)) {
-            stays.1 *= 0.5;
-        }
         self.stride = if self.tried > 0 { turn - self.last.0 } else { 0.0 };
         self.last = (turn, kink);
         self.tried += 1;

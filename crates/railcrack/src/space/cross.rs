@@ -67,7 +67,7 @@ impl<'a> Cross<'a> {
             Surroundings::FullSpace => Stress::Kelvin,
             Surroundings::HalfSpace => Stress::HalfSpace,
         };
-        let tractions = Tractions::new(cracks.map(|crack| (crack.grid, crack.sheet)), poisson, fineness);
+        let tractions = Tractions::new(cracks.map(|crack| crack.sheet), poisson, fineness);
         Self { cracks, stress, tractions }
     }
 
@@ -112,7 +112,8 @@ impl<'a> Cross<'a> {
     /// The block of the cells i and j, along the axes of the rail.
     fn pair(&self, i: usize, j: usize) -> Block {
         let mut block = EMPTY;
-        self.tractions.add(self.stress, [i, j], &|one, other| self.gap(one, other), &mut block);
+        let cells = [&self.cracks[0].grid.cells[i], &self.cracks[1].grid.cells[j]];
+        self.tractions.add(self.stress, cells, &|one, other| self.gap(one, other), &mut block);
         block
     }
 

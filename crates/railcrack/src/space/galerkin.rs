@@ -182,16 +182,16 @@ impl<'a> Galerkin<'a> {
         let touching = if half == Half::Direct { &self.near } else { &self.mouth };
         let gap = |one: &Cover, other: &Cover| self.gap(one, other, half);
         let pair = CellPair { cells, touching, apart: &self.apart, gap: &gap };
-        let mut add = |first: &[(CellPoint, f64)], second: &[(CellPoint, f64)]| {
-            for (x, weight) in first {
-                self.add(half, &weighted(x, *weight), second, block);
-            }
-        };
+        let mut add = |x: &CellPoint, second: &[(CellPoint, f64)]| self.add(half, x, second, block);
         match *shared {
             [] => {
                 let covers = [&self.covers[i], &self.covers[j]];
                 match ApartRules::place(gap(covers[0], covers[1]), covers[0], covers[1]) {
-                    Some(place) => add(&self.points[i][place], &self.points[j][place]),
+                    Some(place) => {
+                        for (x, weight) in &self.points[i][place] {
+                            add(&weighted(x, *weight), &self.points[j][place]);
+                        }
+                    }
                     None => pair.apart([Patch::WHOLE; 2], 0, &mut add),
                 }
             }

@@ -181,8 +181,9 @@ impl ApartRules {
     }
 }
 
-/// Receives points of both cells with their weights, whose products are all wanted.
-pub(super) type Visit<'v> = dyn FnMut(&[(CellPoint, f64)], &[(CellPoint, f64)]) + 'v;
+/// Receives a point, whose gradients and area include its weight, and points of the other cell with
+/// their weights.
+pub(super) type Visit<'v> = dyn FnMut(&CellPoint, &[(CellPoint, f64)]) + 'v;
 
 /// Two cells whose products are integrated.
 pub(super) struct CellPair<'a> {
@@ -202,7 +203,7 @@ impl CellPair<'_> {
         let measure = one.measure() * other.measure();
         for pair in rule {
             let ([u, v], [p, q]) = (one.at(pair.first), other.at(pair.second));
-            visit(&[(self.cells[0].at(u, v), 1.0)], &[(self.cells[1].at(p, q), pair.weight * measure)]);
+            visit(&self.cells[0].at(u, v), &[(self.cells[1].at(p, q), pair.weight * measure)]);
         }
     }
 
@@ -265,7 +266,10 @@ impl CellPair<'_> {
         let place = ApartRules::place((self.gap)(&covers[0], &covers[1]), &covers[0], &covers[1]);
         if place.is_some() || level == DIVISIONS {
             let rule = self.apart.rule(place);
-            visit(&patches[0].points(self.cells[0], rule), &patches[1].points(self.cells[1], rule));
+            let second = patches[1].points(self.cells[1], rule);
+            for (x, weight) in patches[0].points(self.cells[0], rule) {
+                visit(&weighted(&x, weight), &second);
+            }
             return;
         }
         let larger = if covers[0].radius >= covers[1].radius { 0 } else { 1 };

@@ -9,7 +9,7 @@
 //! divided until Gauss product rules resolve 1/r³ at their distance.
 
 use super::curls::{MomentPoint, Stress, add_strong};
-use super::grid::{Block, CORNERS, Cell, Grid};
+use super::grid::{Block, CORNERS, Cell};
 use super::patch::Patch;
 use super::sheet::Sheet;
 use crate::math::{Matrix, dot3, gauss_legendre};
@@ -17,8 +17,6 @@ use crate::math::{Matrix, dot3, gauss_legendre};
 /// Distance of two patches, relative to the diameter of the larger one, and the number of points
 /// per direction that it requires; closer patches are divided.
 const ORDERS: [(f64, usize); 5] = [(4.0, 2), (2.0, 3), (1.0, 4), (0.6, 5), (0.4, 6)];
-/// Rules whose points on whole cells are kept: those of most pairs.
-const KEPT: usize = 3;
 /// Largest number of divisions of the patches of a pair of cells.
 const DIVISIONS: usize = 24;
 
@@ -62,80 +60,31 @@ impl Reach {
 
 /// The integrals between two surfaces.
 pub(super) struct Tractions<'a> {
-    surfaces: [(&'a Grid, &'a Sheet); 2],
+    sheets: [&'a Sheet; 2],
     poisson: f64,
     nearer: f64,
     rules: Vec<Vec<(f64, f64)>>,
-    /// The whole cells of both surfaces; of a surface with itself once.
-    wholes: Vec<Vec<WholeCell>>,
-}
-
-/// A cell that is not divided.
-struct WholeCell {
-    reach: Reach,
-    /// Its points by each of the first [`KEPT`] rules.
-    points: Vec<Vec<MomentPoint>>,
 }
 
 impl<'a> Tractions<'a> {
-    pub fn new(surfaces: [(&'a Grid, &'a Sheet); 2], poisson: f64, fineness: Fineness) -> Self {
+    pub fn new(sheets: [&'a Sheet; 2], poisson: f64, fineness: Fineness) -> Self {
         let rule = |&(_, order): &(f64, usize)| gauss_legendre(order + fineness.more_points);
-        let rules: Vec<Vec<(f64, f64)>> = ORDERS.iter().map(rule).collect();
-        let is_one = std::ptr::eq(surfaces[0].0, surfaces[1].0) && std::ptr::eq(surfaces[0].1, surfaces[1].1);
-        let whole = |sheet: &Sheet, cell: &Cell| WholeCell {
-            reach: Reach::of(sheet, cell, &Patch::WHOLE),
-            points: rules[..KEPT]
-                .iter()
-                .map(|rule| points_of(&Patch::WHOLE, sheet, cell, rule, poisson))
-                .collect(),
-        };
-        let of_surface =
-            |(grid, sheet): &(&Grid, &Sheet)| grid.cells.iter().map(|cell| whole(sheet, cell)).collect();
-        let wholes = surfaces.iter().take(if is_one { 1 } else { 2 }).map(of_surface).collect();
-        Self { surfaces, poisson, nearer: fineness.nearer, rules, wholes }
+        Self { sheets, poisson, nearer: fineness.nearer, rules: ORDERS.iter().map(rule).collect() }
     }
 
-    /// Adds the products of the hats of the cells i and j, in units of the shear modulus; `gap` is
-    /// a lower bound on the distance of two patches in the `stress`. Components are along the axes
-    /// of the rail.
+    /// Adds the products of the hats of two cells, in units of the shear modulus; `gap` is a lower
+    /// bound on the distance of two patches in the `stress`. Components are along the axes of the
+    /// rail.
     pub fn add(
         &self,
         stress: Stress,
-        [i, j]: [usize; 2],
+        cells: [&Cell; 2],
         gap: &dyn Fn(&Reach, &Reach) -> f64,
         block: &mut Block,
     ) {
-        let [one, other] = [&self.wholes[0][i], &self.wholes[self.wholes.len() - 1][j]];
-        match self.place([&one.reach, &other.reach], gap).filter(|place| *place < KEPT) {
-            Some(place) => self.add_points(stress, [&one.points[place], &other.points[place]], block),
-            None => {
-                let cells = [&self.surfaces[0].0.cells[i], &self.surfaces[1].0.cells[j]];
-                Pair { tractions: self, stress, cells, gap }.add([Patch::WHOLE; 2], 0, block);
-            }
-        }
+        let pair = Pair { tractions: self, stress, cells, gap };
+        pair.add([Patch::WHOLE; 2], 0, block);
     }
-
-    /// The rule that suffices for the distance of two patches, if one does.
-    fn place(&self, [one, other]: [&Reach; 2], gap: &dyn Fn(&Reach, &Reach) -> f64) -> Option<usize> {
-        let ratio = gap(one, other) / (2.0 * self.nearer * one.radius.max(other.radius));
-        ORDERS.iter().position(|&(limit, _)| ratio > limit)
-    }
-
-    fn add_points(&self, stress: Stress, [first, second]: [&[MomentPoint]; 2], block: &mut Block) {
-        first.iter().for_each(|x| add_strong(stress, x, second, self.poisson, block));
-    }
-}
-
-/// The points of `rule` on a patch of a cell.
-fn points_of(
-    patch: &Patch,
-    sheet: &Sheet,
-    cell: &Cell,
-    rule: &[(f64, f64)],
-    poisson: f64,
-) -> Vec<MomentPoint> {
-    let points = patch.points(cell, rule).into_iter();
-    points.map(|(x, weight)| MomentPoint::new(&sheet.at(x.position), &x, weight, poisson)).collect()
 }
 
 /// Two cells whose products are integrated.
@@ -149,14 +98,21 @@ struct Pair<'a, 'p> {
 impl Pair<'_, '_> {
     /// Divides patches until a rule suffices for their distance.
     fn add(&self, patches: [Patch; 2], level: usize, block: &mut Block) {
-        let Tractions { surfaces, poisson, rules, .. } = self.tractions;
-        let [one, other] = [0, 1].map(|k| Reach::of(surfaces[k].1, self.cells[k], &patches[k]));
-        let place = self.tractions.place([&one, &other], self.gap);
+        let Tractions { sheets, poisson, nearer, rules } = self.tractions;
+        let [one, other] = [0, 1].map(|k| Reach::of(sheets[k], self.cells[k], &patches[k]));
+        let ratio = (self.gap)(&one, &other) / (2.0 * nearer * one.radius.max(other.radius));
+        let place = ORDERS.iter().position(|&(limit, _)| ratio > limit);
         if place.is_some() || level == DIVISIONS {
             let rule = &rules[place.unwrap_or(ORDERS.len() - 1)];
-            let [first, second] =
-                [0, 1].map(|k| points_of(&patches[k], surfaces[k].1, self.cells[k], rule, *poisson));
-            return self.tractions.add_points(self.stress, [&first, &second], block);
+            let [first, second] = [0, 1].map(|k| {
+                let points = patches[k].points(self.cells[k], rule).into_iter();
+                let point = |(x, weight): (super::grid::CellPoint, f64)| {
+                    MomentPoint::new(&sheets[k].at(x.position), &x, weight, *poisson)
+                };
+                points.map(point).collect::<Vec<_>>()
+            });
+            first.iter().for_each(|x| add_strong(self.stress, x, &second, *poisson, block));
+            return;
         }
         let larger = usize::from(one.radius < other.radius);
         let [p, q] = patches[larger].lengths(self.cells[larger]);

@@ -65,7 +65,7 @@ pub(super) fn turned_stiffness(
         curls: Curls::new(grid, &at, poisson, more),
         parts: &plane.parts,
         sheet,
-        tractions: Tractions::new([(grid, sheet); 2], poisson, fineness),
+        tractions: Tractions::new([sheet; 2], poisson, fineness),
     };
     let mut stiffness = assembly.beyond(interruption)?;
     let directions = crack.directions();
@@ -142,9 +142,6 @@ struct Curls<'a> {
     poisson: f64,
     touching: DuffyRules,
     apart: ApartRules,
-    /// Cells at the points of the rules of the whole cell, and their discs.
-    points: Vec<Vec<Vec<CurlPoint>>>,
-    covers: Vec<Cover>,
 }
 
 impl<'a> Curls<'a> {
@@ -154,13 +151,8 @@ impl<'a> Curls<'a> {
         poisson: f64,
         more: usize,
     ) -> Self {
-        let (touching, apart) = (DuffyRules::new(DUFFY_ORDER + more), ApartRules::new(more));
-        let (points, covers) = (Vec::new(), grid.cells.iter().map(|cell| Patch::WHOLE.cover(cell)).collect());
-        let curls = Self { grid, at, poisson, touching, apart, points, covers };
-        let of_rule = |cell, rule: &Vec<_>| curls.points(&Patch::WHOLE.points(cell, rule));
-        let of_cell = |cell| curls.apart.all().iter().map(|rule| of_rule(cell, rule)).collect();
-        let points = grid.cells.iter().map(of_cell).collect();
-        Self { points, ..curls }
+        let touching = DuffyRules::new(DUFFY_ORDER + more);
+        Self { grid, at, poisson, touching, apart: ApartRules::new(more) }
     }
 
     /// Adds the products of the hats of the cells i and j, along the axes of the rail.
@@ -171,15 +163,9 @@ impl<'a> Curls<'a> {
         let corners = (0..4).flat_map(|a| (0..4).map(move |b| (a, b)));
         let shared: Vec<_> = corners.filter(|&(a, b)| cells[0].vertices[a] == cells[1].vertices[b]).collect();
         let mut sums = NO_SUMS;
-        let mut add_points = |first: &[CurlPoint], second: &[CurlPoint]| {
-            first.iter().for_each(|x| add_weak(x, second, &mut sums));
-        };
-        if let Some(place) = self.place([i, j]).filter(|_| shared.is_empty()) {
-            add_points(&self.points[i][place], &self.points[j][place]);
-            return add_sums(&sums, self.poisson, block);
-        }
-        let mut add = |first: &[(CellPoint, f64)], second: &[(CellPoint, f64)]| {
-            add_points(&self.points(first), &self.points(second));
+        let mut add = |x: &CellPoint, second: &[(CellPoint, f64)]| {
+            let second: Vec<_> = second.iter().map(|(y, weight)| self.point(y, *weight)).collect();
+            add_weak(&self.point(x, 1.0), &second, &mut sums);
         };
         match shared[..] {
             [] => pair.apart([Patch::WHOLE; 2], 0, &mut add),
@@ -190,16 +176,8 @@ impl<'a> Curls<'a> {
         add_sums(&sums, self.poisson, block);
     }
 
-    /// The rule that suffices for the whole cells i and j, if one does.
-    fn place(&self, [i, j]: [usize; 2]) -> Option<usize> {
-        let [one, other] = [&self.covers[i], &self.covers[j]];
-        ApartRules::place(self.gap(one, other), one, other)
-    }
-
-    fn points(&self, points: &[(CellPoint, f64)]) -> Vec<CurlPoint> {
-        let of =
-            |(point, weight): &(CellPoint, f64)| CurlPoint::new(&(self.at)(point.position), point, *weight);
-        points.iter().map(of).collect()
+    fn point(&self, point: &CellPoint, weight: f64) -> CurlPoint {
+        CurlPoint::new(&(self.at)(point.position), point, weight)
     }
 
     /// A lower bound on the distance of two discs.
@@ -292,15 +270,16 @@ impl Assembly<'_> {
         if !beyond.contains(&true) {
             return None;
         }
+        let cells = [i, j].map(|cell| &self.grid.cells[cell]);
         let mut image = EMPTY;
-        self.tractions.add(Stress::Image, [i, j], &|one, other| self.image_gap(one, other), &mut image);
+        self.tractions.add(Stress::Image, cells, &|one, other| self.image_gap(one, other), &mut image);
         let mut inside = image;
         self.curls.add([i, j], &mut inside);
         let mut with_mouth = EMPTY;
         if (beyond[0] && mouth[1]) || (beyond[1] && mouth[0]) {
             with_mouth = image;
             let gap = |one: &Reach, other: &Reach| one.gap(other).max(self.rows_between(one, other));
-            self.tractions.add(Stress::Kelvin, [i, j], &gap, &mut with_mouth);
+            self.tractions.add(Stress::Kelvin, cells, &gap, &mut with_mouth);
         }
         Some(Pair { inside, with_mouth })
     }
