@@ -1,5 +1,4 @@
-// What the scripts of a page share: numbers in words, packed numbers, charts as the program has drawn
-// them, sliders, tables, figures as files, theme.
+// Shared by the scripts of a page: numbers, charts, sliders, tables, figures as files, theme.
 "use strict";
 
 const railcrack = (() => {

@@ -1,5 +1,4 @@
-// The map of a row of cracks: each at its place along the rail, in the colour of a quantity; one of
-// them is chosen.
+// The map of a row of cracks at their places along the rail, in the colour of a quantity; one is chosen.
 "use strict";
 
 railcrack.viewer("row-map", "The map", "plots/row.svg has a picture", async () => {

@@ -1,5 +1,4 @@
-// The explorer of a passage in the plane: sliders for growth step and wheel position, and what follows
-// them on the charts that the program has drawn.
+// The explorer of a passage in the plane: sliders for growth step and wheel position, and their charts.
 "use strict";
 
 railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", async () => {

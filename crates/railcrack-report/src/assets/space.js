@@ -1,5 +1,4 @@
-// The explorer of cracks in space: the fronts of the cracks, with sliders for growth step, wheel
-// position and point of the front, on the charts that the program has drawn.
+// The explorer of cracks in space: sliders for growth step, wheel position and point of the front.
 "use strict";
 
 railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", async () => {

@@ -1,5 +1,4 @@
-// A study of many runs: two columns against each other, how results scatter, a table, one run on
-// demand. Conditions select the runs.
+// A study of many runs: two columns against each other, scatter, a table, one run; conditions select.
 "use strict";
 
 railcrack.viewer("study-table", "The runs", "summary.csv has them", async () => {
