@@ -10,7 +10,7 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// Passages of the coarse crack in space over all places, at most about so many: of a longer table
 /// every so many wheels across the rail are taken.
-const PASSAGES: usize = 400;
+const PASSAGES: usize = 1000;
 
 /// Mean growth rate (mm per axle) of the first crack, open, under the table of wheels, and the
 /// share of the axles whose patches meet it, with the crack at each of `places` (lateral_mm);
