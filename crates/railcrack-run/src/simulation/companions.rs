@@ -112,14 +112,11 @@ impl Simulation<'_> {
             let life = life_in_words(info, &log.steps).unwrap_or_default();
             self.observer.note(&format!("as computed: {life}; {count} or more runs for the decision follow"));
         }
-        let part = match count {
-            0 => None,
-            _ => self.part_of_row(info, log, &beside)?,
-        };
+        let part = if count > 0 { self.part_of_row(info, log, &beside)? } else { None };
         // Of a part of the cracks the mesh is another one.
         let carrying = match &part {
-            None => carrying_rail(self.case, beside.engine, &beside.stage(self, self.shared))?,
-            Some(_) => None,
+            None if count > 0 => carrying_rail(self.case, beside.engine, &beside.stage(self, self.shared))?,
+            _ => None,
         };
         beside.rail = carrying.as_ref().or(self.shared);
         let of = |kind: &CompanionKind| match is_the_run(self.case, *kind) {
@@ -134,10 +131,7 @@ impl Simulation<'_> {
             }
         };
         let computed = |kinds: &[CompanionKind]| of_each(kinds, beside.engine, of);
-        // The first one alone: what it has found of the crack is known to the others.
-        let sharing = kinds.iter().filter(|kind| kind.keeps_rail() && !is_the_run(self.case, **kind));
-        let is_ahead = beside.known.is_some() && sharing.count() > 1;
-        let (first, others) = kinds.split_at(usize::from(is_ahead));
+        let (first, others) = self.with_first_alone(&kinds, &beside);
         let mut all = computed(first)?;
         all.extend(computed(others)?);
         loop {
@@ -154,6 +148,18 @@ impl Simulation<'_> {
         }
         all.extend(part.map(|part| part.run));
         Ok(Some(all))
+    }
+
+    /// The first of `kinds` by itself where several share the crack, which then know what it has
+    /// found; none otherwise. And the others.
+    fn with_first_alone<'k>(
+        &self,
+        kinds: &'k [CompanionKind],
+        beside: &Beside,
+    ) -> (&'k [CompanionKind], &'k [CompanionKind]) {
+        let sharing = kinds.iter().filter(|kind| kind.keeps_rail() && !is_the_run(self.case, **kind));
+        let is_ahead = beside.known.is_some() && sharing.count() > 1;
+        kinds.split_at(usize::from(is_ahead))
     }
 
     /// The first runs of all cracks at other speeds than that of the run of `log`, without those
